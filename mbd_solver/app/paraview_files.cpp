@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr const char* kAdvice = "is the disk full?";
+constexpr const char* kDiskAdvice = "is the disk full?";
 
 // Length of the window that ends with each drawing [s]. Where the run chose its windows, the history has the number of DEM
 // steps of the window at the next row.
@@ -101,7 +101,7 @@ void write_grain_series(const std::string& out) {
       if (!drawn.empty())
         if (const std::size_t k = nearest(drawn, time); std::abs(drawn[k] - time) < 1.001 * windows[k]) time = drawn[k];
       const fs::path made = fs::path(file).replace_extension(".vtp");
-      write_whole_file(made.string(), grain_polydata(read_bed_frame(file)), kAdvice);
+      write_whole_file(made.string(), grain_polydata(read_bed_frame(file)), kDiskAdvice);
       list.emplace_back(time, made.filename().string());
     }
     const std::string stem = fs::path(dumps.begin()->second).stem().string();
@@ -173,7 +173,7 @@ bool drew_something(const fs::path& out) {
 
 void write_paraview_script(const std::string& out) {
   try {
-    if (drew_something(out)) write_whole_file((fs::path(out) / "paraview.py").string(), kScript, kAdvice);
+    if (drew_something(out)) write_whole_file((fs::path(out) / "paraview.py").string(), kScript, kDiskAdvice);
   } catch (const std::exception& e) {
     warn_missing_file("paraview.py", e);
   }

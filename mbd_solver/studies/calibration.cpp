@@ -18,71 +18,60 @@
 #include "mbd_solver/studies/sweep_file.h"
 
 namespace footfall {
-namespace {
-
-const Rule kAny{};
-const Rule kRequired{Unit::kNone, Range::kAny, Meaning::kPlain, true};
-const Rule kWords{Unit::kNone, Range::kAny, Meaning::kWords};
-const Rule kPositive{Unit::kNone, Range::kPositive};
-const Rule kRequiredPositive{Unit::kNone, Range::kPositive, Meaning::kPlain, true};
-const Rule kNotNegative{Unit::kNone, Range::kNotNegative};
-const Rule kShare{Unit::kNone, Range::kUnitInterval};
-
-}  // namespace
 
 static void visit_fields(FieldVisitor& v, CalibrationParameter& p) {
-  visit_keys(v, kAny, {{"", &p.source}, {"start", &p.start}, {"source", &p.origin}});
-  visit_keys(v, kRequired, {{"name", &p.name}, {"least", &p.least}, {"most", &p.most}});
-  visit_keys(v, kWords, {{"settings", &p.settings}});
+  v.fields(rule::plain, {{"", &p.source}, {"start", &p.start}, {"source", &p.origin}});
+  v.fields(rule::required(), {{"name", &p.name}, {"least", &p.least}, {"most", &p.most}});
+  v.fields(kWords, {{"settings", &p.settings}});
   v.choice("scale", p.scale);
 }
 
 static void visit_fields(FieldVisitor& v, CalibrationScene& s) {
-  visit_keys(v, kAny, {{"", &s.source}, {"scene", &s.scene}});
-  visit_keys(v, kRequired, {{"name", &s.name}});
-  visit_keys(v, kWords, {{"settings", &s.settings}});
-  visit_keys(v, kNotNegative, {{"until", &s.until}});
+  v.fields(rule::plain, {{"", &s.source}, {"scene", &s.scene}});
+  v.fields(rule::required(), {{"name", &s.name}});
+  v.fields(kWords, {{"settings", &s.settings}});
+  v.fields(rule::not_negative(), {{"until", &s.until}});
 }
 
 static void visit_fields(FieldVisitor& v, SeedsSpec& s) {
-  visit_keys(v, kAny, {{"", &s.source}});
-  visit_keys(v, kWords, {{"settings", &s.settings}, {"values", &s.values}});
-  visit_keys(v, kPositive, {{"search", &s.search}});
+  v.fields(rule::plain, {{"", &s.source}});
+  v.fields(kWords, {{"settings", &s.settings}, {"values", &s.values}});
+  v.fields(rule::positive(), {{"search", &s.search}});
 }
 
 static void visit_fields(FieldVisitor& v, StageSpec& s) {
-  visit_keys(v, kAny, {{"", &s.source}});
-  v.choice("method", s.method, kRequired);
-  visit_keys(v, kRequiredPositive, {{"evaluations", &s.evaluations}});
-  visit_keys(v, kNotNegative, {{"seed", &s.seed}, {"until", &s.until}});
-  visit_keys(v, kPositive, {{"precision", &s.precision}});
-  visit_keys(v, kWords, {{"settings", &s.settings}});
+  v.fields(rule::plain, {{"", &s.source}});
+  v.choice("method", s.method, rule::required());
+  v.fields(rule::required(rule::positive()), {{"evaluations", &s.evaluations}});
+  v.fields(rule::not_negative(), {{"seed", &s.seed}, {"until", &s.until}});
+  v.fields(rule::positive(), {{"precision", &s.precision}});
+  v.fields(kWords, {{"settings", &s.settings}});
 }
 
 static void visit_fields(FieldVisitor& v, CalibrationLimits& l) {
-  visit_keys(v, kNotNegative, {{"runs", &l.runs}, {"hours", &l.hours}});
+  v.fields(rule::not_negative(), {{"runs", &l.runs}, {"hours", &l.hours}});
 }
 
 static void visit_fields(FieldVisitor& v, TargetSpec& t) {
-  visit_keys(v, kAny, {{"", &t.source}, {"name", &t.name}, {"figure", &t.metric}, {"scene", &t.scene}});
-  visit_keys(v, kAny, {{"against", &t.against}, {"value", &t.value}, {"least", &t.least}, {"most", &t.most}});
-  visit_keys(v, kAny, {{"column", &t.column}, {"over", &t.over}, {"file", &t.file}, {"source", &t.origin}});
-  visit_keys(v, kRequiredPositive, {{"tolerance", &t.tolerance}});
-  visit_keys(v, kNotNegative, {{"weight", &t.weight}});
+  v.fields(rule::plain, {{"", &t.source}, {"name", &t.name}, {"figure", &t.metric}, {"scene", &t.scene}});
+  v.fields(rule::plain, {{"against", &t.against}, {"value", &t.value}, {"least", &t.least}, {"most", &t.most}});
+  v.fields(rule::plain, {{"column", &t.column}, {"over", &t.over}, {"file", &t.file}, {"source", &t.origin}});
+  v.fields(rule::required(rule::positive()), {{"tolerance", &t.tolerance}});
+  v.fields(rule::not_negative(), {{"weight", &t.weight}});
 }
 
 static void visit_fields(FieldVisitor& v, ConstraintSpec& c) {
-  visit_keys(v, kAny, {{"", &c.source}, {"least", &c.least}, {"most", &c.most}});
-  visit_keys(v, kRequired, {{"name", &c.name}, {"formula", &c.formula}});
+  v.fields(rule::plain, {{"", &c.source}, {"least", &c.least}, {"most", &c.most}});
+  v.fields(rule::required(), {{"name", &c.name}, {"formula", &c.formula}});
 }
 
 void visit_fields(FieldVisitor& v, CalibrationSpec& s) {
-  visit_keys(v, kAny, {{"", &s.source}, {"title", &s.title}, {"scene", &s.scene}});
-  visit_keys(v, kWords, {{"settings", &s.settings}});
-  visit_keys(v, kNotNegative, {{"until", &s.until}, {"time_limit", &s.time_limit}, {"cap", &s.cap}});
-  visit_keys(v, kNotNegative, {{"alone", &s.single_target}});
-  visit_keys(v, kPositive, {{"step", &s.step}, {"failed", &s.failed}, {"confirm", &s.confirm}});
-  visit_keys(v, kShare, {{"confidence", &s.confidence}});
+  v.fields(rule::plain, {{"", &s.source}, {"title", &s.title}, {"scene", &s.scene}});
+  v.fields(kWords, {{"settings", &s.settings}});
+  v.fields(rule::not_negative(), {{"until", &s.until}, {"time_limit", &s.time_limit}, {"cap", &s.cap}});
+  v.fields(rule::not_negative(), {{"alone", &s.single_target}});
+  v.fields(rule::positive(), {{"step", &s.step}, {"failed", &s.failed}, {"confirm", &s.confirm}});
+  v.fields(rule::share, {{"confidence", &s.confidence}});
   v.section("seeds", s.seeds);
   v.section("limits", s.limits);
   v.list("parameters", s.parameters);

@@ -17,116 +17,101 @@
 #include "mbd_solver/studies/tables.h"
 
 namespace footfall {
-namespace {
-
-const Rule kAny{};
-const Rule kRequired{Unit::kNone, Range::kAny, Meaning::kPlain, true};
-const Rule kWords{Unit::kNone, Range::kAny, Meaning::kWords};
-const Rule kName{Unit::kNone, Range::kAny, Meaning::kWords, true};
-const Rule kFileName{Unit::kNone, Range::kAny, Meaning::kName, true};
-const Rule kPositive{Unit::kNone, Range::kPositive};
-const Rule kNotNegative{Unit::kNone, Range::kNotNegative};
-
-}  // namespace
-
-void visit_keys(FieldVisitor& v, const Rule& rule, const std::vector<KeyedMember>& keys) {
-  for (const KeyedMember& one : keys) v.field(one.key, one.member, rule);
-}
 
 static void visit_fields(FieldVisitor& v, ChoiceSpec& c) {
-  visit_keys(v, kName, {{"name", &c.name}});
-  visit_keys(v, kWords, {{"settings", &c.settings}});
-  visit_keys(v, kAny, {{"scene", &c.scene}});
+  v.fields(rule::required(kWords), {{"name", &c.name}});
+  v.fields(kWords, {{"settings", &c.settings}});
+  v.fields(rule::plain, {{"scene", &c.scene}});
 }
 
 static void visit_fields(FieldVisitor& v, ParameterSpec& p) {
-  visit_keys(v, kAny, {{"", &p.source}, {"ensemble", &p.ensemble}});
-  visit_keys(v, kName, {{"name", &p.name}});
-  visit_keys(v, kWords, {{"settings", &p.settings}, {"values", &p.values}, {"short", &p.short_values}});
+  v.fields(rule::plain, {{"", &p.source}, {"ensemble", &p.ensemble}});
+  v.fields(rule::required(kWords), {{"name", &p.name}});
+  v.fields(kWords, {{"settings", &p.settings}, {"values", &p.values}, {"short", &p.short_values}});
   v.list("choices", p.choices);
 }
 
 static void visit_fields(FieldVisitor& v, CurveSpec& c) {
-  visit_keys(v, kAny, {{"", &c.source}, {"scene", &c.scene}, {"scale", &c.scale}});
-  visit_keys(v, kName, {{"name", &c.name}});
-  visit_keys(v, kWords, {{"settings", &c.settings}, {"reference", &c.reference}, {"default", &c.default_value}});
-  visit_keys(v, kWords, {{"values", &c.values}, {"short", &c.short_values}, {"beside", &c.beside}});
-  visit_keys(v, kNotNegative, {{"until", &c.until}});
+  v.fields(rule::plain, {{"", &c.source}, {"scene", &c.scene}, {"scale", &c.scale}});
+  v.fields(rule::required(kWords), {{"name", &c.name}});
+  v.fields(kWords, {{"settings", &c.settings}, {"reference", &c.reference}, {"default", &c.default_value}});
+  v.fields(kWords, {{"values", &c.values}, {"short", &c.short_values}, {"beside", &c.beside}});
+  v.fields(rule::not_negative(), {{"until", &c.until}});
   EndSpec& e = c.end;
-  visit_keys(v, kWords, {{"ends", &e.ends}, {"columns", &e.columns}});
-  visit_keys(v, kAny, {{"group", &e.group}, {"message", &e.message}, {"at_end", &e.at_end}});
-  visit_keys(v, kNotNegative, {{"tolerance", &e.tolerance}, {"order_beyond", &e.order_beyond}});
+  v.fields(kWords, {{"ends", &e.ends}, {"columns", &e.columns}});
+  v.fields(rule::plain, {{"group", &e.group}, {"message", &e.message}, {"at_end", &e.at_end}});
+  v.fields(rule::not_negative(), {{"tolerance", &e.tolerance}, {"order_beyond", &e.order_beyond}});
 }
 
 static void visit_fields(FieldVisitor& v, ReferenceSpec& r) {
-  visit_keys(v, kAny, {{"scene", &r.scene}});
-  visit_keys(v, kWords, {{"settings", &r.settings}});
+  v.fields(rule::plain, {{"scene", &r.scene}});
+  v.fields(kWords, {{"settings", &r.settings}});
 }
 
 static void visit_fields(FieldVisitor& v, ShortSpec& s) {
-  visit_keys(v, kNotNegative, {{"until", &s.until}});
-  visit_keys(v, kWords, {{"settings", &s.settings}});
+  v.fields(rule::not_negative(), {{"until", &s.until}});
+  v.fields(kWords, {{"settings", &s.settings}});
 }
 
 static void visit_fields(FieldVisitor& v, GrowthSpec& g) {
-  visit_keys(v, kPositive, {{"omega_h", &g.omega_h}, {"short", &g.short_omega_h}, {"substeps", &g.substeps}});
+  v.fields(rule::positive(), {{"omega_h", &g.omega_h}, {"short", &g.short_omega_h}, {"substeps", &g.substeps}});
 }
 
 void visit_fields(FieldVisitor& v, MetricSpec& f) {
-  visit_keys(v, kAny, {{"", &f.source}, {"key", &f.key}, {"average", &f.average}, {"over", &f.over}});
-  visit_keys(v, kName, {{"name", &f.name}});
-  visit_keys(v, kWords, {{"columns", &f.columns}});
-  visit_keys(v, kAny, {{"slope", &f.slope}});
-  visit_keys(v, kNotNegative, {{"prominence", &f.prominence}, {"until", &f.until}});
+  v.fields(rule::plain, {{"", &f.source}, {"key", &f.key}, {"average", &f.average}, {"over", &f.over}});
+  v.fields(rule::required(kWords), {{"name", &f.name}});
+  v.fields(kWords, {{"columns", &f.columns}});
+  v.fields(rule::plain, {{"slope", &f.slope}});
+  v.fields(rule::not_negative(), {{"prominence", &f.prominence}, {"until", &f.until}});
   v.choice("reduce", f.reduction);
   v.choice("error", f.error);
 }
 
 static void visit_fields(FieldVisitor& v, LimitSpec& l) {
-  visit_keys(v, kAny, {{"", &l.source}});
-  visit_keys(v, kRequired, {{"figure", &l.metric}, {"most", &l.most}});
+  v.fields(rule::plain, {{"", &l.source}});
+  v.fields(rule::required(), {{"figure", &l.metric}, {"most", &l.most}});
 }
 
 static void visit_fields(FieldVisitor& v, PublishedSpec& p) {
-  visit_keys(v, kAny, {{"", &p.source}});
-  visit_keys(v, kName, {{"name", &p.name}});
-  visit_keys(v, kWords, {{"values", &p.values}});
+  v.fields(rule::plain, {{"", &p.source}});
+  v.fields(rule::required(kWords), {{"name", &p.name}});
+  v.fields(kWords, {{"values", &p.values}});
 }
 
 static void visit_fields(FieldVisitor& v, CheckSpec& s) {
-  visit_keys(v, kAny,
-             {{"", &s.source}, {"text", &s.text}, {"why", &s.why}, {"case", &s.of_case}, {"against", &s.against}});
-  visit_keys(v, kRequired, {{"figure", &s.metric}});
-  visit_keys(v, kAny, {{"least", &s.least}, {"most", &s.most}});
-  visit_keys(v, kAny, {{"curve", &s.curve}, {"order", &s.order}, {"error", &s.error}});
+  v.fields(rule::plain,
+           {{"", &s.source}, {"text", &s.text}, {"why", &s.why}, {"case", &s.of_case}, {"against", &s.against}});
+  v.fields(rule::required(), {{"figure", &s.metric}});
+  v.fields(rule::plain, {{"least", &s.least}, {"most", &s.most}});
+  v.fields(rule::plain, {{"curve", &s.curve}, {"order", &s.order}, {"error", &s.error}});
 }
 
 static void visit_fields(FieldVisitor& v, PlotSpec& p) {
-  visit_keys(v, kFileName, {{"name", &p.name}});
-  visit_keys(v, kRequired, {{"column", &p.column}});
-  visit_keys(v, kAny, {{"title", &p.title}, {"label", &p.label}});
+  v.fields(rule::required(rule::name), {{"name", &p.name}});
+  v.fields(rule::required(), {{"column", &p.column}});
+  v.fields(rule::plain, {{"title", &p.title}, {"label", &p.label}});
 }
 
 static void visit_fields(FieldVisitor& v, FitFactor& f) {
-  visit_keys(v, kAny, {{"", &f.source}, {"published", &f.published}});
-  visit_keys(v, kRequired, {{"name", &f.name}});
-  visit_keys(v, kWords, {{"sum", &f.sum}});
+  v.fields(rule::plain, {{"", &f.source}, {"published", &f.published}});
+  v.fields(rule::required(), {{"name", &f.name}});
+  v.fields(kWords, {{"sum", &f.sum}});
 }
 
 static void visit_fields(FieldVisitor& v, FitSpec& f) {
-  visit_keys(v, kAny, {{"", &f.source}, {"label", &f.label}, {"marks", &f.marks}});
-  visit_keys(v, kWords, {{"where", &f.where}});
-  visit_keys(v, kFileName, {{"name", &f.name}});
-  visit_keys(v, kRequired, {{"figure", &f.metric}});
+  v.fields(rule::plain, {{"", &f.source}, {"label", &f.label}, {"marks", &f.marks}});
+  v.fields(kWords, {{"where", &f.where}});
+  v.fields(rule::required(rule::name), {{"name", &f.name}});
+  v.fields(rule::required(), {{"figure", &f.metric}});
   v.list("factors", f.factors);
 }
 
 void visit_fields(FieldVisitor& v, SweepSpec& s) {
-  visit_keys(v, kAny, {{"", &s.source}, {"title", &s.title}, {"x_name", &s.x_name}, {"scene", &s.scene}});
-  visit_keys(v, kAny, {{"minimise", &s.minimise}});
-  visit_keys(v, kWords, {{"settings", &s.settings}});
-  visit_keys(v, kNotNegative, {{"until", &s.until}, {"time_limit", &s.time_limit}});
-  visit_keys(v, kPositive, {{"repeats", &s.repeats}});
+  v.fields(rule::plain, {{"", &s.source}, {"title", &s.title}, {"x_name", &s.x_name}, {"scene", &s.scene}});
+  v.fields(rule::plain, {{"minimise", &s.minimise}});
+  v.fields(kWords, {{"settings", &s.settings}});
+  v.fields(rule::not_negative(), {{"until", &s.until}, {"time_limit", &s.time_limit}});
+  v.fields(rule::positive(), {{"repeats", &s.repeats}});
   v.section("short", s.short_form);
   v.section("reference", s.reference);
   v.section("growth", s.growth);

@@ -143,12 +143,8 @@ struct SweepSpec {
   bool is_map() const { return !curves.empty() && !curves.front().end.ends.empty(); }
 };
 
-// Visits several keys of one rule.
-struct KeyedMember {
-  const char* key;
-  FieldRef member;
-};
-void visit_keys(FieldVisitor& v, const Rule& rule, const std::vector<KeyedMember>& keys);
+// Texts that may be written as numbers.
+inline constexpr Rule kWords{Unit::kNone, Range::kAny, Meaning::kWords};
 
 void visit_fields(FieldVisitor& v, SweepSpec& spec);  // its keys
 // Throws InputError with all findings, "file:line: key: what is wrong, what was expected".

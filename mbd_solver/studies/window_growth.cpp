@@ -69,11 +69,11 @@ double measured_growth(const std::string& name, double omega_h, int n) {
   const auto touch = [&] { contact.F_W.z() = -K * path.pose().r.z(); };
   touch();
   average.set_opening_force(contact, path.pose());
-  BodyLoad answer;
-  answer.contact_stiffness = K;
-  if (scheme->requires_tangent()) answer.tangent.emplace_back().K(2, 2) = K;
-  BodyWindow window(*scheme, body, state, answer);
-  ExternalLoad felt;
+  BodyLoad received;
+  received.contact_stiffness = K;
+  if (scheme->requires_tangent()) received.tangent.emplace_back().K(2, 2) = K;
+  BodyWindow window(*scheme, body, state, received);
+  ExternalLoad applied;
 
   std::vector<std::pair<double, double>> logs;  // of the size, over windows
   // Everything on which the next window depends, so that the size does not vanish where position and velocity do.
@@ -92,18 +92,18 @@ double measured_growth(const std::string& name, double omega_h, int n) {
       touch();
       average.add_step(contact, path.pose(), path.last_step(), dt);
     }
-    answer.mean = average.finish();
-    window.apply(answer, felt);
-    const double f = felt.F_W.z();
+    received.mean = average.finish();
+    window.apply(received, applied);
+    const double f = applied.F_W.z();
     const PointMotion start{state.r.z(), state.dr.z()};
     PointMotion end{start.x + start.v + 0.5 * f, start.v + f};
     state.ddr.z() = f;
-    if (felt.tangent) {
-      const TangentLoad& load = *felt.tangent;
-      const double K_felt = load.K(2, 2), C_felt = load.C(2, 2);
-      const double standing = f + K_felt * load.r_mean.z() + C_felt * load.v_mean[2];
-      end = exact_flow(K_felt, C_felt, standing, start);
-      state.ddr.z() = standing - K_felt * end.x - C_felt * end.v;
+    if (applied.tangent) {
+      const TangentLoad& load = *applied.tangent;
+      const double K_applied = load.K(2, 2), C_applied = load.C(2, 2);
+      const double standing = f + K_applied * load.r_mean.z() + C_applied * load.v_mean[2];
+      end = exact_flow(K_applied, C_applied, standing, start);
+      state.ddr.z() = standing - K_applied * end.x - C_applied * end.v;
     }
     state.r.z() = end.x;
     state.dr.z() = end.v;
