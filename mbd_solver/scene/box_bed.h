@@ -1,5 +1,7 @@
 #pragma once
-// Grains with corners: clumps of equal spheres that LIGGGHTS moves as one rigid body (fix multisphere).
+// A bed by numbers, [particles.box]: time steps of grains, the scripts of inputs/box and their variables, and clumps.
+//
+// Clumps are grains with corners: equal spheres that LIGGGHTS moves as one rigid body (fix multisphere).
 //
 // The spheres of a clump are sqrt(3) radii apart. That is as near as three spheres can be without sharing a point, so
 // volume and moments of their union are those of the spheres less those of the lenses in which two overlap, in closed

@@ -49,7 +49,7 @@ struct BoxSpec {
   double depth = 0.0;                       // of the levelled bed: floor at z = -depth, surface at z = 0 of W [m]
   std::vector<double> radius;               // of the grains, one or two; of clumps: of the sphere of their volume [m]
   std::vector<double> shares;               // of two radii in the mass; empty: equal [-]
-  std::vector<std::string> clumps;          // shapes of the grains (clump_shape.h); empty: spheres
+  std::vector<std::string> clumps;          // shapes of the grains (box_bed.h); empty: spheres
   std::vector<double> clump_shares;         // of the shapes in the mass; empty: equal [-]
   std::vector<double> centre = {0.0, 0.0};  // of the bed along x and y of W [m]
   std::vector<double> pit;  // [x_1, x_2]: there the settled bed is removed, across its width; empty: nowhere [m]

@@ -63,12 +63,22 @@ std::string is_expected(const ConfigNode& node, const std::string& expected) {
   return with_code(kWrongType, "is " + node.description() + ", expected " + expected);
 }
 
-std::string with_unit(const std::string& what, const Rule& rule) {
+// One value of a file into one member of a struct, with its unit and range. Each read_value returns an empty text, or what is
+// wrong and what was expected, with its code; the member then keeps its default.
+struct ValueContext {
+  const Rule& rule;
+  double factor;              // written value * factor = SI value
+  const std::string& folder;  // of the scene: tables in files are relative to it
+};
+
+// "a number [m]".
+static std::string with_unit(const std::string& what, const Rule& rule) {
   const std::string unit = unit_name(rule.unit);
   return unit.empty() ? what : what + " [" + unit + "]";
 }
 
-std::string check_range(double value, const Rule& rule) {
+// `value` in SI units, which the message uses as well. Empty: the value is in its range.
+static std::string check_range(double value, const Rule& rule) {
   constexpr double kSmallest = 1e-100, kLargest = 1e100;  // the product of two such numbers is still finite
   std::string expected;
   if (!std::isfinite(value)) {
@@ -88,8 +98,9 @@ std::string check_range(double value, const Rule& rule) {
                    "is " + number_text(value) + (unit.empty() ? "" : " " + unit) + ", expected " + expected);
 }
 
-std::string read_numbers(const ConfigNode& node, const ValueContext& c, std::size_t count, std::vector<double>& values,
-                         std::string expected) {
+// The numbers of a list of known length (count 0: any length), range-checked; `expected` replaces "a list of 3 numbers".
+static std::string read_numbers(const ConfigNode& node, const ValueContext& c, std::size_t count,
+                                std::vector<double>& values, std::string expected = "") {
   if (expected.empty())
     expected = with_unit(count ? "a list of " + std::to_string(count) + " numbers" : "a list of numbers", c.rule);
   if (node.kind != ConfigNode::Kind::kList || (count && node.list.size() != count)) return is_expected(node, expected);
@@ -104,7 +115,43 @@ std::string read_numbers(const ConfigNode& node, const ValueContext& c, std::siz
   return "";
 }
 
-// Numbers, texts, lists, tables and choices of a scene file. Vectors and rotations: vector_reader.cpp.
+// Each item of a list by the reader of one item. `target` changes only if all are good.
+template <class T>
+std::string read_list(const ConfigNode& node, const ValueContext& c, const std::string& expected,
+                      std::vector<T>& target) {
+  if (node.kind != ConfigNode::Kind::kList) return is_expected(node, expected);
+  std::vector<T> result;
+  for (const ConfigNode& item : node.list) {
+    T value{};
+    const std::string problem = read_value(item, c, value);
+    result.push_back(value);
+    if (!problem.empty()) return "entry " + std::to_string(result.size()) + " " + problem;
+  }
+  target = std::move(result);
+  return "";
+}
+
+// A list of two.
+template <class T>
+std::string read_pair(const ConfigNode& node, const ValueContext& c, const std::string& expected,
+                      std::array<T, 2>& target) {
+  std::vector<T> list;
+  const std::string problem = read_value(node, c, list);
+  if (!problem.empty()) return problem;
+  if (list.size() != 2) return is_expected(node, expected);
+  target = {list[0], list[1]};
+  return "";
+}
+
+template <class T>
+static std::string read_value(const ConfigNode& node, const ValueContext& c, std::optional<T>& target) {
+  T value{};
+  const std::string problem = read_value(node, c, value);
+  if (problem.empty()) target = value;
+  return problem;
+}
+
+static std::string read_value(const ConfigNode&, const ValueContext&, Source&) { return ""; }  // handled by the reader
 
 namespace {
 
@@ -119,7 +166,7 @@ std::string without_braces(std::string text) {
 
 }  // namespace
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, double& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c, double& target) {
   if (!node.is_number()) return is_expected(node, with_unit("a number", c.rule));
   const double value = node.number * c.factor;
   const std::string problem = check_range(value, c.rule);
@@ -127,20 +174,20 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, double& ta
   return problem;
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, int& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c, int& target) {
   if (node.kind != Kind::kInteger || std::abs(node.number) > 1e9) return is_expected(node, "a whole number");
   const std::string problem = check_range(node.number, c.rule);
   if (problem.empty()) target = static_cast<int>(node.number);
   return problem;
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext&, bool& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext&, bool& target) {
   if (node.kind != Kind::kFlag) return is_expected(node, "true or false");
   target = node.flag;
   return "";
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, std::string& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c, std::string& target) {
   if (c.rule.meaning == Meaning::kWords && node.is_number()) {
     const bool whole = node.kind == Kind::kInteger;  // seeds have many digits
     target = whole ? std::to_string(static_cast<long long>(node.number)) : number_text(node.number);
@@ -156,7 +203,7 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::strin
   return "";
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<std::string>& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<std::string>& target) {
   if (c.rule.meaning != Meaning::kWords || node.kind == Kind::kList)
     return read_list(node, c, "a list of texts", target);
   std::string word;
@@ -165,11 +212,11 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::vecto
   return problem;
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, std::array<std::string, 2>& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c, std::array<std::string, 2>& target) {
   return read_pair(node, c, "two names of bodies", target);
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<double>& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<double>& target) {
   if (!node.is_number()) return read_numbers(node, c, 0, target);
   double value = 0.0;  // one number is a list of one
   const std::string problem = read_value(node, c, value);
@@ -177,7 +224,7 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::vecto
   return problem;
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<int>& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<int>& target) {
   return read_list(node, c, "a list of whole numbers", target);
 }
 
@@ -193,7 +240,7 @@ std::vector<Eigen::Vector2d> read_two_columns(const std::string& file) {
   return rows;
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<Eigen::Vector2d>& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<Eigen::Vector2d>& target) {
   std::vector<Eigen::Vector2d> result;
   if (node.kind == Kind::kText) {
     try {
@@ -223,7 +270,8 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::vecto
   return "";
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, std::map<std::string, std::string>& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c,
+                              std::map<std::string, std::string>& target) {
   if (node.kind != Kind::kTable) return is_expected(node, "a table { name = value, ... }");
   std::map<std::string, std::string> result;
   for (const auto& [key, value] : node.table) {
@@ -242,7 +290,7 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, std::map<s
   return "";
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext&, Choice& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext&, Choice& target) {
   for (std::size_t i = 0; i < target.names.size(); ++i) {
     if (node.kind != Kind::kText || node.text != target.names[i]) continue;
     target.value = static_cast<int>(i);
@@ -252,7 +300,7 @@ std::string read_value(const ConfigNode& node, const ValueContext&, Choice& targ
                                        known_names("choices", node.text, target.names));
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, NumberOrWord& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c, NumberOrWord& target) {
   if (node.kind != Kind::kText) return read_value(node, c, *target.number);
   if (node.text != target.word) return is_expected(node, with_unit("a number", c.rule) + " or \"" + target.word + "\"");
   *target.is_word = true;
@@ -274,7 +322,7 @@ std::string named_axis(const ConfigNode& node, Eigen::Vector3d& axis) {
 
 }  // namespace
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, Eigen::Vector3d& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c, Eigen::Vector3d& target) {
   const bool direction = c.rule.meaning == Meaning::kDirection;
   if (direction && node.kind == ConfigNode::Kind::kText) return named_axis(node, target);
   std::vector<double> v;
@@ -287,15 +335,15 @@ std::string read_value(const ConfigNode& node, const ValueContext& c, Eigen::Vec
   return "";
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<Eigen::Vector3d>& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c, std::vector<Eigen::Vector3d>& target) {
   return read_list(node, c, with_unit("a list of points [x, y, z]", c.rule), target);
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, std::array<Eigen::Vector3d, 2>& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c, std::array<Eigen::Vector3d, 2>& target) {
   return read_pair(node, c, "two points [[x, y, z], [x, y, z]]", target);
 }
 
-std::string read_value(const ConfigNode& node, const ValueContext& c, PerAxis& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c, PerAxis& target) {
   if (node.kind == ConfigNode::Kind::kList) return read_value(node, c, *target.values);
   double all = 0.0;
   const std::string problem = read_value(node, c, all);
@@ -328,7 +376,7 @@ std::string read_axis_and_angle(const ConfigNode& node, Eigen::Quaterniond& targ
 
 }  // namespace
 
-std::string read_value(const ConfigNode& node, const ValueContext&, Eigen::Quaterniond& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext&, Eigen::Quaterniond& target) {
   const std::string expected =
       "{ rpy_deg = [roll, pitch, yaw] }, { rpy = [...] } in rad, { quaternion = [w, x, y, z] }, or { axis = [x, y, z], "
       "angle_deg = phi }";
@@ -355,7 +403,7 @@ std::string read_value(const ConfigNode& node, const ValueContext&, Eigen::Quate
 }
 
 // Symmetric: [xx, yy, zz] or [xx, yy, zz, xy, yz, zx].
-std::string read_value(const ConfigNode& node, const ValueContext& c, Eigen::Matrix3d& target) {
+static std::string read_value(const ConfigNode& node, const ValueContext& c, Eigen::Matrix3d& target) {
   Rule rule = c.rule;
   rule.range = Range::kAny;
   std::vector<double> v;

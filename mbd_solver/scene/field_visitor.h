@@ -20,7 +20,7 @@
 
 namespace footfall {
 
-// Unit of a number in SI; units.cpp lists the suffixes that the reader accepts for each.
+// Unit of a number in SI; field_reader.cpp lists the suffixes that the reader accepts for each.
 enum class Unit {
   kNone,
   kLength,

@@ -1,5 +1,6 @@
 #pragma once
-// Forces and torques of a scene as functions of time, at a point of a body.
+// Force elements of a scene: forces as functions of time, struts (a sum of laws along a line), springs, drives. Parameters are
+// those of the laws themselves, with their defaults.
 
 #include <Eigen/Dense>
 #include <array>
@@ -204,7 +205,7 @@ struct ParticlesSpec {
   std::string script;  // LIGGGHTS script of the coupled run; gets -var out DIR, -var bed FILE, and:
   std::map<std::string, std::string> variables;  // -var name value
   int ranks = 2;                                 // LIGGGHTS processes
-  std::string soil;                              // numbers of the box from inputs/soils/NAME.toml (soil.h)
+  std::string soil;                              // numbers of the box from inputs/soils/NAME.toml
   std::optional<BedSpec> bed;                    // none: the script makes or reads its own particles
   std::optional<BoxSpec> box;                    // instead of both scripts, which are then those of inputs/box
   std::string

@@ -1,5 +1,5 @@
 #pragma once
-// Triangle meshes from files: STL (ASCII and binary), OBJ, PLY.
+// Triangle meshes from files (STL, ASCII and binary, OBJ, PLY), and the surfaces of boundaries.
 
 #include <functional>
 #include <string>

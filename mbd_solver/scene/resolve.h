@@ -1,5 +1,5 @@
 #pragma once
-// Copies of entries: [arrays.leg] and names with "{leg}".
+// Completes a scene that was read: copies of arrays, paths, points of joints, segments, masses, and the scripts of a bed.
 
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Initial state, controllers, solver, coupling and output of a scene.
+// Initial state, controllers, signals, states and events, solver, coupling and output of a scene.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -86,7 +86,7 @@ constexpr std::string_view name_of(DriftKind kind) { return name_in(kind, "proje
 struct SolverSpec {
   Source source;
   IntegratorKind integrator = IntegratorKind::kOneStep;
-  // Of one_step; auto: tr_bdf2 and esdirk3 with grains, esdirk3 and esdirk5 without (method_choice.h).
+  // Of one_step; auto: tr_bdf2 and esdirk3 with grains, esdirk3 and esdirk5 without.
   OneStepMethod method = OneStepMethod::kAuto;
   double rtol = 1e-6;          // [-]
   std::optional<double> atol;  // of positions [m, rad]; not given: a hundredth of rtol

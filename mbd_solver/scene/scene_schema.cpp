@@ -1,6 +1,9 @@
 // Visitors that write the JSON schema, the keys of each kind, and the values of a scene.
 
+#include <array>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <type_traits>
 
 #include "mbd_solver/scene/field_reader.h"
@@ -9,6 +12,50 @@
 #include "mbd_solver/scene/scene_schema.h"
 
 namespace footfall {
+
+// ---- values ----
+
+static Json to_json(double v) { return v; }
+static Json to_json(int v) { return v; }
+static Json to_json(bool v) { return v; }
+static Json to_json(const std::string& v) { return v; }
+static Json to_json(const Eigen::Vector2d& v) { return {v[0], v[1]}; }
+static Json to_json(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+static Json to_json(const Eigen::Quaterniond& q) { return {{"quaternion", {q.w(), q.x(), q.y(), q.z()}}}; }
+static Json to_json(const Eigen::Matrix3d& m) { return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(2, 0)}; }
+static Json to_json(const std::map<std::string, std::string>& v) { return v.empty() ? Json::object() : Json(v); }
+static Json to_json(const Choice& v) { return v.names[static_cast<std::size_t>(v.value)]; }
+static Json to_json(const NumberOrWord& v) { return *v.number; }
+static Json to_json(const PerAxis& v) {
+  const Eigen::Vector3d& k = *v.values;
+  return k[0] == k[1] && k[1] == k[2] ? Json(k[0]) : to_json(k);
+}
+static Json to_json(const Source&) { return nullptr; }
+template <class T>
+static Json to_json(const std::optional<T>& v) {
+  return v ? to_json(*v) : Json(nullptr);
+}
+template <class Range>
+static Json list_to_json(const Range& values) {
+  Json list = Json::array();
+  for (const auto& value : values) list.push_back(to_json(value));
+  return list;
+}
+template <class T>
+static Json to_json(const std::vector<T>& v) {
+  return list_to_json(v);
+}
+template <class T, std::size_t N>
+static Json to_json(const std::array<T, N>& v) {
+  return list_to_json(v);
+}
+
+static Json json_of(const FieldRef& ref) {
+  return std::visit([](const auto* value) { return to_json(*value); }, ref);
+}
+
+// ---- keys of kinds ----
+
 namespace {
 
 Json keys_of_joint(JointType type) {
@@ -89,7 +136,7 @@ Json vector_of(const Rule& rule) {
   return any_of(three, {{"enum", {"x", "y", "z", "-x", "-y", "-z"}}});
 }
 
-// What the reader accepts for a member of each type (value_reader.cpp).
+// What the reader accepts for a member of each type (field_reader.cpp).
 Json type_of(const double&, const Rule& rule) { return number(rule); }
 Json type_of(const int&, const Rule& rule) { return whole(rule); }
 Json type_of(const bool&, const Rule&) { return of_type("boolean"); }
@@ -234,7 +281,7 @@ std::string scene_schema() {
   Json base = of_type("string");
   base["description"] = "Path of a scene that this one modifies.";
   writer.root["properties"]["base"] = std::move(base);
-  // initial_joints.cpp accepts a number as well.
+  // The reader accepts a number as well.
   Json& joint = writer.root["properties"]["initial"]["properties"]["joints"]["additionalProperties"];
   joint = any_of(of_type("number"), joint);
   Json schema = schema_text("Scene of footfall", writer.root);
