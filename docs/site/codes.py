@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+"""Writes docs/reference/codes.txt, the list of all message codes with meaning and remedy, from the comments of every codes.h.
+
+codes.py          writes the page
+codes.py --check  exit 1 where the page differs, a number or a name stands twice, or a code has no comment
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+root = pathlib.Path(__file__).resolve().parents[2]
+page = root / "docs/reference/codes.txt"
+codes, faults = {}, []
+for file in sorted(root.glob("*/codes.h")) + sorted(root.glob("mbd_solver/*/codes.h")):
+    comment = []
+    pending = ""
+    for line in file.read_text().splitlines():
+        text = line.strip()
+        if pending:
+            text, pending = pending + " " + text, ""
+        if text.startswith("//"):
+            comment.append(text.lstrip("/ "))
+            continue
+        if "MessageCode" in text and ";" not in text:
+            pending = text
+            continue
+        found = re.search(r'constexpr MessageCode (k\w+)\s*{"([EW]\d{4})",\s*"([a-z0-9-]+)"}', text)
+        if found:
+            constant, number, name = found.groups()
+            meaning = " ".join(comment)
+            if not meaning or meaning.startswith("----"):
+                faults.append(f"{file.relative_to(root)}: {number} {name} has no comment: expected its meaning and what to do")
+            if number in codes:
+                faults.append(f"{file.relative_to(root)}: {number} stands twice: {codes[number][0]} and {name}")
+            if name in [n for n, *_ in codes.values()]:
+                faults.append(f"{file.relative_to(root)}: the name {name} stands twice")
+            codes[number] = (name, meaning, constant, file)
+        comment = []
+sources = ""
+for file in root.glob("*/**/*.cpp"):
+    if file.relative_to(root).parts[0] in ("coupler", "liggghts_fix", "mbd_solver"):
+        sources += file.read_text()
+for file in root.glob("*/**/*.h"):
+    if file.relative_to(root).parts[0] in ("coupler", "liggghts_fix", "mbd_solver") and file.name != "codes.h":
+        sources += file.read_text()
+for number, (name, _, constant, file) in codes.items():
+    if not re.search(rf"\b{constant}\b", sources):
+        faults.append(f"{file.relative_to(root)}: {number} {name} is used nowhere")
+text = "Codes of all messages, with their meaning and what to do. Made by docs/site/codes.py from the comments of codes.h.\n\n"
+text += "".join(f"{number} {name}: {meaning}\n" for number, (name, meaning, *_) in sorted(codes.items(), key=lambda c: (c[0][1:], c[0])))
+if "--check" in sys.argv:
+    if not page.exists() or page.read_text() != text:
+        faults.append("docs/reference/codes.txt is not what the sources say: run docs/site/codes.py")
+    print("\n".join(faults))
+    sys.exit(1 if faults else 0)
+page.write_text(text)
+print("\n".join(faults) if faults else f"{len(codes)} codes")
