@@ -48,7 +48,7 @@ void check_by_building(Scene scene) {
     for (const std::string& warning : mechanism.warnings)
       std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
     require_inside_box(scene, mechanism);
-    demand_values_at_start(scene, !unknown_height, mechanism);
+    require_values_at_start(scene, !unknown_height, mechanism);
   } catch (const InputError& error) {
     const std::string what = error.what();
     throw InputError(what.front() == '/' || names_a_place(scene.file, what) ? what : scene.file + ": " + what);

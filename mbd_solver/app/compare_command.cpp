@@ -18,6 +18,7 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/mechanism_shape.h"
 #include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_frames.h"
@@ -471,51 +472,36 @@ Json coupled_summary(const std::string& run) {
   return json;
 }
 
-ComparedRun coupled_run(const std::string& label, const std::string& run, const std::vector<std::string>& bodies) {
+// A coupled run from its recorded motion; `surfaces`, unless null: the paths of its coupled surfaces.
+ComparedRun coupled_run(const std::string& label, const std::string& run, const std::vector<std::string>& bodies,
+                        std::vector<SurfacePath>* surfaces) {
   ComparedRun result{label, run, {}};
+  const fs::path folder = fs::path(run) / "motion";
   for (const std::string& body : bodies) {
-    const RecordedMotion motion = read_motion((fs::path(run) / "motion").string(), body);
+    const RecordedMotion motion = read_motion(folder.string(), body);
     ComparedBody& compared = result.bodies.emplace_back();
     compared.time = motion.time;
     for (const std::vector<double>& f : motion.force) compared.force.emplace_back(f[0], f[1], f[2]);
-  }
-  return result;
-}
-
-std::vector<SurfacePath> surfaces_of(const std::string& run, const std::vector<std::string>& bodies) {
-  std::vector<SurfacePath> surfaces;
-  for (const std::string& body : bodies) {
-    const fs::path folder = fs::path(run) / "motion";
-    const RecordedMotion motion = read_motion(folder.string(), body);
-    SurfacePath& surface = surfaces.emplace_back();
-    surface.body = body;
-    surface.time = motion.time;
+    if (surfaces == nullptr) continue;
+    SurfacePath& surface = surfaces->emplace_back(SurfacePath{body, 0.0, motion.time, {}});
     for (const std::vector<double>& pose : motion.pose) surface.place.emplace_back(pose[0], pose[1], pose[2]);
     for (const Eigen::Vector3d& x : read_mesh((folder / (body + ".stl")).string()).vertices)
       surface.radius = std::max(surface.radius, (x - surface.place.front()).head<2>().norm());
   }
-  return surfaces;
+  return result;
 }
 
 // forces.txt of fix ave/time: step, then fx fy fz of each body.
-ComparedRun stock_run(const fs::path& out, const Replay& replay, double dt) {
-  ComparedRun result{"stock", out.string(), std::vector<ComparedBody>(replay.bodies.size())};
-  std::ifstream file(out / "forces.txt");
-  std::string line;
-  while (std::getline(file, line)) {
-    std::istringstream words(line);
-    double step = 0.0;
-    if (line.empty() || line[0] == '#' || !(words >> step)) continue;
-    if (step == 0.0) continue;
-    for (ComparedBody& body : result.bodies) {
-      Eigen::Vector3d f;
-      words >> f.x() >> f.y() >> f.z();
-      body.time.push_back(step * dt);
-      body.force.push_back(f);
+ComparedRun stock_run(const fs::path& out, std::size_t bodies, double dt) {
+  ComparedRun result{"stock", out.string(), std::vector<ComparedBody>(bodies)};
+  CsvReader csv((out / "forces.txt").string(), "the forces of stock LIGGGHTS", CsvReader::Separators::kAny);
+  while (csv.next()) {
+    csv.require_width(1 + 3 * bodies);
+    if (csv.number(0) == 0.0) continue;
+    for (std::size_t i = 0; i < bodies; ++i) {
+      result.bodies[i].time.push_back(csv.number(0) * dt);
+      result.bodies[i].force.emplace_back(csv.number(3 * i + 1), csv.number(3 * i + 2), csv.number(3 * i + 3));
     }
-    if (!words)
-      throw InputError(code::kReplayFailed, (out / "forces.txt").string() + ": \"" + line +
-                                                "\": expected a step and three forces for each body");
   }
   if (result.bodies.empty() || result.bodies[0].time.empty())
     throw InputError(code::kReplayFailed, (out / "forces.txt").string() + ": stock LIGGGHTS wrote no forces");
@@ -558,11 +544,9 @@ std::string limits_of_replay(const std::string& run, const Replay& replay) {
     if (worst.empty() || most > bend) worst = body;
     bend = std::max(bend, most);
   }
-  char text[300];
-  std::snprintf(text, sizeof text,
-                "stock movers cannot bend a mesh: nodes were up to %.2g mm (%s) from the replayed rigid motion\n",
-                1e3 * bend, worst.c_str());
-  std::string all = text;
+  std::string all =
+      text("stock movers cannot bend a mesh: nodes were up to %.2g mm (%s) from the replayed rigid motion\n",
+           1e3 * bend, worst.c_str());
   for (const std::string& note : replay.notes) all += "left out of the replay: " + note + "\n";
   return all;
 }
@@ -608,7 +592,7 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
     for (const auto& [name, text] : replay.files) write(out / name, text);
     run_stock(liggghts, summary.at("scene").at("particles"), out, quiet);
     bodies = replay.bodies;
-    second = stock_run(out, replay, dt);
+    second = stock_run(out, bodies.size(), dt);
     remark = limits_of_replay(run, replay);
   } else {
     const Json theirs = coupled_summary(other);
@@ -618,10 +602,11 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
                                                  " s; the runs have no common steps");
     for (const std::string& body : recorded_bodies((fs::path(run) / "motion").string()))
       if (fs::exists(fs::path(other) / "motion" / (body + ".csv"))) bodies.push_back(body);
-    second = coupled_run(other, other, bodies);
+    second = coupled_run(other, other, bodies, nullptr);
   }
-  const ComparedRun first = coupled_run(other.empty() ? "coupled" : run, run, bodies);
-  const Comparison comparison = compare_beds(first, second, surfaces_of(run, bodies), dt);
+  std::vector<SurfacePath> surfaces;
+  const ComparedRun first = coupled_run(other.empty() ? "coupled" : run, run, bodies, &surfaces);
+  const Comparison comparison = compare_beds(first, second, surfaces, dt);
 
   const std::string table = comparison.table + remark;
   write(out / "comparison.txt", table);

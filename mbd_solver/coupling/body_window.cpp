@@ -1,3 +1,6 @@
+// Path of a boundary as mean values over the DEM steps, with the weights of the scheme; the load that the integrator
+// applies; work and impulse that remain at the end of a window. Equations: body_window.h, theory 7.
+
 #include "mbd_solver/coupling/body_window.h"
 
 #include <cmath>
@@ -37,7 +40,7 @@ void PredictedWindow::begin(const BodyMotion& start, int n, double dt) {
     v.head<3>() += weight * pose.dr;
     v.tail<3>() += weight * pose.w;
   };
-  // The force that opens the window stands since the last substep of the window before.
+  // The force that opens the window acts since the last DEM step of the window before.
   add(weights.opening);
   walk_.begin_window(start, n, dt);
   for (int i = 1; i <= n; ++i) {
@@ -61,7 +64,7 @@ BodyWindow::BodyWindow(const Scheme& scheme, const Body& body, const BodyMotion&
   if (load_.mean.Q_a.size() != initial.mode_count()) load_.mean = MeanLoad(initial.mode_count());
 }
 
-// The next window begins with a state, a path and a reaction of its own.
+// State, path and reaction are set anew by the next window.
 void BodyWindow::visit(Archive& archive) {
   archive("predicted", predicted_);
   archive("load", load_);
@@ -86,14 +89,14 @@ void BodyWindow::begin(int n, double dt, BodyMotion& motion) {
   predicted_.begin(motion, n, dt);
 }
 
-void BodyWindow::answer(const BodyLoad& load, ExternalLoad& felt) {
+void BodyWindow::apply(const BodyLoad& load, ExternalLoad& applied) {
   std::swap(before_, load_.mean);
   load_ = load;
   reaction_ = scheme_.reaction(rigid_inertia(), load_, predicted_.path(), length_);
-  felt.F_W = load_.mean.F_W;
-  felt.T_B = load_.mean.T_B;
-  if (load_.mean.Q_a.size() > 0) felt.Q_a = load_.mean.Q_a;
-  felt.tangent = reaction_;
+  applied.F_W = load_.mean.F_W;
+  applied.T_B = load_.mean.T_B;
+  if (load_.mean.Q_a.size() > 0) applied.Q_a = load_.mean.Q_a;
+  applied.tangent = reaction_;
 }
 
 double BodyWindow::pending_work(const BodyMotion& computed) const {

@@ -1,3 +1,6 @@
+// Effective mass of a load: for a body without joints from its inertia in closed form, otherwise by one solve with the
+// factors of the mechanism's equations (SaddleSystem::respond).
+
 #include "mbd_solver/coupling/contact_mass.h"
 
 #include <algorithm>
@@ -6,7 +9,7 @@
 namespace footfall {
 namespace {
 
-// Rows of joints are solved to 1e-12: a body that is this much heavier than it is does not move.
+// Constraint rows are solved to 1e-12: an effective mass this many times the body's own counts as infinite.
 constexpr double kHeld = 1e8;
 
 double largest_mode(const ModalBoundary& boundary) {
@@ -42,15 +45,15 @@ ContactMass::ContactMass(Equations& equations, int body, const ModalBoundary& bo
       q_(equations.layout().v_size),
       moved_(q_) {}
 
-double ContactMass::along(const ExternalLoad& felt, const State& state, double H) {
-  const double f = felt.F_W.norm();
+double ContactMass::along(const ExternalLoad& load, const State& state, double H) {
+  const double f = load.F_W.norm();
   if (f == 0.0) return mass_;
   const Body& body = equations_.model().body(body_);
   const double own = body.mass();
-  const Eigen::Vector3d F = felt.F_W / f, T = cut_off(felt.T_B, f, reach_);
+  const Eigen::Vector3d F = load.F_W / f, T = cut_off(load.T_B, f, reach_);
   Eigen::VectorXd Q;
-  if (felt.Q_a.size() > 0) {
-    Q = cut_off(felt.Q_a, f, largest_mode_);
+  if (load.Q_a.size() > 0) {
+    Q = cut_off(load.Q_a, f, largest_mode_);
     for (Eigen::Index i = 0; i < Q.size(); ++i) {
       const double theta2 = body.modal()->stiffness[i] * H * H;
       Q[i] /= 1.0 + theta2 * theta2;
@@ -68,8 +71,8 @@ double ContactMass::along(const ExternalLoad& felt, const State& state, double H
   q_.segment(first + 6, Q.size()) = Q;
   moved_ = q_;
   equations_.saddle().respond(state, moved_);
-  const double yields = q_.dot(moved_);  // [1/kg]
-  mass_ = yields * own * kHeld > 1.0 ? 1.0 / yields : std::numeric_limits<double>::infinity();
+  const double inverse_mass = q_.dot(moved_);  // [1/kg]
+  mass_ = inverse_mass * own * kHeld > 1.0 ? 1.0 / inverse_mass : std::numeric_limits<double>::infinity();
   return mass_;
 }
 

@@ -1,3 +1,6 @@
+// The windows of all coupled bodies: BodyWindow makes the motion and applies the load, ContactMass gives the mass that
+// contacts meet, CouplingWatch checks the result, WindowChoice sets the next length. Clocks show who waited for whom.
+
 #include "mbd_solver/coupling/coupled_run.h"
 
 #include <algorithm>
@@ -10,16 +13,17 @@
 #include "coupler/schemes/registry.h"
 #include "mbd_solver/coupling/window_choice.h"
 #include "mbd_solver/model/rotation.h"
+#include "mbd_solver/run/codes.h"
 
 namespace footfall {
 namespace {
 
-// The mass that contacts meet changes with the attitude of the mechanism, slowly; found in every window it would be felt
-// in the run time.
-constexpr int kMassHolds = 10;  // windows
+// The mass that contacts meet changes slowly with the attitude of the mechanism; computed in every window it would cost
+// run time.
+constexpr int kMassInterval = 10;  // windows
 
-// A number that the scene states for the script, 0 when it does not.
-double stated(const Scene& scene, const std::string& name) {
+// A number that the scene passes to the script; 0: none.
+double script_variable(const Scene& scene, const std::string& name) {
   const auto found = scene.particles->variables.find(name);
   if (found == scene.particles->variables.end()) return 0.0;
   char* end = nullptr;
@@ -27,7 +31,7 @@ double stated(const Scene& scene, const std::string& name) {
   return *end == '\0' ? value : 0.0;
 }
 
-std::vector<std::string> held_by_walls(const Mechanism& mechanism) {
+std::vector<std::string> bodies_stopped_by_walls(const Mechanism& mechanism) {
   std::vector<std::string> names;
   for (const ContactEntry& entry : mechanism.contacts)
     if (entry.walls != nullptr) names.push_back(mechanism.model.body(entry.body_1).name());
@@ -39,12 +43,12 @@ DemTerms terms_of(const Scene& scene, const Mechanism& mechanism, double t_end, 
   terms.scheme = scene.coupling.scheme;
   terms.t_end = t_end;
   terms.gravity = scene.gravity;
-  terms.held_by_walls = held_by_walls(mechanism);
+  terms.held_by_walls = bodies_stopped_by_walls(mechanism);
   terms.resume = resume;
   terms.n_max = scene.coupling.max_substeps;
   terms.max_dt = scene.particles->max_time_step;
-  terms.expected_dt = stated(scene, "dt");
-  terms.expected_n = static_cast<int>(std::min(stated(scene, "every"), 1.0 * std::numeric_limits<int>::max()));
+  terms.expected_dt = script_variable(scene, "dt");
+  terms.expected_n = static_cast<int>(std::min(script_variable(scene, "every"), 1.0 * std::numeric_limits<int>::max()));
   return terms;
 }
 
@@ -95,7 +99,7 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations
     weight = std::min(weight, body.mass() * scene.gravity.norm());
   }
   watched_.resize(bodies_.size());
-  watch_ = std::make_unique<CouplingWatch>(std::move(names), scene.coupling);
+  watch_ = std::make_unique<CouplingWatch>(names, scene.coupling);
   for (const std::string& warning : partner_.warnings()) watch_->warn(warning);
   sample_.omega_h = watch_->omega_h();
   if (agreement_.substeps > 0) return;
@@ -124,31 +128,29 @@ void CoupledRun::visit(Archive& archive) {
   archive("dem_seconds", dem_seconds_);
   archive("waited_seconds", waited_seconds_);
   archive("exchange_seconds", exchange_seconds_);
-  archive("beside_seconds", beside_seconds_);
+  archive("overlapped_seconds", overlapped_seconds_);
 }
 
-double CoupledRun::begin_window(const State& state, const Kinematics& kinematics,
-                                const std::function<WantedSet(double t_end)>& checkpoint_at,
-                                const std::function<void()>& meanwhile, Inputs& inputs) {
+double CoupledRun::exchange(const State& state, const Kinematics& kinematics,
+                            const std::function<CheckpointRequest(double t_end)>& checkpoint_at,
+                            const std::function<void()>& meanwhile, Inputs& inputs) {
   const double dt = agreement_.dt;
-  const double left = std::round((t_end_ - state.time) / dt);  // substeps: may be more than an integer holds
+  const double left = std::round((t_end_ - state.time) / dt);  // DEM steps, possibly more than an integer holds
   motion_.time = state.time;
   const int wanted = choice_ ? choice_->substeps() : agreement_.substeps;
   const int most = scheme_->substeps(wanted, motion_.window);
   motion_.n = left < most ? std::max(1, static_cast<int>(left)) : most;
   motion_.last_window = left <= motion_.n;
   const double t_end = motion_.last_window ? t_end_ : state.time + motion_.n * dt;
-  const WantedSet wanted_set = motion_.last_window ? WantedSet{} : checkpoint_at(t_end);
-  motion_.checkpoint = wanted_set.folder;
-  motion_.undisturbed = wanted_set.quietly;
-
+  const CheckpointRequest request = motion_.last_window ? CheckpointRequest{} : checkpoint_at(t_end);
+  motion_.checkpoint = request.folder;
+  motion_.undisturbed = request.undisturbed;
   work_before_ = state.load_work;
-
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     fill_motion(kinematics.of(bodies_[k].entry.body), motion_.bodies[k]);
     bodies_[k].window.begin(motion_.n, dt, motion_.bodies[k]);
   }
-  if (partner_.wants_masses()) {
+  if (partner_.requires_masses()) {
     motion_.inverse_masses.clear();
     for (const Coupled& body : bodies_) motion_.inverse_masses.push_back(1.0 / body.contact_mass.last());
   }
@@ -163,14 +165,14 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   dem_seconds_ += load.wall_seconds;
   waited_seconds_ += load.waited_seconds;
   exchange_seconds_ += std::max(0.0, load.waited_seconds - worked);
-  beside_seconds_ += std::max(0.0, worked - load.waited_seconds);
+  overlapped_seconds_ += std::max(0.0, worked - load.waited_seconds);
   receive(load, inputs);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const auto body = static_cast<std::size_t>(bodies_[k].entry.body);
     Coupled& coupled = bodies_[k];
     const bool touched = !inputs.loads[body].F_W.isZero(0.0);
-    if (!touched || coupled.mass_age >= kMassHolds) coupled.mass_age = 0;
-    const bool anew = coupled.mass_age == 0 || !coupled.contact_mass.asks_mechanism();
+    if (!touched || coupled.mass_age >= kMassInterval) coupled.mass_age = 0;
+    const bool anew = coupled.mass_age == 0 || !coupled.contact_mass.solves_equations();
     watched_[k].mass =
         anew ? coupled.contact_mass.along(inputs.loads[body], state, motion_.n * dt) : coupled.contact_mass.last();
     if (touched) ++coupled.mass_age;
@@ -178,15 +180,16 @@ double CoupledRun::begin_window(const State& state, const Kinematics& kinematics
   return t_end;
 }
 
-// Masses that are due are found by factors at the window's start.
+// Contact masses that are due need the factors at the window's start.
 void CoupledRun::prepare_masses(const State& state) {
   for (const Coupled& body : bodies_)
-    if (body.mass_age >= kMassHolds && body.contact_mass.asks_mechanism()) return equations_.saddle().factor_at(state);
+    if (body.mass_age >= kMassInterval && body.contact_mass.solves_equations())
+      return equations_.saddle().factor_at(state);
 }
 
 void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {
   for (Coupled& body : bodies_) fill_motion(kinematics.of(body.entry.body), body.end);
-  judge(state);
+  observe(state);
   if (choice_) choose_window();
   sample_.substeps = motion_.n;
   sample_.estimate = choice_ ? choice_->estimate() : 0.0;
@@ -195,43 +198,42 @@ void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {
   ++motion_.window;
 }
 
-// Windows are counted at their end.
-bool CoupledRun::wait_until_kept() { return partner_.expect_kept(motion_.window - 1); }
+// end_window has counted the window already.
+bool CoupledRun::wait_for_checkpoint() { return partner_.wait_for_checkpoint(motion_.window - 1); }
 
-// n of the next window, and up to which omega H it needs no warning.
+// n of the next window, and the omega H up to which it needs no warning.
 void CoupledRun::choose_window() {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const Coupled& body = bodies_[k];
     const BodyLoad& load = partner_.load().bodies[k];
-    // Before its first contact it flies to the grains below it.
-    const LandingSite* site = watch_->largest_omega_h()[k] == 0.0 ? body.site : nullptr;
+    // Before its first contact only the grains below it count.
+    const LandingSite* site = watch_->largest_omega_h(k) == 0.0 ? body.site : nullptr;
     const Vector6d gap = body.window.path().gap(body.end);
-    WindowChoice::Body& seen = choice_bodies_[k];
-    seen.flight = flight_time(body.end, body.entry.boundary, mechanism_.placement, up_, site);
-    seen.mass = watched_[k].mass;
-    seen.stiffness = load.contact_stiffness;
-    seen.force = load.mean.F_W;
-    seen.place = body.window.path().r_mean;
-    seen.gap = gap.head<3>().norm() + gap.tail<3>().norm() * body.reach;
+    WindowChoice::Body& measured = choice_bodies_[k];
+    measured.flight = flight_time(body.end, body.entry.boundary, mechanism_.placement, up_, site);
+    measured.mass = watched_[k].mass;
+    measured.stiffness = load.contact_stiffness;
+    measured.force = load.mean.F_W;
+    measured.place = body.window.path().r_mean;
+    measured.gap = gap.head<3>().norm() + gap.tail<3>().norm() * body.reach;
   }
   choice_->observe(motion_.n, choice_bodies_);
-  for (std::size_t k = 0; k < bodies_.size(); ++k) watch_->allow(k, choice_->allowed_omega_h(k));
+  for (std::size_t k = 0; k < bodies_.size(); ++k) watch_->allow_omega_h(k, choice_->allowed_omega_h(k));
 }
-
-// ---- what depends on the scheme ----
 
 void CoupledRun::receive(const Load& load, Inputs& inputs) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     Coupled& body = bodies_[k];
     if (const std::string place = first_not_finite(load.bodies[k]); !place.empty())
-      throw NumericalError("t = " + std::to_string(motion_.time) + " s: the load of the grains on body " +
-                           watch_->names()[k] + " is not finite (" + place +
-                           "): the bed has blown up; use a smaller timestep in the script");
-    body.window.answer(load.bodies[k], inputs.loads[static_cast<std::size_t>(body.entry.body)]);
+      throw NumericalError(code::kGrainLoadNotFinite,
+                           "t = " + std::to_string(motion_.time) + " s: the load of the grains on body " +
+                               watch_->name(k) + " is not finite (" + place +
+                               "): the bed has become unstable; use a smaller timestep in the script");
+    body.window.apply(load.bodies[k], inputs.loads[static_cast<std::size_t>(body.entry.body)]);
   }
 }
 
-void CoupledRun::judge(const State& state) {
+void CoupledRun::observe(const State& state) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const Coupled& body = bodies_[k];
     watched_[k].work_received = state.load_work(body.entry.body) - work_before_(body.entry.body);
@@ -239,9 +241,10 @@ void CoupledRun::judge(const State& state) {
     watched_[k].gravity = body.body.mass() * gravity_.dot(body.end.r - motion_.bodies[k].r);
     watched_[k].kinetic = 0.5 * body.body.mass() * body.end.dr.squaredNorm();
     if (const std::optional<Eigen::Vector3d> surplus = body.window.surplus_impulse(body.end))
-      watch_->count_surplus(k, state.time, *surplus, body.window.length() * partner_.load().bodies[k].mean.F_W.norm());
+      watch_->add_surplus_impulse(k, state.time, *surplus,
+                                  body.window.length() * partner_.load().bodies[k].mean.F_W.norm());
   }
-  watch_->window({state.time, state.time - motion_.time, motion_.n, motion_.last_window}, partner_.load(), watched_);
+  watch_->observe({state.time, state.time - motion_.time, motion_.n, motion_.last_window}, partner_.load(), watched_);
 }
 
 }  // namespace footfall

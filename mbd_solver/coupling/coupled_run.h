@@ -1,11 +1,11 @@
 #pragma once
-// The half of a coupled run that belongs to the mechanism: in every window, motion out and load in. It exists only in
-// runs that touch grains. theory 7.
+// The multibody side of a coupled run: in every window it sends the motion and receives the load. Constructed only for
+// runs with grains. theory 7.
 //
-// Window k, of n substeps, H = n dt:
-//   begin_window   n; the motion at t_k, as the scheme lets the grains see it, goes out; the mean load comes in
+// Window k, of n DEM steps, H = n dt:
+//   exchange     chooses n; sends the motion at t_k, as the scheme presents it to the grains; receives the mean load
 //   (the mechanism moves from t_k to t_k + H under that load)
-//   end_window     work that arrived, gap between computed and predicted motion: watch, and n of the next window
+//   end_window   work received, gap between computed and predicted motion: CouplingWatch, and n of the next window
 
 #include <functional>
 #include <memory>
@@ -25,35 +25,36 @@
 
 namespace footfall {
 
-// A checkpoint that shall be made at the end of a window.
-struct WantedSet {
-  std::string folder;    // empty: none
-  bool quietly = false;  // the grains' side writes it without a trace in what follows
+// A checkpoint that is required at the end of a window.
+struct CheckpointRequest {
+  std::string folder;        // empty: none
+  bool undisturbed = false;  // only if the DEM side can write it without changing the run
 };
 
 class CoupledRun {
  public:
-  // Shakes hands with LIGGGHTS. start: of the mechanism. mechanism, equations and transport must outlive this. resume:
-  // folder of the checkpoint from which both sides go on; visit() then follows. Throws ProtocolError, PartnerError.
+  // Performs the handshake with LIGGGHTS. start: of the mechanism. mechanism, equations and transport must outlive this.
+  // resume: folder of the checkpoint from which both sides resume; visit() then follows. Throws ProtocolError,
+  // PartnerError.
   CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations& equations, const Kinematics& start,
              double t_end, Transport& transport, const std::string& resume = "");
 
   // Sends the motion, waits for the load, writes it into inputs.loads (one per body of the model, sized by the caller).
-  // meanwhile: called when the motion is out, before the load is waited for; it leaves inputs.loads alone.
-  // kinematics: with accelerations. checkpoint_at: how the grains' side shall keep itself at the window's end [s].
+  // meanwhile: called after sending, before waiting for the load; it must not change inputs.loads.
+  // kinematics: with accelerations. checkpoint_at: the checkpoint that is required at the window's end [s].
   // Returns the window's end [s]; the present time when the script has ended, as it may: script_has_ended(). Throws
   // NumericalError for a load that is not finite, PartnerError.
-  double begin_window(const State& state, const Kinematics& kinematics,
-                      const std::function<WantedSet(double t_end)>& checkpoint_at,
-                      const std::function<void()>& meanwhile, Inputs& inputs);
-  // The mechanism has come to the window's end. Throws NumericalError when the coupling pumps energy or chatters
+  double exchange(const State& state, const Kinematics& kinematics,
+                  const std::function<CheckpointRequest(double t_end)>& checkpoint_at,
+                  const std::function<void()>& meanwhile, Inputs& inputs);
+  // The mechanism has reached the window's end. Throws NumericalError when the coupling creates energy or chatters
   // (CouplingWatch).
   void end_window(const State& state, const Kinematics& kinematics);
 
-  // The grains' side was asked to keep itself at the end of the last window.
-  bool keeps() const { return !motion_.checkpoint.empty(); }
-  bool keeps_quietly() const { return motion_.undisturbed; }
-  bool wait_until_kept();        // then its files are there; false: it could not be done quietly
+  // A checkpoint was required at the end of the last window.
+  bool checkpoint_required() const { return !motion_.checkpoint.empty(); }
+  bool checkpoint_undisturbed() const { return motion_.undisturbed; }
+  bool wait_for_checkpoint();    // of the DEM side; false: it could not be written without disturbing the run
   void visit(Archive& archive);  // between two windows
 
   void close() { partner_.close(); }  // after the last window
@@ -62,38 +63,38 @@ class CoupledRun {
   const Agreement& agreement() const { return agreement_; }
   const CouplingSample& sample() const { return sample_; }  // of the last window
   const Load& load() const { return partner_.load(); }      // likewise; empty before the first
-  // The LIGGGHTS script has said that it may end before the scene does, and has.
+  // The LIGGGHTS script may end before the scene does, and has.
   bool script_has_ended() const { return partner_.script_has_ended(); }
-  // Planes and static meshes of the script, as it began to run; those that have gone since, told with the last load.
+  // Planes and static meshes of the script at its start; those removed since, as reported with the last load.
   const std::vector<StaticWall>& walls() const { return partner_.walls(); }
   const std::vector<std::string>& gone_walls() const { return partner_.load().gone_walls; }
-  bool asked_to_end() const { return partner_.load().end_requested; }  // by a signal to a rank of LIGGGHTS
+  bool end_requested() const { return partner_.load().end_requested; }  // by a signal to a rank of LIGGGHTS
   const CouplingWatch& watch() const { return *watch_; }
-  const std::string& grains_version() const { return partner_.grains_version(); }  // of LIGGGHTS
-  double dem_seconds() const { return dem_seconds_; }        // spent by LIGGGHTS on its windows, waiting apart [s]
-  double waited_seconds() const { return waited_seconds_; }  // LIGGGHTS stood still for motions [s]
-  // Of that what goes beyond the work of the mechanism for them: what the exchange costs [s].
+  const std::string& dem_version() const { return partner_.dem_version(); }  // of LIGGGHTS
+  double dem_seconds() const { return dem_seconds_; }        // work of LIGGGHTS on its windows, without waiting [s]
+  double waited_seconds() const { return waited_seconds_; }  // LIGGGHTS waited for motions [s]
+  // Of that, beyond the work of the mechanism for them: the cost of the exchange [s].
   double exchange_seconds() const { return exchange_seconds_; }
-  // The mechanism's work for motions while LIGGGHTS did not wait for them yet [s].
-  double beside_seconds() const { return beside_seconds_; }
+  // Work of the mechanism for motions before LIGGGHTS waited for them [s].
+  double overlapped_seconds() const { return overlapped_seconds_; }
 
  private:
-  // One body that the script couples.
+  // A body that the script couples.
   struct Coupled {
     const BodyBoundary& entry;
     const Body& body;
-    const LandingSite* site;  // under it at the start; null when not known
-    BodyWindow window;        // what the scheme makes of it
+    const LandingSite* site;  // grains under it at the start; null when unknown
+    BodyWindow window;        // motion sent and load applied
     ContactMass contact_mass;
     BodyMotion end;    // computed, at the window's end
     double reach;      // largest |rho0| [m]
-    int mass_age = 0;  // windows of contact since contact_mass was found
+    int mass_age = 0;  // windows of contact since contact_mass was computed
   };
 
   void prepare_masses(const State& state);
   void choose_window();  // n of the next window, after one
   void receive(const Load& load, Inputs& inputs);
-  void judge(const State& state);  // a window that has ended
+  void observe(const State& state);  // a window that has ended
 
   const Mechanism& mechanism_;
   Equations& equations_;
@@ -103,7 +104,7 @@ class CoupledRun {
   std::unique_ptr<Scheme> scheme_;
   DemPartner partner_;
   Agreement agreement_;
-  // Memory from window to window:
+  // State from window to window:
   std::vector<Coupled> bodies_;  // in the order of Motion and Load
   Motion motion_;                // of this window, as sent
   std::unique_ptr<CouplingWatch> watch_;
@@ -112,8 +113,8 @@ class CoupledRun {
   CouplingSample sample_;
   Eigen::VectorXd work_before_;               // State::load_work at the window's start [J]
   std::vector<CouplingWatch::Body> watched_;  // of the window, per coupled body
-  double dem_seconds_ = 0.0, waited_seconds_ = 0.0, exchange_seconds_ = 0.0, beside_seconds_ = 0.0;  // [s]
-  double exchanged_ = wall_clock();  // when the last load had come [s]
+  double dem_seconds_ = 0.0, waited_seconds_ = 0.0, exchange_seconds_ = 0.0, overlapped_seconds_ = 0.0;  // [s]
+  double exchanged_ = wall_clock();  // arrival of the last load [s]
 };
 
 }  // namespace footfall

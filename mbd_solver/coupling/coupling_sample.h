@@ -1,5 +1,5 @@
 #pragma once
-// What the coupling tells those who watch a run: plain data, so that a watcher needs nothing else of the coupling.
+// Data of the coupling for observers of a run: plain structs, independent of the rest of the coupling.
 
 #include <vector>
 
@@ -9,17 +9,17 @@ namespace footfall {
 
 // What both programs agreed on before the first window: holds for the whole run.
 struct Agreement {
-  double dt = 0.0;                 // substep of the grains [s]
-  int substeps = 0;                // n of every window but the last; 0: `every auto`, each window has its own
-  std::vector<int> boundaries;     // indices of the coupled ones in Mechanism, in the order of Motion and Load
+  double dt = 0.0;                 // DEM step [s]
+  int substeps = 0;                // n of every window but the last; 0: `every auto`, chosen per window
+  std::vector<int> boundaries;     // indices in Mechanism of the coupled ones, in the order of Motion and Load
   const Scheme* scheme = nullptr;  // never null in a coupled run, which owns it
 };
 
 // At the end of a window.
 struct CouplingSample {
-  int substeps = 0;              // of the window; 0 before the first
+  int substeps = 0;              // DEM steps of the window; 0 before the first
   double estimate = 0.0;         // of its force error, when windows are chosen [-]
-  double energy_residual = 0.0;  // made (< 0) or lost (> 0) by the interface since the start [J]
+  double energy_residual = 0.0;  // created (< 0) or dissipated (> 0) by the interface since the start [J]
   std::vector<double> omega_h;   // per coupled body [-]
 };
 

@@ -1,3 +1,6 @@
+// Handshake (versions, units, dt, n, names, gravity), then one Motion and one Load per window over a Link. Every
+// disagreement is a ProtocolError with both values, and is sent to the partner before it is thrown.
+
 #include "mbd_solver/coupling/dem_partner.h"
 
 #include <cmath>
@@ -5,6 +8,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "coupler/messages.h"
+#include "mbd_solver/run/codes.h"
 
 namespace footfall {
 
@@ -14,12 +18,13 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     Hello hello;
     link_.receive_without_limit(hello);
     if (hello.protocol != kProtocolVersion)
-      throw ProtocolError("liggghts_mbd speaks protocol " + std::to_string(hello.protocol) + " (footfall " +
-                          hello.footfall_version + "), mbd_solver speaks " + std::to_string(kProtocolVersion) +
-                          " (footfall " + kFootfallVersion + "): use two programs of one build");
-    if (hello.unit_style != "si")
-      throw ProtocolError("the LIGGGHTS script has units " + hello.unit_style +
-                          ", the scene is in SI: write `units si`");
+      throw ProtocolError(code::kProtocolsDiffer, "liggghts_mbd uses protocol " + std::to_string(hello.protocol) +
+                                                      " (footfall " + hello.footfall_version + "), mbd_solver uses " +
+                                                      std::to_string(kProtocolVersion) + " (footfall " +
+                                                      kFootfallVersion + "): build both from the same footfall");
+    if (hello.unit_style != kUnitStyle)
+      throw ProtocolError(code::kScriptUnits, "the LIGGGHTS script has units " + hello.unit_style +
+                                                  ", footfall requires SI: write `units si`");
     Geometry geometry;
     geometry.bodies = bodies_;
     geometry.resume = terms.resume;
@@ -53,29 +58,35 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
 
 void DemPartner::check(const DemTerms& terms) const {
   if (!(start_.dt > 0.0) || start_.n < 0)
-    throw ProtocolError("fix couple/mbd: timestep " + number_text(start_.dt) + " s and every " +
-                        std::to_string(start_.n) + ", expected a positive time step and 1 or more substeps, or auto");
+    throw ProtocolError(code::kCouplingInterval,
+                        "fix couple/mbd: timestep " + number_text(start_.dt) + " s and every " +
+                            std::to_string(start_.n) +
+                            ": expected a positive time step, and `auto` or at least 1 DEM step");
   if (terms.max_dt > 0.0 && start_.dt > terms.max_dt * (1.0 + 1e-9))
-    throw ProtocolError(
-        "the LIGGGHTS script has timestep " + number_text(start_.dt) + " s, the scene allows at most " +
-        number_text(terms.max_dt) +
-        " s (particles.max_time_step): larger steps falsify the contact forces long before they become unstable");
+    throw ProtocolError(code::kTimeStepTooLarge,
+                        "the LIGGGHTS script has timestep " + number_text(start_.dt) + " s, the scene allows at most " +
+                            number_text(terms.max_dt) +
+                            " s (particles.max_time_step): larger steps falsify contact forces long before they become "
+                            "unstable");
   if (terms.expected_dt > 0.0 && std::abs(start_.dt - terms.expected_dt) > 1e-9 * terms.expected_dt)
-    throw ProtocolError("the LIGGGHTS script has timestep " + number_text(start_.dt) +
-                        " s, the scene says particles.variables.dt = " + number_text(terms.expected_dt) +
-                        " s: make them agree, or drop the variable from the scene");
+    throw ProtocolError(code::kScriptDiffers,
+                        "the LIGGGHTS script has timestep " + number_text(start_.dt) +
+                            " s, the scene has particles.variables.dt = " + number_text(terms.expected_dt) +
+                            " s: make them equal, or remove the variable from the scene");
   if (terms.expected_n > 0 && start_.n != terms.expected_n)
-    throw ProtocolError("fix couple/mbd has every " + (start_.n > 0 ? std::to_string(start_.n) : "auto") +
-                        ", the scene says particles.variables.every = " + std::to_string(terms.expected_n) +
-                        ": make them agree, or drop the variable from the scene");
+    throw ProtocolError(code::kScriptDiffers,
+                        "fix couple/mbd has every " + (start_.n > 0 ? std::to_string(start_.n) : "auto") +
+                            ", the scene has particles.variables.every = " + std::to_string(terms.expected_n) +
+                            ": make them equal, or remove the variable from the scene");
   for (const std::string& name : start_.bodies) {
     bool known = false;
     for (const CoupledBody& body : bodies_) known = known || body.boundary.name() == name;
     if (!known) {
       std::string names;
       for (const CoupledBody& body : bodies_) names += (names.empty() ? "" : ", ") + body.boundary.name();
-      throw ProtocolError("fix couple/mbd asks for body \"" + name +
-                          "\", which has no boundary in the scene. Bodies with one: " + names);
+      throw ProtocolError(code::kBodyWithoutBoundary,
+                          "fix couple/mbd names body \"" + name +
+                              "\", which has no boundary in the scene. Bodies with a boundary: " + names);
     }
   }
 }
@@ -83,11 +94,8 @@ void DemPartner::check(const DemTerms& terms) const {
 void DemPartner::check_gravity(const Eigen::Vector3d& scene) {
   if (!start_.gravity_known || is_same_gravity(start_.gravity, scene)) return;
   const std::string what = gravity_differs(start_.gravity, scene, "");
-  if (start_.gravity.isZero(0.0)) {
-    warnings_.push_back(what);
-    return;
-  }
-  throw ProtocolError(what);
+  if (!start_.gravity.isZero(0.0)) throw ProtocolError(code::kGravityDiffers, what);
+  warnings_.push_back(with_code(code::kGrainsWithoutGravity, what));
 }
 
 const Load& DemPartner::exchange(const Motion& motion, const std::function<void()>& meanwhile) {
@@ -104,19 +112,20 @@ const Load& DemPartner::exchange(const Motion& motion, const std::function<void(
     return load_;
   }
   if (load_.window != motion.window || load_.bodies.size() != motion.bodies.size())
-    throw ProtocolError("load of window " + std::to_string(load_.window) + " with " +
-                        std::to_string(load_.bodies.size()) + " bodies, expected window " +
-                        std::to_string(motion.window) + " with " + std::to_string(motion.bodies.size()));
+    throw ProtocolError(code::kWrongInterval, "load of window " + std::to_string(load_.window) + " with " +
+                                                  std::to_string(load_.bodies.size()) + " bodies, expected window " +
+                                                  std::to_string(motion.window) + " with " +
+                                                  std::to_string(motion.bodies.size()));
   return load_;
 }
 
-bool DemPartner::expect_kept(std::int64_t window) {
-  CheckpointDone kept;
-  link_.receive(kept);
-  if (kept.window != window)
-    throw ProtocolError("a checkpoint after window " + std::to_string(kept.window) + ", expected one after window " +
-                        std::to_string(window));
-  return kept.done;
+bool DemPartner::wait_for_checkpoint(std::int64_t window) {
+  CheckpointDone checkpoint;
+  link_.receive(checkpoint);
+  if (checkpoint.window != window)
+    throw ProtocolError(code::kWrongInterval, "checkpoint after window " + std::to_string(checkpoint.window) +
+                                                  ", expected one after window " + std::to_string(window));
+  return checkpoint.done;
 }
 
 }  // namespace footfall

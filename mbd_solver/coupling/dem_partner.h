@@ -1,6 +1,6 @@
 #pragma once
-// The multibody side of the exchange with LIGGGHTS: opens it, trades one motion for one mean load per window, closes
-// it.
+// The multibody side of the exchange with LIGGGHTS: opens it, sends one motion and receives one mean load per window,
+// closes it.
 
 #include <functional>
 #include <string>
@@ -13,50 +13,50 @@
 
 namespace footfall {
 
-// What the scene fixes before LIGGGHTS speaks.
+// What the scene requires of the LIGGGHTS script.
 struct DemTerms {
   std::string scheme;                                 // a name that make_scheme knows
   double t_end = 0.0;                                 // [s]
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // [m/s2]
-  double max_dt = 0.0;                                // a larger DEM step is refused [s]; 0: any
-  double expected_dt = 0.0;                           // stated by the scene for the script; 0: not stated [s]
-  int expected_n = 0;                                 // likewise
-  int n_max = 1;                                      // longest window when the script has `every auto`
-  std::vector<std::string> held_by_walls;             // bodies that the script's walls stop: [[contacts]] with walls
-  std::string resume;  // folder of the checkpoint that both sides go on from; empty: a new run
+  double max_dt = 0.0;                                // largest DEM step [s]; 0: no limit
+  double expected_dt = 0.0;                           // particles.variables.dt [s]; 0: not given
+  int expected_n = 0;                                 // particles.variables.every; 0: not given
+  int n_max = 1;                                      // longest window for `every auto`
+  std::vector<std::string> held_by_walls;             // bodies that walls of the script stop ([[contacts]] with walls)
+  std::string resume;                                 // folder of the checkpoint to resume from; empty: a new run
 };
 
 class DemPartner {
  public:
-  // `bodies`: every body with a boundary, at its initial motion. The transport must outlive the partner. Waits for
-  // LIGGGHTS' first words as long as its script takes to get there. Throws ProtocolError when the two sides disagree,
-  // naming both values.
+  // bodies: every body with a boundary, at its initial motion. The transport must outlive this. Waits for the first
+  // message of LIGGGHTS without time limit; later ones for `patience` [s]. Throws ProtocolError, naming both values,
+  // when the two sides disagree.
   DemPartner(Transport& transport, std::vector<CoupledBody> bodies, const DemTerms& terms, double patience);
 
-  double dt() const { return start_.dt; }    // substep of the grains [s]
+  double dt() const { return start_.dt; }    // DEM step [s]
   int substeps() const { return start_.n; }  // n of the script; 0: `every auto`
-  bool wants_masses() const { return start_.requires_masses; }
-  const std::string& grains_version() const { return start_.dem_version; }
-  // index in `bodies` of each body of Motion and Load, in their order
+  bool requires_masses() const { return start_.requires_masses; }
+  const std::string& dem_version() const { return start_.dem_version; }
+  // Index in `bodies` of each body of Motion and Load, in their order.
   const std::vector<int>& coupled() const { return coupled_; }
 
-  // Of the script; those that still stand where they stood when it began to run.
+  // Planes and static meshes of the script at its first run.
   const std::vector<StaticWall>& walls() const { return start_.walls; }
 
-  // For the user: what the script said and is no error.
+  // Of the script, for the user.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  // One window: sends `motion` and returns the load that the grains gave over it. The reference holds until the next
-  // call. A script that ends early, as it has said it may, gives no load any more: script_has_ended().
-  // meanwhile: called when the motion is out, before the load is waited for.
+  // One window: sends `motion` and returns the mean load of the grains. The reference is valid until the next call.
+  // A script that may end early, and has, sends no load: script_has_ended().
+  // meanwhile: called after sending, before waiting for the load.
   const Load& exchange(const Motion& motion, const std::function<void()>& meanwhile = {});
   bool script_has_ended() const { return script_has_ended_; }
   const Load& load() const { return load_; }  // of the last window
-  // Waits until the grains' side has kept itself after this window, whose motion asked for it; false when it has not,
-  // as it could not quietly.
-  bool expect_kept(std::int64_t window);
+  // Waits for the checkpoint of the DEM side after this window, whose motion required it; false when it could not be
+  // written without disturbing the run.
+  bool wait_for_checkpoint(std::int64_t window);
 
-  // A signal ends the run that it meets: what goes on from its checkpoint was not asked to end.
+  // A request to end concerns the interrupted run only, not the one that resumes from its checkpoint.
   void visit(Archive& archive) {
     archive("load", load_);
     if (archive.restores()) load_.end_requested = false;

@@ -1,9 +1,11 @@
+// The length of the next window from an error estimate and a stability limit, per body (window_choice.h, theory 7.8);
+// before the first contact from the time until a boundary can meet a grain.
+
 #include "mbd_solver/coupling/window_choice.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
 
 namespace footfall {
 
@@ -18,9 +20,9 @@ double flight_time(const BodyMotion& motion, const ModalBoundary& boundary, cons
   for (const BeamSegment& segment : boundary.segments()) radius = std::max(radius, segment.radius);
   double ground = placement.ground_height;
   if (site) {
-    const Eigen::Vector3d way = motion.r - site->r;
+    const Eigen::Vector3d displacement = motion.r - site->r;
     const double turned = Eigen::AngleAxisd(site->R_WB.transpose() * motion.rotation()).angle();
-    if ((way - up * up.dot(way)).norm() + turned * reach < site->stray && std::isfinite(site->height))
+    if ((displacement - up * up.dot(displacement)).norm() + turned * reach < site->stray && std::isfinite(site->height))
       ground = site->height;
   }
   const double height = lowest - radius - ground;
@@ -31,24 +33,23 @@ double flight_time(const BodyMotion& motion, const ModalBoundary& boundary, cons
 namespace {
 
 constexpr double kSafety = 0.9;  // of the tolerance
-// of the time until it can meet a grain: grains may have risen since they were measured, and then it meets them in a
-// window no longer than what they rose by would have taken
+// Share of the time until a boundary can meet a grain. Grains may have risen since their height was measured; they are
+// then met in a window no longer than the descent over that rise.
 constexpr double kApproach = 0.5;
-constexpr double kGrowth = 2.0;  // from one window to the next
-// of the stiffness met, per window: contacts that close and open again must not be met unprepared
-constexpr double kForget = 0.95;
-constexpr double kForgetAnswer = 0.9;  // of K_s, per window
-constexpr double kQuick = 3.0;         // answer to something quick over the answer to the way of a whole window
-constexpr double kStanding = 0.9;      // of the stiffness met: contacts stand
+constexpr double kGrowth = 2.0;          // from one window to the next
+constexpr double kForget = 0.95;         // of the stiffness so far, per window: contacts may open and close again
+constexpr double kForgetResponse = 0.9;  // of K_s, per window
+constexpr double kFast = 3.0;            // response to a fast disturbance over that to the displacement of a window
+constexpr double kClosed = 0.9;          // of the stiffness so far: contacts remain closed
 
 }  // namespace
 
 WindowChoice::WindowChoice(const CouplingSpec& spec, double dt, double weight)
     : spec_(spec), dt_(dt), force_scale_(weight) {}
 
-void WindowChoice::Memory::visit(Archive& archive) {
+void WindowChoice::History::visit(Archive& archive) {
   archive("stiffness", stiffness);
-  archive("answer", answer);
+  archive("response", response);
   archive("omega_h", omega_h);
   archive("touched", touched);
   archive("force", force);
@@ -57,24 +58,24 @@ void WindowChoice::Memory::visit(Archive& archive) {
 
 void WindowChoice::visit(Archive& archive) {
   archive("force_scale", force_scale_);
-  archive("memory", memory_);
+  archive("history", history_);
   archive("estimate", estimate_);
   archive("n", n_);
 }
 
-double WindowChoice::answer(const Body& body, Memory& memory) {
-  const double way = (body.place - memory.place).norm(), change = (body.force - memory.force).norm();
-  const bool told = memory.touched && way > body.gap;
-  if (told) memory.answer = std::max(kQuick * change / way, kForgetAnswer * memory.answer);
-  memory.touched = body.stiffness > 0.0;
-  memory.force = body.force;
-  memory.place = body.place;
-  return told ? std::min(body.stiffness, memory.answer) : body.stiffness;
+double WindowChoice::response(const Body& body, History& history) {
+  const double displacement = (body.place - history.place).norm(), change = (body.force - history.force).norm();
+  const bool known = history.touched && displacement > body.gap;
+  if (known) history.response = std::max(kFast * change / displacement, kForgetResponse * history.response);
+  history.touched = body.stiffness > 0.0;
+  history.force = body.force;
+  history.place = body.place;
+  return known ? std::min(body.stiffness, history.response) : body.stiffness;
 }
 
-double WindowChoice::largest_omega_h(const Body& body, double stiffness, double answer) const {
-  if (stiffness <= 0.0 || body.stiffness < kStanding * stiffness) return spec_.warn_omega_h;
-  return spec_.warn_omega_h * std::min(std::sqrt(stiffness / answer), kChosenOmegaH);
+double WindowChoice::largest_omega_h(const Body& body, double stiffness, double response) const {
+  if (stiffness <= 0.0 || body.stiffness < kClosed * stiffness) return spec_.warn_omega_h;
+  return spec_.warn_omega_h * std::min(std::sqrt(stiffness / response), kChosenOmegaH);
 }
 
 double WindowChoice::longest(const Body& body, double stiffness, double omega_h) const {
@@ -83,32 +84,32 @@ double WindowChoice::longest(const Body& body, double stiffness, double omega_h)
 }
 
 double WindowChoice::allowed_omega_h(std::size_t i) const {
-  return std::max(1.25 * memory_[i].omega_h - 0.25 * spec_.warn_omega_h, spec_.warn_omega_h);
+  return std::max(1.25 * history_[i].omega_h - 0.25 * spec_.warn_omega_h, spec_.warn_omega_h);
 }
 
 void WindowChoice::start(const std::vector<Body>& bodies) {
-  memory_.assign(bodies.size(), {});
+  history_.assign(bodies.size(), {});
   double n = spec_.max_substeps;
   for (const Body& body : bodies) n = std::min(n, longest(body, 0.0, 0.0));
   n_ = std::max(1, static_cast<int>(n));
 }
 
 void WindowChoice::observe(int n, const std::vector<Body>& bodies) {
-  double stiffest = 0.0;  // that any body has met
+  double stiffest = 0.0;  // contact of all bodies so far
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     force_scale_ = std::max(force_scale_, bodies[i].force.norm());
-    memory_[i].stiffness = std::max(bodies[i].stiffness, kForget * memory_[i].stiffness);
-    stiffest = std::max(stiffest, memory_[i].stiffness);
+    history_[i].stiffness = std::max(bodies[i].stiffness, kForget * history_[i].stiffness);
+    stiffest = std::max(stiffest, history_[i].stiffness);
   }
   estimate_ = 0.0;
   double next = std::min<double>(spec_.max_substeps, kGrowth * n);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Body& body = bodies[i];
-    const double K_s = answer(body, memory_[i]);
+    const double K_s = response(body, history_[i]);
     if (force_scale_ > 0.0) estimate_ = std::max(estimate_, K_s * body.gap / force_scale_);
-    const double stiffness = memory_[i].stiffness > 0.0 ? memory_[i].stiffness : stiffest;
-    memory_[i].omega_h = largest_omega_h(body, stiffness, K_s);
-    next = std::min(next, longest(body, stiffness, memory_[i].omega_h));
+    const double stiffness = history_[i].stiffness > 0.0 ? history_[i].stiffness : stiffest;
+    history_[i].omega_h = largest_omega_h(body, stiffness, K_s);
+    next = std::min(next, longest(body, stiffness, history_[i].omega_h));
   }
   if (estimate_ > 0.0) next = std::min(next, n * std::sqrt(kSafety * spec_.tolerance / estimate_));
   n_ = std::max(1, static_cast<int>(next));

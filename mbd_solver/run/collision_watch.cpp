@@ -1,3 +1,6 @@
+// Pairs of surfaces, their motion bounds and distances, and bisection of the motion between two samples where both may
+// have met on it. Distances: SurfaceModel. Equations: collision_watch.h.
+
 #include "mbd_solver/run/collision_watch.h"
 
 #include <algorithm>
@@ -8,16 +11,17 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/model/elements/surface_contact.h"
 #include "mbd_solver/model/rotation.h"
+#include "mbd_solver/run/codes.h"
 
 namespace footfall {
 namespace {
 
-// Ways shorter than this are not halved any more [of the radius].
+// Motions shorter than this are not halved [of the radius].
 constexpr double kShortest = 1e-9;
-// A long way between two samples, for bodies that a contact holds apart [of the smaller one's radius].
-constexpr double kLong = 0.1;
-// Spheres so far apart tell enough [of the smaller one's radius].
-constexpr double kWellApart = 0.1;
+// A long motion between two samples, for bodies with a contact [of the smaller radius].
+constexpr double kLongMotion = 0.1;
+// From this distance on that of the spheres suffices [of the smaller radius].
+constexpr double kFarApart = 0.1;
 
 bool joined(const Model& model, int body_1, int body_2) {
   for (int i = 0; i < model.joint_count(); ++i) {
@@ -58,13 +62,15 @@ CollisionWatch::CollisionWatch(const Scene& scene, const Mechanism& mechanism, c
       if (body_1 != kGround && (joined(mechanism.model, body_1, body_2) || allowed(body_1, body_2))) continue;
       for (const ContactEntry& entry : mechanism.contacts)
         if (entry.holds(body_1, body_2)) pair.contact = entry.force;
-      pair.seen = pair.last = place(pair, start);
-      pair.gap = gap(pair, pair.seen).distance;
+      pair.measured = pair.last = place(pair, start);
+      pair.gap = gap(pair, pair.measured).distance;
       if (pair.gap <= 0.0 && pair.contact < 0) {
         const bool wall = body_1 == kGround;
-        notes_.push_back((wall ? "body \"" + surfaces_[j].name + "\" and mesh " + surfaces_[i].name + " of the script"
-                               : "bodies \"" + surfaces_[j].name + "\" and \"" + surfaces_[i].name + "\"") +
-                         " overlap at the start: whether they go through each other is not watched.");
+        const std::string both =
+            wall ? "body \"" + surfaces_[j].name + "\" and mesh " + surfaces_[i].name + " of the script"
+                 : "bodies \"" + surfaces_[j].name + "\" and \"" + surfaces_[i].name + "\"";
+        notes_.push_back(with_code(code::kOverlapAtStart,
+                                   both + " overlap at the start: collisions between them are not detected."));
         continue;
       }
       pairs_.push_back(std::move(pair));
@@ -78,14 +84,14 @@ void CollisionWatch::add_body(const BodyBoundary& entry) {
   surface.name = boundary.name();
   surface.body = entry.body;
   surface.boundary = &boundary;
-  surface.bent = Eigen::VectorXd::Zero(boundary.mode_count());
+  surface.modes = Eigen::VectorXd::Zero(boundary.mode_count());
   if (!boundary.triangles().empty()) surface.parts.emplace_back(boundary.rho0(), boundary.triangles());
   std::map<double, std::vector<Eigen::Vector3i>> beams;  // by radius
   for (const BeamSegment& segment : boundary.segments())
     beams[segment.radius].emplace_back(segment.start, segment.start, segment.end);
   for (const auto& [radius, lines] : beams) surface.parts.emplace_back(boundary.rho0(), lines, radius);
   if (surface.parts.empty()) return;
-  surround(surface);
+  enclose(surface);
   for (int j = 0; j < boundary.node_count() && boundary.mode_count() > 0; ++j)
     surface.modal_reach = std::max(surface.modal_reach, boundary.Phi().middleRows(3 * j, 3).norm());
   surfaces_.push_back(std::move(surface));
@@ -101,11 +107,11 @@ void CollisionWatch::add_wall(const StaticWall& wall) {
   for (Eigen::Index i = 0; i < count; ++i) vertices.col(i) = wall.corners[static_cast<std::size_t>(i)];
   for (int i = 0; i < static_cast<int>(count); i += 3) triangles.emplace_back(i, i + 1, i + 2);
   surface.parts.emplace_back(vertices, std::move(triangles));
-  surround(surface);
+  enclose(surface);
   surfaces_.push_back(std::move(surface));
 }
 
-void CollisionWatch::surround(Surface& surface) {
+void CollisionWatch::enclose(Surface& surface) {
   surface.centre.setZero();
   for (const SurfaceModel& part : surface.parts) surface.centre += part.centre();
   surface.centre /= static_cast<double>(surface.parts.size());
@@ -113,8 +119,7 @@ void CollisionWatch::surround(Surface& surface) {
     surface.radius = std::max(surface.radius, (part.centre() - surface.centre).norm() + part.radius());
 }
 
-void CollisionWatch::forget_walls(const std::vector<std::string>& names) {
-  if (names.empty()) return;
+void CollisionWatch::remove_walls(const std::vector<std::string>& names) {
   pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(),
                               [&](const Pair& pair) {
                                 const Surface& first = surfaces_[pair.first];
@@ -123,12 +128,12 @@ void CollisionWatch::forget_walls(const std::vector<std::string>& names) {
                pairs_.end());
 }
 
-void CollisionWatch::bend(Surface& surface, const Eigen::VectorXd& a) {
-  if (a.size() == 0 || surface.bent == a) return;
+void CollisionWatch::deform(Surface& surface, const Eigen::VectorXd& a) {
+  if (a.size() == 0 || surface.modes == a) return;
   Eigen::Matrix3Xd rho = surface.boundary->rho0();
   Eigen::Map<Eigen::VectorXd>(rho.data(), rho.size()) += surface.boundary->Phi() * a;
   for (SurfaceModel& part : surface.parts) part.move(rho);
-  surface.bent = a;
+  surface.modes = a;
 }
 
 CollisionWatch::Place CollisionWatch::place(const Pair& pair, const Kinematics& kinematics) const {
@@ -146,8 +151,8 @@ double CollisionWatch::travel(const Pair& pair, const Place& from, const Place& 
   return way;
 }
 
-// Negative where the spheres cross.
-double CollisionWatch::between_spheres(const Pair& pair, const Place& at) const {
+// Negative where the spheres intersect.
+double CollisionWatch::sphere_distance(const Pair& pair, const Place& at) const {
   const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
   double distance = (at.pose.p + at.pose.R * second.centre - first.centre).norm() - first.radius - second.radius;
   if (first.modal_reach > 0.0) distance -= first.modal_reach * at.a_1.norm();
@@ -157,10 +162,10 @@ double CollisionWatch::between_spheres(const Pair& pair, const Place& at) const 
 
 SurfaceGap CollisionWatch::gap(const Pair& pair, const Place& at) {
   Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
-  if (const double apart = between_spheres(pair, at); apart > kWellApart * std::min(first.radius, second.radius))
+  if (const double apart = sphere_distance(pair, at); apart > kFarApart * std::min(first.radius, second.radius))
     return {apart, Eigen::Vector3d::Zero()};
-  if (first.boundary != nullptr) bend(first, at.a_1);
-  bend(second, at.a_2);
+  if (first.boundary != nullptr) deform(first, at.a_1);
+  deform(second, at.a_2);
   SurfaceGap least;
   bool any = false;
   for (const SurfaceModel& a : first.parts) {
@@ -173,82 +178,81 @@ SurfaceGap CollisionWatch::gap(const Pair& pair, const Place& at) {
   return least;
 }
 
-// Neither end touches. Between them the second moves on a straight line and turns evenly.
-bool CollisionWatch::met_on_the_way(const Pair& pair, const Place& from, double gap_from, const Place& to,
-                                    double gap_to, SurfaceGap& met) {
+// Neither end touches. Between them the second surface moves on a straight line and rotates uniformly.
+bool CollisionWatch::met_between(const Pair& pair, const Place& from, double gap_from, const Place& to, double gap_to,
+                                 SurfaceGap& met) {
   const double way = travel(pair, from, to);
   if (way < gap_from + gap_to || way < kShortest * surfaces_[pair.second].radius) return false;
   const Place middle{between(from.pose, to.pose), 0.5 * (from.a_1 + to.a_1), 0.5 * (from.a_2 + to.a_2)};
   met = gap(pair, middle);
   const double gap_middle = met.distance;
-  return gap_middle <= 0.0 || met_on_the_way(pair, from, gap_from, middle, gap_middle, met) ||
-         met_on_the_way(pair, middle, gap_middle, to, gap_to, met);
+  return gap_middle <= 0.0 || met_between(pair, from, gap_from, middle, gap_middle, met) ||
+         met_between(pair, middle, gap_middle, to, gap_to, met);
 }
 
 void CollisionWatch::begin(const Kinematics& kinematics) {
   for (Pair& pair : pairs_) {
-    pair.seen = pair.last = place(pair, kinematics);
+    pair.measured = pair.last = place(pair, kinematics);
     pair.gap = 0.0;
   }
 }
 
-// What a contact holds bounces between two samples; only on a long way it can have passed without being felt.
+// Bodies with a contact may bounce between two samples; only on a long motion can they pass through unnoticed.
 bool CollisionWatch::may_have_passed(const Pair& pair, const Place& now) const {
   const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
   const double smaller = first.body == kGround ? second.radius : std::min(first.radius, second.radius);
-  return pair.contact < 0 || travel(pair, pair.last, now) > kLong * smaller;
+  return pair.contact < 0 || travel(pair, pair.last, now) > kLongMotion * smaller;
 }
 
-void CollisionWatch::look(const Subject& subject, const Sample& sample) {
+void CollisionWatch::check(const Subject& subject, const Sample& sample) {
   for (Pair& pair : pairs_) {
     Place now = place(pair, sample.kinematics);
-    const bool far = travel(pair, pair.seen, now) < pair.gap;
+    const bool far = travel(pair, pair.measured, now) < pair.gap;
     if (!far) {
-      const auto held = [&] {
+      const auto touches = [&] {
         if (pair.contact < 0) return false;
         const auto& contact = static_cast<const SurfaceContact&>(subject.mechanism.model.force(pair.contact));
         return contact.largest_overlap(element_input(subject, sample, pair.contact)) > 0.0;
       };
-      if (held()) {  // it touches, and is held there: looked at again when it lets go
+      if (touches()) {  // a contact acts: checked again when it opens
         pair.gap = 0.0;
-        pair.seen = now;
+        pair.measured = now;
       } else {
         SurfaceGap found = gap(pair, now);
         const double gap_now = found.distance;
-        const double gap_last = std::max(0.0, pair.gap - travel(pair, pair.seen, pair.last));
+        const double gap_last = std::max(0.0, pair.gap - travel(pair, pair.measured, pair.last));
         const bool met = gap_now <= 0.0 ||
-                         (may_have_passed(pair, now) && met_on_the_way(pair, pair.last, gap_last, now, gap_now, found));
-        if (met) tell(pair, sample, found.place);
+                         (may_have_passed(pair, now) && met_between(pair, pair.last, gap_last, now, gap_now, found));
+        if (met) report(pair, sample, found.place);
         pair.gap = gap_now;
-        pair.seen = now;
+        pair.measured = now;
       }
     }
     pair.last = std::move(now);
   }
 }
 
-void CollisionWatch::tell(const Pair& pair, const Sample& sample, const Eigen::Vector3d& place) const {
+void CollisionWatch::report(const Pair& pair, const Sample& sample, const Eigen::Vector3d& place) const {
   const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
   const BodyKinematics& frame = sample.kinematics.of(first.body);
   const Eigen::Vector3d p_W = frame.r + frame.A * place;
-  const std::string at =
-      " at (" + number_text(p_W[0]) + ", " + number_text(p_W[1]) + ", " + number_text(p_W[2]) + ") m";
   const bool wall = first.body == kGround;
-  std::string what = "t = " + number_text(sample.state.time) + " s: body \"" + second.name + "\" goes through " +
-                     (wall ? "mesh " + first.name + " of the script" : "body \"" + first.name + "\"") + at;
+  std::string what = "t = " + number_text(sample.state.time) + " s: body \"" + second.name + "\" passes through " +
+                     (wall ? "mesh " + first.name + " of the script" : "body \"" + first.name + "\"") + " at (" +
+                     number_text(p_W[0]) + ", " + number_text(p_W[1]) + ", " + number_text(p_W[2]) + ") m";
   if (pair.contact >= 0) {
     what +=
-        " where no place of its contact touches: edges that cross each other, or a thin part, pass between the "
-        "places. Make the surfaces finer, or the contact stiffer";
+        " between the points of their contact, where edges cross or a thin part passes: refine the surfaces, or "
+        "increase the stiffness of the contact";
   } else if (wall) {
     what +=
-        ": LIGGGHTS' walls stop grains only. Let them hold the body ([[contacts]] with walls = true), or end the "
-        "scene before";
+        ": walls of LIGGGHTS act on grains only. Add [[contacts]] with walls = true for the body, or end the scene "
+        "earlier";
   } else {
-    what += ": nothing holds them apart. Give them a contact ([[contacts]] between = [\"" + first.name + "\", \"" +
-            second.name + "\"]), or let them pass (the same with ignore = true)";
+    what += ": they have no contact. Add [[contacts]] with between = [\"" + first.name + "\", \"" + second.name +
+            "\"], or allow it with ignore = true";
   }
-  throw NumericalError(what);
+  throw NumericalError(code::kCollision, what);
 }
 
 }  // namespace footfall

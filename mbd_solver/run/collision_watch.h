@@ -1,13 +1,13 @@
 #pragma once
-// Nothing passes in silence: the surfaces of bodies ([[boundaries]]) and the static meshes of the script must not go
-// through each other. What a contact of the scene holds may touch; what holds nothing ends the run. theory 6.6.
+// Detects collisions: the surfaces of bodies ([[boundaries]]) and the static meshes of the script must not pass through
+// each other. Surfaces with a contact of the scene may touch; without one the run ends. theory 6.6.
 //
-// A pair is looked at only when it can have met. Around each surface lies a sphere (centre c, radius r). Seen from the
-// first of the two, no point of the second has moved by more than
-//   s = |dc_2| + r_2 ||dR||_F / sqrt(2) + (modes),   dc_2, dR: change of the place of its centre and of its attitude,
-// since a distance d was found that is not larger than theirs: while s < d nothing has met. Otherwise d is found anew,
-// between the spheres where they stand well apart; and where the last sample and this one are farther apart than both
-// distances together, the way between them is halved (conservative advancement).
+// Distances are computed only for pairs that can have met. Around each surface lies a sphere (centre c, radius r). Seen
+// from the first surface, no point of the second has moved by more than
+//   s = |dc_2| + r_2 ||dR||_F / sqrt(2) + (modes),   dc_2, dR: change of position of its centre and of its attitude,
+// since a lower bound d of their distance was found: while s < d they have not met. Otherwise d is found again, from the
+// spheres where they are far apart; where the motion since the last sample exceeds both distances together, it is
+// halved (conservative advancement).
 
 #include <string>
 #include <vector>
@@ -20,19 +20,18 @@ namespace footfall {
 
 class CollisionWatch {
  public:
-  // start: of the mechanism, as assembled. walls: of the script, empty without grains. Both must not change afterwards.
+  // start: of the mechanism, as assembled. walls: of the script, empty without grains.
   CollisionWatch(const Scene& scene, const Mechanism& mechanism, const std::vector<StaticWall>& walls,
                  const Kinematics& start);
 
-  bool watches_nothing() const { return pairs_.empty(); }
-  // Pairs that overlap at the start are meant to, and left out: one line each, for the user.
+  bool empty() const { return pairs_.empty(); }
+  // Pairs that overlap at the start are taken as intended and left out: one line each, for the user.
   const std::vector<std::string>& notes() const { return notes_; }
-  // Walls that are no longer there.
-  void forget_walls(const std::vector<std::string>& names);
-  // Where a run begins, or goes on: the way there is not looked at.
+  void remove_walls(const std::vector<std::string>& names);
+  // The state in which a run begins or resumes.
   void begin(const Kinematics& kinematics);
-  // Throws NumericalError, naming both, time and place, where two have met that nothing holds apart.
-  void look(const Subject& subject, const Sample& sample);
+  // Throws NumericalError, naming both surfaces, time and place, where two have met without contact.
+  void check(const Subject& subject, const Sample& sample);
 
  private:
   struct Surface {
@@ -43,7 +42,7 @@ class CollisionWatch {
     Eigen::Vector3d centre;           // of the sphere around it, in its frame [m]
     double radius = 0.0;              // [m]
     double modal_reach = 0.0;         // largest |Phi| of a node [m per unit of a]
-    Eigen::VectorXd bent;             // modal coordinates at which the parts stand
+    Eigen::VectorXd modes;            // modal coordinates of the present shape of the parts
   };
   struct Place {
     FramePose pose;            // of the second in the frame of the first
@@ -51,22 +50,22 @@ class CollisionWatch {
   };
   struct Pair {
     std::size_t first = 0, second = 0;  // of surfaces_; the second is a body
-    int contact = -1;                   // force element that holds them apart; -1: none
-    double gap = 0.0;                   // at `seen`, not larger than the true one [m]
-    Place seen, last;                   // when the gap was found; at the last sample
+    int contact = -1;                   // force element between them; -1: none
+    double gap = 0.0;                   // at `measured`, not larger than the true one [m]
+    Place measured, last;               // where the gap was found; at the last sample
   };
   void add_body(const BodyBoundary& entry);
   void add_wall(const StaticWall& wall);
-  static void surround(Surface& surface);
-  void bend(Surface& surface, const Eigen::VectorXd& a);
+  static void enclose(Surface& surface);
+  void deform(Surface& surface, const Eigen::VectorXd& a);
   Place place(const Pair& pair, const Kinematics& kinematics) const;
   double travel(const Pair& pair, const Place& from, const Place& to) const;
-  double between_spheres(const Pair& pair, const Place& at) const;
+  double sphere_distance(const Pair& pair, const Place& at) const;
   SurfaceGap gap(const Pair& pair, const Place& at);
   bool may_have_passed(const Pair& pair, const Place& now) const;
-  bool met_on_the_way(const Pair& pair, const Place& from, double gap_from, const Place& to, double gap_to,
-                      SurfaceGap& met);
-  [[noreturn]] void tell(const Pair& pair, const Sample& sample, const Eigen::Vector3d& place) const;
+  bool met_between(const Pair& pair, const Place& from, double gap_from, const Place& to, double gap_to,
+                   SurfaceGap& met);
+  [[noreturn]] void report(const Pair& pair, const Sample& sample, const Eigen::Vector3d& place) const;
 
   std::vector<Surface> surfaces_;
   std::vector<Pair> pairs_;

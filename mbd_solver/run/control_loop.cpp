@@ -1,3 +1,6 @@
+// Measures what a controller reads (acceleration and velocity of its body along gravity, pitch, roll, stroke rates) and
+// samples every controller that is due. Before touchdown its outputs are 0.
+
 #include "mbd_solver/run/control_loop.h"
 
 #include <cmath>
@@ -55,7 +58,7 @@ void ControlLoop::sample_due(const Sample& sample, Inputs& inputs) {
     const ControllerMeasurement measurement = measure(entry, sample);
     if (measurement.acceleration > entry.touchdown_acceleration)
       entry.wakes_at = std::min(entry.wakes_at, time + entry.touchdown_delay);
-    entry.controller->sample(measurement, values);  // asleep too: its filter follows
+    entry.controller->sample(measurement, values);  // before touchdown, too: its filter follows
     if (time < entry.wakes_at - 1e-9) values.setZero();
     samples_[i] = static_cast<long>(std::floor(time / period + 1e-6)) + 1;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Sampled control: at its period each controller sees the mechanism and sets inputs, constant until its next sample.
+// Sampled control: at its period each controller measures the mechanism and sets inputs, constant until its next sample.
 
 #include "coupler/archive.h"
 #include "mbd_solver/run/observe/sampler.h"
@@ -9,18 +9,18 @@ namespace footfall {
 
 class ControlLoop {
  public:
-  // The controllers of the subject's mechanism and its sampled signals, which are taken; both must outlive the loop.
-  // Throws InputError for a signal or event that reads what is not there.
+  // The controllers of the subject's mechanism, and its sampled signals, which are moved here. Mechanism and subject must
+  // outlive this. Throws InputError for a signal or event that reads an unknown name.
   ControlLoop(Mechanism& mechanism, const Subject& subject);
 
-  // Samples every controller and signal that is due at this time (within rounding) and writes its inputs. inputs: those that the
-  // sample views.
+  // Samples every controller and signal that is due at this time (within rounding) and writes its inputs. inputs: those
+  // that the sample views.
   void sample_due(const Sample& sample, Inputs& inputs);
   // Time of the next sample [s]; infinity without controllers.
   double next_sample() const;
   SignalLoop* signals() { return signals_.get(); }  // null without sampled signals and events
 
-  void visit(Archive& archive);  // samples taken, and the memory of every controller
+  void visit(Archive& archive);  // samples taken, and the state of every controller
 
  private:
   ControllerMeasurement measure(const ControllerEntry& entry, const Sample& sample) const;

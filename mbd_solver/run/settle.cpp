@@ -1,3 +1,6 @@
+// Kinetic damping: integrate with tight tolerances, find the maximum of the kinetic energy with a parabola through three
+// samples, stop there, repeat. Functions of time are frozen at their initial values.
+
 #include "mbd_solver/run/settle.h"
 
 #include <algorithm>
@@ -8,17 +11,18 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/build/time_functions.h"
+#include "mbd_solver/run/codes.h"
 
 namespace footfall {
 namespace {
 
-constexpr double kAtRest = 1e-7;     // of the accelerations at first, or of gravity
-constexpr double kHeld = 1e-11;      // of what joints hold, over the least mass: round-off
-constexpr double kFirst = 1e-3;      // [s]: the first look at the kinetic energy
-constexpr double kLongest = 1000.0;  // [s] of motion
-constexpr double kRtol = 1e-8, kAtol = 1e-12, kAtolVelocity = 1e-10;  // small motions count, too
-constexpr int kMostStops = 2000;
-constexpr int kLooks = 12;  // per way to the largest kinetic energy
+constexpr double kAtRest = 1e-7;                                      // of the initial accelerations, or of gravity
+constexpr double kRoundOff = 1e-11;                                   // of the joint forces, over the smallest mass
+constexpr double kFirst = 1e-3;                                       // [s]: first sample of the kinetic energy
+constexpr double kLongest = 1000.0;                                   // [s] of motion
+constexpr double kRtol = 1e-8, kAtol = 1e-12, kAtolVelocity = 1e-10;  // small motions count
+constexpr int kMaxStops = 2000;
+constexpr int kSamples = 12;  // until the maximum of the kinetic energy
 
 void freeze(TimeFunctionSpec& f, TableShape shape) {
   const double now = time_function(f, shape)->at(0.0).value;
@@ -31,7 +35,7 @@ void freeze(std::optional<TimeFunctionSpec>& f, TableShape shape) {
   if (f) freeze(*f, shape);
 }
 
-// The scene as it is at the start, for ever, and without velocities.
+// The scene with constant loads, those of the start, and without velocities.
 Scene frozen(Scene scene) {
   scene.initial.velocity.setZero();
   scene.initial.angular_velocity.setZero();
@@ -65,47 +69,47 @@ class Relaxation {
     return rates_.segment(equations_.layout().v0(), equations_.layout().v_size).lpNorm<Eigen::Infinity>();
   }
 
-  // Accelerations that are round-off of what the joints hold now.
-  double held(const Model& model) const {
+  // Accelerations that are round-off of the present joint forces.
+  double round_off(const Model& model) const {
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < model.body_count(); ++i) least = std::min(least, model.body(i).mass());
-    return kHeld * rates_.tail(equations_.layout().row_count).lpNorm<Eigen::Infinity>() / least;
+    return kRoundOff * rates_.tail(equations_.layout().row_count).lpNorm<Eigen::Infinity>() / least;
   }
 
-  // To the largest kinetic energy, and stops there. Returns the time it took [s].
+  // Moves to the next maximum of the kinetic energy and stops there. Returns the duration [s].
   double to_next_stop(double budget) {
-    // Looks at the kinetic energy, so many at equal distances, then at twice these.
-    State looks[3];
+    // Samples of the kinetic energy: so many at equal intervals, then at twice these.
+    State samples[3];
     double energy[3] = {0.0, 0.0, 0.0};
     int count = 0;
-    const auto look = [&](const State& state) {
-      std::rotate(looks, looks + 1, looks + 3);
+    const auto add = [&](const State& state) {
+      std::rotate(samples, samples + 1, samples + 3);
       std::rotate(energy, energy + 1, energy + 3);
-      looks[2] = state;
+      samples[2] = state;
       energy[2] = kinetic(state);
       ++count;
     };
-    double h = look_;
-    look(state_);
-    while (looks[2].time < budget) {
-      State next = looks[2];
+    double h = interval_;
+    add(state_);
+    while (samples[2].time < budget) {
+      State next = samples[2];
       integrator_->advance(next, next.time + h, inputs_);
-      look(next);
+      add(next);
       if (energy[2] < energy[1]) {
-        // The top of the parabola through three looks, between the first and the last of them.
+        // Maximum of the parabola through three samples, between the first and the last.
         const double bend = energy[0] - 2.0 * energy[1] + energy[2];
         const bool three = count >= 3 && bend < 0.0;
         const double s = three ? std::clamp(0.5 * (energy[0] - energy[2]) / bend, -1.0, 1.0) : 0.0;
-        const double taken = next.time, top = looks[1].time + h * s;
-        state_ = s < 0.0 ? looks[0] : looks[1];
+        const double taken = next.time, top = samples[1].time + h * s;
+        state_ = s < 0.0 ? samples[0] : samples[1];
         if (top > state_.time) integrator_->advance(state_, top, inputs_);
-        look_ = std::max(state_.time, 0.1 * h) / kLooks;
+        interval_ = std::max(state_.time, 0.1 * h) / kSamples;
         stop();
         return taken;
       }
-      if (count <= 2 * kLooks) continue;
+      if (count <= 2 * kSamples) continue;
       h *= 2.0;
-      count = 1;  // looks at other distances make no parabola
+      count = 1;  // a parabola needs equal intervals
     }
     return budget;
   }
@@ -131,7 +135,7 @@ class Relaxation {
   State state_;
   Eigen::VectorXd rates_;
   EnergySample energy_;
-  double look_ = kFirst;
+  double interval_ = kFirst;
 };
 
 }  // namespace
@@ -146,26 +150,27 @@ Settled settle(const Scene& scene, const AssemblyOptions& options, const Integra
   tight.atol_velocity = std::min(tight.atol_velocity, kAtolVelocity);
   tight.max_step = 0.0;
   Relaxation relaxation(mechanism, assembly, tight);
-  const double enough =
-      std::max(kAtRest * std::max(relaxation.acceleration(), scene.gravity.norm()), relaxation.held(mechanism.model));
+  const double enough = std::max(kAtRest * std::max(relaxation.acceleration(), scene.gravity.norm()),
+                                 relaxation.round_off(mechanism.model));
   Settled out;
   int stops = 0;
   while (relaxation.acceleration() > enough) {
     out.time += relaxation.to_next_stop(kLongest - out.time);
-    if (out.time >= kLongest || ++stops >= kMostStops)
-      throw InputError(scene.file + ":" + std::to_string(scene.initial.source.line_of("settle")) +
-                       ": initial.settle: the mechanism does not come to rest: after " + number_text(out.time, 3) +
-                       " s of motion its largest acceleration is " + number_text(relaxation.acceleration(), 3) +
-                       " m/s2 or rad/s2. Does something hold every body against gravity? Else leave settle out.");
+    if (out.time >= kLongest || ++stops >= kMaxStops)
+      throw InputError(code::kNotSettled, scene.file + ":" + std::to_string(scene.initial.source.line_of("settle")) +
+                                              ": initial.settle: the mechanism does not come to rest: after " +
+                                              number_text(out.time, 3) + " s of motion its largest acceleration is " +
+                                              number_text(relaxation.acceleration(), 3) +
+                                              " m/s2 or rad/s2. Support every body against gravity, or remove settle.");
   }
   out.state = relaxation.state();
   out.acceleration = relaxation.acceleration();
   const Layout layout(mechanism.model);
   for (int i = 0; i < mechanism.model.body_count(); ++i) {
     const int q = layout.body_q[static_cast<std::size_t>(i)];
-    const double way = (out.state.q.segment<3>(q) - assembly.state.q.segment<3>(q)).norm();
-    if (way < out.moved) continue;
-    out.moved = way;
+    const double distance = (out.state.q.segment<3>(q) - assembly.state.q.segment<3>(q)).norm();
+    if (distance < out.moved) continue;
+    out.moved = distance;
     out.body = mechanism.model.body(i).name();
   }
   return out;

@@ -1,3 +1,6 @@
+// Sampled signals: values in order first, then the states of blocks that read signals behind them. Events: the first whose
+// condition holds in the present state, events without a period before those with one.
+
 #include "mbd_solver/run/signal_loop.h"
 
 #include <algorithm>
@@ -10,8 +13,8 @@
 namespace footfall {
 namespace {
 
-// At the start it is the scene's.
-[[noreturn]] void complain_of_no_value(double time, const NumericalError& error) {
+// An expression without a value is a mistake of the scene at the start, and a failure of the run later.
+[[noreturn]] void throw_without_value(double time, const NumericalError& error) {
   if (time == 0.0) throw InputError(error.what());
   throw NumericalError("t = " + std::to_string(time) + " s: " + error.what());
 }
@@ -25,9 +28,9 @@ SignalLoop::SignalLoop(std::vector<SignalNode> sampled, const Subject& subject)
       chain_(chain_of_signals(subject.scene, std::move(sampled))),
       conditions_(conditions_of(subject.scene)),
       readings_(chain_.names(), subject),
-      of_conditions_(conditions_.names(), subject),
+      condition_readings_(conditions_.names(), subject),
       samples_(chain_.size(), 0),
-      looks_(conditions_.size(), 0),
+      condition_samples_(conditions_.size(), 0),
       was_active_(chain_.size(), false),
       z_(Eigen::VectorXd::Zero(chain_.state_count())) {
   const std::vector<EventSpec>& events = subject.scene.events;
@@ -35,7 +38,7 @@ SignalLoop::SignalLoop(std::vector<SignalNode> sampled, const Subject& subject)
     const auto found = std::find_if(events.begin(), events.end(),
                                     [&](const EventSpec& e) { return e.name == conditions_.node(k).name; });
     events_.push_back(static_cast<int>(found - events.begin()));
-    watches_ = watches_ || found->period == 0.0;
+    unsampled_events_ = unsampled_events_ || found->period == 0.0;
     order_.push_back(k);
   }
   std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
@@ -50,7 +53,7 @@ double SignalLoop::next_sample() const {
     next = std::min(next, static_cast<double>(samples_[k]) * chain_.node(k).period);
   for (std::size_t k = 0; k < conditions_.size(); ++k)
     if (const double period = conditions_.node(k).period; period > 0.0)
-      next = std::min(next, static_cast<double>(looks_[k]) * period);
+      next = std::min(next, static_cast<double>(condition_samples_[k]) * period);
   return next;
 }
 
@@ -58,11 +61,11 @@ const std::string& SignalLoop::event_name(int event) const {
   return subject_.scene.events[static_cast<std::size_t>(event)].name;
 }
 
-SignalLoop::Held SignalLoop::held(const Sample& sample, const Eigen::VectorXd& values) {
+SignalLoop::Trigger SignalLoop::triggered(const Sample& sample, const Eigen::VectorXd& values) {
   if (conditions_.size() == 0) return {};
-  of_conditions_.take(sample);
+  condition_readings_.update(sample);
   for (std::size_t i = 0; i < conditions_.names().size(); ++i)
-    conditions_.set(i, of_conditions_.value(i, sample, values));
+    conditions_.set(i, condition_readings_.value(i, sample, values));
   const auto in_state = [&](const std::string& name) {
     for (const PlaceEntry& state : subject_.mechanism.states)
       if (state.name == name) return values(state.place) != 0.0;
@@ -70,20 +73,20 @@ SignalLoop::Held SignalLoop::held(const Sample& sample, const Eigen::VectorXd& v
   };
   for (const std::size_t k : order_) {
     const EventSpec& event = subject_.scene.events[static_cast<std::size_t>(events_[k])];
-    const bool looked_for =
+    const bool applies =
         event.from.empty() ? !in_state(event.to) : std::any_of(event.from.begin(), event.from.end(), in_state);
-    if (!looked_for) continue;
-    if (event.period > 0.0 && !due(sample.state.time, event.period, looks_[k])) continue;
+    if (!applies) continue;
+    if (event.period > 0.0 && !is_due(sample.state.time, event.period, condition_samples_[k])) continue;
     try {
       if (conditions_.inputs(k)[0] != 0.0) return {events_[k], event.period > 0.0};
     } catch (const NumericalError& error) {
-      complain_of_no_value(sample.state.time, error);
+      throw_without_value(sample.state.time, error);
     }
   }
   return {};
 }
 
-void SignalLoop::happen(int event, double time, Eigen::VectorXd& values) {
+void SignalLoop::apply(int event, double time, Eigen::VectorXd& values) {
   const std::string& to = subject_.scene.events[static_cast<std::size_t>(event)].to;
   const Mechanism& mechanism = subject_.mechanism;
   for (const PlaceEntry& state : mechanism.states) values(state.place) = state.name == to ? 1.0 : 0.0;
@@ -100,23 +103,23 @@ void SignalLoop::happen(int event, double time, Eigen::VectorXd& values) {
 void SignalLoop::sample_due(const Sample& sample, Eigen::VectorXd& values) {
   const double time = sample.state.time;
   for (std::size_t k = 0; k < conditions_.size(); ++k)
-    if (const double period = conditions_.node(k).period; period > 0.0 && due(time, period, looks_[k]))
-      looks_[k] = samples_until(time, period);
-  const auto is_due = [&](std::size_t k) { return due(time, chain_.node(k).period, samples_[k]); };
+    if (const double period = conditions_.node(k).period; period > 0.0 && is_due(time, period, condition_samples_[k]))
+      condition_samples_[k] = samples_until(time, period);
+  const auto due = [&](std::size_t k) { return is_due(time, chain_.node(k).period, samples_[k]); };
   bool any = false;
-  for (std::size_t k = 0; k < chain_.size(); ++k) any = any || is_due(k);
+  for (std::size_t k = 0; k < chain_.size(); ++k) any = any || due(k);
   if (!any) return;
 
-  readings_.take(sample);
+  readings_.update(sample);
   for (std::size_t i = 0; i < chain_.names().size(); ++i) chain_.set(i, readings_.value(i, sample, values));
   const auto states = [&](std::size_t k) -> Eigen::Ref<Eigen::VectorXd> {
     return z_.segment(chain_.first_state(k), chain_.node(k).block->state_count());
   };
   try {
-    // Values, in order; what answers from its states alone moves them when all values are known.
+    // Values in order. Blocks whose output depends on their states alone advance them when all values are known.
     for (std::size_t k = 0; k < chain_.size(); ++k) chain_.put(k, values(chain_.node(k).place));
     for (std::size_t k = 0; k < chain_.size(); ++k) {
-      if (!is_due(k)) continue;
+      if (!due(k)) continue;
       const SignalNode& node = chain_.node(k);
       double y = 0.0;
       if (chain_.active(k)) {
@@ -128,24 +131,25 @@ void SignalLoop::sample_due(const Sample& sample, Eigen::VectorXd& values) {
       values(node.place) = y;
     }
     for (std::size_t k = 0; k < chain_.size(); ++k) {
-      if (!is_due(k)) continue;
+      if (!due(k)) continue;
       const SignalNode& node = chain_.node(k);
       was_active_[k] = chain_.active(k);
-      if (was_active_[k] && !node.block->passes_through()) node.block->advance(chain_.inputs(k), node.period, states(k));
+      if (was_active_[k] && !node.block->passes_through())
+        node.block->advance(chain_.inputs(k), node.period, states(k));
       samples_[k] = samples_until(time, node.period);
     }
   } catch (const NumericalError& error) {
-    complain_of_no_value(time, error);
+    throw_without_value(time, error);
   }
 }
 
 void SignalLoop::visit(Archive& archive) {
   archive("samples", samples_);
-  archive("looks", looks_);
-  archive("worked", was_active_);
+  archive("condition_samples", condition_samples_);
+  archive("was_active", was_active_);
   archive("z", z_);
   archive("readings", readings_);
-  archive("of_conditions", of_conditions_);
+  archive("condition_readings", condition_readings_);
 }
 
 }  // namespace footfall

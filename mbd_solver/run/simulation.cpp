@@ -1,15 +1,62 @@
+// Two loops: alone, a window ends where an input changes, and output rows are read on the way; with grains, every window
+// is one exchange, and output and control overlap with the grains. Events without a period are located by bisection.
+
 #include "mbd_solver/run/simulation.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "coupler/base/clock.h"
-#include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/run/settle.h"
 
 namespace footfall {
+
+template <>
+inline constexpr auto kFields<State> = std::tuple{Field{"time", &State::time},
+                                                  Field{"q", &State::q},
+                                                  Field{"v", &State::v},
+                                                  Field{"z", &State::z},
+                                                  Field{"dissipated", &State::dissipated},
+                                                  Field{"load_work", &State::load_work},
+                                                  Field{"supplied", &State::supplied},
+                                                  Field{"step", &State::step}};
+
+template <>
+inline constexpr auto kFields<TangentLoad> =
+    std::tuple{Field{"K", &TangentLoad::K}, Field{"C", &TangentLoad::C}, Field{"r_mean", &TangentLoad::r_mean},
+               Field{"L_mean", &TangentLoad::L_mean}, Field{"v_mean", &TangentLoad::v_mean}};
+
+template <>
+inline constexpr auto kFields<ExternalLoad> =
+    std::tuple{Field{"F_W", &ExternalLoad::F_W}, Field{"T_B", &ExternalLoad::T_B}, Field{"Q_a", &ExternalLoad::Q_a},
+               Field{"tangent", &ExternalLoad::tangent}};
+
+template <>
+inline constexpr auto kFields<Inputs> = std::tuple{Field{"loads", &Inputs::loads}, Field{"values", &Inputs::values}};
+
+template <>
+inline constexpr auto kFields<IntegratorStatistics> =
+    std::tuple{Field{"windows", &IntegratorStatistics::windows},
+               Field{"steps", &IntegratorStatistics::steps},
+               Field{"rejected", &IntegratorStatistics::rejected},
+               Field{"newton_failures", &IntegratorStatistics::newton_failures},
+               Field{"residuals", &IntegratorStatistics::residuals},
+               Field{"jacobians", &IntegratorStatistics::jacobians},
+               Field{"factorizations", &IntegratorStatistics::factorizations},
+               Field{"drift_position", &IntegratorStatistics::drift_position},
+               Field{"drift_velocity", &IntegratorStatistics::drift_velocity},
+               Field{"removed_position", &IntegratorStatistics::removed_position},
+               Field{"removed_velocity", &IntegratorStatistics::removed_velocity},
+               Field{"reported_error", &IntegratorStatistics::reported_error}};
+
+template <>
+inline constexpr auto kFields<RunTimes> = std::tuple{
+    Field{"total", &RunTimes::total}, Field{"mbd", &RunTimes::mbd}, Field{"overlapped", &RunTimes::overlapped},
+    Field{"control", &RunTimes::control}, Field{"checkpoint", &RunTimes::checkpoint}};
+
 namespace {
 
 Baumgarte baumgarte(const SolverSpec& spec) {
@@ -17,8 +64,8 @@ Baumgarte baumgarte(const SolverSpec& spec) {
   return {spec.baumgarte_velocity, spec.baumgarte_position};
 }
 
-// Without grains windows that one step fills go by the third order, and longer ones by the fifth, which has the longer steps
-// (window_order). With grains the windows are short, and their own error is of second order.
+// Without grains: third order for windows of one step, fifth order for longer ones, where it takes longer steps
+// (window_order). With grains windows are short, and their own error is of second order.
 int order_of(OneStepMethod method, bool with_grains) {
   switch (method) {
     case OneStepMethod::kAuto: return with_grains ? 2 : 3;
@@ -35,7 +82,7 @@ IntegratorOptions integrator_options(const SolverSpec& spec, bool with_grains) {
   options.order = order_of(spec.method, with_grains);
   if (spec.method == OneStepMethod::kAuto) {
     options.window_order = with_grains ? 3 : 5;
-    if (!spec.error_control && !with_grains) options.order = 5;  // fixed steps: no window chooses
+    if (!spec.error_control && !with_grains) options.order = 5;  // fixed steps: one order for all windows
   }
   options.rtol = spec.rtol;
   options.atol = spec.atol_position();
@@ -62,9 +109,9 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       sampler_({scene_, mechanism_, equations_.layout()}, equations_, state_, rates_, inputs_),
       checkpoints_(scene.output.checkpoint_interval, scene.output.checkpoint_interval) {
   inputs_.values = mechanism_.inputs;
-  inputs_change_ = std::isfinite(control_.next_sample());  // else nothing samples: rows alone end no window
-  const Kinematics drawn = kinematics();
-  if (scene.initial.settle && resume.empty()) start_settled();
+  inputs_change_ = std::isfinite(control_.next_sample());  // otherwise nothing is sampled, and rows do not end a window
+  const Kinematics reference = kinematics();
+  if (scene.initial.settle && resume.empty()) settle_start();
   equations_.settle_signals(nullptr, inputs_, state_);
   if (partner_transport) {
     inputs_.loads.resize(static_cast<std::size_t>(mechanism_.model.body_count()));
@@ -73,13 +120,189 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
     walls_ = coupled_->walls();
     set_walls(walls_, mechanism_);
   }
-  collisions_ = std::make_unique<CollisionWatch>(scene, mechanism_, walls_, drawn);
+  collisions_ = std::make_unique<CollisionWatch>(scene, mechanism_, walls_, reference);
   for (const std::string& note : collisions_->notes()) assembly_.notes.push_back(note);
-  if (collisions_->watches_nothing()) collisions_.reset();
+  if (collisions_->empty()) collisions_.reset();
 }
 
-// Walls that the script has taken away hold nothing any more.
-void Simulation::look_for_collisions() {
+struct Simulation::Loop {
+  const std::function<void(const Sample&)>& observe;
+  const volatile std::sig_atomic_t& interrupted;
+  const CheckpointWriter& checkpoints;
+  double started;                   // wall clock, minus the time of earlier parts of the run [s]
+  bool observation_pending = true;  // the sample has not been observed
+
+  bool overdue() const { return checkpoints.overdue && checkpoints.overdue(); }
+};
+
+void Simulation::run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted,
+                     const CheckpointWriter& checkpoints) {
+  Loop loop{observe, interrupted, checkpoints, wall_clock() - times_.total};
+  begin(loop);
+  coupled_ ? run_coupled(loop) : run_alone(loop);
+}
+
+void Simulation::begin(Loop& loop) {
+  if (!resumed_) equations_.saddle().accelerations(state_, inputs_, rates_);
+  update_sample();
+  if (collisions_) collisions_->begin(sampler_.sample().kinematics);
+  if (!resumed_) {
+    apply_events();
+    loop.observe(sampler_.sample());
+  }
+  loop.observation_pending = false;
+  without_event_ = state_;
+}
+
+void Simulation::run_alone(Loop& loop) {
+  // A window ends only where an input changes: rows and samples are read on the way. While every sample changes an
+  // input, windows end at samples, so that no step is cut.
+  double last_row = state_.time;  // [s]
+  Rows rows;
+  rows.next = [&](double) { return next_stop(); };
+  rows.on_row = [&](const State& state, const Eigen::VectorXd& rates) {
+    const double row_started = wall_clock();
+    state_ = state;
+    rates_ = rates;
+    check_finite();
+    ++window_;
+    update_sample();
+    check_collisions();
+    if (event_triggered()) {
+      event_in_window_ = true;
+      --window_;
+      return false;
+    }
+    times_.total = row_started - loop.started;
+    loop.observe(sampler_.sample());
+    if (loop.overdue()) save_checkpoint(loop, true);
+    sample_controllers();
+    last_row = state_.time;
+    times_.mbd -= wall_clock() - row_started;  // advance() counts it
+    return loop.interrupted == 0 && !inputs_change_;
+  };
+
+  while (!finished()) {
+    const bool end_requested = loop.interrupted != 0;
+    bool saved = false;
+    if (loop.checkpoints && (checkpoints_.is_due(state_.time) || end_requested)) saved = save_checkpoint(loop, false);
+    if (end_requested && (saved || !loop.checkpoints)) break;
+
+    sample_controllers();
+    const double t_end = std::min(
+        {inputs_change_ ? control_.next_sample() : t_end_, t_end_, loop.checkpoints ? checkpoints_.next() : t_end_});
+    advance(state_, t_end, rows);
+    const bool ended_at_row = !event_in_window_ && state_.time < t_end && state_.time == last_row;
+    if (ended_at_row) continue;  // observed already
+    finish_window();
+    loop.observation_pending = true;
+    observe_sample(loop);
+  }
+}
+
+void Simulation::run_coupled(Loop& loop) {
+  const auto end_requested = [&] { return loop.interrupted != 0 || coupled_->end_requested(); };
+  const auto checkpoint_at = [&](double time) -> CheckpointRequest {
+    const bool due = checkpoints_.is_due(time) || end_requested();
+    if (!loop.checkpoints || !(due || loop.overdue())) return {};
+    return {loop.checkpoints.begin(window_ + 1), !due};
+  };
+  // Work for which the grains need not wait.
+  const auto meanwhile = [&] {
+    const double started = wall_clock();
+    observe_sample(loop);
+    sample_controllers();
+    times_.overlapped += wall_clock() - started;
+  };
+  const Kinematics& kinematics = sampler_.sample().kinematics;  // of the present state
+
+  while (!finished()) {
+    bool saved = false;
+    if (loop.checkpoints && coupled_->checkpoint_required()) {
+      observe_sample(loop);
+      saved = save_checkpoint(loop, coupled_->checkpoint_undisturbed());
+    }
+    if (end_requested() && (saved || !loop.checkpoints)) break;
+
+    double t_end = state_.time;
+    try {
+      t_end = coupled_->exchange(state_, kinematics, checkpoint_at, meanwhile, inputs_);
+    } catch (...) {
+      observe_sample(loop);  // the last row of a run whose partner is gone
+      throw;
+    }
+    if (coupled_->script_has_ended()) break;
+    advance(state_, t_end);
+    finish_window();
+    coupled_->end_window(state_, kinematics);
+    loop.observation_pending = true;
+  }
+  observe_sample(loop);
+  if (finished()) coupled_->close();
+}
+
+void Simulation::observe_sample(Loop& loop) {
+  if (!loop.observation_pending) return;
+  loop.observation_pending = false;
+  times_.total = wall_clock() - loop.started;
+  loop.observe(sampler_.sample());
+}
+
+bool Simulation::save_checkpoint(const Loop& loop, bool undisturbed) {
+  if (!undisturbed) {
+    checkpoints_.take_turn(state_.time);
+    integrator_->forget();
+  }
+  const double started = wall_clock();
+  times_.total = started - loop.started;
+  if (!coupled_) loop.checkpoints.begin(window_);
+  const bool complete = !coupled_ || coupled_->wait_for_checkpoint();
+  complete ? loop.checkpoints.finish() : loop.checkpoints.cancel();
+  times_.checkpoint += wall_clock() - started;
+  return complete;
+}
+
+// ---- one window ----
+
+void Simulation::advance(State from, double time, const Rows& rows) {
+  const double started = wall_clock();
+  integrator_->advance(from, time, inputs_, rows);
+  state_ = from;
+  rates_ = integrator_->end_rates();
+  times_.mbd += wall_clock() - started;
+  check_finite();
+}
+
+void Simulation::finish_window() {
+  ++window_;
+  update_sample();
+  check_collisions();
+  if (event_in_window_ || event_triggered()) locate_event();
+}
+
+double Simulation::next_stop() const {
+  const double t = state_.time;
+  const double tiny = 1e-9 * std::max(scene_.output.interval, 1e-6);
+  const double next_row = (std::floor((t + tiny) / scene_.output.interval) + 1.0) * scene_.output.interval;
+  return std::min({next_row, control_.next_sample(), t_end_});
+}
+
+void Simulation::check_finite() const {
+  if (state_.q.allFinite() && state_.v.allFinite() && state_.z.allFinite()) return;
+  throw NumericalError(code::kStateNotFinite,
+                       "t = " + std::to_string(state_.time) + " s: the state of the mechanism is not finite");
+}
+
+void Simulation::sample_controllers() {
+  const double started = wall_clock(), due = control_.next_sample();
+  const Eigen::VectorXd values = inputs_.values;
+  control_.sample_due(sampler_.sample(), inputs_);
+  if (control_.next_sample() > due) inputs_change_ = inputs_.values != values;
+  times_.control += wall_clock() - started;
+}
+
+// Walls that the script has removed no longer act.
+void Simulation::check_collisions() {
   if (coupled_ && !coupled_->gone_walls().empty()) {
     const std::vector<std::string>& gone = coupled_->gone_walls();
     walls_.erase(std::remove_if(walls_.begin(), walls_.end(),
@@ -88,19 +311,84 @@ void Simulation::look_for_collisions() {
                                 }),
                  walls_.end());
     set_walls(walls_, mechanism_);
-    if (collisions_) collisions_->forget_walls(gone);
+    if (collisions_) collisions_->remove_walls(gone);
   }
-  if (collisions_) collisions_->look(subject(), sampler_.sample());
+  if (collisions_) collisions_->check(subject(), sampler_.sample());
 }
 
-void Simulation::start_settled() {
+// ---- events of the scene ----
+
+bool Simulation::event_triggered() {
+  SignalLoop* const signals = control_.signals();
+  if (!signals) return false;
+  if (signals->triggered(sampler_.sample(), inputs_.values).event >= 0) return true;
+  if (signals->has_unsampled_events()) without_event_ = state_;
+  return false;
+}
+
+// One at a time, in the order of the scene: conditions are evaluated in the state that the previous event leads to.
+void Simulation::apply_events() {
+  SignalLoop* const signals = control_.signals();
+  if (!signals) return;
+  const double time = state_.time;
+  std::string names;
+  for (std::size_t count = 0;; ++count) {
+    const int event = signals->triggered(sampler_.sample(), inputs_.values).event;
+    if (event < 0) break;
+    names += (names.empty() ? "\"" : ", \"") + signals->event_name(event) + "\"";
+    if (count > signals->state_count())
+      throw NumericalError(code::kEventLoop, "t = " + std::to_string(time) +
+                                                 " s: events trigger each other without end: " + names +
+                                                 ": give each a condition that is false in the state it leads to");
+    const Eigen::VectorXd before = inputs_.values;
+    signals->apply(event, time, inputs_.values);
+    equations_.settle_signals(&before, inputs_, state_);
+    equations_.saddle().accelerations(state_, inputs_, rates_);
+    update_sample();
+  }
+  without_event_ = state_;
+}
+
+// Bisection: a condition is true or false, and may depend on anything in a sample.
+void Simulation::locate_event() {
+  event_in_window_ = false;
+  SignalLoop& signals = *control_.signals();
+  const bool sampled = signals.triggered(sampler_.sample(), inputs_.values).sampled;
+  if (!coupled_ && !sampled && without_event_.time < state_.time) {
+    const double step = without_event_.step;
+    const auto go_to = [&](double time) {
+      advance(without_event_, time);
+      update_sample();
+    };
+    double late = state_.time;
+    while (late - without_event_.time > kEventTime) {
+      const double middle = 0.5 * (without_event_.time + late);
+      if (middle <= without_event_.time || middle >= late) break;
+      go_to(middle);
+      if (signals.triggered(sampler_.sample(), inputs_.values).event >= 0) {
+        late = middle;
+      } else {
+        without_event_ = state_;
+      }
+    }
+    if (state_.time != late) go_to(late);
+    state_.step = step;
+  }
+  apply_events();
+}
+
+// ---- start, checkpoint ----
+
+void Simulation::settle_start() {
   const Settled settled = settle(scene_, assembly_options(scene_), integrator_options(scene_.solver, false));
   state_.q = settled.state.q;
   state_.z = settled.state.z;
   equations_.saddle().project(state_);  // velocities of prescribed motions
-  assembly_.notes.push_back("settled under the loads of the start: body \"" + settled.body + "\" moved most, by " +
-                            number_text(settled.moved, 3) + " m; the largest acceleration left is " +
-                            number_text(settled.acceleration, 3) + " m/s2 or rad/s2.");
+  assembly_.notes.push_back(
+      with_code(code::kSettled, "the mechanism was settled under the loads of the start: body \"" + settled.body +
+                                    "\" moved most, by " + number_text(settled.moved, 3) +
+                                    " m; the largest remaining acceleration is " +
+                                    number_text(settled.acceleration, 3) + " m/s2 or rad/s2."));
 }
 
 Subject Simulation::subject() const {
@@ -117,160 +405,21 @@ bool Simulation::finished() const {
   return state_.time >= t_end_ * (1.0 - 1e-12) || (coupled_ && coupled_->script_has_ended());
 }
 
-// The next row of the history or sample of a controller.
-double Simulation::next_stop() const {
-  const double t = state_.time;
-  const double tiny = 1e-9 * std::max(scene_.output.interval, 1e-6);
-  const double next_row = (std::floor((t + tiny) / scene_.output.interval) + 1.0) * scene_.output.interval;
-  return std::min({next_row, control_.next_sample(), t_end_});
-}
-
-void Simulation::check_finite() const {
-  if (state_.q.allFinite() && state_.v.allFinite() && state_.z.allFinite()) return;
-  throw NumericalError("t = " + std::to_string(state_.time) + " s: the state of the mechanism is not finite");
-}
-
-// Samples the controllers that are due, and remembers whether that has changed a voltage.
-void Simulation::control() {
-  const double due = control_.next_sample();
-  const Eigen::VectorXd values = inputs_.values;
-  control_.sample_due(sampler_.sample(), inputs_);
-  if (control_.next_sample() > due) inputs_change_ = inputs_.values != values;
-}
-
-// started: on the clock on the wall [s].
-bool Simulation::keep_now(const Keeper& keep, bool quietly, double started) {
-  if (!quietly) {
-    checkpoints_.take_turn(state_.time);
-    integrator_->forget();
-  }
-  const double begun = wall_clock();
-  times_.total = begun - started;
-  if (!coupled_) keep.begin(window_);
-  const bool done = !coupled_ || coupled_->wait_until_kept();
-  done ? keep.finish() : keep.drop();
-  times_.keeping += wall_clock() - begun;
-  return done;
-}
-
-void Simulation::run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted,
-                     const Keeper& keep) {
-  const double started = wall_clock() - times_.total;
-  const Sample& at = sampler_.sample();  // always of the present state
-  if (!resumed_) equations_.saddle().accelerations(state_, inputs_, rates_);
-  take_sample();
-  if (collisions_) collisions_->begin(at.kinematics);
-  if (!resumed_) let_events_happen();
-  if (!resumed_) observe(at);
-  checked_ = state_;
-
-  // Without grains a window ends only where a voltage changes: rows and samples are read on the way. While each sample
-  // changes it, windows end at samples, so that no step is cut.
-  double on_the_way = 0.0;        // wall time of rows in a window [s]
-  double last_row = state_.time;  // [s]
-  const auto overdue = [&] { return keep.overdue && keep.overdue(); };
-  Rows rows;
-  if (!coupled_) {
-    rows.next = [&](double) { return next_stop(); };
-    rows.on_row = [&](const State& state, const Eigen::VectorXd& rates) {
-      const double row_started = wall_clock();
-      state_ = state;
-      rates_ = rates;
-      check_finite();
-      ++window_;
-      take_sample();
-      look_for_collisions();
-      if (event_holds()) {
-        event_ahead_ = true;
-        --window_;
-        return false;
-      }
-      times_.total = row_started - started;
-      observe(at);
-      if (overdue()) keep_now(keep, true, started);
-      control();
-      last_row = state_.time;
-      on_the_way += wall_clock() - row_started;
-      return interrupted == 0 && !inputs_change_;
-    };
-  }
-
-  // By a signal to this program, or to a rank of LIGGGHTS.
-  const auto asked_to_end = [&] { return interrupted != 0 || (coupled_ && coupled_->asked_to_end()); };
-  const auto due = [&](double time) { return checkpoints_.is_due(time) || asked_to_end(); };
-  const auto set_at = [&](double end) {
-    if (!keep || !(due(end) || overdue())) return WantedSet{};
-    return WantedSet{keep.begin(window_ + 1), !due(end)};
-  };
-
-  // What the grains need not wait for: rows and inputs.
-  bool untold = false;  // the sample
-  const auto tell = [&] {
-    if (!untold) return;
-    untold = false;
-    times_.total = wall_clock() - started;
-    observe(at);
-  };
-  const auto sample_controllers = [&] {
-    const double control_started = wall_clock();
-    control();
-    times_.control += wall_clock() - control_started;
-  };
-  const auto meanwhile = [&] {
-    const double begun = wall_clock();
-    tell();
-    sample_controllers();
-    times_.beside += wall_clock() - begun;
-  };
-  const auto exchange = [&] {
-    try {
-      return coupled_->begin_window(state_, at.kinematics, set_at, meanwhile, inputs_);
-    } catch (...) {
-      tell();  // the last row of a run that the grains have left
-      throw;
-    }
-  };
-
-  while (!finished()) {
-    // Checkpoint: where the grains' side has kept itself as well.
-    bool kept = false;
-    if (keep && (coupled_ ? coupled_->keeps() : due(state_.time))) {
-      tell();
-      kept = keep_now(keep, coupled_ && coupled_->keeps_quietly(), started);
-    }
-    if (asked_to_end() && (kept || !keep)) break;
-
-    // Window: with grains motion goes out and the mean load comes in.
-    if (!coupled_) sample_controllers();
-    const double t_end =
-        coupled_
-            ? exchange()
-            : std::min({inputs_change_ ? control_.next_sample() : t_end_, t_end_, keep ? checkpoints_.next() : t_end_});
-    if (coupled_ && coupled_->script_has_ended()) break;
-
-    // Integrate, and check.
-    const double mbd_started = wall_clock();
-    on_the_way = 0.0;
-    State state = state_;
-    integrator_->advance(state, t_end, inputs_, rows);
-    state_ = state;
-    rates_ = integrator_->end_rates();
-    times_.mbd += wall_clock() - mbd_started - on_the_way;
-    check_finite();
-    // A row has ended the window, and was observed.
-    if (!event_ahead_ && state_.time < t_end && state_.time == last_row) continue;
-    ++window_;
-
-    // Observe.
-    take_sample();
-    look_for_collisions();
-    if (event_ahead_ || event_holds()) find_event();
-    if (coupled_) coupled_->end_window(state_, at.kinematics);
-    untold = true;
-    if (!coupled_) tell();
-  }
-  tell();
-  if (coupled_ && finished()) coupled_->close();
+// The integrator's history is dropped at a checkpoint, in the run that continues and in the resumed one.
+void Simulation::visit(Archive& archive) {
+  archive("state", state_);
+  archive("rates", rates_);
+  archive("inputs", inputs_);
+  archive("window", window_);
+  archive("inputs_change", inputs_change_);
+  archive("times", times_);
+  archive("next_checkpoint", checkpoints_);
+  archive("control", control_);
+  IntegratorStatistics statistics = integrator_->statistics();
+  archive("statistics", statistics);
+  if (archive.restores()) integrator_->resume(statistics);
+  if (coupled_) archive("coupled", *coupled_);
+  resumed_ = archive.restores();
 }
 
 }  // namespace footfall

@@ -1,3 +1,6 @@
+// Each table lists names, units and values of columns that belong to one thing (a body, a joint, ...). A scene has those
+// of its parts, in the order of history_columns().
+
 #include "mbd_solver/run/observe/columns.h"
 
 #include <algorithm>
@@ -12,14 +15,14 @@ namespace {
 
 double itself(const double& x) { return x; }
 
-// ---- the registry: an entry here and a line in docs/history.md make a column ----
+// ---- the registry: an entry here and a line in docs/reference/history.md make a column ----
 
 constexpr Entry<Sample> kTime[] = {{"time", "s", [](const Sample& s) { return s.state.time; }}};
 
-constexpr Entry<FlexibleFigures> kFlexible[] = {
-    {"<body>.strain_energy", "J", [](const FlexibleFigures& f) { return f.strain_energy; }},
-    {"<body>.deflection", "m", [](const FlexibleFigures& f) { return f.deflection; }},
-    {"<body>.von_mises", "Pa", [](const FlexibleFigures& f) { return f.von_mises; }}};
+constexpr Entry<FlexibleMetrics> kFlexible[] = {
+    {"<body>.strain_energy", "J", [](const FlexibleMetrics& f) { return f.strain_energy; }},
+    {"<body>.deflection", "m", [](const FlexibleMetrics& f) { return f.deflection; }},
+    {"<body>.von_mises", "Pa", [](const FlexibleMetrics& f) { return f.von_mises; }}};
 
 constexpr Entry<GeneralizedForce> kContact[] = {
     {"<body>.contact.fx", "N", [](const GeneralizedForce& Q) { return Q.F_W.x(); }},
@@ -29,21 +32,21 @@ constexpr Entry<GeneralizedForce> kContact[] = {
     {"<body>.contact.my", "N m", [](const GeneralizedForce& Q) { return Q.T_W.y(); }},
     {"<body>.contact.mz", "N m", [](const GeneralizedForce& Q) { return Q.T_W.z(); }}};
 
-constexpr Entry<CoordinateFigures> kAngle[] = {
-    {"<joint>.angle", "rad", [](const CoordinateFigures& q) { return q.value; }},
-    {"<joint>.angle_rate", "rad/s", [](const CoordinateFigures& q) { return q.rate; }}};
+constexpr Entry<CoordinateValue> kAngle[] = {
+    {"<joint>.angle", "rad", [](const CoordinateValue& q) { return q.value; }},
+    {"<joint>.angle_rate", "rad/s", [](const CoordinateValue& q) { return q.rate; }}};
 
-constexpr Entry<CoordinateFigures> kDisplacement[] = {
-    {"<joint>.displacement", "m", [](const CoordinateFigures& q) { return q.value; }},
-    {"<joint>.displacement_rate", "m/s", [](const CoordinateFigures& q) { return q.rate; }}};
+constexpr Entry<CoordinateValue> kDisplacement[] = {
+    {"<joint>.displacement", "m", [](const CoordinateValue& q) { return q.value; }},
+    {"<joint>.displacement_rate", "m/s", [](const CoordinateValue& q) { return q.rate; }}};
 
-constexpr Entry<CoordinateFigures> kDisplacementX[] = {
-    {"<joint>.displacement_x", "m", [](const CoordinateFigures& q) { return q.value; }},
-    {"<joint>.displacement_x_rate", "m/s", [](const CoordinateFigures& q) { return q.rate; }}};
+constexpr Entry<CoordinateValue> kDisplacementX[] = {
+    {"<joint>.displacement_x", "m", [](const CoordinateValue& q) { return q.value; }},
+    {"<joint>.displacement_x_rate", "m/s", [](const CoordinateValue& q) { return q.rate; }}};
 
-constexpr Entry<CoordinateFigures> kDisplacementY[] = {
-    {"<joint>.displacement_y", "m", [](const CoordinateFigures& q) { return q.value; }},
-    {"<joint>.displacement_y_rate", "m/s", [](const CoordinateFigures& q) { return q.rate; }}};
+constexpr Entry<CoordinateValue> kDisplacementY[] = {
+    {"<joint>.displacement_y", "m", [](const CoordinateValue& q) { return q.value; }},
+    {"<joint>.displacement_y_rate", "m/s", [](const CoordinateValue& q) { return q.rate; }}};
 
 constexpr Entry<Vector6d> kReaction[] = {{"<joint>.fx", "N", [](const Vector6d& R) { return R(0); }},
                                          {"<joint>.fy", "N", [](const Vector6d& R) { return R(1); }},
@@ -67,7 +70,7 @@ constexpr Entry<StrutSample> kStrut[] = {{"<strut>.stroke", "m", [](const StrutS
                                          {"<strut>.rate", "m/s", [](const StrutSample& s) { return s.rate; }},
                                          {"<strut>.force", "N", [](const StrutSample& s) { return s.force; }}};
 
-constexpr Entry<double> kVoltage[] = {{"<controller>.<output>", "-", itself}};
+constexpr Entry<double> kControllerOutput[] = {{"<controller>.<output>", "-", itself}};
 
 constexpr Entry<double> kSignal[] = {{"signal.<signal>", "-", itself}};
 constexpr Entry<double> kState[] = {{"state.<state>", "-", itself}};
@@ -94,8 +97,8 @@ template <class Visit>
 void for_each_table(Visit visit) {
   visit(kTime), visit(kBodyEntries), visit(kAttitudeEntries), visit(kFlexible), visit(kContact), visit(kAngle),
       visit(kDisplacement), visit(kDisplacementX), visit(kDisplacementY), visit(kReaction), visit(kDriveTorque),
-      visit(kDriveForce), visit(kDrivePower), visit(kGearTorque), visit(kGearForce), visit(kStrut), visit(kVoltage),
-      visit(kSignal), visit(kState), visit(kStateSince), visit(kStored), visit(kEnergyTotal);
+      visit(kDriveForce), visit(kDrivePower), visit(kGearTorque), visit(kGearForce), visit(kStrut),
+      visit(kControllerOutput), visit(kSignal), visit(kState), visit(kStateSince), visit(kStored), visit(kEnergyTotal);
   visit(kDissipated), visit(kWork), visit(kSupplied), visit(kCoupling), visit(kChosenWindows), visit(kOmegaH);
 }
 
@@ -127,8 +130,8 @@ bool recorded(const OutputSpec& output, const std::string& body) {
   return output.bodies.empty() || std::find(output.bodies.begin(), output.bodies.end(), body) != output.bodies.end();
 }
 
-// Prescribed motions have their column in every history.
-bool brings_work(const Scene& scene, Supply source) {
+// Prescribed motions have a column in every history.
+bool has_work_column(const Scene& scene, Supply source) {
   switch (source) {
     case Supply::kMotion: return true;
     case Supply::kForce: return !scene.forces.empty();
@@ -148,16 +151,16 @@ void add_coupling(const Subject& subject, Columns& out) {
   }
 }
 
-void add_joints(const Subject& subject, const JointFigures& joints, Columns& out) {
+void add_joints(const Subject& subject, const JointObserver& joints, Columns& out) {
   const Mechanism& mechanism = subject.mechanism;
   for (std::size_t k = 0; subject.scene.output.joints && k < mechanism.coordinates.size(); ++k) {
     const CoordinateEntry& entry = mechanism.coordinates[k];
-    const auto figures = [k, &joints](const Sample&) -> const CoordinateFigures& { return joints.coordinate(k); };
+    const auto coordinate = [k, &joints](const Sample&) -> const CoordinateValue& { return joints.coordinate(k); };
     switch (entry.coordinate) {
-      case Coordinate::kAngle: out.add(kAngle, {entry.name}, figures, Column::Reads::kJoints); break;
-      case Coordinate::kDisplacement: out.add(kDisplacement, {entry.name}, figures, Column::Reads::kJoints); break;
-      case Coordinate::kDisplacementX: out.add(kDisplacementX, {entry.name}, figures, Column::Reads::kJoints); break;
-      case Coordinate::kDisplacementY: out.add(kDisplacementY, {entry.name}, figures, Column::Reads::kJoints); break;
+      case Coordinate::kAngle: out.add(kAngle, {entry.name}, coordinate, Column::Reads::kJoints); break;
+      case Coordinate::kDisplacement: out.add(kDisplacement, {entry.name}, coordinate, Column::Reads::kJoints); break;
+      case Coordinate::kDisplacementX: out.add(kDisplacementX, {entry.name}, coordinate, Column::Reads::kJoints); break;
+      case Coordinate::kDisplacementY: out.add(kDisplacementY, {entry.name}, coordinate, Column::Reads::kJoints); break;
     }
   }
   for (std::size_t j = 0; subject.scene.output.reactions && j < subject.scene.joints.size(); ++j)
@@ -192,7 +195,7 @@ void add_joints(const Subject& subject, const JointFigures& joints, Columns& out
 }  // namespace
 
 std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies& flexible,
-                                    const JointFigures& joints) {
+                                    const JointObserver& joints) {
   const Mechanism& mechanism = subject.mechanism;
   Columns out;
   out.add(kTime, {}, [](const Sample& s) -> const Sample& { return s; });
@@ -204,7 +207,7 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
     if (subject.scene.output.attitudes) out.add(kAttitudeEntries, {name}, body);
     if (const int k = flexible.find(i); k >= 0)
       out.add(
-          kFlexible, {name}, [k, &flexible](const Sample&) -> const FlexibleFigures& { return flexible.now(k); },
+          kFlexible, {name}, [k, &flexible](const Sample&) -> const FlexibleMetrics& { return flexible.now(k); },
           Column::Reads::kFlexible);
   }
   if (subject.scene.ground.kind != GroundKind::kNone || !mechanism.planes.empty() || !mechanism.contacts.empty())
@@ -220,7 +223,7 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
     });
   for (const ControllerEntry& controller : mechanism.controllers)
     for (std::size_t k = 0; k < controller.outputs.size(); ++k)
-      out.add(kVoltage, {controller.name, controller.outputs[k]},
+      out.add(kControllerOutput, {controller.name, controller.outputs[k]},
               [i = controller.first_input + static_cast<int>(k)](const Sample& s) { return s.inputs.values(i); });
   for (const PlaceEntry& signal : mechanism.signals)
     out.add(kSignal, {signal.name}, [i = signal.place](const Sample& s) { return s.values(i); });
@@ -240,7 +243,7 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
   out.add(kWork, {}, [](const Sample& s) -> const State& { return s.state; });
   for (int k = 0; k < count_of<Supply>(); ++k) {
     const auto source = static_cast<Supply>(k);
-    if (!brings_work(subject.scene, source)) continue;
+    if (!has_work_column(subject.scene, source)) continue;
     out.add(kSupplied, {std::string(name_of(source))}, [source](const Sample& s) { return s.state.supplied[source]; });
   }
   if (subject.agreement) add_coupling(subject, out);

@@ -1,5 +1,5 @@
 #pragma once
-// The columns of history.csv: one registry of name, unit and value. docs/history.md lists it for users.
+// The columns of history.csv: one registry of name, unit and value. docs/reference/history.md lists it for users.
 
 #include <functional>
 #include <string>
@@ -16,14 +16,15 @@ struct Column {
   std::string pattern;  // its name in the registry: `<body>.x`
   std::function<double(const Sample&)> value;
   enum class Reads { kSample, kFlexible, kJoints };
-  Reads reads = Reads::kSample;  // beside the sample: flexible or joints, which must have taken it
+  Reads reads = Reads::kSample;  // in addition to the sample: flexible or joints, updated with it
 };
 
-// Those that this scene has, in the order of the file. flexible and joints have taken the sample before a value is
-// asked for; they and the subject's parts must outlive the columns.
-std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies& flexible, const JointFigures& joints);
+// The columns of this scene, in the order of the file. flexible and joints are updated with the sample before a value is
+// read; they and the subject's parts must outlive the columns.
+std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies& flexible,
+                                    const JointObserver& joints);
 
-// The whole registry: what any scene can have.
+// The whole registry, for all scenes.
 struct ColumnPattern {
   std::string pattern;
   std::string unit;

@@ -1,3 +1,6 @@
+// A flexible body is drawn with the nodes of its modes, a rigid one with its boundary or else its shape. Triangles of all
+// bodies come first, then lines.
+
 #include "mbd_solver/run/observe/drawing.h"
 
 #include <optional>
@@ -10,7 +13,6 @@
 namespace footfall {
 namespace {
 
-// A flexible body is drawn with the nodes of its modes.
 ModalBoundary from_modes(const std::string& name, const ModalBody& modal) {
   std::vector<BeamSegment> segments;
   for (const Eigen::Vector2i& s : modal.segments) segments.push_back({s(0), s(1), 1e-3, 0});
@@ -26,7 +28,7 @@ ModalBoundary rigid(const std::string& name, const std::vector<Eigen::Vector3d>&
   return ModalBoundary(name, std::move(rho0), std::move(triangles), std::move(segments));
 }
 
-// A rigid body without boundary is drawn from its shape; nothing without one.
+// Nothing without a shape that can be drawn.
 std::optional<ModalBoundary> from_shape(const BodySpec& body) {
   if (!body.shape) return std::nullopt;
   const ShapeSpec& shape = *body.shape;
@@ -73,7 +75,7 @@ Drawing::Drawing(const Subject& subject) : model_(subject.mechanism.model) {
   frame_.cell_numbers = {{"von_mises_Pa", Eigen::VectorXd::Zero(cells)}, {"body", Eigen::VectorXd::Zero(cells)}};
   std::vector<std::string> names;
   for (int i = 0; i < model_.body_count(); ++i) names.push_back(model_.body(i).name());
-  frame_.texts = {{"body_names", names}};  // by the number of the cells' "body"
+  frame_.texts = {{"body_names", names}};  // indexed by "body" of the cells
 }
 
 const VtkFrame& Drawing::frame(const Sample& sample) {

@@ -1,5 +1,5 @@
 #pragma once
-// The mechanism as a picture: the deformed surfaces and axes of all bodies, with displacement and stress.
+// Frames for VTK: the deformed surfaces and axes of all bodies, with displacement and stress.
 
 #include "mbd_solver/run/observe/sampler.h"
 #include "mbd_solver/run/output/vtk_writer.h"
@@ -8,11 +8,10 @@ namespace footfall {
 
 class Drawing {
  public:
-  // What the subject views must outlive this.
+  // The subject's parts must outlive this.
   explicit Drawing(const Subject& subject);
-  // No body has anything to draw.
-  bool empty() const { return parts_.empty(); }
-  // The reference holds until the next call.
+  bool empty() const { return parts_.empty(); }  // no body can be drawn
+  // The reference is valid until the next call.
   const VtkFrame& frame(const Sample& sample);
 
  private:

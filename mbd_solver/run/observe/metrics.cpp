@@ -1,3 +1,5 @@
+// Metrics are updated at every sample and stored with a checkpoint. Warnings are given once per body, joint and cause.
+
 #include "mbd_solver/run/observe/metrics.h"
 
 #include <algorithm>
@@ -8,13 +10,14 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/modal_body.h"
 #include "mbd_solver/model/rotation.h"
+#include "mbd_solver/run/codes.h"
 
 namespace footfall {
 
 template <>
-inline constexpr auto kFields<FlexibleFigures> = std::tuple{
-    Field{"strain_energy", &FlexibleFigures::strain_energy}, Field{"deflection", &FlexibleFigures::deflection},
-    Field{"von_mises", &FlexibleFigures::von_mises}, Field{"spin", &FlexibleFigures::spin}};
+inline constexpr auto kFields<FlexibleMetrics> = std::tuple{
+    Field{"strain_energy", &FlexibleMetrics::strain_energy}, Field{"deflection", &FlexibleMetrics::deflection},
+    Field{"von_mises", &FlexibleMetrics::von_mises}, Field{"spin", &FlexibleMetrics::spin}};
 
 FlexibleBodies::FlexibleBodies(const Subject& subject) : model_(subject.mechanism.model) {
   for (int i = 0; i < model_.body_count(); ++i)
@@ -24,22 +27,22 @@ FlexibleBodies::FlexibleBodies(const Subject& subject) : model_(subject.mechanis
   const Scene& scene = subject.scene;
   for (const int i : bodies_) {
     const ModalBody& modal = *model_.body(i).modal();
-    Watch watch;
-    watch.lowest = lowest_frequency(modal);
-    watch.extent = extent(modal);
+    Limits limits;
+    limits.lowest = lowest_frequency(modal);
+    limits.extent = extent(modal);
     const std::string& material = scene.bodies[static_cast<std::size_t>(i)].material;
-    if (!material.empty()) watch.yield_stress = scene.material(material).yield_stress;
-    watch_.push_back(watch);
+    if (!material.empty()) limits.yield_stress = scene.material(material).yield_stress;
+    limits_.push_back(limits);
   }
 }
 
 void FlexibleBodies::visit(Archive& archive) {
   archive("now", now_);
   archive("peak", peak_);
-  for (std::size_t k = 0; k < watch_.size(); ++k) {
-    archive("spins", watch_[k].spins);
-    archive("bends", watch_[k].bends);
-    archive("yields", watch_[k].yields);
+  for (std::size_t k = 0; k < limits_.size(); ++k) {
+    archive("spins", limits_[k].spins);
+    archive("bends", limits_[k].bends);
+    archive("yields", limits_[k].yields);
   }
   archive("warnings", warnings_);
 }
@@ -51,12 +54,12 @@ int FlexibleBodies::find(int body) const {
 
 const Body& FlexibleBodies::body(int k) const { return model_.body(bodies_[static_cast<std::size_t>(k)]); }
 
-void FlexibleBodies::take(const Sample& sample) {
+void FlexibleBodies::update(const Sample& sample) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const Body& body = model_.body(bodies_[k]);
     const BodyKinematics& at = sample.kinematics.of(bodies_[k]);
     now_[k] = {body.inertia().strain_energy(at.a), largest_deflection(*body.modal(), at.a),
-               von_mises(*body.modal(), at.a), at.w.norm() / watch_[k].lowest};
+               von_mises(*body.modal(), at.a), at.w.norm() / limits_[k].lowest};
     peak_[k].strain_energy = std::max(peak_[k].strain_energy, now_[k].strain_energy);
     peak_[k].deflection = std::max(peak_[k].deflection, now_[k].deflection);
     peak_[k].von_mises = std::max(peak_[k].von_mises, now_[k].von_mises);
@@ -66,37 +69,40 @@ void FlexibleBodies::take(const Sample& sample) {
 }
 
 void FlexibleBodies::warn(double time, int k) {
-  Watch& watch = watch_[static_cast<std::size_t>(k)];
-  const FlexibleFigures& now = this->now(k);
+  Limits& limits = limits_[static_cast<std::size_t>(k)];
+  const FlexibleMetrics& now = this->now(k);
   const auto number = [](double x) { return number_text(x, 3); };
   const std::string where = "t = " + number(time) + " s: body " + body(k).name();
-  const auto tell = [&](bool& told, const std::string& what) {
-    told = true;
-    warnings_.push_back(where + what);
+  const auto warn = [&](bool& warned, const MessageCode& code, const std::string& what) {
+    warned = true;
+    warnings_.push_back(with_code(code, where + what));
   };
-  if (!watch.spins && now.spin > kSpinRange)
-    tell(watch.spins, " spins at " + number(now.spin) + " of its lowest elastic frequency (" + number(watch.lowest) +
-                          " rad/s): beyond " + number(kSpinRange) +
-                          " linear modes, which centrifugal tension does not stiffen, err by more than 1 %; divide the "
-                          "body into several");
-  if (!watch.bends && now.deflection > kDeflectionRange * watch.extent)
-    tell(watch.bends, " bends by " + number(now.deflection) + " m, " + number(now.deflection / watch.extent) +
-                          " of its extent: beyond " + number(kDeflectionRange) +
-                          " linear modes err by more than 1 %; divide the body into several");
-  if (!watch.yields && watch.yield_stress > 0.0 && now.von_mises > watch.yield_stress)
-    tell(watch.yields, " has a von Mises stress of " + number(1e-6 * now.von_mises) +
-                           " MPa, more than the yield stress of its material, " + number(1e-6 * watch.yield_stress) +
-                           " MPa: it would stay bent, which elastic modes cannot show");
+  if (!limits.spins && now.spin > kSpinRange)
+    warn(limits.spins, code::kBeyondLinearRange,
+         " spins at " + number(now.spin) + " of its lowest elastic frequency (" + number(limits.lowest) +
+             " rad/s): above " + number(kSpinRange) +
+             " linear modes, which centrifugal tension does not stiffen, err by more than 1 %; divide the body into "
+             "several");
+  if (!limits.bends && now.deflection > kDeflectionRange * limits.extent)
+    warn(limits.bends, code::kBeyondLinearRange,
+         " bends by " + number(now.deflection) + " m, " + number(now.deflection / limits.extent) +
+             " of its extent: above " + number(kDeflectionRange) +
+             " linear modes err by more than 1 %; divide the body into several");
+  if (!limits.yields && limits.yield_stress > 0.0 && now.von_mises > limits.yield_stress)
+    warn(limits.yields, code::kYields,
+         " has a von Mises stress of " + number(1e-6 * now.von_mises) +
+             " MPa, above the yield stress of its material (" + number(1e-6 * limits.yield_stress) +
+             " MPa): it would deform permanently, which elastic modes do not model");
 }
 
-JointFigures::JointFigures(const Subject& subject)
+JointObserver::JointObserver(const Subject& subject)
     : subject_(subject),
       now_(subject.mechanism.coordinates.size()),
       acc_(now_.size(), 0.0),
       warned_(now_.size(), false),
       reactions_(subject.scene.output.reactions ? subject.scene.joints.size() : 0, Vector6d::Zero()) {}
 
-void JointFigures::take(const Sample& sample) {
+void JointObserver::update(const Sample& sample) {
   const Model& model = subject_.mechanism.model;
   const double h = sample.state.time - time_;
   for (std::size_t k = 0; k < now_.size(); ++k) {
@@ -105,7 +111,7 @@ void JointFigures::take(const Sample& sample) {
     const JointCoordinate at(entry.coordinate, sample.kinematics.pair(joint.m1.body, joint.m2.body), joint.m1,
                              joint.m2);
     if (started_ && entry.coordinate == Coordinate::kAngle) {
-      follow(k, h, at);
+      count_turns(k, h, at);
     } else {
       now_[k].value = at.value();
     }
@@ -123,26 +129,27 @@ void JointFigures::take(const Sample& sample) {
   started_ = true;
 }
 
-void JointFigures::follow(std::size_t k, double h, const JointCoordinate& at) {
+void JointObserver::count_turns(std::size_t k, double h, const JointCoordinate& at) {
   const double expected = now_[k].value + 0.5 * h * (now_[k].rate + at.rate()) + h * h / 12.0 * (acc_[k] - at.acc());
   now_[k].value = at.value() + 2.0 * kPi * std::round((expected - at.value()) / (2.0 * kPi));
   if (warned_[k] || std::abs(now_[k].value - expected) < 0.5 * kPi) return;
   warned_[k] = true;
-  warnings_.push_back(
-      "joint \"" + subject_.mechanism.coordinates[k].name + "\": between two rows, at t = " + number_text(time_, 6) +
-      " s, it turns too unsteadily for its turns to be counted, and its angle may be off by whole turns; "
-      "make output.interval smaller");
+  warnings_.push_back(with_code(
+      code::kTurnsNotCounted, "joint \"" + subject_.mechanism.coordinates[k].name +
+                                  "\": between two rows, at t = " + number_text(time_, 6) +
+                                  " s, its rate changes too much for its turns to be counted; its angle may be off by "
+                                  "whole turns: reduce output.interval"));
 }
 
 template <>
-inline constexpr auto kFields<Figures> = std::tuple{
-    Field{"peak_acceleration", &Figures::peak_acceleration}, Field{"max_descent", &Figures::max_descent},
-    Field{"max_penetration", &Figures::max_penetration},     Field{"max_contact_force", &Figures::max_contact_force},
-    Field{"reference_energy", &Figures::reference_energy},   Field{"energy_flow", &Figures::energy_flow},
-    Field{"energy_balance", &Figures::energy_balance},       Field{"energy_noise", &Figures::energy_noise},
-    Field{"contact_work", &Figures::contact_work},           Field{"contact_force", &Figures::contact_force}};
+inline constexpr auto kFields<Metrics> = std::tuple{
+    Field{"peak_acceleration", &Metrics::peak_acceleration}, Field{"max_descent", &Metrics::max_descent},
+    Field{"max_penetration", &Metrics::max_penetration},     Field{"max_contact_force", &Metrics::max_contact_force},
+    Field{"reference_energy", &Metrics::reference_energy},   Field{"energy_flow", &Metrics::energy_flow},
+    Field{"energy_balance", &Metrics::energy_balance},       Field{"energy_noise", &Metrics::energy_noise},
+    Field{"contact_work", &Metrics::contact_work},           Field{"contact_force", &Metrics::contact_force}};
 
-FigureTaker::FigureTaker(const Subject& subject)
+MetricRecorder::MetricRecorder(const Subject& subject)
     : subject_(subject),
       flow_(subject.mechanism.model),
       up_(up_direction(subject.scene.gravity)),
@@ -158,25 +165,26 @@ FigureTaker::FigureTaker(const Subject& subject)
     if (model.body(i).mass() > model.body(body_).mass()) body_ = i;
 }
 
-void FigureTaker::visit(Archive& archive) {
-  archive("figures", figures_);
+void MetricRecorder::visit(Archive& archive) {
+  archive("metrics", metrics_);
   archive("flow", flow_);
   archive("start_height", start_height_);
   archive("start_energy", start_energy_);
   archive("started", started_);
 }
 
-const std::string& FigureTaker::body_name() const { return subject_.mechanism.model.body(body_).name(); }
+const std::string& MetricRecorder::body_name() const { return subject_.mechanism.model.body(body_).name(); }
 
-std::string FigureTaker::balance_warning() const {
-  if (figures_.energy_balance_relative() <= kGoodBalance || figures_.energy_balance <= figures_.energy_noise) return "";
-  return "the energy of the mechanism does not close by " + number_text(figures_.energy_balance, 3) + " J, " +
-         number_text(100.0 * figures_.energy_balance_relative(), 3) +
-         " % of the energy that it moved: its integration is not accurate; make solver.rtol and solver.atol, or "
-         "solver.max_step, smaller";
+std::string MetricRecorder::balance_warning() const {
+  if (metrics_.energy_balance_relative() <= kGoodBalance || metrics_.energy_balance <= metrics_.energy_noise) return "";
+  return with_code(code::kEnergyBalance,
+                   "the energy balance of the mechanism has an error of " + number_text(metrics_.energy_balance, 3) +
+                       " J, " + number_text(100.0 * metrics_.energy_balance_relative(), 3) +
+                       " % of the energy exchanged: its integration is not accurate; reduce solver.rtol and "
+                       "solver.atol, or solver.max_step");
 }
 
-double FigureTaker::depth(const Sample& sample) const {
+double MetricRecorder::depth(const Sample& sample) const {
   double lowest = std::numeric_limits<double>::infinity();
   for (const BodyBoundary& entry : subject_.mechanism.boundaries) {
     const BodyKinematics& body = sample.kinematics.of(entry.body);
@@ -185,8 +193,8 @@ double FigureTaker::depth(const Sample& sample) const {
   return ground_ - lowest;
 }
 
-void FigureTaker::take(const Sample& sample) {
-  Figures& f = figures_;
+void MetricRecorder::update(const Sample& sample) {
+  Metrics& f = metrics_;
   const StoredEnergy& stored = sample.energy.stored;
   const BodyKinematics& body = sample.kinematics.of(body_);
   const double height = up_.dot(body.r);
@@ -212,7 +220,7 @@ void FigureTaker::take(const Sample& sample) {
   const double balance =
       stored.total() - start_energy_ + sample.state.dissipated.total() - f.contact_work - sample.state.supplied.total();
   f.energy_balance = std::max(f.energy_balance, std::abs(balance));
-  // A mechanism at rest moves no energy, but its places are known to atol only.
+  // A mechanism at rest exchanges no energy, but its positions are known to atol only.
   const Model& model = subject_.mechanism.model;
   double forces = sample.rates.tail(subject_.layout.row_count).lpNorm<1>();
   for (int i = 0; i < model.body_count(); ++i) forces += model.body(i).mass() * subject_.scene.gravity.norm();

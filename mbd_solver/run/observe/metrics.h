@@ -1,6 +1,5 @@
 #pragma once
-// Strain energy, largest deflection and largest von Mises stress of every flexible body: now, and the largest so far;
-// and whether the body is still where linear modes hold.
+// Metrics of a run: of flexible bodies, of coordinates of joints, and the peaks in summary.json.
 
 #include <string>
 #include <vector>
@@ -11,55 +10,49 @@
 
 namespace footfall {
 
-struct FlexibleFigures {
+struct FlexibleMetrics {
   double strain_energy = 0.0;  // 1/2 a^T K a [J]
   double deflection = 0.0;     // largest |Phi_j a| of all nodes [m]
-  double von_mises = 0.0;      // largest of all stress points [Pa]; 0 for a body without
+  double von_mises = 0.0;      // largest of all stress points [Pa]; 0 without stress points
   double spin = 0.0;           // |w| over the lowest elastic frequency [-]
 };
 
+// Metrics of every flexible body, now and the largest so far, and warnings when it leaves the range of linear modes.
 class FlexibleBodies {
  public:
   // What the subject views must outlive this.
   explicit FlexibleBodies(const Subject& subject);
 
-  void take(const Sample& sample);
-  // Told once per body and cause: it spins too fast or bends too far for linear modes (linear_range.h), or its material
-  // yields.
+  void update(const Sample& sample);
+  // One per body and cause: it spins too fast or bends too far for linear modes (modal_body.h), or its material yields.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
   void visit(Archive& archive);
 
   int count() const { return static_cast<int>(bodies_.size()); }
-  int find(int body) const;  // place of a body of the model here, or -1: it is rigid
+  int find(int body) const;  // index here of a body of the model, or -1: it is rigid
   const Body& body(int k) const;
-  const FlexibleFigures& now(int k) const { return now_[static_cast<std::size_t>(k)]; }
-  const FlexibleFigures& peak(int k) const { return peak_[static_cast<std::size_t>(k)]; }  // of each figure by itself
+  const FlexibleMetrics& now(int k) const { return now_[static_cast<std::size_t>(k)]; }
+  const FlexibleMetrics& peak(int k) const { return peak_[static_cast<std::size_t>(k)]; }  // of each metric separately
 
  private:
-  // What a body is watched with, and what has been told of it.
-  struct Watch {
+  // Limits of one body, and the warnings given.
+  struct Limits {
     double lowest = 0.0;        // elastic frequency [rad/s]
     double extent = 0.0;        // [m]
-    double yield_stress = 0.0;  // [Pa]; 0: not known
+    double yield_stress = 0.0;  // [Pa]; 0: unknown
     bool spins = false, bends = false, yields = false;
   };
   void warn(double time, int k);
 
   const Model& model_;
   std::vector<int> bodies_;  // in the model
-  std::vector<FlexibleFigures> now_, peak_;
-  std::vector<Watch> watch_;
+  std::vector<FlexibleMetrics> now_, peak_;
+  std::vector<Limits> limits_;
   std::vector<std::string> warnings_;
 };
 
-// Coordinates of joints with their rates, and reactions, at every sample.
-// An angle goes on over any number of turns. Between two samples it is predicted from the rates and their derivatives,
-//   q_1 ~ q_0 + h (q'_0 + q'_1) / 2 + h^2 (q''_0 - q''_1) / 12,   off by O(h^5)
-// and the turn nearest to that is taken; where it is off by more than a quarter of a turn, the samples are too far
-// apart to tell, and a warning says so.
-
-struct CoordinateFigures {
+struct CoordinateValue {
   double value = 0.0;  // [rad or m]
   double rate = 0.0;   // [rad/s or m/s]
   void visit(Archive& archive) {
@@ -68,12 +61,17 @@ struct CoordinateFigures {
   }
 };
 
-class JointFigures {
+// Coordinates of joints with their rates, and reactions, at every sample.
+// An angle counts turns. Between two samples it is predicted from the rates and their derivatives,
+//   q_1 ~ q_0 + h (q'_0 + q'_1) / 2 + h^2 (q''_0 - q''_1) / 12,   error O(h^5)
+// and the number of turns nearest to that is chosen; where the prediction is off by more than a quarter of a turn, the
+// samples are too far apart, and a warning is given.
+class JointObserver {
  public:
   // What the subject views must outlive this.
-  explicit JointFigures(const Subject& subject);
+  explicit JointObserver(const Subject& subject);
 
-  void take(const Sample& sample);
+  void update(const Sample& sample);
   const std::vector<std::string>& warnings() const { return warnings_; }  // once per joint
   void visit(Archive& archive) {
     archive("started", started_);
@@ -86,61 +84,60 @@ class JointFigures {
   }
 
   // Of mechanism.coordinates[k].
-  const CoordinateFigures& coordinate(std::size_t k) const { return now_[k]; }
+  const CoordinateValue& coordinate(std::size_t k) const { return now_[k]; }
   // Force [N] and moment [N m] of a joint of the scene on its body b, about its point there, in W; only where
   // output.reactions is set.
   const Vector6d& reaction(std::size_t joint) const { return reactions_[joint]; }
 
  private:
-  void follow(std::size_t k, double h, const JointCoordinate& at);
+  void count_turns(std::size_t k, double h, const JointCoordinate& at);
 
   Subject subject_;
   bool started_ = false;
   double time_ = 0.0;  // of the last sample [s]
-  std::vector<CoordinateFigures> now_;
+  std::vector<CoordinateValue> now_;
   std::vector<double> acc_;  // q'' [rad/s2 or m/s2]
   std::vector<bool> warned_;
   std::vector<std::string> warnings_;
   std::vector<Vector6d> reactions_;
 };
 
-// The figures of summary.json that are peaks of a run: largest values over every window, not only over the rows that
-// are written.
-
-// of the energy that flowed: more than time integration with usual tolerances leaves open
+// Largest acceptable error of the energy balance, of the energy exchanged: usual tolerances reach less.
 inline constexpr double kGoodBalance = 0.01;
 
-struct Figures {
+// Peaks of a run for summary.json: over every window, not only over the rows that are written.
+
+struct Metrics {
   double peak_acceleration = 0.0;  // of the heaviest body [m/s2]
   double max_descent = 0.0;        // of the heaviest body against gravity's direction, from the start [m]
   double max_penetration = 0.0;    // of any boundary below the plane, or below the grains' height at the start [m]
   double max_contact_force = 0.0;  // on one body [N]
   double reference_energy = 0.0;   // initial mechanical energy without gravity; else the largest kinetic energy [J]
-  double energy_flow = 0.0;        // moved from one form to another: EnergyFlow::scale() [J]
+  double energy_flow = 0.0;        // exchanged between forms of energy: EnergyFlow::scale() [J]
   double energy_balance = 0.0;     // largest |E - E0 + dissipated - work of contact, motions, forces, drives| [J]
-  double energy_noise = 0.0;       // what errors of atol in place alone make of weights and of what joints hold [J]
-  double contact_work = 0.0;       // done by the ground's grains on the mechanism so far [J]
+  double energy_noise = 0.0;       // error of weights and joint forces for position errors of atol [J]
+  double contact_work = 0.0;       // of the grains on the mechanism so far [J]
   double contact_force = 0.0;      // on all bodies now [N]
 
   double energy_balance_relative() const { return energy_flow > 0.0 ? energy_balance / energy_flow : 0.0; }
 };
 
-class FigureTaker {
+class MetricRecorder {
  public:
   // What the subject views must outlive this.
-  explicit FigureTaker(const Subject& subject);
-  void take(const Sample& sample);
-  const Figures& figures() const { return figures_; }
-  // What to tell when the mechanism's energy did not close to kGoodBalance, by more than energy_noise; empty otherwise.
+  explicit MetricRecorder(const Subject& subject);
+  void update(const Sample& sample);
+  const Metrics& metrics() const { return metrics_; }
+  // The warning when the energy balance has an error above kGoodBalance and energy_noise; otherwise empty.
   std::string balance_warning() const;
   void visit(Archive& archive);
   const std::string& body_name() const;  // the heaviest body, whose acceleration and descent are reported
 
  private:
-  double depth(const Sample& sample) const;  // of the lowest place of all boundaries below the ground [m]
+  double depth(const Sample& sample) const;  // of the lowest point of all boundaries below the ground [m]
 
   Subject subject_;
-  Figures figures_;
+  Metrics metrics_;
   EnergyFlow flow_;
   Eigen::Vector3d up_, normal_;  // against gravity; out of the ground
   double ground_;                // height of the ground along its normal [m]

@@ -1,3 +1,5 @@
+// Expressions read the columns of a scene that records everything, so that they do not depend on what is recorded.
+
 #include "mbd_solver/run/observe/observation.h"
 
 #include <algorithm>
@@ -5,6 +7,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/model/control/continuous_signals.h"
+#include "mbd_solver/run/codes.h"
 
 namespace footfall {
 namespace {
@@ -40,9 +43,9 @@ Readings::Readings(const std::vector<std::string>& names, const Subject& subject
     if (column == columns.end()) {
       std::vector<std::string> known;
       for (const Column& c : columns) known.push_back(c.name);
-      const std::string line = where_read(subject.scene, name) + "nothing is called \"" + name +
-                               "\"; expected the name of a column of history.csv (without \"-\" in it), signal.NAME, "
-                               "state.NAME or time." +
+      const std::string line = where_read(subject.scene, name) + "unknown name \"" + name +
+                               "\"; expected a column of history.csv (without \"-\" in it), signal.NAME, state.NAME or "
+                               "time." +
                                known_names("columns", name, known);
       if (unknown.find(line) == std::string::npos) unknown += (unknown.empty() ? "" : "\n") + line;
       continue;
@@ -52,12 +55,12 @@ Readings::Readings(const std::vector<std::string>& names, const Subject& subject
     uses_joints_ = uses_joints_ || column->reads == Column::Reads::kJoints;
     readings_.push_back(std::move(reading));
   }
-  if (!unknown.empty()) throw InputError(unknown);
+  if (!unknown.empty()) throw InputError(code::kNoSuchQuantity, unknown);
 }
 
-void Readings::take(const Sample& sample) {
-  if (uses_flexible_) flexible_.take(sample);
-  if (uses_joints_) joints_.take(sample);
+void Readings::update(const Sample& sample) {
+  if (uses_flexible_) flexible_.update(sample);
+  if (uses_joints_) joints_.update(sample);
 }
 
 double Readings::value(std::size_t k, const Sample& sample, const Eigen::VectorXd& values) const {
@@ -92,8 +95,8 @@ std::vector<std::string> Observation::units() const {
 }
 
 const std::vector<double>& Observation::row(const Sample& sample) {
-  flexible_.take(sample);
-  joints_.take(sample);
+  flexible_.update(sample);
+  joints_.update(sample);
   for (std::size_t i = 0; i < columns_.size(); ++i) row_[i] = columns_[i].value(sample);
   return row_;
 }

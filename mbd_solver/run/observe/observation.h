@@ -1,6 +1,5 @@
 #pragma once
-// What names of expressions stand for at a sample: columns of the history, all of them, recorded or not; signals, states,
-// inputs and time.
+// What is read from samples: values for expressions (Readings), and the rows of history.csv (Observation).
 
 #include <string>
 #include <vector>
@@ -12,16 +11,16 @@
 
 namespace footfall {
 
+// Values of names in expressions: columns of the history, recorded or not; signals, states, inputs and time.
 class Readings {
  public:
-  // names: those that will be asked for. Throws InputError, a line "FILE:LINE: ..." for each that nothing has.
+  // names: all that will be read. Throws InputError, a line "FILE:LINE: ..." for each unknown one.
   Readings(const std::vector<std::string>& names, const Subject& subject);
   Readings(const Readings&) = delete;
   Readings& operator=(const Readings&) = delete;
 
-  // Before values are asked for.
-  void take(const Sample& sample);
-  // Of names[k]. inputs: those of the window that begins, as far as they are known.
+  void update(const Sample& sample);  // before values are read
+  // Of names[k]. values: inputs of the window that begins, as far as they are known.
   double value(std::size_t k, const Sample& sample, const Eigen::VectorXd& values) const;
 
   void visit(Archive& archive) {
@@ -31,7 +30,7 @@ class Readings {
 
  private:
   struct Reading {
-    std::optional<SignalSource> source;  // else a column
+    std::optional<SignalSource> source;  // otherwise a column
     bool continuous = false;             // a continuous signal: that of the sample
     std::function<double(const Sample&)> column;
   };
@@ -39,22 +38,21 @@ class Readings {
   Scene scene_;  // whose output records everything
   Subject subject_;
   FlexibleBodies flexible_;
-  JointFigures joints_;
+  JointObserver joints_;
   bool uses_flexible_ = false, uses_joints_ = false;
   std::vector<Reading> readings_;
 };
 
-// The rows of history.csv, and what flexible bodies and joints did in them.
-
+// The rows of history.csv, with the metrics of flexible bodies and joints.
 class Observation {
  public:
   explicit Observation(const Subject& subject);
-  Observation(const Observation&) = delete;  // the columns read the parts of this one
+  Observation(const Observation&) = delete;  // columns refer to members
   Observation& operator=(const Observation&) = delete;
 
   std::vector<std::string> names() const;
   std::vector<std::string> units() const;
-  // One row, in the order of the names. The reference holds until the next call.
+  // One row, in the order of the names. The reference is valid until the next call.
   const std::vector<double>& row(const Sample& sample);
   // Of all flexible bodies, over the rows so far.
   const FlexibleBodies& flexible() const { return flexible_; }
@@ -62,11 +60,11 @@ class Observation {
     archive("flexible", flexible_);
     archive("joints", joints_);
   }
-  const JointFigures& joints() const { return joints_; }
+  const JointObserver& joints() const { return joints_; }
 
  private:
   FlexibleBodies flexible_;
-  JointFigures joints_;
+  JointObserver joints_;
   std::vector<Column> columns_;
   std::vector<double> row_;
 };

@@ -1,3 +1,6 @@
+// MomentumRecord sums m v over the nodes of all bodies. MotionRecord fits a rigid motion (Kabsch) to the nodes of each
+// surface and writes it with the mean force.
+
 #include "mbd_solver/run/observe/records.h"
 
 #include <cstdio>
@@ -6,6 +9,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/codes.h"
 #include "coupler/message_fields.h"
 
 namespace footfall {
@@ -54,7 +58,7 @@ MomentumRecord::MomentumRecord(const Subject& subject, const std::string& folder
     for (const char* what : {"fx", "fy", "fz", "mx", "my", "mz", "received"}) file_ << "," << name << "." << what;
   }
   file_ << "\n";
-  if (!file_.flush()) throw InputError(path_ + ": cannot be written");
+  if (!file_.flush()) throw InputError(code::kFileNotWritten, path_ + ": cannot be written");
 }
 
 void MomentumRecord::write(const Sample& sample) {
@@ -74,7 +78,7 @@ void MomentumRecord::write(const Sample& sample) {
     file_ << "," << sample.state.load_work(body);
   }
   file_ << "\n";
-  if (!file_.flush()) throw InputError(path_ + ": cannot be written: is the disk full?");
+  if (!file_.flush()) throw InputError(code::kFileNotWritten, path_ + ": cannot be written: is the disk full?");
 }
 
 namespace {
@@ -114,9 +118,9 @@ RigidFit fit_rigid(const Eigen::Matrix3Xd& x0, const Eigen::Matrix3Xd& x) {
   const Eigen::Vector3d signs(1.0, 1.0, (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0);
   fit.R = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
   const Eigen::Matrix3Xd moved = (fit.R * (x0.colwise() - fit.centre0)).colwise() + fit.centre;
-  fit.left_over = (x - moved).colwise().norm().maxCoeff();
-  // The last bits depend on the order in which LIGGGHTS sums: a run that goes on would differ from one never stopped.
-  if (fit.left_over < kRoundOff * x.cwiseAbs().maxCoeff()) fit.left_over = 0.0;
+  fit.residual = (x - moved).colwise().norm().maxCoeff();
+  // The last bits depend on the order of sums in LIGGGHTS: a resumed run would differ from an uninterrupted one.
+  if (fit.residual < kRoundOff * x.cwiseAbs().maxCoeff()) fit.residual = 0.0;
   return fit;
 }
 
@@ -149,15 +153,15 @@ void MotionRecord::write(const Sample& sample) {
     surface.predicted = surface.motion;
     if (started_) scheme_.predict(surface.motion, H, surface.predicted);
     fill_motion(sample.kinematics.of(body), surface.motion);
-    // Scheme tangent lets the grains see the motion that it expects to compute.
-    const bool expects = scheme_.requires_tangent();
-    surface.boundary->boundary.node_positions(expects ? surface.motion : surface.predicted, surface.x);
+    // Scheme tangent presents to the grains the motion that it expects to compute.
+    const bool expected = scheme_.requires_tangent();
+    surface.boundary->boundary.node_positions(expected ? surface.motion : surface.predicted, surface.x);
     const RigidFit fit = fit_rigid(surface.x0, surface.x);
     const Eigen::AngleAxisd turn(fit.R);
     const Eigen::Vector3d r = turn.angle() * turn.axis();
     const Eigen::Vector3d& f = sample.contact[static_cast<std::size_t>(body)].F_W;
     surface.file->write({sample.state.time, fit.centre.x(), fit.centre.y(), fit.centre.z(), r.x(), r.y(), r.z(),
-                         fit.left_over, f.x(), f.y(), f.z()});
+                         fit.residual, f.x(), f.y(), f.z()});
   }
   time_ = sample.state.time;
   started_ = true;
@@ -175,7 +179,7 @@ void MotionRecord::Surface::visit(Archive& archive) {
   archive("x0", x0);
   long position = archive.restores() ? 0 : file->position();
   archive("position", position);
-  if (archive.restores()) file->go_on_at(position);
+  if (archive.restores()) file->resume_at(position);
 }
 
 void MotionRecord::flush() {

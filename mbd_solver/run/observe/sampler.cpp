@@ -1,3 +1,6 @@
+// Kinematics with accelerations, signals, energies, and the loads of the ground: of grains from the inputs, of planes and
+// contacts from their force elements.
+
 #include "mbd_solver/run/observe/sampler.h"
 
 #include "mbd_solver/model/elements/rigid_plane.h"
@@ -15,7 +18,7 @@ Sampler::Sampler(const Subject& subject, Equations& equations, const State& stat
   for (int i = 0; i < model.body_count(); ++i) contact_.emplace_back(model.body(i).mode_count());
 }
 
-void Sampler::take(long window, bool last, const CouplingSample* coupling) {
+void Sampler::update(long window, bool last, const CouplingSample* coupling) {
   const Layout& layout = subject_.layout;
   const State& state = sample_.state;
   const Eigen::VectorXd& rates = sample_.rates;
@@ -52,7 +55,7 @@ void Sampler::update_contact() {
     const Vector6d on_1 = contact.wrench(element_input(subject_, sample_, entry.force));
     add(entry.body_1, on_1);
     if (entry.body_2 == kGround) continue;
-    // The opposite, about the other one's Bo.
+    // The reaction, about Bo of the other body.
     const Eigen::Vector3d arm = kinematics_.of(entry.body_1).r - kinematics_.of(entry.body_2).r;
     Vector6d on_2 = -on_1;
     on_2.tail<3>() -= arm.cross(Eigen::Vector3d(on_1.head<3>()));

@@ -1,6 +1,5 @@
 #pragma once
-// What is known at one instant of a run: all that history, pictures, summary and progress are made of, and what
-// controllers see.
+// The sample: everything that history, pictures, summary, progress and controllers read at one instant of a run.
 
 #include <vector>
 
@@ -12,7 +11,7 @@
 
 namespace footfall {
 
-// What is observed: fixed during a run. A view: whoever runs the scene owns everything.
+// What is observed: constant during a run. A view; the run owns everything.
 struct Subject {
   const Scene& scene;
   const Mechanism& mechanism;
@@ -20,22 +19,22 @@ struct Subject {
   const Agreement* agreement = nullptr;  // null without grains
 };
 
-// At the start, and at the end of every window. Views of what the run owns: good until it goes on.
+// At the start, and at the end of every window. Views of data of the run: valid until it continues.
 struct Sample {
   const State& state;
-  const Inputs& inputs;             // of the window that ends here
+  const Inputs& inputs;           // of the window that ends here
   const Eigen::VectorXd& values;  // of the inputs, with the continuous signals now
-  const Eigen::VectorXd& rates;     // [dq; dv; dz; lambda]
-  const Kinematics& kinematics;     // of all bodies, with accelerations
+  const Eigen::VectorXd& rates;   // [dq; dv; dz; lambda]
+  const Kinematics& kinematics;   // of all bodies, with accelerations
   const EnergySample& energy;
-  // of the ground on each body, F_W and T_W about Bo: mean of the grains over the window, or of the plane now
+  // load of the ground on each body, F_W and T_W about Bo: mean of the grains over the window, or of the plane now
   const std::vector<GeneralizedForce>& contact;
-  long window = 0;                           // windows done
+  long window = 0;                           // windows completed
   bool last = false;                         // the end time has been reached
   const CouplingSample* coupling = nullptr;  // null without grains
 };
 
-// What force element `force` of the model works with at this instant.
+// The input of force element `force` of the model at this instant.
 inline ElementInput element_input(const Subject& subject, const Sample& sample, int force) {
   const ForceElement& element = subject.mechanism.model.force(force);
   const int z = subject.layout.force_z[static_cast<std::size_t>(force)];
@@ -43,19 +42,18 @@ inline ElementInput element_input(const Subject& subject, const Sample& sample, 
           sample.state.z.segment(z, element.state_count()), sample.values, sample.state.time};
 }
 
-// From a state to a Sample: kinematics, energies and ground contact, each computed once.
-
+// Computes a Sample from the state: kinematics, energies and ground contact, each once.
 class Sampler {
  public:
-  // The run's own, all of which must outlive the sampler; rates: [dq; dv; dz; lambda].
+  // Data of the run, all of which must outlive the sampler; rates: [dq; dv; dz; lambda].
   Sampler(const Subject& subject, Equations& equations, const State& state, const Eigen::VectorXd& rates,
           const Inputs& inputs);
   Sampler(const Sampler&) = delete;
   Sampler& operator=(const Sampler&) = delete;
 
   // Computes the sample of the present state. coupling: null without grains.
-  void take(long window, bool last, const CouplingSample* coupling);
-  const Sample& sample() const { return sample_; }  // after take()
+  void update(long window, bool last, const CouplingSample* coupling);
+  const Sample& sample() const { return sample_; }  // of the last update()
 
  private:
   void update_contact();
@@ -67,7 +65,7 @@ class Sampler {
   EnergySample energy_;
   std::vector<GeneralizedForce> contact_;
   Eigen::VectorXd y_;  // [q; v; z; lambda]
-  Sample sample_;      // views what stands above
+  Sample sample_;      // views the members above
 };
 
 }  // namespace footfall

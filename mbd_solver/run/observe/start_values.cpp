@@ -1,3 +1,6 @@
+// Evaluates signals and conditions for the assembled mechanism, before grains act. Whatever depends on controllers, on the
+// settled state or on the script is unknown here and is checked by the run.
+
 #include "mbd_solver/run/observe/start_values.h"
 
 #include <algorithm>
@@ -11,7 +14,7 @@
 namespace footfall {
 namespace {
 
-// The mechanism where a run begins: its joints are closed, and no grain has touched it.
+// The mechanism at the beginning of a run: joints closed, no contact with grains.
 class StartedMechanism {
  public:
   StartedMechanism(const Scene& scene, const Mechanism& mechanism)
@@ -25,17 +28,17 @@ class StartedMechanism {
     still_.load(equations_.layout(), state_.q, state_.v, Eigen::VectorXd());
   }
 
-  // Of a position or a velocity.
+  // For sensors of positions and velocities.
   double measure(const Sensor& sensor) const {
     const std::array<int, 2> bodies = sensor.bodies();
     return sensor.value(still_.pair(bodies[0], bodies[1]), 0.0);
   }
-  // With accelerations and forces; null where a law has no value.
+  // With accelerations and forces; null where a law is undefined.
   const Sample* sample() {
     try {
       equations_.settle_signals(nullptr, inputs_, state_);
       equations_.saddle().accelerations(state_, inputs_, rates_);
-      sampler_.take(0, false, nullptr);
+      sampler_.update(0, false, nullptr);
       return &sampler_.sample();
     } catch (const NumericalError&) {
       return nullptr;
@@ -55,14 +58,14 @@ class StartedMechanism {
 class StartValues {
  public:
   using Measured =
-      std::function<std::optional<double>(std::size_t name)>;  // beyond inputs; nothing: the run knows it
+      std::function<std::optional<double>(std::size_t name)>;  // other than inputs; none: unknown before the run
 
   StartValues(const Scene& scene, const Mechanism& mechanism)
       : scene_(scene), mechanism_(mechanism), values_(mechanism.inputs) {}
 
   const Eigen::VectorXd& inputs() const { return values_; }
 
-  // Its nodes in their order, those whose names are known.
+  // Nodes in their order, those with known names.
   void evaluate(const SignalChain& chain, const Measured& measured) {
     set_names(chain, measured);
     for (std::size_t k = 0; k < chain.size(); ++k) {
@@ -85,15 +88,15 @@ class StartValues {
     }
   }
 
-  // Those of the first state. One that holds, or may hold, leads to another at once.
-  void judge(const SignalChain& conditions, const Measured& measured) {
+  // Conditions in the first state. One that is true, or unknown, may change the state at once.
+  void evaluate_conditions(const SignalChain& conditions, const Measured& measured) {
     set_names(conditions, measured);
     for (const EventSpec& event : scene_.events) {
       const std::string& first = scene_.states.front().name;
-      const bool looked_for = event.from.empty()
-                                  ? event.to != first
-                                  : std::find(event.from.begin(), event.from.end(), first) != event.from.end();
-      if (!looked_for) continue;
+      const bool applies = event.from.empty()
+                               ? event.to != first
+                               : std::find(event.from.begin(), event.from.end(), first) != event.from.end();
+      if (!applies) continue;
       std::size_t k = 0;
       while (conditions.node(k).name != event.name) ++k;
       const bool known = is_known(conditions.node(k)), holds = known && conditions.inputs(k)[0] != 0.0;
@@ -112,7 +115,7 @@ class StartValues {
       chain.set(i, value.value_or(0.0));
     }
   }
-  // Nothing for what controllers say, and for what reads what is not known.
+  // None for outputs of controllers, and for what depends on unknown values.
   template <class Measure>
   std::optional<double> value_of(const std::string& name, Measure measure) const {
     if (unknown_.count(name) > 0) return std::nullopt;
@@ -137,7 +140,7 @@ class StartValues {
   bool state_may_change_ = false;
 };
 
-// The script's walls stand where LIGGGHTS puts them, and what settles, settles in the run.
+// Walls of the script are known to LIGGGHTS only; a settled start is known to the run only.
 bool start_is_known(const Scene& scene, const Mechanism& mechanism) {
   return !scene.initial.settle && std::none_of(mechanism.contacts.begin(), mechanism.contacts.end(),
                                                [](const ContactEntry& entry) { return entry.body_2 == kGround; });
@@ -156,7 +159,7 @@ AssemblyOptions assembly_options(const Scene& scene) {
   return options;
 }
 
-void demand_values_at_start(const Scene& scene, bool is_placed, Mechanism& mechanism) {
+void require_values_at_start(const Scene& scene, bool is_placed, Mechanism& mechanism) {
   if (scene.signals.empty() && scene.events.empty()) return;
   const Layout layout(mechanism.model);
   const SignalChain sampled = chain_of_signals(scene, std::move(mechanism.sampled));
@@ -177,12 +180,12 @@ void demand_values_at_start(const Scene& scene, bool is_placed, Mechanism& mecha
       });
     }
     const Sample* const sample = start ? start->sample() : nullptr;
-    if (sample) readings.take(*sample);
+    if (sample) readings.update(*sample);
     const auto read = [&](std::size_t name) -> std::optional<double> {
       if (!sample) return std::nullopt;
       return readings.value(name, *sample, values.inputs());
     };
-    values.judge(conditions, [&](std::size_t name) { return read(sampled.names().size() + name); });
+    values.evaluate_conditions(conditions, [&](std::size_t name) { return read(sampled.names().size() + name); });
     values.evaluate(sampled, read);
   } catch (const NumericalError& error) {
     throw InputError(error.what());

@@ -1,0 +1,103 @@
+#pragma once
+// Codes of the messages of coupling/ and run/: E0640 to E0699, W0640 to W0699.
+
+#include "coupler/base/errors.h"
+
+namespace footfall::code {
+
+// ---- coupling ----
+
+// The script has a time step that is not positive, or a negative `every`. Correct `timestep` or `fix couple/mbd`.
+inline constexpr MessageCode kCouplingInterval{"E0640", "coupling-interval"};
+// The time step of the script is larger than the scene allows. Reduce `timestep`, or raise particles.max_time_step.
+inline constexpr MessageCode kTimeStepTooLarge{"E0641", "time-step-too-large"};
+// Scene and script give different values of dt or every. Make them equal, or remove the variable from the scene.
+inline constexpr MessageCode kScriptDiffers{"E0642", "script-differs"};
+// `fix couple/mbd` names a body without a boundary. Name one of those listed, or give the body [[boundaries]].
+inline constexpr MessageCode kBodyWithoutBoundary{"E0643", "body-without-boundary"};
+// A message belongs to another coupling interval. Build both programs from the same footfall.
+inline constexpr MessageCode kWrongInterval{"E0644", "wrong-interval"};
+// The load of the grains is not finite: the bed has become unstable. Reduce the time step of the script.
+inline constexpr MessageCode kGrainLoadNotFinite{"E0645", "grain-load-not-finite"};
+// The coupling added energy to the mechanism beyond coupling.max_energy_residual. Use a shorter coupling interval.
+inline constexpr MessageCode kEnergyCreated{"E0646", "energy-created"};
+// At the end of the run the mechanism has received work that the grains have not done. Use a shorter coupling interval.
+inline constexpr MessageCode kEnergyUnbalanced{"E0647", "energy-unbalanced"};
+// The contact force on a body alternates from interval to interval. Use a shorter coupling interval.
+inline constexpr MessageCode kChatter{"E0648", "chatter"};
+// The LIGGGHTS script does not use SI units. Write `units si`.
+inline constexpr MessageCode kScriptUnits{"E0649", "script-units"};
+
+// The coupling interval is too long for the stiffness of the contacts. Use the value of `every` in the message.
+inline constexpr MessageCode kIntervalTooLong{"W0650", "coupling-interval-too-long"};
+// The coupling added spurious energy. Use a shorter coupling interval.
+inline constexpr MessageCode kCouplingCreates{"W0651", "coupling-creates-energy"};
+// The coupling dissipated energy. Use a shorter coupling interval.
+inline constexpr MessageCode kCouplingDissipates{"W0652", "coupling-dissipates-energy"};
+// Contacts began and ended within one coupling interval; the rebound is not resolved. Use a shorter coupling interval.
+inline constexpr MessageCode kContactNotResolved{"W0653", "contact-not-resolved"};
+// Scheme `tangent` gave a body more impulse than the grains. Use coupling.scheme = "css-trapezoid".
+inline constexpr MessageCode kTangentImpulse{"W0654", "tangent-impulse"};
+// A grain overlaps a surface by more than 5 % of its radius: the first peak is underestimated. Increase Young's modulus.
+inline constexpr MessageCode kLargeOverlap{"W0655", "large-overlap"};
+// A body overlaps the bed at the start. Raise it: initial.clearance, positions of bodies, [initial.joints].
+inline constexpr MessageCode kStartsInBed{"W0656", "starts-in-bed"};
+// Contacts larger than facets act several times under `surface facets`. Remove `surface facets` from the script.
+inline constexpr MessageCode kFacetsTooSmall{"W0657", "facets-too-small"};
+// The script has no gravity, the scene has. Add `fix gravity` to the script, or write `gravity script`.
+inline constexpr MessageCode kGrainsWithoutGravity{"W0658", "grains-without-gravity"};
+
+// ---- run ----
+
+// The scene has changed since the run began. Resume with the original scene, or start a new run.
+inline constexpr MessageCode kSceneChanged{"E0660", "scene-changed"};
+// A file of a checkpoint cannot be read. Resume from another checkpoint, or start a new run.
+inline constexpr MessageCode kCheckpointFile{"E0661", "checkpoint-file"};
+// Another version of footfall wrote the checkpoint. Resume with that version, or start a new run.
+inline constexpr MessageCode kCheckpointVersion{"E0662", "checkpoint-version"};
+// The state of the mechanism is no longer finite. Reduce rtol or max_step; check stiffnesses and masses.
+inline constexpr MessageCode kStateNotFinite{"E0663", "state-not-finite"};
+// Events follow each other without end at one instant. Give each a condition that is false in the state it leads to.
+inline constexpr MessageCode kEventLoop{"E0664", "event-loop"};
+// The mechanism does not come to rest at the start. Support every body against gravity, or remove initial.settle.
+inline constexpr MessageCode kNotSettled{"E0665", "not-settled"};
+// Two surfaces without contact overlap. Add [[contacts]] between them, or ignore = true.
+inline constexpr MessageCode kCollision{"E0666", "collision"};
+// The scene needs LIGGGHTS, or must run without it. Use `footfall run`, which starts the right programs.
+inline constexpr MessageCode kWrongPrograms{"E0667", "wrong-programs"};
+// mbd_solver runs on more than one rank. Write `: -np 1 mbd_solver ...`.
+inline constexpr MessageCode kSeveralRanks{"E0668", "several-ranks"};
+// The run has no valid checkpoint. Start it again; set output.checkpoint_interval for more frequent checkpoints.
+inline constexpr MessageCode kNoValidCheckpoint{"E0669", "no-valid-checkpoint"};
+
+// Two surfaces overlap at the start; collisions between them are not detected. Move them apart if this is not intended.
+inline constexpr MessageCode kOverlapAtStart{"W0660", "overlap-at-start"};
+// The mechanism was settled into static equilibrium before the run. Check the distance that is reported.
+inline constexpr MessageCode kSettled{"W0661", "settled"};
+// The energy of the mechanism is not balanced to 1 %. Reduce solver.rtol and solver.atol, or solver.max_step.
+inline constexpr MessageCode kEnergyBalance{"W0662", "energy-balance"};
+// A flexible body spins or bends beyond the range of linear modes. Divide it into several bodies.
+inline constexpr MessageCode kBeyondLinearRange{"W0663", "beyond-linear-range"};
+// The stress of a flexible body exceeds the yield stress of its material; plasticity is not modelled. Strengthen it.
+inline constexpr MessageCode kYields{"W0664", "yields"};
+// A joint turns too fast between two output rows for its turns to be counted. Reduce output.interval.
+inline constexpr MessageCode kTurnsNotCounted{"W0665", "turns-not-counted"};
+
+// ---- files of a run ----
+
+// history.csv is damaged: units, names or rows do not agree. Repeat the run, or restore the file.
+inline constexpr MessageCode kHistoryDamaged{"E0680", "history-damaged"};
+// A column of history.csv does not exist. Choose one of those listed.
+inline constexpr MessageCode kNoSuchColumn{"E0681", "no-such-column"};
+// A history file has changed since the checkpoint was written. Resume from another checkpoint, or start a new run.
+inline constexpr MessageCode kHistoryChanged{"E0682", "history-changed"};
+// A value is no longer finite; the file ends before it. Reduce time steps and tolerances; check stiffnesses and masses.
+inline constexpr MessageCode kOutputNotFinite{"E0683", "output-not-finite"};
+// A summary, run.json or start.json is incomplete. It was cut off or edited: repeat the run.
+inline constexpr MessageCode kSummaryDamaged{"E0684", "summary-damaged"};
+// A picture file (.pvd, .vtu) cannot be read or is incomplete. Repeat the run with output.vtk = true.
+inline constexpr MessageCode kPictureDamaged{"E0685", "picture-damaged"};
+// An expression reads a name that does not exist. Use a column of history.csv, signal.NAME, state.NAME or time.
+inline constexpr MessageCode kNoSuchQuantity{"E0686", "no-such-quantity"};
+
+}  // namespace footfall::code
