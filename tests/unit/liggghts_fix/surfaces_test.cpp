@@ -259,25 +259,25 @@ FacetTouch touch(int facet, double gap) {
 TEST(SurfacePieces, TheNearestOfNeighboursIsTouched) {
   const SurfacePieces pieces = strip({0.2, 0.9});
   const FacetTouch near = touch(0, -2e-3), far = touch(2, -1e-3), beyond = touch(4, -3e-3);
-  EXPECT_TRUE(yields(far, near, pieces));
-  EXPECT_FALSE(yields(near, far, pieces));
-  EXPECT_FALSE(yields(far, beyond, pieces)) << "another piece";
+  EXPECT_TRUE(yields_to(far, near, pieces));
+  EXPECT_FALSE(yields_to(near, far, pieces));
+  EXPECT_FALSE(yields_to(far, beyond, pieces)) << "another piece";
   const FacetTouch same = touch(2, near.gap);
-  EXPECT_TRUE(yields(same, near, pieces)) << "the smaller number of two";
-  EXPECT_FALSE(yields(near, same, pieces));
+  EXPECT_TRUE(yields_to(same, near, pieces)) << "the smaller number of two";
+  EXPECT_FALSE(yields_to(near, same, pieces));
   FacetTouch silent = near;
   silent.acts = false;
-  EXPECT_TRUE(yields(silent, same, pieces)) << "of two that are equally close, the one that LIGGGHTS lets act";
+  EXPECT_TRUE(yields_to(silent, same, pieces)) << "of two that are equally close, the one that LIGGGHTS lets act";
 }
 
 TEST(SurfacePieces, OfFlatFacesLeaveSharpEdgesToLiggghts) {
   FacetTouch near = touch(0, -2e-3);
   const FacetTouch far = touch(2, -1e-3);
   near.on_border = true;
-  EXPECT_TRUE(yields(far, near, strip({0.2})));
-  EXPECT_FALSE(yields(far, near, strip({0.0})));
+  EXPECT_TRUE(yields_to(far, near, strip({0.2})));
+  EXPECT_FALSE(yields_to(far, near, strip({0.0})));
   near.on_border = false;
-  EXPECT_TRUE(yields(far, near, strip({0.0}))) << "a crease may open";
+  EXPECT_TRUE(yields_to(far, near, strip({0.0}))) << "a crease may open";
 }
 
 constexpr double kWallRoundOff = 1e-14;  // of a few products and roots

@@ -137,7 +137,7 @@ TEST(MrDamper, RefusesNonsense) {
   g.d1 = 0.05;
   EXPECT_THROW(mr_damper_from_geometry(g), InputError);
   g = geometry();
-  g.tau_y[2].stress = 100.0;
+  g.tau_y[2][1] = 100.0;
   EXPECT_THROW(mr_damper_from_geometry(g), InputError);
   g = geometry();
   g.tau_y.clear();

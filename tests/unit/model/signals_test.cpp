@@ -289,10 +289,10 @@ TEST(SignalChain, WorksInItsStatesOnly) {
   some.states = {"up", "down"};
   const SignalChain chain(list(std::move(some), node("b", "1"), node("c", "1")));
   ASSERT_EQ(chain.names(), (std::vector<std::string>{"state.down", "state.up"}));
-  EXPECT_FALSE(chain.works(0));
-  EXPECT_TRUE(chain.works(1));
+  EXPECT_FALSE(chain.active(0));
+  EXPECT_TRUE(chain.active(1));
   chain.set(1, 1.0);
-  EXPECT_TRUE(chain.works(0));
+  EXPECT_TRUE(chain.active(0));
 }
 
 TEST(SignalChain, NamesThePlaceOfAnInputWithoutAValue) {
