@@ -1,6 +1,6 @@
-// mbd_solver: the mechanism's side of footfall. Alone it runs scenes that touch no grains:
+// mbd_solver: the multibody side of footfall. Alone it runs scenes without grains:
 //   mbd_solver scene.toml --out DIR
-// and with LIGGGHTS under one mpirun those that do:
+// and with LIGGGHTS under one mpirun scenes with grains:
 //   mpirun -np 2 liggghts_mbd -in in.script : -np 1 mbd_solver scene.toml --out DIR
 
 #include <mpi.h>
@@ -18,6 +18,7 @@
 #include "coupler/programs.h"
 #include "coupler/transport_mpi.h"
 #include "mbd_solver/app/option_checks.h"
+#include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/output/checkpoint_folder.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/run_scene.h"
@@ -27,14 +28,14 @@ namespace {
 
 using namespace footfall;
 
-// How long an end that failed may take before it is forced [s].
-constexpr unsigned kFailedEnd = 4;
+// Time until the end of a failed run is forced [s].
+constexpr unsigned kForcedEnd = 4;
 
 struct Arguments {
   std::string scene;
   std::vector<std::string> settings;
   RunOptions run;
-  std::string resume;  // folder of the run to go on with; empty: a new run
+  std::string resume;  // folder of the run to resume; empty: a new run
 };
 
 // Throws CLI::ParseError.
@@ -44,22 +45,22 @@ Arguments parse(CLI::App& app, int argc, char** argv) {
   app.set_version_flag("--version", std::string("mbd_solver ") + FOOTFALL_VERSION);
   CLI::Option* file = app.add_option("SCENE", arguments.scene, "Scene file, or folder with scene.toml");
   CLI::Option* resume =
-      app.add_option("--resume", arguments.resume, "Go on with the run in this folder from its newest checkpoint");
+      app.add_option("--resume", arguments.resume, "Resume the run in this folder from its newest checkpoint");
   CLI::Option* out =
-      app.add_option("--out", arguments.run.out, "Folder for results (made if missing)")->capture_default_str();
-  app.add_option("--until", arguments.run.until, "End earlier than the scene says [s]")->check(positive());
+      app.add_option("--out", arguments.run.out, "Folder for results (created if missing)")->capture_default_str();
+  app.add_option("--until", arguments.run.until, "End earlier than the scene [s]")->check(positive());
   CLI::Option* settings = app.add_option("--set", arguments.settings, "key=value: change one value of the scene");
   CLI::Option* of_scheme = app.add_option("--scheme", scheme, "Coupling scheme (coupling.scheme)");
   CLI::Option* of_integrator = app.add_option("--integrator", integrator, "Integrator (solver.integrator)");
-  // What a run was started with stands in its checkpoint.
+  // The checkpoint stores what a run was started with.
   for (CLI::Option* option : {file, out, settings, of_scheme, of_integrator}) resume->excludes(option);
   app.add_option("--keep-every", arguments.run.keep_every,
-                 "Without output.checkpoint_interval: a checkpoint every so often on the clock [s]; 0: none")
+                 "Wall-clock checkpoint interval without output.checkpoint_interval [s]; 0: none")
       ->check(not_negative())
       ->capture_default_str();
   app.add_flag("--quiet", arguments.run.quiet, "No progress line");
   app.add_option("--try-for", arguments.run.try_for,
-                 "A trial: ends after so many seconds, and tells its pace in summary.json; nothing is kept")
+                 "Trial: end after this wall-clock time [s] and report the pace in summary.json; no checkpoints")
       ->check(positive())
       ->excludes(resume);
   app.parse(argc, argv);
@@ -69,13 +70,13 @@ Arguments parse(CLI::App& app, int argc, char** argv) {
   return arguments;
 }
 
-int say(const std::exception& error, int code) {
+int report(const std::exception& error, int code) {
   std::fflush(stdout);
   std::fprintf(stderr, "mbd_solver: %s\n", error.what());
   return code;
 }
 
-// With --resume: the scene and the settings of the run that is resumed.
+// With --resume: with the scene and the settings of the run that is resumed.
 Arguments completed(Arguments arguments) {
   if (arguments.resume.empty()) return arguments;
   arguments.run.out = arguments.resume;
@@ -91,23 +92,25 @@ int run_alone(const Arguments& given) {
   const Arguments arguments = completed(given);
   const Scene scene = read_scene(arguments.scene, arguments.settings);
   if (scene.touches_particles())
-    throw InputError(
-        scene.file +
-        ": ground.kind = \"particles\" needs LIGGGHTS: use `footfall run`, or start both programs:\n  mpirun -np " +
-        std::to_string(scene.particles->ranks) + " liggghts_mbd -in " + scene.particles->script +
-        " : -np 1 mbd_solver " + arguments.scene);
+    throw InputError(code::kWrongPrograms,
+                     scene.file +
+                         ": ground.kind = \"particles\" needs LIGGGHTS: use `footfall run`, or start both programs:\n  "
+                         "mpirun -np " +
+                         std::to_string(scene.particles->ranks) + " liggghts_mbd -in " + scene.particles->script +
+                         " : -np 1 mbd_solver " + arguments.scene);
   return run_scene(scene, arguments.run, nullptr, interrupted());
 }
 
-// Everything that can go wrong is told to the partner, too: neither program outlives the other.
+// Errors of input are sent to the partner as well: neither program outlives the other.
 int run_with(const Arguments& given, Transport& transport) {
   try {
     const Arguments arguments = completed(given);
     const Scene scene = read_scene(arguments.scene, arguments.settings);
     if (!scene.touches_particles())
-      throw InputError(scene.file +
-                       ": ground.kind is not \"particles\", but LIGGGHTS was started next to it: run `mbd_solver " +
-                       arguments.scene + "` alone");
+      throw InputError(code::kWrongPrograms,
+                       scene.file +
+                           ": ground.kind is not \"particles\", but LIGGGHTS was started next to it: run `mbd_solver " +
+                           arguments.scene + "` alone");
     return run_scene(scene, arguments.run, &transport, interrupted());
   } catch (const InputError& error) {
     if (!transport.closing()) Link(transport).fail(error.what(), Status::kBadInput);
@@ -119,20 +122,20 @@ int guarded(const std::function<int()>& work) {
   try {
     return work();
   } catch (const InputError& error) {
-    return say(error, kExitBadInput);
+    return report(error, kExitBadInput);
   } catch (const ProtocolError& error) {
-    return say(error, kExitBadInput);
+    return report(error, kExitBadInput);
   } catch (const Interrupted& error) {
-    return say(error, kExitInterrupted);
+    return report(error, kExitInterrupted);
   } catch (const std::exception& error) {
-    return say(error, kExitFailed);
+    return report(error, kExitFailed);
   }
 }
 
 int run_coupled(const Arguments& arguments, const Communicator& communicator) {
   if (communicator.size() != 1)
-    throw InputError("mbd_solver runs on one rank, got " + std::to_string(communicator.size()) +
-                     ": write `: -np 1 mbd_solver ...`");
+    throw InputError(code::kSeveralRanks, "mbd_solver runs on one rank, got " + std::to_string(communicator.size()) +
+                                              ": write `: -np 1 mbd_solver ...`");
   TransportMpi transport(communicator, "liggghts_mbd");
   Arguments with_ranks = arguments;
   MPI_Comm_size(MPI_COMM_WORLD, &with_ranks.run.ranks);
@@ -142,7 +145,7 @@ int run_coupled(const Arguments& arguments, const Communicator& communicator) {
   MPI_Get_library_version(version, &length);
   with_ranks.run.mpi_version = std::string(version).substr(0, std::string(version).find(','));
   const int code = guarded([&] { return run_with(with_ranks, transport); });
-  // MPI_Finalize would wait for a partner that is stopped or hung.
+  // MPI_Finalize would wait for a partner that is suspended or hangs.
   if (transport.unanswered()) abort_both_programs(code);
   return code;
 }
@@ -150,14 +153,14 @@ int run_coupled(const Arguments& arguments, const Communicator& communicator) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"mbd_solver: flexible multibody mechanisms, alone or against grains moved by LIGGGHTS"};
+  CLI::App app{"mbd_solver: flexible multibody mechanisms, alone or on grains of LIGGGHTS"};
   Arguments arguments;
   try {
     arguments = parse(app, argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitDone : kExitBadInput;
   }
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of the write
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit becomes an error of the write
   end_on_signals("mbd_solver");
 
   // MPI is started only under mpirun: scenes without grains need none.
@@ -173,8 +176,8 @@ int main(int argc, char** argv) {
   });
   AbortGuard::release();
   if (code == kExitFailed) note_failure();
-  // It waits for the partner, which may be stopped or hung, or may not know of this end.
-  if (code != kExitDone) end_within(kFailedEnd, code);
+  // MPI_Finalize waits for the partner, which may be suspended, hang, or not know of this end.
+  if (code != kExitDone) end_within(kForcedEnd, code);
   MPI_Finalize();
   return code;
 }

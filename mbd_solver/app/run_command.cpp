@@ -122,7 +122,7 @@ int run_command(const RunArguments& arguments) {
     return stuck.empty() ? suspended() : stuck;
   });
   material();
-  remove_unfinished_sets(out);
+  remove_unfinished_checkpoints(out);
   if (arguments.resume) join_rows(out);
   if (!liggghts_errors(log).empty()) {
     const ParticlesSpec& particles = *scene.particles;
@@ -189,7 +189,7 @@ void require_resumable(const ParticlesSpec& particles) {
 
 // Options that a resumed run takes anew.
 void append_common(std::vector<std::string>& words, const RunArguments& a) {
-  if (a.keep_every != kKeepEvery) words.insert(words.end(), {"--keep-every", number_text(a.keep_every, 12)});
+  if (a.keep_every != kCheckpointEvery) words.insert(words.end(), {"--keep-every", number_text(a.keep_every, 12)});
   if (a.quiet) words.push_back("--quiet");
 }
 

@@ -22,7 +22,7 @@ struct RunArguments {
   bool trust_script = false;          // the script may run programs and write anywhere
   bool quiet = false;
   bool audit = false;              // both programs record what they exchange, in DIR/audit
-  double keep_every = kKeepEvery;  // wall-clock checkpoint interval where the scene sets none [s]; 0: none
+  double keep_every = kCheckpointEvery;  // wall-clock checkpoint interval where the scene sets none [s]; 0: none
   bool resume = false;             // resume the run in `out`; empty: the run in runs with the newest checkpoint
 };
 

@@ -1,3 +1,5 @@
+// A checkpoint may only be restored into the scene that wrote it: both are compared as JSON with all defaults.
+
 #include "mbd_solver/run/checkpoint.h"
 
 #include <filesystem>
@@ -5,6 +7,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/scene_schema.h"
 
@@ -13,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string memory_file(const std::string& folder) { return folder + "/run.txt"; }
+std::string state_file(const std::string& folder) { return folder + "/run.txt"; }
 
 }  // namespace
 
@@ -23,18 +26,18 @@ void write_checkpoint(const std::string& folder, const Scene& scene, double unti
   write_run_start(folder, {file, scene.settings, until, ranks, scene_json(scene)});
   Archive archive;
   visit(archive);
-  write_whole_file(memory_file(folder), archive.text());
+  write_whole_file(state_file(folder), archive.text());
 }
 
 void restore_checkpoint(const std::string& folder, const Scene& scene, const std::function<void(Archive&)>& visit) {
-  const Json kept = Json::parse(read_run_start(folder).scene), now = Json::parse(scene_json(scene));
-  if (const Json difference = Json::diff(kept, now); !difference.empty())
-    throw InputError(scene.file +
-                     ": is not the scene that the run began with: " + difference[0].at("path").get<std::string>() +
-                     " differs from that in " + folder + ": resume the run with the scene as it was");
-  const std::string file = memory_file(folder);
+  const Json saved = Json::parse(read_run_start(folder).scene), now = Json::parse(scene_json(scene));
+  if (const Json difference = Json::diff(saved, now); !difference.empty())
+    throw InputError(code::kSceneChanged, scene.file + ": has changed since the run began: " +
+                                              difference[0].at("path").get<std::string>() + " differs from that in " +
+                                              folder + ": resume the run with the original scene, or start it again");
+  const std::string file = state_file(folder);
   const std::optional<std::string> text = read_whole_file(file);
-  if (!text) throw InputError(file + ": cannot be read");
+  if (!text) throw InputError(code::kCheckpointFile, file + ": cannot be read");
   Archive archive(file, *text);
   visit(archive);
   archive.finish();

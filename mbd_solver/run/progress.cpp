@@ -1,3 +1,5 @@
+// Pace is measured from the first state that is shown, so that resumed runs report their own.
+
 #include "mbd_solver/run/progress.h"
 
 #include <unistd.h>
@@ -10,8 +12,7 @@
 namespace footfall {
 namespace {
 
-// Under mpirun this program writes to a pseudo-terminal of mpirun's, whatever stands behind: the front door says what
-// it is.
+// Under mpirun standard output is a pseudo-terminal of mpirun; `footfall run` reports what it really is.
 bool on_terminal() {
   if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) return std::getenv("FOOTFALL_TERMINAL") != nullptr;
   return isatty(STDOUT_FILENO) == 1;
@@ -53,8 +54,8 @@ void Progress::finish() {
   live_.finish();
 }
 
-void Trial::look(const Simulation& simulation, double time) {
-  if (!runs() || over_) return;
+void Trial::observe(const Simulation& simulation, double time) {
+  if (!active() || over_) return;
   const IntegratorStatistics& statistics = simulation.integrator().statistics();
   const CoupledRun* coupled = simulation.coupled();
   const Mark mark = {time, wall_clock(), coupled ? coupled->dem_seconds() : 0.0, statistics.steps, statistics.windows};

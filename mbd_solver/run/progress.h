@@ -1,5 +1,5 @@
 #pragma once
-// What a run says while it goes on: simulated time, time left, real-time factor, windows, contact force.
+// Progress of a run on standard output, and the pace of a trial run.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,9 +10,10 @@
 
 namespace footfall {
 
+// The progress line: simulated time, remaining time, real-time factor, windows, contact force.
 class Progress {
  public:
-  // On a terminal the line rewrites itself; elsewhere there is one per per cent.
+  // On a terminal the line is updated in place; otherwise one line is printed per per cent.
   Progress(double t_end, bool quiet, bool coupled);
   void show(double time, long windows, double contact_force);
   void finish();  // the last state, and the end of the line
@@ -21,31 +22,31 @@ class Progress {
   std::string line() const;
 
   double t_end_;  // [s]
-  bool coupled_;  // only then there are windows
+  bool coupled_;  // shows windows
   LiveLine live_;
   double started_;            // wall clock [s]
-  double from_ = 0.0;         // time of the first state: of a resumed run not zero [s]
+  double from_ = 0.0;         // time of the first state; not zero in a resumed run [s]
   double time_ = 0.0;         // of the last state [s]
   double contact_force_ = 0;  // likewise [N]
   long windows_ = 0;          // likewise
   bool begun_ = false, shown_ = false;
 };
 
-// A trial: a run that ends after some seconds on the wall and tells its pace, so that the time of the whole run can be
-// foretold (cli/launch/run_time.h).
-
+// A trial: a run that ends after some wall-clock seconds and reports its pace, from which the time of the whole run is
+// estimated (app/check_command.h).
 class Trial {
  public:
-  // seconds on the wall, from the first sample; 0: the run is none, and goes to its end.
+  // seconds: wall-clock, from the first sample; 0: not a trial.
   explicit Trial(double seconds) : seconds_(seconds) {}
 
-  bool runs() const { return seconds_ > 0.0; }
+  bool active() const { return seconds_ > 0.0; }
   // At every sample. Marks the first, the first after half of the seconds, and the last one.
-  void look(const Simulation& simulation, double time);
+  void observe(const Simulation& simulation, double time);
   bool over() const { return over_; }
 
-  // For summary.json: begun, the clock (coupler/base/clock.h, one for all programs of a machine) at the first mark, and with values at the three marks: time_s (simulated), wall_s, dem_wall_s (of LIGGGHTS), and
-  // steps and windows of the mechanism since the start. Null before there are three marks.
+  // For summary.json: begun, the clock at the first mark (coupler/base/clock.h, one for all programs of a machine), and
+  // at the three marks: time_s (simulated), wall_s, dem_wall_s (of LIGGGHTS), steps and windows of the mechanism since
+  // the start. Null before there are three marks.
   nlohmann::ordered_json marks() const;
 
  private:

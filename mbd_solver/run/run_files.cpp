@@ -1,3 +1,6 @@
+// Rows and pictures are written at the first window end at or after each multiple of their interval; motion and momentum
+// in every window.
+
 #include "mbd_solver/run/run_files.h"
 
 #include <cstdlib>
@@ -8,25 +11,25 @@
 namespace footfall {
 namespace {
 
-const std::string& made(const std::string& folder) {
+const std::string& created(const std::string& folder) {
   make_folder(folder);
   return folder;
 }
 
 double picture_interval(const Scene& scene) {
-  constexpr double kPictures = 100.0;  // of a whole run, unless the scene says otherwise
+  constexpr double kPictures = 100.0;  // per run, unless the scene sets an interval
   return scene.output.vtk_interval > 0.0 ? scene.output.vtk_interval : scene.end_time / kPictures;
 }
 
 }  // namespace
 
 RunFiles::RunFiles(const Simulation& simulation, const std::string& folder, Beginning beginning)
-    : folder_(made(folder) + "/"),
+    : folder_(created(folder) + "/"),
       observation_(simulation.subject()),
       history_(folder_ + "history.csv", observation_.names(), observation_.units(), beginning),
       pictures_(folder, "bodies"),
-      rows_(simulation.scene().output.interval, 0.0),
-      picture_turns_(picture_interval(simulation.scene()), 0.0) {
+      row_clock_(simulation.scene().output.interval, 0.0),
+      picture_clock_(picture_interval(simulation.scene()), 0.0) {
   if (simulation.coupled())
     motion_.emplace(simulation.subject(), simulation.kinematics(), folder_ + "motion", beginning);
   if (const char* const audit = std::getenv(kAuditFolder); audit != nullptr && simulation.coupled())
@@ -35,7 +38,7 @@ RunFiles::RunFiles(const Simulation& simulation, const std::string& folder, Begi
   if (drawing_ && drawing_->empty()) drawing_.reset();
 }
 
-// Rows and pictures come at the first window end at or after each multiple of their interval.
+// Not a mistake of the scene any more.
 void RunFiles::write(const Sample& sample) {
   try {
     write_due(sample);
@@ -46,10 +49,10 @@ void RunFiles::write(const Sample& sample) {
 
 void RunFiles::write_due(const Sample& sample) {
   const double time = sample.state.time;
-  if (rows_.take_turn(time) || sample.last) history_.write(observation_.row(sample));
+  if (row_clock_.take_turn(time) || sample.last) history_.write(observation_.row(sample));
   if (motion_) motion_->write(sample);
   if (audit_) audit_->write(sample);
-  if (drawing_ && picture_turns_.take_turn(time)) pictures_.write(time, drawing_->frame(sample));
+  if (drawing_ && picture_clock_.take_turn(time)) pictures_.write(time, drawing_->frame(sample));
 }
 
 void RunFiles::flush() {
@@ -58,16 +61,16 @@ void RunFiles::flush() {
 }
 
 void RunFiles::visit(Archive& archive) {
-  archive("rows", rows_);
-  archive("picture_turns", picture_turns_);
+  archive("row_clock", row_clock_);
+  archive("picture_clock", picture_clock_);
   archive("observation", observation_);
   long position = archive.restores() ? 0 : history_.position();
   archive("history", position);
-  if (archive.restores()) history_.go_on_at(position);
+  if (archive.restores()) history_.resume_at(position);
   if (motion_) archive("motion", *motion_);
   std::vector<double> pictures = pictures_.times();
   archive("pictures", pictures);
-  if (archive.restores()) pictures_.go_on_after(pictures);
+  if (archive.restores()) pictures_.resume_after(pictures);
 }
 
 }  // namespace footfall

@@ -1,6 +1,5 @@
 #pragma once
-// What a run writes while it goes: rows of the history, surfaces that touch grains, pictures. Each writer knows when its
-// next turn is.
+// Files that a run writes while it runs: history, motion of coupled surfaces, pictures.
 
 #include <optional>
 #include <string>
@@ -17,12 +16,12 @@ namespace footfall {
 
 class RunFiles {
  public:
-  // Makes the folder. The simulation must outlive this. kResume: the files stand there, and visit() says where they go
-  // on. Throws InputError when it cannot be written.
+  // Creates the folder. The simulation must outlive this. kResume: the files exist, and visit() restores where they
+  // continue. Throws InputError when it cannot be written.
   RunFiles(const Simulation& simulation, const std::string& folder, Beginning beginning);
 
   void write(const Sample& sample);  // what is due; throws FileError, NumericalError
-  void flush();                      // rows are on the disk's side
+  void flush();                      // throws InputError when a file is not complete
   void visit(Archive& archive);
   const Observation& observation() const { return observation_; }
 
@@ -33,10 +32,10 @@ class RunFiles {
   Observation observation_;
   HistoryWriter history_;
   std::optional<MotionRecord> motion_;   // none without grains
-  std::optional<MomentumRecord> audit_;  // none unless the environment asks for it (coupler/programs.h)
-  std::optional<Drawing> drawing_;       // none without output.vtk, or without anything to draw
+  std::optional<MomentumRecord> audit_;  // only if the environment requires it (coupler/programs.h)
+  std::optional<Drawing> drawing_;       // none without output.vtk, or when no body can be drawn
   VtkSeries pictures_;
-  IntervalClock rows_, picture_turns_;
+  IntervalClock row_clock_, picture_clock_;
 };
 
 }  // namespace footfall

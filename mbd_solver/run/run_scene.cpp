@@ -1,14 +1,14 @@
+// A session owns the simulation and everything that observes it: files, metrics, progress, warnings, checkpoints. It runs
+// the loop, then writes the summary and chooses the exit code; after an error it also informs the partner program.
+
 #include "mbd_solver/run/run_scene.h"
 
 #include <cstdio>
 #include <filesystem>
-#include <optional>
 
-#include "coupler/base/errors.h"
 #include "coupler/interrupt.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/run/checkpoint.h"
-#include "mbd_solver/run/output/checkpoint_folder.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/run/run_files.h"
@@ -17,25 +17,27 @@
 namespace footfall {
 namespace {
 
-// Tells on standard error what has come to a list of warnings since the last time.
-class WarningTeller {
- public:
-  void tell(const std::vector<std::string>& warnings) {
-    for (; told_ < warnings.size(); ++told_)
-      std::fprintf(stderr, "\nmbd_solver: warning: %s\n", warnings[told_].c_str());
-  }
-  void skip(const std::vector<std::string>& warnings) {
-    told_ = warnings.size();
-  }  // told by an earlier part of the run
-
- private:
-  std::size_t told_ = 0;
-};
-
-// Sets take less than this share of the run: 1 / 300.
+// By default checkpoints take at most this share of the wall time: 1 / 300.
 constexpr double kRest = 300.0;
 
-// What a file of a run that is under way does not take is no mistake of the scene.
+void print_warning(const std::string& text) { std::fprintf(stderr, "mbd_solver: warning: %s\n", text.c_str()); }
+
+// Prints what has been added to a list of warnings since the last time.
+class WarningPrinter {
+ public:
+  void print(const std::vector<std::string>& warnings) {
+    for (; printed_ < warnings.size(); ++printed_) {
+      std::fputs("\n", stderr);  // ends the progress line
+      print_warning(warnings[printed_]);
+    }
+  }
+  void skip(const std::vector<std::string>& warnings) { printed_ = warnings.size(); }  // of an earlier part of the run
+
+ private:
+  std::size_t printed_ = 0;
+};
+
+// A file that cannot be written during a run is not a mistake of the scene.
 template <class Write>
 auto as_file_error(const Write& write) {
   try {
@@ -45,126 +47,179 @@ auto as_file_error(const Write& write) {
   }
 }
 
+// For writing after an error: a second error is not reported.
+template <class Write>
+void attempt(const Write& write) {
+  try {
+    write();
+  } catch (const std::exception&) {
+  }
+}
+
+double end_time(const Scene& scene, const RunOptions& options) {
+  return options.until > 0.0 ? std::min(options.until, scene.end_time) : scene.end_time;
+}
+
+// Started without footfall, a run locks its folder itself.
+FileLock lock_of(const std::string& folder) { return folder_is_held_for_us(folder) ? FileLock() : lock_folder(folder); }
+
+class RunSession {
+ public:
+  RunSession(const Scene& scene, const RunOptions& options, Transport* transport,
+             const volatile std::sig_atomic_t& interrupted)
+      : scene_(scene),
+        options_(options),
+        interrupted_(interrupted),
+        lock_(lock_of(options.out)),
+        simulation_(scene, end_time(scene, options), transport, options.checkpoint),
+        coupled_(simulation_.coupled()),
+        files_(announced(simulation_), options.out, resumed() ? Beginning::kResume : Beginning::kNew),
+        metrics_(simulation_.subject()),
+        progress_(end_time(scene, options), options.quiet, coupled_ != nullptr),
+        trial_(options.try_for),
+        checkpoints_(options.out),
+        // By default checkpoints are rare enough not to cost time. An interval given by the user is kept exactly.
+        safety_(scene.output.checkpoint_interval > 0.0 ? 0.0 : options.keep_every,
+                options.keep_every == kCheckpointEvery ? kRest : 0.0) {
+    if (resumed()) restore();
+    as_file_error([&] {
+      const std::string file = std::filesystem::absolute(scene.file).lexically_normal().string();
+      write_run_note(options.out, {scene.title, file, end_time(scene, options)});
+    });
+  }
+
+  int run() {
+    std::string reason = trial_.active() ? "the trial is over" : "interrupted by the user";
+    work_is_under_way();
+    try {
+      const auto observer = [this](const Sample& sample) { observe(sample); };
+      trial_.active() ? simulation_.run(observer, trial_ends_) : simulation_.run(observer, interrupted_, writer());
+    } catch (const std::exception& error) {
+      attempt([&] { finish_files(); });
+      if (!is_interruption(error)) {
+        fail(error);
+        throw;
+      }
+      reason = error.what();
+      std::fprintf(stderr, "mbd_solver: %s\n", reason.c_str());
+    }
+    finish_files();
+    for (const std::string& text : {metrics_.balance_warning(), simulation_.integrator().warning()})
+      if (!text.empty()) print_warning(text);
+    if (!simulation_.finished()) {
+      // The summary first: mpirun ends the programs soon after it has asked them to.
+      summarize("interrupted", reason);
+      if (coupled_) coupled_->fail(reason, Status::kInterrupted);
+      return kExitInterrupted;
+    }
+    const bool early = coupled_ && coupled_->script_has_ended();
+    summarize("done", early ? "the LIGGGHTS script ended the run, which `end script` allows" : "");
+    if (safety_.active()) checkpoints_.clear();
+    return kExitDone;
+  }
+
+ private:
+  static const Simulation& announced(const Simulation& simulation) {
+    for (const std::string& warning : simulation.mechanism().warnings) print_warning(warning);
+    for (const std::string& note : simulation.assembly().notes)
+      std::fprintf(stderr, "mbd_solver: note: %s\n", note.c_str());
+    return simulation;
+  }
+
+  bool resumed() const { return !options_.checkpoint.empty(); }
+
+  void visit(Archive& archive) {
+    archive("simulation", simulation_);
+    archive("files", files_);
+    archive("metrics", metrics_);
+  }
+
+  void restore() {
+    restore_checkpoint(options_.checkpoint, scene_, [this](Archive& archive) { visit(archive); });
+    if (coupled_) coupling_warnings_.skip(coupled_->watch().warnings());
+    body_warnings_.skip(files_.observation().flexible().warnings());
+    joint_warnings_.skip(files_.observation().joints().warnings());
+  }
+
+  void observe(const Sample& sample) {
+    metrics_.update(sample);
+    files_.write(sample);
+    progress_.show(sample.state.time, sample.window, metrics_.metrics().contact_force);
+    if (coupled_) coupling_warnings_.print(coupled_->watch().warnings());
+    body_warnings_.print(files_.observation().flexible().warnings());
+    joint_warnings_.print(files_.observation().joints().warnings());
+    trial_.observe(simulation_, sample.state.time);
+    if (trial_.over() || interrupted_ != 0) trial_ends_ = 1;
+  }
+
+  CheckpointWriter writer() {
+    CheckpointWriter writer;
+    writer.begin = [this](long windows) {
+      safety_.begin();
+      return checkpoint_ = as_file_error([&] { return checkpoints_.begin(windows); });
+    };
+    writer.finish = [this] {
+      as_file_error([&] {
+        write_checkpoint(checkpoint_, scene_, options_.until, options_.ranks,
+                         [this](Archive& archive) { visit(archive); });
+        checkpoints_.finish();
+      });
+      safety_.finish();
+    };
+    writer.cancel = [this] {
+      checkpoints_.cancel();
+      safety_.retry_soon();
+    };
+    writer.overdue = [this] { return safety_.overdue(); };
+    return writer;
+  }
+
+  void finish_files() {
+    progress_.finish();
+    files_.flush();
+  }
+
+  void summarize(const std::string& status, const std::string& reason) {
+    as_file_error([&] {
+      auto summary = run_summary(simulation_, metrics_, files_.observation(), status, reason, options_.mpi_version);
+      if (trial_.active()) summary["trial"] = trial_.marks();
+      write_summary(options_.out + "/summary.json", summary);
+    });
+  }
+
+  // A partner that is gone after a signal received the signal as well.
+  bool is_interruption(const std::exception& error) const {
+    return dynamic_cast<const Interrupted*>(&error) || (dynamic_cast<const PartnerError*>(&error) && interrupted_ != 0);
+  }
+
+  void fail(const std::exception& error) {
+    const bool bad_input = dynamic_cast<const InputError*>(&error) || dynamic_cast<const ProtocolError*>(&error);
+    attempt([&] { summarize("failed", error.what()); });
+    if (coupled_) coupled_->fail(error.what(), bad_input ? Status::kBadInput : Status::kFailed);
+  }
+
+  const Scene& scene_;
+  const RunOptions& options_;
+  const volatile std::sig_atomic_t& interrupted_;
+  FileLock lock_;
+  Simulation simulation_;
+  CoupledRun* coupled_;  // null without grains
+  RunFiles files_;
+  MetricRecorder metrics_;
+  Progress progress_;
+  WarningPrinter coupling_warnings_, body_warnings_, joint_warnings_;
+  Trial trial_;
+  volatile std::sig_atomic_t trial_ends_ = 0;
+  CheckpointFolder checkpoints_;
+  std::string checkpoint_;  // folder of the one that is being written
+  SafetyClock safety_;
+};
+
 }  // namespace
 
 int run_scene(const Scene& scene, const RunOptions& options, Transport* transport,
               const volatile std::sig_atomic_t& interrupted) {
-  const double t_end = options.until > 0.0 ? std::min(options.until, scene.end_time) : scene.end_time;
-  // Started without footfall the run locks its folder itself.
-  FileLock lock;
-  if (!folder_is_held_for_us(options.out)) {
-    lock = lock_folder(options.out);
-  }
-  Simulation simulation(scene, t_end, transport, options.checkpoint);
-  CoupledRun* const coupled = simulation.coupled();
-  for (const std::string& warning : simulation.mechanism().warnings)
-    std::fprintf(stderr, "mbd_solver: warning: %s\n", warning.c_str());
-  for (const std::string& note : simulation.assembly().notes)
-    std::fprintf(stderr, "mbd_solver: note: %s\n", note.c_str());
-
-  const bool resumed = !options.checkpoint.empty();
-  RunFiles files(simulation, options.out, resumed ? Beginning::kResume : Beginning::kNew);
-  FigureTaker taker(simulation.subject());
-  const auto visit = [&](Archive& archive) {
-    archive("simulation", simulation);
-    archive("files", files);
-    archive("figures", taker);
-  };
-  if (resumed) restore_checkpoint(options.checkpoint, scene, visit);
-  as_file_error([&] {
-    const std::string file = std::filesystem::absolute(scene.file).lexically_normal().string();
-    write_run_note(options.out, {scene.title, file, t_end});
-  });
-  Progress progress(t_end, options.quiet, coupled != nullptr);
-  WarningTeller of_coupling, of_bodies, of_joints;
-  if (resumed) {
-    if (coupled) of_coupling.skip(coupled->watch().warnings());
-    of_bodies.skip(files.observation().flexible().warnings());
-    of_joints.skip(files.observation().joints().warnings());
-  }
-  Trial trial(options.try_for);
-  volatile std::sig_atomic_t trial_ends = 0;
-  const auto observe = [&](const Sample& sample) {
-    taker.take(sample);
-    files.write(sample);
-    progress.show(sample.state.time, sample.window, taker.figures().contact_force);
-    if (coupled) of_coupling.tell(coupled->watch().warnings());
-    of_bodies.tell(files.observation().flexible().warnings());
-    of_joints.tell(files.observation().joints().warnings());
-    trial.look(simulation, sample.state.time);
-    if (trial.over() || interrupted != 0) trial_ends = 1;
-  };
-  CheckpointFolder checkpoints(options.out);
-  std::string folder;  // of the checkpoint that is being written
-  // By default it is never felt: large sets come later. An interval that the user gives is kept to.
-  SafetyClock safety(scene.output.checkpoint_interval > 0.0 ? 0.0 : options.keep_every,
-                     options.keep_every == kKeepEvery ? kRest : 0.0);
-  Keeper keep;
-  keep.begin = [&](long windows) {
-    safety.begin();
-    return folder = as_file_error([&] { return checkpoints.begin(windows); });
-  };
-  keep.finish = [&] {
-    as_file_error([&] {
-      write_checkpoint(folder, scene, options.until, options.ranks, visit);
-      checkpoints.finish();
-    });
-    safety.finish();
-  };
-  keep.drop = [&] {
-    checkpoints.drop();
-    safety.try_again();
-  };
-  keep.overdue = [&] { return safety.overdue(); };
-  const auto finish_files = [&] {
-    progress.finish();
-    files.flush();
-  };
-  const auto summarize = [&](const std::string& status, const std::string& reason) {
-    as_file_error([&] {
-      auto summary = run_summary(simulation, taker, files.observation(), status, reason, options.mpi_version);
-      if (trial.runs()) summary["trial"] = trial.marks();
-      write_summary(options.out + "/summary.json", summary);
-    });
-  };
-
-  std::string why = trial.runs() ? "the trial is over" : "interrupted by the user";
-  work_is_under_way();
-  try {
-    trial.runs() ? simulation.run(observe, trial_ends) : simulation.run(observe, interrupted, keep);
-  } catch (const std::exception& error) {
-    // What cannot be written now is no second message.
-    const auto attempt = [](const auto& write) {
-      try {
-        write();
-      } catch (const std::exception&) {
-      }
-    };
-    attempt(finish_files);
-    // A partner that is gone after a signal has had it, too.
-    const bool gone = dynamic_cast<const PartnerError*>(&error) != nullptr;
-    if (!dynamic_cast<const Interrupted*>(&error) && !(gone && interrupted != 0)) {
-      const bool mendable = dynamic_cast<const InputError*>(&error) || dynamic_cast<const ProtocolError*>(&error);
-      attempt([&] { summarize("failed", error.what()); });
-      if (coupled) coupled->fail(error.what(), mendable ? Status::kBadInput : Status::kFailed);
-      throw;
-    }
-    why = error.what();
-    std::fprintf(stderr, "mbd_solver: %s\n", why.c_str());
-  }
-  finish_files();
-  for (const std::string& text : {taker.balance_warning(), simulation.integrator().warning()})
-    if (!text.empty()) std::fprintf(stderr, "mbd_solver: warning: %s\n", text.c_str());
-  if (simulation.finished()) {
-    const bool early = coupled && coupled->script_has_ended();
-    summarize("done", early ? "the LIGGGHTS script ended the run, as it may" : "");
-    if (safety.runs()) checkpoints.clear();
-    return kExitDone;
-  }
-  // The summary first: mpirun kills soon after it has asked for the end.
-  summarize("interrupted", why);
-  if (coupled) coupled->fail(why, Status::kInterrupted);
-  return kExitInterrupted;
+  return RunSession(scene, options, transport, interrupted).run();
 }
 
 }  // namespace footfall

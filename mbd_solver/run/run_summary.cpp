@@ -1,3 +1,5 @@
+// Collects the values; keys are documented in docs/reference/summary.md.
+
 #include "mbd_solver/run/run_summary.h"
 
 #include <algorithm>
@@ -16,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What was constructed for this scene, and nothing else.
+// Parts that were constructed for this scene.
 std::vector<std::string> active_parts(const Simulation& simulation, const FlexibleBodies& flexible) {
   const Mechanism& mechanism = simulation.mechanism();
   std::vector<std::string> active = {"bodies"};
@@ -56,11 +58,10 @@ void add_coupling(const CoupledRun& coupled, double energy_flow, Json& json) {
   } else {
     json["substeps_per_window"] = "auto";
   }
-  for (std::size_t i = 0; i < watch.names().size(); ++i)
-    json["max_omega_h"][watch.names()[i]] = watch.largest_omega_h()[i];
+  for (std::size_t i = 0; i < watch.body_count(); ++i) json["max_omega_h"][watch.name(i)] = watch.largest_omega_h(i);
 }
 
-Json warnings_of(const Simulation& simulation, const FigureTaker& taker, const Observation& observation) {
+Json warnings_of(const Simulation& simulation, const MetricRecorder& recorder, const Observation& observation) {
   Json warnings = Json::array();
   const auto add = [&warnings](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) warnings.push_back(text);
@@ -70,7 +71,7 @@ Json warnings_of(const Simulation& simulation, const FigureTaker& taker, const O
   if (simulation.coupled()) add(simulation.coupled()->watch().warnings());
   add(observation.flexible().warnings());
   add(observation.joints().warnings());
-  if (const std::string text = taker.balance_warning(); !text.empty()) warnings.push_back(text);
+  if (const std::string text = recorder.balance_warning(); !text.empty()) warnings.push_back(text);
   if (const std::string text = simulation.integrator().warning(); !text.empty()) warnings.push_back(text);
   return warnings;
 }
@@ -90,13 +91,13 @@ void add_costs(const Simulation& simulation, Json& json) {
   json["dem_wall_s"] = coupled ? coupled->dem_seconds() : 0.0;
   json["waited_wall_s"] = coupled ? coupled->waited_seconds() : 0.0;
   json["mbd_wall_s"] = times.mbd;
-  json["mbd_beside_wall_s"] = times.beside + (coupled ? coupled->beside_seconds() : 0.0);
+  json["mbd_beside_wall_s"] = times.overlapped + (coupled ? coupled->overlapped_seconds() : 0.0);
   json["control_wall_s"] = times.control;
-  json["checkpoint_wall_s"] = times.keeping;
+  json["checkpoint_wall_s"] = times.checkpoint;
   json["exchange_wall_s"] = coupled ? coupled->exchange_seconds() : 0.0;
 }
 
-// What stands on the plane by friction creeps down its slope where a friction_speed is given; nothing is told where it slides.
+// A body at rest on an inclined plane creeps where friction_speed is given; no value where it slides.
 void add_creep(const Scene& scene, Json& json) {
   if (scene.ground.kind != GroundKind::kPlane) return;
   const PlaneSpec& plane = *scene.ground.plane;
@@ -107,37 +108,37 @@ void add_creep(const Scene& scene, Json& json) {
 
 }  // namespace
 
-Json run_summary(const Simulation& simulation, const FigureTaker& taker, const Observation& observation,
+Json run_summary(const Simulation& simulation, const MetricRecorder& recorder, const Observation& observation,
                  const std::string& status, const std::string& reason, const std::string& mpi_version) {
-  const Figures& figures = taker.figures();
+  const Metrics& metrics = recorder.metrics();
   const FlexibleBodies& flexible = observation.flexible();
   const IntegratorStatistics& statistics = simulation.integrator().statistics();
   Json json;
   json["status"] = status;
   if (!reason.empty()) json["reason"] = reason;
   json["end_time_s"] = simulation.state().time;
-  json["observed_body"] = taker.body_name();
-  json["peak_acceleration_g"] = figures.peak_acceleration / 9.80665;
-  json["max_descent_m"] = figures.max_descent;
-  json["max_penetration_m"] = figures.max_penetration;
-  json["max_contact_force_N"] = figures.max_contact_force;
+  json["observed_body"] = recorder.body_name();
+  json["peak_acceleration_g"] = metrics.peak_acceleration / 9.80665;
+  json["max_descent_m"] = metrics.max_descent;
+  json["max_penetration_m"] = metrics.max_penetration;
+  json["max_contact_force_N"] = metrics.max_contact_force;
   add_creep(simulation.scene(), json);
-  json["reference_energy_J"] = figures.reference_energy;
-  json["energy_flow_J"] = figures.energy_flow;
-  json["energy_balance_relative"] = figures.energy_balance_relative();
+  json["reference_energy_J"] = metrics.reference_energy;
+  json["energy_flow_J"] = metrics.energy_flow;
+  json["energy_balance_relative"] = metrics.energy_balance_relative();
   json["drift_position"] = statistics.drift_position;
   json["drift_velocity"] = statistics.drift_velocity;
   json["drift_removed_position"] = statistics.removed_position;
   json["drift_removed_velocity"] = statistics.removed_velocity;
   add_flexible_bodies(flexible, json);
-  if (simulation.coupled()) add_coupling(*simulation.coupled(), figures.energy_flow, json);
+  if (simulation.coupled()) add_coupling(*simulation.coupled(), metrics.energy_flow, json);
   add_costs(simulation, json);
   json["integrator"] = simulation.integrator().name();
   json["active"] = active_parts(simulation, flexible);
-  json["warnings"] = warnings_of(simulation, taker, observation);
+  json["warnings"] = warnings_of(simulation, recorder, observation);
   Json& versions = json["versions"];
   versions["footfall"] = FOOTFALL_VERSION;
-  if (simulation.coupled()) versions["LIGGGHTS"] = simulation.coupled()->grains_version();
+  if (simulation.coupled()) versions["LIGGGHTS"] = simulation.coupled()->dem_version();
   if (!mpi_version.empty()) versions["MPI"] = mpi_version;
   versions["SUNDIALS"] = sundials_version();
   versions["compiler"] = compiler_version();

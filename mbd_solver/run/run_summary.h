@@ -1,5 +1,5 @@
 #pragma once
-// summary.json of a run: what became of it, its figures, its costs, its scene.
+// summary.json of a run: its end, metrics, costs and scene.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -11,7 +11,7 @@
 namespace footfall {
 
 // status: "done", "interrupted" or "failed"; reason: of a failure, else empty; mpi_version: empty without MPI.
-nlohmann::ordered_json run_summary(const Simulation& simulation, const FigureTaker& taker,
+nlohmann::ordered_json run_summary(const Simulation& simulation, const MetricRecorder& recorder,
                                    const Observation& observation, const std::string& status, const std::string& reason,
                                    const std::string& mpi_version);
 

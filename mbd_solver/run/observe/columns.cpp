@@ -15,7 +15,7 @@ namespace {
 
 double itself(const double& x) { return x; }
 
-// ---- the registry: an entry here and a line in docs/reference/history.md make a column ----
+// ---- the registry: a column is an entry here and a line in docs/reference/history.md ----
 
 constexpr Entry<Sample> kTime[] = {{"time", "s", [](const Sample& s) { return s.state.time; }}};
 

@@ -1,5 +1,5 @@
 #pragma once
-// The columns of history.csv: one registry of name, unit and value. docs/reference/history.md lists it for users.
+// The columns of history.csv: one registry of name, unit and value. docs/reference/history.md lists them.
 
 #include <functional>
 #include <string>

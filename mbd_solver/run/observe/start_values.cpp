@@ -154,7 +154,7 @@ AssemblyOptions assembly_options(const Scene& scene) {
   for (const InitialJointSpec& given : scene.initial.joints) {
     const int joint = scene.joint_index(given.name);
     for (const Coordinate choice : coordinates_of(scene.joints[static_cast<std::size_t>(joint)].type))
-      if (given.value(choice)) options.start.push_back({joint, coordinate_of(choice), *given.value(choice)});
+      if (given.value(choice)) options.start.push_back({joint, choice, *given.value(choice)});
   }
   return options;
 }

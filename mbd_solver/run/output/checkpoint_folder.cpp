@@ -1,3 +1,6 @@
+// A checkpoint is complete or absent: its files are synced, listed with checksums, and the folder is renamed last. Readers
+// take the newest one whose checksums agree.
+
 #include "mbd_solver/run/output/checkpoint_folder.h"
 
 #include <fcntl.h>
@@ -10,44 +13,46 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/codes.h"
 #include "mbd_solver/base/fingerprint.h"
+#include "mbd_solver/run/codes.h"
 
 namespace footfall {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kKept = 2;  // sets
+constexpr std::size_t kStored = 2;  // checkpoints
 constexpr const char* kPart = ".part";
 constexpr const char* kChecksums = "checksums.txt";
 
-// The numbers of the whole sets, newest first.
-std::vector<long> sets_in(const std::string& folder) {
-  std::vector<long> sets;
+// Numbers of the complete checkpoints, newest first.
+std::vector<long> checkpoints_in(const std::string& folder) {
+  std::vector<long> numbers;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename();
     if (name.empty() || name.find_first_not_of("0123456789") != std::string::npos) continue;
-    sets.push_back(std::stol(name));
+    numbers.push_back(std::stol(name));
   }
-  std::sort(sets.rbegin(), sets.rend());
-  return sets;
+  std::sort(numbers.rbegin(), numbers.rend());
+  return numbers;
 }
 
 std::string checksum(const fs::path& file) {
   const std::optional<std::string> bytes = read_whole_file(file.string());
-  if (!bytes) throw InputError(file.string() + ": cannot be read");
+  if (!bytes) throw InputError(code::kCheckpointFile, file.string() + ": cannot be read");
   return fingerprint(*bytes);
 }
 
-// Lines "checksum name". What is wrong with the set; empty when nothing is.
-std::string fault(const fs::path& set) {
-  const std::optional<std::string> list = read_whole_file((set / kChecksums).string());
+// Checks the lines "checksum name". Returns what is damaged; empty when nothing is.
+std::string damage_of(const fs::path& checkpoint) {
+  const std::optional<std::string> list = read_whole_file((checkpoint / kChecksums).string());
   if (!list) return "has no " + std::string(kChecksums);
   std::istringstream lines(*list);
   std::string sum, name;
   while (lines >> sum >> name)
-    if (!fs::exists(set / name) || checksum(set / name) != sum) return name + " is damaged or missing";
+    if (!fs::exists(checkpoint / name) || checksum(checkpoint / name) != sum) return name + " is damaged or missing";
   return "";
 }
 
@@ -57,7 +62,7 @@ void sync_to_disk(const std::string& path) {
   const int file = open(path.c_str(), O_RDONLY);
   const bool done = file >= 0 && fsync(file) == 0;
   if (file >= 0) close(file);
-  if (!done) throw InputError(path + ": cannot be brought to the disk; is it full?");
+  if (!done) throw InputError(code::kFileNotWritten, path + ": cannot be synced to the disk: is it full?");
 }
 
 std::string CheckpointFolder::begin(long n) {
@@ -80,22 +85,22 @@ void CheckpointFolder::finish() {
   sync_to_disk(checksums);
   sync_to_disk(part_);
   std::error_code error;
-  fs::remove_all(whole, error);  // of a run that was resumed before it
+  fs::remove_all(whole, error);  // of an earlier part of a resumed run
   fs::rename(part_, whole, error);
-  if (error) throw InputError(whole + ": cannot be written: " + error.message());
+  if (error) throw InputError(code::kFileNotWritten, whole + ": cannot be written: " + error.message());
   sync_to_disk(folder_);
   part_.clear();
   written_.push_back(n_);
-  const std::vector<long> sets = sets_in(folder_);
-  for (std::size_t i = 0; i < sets.size(); ++i)
-    if (i >= kKept) fs::remove_all(folder_ + "/" + std::to_string(sets[i]), error);
+  const std::vector<long> numbers = checkpoints_in(folder_);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (i >= kStored) fs::remove_all(folder_ + "/" + std::to_string(numbers[i]), error);
 }
 
-void CheckpointFolder::drop() {
+void CheckpointFolder::cancel() {
   if (part_.empty()) return;
   std::error_code ignored;
   fs::remove_all(part_, ignored);
-  fs::remove(folder_, ignored);  // unless it holds a set
+  fs::remove(folder_, ignored);  // unless it contains a checkpoint
   part_.clear();
 }
 
@@ -103,32 +108,33 @@ void CheckpointFolder::clear() {
   std::error_code ignored;
   for (const long n : written_) fs::remove_all(folder_ + "/" + std::to_string(n), ignored);
   written_.clear();
-  drop();  // asked for at the end of a window that never came
+  cancel();  // required for a window that was not reached
   fs::remove(folder_, ignored);
 }
 
-void remove_unfinished_sets(const std::string& run) {
+void remove_unfinished_checkpoints(const std::string& run) {
   const fs::path folder = fs::path(run) / "checkpoint";
   std::error_code ignored;
   std::vector<fs::path> unfinished;
   for (const auto& entry : fs::directory_iterator(folder, ignored))
     if (entry.path().extension() == kPart) unfinished.push_back(entry.path());
   for (const fs::path& part : unfinished) fs::remove_all(part, ignored);
-  fs::remove(folder, ignored);  // unless it holds a set
+  fs::remove(folder, ignored);  // unless it contains a checkpoint
 }
 
 std::string newest_checkpoint(const std::string& run) {
   const std::string folder = run + "/checkpoint";
-  std::string faults;
-  for (const long n : sets_in(folder)) {
-    const std::string set = folder + "/" + std::to_string(n);
-    const std::string wrong = fault(set);
-    if (wrong.empty()) return fs::absolute(set).lexically_normal().string();
-    faults += "\n  " + set + ": " + wrong;
+  std::string damages;
+  for (const long n : checkpoints_in(folder)) {
+    const std::string checkpoint = folder + "/" + std::to_string(n);
+    const std::string damage = damage_of(checkpoint);
+    if (damage.empty()) return fs::absolute(checkpoint).lexically_normal().string();
+    damages += "\n  " + checkpoint + ": " + damage;
   }
-  throw InputError(
-      run + ": has no checkpoint to go on from" + (faults.empty() ? "" : ":" + faults) +
-      "\nA run writes one every output.checkpoint_interval (without: every minute), and when it is interrupted");
+  throw InputError(code::kNoValidCheckpoint,
+                   run + ": has no checkpoint to resume from" + (damages.empty() ? "" : ":" + damages) +
+                       "\nA run writes one every output.checkpoint_interval (without it: every minute), and when it is "
+                       "interrupted");
 }
 
 }  // namespace footfall

@@ -1,44 +1,45 @@
 #pragma once
-// Checkpoints as sets of files: RUN/checkpoint/N/, one folder for each. A set grows in N.part, is brought to the disk with
-// a list of its files and their checksums, and is then renamed: a set without ".part" is whole. The last two are kept.
+// Checkpoints of a run as folders RUN/checkpoint/N/. A checkpoint is written to N.part, synced to the disk with a list of
+// its files and their checksums, and then renamed: a folder without ".part" is complete. The last two are kept.
 
 #include <string>
 #include <vector>
 
 namespace footfall {
 
-// A run whose scene sets no checkpoint_interval is kept so often on the clock on the wall [s].
-inline constexpr double kKeepEvery = 60.0;
+// Wall-clock checkpoint interval of runs without output.checkpoint_interval [s].
+inline constexpr double kCheckpointEvery = 60.0;
 
-// What was written to the file, or into the folder, outlives a power cut. Throws InputError when the disk refuses.
+// Content of the file or folder is safe from a power cut afterwards. Throws InputError when the disk reports an error.
 void sync_to_disk(const std::string& path);
 
 class CheckpointFolder {
  public:
   explicit CheckpointFolder(const std::string& run) : folder_(run + "/checkpoint") {}
-  ~CheckpointFolder() { drop(); }
+  ~CheckpointFolder() { cancel(); }
   CheckpointFolder(const CheckpointFolder&) = delete;
   CheckpointFolder& operator=(const CheckpointFolder&) = delete;
 
-  // Makes the empty folder of set n, which then takes the files, and returns its absolute path. Throws InputError.
+  // Creates the empty folder of checkpoint n, into which files are then written; returns its absolute path. Throws
+  // InputError.
   std::string begin(long n);
-  // All files of the set are written. Throws InputError when the disk refuses; older sets are then still there.
+  // All files are written. Throws InputError when the disk reports an error; older checkpoints then still exist.
   void finish();
-  void drop();   // instead, or at the end: a set that is not finished is none
-  void clear();  // removes the sets that were written here, and the folder when nothing else is in it
+  void cancel();  // removes a checkpoint that is not finished
+  void clear();   // removes the checkpoints written by this object, and the folder when it is empty
 
  private:
   std::string folder_;
-  std::string part_;  // of the set that grows
+  std::string part_;  // folder of the unfinished checkpoint
   long n_ = 0;
   std::vector<long> written_;
 };
 
-// What programs that were killed have left of sets that were growing. Nobody may be writing there any more.
-void remove_unfinished_sets(const std::string& run);
+// Removes unfinished checkpoints of programs that were killed. No program may be writing there.
+void remove_unfinished_checkpoints(const std::string& run);
 
-// The folder of the newest set of a run whose files are what their checksums say. Throws InputError when there is none,
-// and says what is wrong with those that there are.
+// The folder of the newest checkpoint whose files agree with their checksums. Throws InputError, with the damage found,
+// when there is none.
 std::string newest_checkpoint(const std::string& run);
 
 }  // namespace footfall

@@ -1,6 +1,5 @@
 #pragma once
-// history.csv: one row of numbers per output time. First line "# units: s,m,...", second the column names, then the
-// rows.
+// history.csv: one row of numbers per output time. The first line is "# units: s,m,...", the second the column names.
 
 #include <chrono>
 #include <cstdint>
@@ -12,7 +11,7 @@ namespace footfall {
 
 enum class Beginning {
   kNew,    // a new file
-  kResume  // the file that a run has left, which go_on_at() then cuts
+  kResume  // the file of an earlier part of the run, which resume_at() cuts
 };
 
 class HistoryWriter {
@@ -21,16 +20,16 @@ class HistoryWriter {
   HistoryWriter(const std::string& path, const std::vector<std::string>& names, const std::vector<std::string>& units,
                 Beginning beginning = Beginning::kNew);
 
-  // One row, in the order of the names. Throws NumericalError, naming the column and time, when a value is not finite:
-  // a file never holds one. The row is in the file when this returns. Throws InputError when it cannot be written (full
-  // disk, folder gone); the file then ends with the last whole row.
+  // One row, in the order of the names. The row is in the file when this returns. Throws NumericalError, naming column
+  // and time, when a value is not finite (a file never contains one), and InputError when the file cannot be written
+  // (full disk, folder gone); the file then ends with the last whole row.
   void write(const std::vector<double>& row);
-  // Everything written so far is in the file, and the file is still there. Throws as write().
+  // Checks that everything written so far is in the file, and that the file still exists. Throws as write().
   void flush();
-  // Bytes so far, all of them on the disk itself: a run that is resumed goes on there. Throws as write().
+  // Bytes so far, all synced to the disk: where a resumed run continues. Throws as write().
   long position();
-  // What a later part of the run wrote behind this position is dropped. Throws InputError when the file is shorter.
-  void go_on_at(long position);
+  // Drops what was written after this position. Throws InputError when the file is shorter.
+  void resume_at(long position);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -40,20 +39,20 @@ class HistoryWriter {
   std::vector<std::string> names_;
   std::ofstream file_;
   std::uintmax_t whole_ = 0;  // size of the whole rows [bytes]
-  Clock::time_point looked_;  // when the file was last seen
+  Clock::time_point looked_;  // last check that the file exists
 };
 
-// A history read back: for plots, reports and tests.
+// A history read from a file.
 struct History {
   std::vector<std::string> names, units;
   std::vector<std::vector<double>> columns;  // one per name, all of the same length
 
   int find(const std::string& name) const;                           // index, or -1
-  const std::vector<double>& column(const std::string& name) const;  // throws InputError with a list of the known names
+  const std::vector<double>& column(const std::string& name) const;  // throws InputError
 };
 // Throws InputError "file:line: ...".
 History read_history(const std::string& path);
-// All of it at once; throws as HistoryWriter.
+// Throws as HistoryWriter.
 void write_history(const std::string& path, const History& history);
 
 }  // namespace footfall

@@ -1,3 +1,6 @@
+// All files are written whole (write_whole_file). Numbers are checked before: JSON cannot express NaN, and the library
+// would write null.
+
 #include "mbd_solver/run/output/summary.h"
 
 #include <sys/utsname.h>
@@ -10,6 +13,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/run/codes.h"
 
 namespace footfall {
 
@@ -51,13 +55,11 @@ RunNote read_run_note(const std::string& folder) {
   try {
     return {json.at("title"), json.at("scene_file"), json.at("end_time_s")};
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(file + ": is not the note of a run: " + error.what());
+    throw InputError(code::kSummaryDamaged, file + ": is not the " + kRunNote + " of a run: " + error.what());
   }
 }
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string file_in(const std::string& folder) { return folder + "/start.json"; }
 
@@ -66,6 +68,7 @@ std::string file_in(const std::string& folder) { return folder + "/start.json"; 
 void write_run_start(const std::string& folder, const RunStart& start) {
   Json json;
   json["footfall"] = FOOTFALL_VERSION;
+  json["checkpoint_format"] = kCheckpointFormat;
   json["scene_file"] = start.scene_file;
   json["settings"] = start.settings;
   json["until"] = start.until;
@@ -77,46 +80,50 @@ void write_run_start(const std::string& folder, const RunStart& start) {
 RunStart read_run_start(const std::string& folder) {
   const Json json = read_summary(file_in(folder));
   try {
-    if (json.at("footfall") != FOOTFALL_VERSION)
-      throw InputError(file_in(folder) + ": was written by footfall " + json.at("footfall").get<std::string>() +
-                       ", and this is " + FOOTFALL_VERSION + ": resume the run with the program that began it");
+    const int format = json.contains("checkpoint_format") ? json.at("checkpoint_format").get<int>() : 1;
+    if (json.at("footfall") != FOOTFALL_VERSION || format != kCheckpointFormat)
+      throw InputError(code::kCheckpointVersion,
+                       file_in(folder) + ": was written by footfall " + json.at("footfall").get<std::string>() +
+                           " (checkpoint format " + std::to_string(format) + "), this program is " + FOOTFALL_VERSION +
+                           " (format " + std::to_string(kCheckpointFormat) +
+                           "): resume the run with the program that began it, or start it again");
     return {json.at("scene_file"), json.at("settings"), json.at("until"), json.at("ranks"), json.at("scene").dump()};
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(file_in(folder) + ": is not the start of a run: " + error.what());
+    throw InputError(code::kSummaryDamaged, file_in(folder) + ": is not the start.json of a run: " + error.what());
   }
 }
 
 namespace {
 
-// JSON has no word for NaN: the library would write null without complaint.
-void demand_finite(const nlohmann::ordered_json& value, const std::string& path) {
+void require_finite(const nlohmann::ordered_json& value, const std::string& path) {
   if (value.is_number_float() && !std::isfinite(value.get<double>()))
-    throw NumericalError("summary: \"" + path + "\" is no longer finite");
+    throw NumericalError(code::kOutputNotFinite, "summary: \"" + path + "\" is no longer finite");
   if (!value.is_structured()) return;
-  for (const auto& [key, inner] : value.items()) demand_finite(inner, path.empty() ? key : path + "." + key);
+  for (const auto& [key, inner] : value.items()) require_finite(inner, path.empty() ? key : path + "." + key);
 }
 
 }  // namespace
 
 void write_summary(const std::string& path, const nlohmann::ordered_json& summary) {
-  demand_finite(summary, "");
+  require_finite(summary, "");
   write_whole_file(path, summary.dump(2) + "\n");
 }
 
 void throw_incomplete_summary(const std::string& folder, const std::string& what) {
-  throw InputError(folder + "/summary.json: is not the whole summary of a run (" + what +
-                   "); was it cut, or written by hand?");
+  throw InputError(code::kSummaryDamaged,
+                   folder + "/summary.json: is incomplete (" + what + "): it was cut off or edited; repeat the run");
 }
 
 nlohmann::ordered_json read_summary(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw InputError(path + ": cannot be read; expected the summary.json of a run");
+  if (!file) throw InputError(code::kSummaryDamaged, path + ": cannot be read; expected the summary.json of a run");
   try {
     const nlohmann::ordered_json summary = nlohmann::ordered_json::parse(file);
-    if (!summary.is_object()) throw InputError(path + ": is not the summary of a run: it holds no { ... }");
+    if (!summary.is_object())
+      throw InputError(code::kSummaryDamaged, path + ": is not the summary of a run: no object { ... }");
     return summary;
   } catch (const nlohmann::json::exception& e) {
-    throw InputError(path + ": is not the summary of a run: " + e.what());
+    throw InputError(code::kSummaryDamaged, path + ": is not the summary of a run: " + e.what());
   }
 }
 

@@ -1,3 +1,6 @@
+// VTK's XML with ASCII arrays (pugixml). Texts are arrays of character codes. Cells are formatted once and reused while
+// they do not change.
+
 #include "mbd_solver/run/output/vtk_writer.h"
 
 #include <cstdio>
@@ -8,6 +11,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/run/codes.h"
 
 namespace footfall {
 namespace {
@@ -54,7 +58,7 @@ std::string each_cell(const VtkFrame& frame, Append append) {
   return text;
 }
 
-// VTK writes a text as the numbers of its bytes, with a zero behind.
+// A text is its character codes followed by zero.
 void add_texts(pugi::xml_node grid, const VtkFrame& frame) {
   if (frame.texts.empty()) return;
   pugi::xml_node field = grid.append_child("FieldData");
@@ -78,10 +82,11 @@ void save(const pugi::xml_document& document, const std::string& path) {
 
 pugi::xml_node loaded(pugi::xml_document& document, const std::string& path, const char* kind) {
   const pugi::xml_parse_result result = document.load_file(path.c_str());
-  if (!result) throw InputError(path + ": cannot be read: " + result.description());
+  if (!result) throw InputError(code::kPictureDamaged, path + ": cannot be read: " + result.description());
   const pugi::xml_node node = document.child("VTKFile").child(kind);
   if (!node)
-    throw InputError(path + ": holds no " + kind + "; expected a file that a run with output.vtk = true wrote");
+    throw InputError(code::kPictureDamaged,
+                     path + ": contains no " + kind + "; expected a file of a run with output.vtk = true");
   return node;
 }
 
@@ -122,12 +127,12 @@ VtkFrame read_vtk_frame(const std::string& vtu) {
   for (const double end : numbers_in(piece.child("Cells"), "offsets")) {
     const auto last = static_cast<std::size_t>(end);
     if (last > links.size() || last < first + 2)
-      throw InputError(vtu + ": its cells do not fit together; was it cut off?");
+      throw InputError(code::kPictureDamaged, vtu + ": offsets and connectivity disagree; was the file cut off?");
     const auto node = [&](std::size_t k) {
       const int j = static_cast<int>(links[first + k]);
       if (j < 0 || j >= frame.points.cols())
-        throw InputError(vtu + ": a cell names point " + std::to_string(j) +
-                         ", which is not there; was the file cut off?");
+        throw InputError(code::kPictureDamaged, vtu + ": a cell has point " + std::to_string(j) +
+                                                    ", which does not exist; was the file cut off?");
       return j;
     };
     if (last - first == 3) frame.triangles.emplace_back(node(0), node(1), node(2));
@@ -145,7 +150,7 @@ VtkFrame read_vtk_frame(const std::string& vtu) {
 
 VtkSeries::VtkSeries(std::string folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
 
-void VtkSeries::list(double time) {
+void VtkSeries::add_to_list(double time) {
   char number[16];
   std::snprintf(number, sizeof number, "_%04zu.vtu", frames_.size());
   frames_.emplace_back(time, name_ + number);
@@ -157,9 +162,9 @@ std::vector<double> VtkSeries::times() const {
   return times;
 }
 
-void VtkSeries::go_on_after(const std::vector<double>& times) {
+void VtkSeries::resume_after(const std::vector<double>& times) {
   frames_.clear();
-  for (const double time : times) list(time);
+  for (const double time : times) add_to_list(time);
 }
 
 const VtkSeries::Cells& VtkSeries::cells_of(const VtkFrame& frame) {
@@ -179,7 +184,8 @@ const VtkSeries::Cells& VtkSeries::cells_of(const VtkFrame& frame) {
 
 void VtkSeries::write(double time, const VtkFrame& frame) {
   if (!frame.points.allFinite())
-    throw NumericalError("t = " + std::to_string(time) + " s: geometry of " + name_ + " is not finite");
+    throw NumericalError(code::kOutputNotFinite,
+                         "t = " + std::to_string(time) + " s: geometry of " + name_ + " is not finite");
   pugi::xml_document document;
   pugi::xml_node grid = vtk_file(document, "UnstructuredGrid").append_child("UnstructuredGrid");
   add_texts(grid, frame);
@@ -199,7 +205,7 @@ void VtkSeries::write(double time, const VtkFrame& frame) {
   for (const auto& [name, values] : frame.cell_numbers)
     data_array(cell_data, "Float64", name, 1).text() = numbers(values).c_str();
 
-  list(time);
+  add_to_list(time);
   save(document, folder_ + "/" + frames_.back().second);
   write_vtk_list(folder_ + "/" + name_ + ".pvd", frames_);
 }

@@ -1,6 +1,5 @@
 #pragma once
-// Geometry over time, for ParaView and our own pictures: one VTU file per frame and a .pvd that lists them with their
-// times.
+// Geometry over time, for ParaView and `footfall view`: one VTU file per frame, and a .pvd that lists them with times.
 
 #include <Eigen/Dense>
 #include <string>
@@ -13,10 +12,10 @@ struct VtkFrame {
   Eigen::Matrix3Xd points;                 // 3 x N [m]
   std::vector<Eigen::Vector3i> triangles;  // indices of points
   std::vector<Eigen::Vector2i> lines;      // indices of points
-  // Arrays by name: vectors of points, 3 x N; numbers of points, N; numbers of cells, triangles first, then lines.
+  // Arrays by name: vectors of points, 3 x N; numbers of cells, triangles first, then lines.
   std::vector<std::pair<std::string, Eigen::Matrix3Xd>> point_vectors;
   std::vector<std::pair<std::string, Eigen::VectorXd>> cell_numbers;
-  // Texts of the whole frame, by name: a ParaView shows them, and its Python finds them as field data.
+  // Texts of the whole frame, by name: field data in ParaView.
   std::vector<std::pair<std::string, std::vector<std::string>>> texts;
 };
 
@@ -24,22 +23,22 @@ class VtkSeries {
  public:
   // Files FOLDER/NAME_0000.vtu ... and FOLDER/NAME.pvd.
   VtkSeries(std::string folder, std::string name);
-  // Writes the frame and the list anew, so that a run that is looked at, or stopped, can be opened. Throws InputError
-  // when a file cannot be written, NumericalError when a number is not finite.
+  // Writes the frame, and the list again, so that a running or interrupted run can be opened. Throws InputError when a
+  // file cannot be written, NumericalError when a number is not finite.
   void write(double time, const VtkFrame& frame);
 
-  // Times of the frames so far [s]; a run that is resumed goes on behind them.
+  // Times of the frames so far [s]; a resumed run continues after them.
   std::vector<double> times() const;
-  void go_on_after(const std::vector<double>& times);
+  void resume_after(const std::vector<double>& times);
 
  private:
-  struct Cells {  // of the last frame, and their text: those of the next are mostly the same
+  struct Cells {  // of the last frame, with their text: the next frame mostly has the same
     bool written = false;
     std::vector<Eigen::Vector3i> triangles;
     std::vector<Eigen::Vector2i> lines;
     std::string connectivity, offsets, types;
   };
-  void list(double time);  // as the next frame
+  void add_to_list(double time);
   const Cells& cells_of(const VtkFrame& frame);
 
   std::string folder_, name_;
@@ -47,10 +46,10 @@ class VtkSeries {
   Cells cells_;
 };
 
-// A .pvd: times [s] and names of the files beside it. Throws InputError when it cannot be written.
+// A .pvd: times [s] and names of files in its folder. Throws InputError when it cannot be written.
 void write_vtk_list(const std::string& pvd, const std::vector<std::pair<double, std::string>>& frames);
 
-// Read back what VtkSeries wrote: times and file names of a .pvd; one frame, without vectors of points and texts. Throw
+// Read what VtkSeries wrote: times and file names of a .pvd; one frame, without vectors of points and texts. Throw
 // InputError naming the file.
 std::vector<std::pair<double, std::string>> read_vtk_series(const std::string& pvd);
 VtkFrame read_vtk_frame(const std::string& vtu);
