@@ -142,7 +142,7 @@ int run_command_line(int argc, char** argv, const std::vector<Subcommand>& comma
   std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit of sizes fails in its write
   Action action;
   for (const Subcommand& subcommand : commands) {
-    CLI::App* command = app.add_subcommand(subcommand.name, subcommand.what);
+    CLI::App* command = app.add_subcommand(subcommand.name, subcommand.what)->footer("");
     if (subcommand.prepare != nullptr)
       command->callback([&action, prepared = subcommand.prepare(*command)] { action = prepared; });
   }

@@ -319,7 +319,7 @@ TEST_P(EveryCoordinate, FrictionStopsAndHolds) {
   const double F = 0.2, w = 3.0;
   Axle axle(GetParam(), w);
   JointFrictionParameters p;
-  p.coulomb = p.breakaway = F;
+  p.breakaway = p.coulomb = F;
   axle.add(std::make_unique<JointFriction>(p));
   test::Run run(axle.model, "one_step", test::precise(1e-8));
   const double half = 0.5 * w * kWheelInertia / F;
@@ -337,7 +337,7 @@ TEST_P(EveryCoordinate, FrictionSticksWithoutCreeping) {
   const double F = 0.2;
   Axle axle(GetParam());
   JointFrictionParameters p;
-  p.coulomb = p.breakaway = F;
+  p.breakaway = p.coulomb = F;
   axle.add(std::make_unique<JointFriction>(p));
   axle.add(std::make_unique<Motor>(motor(MotorKind::kTorque, sum({polynomial({0.5 * F}), sine(0.1 * F, 1.0)}))));
   test::Run run(axle.model, "one_step", test::precise(1e-9));

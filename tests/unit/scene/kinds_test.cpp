@@ -19,6 +19,7 @@
 #include "mbd_solver/scene/scene_schema.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/field_reader.h"
+#include "tests/unit/scene/key_list.h"
 
 namespace footfall {
 namespace {

@@ -16,6 +16,7 @@
 #include "mbd_solver/scene/shipped_files.h"
 #include "mbd_solver/scene/box_bed.h"
 #include "tests/support/refused.h"
+#include "tests/unit/scene/key_list.h"
 #include "tests/unit/scene/scene_text.h"
 
 namespace footfall {
@@ -96,7 +97,7 @@ spring = { preload_kN = 2 }
   EXPECT_NEAR(scene.solver.max_step, 0.002, kValueRoundOff);
   EXPECT_NEAR(scene.initial.roll, kPi / 2, kValueRoundOff);
   EXPECT_NEAR(scene.initial.angular_velocity[0], 2 * kPi, kValueRoundOff);
-  EXPECT_NEAR(*scene.struts[0].stops->max, 0.3, kValueRoundOff);
+  EXPECT_NEAR(*scene.struts[0].stops->largest_stroke, 0.3, kValueRoundOff);
   EXPECT_NEAR(scene.struts[0].spring->preload, 2000.0, 1e-9);
 }
 
