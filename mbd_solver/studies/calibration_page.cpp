@@ -99,8 +99,8 @@ PagePart targets_part(const CalibrationSpec& spec, const CalibrationOutcome& o) 
                        const std::string& count_confirmed) {
     return count_start + " at the start, " + count_best + " at the best set, " + count_confirmed + " confirmed";
   };
-  part.text = "Met, of " + num(spec.targets.size()) + ": " +
-              met(num(o.start->met()), num(o.best->met()), num(o.confirmed->met())) +
+  part.text = "Targets met (of " + num(spec.targets.size()) +
+              "): " + met(num(o.start->met()), num(o.best->met()), num(o.confirmed->met())) +
               ". Misfit: " + met(num(o.start->misfit, 4), num(o.best->misfit, 4), num(o.confirmed->misfit, 4)) +
               ". The best set is that of the last stage's runs; confirmed are whole runs over all seeds" +
               (o.confirmations > 1 ? ", the best of " + num(o.confirmations) + " sets run whole" : "") +

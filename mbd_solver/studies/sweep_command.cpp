@@ -197,7 +197,7 @@ void make_beds(const RunStore& store, const SweepArguments& a, const std::string
     words.insert(words.end(), {"--only", std::to_string(run), "--list"});
     commands.push_back({words, {}, store.folder(run) + ".bed.log", ""});
   }
-  std::printf("making %zu beds, %d at once\n", commands.size(), jobs);
+  std::printf("beds to make: %zu, at once: %d\n", commands.size(), jobs);
   std::fflush(stdout);
   int failed = -1, failed_with = 0;
   const bool interrupted = run_pool(commands, jobs, [&](int bed, int code, double) {
@@ -279,7 +279,7 @@ int sweep_command(const SweepArguments& a) {
     complete = true;
   };
   for (const std::size_t run : chosen) check_once(run);
-  std::printf("%zu runs to do, %td done before, %d at once\n", left.size(), done, jobs);
+  std::printf("runs to do: %zu, done before: %td, at once: %d\n", left.size(), done, jobs);
   std::fflush(stdout);
   const double started = wall_clock();
   std::size_t finished = 0;
