@@ -1,12 +1,14 @@
-# Sourced by tests that end a run by force: a run whose processes are found by their working folder, and never by name alone.
-#   start_run FOOTFALL OUT PHASE [OPTION...]   starts one in OUT and waits until it is in the phase; sets `run`. BEDS: the bed comes from this folder
+# Sourced by scripts that end runs by force: the plate of tests/app/plate on its bed; processes are found by their working folder, never by
+# name alone.
+#   start_run FOOTFALL OUT PHASE [OPTION...]   starts it in OUT and waits until it is in the phase; sets `run`. BEDS: folder of the bed cache
 #   begin_run FOOTFALL OUT PHASE [OPTION...]   the same; false when it has ended before
 #   processes_of NAME                          process ids of a program of the run, in rising order; "" for all
-#   wait_for_end SECONDS                       sets `code`, and `gone`: when the last process was [us]; false when it is still there
+#   wait_for_end SECONDS                       sets `code`, and `gone`: when the last process ended [us]; false when it is still there
+# Phases: bed, start (LIGGGHTS reads its script), handshake, window, exchange (a random moment of one), checkpoint (being written), shutdown
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 set -m # a process in the background then ignores no signal
 exec {never}<> <(:)
-nap() { read -rt "$1" -u "$never"; } # without a process, which a machine with much else to do starts late
+nap() { read -rt "$1" -u "$never"; } # without a process, which a busy machine starts late
 now() { echo "${EPOCHREALTIME/[.,]/}"; } # [us]
 processes_of() {
   local folders
@@ -19,11 +21,11 @@ processes_of() {
     esac
   done | sort -n
 }
+launcher() { processes_of orterun; processes_of prterun; }
 end_all() { local left; left=$(processes_of ""); [[ -z $left ]] || kill -KILL $left; }
 die() { echo "$*"; tail -n 20 "$out/said.txt"; end_all; exit 1; }
-
-# Rows of the history, its two lines of names included.
-rows() { local lines=(); mapfile -t lines 2>/dev/null <run/history.csv; echo ${#lines[@]}; }
+rows() { local lines=(); mapfile -t lines 2>/dev/null <run/history.csv; echo ${#lines[@]}; } # with the two lines of names
+checkpoints() { ls run/checkpoint 2>/dev/null | grep -v part | sort -n; }
 in_phase() {
   case $1 in
     bed) grep -qs '^run' "$FOOTFALL_CACHE"/beds/*/liggghts.log ;;
@@ -34,31 +36,28 @@ in_phase() {
     shutdown) grep -qs '^0.0[45]' run/history.csv ;;
   esac
 }
-# The plate on grains that come from a bed, with these scripts.
-scene_of_plate() {
-  sed -e "s|^script = .*|script = \"$1\"|" "$here/../bad_input/plate_on_grains.scene"
-  printf '[particles.bed]\nscript = "%s"\n' "$2"
+scene_of_plate() { # SCRIPT BED
+  printf 'base = "%s/plate/scene.toml"\n[particles]\nscript = "%s"\nbed = { script = "%s" }\n' "$here" "$1" "$2"
 }
-# The script that never ends, in each phase; 2.5e9 substeps to the end, more than 32 bits count.
 start_run() { begin_run "$@" || die "the run ended before it was in phase $3"; }
 begin_run() {
   local footfall=$1 phase=$3
   out=$2
   shift 3
-  local more=("$@") end=2.5e5
+  local more=("$@") end=2.5e5 # 2.5e9 steps, more than 32 bits count
   rm -rf "$out" && mkdir -p "$out" && cd "$out" || exit 1
   out=$PWD
   export FOOTFALL_CACHE=${BEDS:-$out/cache}
   [[ $phase == bed ]] && FOOTFALL_CACHE=$out/cache
-  local script="$here/endless.in" bed="$here/endless_bed.in"
+  local script=$here/plate/on_bed.in bed=$here/plate/bed.in
   case $phase in
     bed)
       bed=$out/bed.in
-      sed -e "s|\${here}|$here|" -e '/write_restart/i run 1000000000' "$here/endless_bed.in" >bed.in
+      sed -e "s|\${here}|$here/plate|" -e '/write_restart/i run 1000000000' "$here/plate/bed.in" >bed.in
       ;;
     start)
       script=$out/start.in
-      sed -e "s|\${here}|$here|" -e '/couple.lammps/i run 1000000000' "$here/endless.in" >start.in
+      sed -e "s|\${here}|$here/plate|" -e '/couple.lammps/i run 1000000000' "$here/plate/on_bed.in" >start.in
       ;;
     checkpoint)
       more+=(--set output.checkpoint_interval=0.01)

@@ -1,15 +1,10 @@
-#!/usr/bin/env bash
-# readable.sh FOOTFALL OUT: what other programs read of a run. history.csv is one line of comment, one of names, then numbers alone (pandas where it
-# is installed); summary.json names all versions and the machine; drawings have names and velocities; grains.pvd and bodies.pvd step together,
-# and what stands in a .vtp is the dump.
-set -euo pipefail
-footfall=$1 out=$2 here=$(cd "$(dirname "$0")" && pwd)
-rm -rf "$out" && mkdir -p "$out"
-"$footfall" run "$here/../../examples/02_wheel" --until 0.04 --set particles.box.frames=0.01 --set output.vtk_interval=0.01 --quiet --out "$out/run"
-command -v python3 > /dev/null || { echo "no python3 here: not read"; exit 0; }
-python3 - "$out/run" <<'PY'
+#!/usr/bin/env python3
+"""readable.py RUN: what other programs read of a run with grains and a wheel. history.csv is one line of comment, one of names, then numbers alone
+(pandas where it is installed); summary.json names all versions and the machine; drawings have names and velocities; grains.pvd and bodies.pvd
+have the same times, and a .vtp holds what its dump does."""
 import base64, csv, json, math, os, struct, sys, zlib
 import xml.etree.ElementTree as xml
+
 run = sys.argv[1]
 lines = open(run + "/history.csv").read().split("\n")
 assert lines[-1] == "" and lines[0].startswith("# units: ") and not any(line.startswith("#") for line in lines[1:])
@@ -74,4 +69,3 @@ for name, field, components in (("Points", "POINTS", 3), ("velocity", "v", 3), (
         for c in range(components):
             assert abs(found[components * place + c] - raw[components * i + c]) <= 1e-6 * abs(raw[components * i + c]) + 1e-37, (name, i)  # below, single precision has fewer digits
 compile(open(run + "/paraview.py").read(), "paraview.py", "exec")
-PY
