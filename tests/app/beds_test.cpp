@@ -133,7 +133,7 @@ fix touch all wall/gran)" + model +
 
   // A mesh of the script, taken over as it is there: LIGGGHTS compares it with the scene's, triangle by triangle.
   folder.write("mesh.in", std::regex_replace(
-                              std::regex_replace(hand, std::regex("fix geo .*\n"), ""), std::regex("fix plate .*"),
+                              std::regex_replace(hand, std::regex("fix geo all.*\n"), ""), std::regex("fix plate .*"),
                               "fix plate all mesh/surface file " + app::kInputs +
                                   "/reference/rock.stl type 2 scale 0.0005 rotate axis 1 1 0 angle 40 move 0 0 0.02"));
   std::string scene =

@@ -107,5 +107,17 @@ TEST_F(Commands, ThatCannotBeReadAreAnsweredByOneLine) {
   EXPECT_FALSE(folder.has("other") || folder.has("my case"));
 }
 
+TEST_F(Commands, AreCompletedByBash) {
+  const std::string program = test::RunFolder::program("footfall");
+  const auto completed = [&](const std::string& words) {
+    return folder
+        .shell("compopt() { :; }; . " + app::kSource + "/packaging/footfall.bash; COMP_WORDS=(" + program + " " +
+               words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _footfall; printf '%s\\n' \"${COMPREPLY[@]}\"")
+        .text;
+  };
+  EXPECT_EQ(completed("calib"), "calibrate\n");
+  EXPECT_EQ(completed("run --res"), "--resume\n");
+}
+
 }  // namespace
 }  // namespace footfall

@@ -191,6 +191,51 @@ TEST_F(Folders, OfBedsAreMadeOnceForTwoRuns) {
   unsetenv("FOOTFALL_CACHE");
 }
 
+// A file that may not grow, and a folder that is gone, end a run with exit code 1 and the file's name; what is there is complete.
+class Disks : public Folders {
+ protected:
+  const std::string solver = test::RunFolder::program("mbd_solver") + " ";
+  // mbd_solver where no file may have more than so many kB.
+  test::Outcome limited(int size, const std::string& line) const {
+    const test::Outcome outcome = folder.shell("ulimit -f " + std::to_string(size) + "; exec " + solver + line);
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.text;
+    EXPECT_EQ(app::lines_of(outcome.text), 1) << outcome.text;
+    return outcome;
+  }
+};
+
+TEST_F(Disks, ThatAreFullEndARunWithAWholeHistory) {
+  const std::string many = app::kSliderCrank + " --quiet --set end_time=1e3 --set output.interval=1e-3 --out full";
+  EXPECT_TRUE(holds(limited(48, many).text, "full/history.csv"));
+  const std::string history = folder.read("full/history.csv");
+  EXPECT_EQ(history.back(), '\n');
+  const std::size_t names = history.find('\n') + 1, last = history.rfind('\n', history.size() - 2) + 1;
+  EXPECT_EQ(app::count(history.substr(last), ","),
+            app::count(history.substr(names, history.find('\n', names) - names), ","));
+  EXPECT_GT(app::lines_of(history), 10);
+  EXPECT_EQ(folder.summary("full")["status"], "failed");
+}
+
+TEST_F(Disks, ThatAreFullLeaveNoHalfFile) {
+  const std::string line = app::kSliderCrank + " --quiet --set output.interval=0.05 ";
+  EXPECT_TRUE(holds(limited(4, line + "--until 0.01 --out small").text, "small/summary.json"));
+  EXPECT_FALSE(folder.has("small/summary.json") || folder.has("small/summary.json.part"));
+  const std::string set = limited(4, line + "--until 0.1 --set output.checkpoint_interval=0.04 --out saved").text;
+  EXPECT_TRUE(holds(set, "saved/checkpoint/")) << set;
+  EXPECT_NE(folder.shell("ls -d saved/checkpoint/*[0-9]").exit_code, 0) << "half a set passes for a checkpoint";
+  const std::string drawn = "/rigid_plane --quiet --until 0.002 --set flexible=false --set output.vtk=true --out drawn";
+  EXPECT_TRUE(holds(limited(16, app::kInputs + drawn).text, "drawn/bodies"));
+}
+
+TEST_F(Disks, ThatLoseTheFolderOfARunEndIt) {
+  const std::string line = app::kSliderCrank + " --quiet --out gone --set end_time=1e5";
+  folder.shell("(exec " + solver + line +
+               "; ) > gone.txt 2>&1 & run=$!; until [[ -s gone/history.csv ]]; do sleep 0.05;" +
+               " done; rm -rf gone; wait $run; echo code $? >> gone.txt");
+  EXPECT_TRUE(holds(folder.read("gone.txt"), "gone/history.csv")) << folder.read("gone.txt");
+  EXPECT_TRUE(holds(folder.read("gone.txt"), "code 1\n")) << folder.read("gone.txt");
+}
+
 // Nothing of the texts of a scene or an experiment is run by a shell or gnuplot, and nothing is written outside.
 class Quoting : public Folders {
  protected:

@@ -32,6 +32,11 @@ std::string as_old(std::string line) {
 }  // namespace
 // OLD-END
 
+Folder::~Folder() {
+  std::error_code ignored;
+  if (!::testing::Test::HasFailure()) fs::remove_all(path(), ignored);
+}
+
 test::Outcome Folder::footfall(const std::string& line, int limit_seconds) const {
   return command(program("footfall") + " " + as_old(line), limit_seconds);
 }

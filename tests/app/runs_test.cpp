@@ -30,6 +30,7 @@ TEST_P(Example, IsCopiedCheckedAndRun) {
        " --set particles.bed.variables.depth=0.12 --set particles.bed.variables.fine=0.4"
        " --set particles.bed.variables.fine_depth=0.06 --set particles.bed.variables.rest=0.05 --ranks 1 --until 0.01"},
       {"drop", app::kSmallSphere.substr(app::kSmallSphere.find(" --set")) + " --until 0.05"},
+      {"flexible_rake", "--set particles.bed.variables.depth=0.06 --until 0.005"},
       {"wheel", "--set particles.box.frames=0.01 --set output.vtk_interval=0.01 --until 0.04"}};
   const app::Folder folder("example_" + name);
   folder.done("new " + name + " --from " + name);

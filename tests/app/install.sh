@@ -18,13 +18,15 @@ if ((EUID == 0)); then
   user=(setpriv --reuid=65534 --regid=65534 --clear-groups)
 fi
 # as_user COMMAND...: with nothing of our environment.
-sanitizers=()  # tests/sanitize/run.sh says by these how to link, and what is no finding
+sanitizers=()  # tests/bench/sanitize/run.sh says by these how to link, and what is no finding
 for name in CXX LDFLAGS LD_PRELOAD ASAN_OPTIONS LSAN_OPTIONS UBSAN_OPTIONS; do [[ -z ${!name-} ]] || sanitizers+=("$name=${!name}"); done
 as_user() { (cd "$work/here" && "${user[@]}" env -i HOME="$work/home" PATH="$prefix/bin:/usr/bin:/bin" LANG=C.UTF-8 TMPDIR="$work/here" "${sanitizers[@]}" "$@"); }
 touch "$work/before"
 
-for file in bin/footfall bin/mbd_solver bin/liggghts_mbd share/man/man1/footfall.1.gz share/man/man1/footfall-run.1.gz share/footfall/inputs/landing_mr/scene.toml \
-  share/bash-completion/completions/footfall share/zsh/vendor-completions/_footfall share/doc/footfall/README.md share/doc/footfall/docs/theory.md; do
+files=(bin/footfall bin/footfall_studies bin/mbd_solver bin/liggghts_mbd share/footfall/inputs/landing_mr/scene.toml share/bash-completion/completions/footfall
+  share/doc/footfall/README.md)
+! command -v help2man > /dev/null || files+=(share/man/man1/footfall.1.gz share/man/man1/footfall-run.1.gz)
+for file in "${files[@]}"; do
   [[ -s $prefix/$file ]] || die "$file is not installed"
 done
 as_user footfall --version > /dev/null
@@ -38,6 +40,12 @@ grep -q "opt/footfall/share/footfall/inputs/box/in.grains" "$work/here/runs/my_w
 as_user footfall plot runs/my_wheel wheel.v > /dev/null
 as_user footfall view runs/my_wheel > /dev/null
 as_user footfall report runs/my_wheel > /dev/null
+# A bed's script that is broken there shows that it is the one that is read.
+cp -r "$prefix/share/footfall/inputs/box" "$work/box"
+diff -r "$source/inputs/box" "$work/box" || die "the scripts of inputs/box are not installed as they are"
+chmod -R u+w "$prefix/share/footfall/inputs/box" && echo 'no LIGGGHTS script' > "$prefix/share/footfall/inputs/box/in.bed"
+as_user footfall run my_wheel --quiet --until 0.01 --out other --set particles.box.seed=7 > "$work/said" 2>&1 && die "a bed was made with another script than the installed one"
+cp "$work/box/in.bed" "$prefix/share/footfall/inputs/box/in.bed" && chmod -R a-w "$prefix" && touch "$work/before"
 # The landing itself, from the read-only folder, on a bed that is poured in seconds.
 as_user footfall run --until 0.01 --quiet --ranks 1 --out landing --set particles.bed.variables.width=1.1 --set particles.variables.width=1.1 \
   --set particles.bed.variables.depth=0.12 --set particles.bed.variables.fine=0.4 --set particles.bed.variables.fine_depth=0.06 \
@@ -62,5 +70,5 @@ mpirun --oversubscribe --bind-to none -np 1 "$prefix/bin/liggghts_mbd" -in in.ta
 awk '/^momentum/ { d = $2 - $6; if (d < 0) d = -d; exit !(d < 2e-9) }' <(grep '^momentum' said | sed 's/,//g' | awk '{print $1, $2, $3, $4, $5, $6}') || { cat said; die "momentum and impulse differ"; }
 awk -F, 'NR > 1 && $4 > f { f = $4 } END { exit !(f > 40) }' tamper.csv || die "the plate touched no grains"
 
-built own_solver "$source/tests/install/solver"
+built own_solver "$source/tests/app/own_solver"
 "$work/own_solver/build/own_solver" "$prefix/share/footfall/inputs/rigid_plane/scene.toml" 0.01 | grep '^t = 0.01 s' > /dev/null || die "the solver does not run in another program"
