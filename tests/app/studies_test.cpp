@@ -245,10 +245,10 @@ figure = "peak"
 least = 1e4
 tolerance = 1e4
 [[stages]]
-method = "crs2"
+method = "direct"
 evaluations = 60
 [[stages]]
-method = "bobyqa"
+method = "sbplx"
 evaluations = 40
 precision = 1e-9
 [[stages]]

@@ -17,7 +17,6 @@
 #include "mbd_solver/build/grain_dump.h"
 #include "mbd_solver/cli/calibrate/calibration.h"
 #include "mbd_solver/cli/experiments/experiment.h"
-#include "mbd_solver/cli/launch/bed_seal.h"
 #include "mbd_solver/fe/modal_body_file.h"
 #include "mbd_solver/model/controllers/fuzzy.h"
 #include "mbd_solver/output/history.h"
@@ -107,13 +106,9 @@ void start(const std::string& bytes) {
   as_file("start.json", bytes,
           [](const std::string& path) { read_run_start(std::filesystem::path(path).parent_path().string()); });
 }
-// LIGGGHTS' restart file and the dump of its grains.
+// The dump of the grains of a bed.
 void bed(const std::string& bytes) {
-  as_file("bed.restart.grains", bytes, [](const std::string& path) {
-    damage_of_restart(path);
-    damage_of_dump(path);
-    read_grains(path);
-  });
+  as_file("bed.restart.grains", bytes, [](const std::string& path) { read_grains(path); });
 }
 
 // What a program saves in a checkpoint, with every type of value.
