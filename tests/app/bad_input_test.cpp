@@ -198,7 +198,7 @@ class BadInput : public ::testing::TestWithParam<Case> {};
 
 TEST_P(BadInput, IsFoundAndNamed) {
   const Case& c = GetParam();
-  const test::RunFolder folder("bad_input_" + c.table + "_" + c.name);
+  const app::Folder folder("bad_input_" + c.table + "_" + c.name);
   const std::string here = folder.path().string();
   for (const auto& [name, lines] : c.files) folder.write(name, filled(lines, here));
   const std::string file = c.scene.empty() ? "case.toml" : "case.in";
@@ -225,7 +225,9 @@ TEST_P(BadInput, IsFoundAndNamed) {
     outcome.text = ::testing::internal::GetCapturedStderr() + ::testing::internal::GetCapturedStdout();
     fs::current_path(before);
   } else {
-    outcome = app::footfall(folder, words, 40);
+    std::string line;
+    for (const std::string& word : words) line += app::quoted(word) + " ";
+    outcome = folder.footfall(line, 40);
     EXPECT_LE(outcome.seconds, kPatience);
     EXPECT_EQ(app::processes_in(folder.path()), "") << "still running";
   }

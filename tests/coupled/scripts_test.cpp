@@ -230,22 +230,16 @@ TEST(Script, PeriodicBoxesKeepImagesOfAMeshWhereTheyAre) {
 const std::string kMesh = "fix m all mesh/surface file plate.stl type 2 move 0 0 0.24\n";
 const std::string kGeometry = "fix geo all couple/mbd/geometry body plate\nfix m all mesh/surface fix geo type 2\n";
 const std::string kCouple = "fix mbd all couple/mbd every 5 mesh m plate\n";
-const std::string kFalling = "until 0.01 out table.csv body plate plate.stl 0 0 0.24 prescribed 0.1 -0.05 -1.0 0 0 0";
-
-RunFolder plate_folder(const std::string& name) {
-  RunFolder folder("foreign_" + name);
-  write_stl((folder.path() / "plate.stl").string(), box({0.3, 0.3, 0.02}, 3));
-  return folder;
-}
+const std::string kRun = "until 0.01 out table.csv body plate plate.stl 0 0 0.24 prescribed 0.1 -0.05 -1.0 0 0 0";
 
 // The script in place of the plain one gives the same loads, every bit.
 void expect_the_same_loads(const RunFolder& folder, const std::string& script, int ranks = 1) {
   folder.write("in.plain", small_bed() + kMesh + mesh_wall() + kCouple + "run 200\n");
   folder.write("in", script);
-  const Outcome plain = folder.coupled(ranks, "-in in.plain", kFalling);
+  const Outcome plain = folder.coupled(ranks, "-in in.plain", kRun);
   ASSERT_EQ(plain.exit_code, 0) << plain.text;
   const std::string expected = folder.read("table.csv");
-  const Outcome outcome = folder.coupled(ranks, "-in in", kFalling);
+  const Outcome outcome = folder.coupled(ranks, "-in in", kRun);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
   EXPECT_EQ(folder.read("table.csv"), expected);
 }
@@ -263,7 +257,7 @@ TEST(ForeignScript, MayTakeAMeshThatAFixHasMoved) {
                small_bed() + kMesh + mesh_wall() +
                    "fix mover all move/mesh mesh m wiggle amplitude 0. 0. 0.01 period 0.005\nrun 100\nunfix mover\n" +
                    kCouple + "run 200\n");
-  const Outcome outcome = folder.coupled(2, "-in in", kFalling);
+  const Outcome outcome = folder.coupled(2, "-in in", kRun);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   EXPECT_EQ(Table(folder.path() / "table.csv").rows(), 40U);
 }
@@ -279,9 +273,9 @@ TEST(ForeignScript, MayReadARestartFileThatKnowsTheMesh) {
                "read_restart saved.restart\nneighbor 0.01 bin\nneigh_modify delay 0\n" +
                    again + kGeometry + mesh_wall() + kCouple + "run 200\n");
   for (const int ranks : {1, 2}) {
-    const Outcome first = folder.coupled(ranks, "-in in.first", kFalling);
+    const Outcome first = folder.coupled(ranks, "-in in.first", kRun);
     ASSERT_EQ(first.exit_code, 0) << first.text;
-    const Outcome second = folder.coupled(ranks, "-in in.second", kFalling);
+    const Outcome second = folder.coupled(ranks, "-in in.second", kRun);
     ASSERT_EQ(second.exit_code, 0) << second.text;
     EXPECT_NE(second.text.find("mesh m containing 108 triangle(s)"), std::string::npos) << second.text;
   }
@@ -291,7 +285,7 @@ TEST(ForeignScript, MayDeleteGrainsBeforeTheFirstRun) {
   const RunFolder folder = plate_folder("delete");
   folder.write("in", small_bed() + kMesh + mesh_wall() + kCouple +
                          "region top block -0.3 0.3 -0.3 0.3 0.18 0.6 units box\ndelete_atoms region top\nrun 200\n");
-  const Outcome outcome = folder.coupled(2, "-in in", kFalling);
+  const Outcome outcome = folder.coupled(2, "-in in", kRun);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
 }
 
@@ -314,7 +308,7 @@ TEST(ForeignScript, MayDeleteAndInsertGrainsInTheRun) {
                          "fix drain all massflow/mesh mesh outlet vec_side 0. 0. -1. count once delete_atoms yes\n"
                          "fix mbd all couple/mbd every 5 lost 1e-6 mesh m plate\n"
                          "thermo_style custom step atoms f_drain[2]\nrun 200\n");
-  const Outcome outcome = folder.coupled(2, "-in in", kFalling);
+  const Outcome outcome = folder.coupled(2, "-in in", kRun);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
   const std::vector<double> particles = Table(folder.path() / "table.csv")["particles"];
   const double most = *std::max_element(particles.begin(), particles.end());
@@ -331,7 +325,7 @@ TEST(ForeignScript, GrainsThatLeaveTheBoxAreCounted) {
                          "thermo 10\nthermo_modify lost warn\nfix mbd all couple/mbd every 5 lost 0.1 mesh m "
                          "plate\nvariable corner equal count(corner)\nrun 0\nprint \"corner ${corner}\"\nrun 200\n");
   for (const int ranks : {1, 2}) {
-    const Outcome outcome = folder.coupled(ranks, "-in in", kFalling);
+    const Outcome outcome = folder.coupled(ranks, "-in in", kRun);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
     const std::vector<double> particles = Table(folder.path() / "table.csv")["particles"];
     const std::vector<double> lost = Table(folder.path() / "table.csv")["lost"];
@@ -349,7 +343,7 @@ TEST(ForeignScript, ABodyThatGoesThroughASideWallIsToldOnce) {
                          "fix slot all wall/gran model hertz tangential history rolling_friction cdt primitive type 1 "
                          "yplane 0.0\n" +
                          kCouple + "run 200\n");
-  const Outcome outcome = folder.coupled(2, "-in in", kFalling);
+  const Outcome outcome = folder.coupled(2, "-in in", kRun);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   EXPECT_EQ(count(outcome.text, "body \"plate\" goes through the wall of fix side"), 1U) << outcome.text;
   EXPECT_EQ(count(outcome.text, "goes through the wall"), 1U) << outcome.text;  // it stands in the slot from the start
@@ -447,7 +441,7 @@ TEST(ForeignScript, SeveralMeshesMayMakeUpABody) {
   const auto loads = [&](const std::string& meshes, const std::string& pairs) {
     folder.write("in", small_bed() + meshes + "fix mbd all couple/mbd every 5 " + pairs + "\n" +
                            "thermo_style custom step atoms f_mbd[1][3]\nrun 200\n");
-    const Outcome outcome = folder.coupled(2, "-in in", kFalling);
+    const Outcome outcome = folder.coupled(2, "-in in", kRun);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
     const Table table(folder.path() / "table.csv");
     return table.vector(table.rows() - 1, "fx", "fy", "fz");

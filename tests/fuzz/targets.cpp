@@ -15,13 +15,13 @@
 #include "coupler/message_fields.h"
 #include "coupler/messages.h"
 #include "mbd_solver/build/grain_dump.h"
-#include "mbd_solver/studies/calibration.h"
-#include "mbd_solver/studies/sweep_file.h"
-#include "mbd_solver/bed/bed.h"
+#include "mbd_solver/cli/calibrate/calibration.h"
+#include "mbd_solver/cli/experiments/experiment.h"
 #include "mbd_solver/fe/modal_body_file.h"
-#include "mbd_solver/model/control/fuzzy.h"
-#include "mbd_solver/run/output/history.h"
-#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/model/controllers/fuzzy.h"
+#include "mbd_solver/output/history.h"
+#include "mbd_solver/output/run_start.h"
+#include "mbd_solver/output/summary.h"
 #include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/scene_reader.h"
@@ -106,13 +106,9 @@ void start(const std::string& bytes) {
   as_file("start.json", bytes,
           [](const std::string& path) { read_run_start(std::filesystem::path(path).parent_path().string()); });
 }
-// LIGGGHTS' restart file and the dump of its grains.
+// The dump of the grains of a bed.
 void bed(const std::string& bytes) {
-  as_file("bed.restart.grains", bytes, [](const std::string& path) {
-    damage_of_restart(path);
-    damage_of_dump(path);
-    read_grains(path);
-  });
+  as_file("bed.restart.grains", bytes, [](const std::string& path) { read_grains(path); });
 }
 
 // What a program saves in a checkpoint, with every type of value.

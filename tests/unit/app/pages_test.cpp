@@ -13,12 +13,15 @@
 #include <set>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/app/plots.h"
-#include "mbd_solver/app/results.h"
-#include "mbd_solver/app/plot_script.h"
-#include "mbd_solver/app/report.h"
-#include "mbd_solver/app/packed_series.h"
-#include "mbd_solver/app/view_page.h"
+#include "mbd_solver/cli/analysis/column_choice.h"
+#include "mbd_solver/cli/analysis/energy_ledger.h"
+#include "mbd_solver/cli/analysis/formula.h"
+#include "mbd_solver/cli/analysis/html_page.h"
+#include "mbd_solver/cli/analysis/plots.h"
+#include "mbd_solver/cli/analysis/reduced_rows.h"
+#include "mbd_solver/cli/analysis/viewer/packed_series.h"
+#include "mbd_solver/cli/analysis/viewer/page_parts.h"
+#include "mbd_solver/output/history.h"
 #include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
 
@@ -467,6 +470,72 @@ TEST(Formula, SumsAndNorms) {
   const Formula norm{{{1.0, "a"}, {1.0, "b"}, {1.0, "c"}}, 0.0, 2.0, true};
   EXPECT_EQ(norm.values(kHistory), (std::vector<double>{26.0, 2.0}));
   EXPECT_EQ(norm.gnuplot(), "(2*sqrt(column('a')**2+column('b')**2+column('c')**2))");
+}
+
+// Figures of a history and the scripts that draw them.
+
+History plotted_history() {
+  History h;
+  h.names = {"time",           "cabin.z",        "cabin.vz",   "cabin.az",       "pad.contact.fx",
+             "pad.contact.fy", "pad.contact.fz", "leg.stroke", "energy.kinetic", "energy.strain"};
+  h.units.assign(h.names.size(), "-");
+  for (std::size_t i = 0; i < h.names.size(); ++i) h.columns.push_back({i == 9 ? 0.0 : 1.0, i == 9 ? 0.0 : 2.0});
+  return h;
+}
+
+TEST(Figures, ShowWhatTheHistoryHoldsAndLeaveOutTheRest) {
+  std::vector<std::string> names;
+  for (const Figure& figure : standard_figures(plotted_history(), "")) {
+    names.push_back(figure.name);
+    if (figure.name == "energy") {
+      EXPECT_EQ(figure.curves.size(), 1u) << "the strain energy is always zero";
+    }
+    if (figure.name == "descent") {
+      EXPECT_EQ(figure.curves[0].formula.values(plotted_history()),
+                (std::vector<double>{0.0, -1.0}));  // z is 1, then 2
+    }
+  }
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"acceleration", "velocity", "descent", "energy", "strokes", "contact_forces"}));
+}
+
+TEST(Figures, HaveNoMoreSeriesThanColours) {
+  History h = plotted_history();
+  for (const std::string strut : {"primary", "left", "right"})
+    for (int leg = 1; leg <= 4; ++leg) h.names.push_back("leg_" + std::to_string(leg) + "_" + strut + ".force");
+  h.units.assign(h.names.size(), "N");
+  h.columns.resize(h.names.size(), {1.0, 2.0});
+  std::vector<std::string> titles;
+  for (const Figure& figure : standard_figures(h, "")) {
+    EXPECT_LE(figure.curves.size(), static_cast<std::size_t>(kSeriesColours)) << figure.name;
+    if (figure.name.rfind("strut_forces", 0) == 0) titles.push_back(figure.name + " " + figure.title.substr(34));
+  }
+  EXPECT_EQ(titles, (std::vector<std::string>{"strut_forces : leg_*_primary", "strut_forces_2 : leg_*_left",
+                                              "strut_forces_3 : leg_*_right"}));
+}
+
+class PlotScripts : public ::testing::Test, protected TemporaryFolder {};
+
+TEST_F(PlotScripts, DrawWithGnuplotAsPngAndSvg) {
+  const History history = plotted_history();
+  HistoryWriter writer(file("history.csv"), history.names, history.units);
+  for (std::size_t row : {0u, 1u}) {
+    std::vector<double> values;
+    for (const auto& column : history.columns) values.push_back(column[row]);
+    writer.write(values);
+  }
+  writer.flush();
+  const std::vector<std::string> scripts =
+      write_plot_scripts(file("plots"), standard_figures(history, "cabin"), "A \"lander\"");
+  std::string command = "cd '" + file("plots") + "' && gnuplot";
+  for (const std::string& script : scripts) command += " " + script;
+  ASSERT_EQ(std::system((command + " 2>gnuplot.log").c_str()), 0) << text("plots/gnuplot.log");
+  for (std::string script : scripts) {
+    for (const char* ending : {".png", ".svg"}) {
+      const auto picture = folder_ / "plots" / std::filesystem::path(script).replace_extension(ending);
+      EXPECT_GT(std::filesystem::file_size(picture), 1000u) << picture;
+    }
+  }
 }
 
 }  // namespace

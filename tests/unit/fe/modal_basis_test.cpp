@@ -142,7 +142,7 @@ TEST(ModalBasis, ARodHasTheSameModesInEveryDirection) {
   const auto rod = [](const Vector3d& to, int n) {
     return straight_beam(Vector3d::Zero(), to, n, tube_section(0.05, 0.008), kSteel);
   };
-  for (const auto& [elements, modes] : {std::pair{8, 4}, {8, 5}, {8, 10}, {60, 6}, {60, 7}})
+  for (const auto& [elements, modes] : {std::pair{8, 4}, {8, 5}, {60, 7}})
     for (const BasisOptions& options :
          {free_free(modes), craig_bampton(modes, {0, elements}), craig_bampton(modes, {}, {0, elements})}) {
       const ModalBody straight = reduce(rod(Vector3d::UnitX(), elements), options, "rod").body;
@@ -207,11 +207,8 @@ TEST(StaticError, AtTheAttachmentsIsWarnedOf) {
 // With all modes there are, nothing is lost; and of the free modes of a body that is held, a part always is.
 TEST(StaticError, FallsToNothingWithTheModes) {
   const double round_off = 1e-6;  // of stiffness, short elements against the whole
-  for (const auto& [nodes, pinned] : {std::pair<std::vector<int>, std::vector<int>>{{0}, {}},
-                                      {{0, 4, 8}, {}},
-                                      {{}, {0, 8}},
-                                      {{4}, {0, 8}},
-                                      {{}, {2}}}) {
+  for (const auto& [nodes, pinned] :
+       {std::pair<std::vector<int>, std::vector<int>>{{0, 4, 8}, {}}, {{4}, {0, 8}}}) {
     double before = 1.0;
     for (int modes : {2, 6, 12}) {
       const double now = *reduce(strut(), craig_bampton(modes, nodes, pinned), "strut").body.static_error;

@@ -275,7 +275,7 @@ TEST(ClumpShape, VolumeCentreAndInertiaAreThoseOfTheUnion) {
     EXPECT_NEAR(clump.volume, 4.0 / 3.0 * kPi * std::pow(kRadius, 3), 1e-14 * clump.volume);
     EXPECT_LT(clump.centres.rowwise().mean().norm(), 1e-15 * kRadius + 1e-17);
     const Eigen::Vector3d reach = (clump.centres.cwiseAbs().rowwise().maxCoeff().array() + clump.radius).matrix();
-    constexpr int n = 72;
+    constexpr int n = 40;
     const Eigen::Vector3d width = 2.0 * reach / n;
     const double cell = width.prod();
     double volume = 0.0;
@@ -291,10 +291,10 @@ TEST(ClumpShape, VolumeCentreAndInertiaAreThoseOfTheUnion) {
       volume += cell, first += cell * x, second += cell * x * x.transpose();
     }
     EXPECT_LE(most, 2) << "three spheres share a point: the closed form does not hold";
-    EXPECT_NEAR(volume, clump.volume, 3e-3 * clump.volume);
-    EXPECT_LT((first / volume).norm(), 3e-3 * kRadius);
+    EXPECT_NEAR(volume, clump.volume, 6e-3 * clump.volume);
+    EXPECT_LT((first / volume).norm(), 6e-3 * kRadius);
     const Eigen::Matrix3d inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
-    EXPECT_LT((inertia - clump.inertia).norm(), 5e-3 * clump.inertia.norm());
+    EXPECT_LT((inertia - clump.inertia).norm(), 1e-2 * clump.inertia.norm());
   }
 }
 

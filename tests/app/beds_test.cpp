@@ -1,0 +1,323 @@
+// Beds of grains: made by numbers, as the same scripts taken over or written by hand; of every kind; of clumps. And what `check` reports of
+// them and of the time that a run takes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include "mbd_solver/build/grain_dump.h"
+#include "mbd_solver/output/history.h"
+#include "tests/app/programs.h"
+
+namespace footfall {
+namespace {
+
+namespace fs = std::filesystem;
+using app::holds;
+
+const std::string kPlateAndTine = R"(end_time = 0.03
+[[bodies]]
+name = "plate"
+mass = 0.5
+shape = { kind = "cylinder", centre = [0, 0, 0.01], radius = 0.04, length = 0.01 }
+[[bodies]]
+name = "tine"
+mass = 0.1
+shape = { kind = "capsule", from = [0.05, -0.03, 0.01], to = [0.05, 0.03, 0.01], diameter = 0.01 }
+[[boundaries]]
+body = "plate"
+surface = { element_size = 0.02 }
+[[boundaries]]
+body = "tine"
+beams = { radius = 0.005, points = [[0.05, -0.03, 0.01], [0.05, 0.03, 0.01]] }
+[ground]
+kind = "particles"
+[initial]
+velocity = [0, 0, -1]
+[output]
+plots = false
+)";
+
+class Bed : public ::testing::Test {
+ protected:
+  const app::Folder folder{"bed"};
+  // The last line of check is the folder of the bed.
+  std::string bed_of(const std::string& checked) const {
+    const std::size_t end = checked.find_last_not_of(" \n"), begin = checked.find_last_of(" \n", end) + 1;
+    return checked.substr(begin, end + 1 - begin);
+  }
+  std::string history(const std::string& run) const { return folder.read(run + "/history.csv"); }
+};
+
+TEST_F(Bed, ByNumbersIsTheOneOfItsScripts) {
+  constexpr double kDepth = 0.05, kX = 0.2, kY = 0.16;  // [m]
+  folder.write("box.toml", kPlateAndTine + "[particles]\nranks = 1\n[particles.box]\nsize = [0.2, 0.16]\n" +
+                               "depth = 0.05\nradius = [0.007, 0.009]\nevery = 3\n");
+  folder.done("run box.toml --quiet --out box");
+  const std::string checked = folder.done("check box.toml").text;
+  const std::vector<GrainPlace> grains = read_grains(bed_of(checked) + "/bed.restart.grains");
+  EXPECT_TRUE(holds(checked, " " + std::to_string(grains.size()) + " grains")) << checked;
+  double top = -1.0, low = 1.0, mass = 0.0, small = 0.0, volume = 0.0;
+  std::map<std::pair<int, int>, double> surface;  // highest point in cells of 2 cm
+  for (const GrainPlace& g : grains) {
+    const double z = g.centre.z(), r = g.radius, cube = r * r * r;
+    top = std::max(top, z + r);
+    low = std::min(low, z - r);
+    mass += cube;
+    small += r < 0.008 ? cube : 0.0;
+    double& high =
+        surface.try_emplace({int(g.centre.x() / 0.02 + 100), int(g.centre.y() / 0.02 + 100)}, -1.0).first->second;
+    high = std::max(high, z + r);
+    // The part of the sphere in the middle half of the bed.
+    const double a = std::max(-0.75 * kDepth - z, -r), b = std::min(-0.25 * kDepth - z, r);
+    if (b > a) volume += 3.14159265 * (r * r * (b - a) - (b * b * b - a * a * a) / 3);
+  }
+  double mean = 0.0;
+  for (const auto& [cell, high] : surface) mean += high / static_cast<double>(surface.size());
+  EXPECT_LT(top, 0.002) << "a quarter of a radius above the surface";
+  EXPECT_GT(low, -kDepth - 0.001);
+  EXPECT_GT(mean, -0.012) << "a radius and a half below the surface";
+  // A loose bed of spheres has 0.54 to 0.60, less at walls, which are near everywhere in this one.
+  EXPECT_NEAR(volume / (kX * kY * 0.5 * kDepth), 0.55, 0.07);
+  EXPECT_NEAR(small / mass, 0.5, 0.1) << "the two radii share the mass";
+
+  // The stored scripts in the place of the box.
+  fs::copy(folder.file("box/script"), folder.file("script"), fs::copy_options::recursive);
+  const std::string particles = folder.read("script/particles.toml");
+  folder.write("taken.toml", kPlateAndTine + particles);
+  folder.done("run taken.toml --quiet --out taken");
+  EXPECT_TRUE(history("taken") == history("box"));
+  EXPECT_TRUE(folder.read("taken/grains_energy.txt") == folder.read("box/grains_energy.txt"));
+
+  // By hand: no variable but ${bed}, no loop, no include.
+  std::smatch dt;
+  ASSERT_TRUE(std::regex_search(particles, dt, std::regex("\ndt = \"(.*)\"")));
+  const std::string model = " model hertz tangential history rolling_friction cdt ";
+  const std::string hand = R"(atom_modify map array
+newton off
+communicate single vel yes
+units si
+hard_particles yes
+processors * * 1
+read_restart ${bed}
+neighbor 0.0024 bin
+neigh_modify delay 0
+fix young    all property/global youngsModulus peratomtype 1e7 2e11
+fix poisson  all property/global poissonsRatio peratomtype 0.3 0.3
+fix restitution all property/global coefficientRestitution peratomtypepair 2 0.3 0.3 0.3 0.3
+fix friction all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5
+fix rolling  all property/global coefficientRollingFriction peratomtypepair 2 0.2 0.2 0.2 0.2
+pair_style gran)" + model + "\npair_coeff * *\nfix floor all wall/gran" +
+                           model + "primitive type 1 zplane -0.05\n" + "fix wall_x1 all wall/gran" + model +
+                           "primitive type 1 xplane -0.1\nfix wall_x2 all wall/gran" + model +
+                           "primitive type 1 xplane 0.1\nfix wall_y1 all wall/gran" + model +
+                           "primitive type 1 yplane -0.08\nfix wall_y2 all wall/gran" + model +
+                           "primitive type 1 yplane 0.08\ntimestep " + dt[1].str() + R"(
+fix gravity all gravity 9.81 vector 0 0 -1
+fix integrate all nve/sphere
+fix geo all couple/mbd/geometry body plate
+fix plate all mesh/surface fix geo type 2
+fix touch all wall/gran)" + model +
+                           "mesh n_meshes 1 meshes plate\nfix beam all wall/gran/beam" + model +
+                           "type 2 body tine\nfix mbd all couple/mbd every 3 mesh plate plate\nrun 1000000000\n";
+  folder.write("hand.in", hand);
+  const std::string bed = particles.substr(particles.find("[particles.bed]"));
+  const std::string by_hand = "[particles]\nscript = \"hand.in\"\nranks = 1\nsurface_height = 0\n" + bed;
+  folder.write("hand.toml", kPlateAndTine + by_hand);
+  folder.done("run hand.toml --quiet --out hand");
+  EXPECT_TRUE(history("hand") == history("box"));
+  EXPECT_GT(app::lines_of(history("box")), 20);
+
+  // A mesh of the script, taken over as it is there: LIGGGHTS compares it with the scene's, triangle by triangle.
+  folder.write("mesh.in", std::regex_replace(
+                              std::regex_replace(hand, std::regex("fix geo all.*\n"), ""), std::regex("fix plate .*"),
+                              "fix plate all mesh/surface file " + app::kInputs +
+                                  "/reference/rock.stl type 2 scale 0.0005 rotate axis 1 1 0 angle 40 move 0 0 0.02"));
+  std::string scene =
+      std::regex_replace(kPlateAndTine, std::regex("surface = .*"), "surface = { from_script = \"plate\" }");
+  scene = std::regex_replace(scene, std::regex("end_time = .*"), "end_time = 0.003");
+  folder.write("mesh.toml", scene + std::regex_replace(by_hand, std::regex("hand.in"), "mesh.in"));
+  folder.done("run mesh.toml --quiet --out mesh");
+}
+
+// Beds of every kind come to rest and carry a plate.
+TEST_F(Bed, OfEveryKindComesToRest) {
+  folder.write("box.toml", R"(end_time = 0.02
+[[bodies]]
+name = "plate"
+mass = 0.5
+shape = { kind = "cylinder", centre = [0, 0, 0.01], radius = 0.04, length = 0.01 }
+[[boundaries]]
+body = "plate"
+surface = { element_size = 0.02 }
+[ground]
+kind = "particles"
+[initial]
+clearance = 0.001
+[particles]
+ranks = 1
+[particles.box]
+size = [0.2, 0.16]
+depth = 0.05
+radius = 0.008
+[output]
+plots = false
+)");
+  std::map<std::string, double> fraction;
+  const auto kind = [&](const std::string& name, const std::vector<std::string>& settings) {
+    std::string options;
+    for (const std::string& setting : settings) options += " --set " + app::quoted(setting);
+    folder.done("run box.toml --quiet --out " + name + options);
+    const std::string checked = folder.done("check box.toml" + options).text;
+    std::smatch part;
+    ASSERT_TRUE(std::regex_search(checked, part, std::regex("fraction ([0-9.]+)"))) << checked;
+    fraction[name] = std::stod(part[1]);
+    // Rows of the log: step, time, kinetic energy, grains.
+    std::istringstream log(folder.command("cat " + bed_of(checked) + "/liggghts.log", 10).text);
+    double energy = 1.0;
+    for (std::string line; std::getline(log, line);) {
+      std::istringstream row(line);
+      double step, time, e, n;
+      std::string rest;
+      if (row >> step >> time >> e >> n && !(row >> rest)) energy = e;
+    }
+    EXPECT_LT(energy, 1e-4) << name << " [J]: 1e-5 J are 300 grains of 6 g at 3 mm/s";
+  };
+  kind("loose", {});
+  kind("dense", {"particles.box.packing=\"dense\""});
+  EXPECT_GT(fraction["dense"], fraction["loose"] + 0.02);
+  kind("periodic",
+       {"particles.box.periodic=true", "gravity=[0.8,0,-9.7]", "particles.box.material.rolling_model=\"epsd2\""});
+  kind("cohesive", {"particles.box.material.cohesion=1e4", "particles.box.material.rolling_model=\"none\"",
+                    "particles.box.bodies.cohesion=0"});
+  kind("moon", {"gravity=[0,0,-1.62]", "particles.box.centre=[0.02,-0.02]", "particles.box.radius=[0.007,0.01]",
+                "particles.box.shares=[0.7,0.3]", "particles.box.frames=0.01"});
+  EXPECT_EQ(folder.command("ls moon/grains_*.vtk moon/meshes_*.vtk", 10).exit_code, 0) << "dumps";
+}
+
+// Clumps are bodies: whole in the bed, with energies and momenta of rigid bodies; stock LIGGGHTS replays them.
+TEST_F(Bed, OfClumps) {
+  const std::string scene = app::kSource + "/tests/app/clumps.toml";
+  folder.done("run " + scene + " --quiet --out run");
+  const std::string checked = folder.done("check " + scene).text;
+  const std::vector<GrainPlace> spheres = read_grains(bed_of(checked) + "/bed.restart.grains");
+  std::map<int, std::vector<double>> clumps;
+  for (const GrainPlace& g : spheres) clumps[g.clump].push_back(g.radius);
+  for (const auto& [number, radii] : clumps)
+    EXPECT_EQ(radii.size(), radii[0] < 0.006 ? 4u : 2u) << "a clump lost a sphere";
+  EXPECT_TRUE(holds(checked, " " + std::to_string(clumps.size()) + " clumps of " + std::to_string(spheres.size())))
+      << checked;
+  std::smatch part;
+  ASSERT_TRUE(std::regex_search(checked, part, std::regex("fraction ([0-9.]+)")));
+  EXPECT_NEAR(std::stod(part[1]), 0.54, 0.12);
+  // Rows: step, time, energy of motion, of that in rotation.
+  std::istringstream energies(folder.read("run/grains_energy.txt"));
+  double spin = 0.0, most = 0.0;
+  for (std::string line; std::getline(energies, line);) {
+    std::istringstream row(line);
+    double step, time, motion, rotation;
+    if (line[0] == '#' || !(row >> step >> time >> motion >> rotation)) continue;
+    most = std::max(most, motion);
+    spin = std::max(spin, rotation);
+  }
+  EXPECT_TRUE(spin > 1e-5 && most > 1e-3 && most < 0.3) << spin << " " << most;
+  const History balance = read_history(folder.file("run/ledger.csv"));
+  EXPECT_NEAR(balance.column("closing_error").back(), 0.0, 1e-5);
+  EXPECT_GT(balance.column("grains.dissipated").back(), 0.0);
+  const std::string audit = folder.done("run " + scene + " --audit --out audit --until 0.03").text;
+  EXPECT_TRUE(holds(audit, "linear momentum") && holds(audit, "angular momentum")) << audit;
+  folder.done("compare run --quiet");
+  EXPECT_TRUE(folder.has("run/compare/beds.csv"));
+}
+
+TEST_F(Bed, OfASweepIsMadeOnceForRunsThatShareIt) {
+  setenv("FOOTFALL_CACHE", folder.file("cache").c_str(), 1);
+  const auto sweep = [&](const std::string& seeds) {
+    folder.write("beds.toml", "scene = \"" + app::kInputs + R"(/dropped_sphere/scene.toml"
+settings = ["particles.ranks=1", "particles.bed.variables.width=0.42", "particles.variables.width=0.42",
+  "bodies.ball.shape.radius=0.07", "particles.bed.variables.depth=0.1", "particles.bed.variables.settle=0.1",
+  "particles.bed.variables.rest=0.01"]
+[[parameters]]
+name = "seed"
+settings = ["particles.bed.variables.seed={value}"]
+values = [)" + seeds + R"(]
+[[parameters]]
+name = "window"
+settings = ["particles.variables.every={value}"]
+values = [2, 3]
+[[figures]]
+name = "peak acceleration [g]"
+key = "peak_acceleration_g"
+)");
+    return folder.footfall("sweep beds.toml --out sweep --jobs 2 --list");
+  };
+  EXPECT_TRUE(holds(sweep("15485863, 32452843").text, "2 beds"));
+  EXPECT_EQ(folder.shell("ls cache/beds/*/bed.restart | wc -l").text, "2\n");
+  EXPECT_FALSE(holds(sweep("15485863, 32452843").text, "2 beds")) << "made again";
+  const test::Outcome wrong = sweep("15485863, 4");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_TRUE(holds(wrong.text, "random seed")) << "LIGGGHTS' own message: " << wrong.text;
+  unsetenv("FOOTFALL_CACHE");
+}
+
+// A static mesh of the script holds a body for which [[contacts]] has walls = true, on one rank and on two alike.
+TEST_F(Bed, WithAShelfHoldsABody) {
+  folder.write("scene.toml", "base = \"" + app::kPlate + R"(/scene.toml"
+end_time = 0.15
+[[contacts]]
+walls = true
+stiffness = 1e8
+damping = 10.0
+friction = 0.4
+[particles]
+script = ")" + app::kPlate + R"(/on_shelf.in"
+[output]
+interval = 1e-3
+)");
+  for (const std::string ranks : {"1", "2"}) folder.done("run scene.toml --quiet --ranks " + ranks + " --out " + ranks);
+  EXPECT_TRUE(history("1") == history("2"));
+  const History run = read_history(folder.file("1/history.csv"));
+  const std::vector<double>&z = run.column("plate.z"), &force = run.column("plate.contact.fz");
+  // It stands on z = 0.045 with half its thickness, 0.01; contacts of that stiffness deflect by less than 1 mm.
+  EXPECT_GT(*std::min_element(z.begin(), z.end()), 0.054);
+  EXPECT_LT(z.back(), 0.06);
+  EXPECT_GT(*std::max_element(force.begin(), force.end()), 0.0);
+}
+
+// damping_mass pair, on beams and with the mass that mbd_solver sends: restitution is the script's, and less with `grain`.
+TEST_F(Bed, DampsContactsWithTheMassOfTheBody) {
+  const auto restitution = [&](const std::string& word) {
+    folder.done("run " + app::kSource + "/tests/app/pair_mass.toml --quiet --set particles.variables.word=" + word +
+                " --out " + word);
+    std::istringstream grain(folder.command("tail -n 1 " + word + "/grain.2600", 10).text);
+    double id = 0.0, velocity = 0.0;
+    grain >> id >> velocity;
+    return (read_history(folder.file(word + "/history.csv")).column("beam.vz").back() - velocity) / 0.2;
+  };
+  EXPECT_NEAR(restitution("pair"), 0.4, 0.005) << "windows of one step";
+  EXPECT_NEAR(restitution("grain"), 0.26, 0.01) << "the same mass again";
+}
+
+// What check reports: time steps from the text of the scripts, and with --time the time of the run. Nothing of the trial remains.
+TEST_F(Bed, IsReportedByCheckWithTheTimeOfTheRun) {
+  setenv("TMPDIR", folder.path().c_str(), 1);
+  const std::string landing = folder.done("check " + app::kInputs + "/landing_mr").text;
+  for (const char* number : {" 0.02 to 0.05 m", " 0.0001 s", " 11 %", " 5.2 %", " 3 steps"})
+    EXPECT_TRUE(holds(landing, number)) << number << "\n" << landing;
+  const std::regex estimate("about [0-9.]+ (s|min|h) \\([0-9.]+ .* to [0-9.]+ .*\\)");
+  const std::string plane = folder.done("check " + app::kInputs + "/rigid_plane --set flexible=false --time 0.5").text;
+  EXPECT_TRUE(std::regex_search(plane, estimate)) << plane;
+  folder.done("check " + app::kInputs + "/rigid_plane --set flexible=false --set end_time=0.005 --time=60");
+  const std::string grains = folder.done("check " + app::kExamples + "/01_pendulum --time 1", 300).text;
+  EXPECT_TRUE(std::regex_search(grains, estimate)) << grains;
+  EXPECT_TRUE(std::regex_search(grains, std::regex("[1-9][0-9]* MB")) && holds(grains, "omega H")) << grains;
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    EXPECT_FALSE(entry.is_directory()) << entry.path() << " is left";
+  unsetenv("TMPDIR");
+}
+
+}  // namespace
+}  // namespace footfall

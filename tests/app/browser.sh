@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# browser.sh FOOTFALL OUT RUNS: pages of the runs RUNS/plate and RUNS/plane in a browser without network: they get ready, draw, and the browser complains of nothing;
+# grains that the page paints itself, where no graphics card draws, are those of its shader. Where node is installed, what the page holds is read back.
+# Exit code 77 where Chromium and node are missing.
+set -euo pipefail
+footfall=$1 out=$2 runs=$3 here=$(cd "$(dirname "$0")" && pwd)
+die() { echo "browser.sh: $*"; exit 1; }
+command -v chromium >/dev/null || command -v node >/dev/null || { echo "browser.sh: chromium and node are missing"; exit 77; }
+rm -rf "$out" && mkdir -p "$out"
+cp -r "$runs/plate" "$runs/plane" "$out"
+for run in plate plane; do "$footfall" view "$out/$run" >/dev/null; done
+"$footfall" report "$out/plate" >/dev/null
+command -v node >/dev/null && node "$here/view_read_back.mjs" "$out/plate"
+command -v chromium >/dev/null || exit 0
+
+profile=$(mktemp -d); trap 'rm -rf "$profile"' EXIT
+opened() { # PAGE: its elements when it is ready
+  timeout 280 chromium --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$profile" --host-resolver-rules="MAP * ~NOTFOUND" \
+    --window-size=800,600 --virtual-time-budget=20000 --enable-logging=stderr --v=0 --dump-dom "file://$1" >"$profile/dom" 2>"$profile/log" || die "$1: chromium ended with $?"
+  grep -q 'data-state="ready"' "$profile/dom" || { grep CONSOLE "$profile/log"; die "$1: the page did not get ready"; }
+  ! grep CONSOLE "$profile/log" || die "$1: the browser complains"
+  grep -q 'class="uplot' "$profile/dom" || die "$1: no plot"
+}
+for run in plate plane; do
+  opened "$out/$run/view.html"
+  grep -q '<canvas data-engine=' "$profile/dom" || die "$run: no picture"
+done
+opened "$out/plate/report.html"
+cp "$out/plate/view.html" "$out/painted.html"
+cat >>"$out/painted.html" <<'JS'
+<script>
+(async () => {
+  while (document.body.dataset.state !== "ready") await new Promise((resolve) => setTimeout(resolve, 50));
+  const { stage, player } = window.footfall;
+  const picture = (paints, empty) => {
+    stage.paints = paints;
+    stage.grains.object.visible = !empty;
+    stage.draw();
+    const gl = stage.renderer.getContext(), { width, height } = stage.renderer.domElement, bytes = new Uint8Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    return bytes;
+  };
+  const pixels = (a, b, least) => {
+    let count = 0;
+    for (let k = 0; k < a.length; k += 4) if (Math.max(...[0, 1, 2].map((c) => Math.abs(a[k + c] - b[k + c]))) > least) ++count;
+    return count;
+  };
+  document.body.dataset.paints = stage.paints;
+  player.seek(0.5 * (player.start + player.end));
+  const shaded = picture(false, false), painted = picture(true, false), none = picture(true, true);
+  document.body.dataset.grains = pixels(shaded, none, 12);
+  document.body.dataset.differ = pixels(shaded, painted, 12);
+})();
+</script>
+JS
+opened "$out/painted.html"
+body=$(grep -o '<body[^>]*>' "$profile/dom")
+value() { sed -n "s/.* data-$1=\"\([^\"]*\)\".*/\1/p" <<<"$body"; }
+[[ $(value paints) == true ]] || die "the page does not paint its grains: $body"
+(($(value grains) > 1000)) || die "too few pixels show grains: $body"
+(($(value differ) * 50 < $(value grains))) || die "the painted grains are not the shaded ones: $body"

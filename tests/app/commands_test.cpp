@@ -1,0 +1,123 @@
+// Command lines: every command has its help and its place in the pages, and a line that cannot be read is answered by one line that says
+// what to do.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <set>
+
+#include "tests/app/programs.h"
+
+namespace footfall {
+namespace {
+
+using app::holds;
+
+class Commands : public ::testing::Test {
+ protected:
+  const app::Folder folder{"commands"};
+  // As `footfall --help` lists them.
+  std::set<std::string> listed() const {
+    const std::string help = folder.done("--help").text;
+    std::set<std::string> names;
+    const std::regex line("\n  ([a-z]+) ");
+    for (auto at = std::sregex_iterator(help.begin() + static_cast<long>(help.find("Subcommands:")), help.end(), line);
+         at != std::sregex_iterator(); ++at)
+      names.insert((*at)[1]);
+    return names;
+  }
+  static std::string text_of(const std::string& path) {
+    std::ifstream file(app::kSource + "/" + path);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+};
+
+TEST_F(Commands, AreThoseOfThePageAndHaveHelp) {
+  const std::string page = text_of("docs/reference/commands.md");
+  const std::set<std::string> names = listed();
+  EXPECT_EQ(names.size(), 13u);
+  for (const std::string& name : names) {
+    EXPECT_TRUE(holds(folder.done(name + " --help").text, "--help")) << name;
+    EXPECT_TRUE(holds(page, "footfall " + name)) << name << " is not in docs/reference/commands.md";
+  }
+}
+
+// The script of the checkout builds footfall_studies for those commands only that need it.
+TEST_F(Commands, ThatTheScriptBuildsOneProgramForAreThoseOfThatProgram) {
+  const std::string script = text_of("footfall");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(script, found, std::regex("\n  run( \\| [a-z]+)+\\)")));
+  folder.command("cp " + folder.program("footfall") + " footfall", 10);
+  for (const std::string& name : listed()) {
+    if (name == "test") continue;
+    const bool own = folder.command("./footfall " + name + " --help", 10).exit_code == 0;
+    EXPECT_EQ(own, std::regex_search(found.str(), std::regex("\\b" + name + "\\b"))) << name;
+  }
+}
+
+TEST_F(Commands, ThatBecameOptionsNameTheNewLine) {
+  for (const auto& [old, now] : std::map<std::string, std::string>{
+           {"surfaces", "check"}, {"pictures", "view"}, {"watch", "view"}, {"audit", "run"}}) {
+    const test::Outcome outcome = folder.refused(old + " x", "E0502");
+    EXPECT_TRUE(holds(outcome.text, "footfall " + now)) << outcome.text;
+    EXPECT_EQ(app::lines_of(outcome.text), 1) << outcome.text;
+  }
+}
+
+TEST_F(Commands, ThatCannotBeReadAreAnsweredByOneLine) {
+  struct Line {
+    const char *line, *code, *names;
+  };
+  const Line lines[] = {{"", "E0500", "run"},
+                        {"rnu", "E0501", "\"run\""},
+                        {"run --untl=1", "E0500", "\"--until\""},
+                        {"compare", "E0500", "DIR"},
+                        {"view", "E0500", "DIR"},
+                        {"plot", "E0500", "DIR"},
+                        {"report", "E0500", "DIR"},
+                        {"rig", "E0500", "NAME"},
+                        {"calibrate", "E0500", "FILE"},
+                        {"sweep", "E0500", "FILE"},
+                        {"accuracy", "E0500", "FILE"},
+                        {"calibrate missing.toml", "E05", "missing.toml"},
+                        {"sweep missing.toml", "E05", "missing.toml"},
+                        {"accuracy /", "E05", "/"},
+                        {"run --ranks", "E0500", "--ranks"},
+                        {"run --ranks many", "E0500", "\"many\""},
+                        {"run --keep-every -1", "E0500", "\"-1\""},
+                        {"view DIR --frames 1", "E0500", "\"1\""},
+                        {"view DIR --frames 2.5", "E0500", "\"2.5\""},
+                        {"view DIR --pictures --times soon", "E0500", "\"soon\""},
+                        {"run scene.toml --resume DIR", "E0500", "--resume"},
+                        {"check scene.toml --ranks 2", "E0500", "--time"},
+                        {"check scene.toml --time 0", "E0500", "--time"},
+                        {"check scene.toml more", "E0500", "more"},
+                        {"compare DIR --qiet", "E0500", "\"--quiet\""},
+                        {"new other", "E0500", "--from"},
+                        {"new other --from whel", "E0508", "\"wheel\""},
+                        {"new 'my case' --from wheel", "E0509", "my case"}};
+  for (const Line& line : lines) {
+    const test::Outcome outcome = folder.footfall(line.line);
+    EXPECT_EQ(outcome.exit_code, 2) << line.line;
+    if (!std::getenv("FOOTFALL_OLD"))  // OLD
+      EXPECT_TRUE(holds(outcome.text, std::string("[") + line.code)) << line.line << ": " << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, line.names)) << line.line << ": " << outcome.text;
+    EXPECT_EQ(app::lines_of(outcome.text), 1) << line.line << ": " << outcome.text;
+  }
+  EXPECT_FALSE(folder.has("other") || folder.has("my case"));
+}
+
+TEST_F(Commands, AreCompletedByBash) {
+  const std::string program = test::RunFolder::program("footfall");
+  const auto completed = [&](const std::string& words) {
+    return folder
+        .shell("compopt() { :; }; . " + app::kSource + "/packaging/footfall.bash; COMP_WORDS=(" + program + " " +
+               words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _footfall; printf '%s\\n' \"${COMPREPLY[@]}\"")
+        .text;
+  };
+  EXPECT_EQ(completed("calib"), "calibrate\n");
+  EXPECT_EQ(completed("run --res"), "--resume\n");
+}
+
+}  // namespace
+}  // namespace footfall

@@ -1,0 +1,251 @@
+// What is made of the folder of a run: plots, pictures, pages, comparisons. They read runs that tests of CMakeLists.txt make once: `plate`
+// (a plate on grains, dumped) and `plane` (the lander on the rigid plane).
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "mbd_solver/output/history.h"
+#include "tests/app/programs.h"
+
+namespace footfall {
+namespace {
+
+namespace fs = std::filesystem;
+using app::count;
+using app::holds;
+
+class Pictures : public ::testing::Test {
+ protected:
+  const app::Folder folder{"pictures"};
+  // A copy of a shared run, called RUN in this folder.
+  std::string copy_of(const std::string& run) const {
+    fs::copy(app::shared_run(run), folder.file(run), fs::copy_options::recursive);
+    return run;
+  }
+  // Pixels of an .rgb file: how many are grey (mechanism), how many sandy (grains).
+  std::pair<int, int> pixels(const std::string& file) const {
+    const std::string bytes = folder.read(file);
+    int grey = 0, sand = 0;
+    for (std::size_t k = 0; k + 2 < bytes.size(); k += 3) {
+      const int r = static_cast<unsigned char>(bytes[k]), b = static_cast<unsigned char>(bytes[k + 2]);
+      grey += r > 100 && b > r ? 1 : 0;
+      sand += r > b + 15 ? 1 : 0;
+    }
+    return {grey, sand};
+  }
+};
+
+TEST_F(Pictures, OfColumns) {
+  const std::string run = copy_of("plane"), plot = "plot " + run + " ";
+  EXPECT_TRUE(holds(folder.done(plot).text, "cabin.az [m/s2]\n"));
+  EXPECT_TRUE(holds(folder.done(plot + "cabin.az").text, "plots/cabin.az.png"));
+  folder.done(plot + "'struts.*.force'");
+  const std::string script = folder.read(run + "/plots/struts.all.force.gp");
+  // Four legs of three struts: four panels with one scale, three curves each.
+  EXPECT_EQ(count(script, "\nset title"), 8);
+  EXPECT_EQ(count(script, "with lines"), 24);
+  std::set<std::string> ranges;
+  std::istringstream lines(script);
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind("set yrange [", 0) == 0 && line[12] != '*') ranges.insert(line);
+  EXPECT_EQ(ranges.size(), 1u);
+  folder.done(plot + "cabin.v cabin.az --out both.svg");
+  EXPECT_TRUE(holds(folder.read("both.svg"), "<svg"));
+  EXPECT_TRUE(holds(folder.refused(plot + "cabin.aw", "E0521").text, "cabin.a"));
+  folder.refused("plot .", "E0506");
+  EXPECT_TRUE(holds(folder.refused(plot + "cabin.az --out x.pdf", "E0500").text, "x.pdf"));
+}
+
+TEST_F(Pictures, OfGrains) {
+  const std::string run = copy_of("plate"), draw = "view " + run + " --pictures ";
+  const std::string said = folder.done(draw + "--times 0.021 --fastest 100").text;
+  EXPECT_TRUE(holds(said, "grains_0.0200s.png")) << "the nearest dump: " << said;
+  const auto [grey, sand] = pixels(run + "/pictures/grains_0.0200s.rgb");
+  EXPECT_GT(grey, 1000);
+  EXPECT_GT(sand, 1000) << "slow against 100 m/s";
+  EXPECT_EQ(folder.read(run + "/pictures/grains_0.0200s.png").substr(1, 3), "PNG");
+  folder.refused("view . --pictures", "E0506");
+  folder.refused(draw + "--times=-1", "E0528");
+  folder.refused(draw + "--cut-at 5", "E0528");
+}
+
+TEST_F(Pictures, OfCutsAndOfBodiesThatWereNotDrawn) {
+  const std::string run = copy_of("plate");
+  folder.done("view " + run + " --pictures --times 0,0.02 --cut --camera=-80,10 --fastest 100 --width 1000");
+  for (const char* name : {"cut_0.0000s", "cut_0.0200s"})
+    EXPECT_GT(pixels(run + "/pictures/" + name + ".rgb").second, 1000);
+  // Without drawn bodies the recorded motion of their surfaces is drawn, which is said.
+  for (const auto& entry : fs::directory_iterator(folder.file(run)))
+    if (entry.path().filename().string().rfind("bodies", 0) == 0) fs::remove(entry.path());
+  EXPECT_TRUE(holds(folder.done("view " + run + " --pictures --times 0.02 --fastest 100").text, "output.vtk"));
+  EXPECT_GT(pixels(run + "/pictures/grains_0.0200s.rgb").first, 1000);
+  fs::create_directory(folder.file("blind"));
+  fs::copy(folder.file(run + "/summary.json"), folder.file("blind/summary.json"));
+  fs::copy(folder.file(run + "/run.json"), folder.file("blind/run.json"));
+  folder.refused("view blind --pictures", "E0527");
+  EXPECT_FALSE(folder.has("blind/pictures"));
+}
+
+// A page loads nothing: no source, no address but the name of XHTML, and the browser is told to refuse any.
+void expect_alone(const app::Folder& folder, const std::string& page) {
+  const std::string sources = "grep -cE '<(script|img|iframe|link)[^>]* (src|href)=\"[^dv]|@import' " + page;
+  EXPECT_EQ(folder.shell(sources).text, "0\n");
+  const std::string addresses = "grep -oE 'https?://[^\" ]*' " + page + " | grep -vxc http://www.w3.org/1999/xhtml";
+  EXPECT_EQ(folder.shell(addresses).text, "0\n");
+  EXPECT_TRUE(holds(folder.read(page), "Content-Security-Policy\" content=\"default-src 'none'"));
+}
+
+TEST_F(Pictures, InThePageOfARun) {
+  for (const std::string name : {"plate", "plane"}) {
+    const std::string run = copy_of(name), said = folder.done("view " + run).text;
+    EXPECT_TRUE(holds(said, run + "/view.html")) << said;
+    EXPECT_EQ(app::lines_of(said), 1) << "a whole run has no warnings: " << said;
+    const std::string page = folder.read(run + "/view.html");
+    EXPECT_LT(page.size(), 3000000u);
+    expect_alone(folder, run + "/view.html");
+    EXPECT_EQ(holds(page, "id=\"footfall-grains-0\""), name == "plate");
+    EXPECT_TRUE(holds(page, "id=\"footfall-bodies-0\""));
+  }
+  // A run that drew nothing: the page says how to get it.
+  for (const auto& entry : fs::directory_iterator(folder.file("plate"))) {
+    const std::string name = entry.path().filename();
+    if (name == "motion" || name.rfind("bodies", 0) == 0 || name.rfind("grains_", 0) == 0) fs::remove_all(entry.path());
+  }
+  const std::string said = folder.done("view plate").text;
+  EXPECT_TRUE(holds(said, "particles.variables.frames") && holds(said, "output.vtk")) << said;
+  folder.refused("view .", "E0506");
+  std::string last;
+  for (const auto& entry : fs::directory_iterator(folder.file("plane")))
+    if (entry.path().extension() == ".vtu") last = std::max(last, entry.path().string());
+  fs::resize_file(last, 400);
+  const test::Outcome damaged = folder.footfall("view plane");
+  EXPECT_EQ(damaged.exit_code, 2);
+  EXPECT_TRUE(holds(damaged.text, fs::path(last).filename().string())) << damaged.text;
+}
+
+TEST_F(Pictures, InAReport) {
+  const std::string run = copy_of("plate");
+  folder.done("report " + run);
+  const std::string page = folder.read(run + "/report.html");
+  expect_alone(folder, run + "/report.html");
+  EXPECT_GE(count(page, "<h2"), 6);
+  EXPECT_TRUE(holds(page, "A square plate comes down") && holds(page, "src=\"data:image/png;base64,"));
+  EXPECT_TRUE(holds(page, "<a href=\"view.html\">")) << "the run can be played";
+  EXPECT_TRUE(folder.has(run + "/view.html") && folder.has(run + "/plots/ledger.png"));
+}
+
+TEST_F(Pictures, OfControlSurfaces) {
+  folder.done("check " + app::kInputs + "/reference --surfaces surfaces");
+  int pictures = 0;
+  for (const auto& entry : fs::directory_iterator(folder.file("surfaces")))
+    pictures += entry.path().extension() == ".png";
+  EXPECT_GE(pictures, 1);
+}
+
+// Stock LIGGGHTS replays the motion of the plate: the same impulse and the same bed.
+TEST_F(Pictures, BesideStockLiggghts) {
+  const std::string run = copy_of("plate");
+  folder.done("compare " + run + " --quiet");
+  const auto row_of_plate = [&] {
+    std::istringstream text(folder.read(run + "/compare/comparison.txt"));
+    for (std::string line; std::getline(text, line);) {
+      std::istringstream words(line);
+      std::vector<std::string> row{std::istream_iterator<std::string>(words), {}};
+      if (row.size() >= 8 && row[0] == "plate") return row;
+    }
+    return std::vector<std::string>(8, "0");
+  };
+  // The replay moves the plate along the chord of each window of five steps: impulse to half a per cent (measured: 0.03).
+  EXPECT_GT(std::stod(row_of_plate()[1]), 1.0) << "impulse [N s]";
+  EXPECT_LT(std::stod(row_of_plate()[7]), 0.5) << "difference of the impulses [%]";
+  for (const char* file : {"beds.csv", "forces.csv", "profile.csv", "in.stock", "plots/forces.png", "plots/crater.png"})
+    EXPECT_TRUE(folder.has(run + "/compare/" + std::string(file))) << file;
+  std::ifstream beds(folder.file(run + "/compare/beds.csv"));
+  EXPECT_TRUE(beds.good());
+  // Without stock LIGGGHTS its package is named; the comparison remains.
+  const test::Outcome none = folder.shell("PATH=/nowhere " + test::RunFolder::program("footfall") + " compare " + run);
+  EXPECT_EQ(none.exit_code, 2) << none.text;
+  EXPECT_TRUE(holds(none.text, "liggghts")) << none.text;
+  EXPECT_TRUE(folder.has(run + "/compare/comparison.txt"));
+  // With itself nothing differs.
+  folder.done("compare " + run + " " + run + " --quiet");
+  EXPECT_EQ(std::stod(row_of_plate()[7]), 0.0);
+  folder.refused("compare .", "E0506");
+}
+
+// A run is followed to its end; the exit code is that of the run.
+TEST_F(Pictures, ThatFollowARun) {
+  const app::Background run(folder,
+                            test::RunFolder::program("footfall") + " run " + app::kInputs +
+                                "/rigid_plane --set flexible=false --until 0.4 --out run",
+                            "run/history.csv");
+  const std::string once = folder.done("view run --follow --once").text;
+  EXPECT_TRUE(std::regex_search(once, std::regex("of 0\\.4 s \\([0-9]+ %\\)|done"))) << once;
+  EXPECT_TRUE(holds(folder.done("view run --follow --page --interval 0.2").text, "100 %"));
+  const std::string page = folder.read("run/watch.html");
+  EXPECT_TRUE(holds(page, "<img") && !holds(page, "http-equiv=\"refresh\"")) << "the last page does not reload itself";
+  const std::string said = folder.read("background.txt");
+  EXPECT_TRUE(holds(said, "(100 %)")) << said;
+  EXPECT_LE(count(said, "\nt = "), 101) << "output into a file has a line for each per cent";
+  std::string summary = folder.read("run/summary.json");
+  folder.write("run/summary.json",
+               std::regex_replace(summary, std::regex("\"status\": \"done\""), "\"status\": \"failed\""));
+  EXPECT_EQ(folder.footfall("view run --follow").exit_code, 1);
+  folder.refused("view . --follow", "E0506");
+}
+
+// Energies of grains: elastic grains without friction keep what they receive as motion and height, so nothing is left over once nothing
+// touches; with restitution 0.4 most of it stays in the grains.
+class EnergyBalance : public Pictures {
+ protected:
+  nlohmann::json run(const std::string& restitution, int ranks) const {
+    const std::string out = "r" + restitution + "_" + std::to_string(ranks);
+    folder.done("run " + app::kPlate + " --set particles.script='\"" + app::kPlate + "/energy.in\"'" +
+                " --set particles.variables.dt=2e-5 --set particles.variables.every=1 --set output.interval=1e-4" +
+                " --set particles.variables.energy_every=5e-4 --set output.vtk=false" +
+                " --set particles.variables.restitution=" + restitution + " --quiet --out " + out + " --ranks " +
+                std::to_string(ranks));
+    return folder.summary(out)["ledger"];
+  }
+  std::vector<double> dissipated(const std::string& out) const {
+    return read_history(folder.file(out + "/ledger.csv")).column("grains.dissipated");
+  }
+};
+
+TEST_F(EnergyBalance, ClosesForElasticGrainsOnAnyRanks) {
+  const nlohmann::json one = run("1", 1), two = run("1", 2);
+  const std::vector<double> stored = dissipated("r1_1");
+  const double most = *std::max_element(stored.begin(), stored.end());
+  EXPECT_GT(most, 0.4) << "of the 0.58 J of the plate are in the contacts";
+  // Measured: 1e-6 of it. Steps of the grains are of second order; rows of the plate are joined by lines of 0.1 ms.
+  EXPECT_LT(std::abs(one["grains_dissipated_J"].get<double>()), 1e-5 * most);
+  EXPECT_LT(one["closing_error_relative"].get<double>(), 1e-6);
+  EXPECT_NEAR(one["energy_to_grains_J"].get<double>(), two["energy_to_grains_J"].get<double>(), 1e-6);
+}
+
+TEST_F(EnergyBalance, HoldsWhatGrainsDissipate) {
+  const nlohmann::json soft = run("0.4", 1);
+  EXPECT_GT(soft["grains_dissipated_J"].get<double>(), 0.9 * soft["energy_to_grains_J"].get<double>());
+  const std::vector<double> all = dissipated("r0.4_1");
+  double top = 0.0, fall = 0.0;
+  for (const double e : all) {
+    top = std::max(top, e);
+    fall = std::max(fall, top - e);
+  }
+  EXPECT_LT(fall, 0.5) << "elastic energy that comes back [J]";
+  const auto [low, high] = std::minmax_element(all.end() - 40, all.end());
+  EXPECT_LT(*high - *low, 1e-4) << "nothing changes after the last contact";
+}
+
+TEST_F(EnergyBalance, HasNoGrainsOnAPlane) {
+  const nlohmann::json summary = nlohmann::json::parse(std::ifstream(app::shared_run("plane") + "/summary.json"));
+  EXPECT_LT(summary["ledger"]["closing_error_relative"].get<double>(), 1e-4);
+  for (const std::string& name : read_history(app::shared_run("plane") + "/ledger.csv").names)
+    EXPECT_FALSE(holds(name, "grains"));
+}
+
+}  // namespace
+}  // namespace footfall

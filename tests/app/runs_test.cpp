@@ -1,0 +1,148 @@
+// Runs as a whole: every example is copied, checked and run; resumed runs reproduce the uninterrupted ones; the tolerance alone makes a run
+// more exact. The folders of the examples remain for other tests.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include "mbd_solver/cli/launch/new_case.h"
+#include "mbd_solver/output/history.h"
+#include "tests/app/programs.h"
+
+namespace footfall {
+namespace {
+
+namespace fs = std::filesystem;
+using app::holds;
+
+class Example : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Example, IsCopiedCheckedAndRun) {
+  const std::string& name = GetParam();
+  // Smaller beds where pouring takes long; what readable.py looks at.
+  const std::map<std::string, std::string> more = {
+      {"lander",
+       "--set particles.bed.variables.width=1.1 --set particles.variables.width=1.1"
+       " --set particles.bed.variables.depth=0.12 --set particles.bed.variables.fine=0.4"
+       " --set particles.bed.variables.fine_depth=0.06 --set particles.bed.variables.rest=0.05 --ranks 1 --until 0.01"},
+      {"drop", app::kSmallSphere.substr(app::kSmallSphere.find(" --set")) + " --until 0.05"},
+      {"flexible_rake", "--set particles.bed.variables.depth=0.06 --until 0.005"},
+      {"wheel", "--set particles.box.frames=0.01 --set output.vtk_interval=0.01 --until 0.04"}};
+  const app::Folder folder("example_" + name);
+  folder.done("new " + name + " --from " + name);
+  EXPECT_EQ(app::lines_of(folder.read(name + "/README.md")), 3);
+  EXPECT_EQ(folder.footfall("new " + name + " --from " + name).exit_code, 2) << "nothing is written over";
+  folder.done("check " + name);
+  const auto options = more.find(name);
+  const std::string out = app::shared_run(name);
+  folder.done("run " + name + " --quiet --force --out " + out + " " +
+                  (options == more.end() ? "--until 0.05" : options->second),
+              600);
+  EXPECT_TRUE(holds(folder.command("cat " + out + "/summary.json", 10).text, "\"status\": \"done\""));
+  const std::string log = folder.command("cat " + out + "/liggghts.log", 10).text;
+  EXPECT_FALSE(holds(log, "inputs/regolith") || holds(log, "inputs/dropped"))
+      << "the copy needs no files of the program";
+}
+
+std::vector<std::string> examples() {
+  std::vector<std::string> names;
+  for (const CaseKind& kind : case_kinds()) names.push_back(kind.name);
+  return names;
+}
+INSTANTIATE_TEST_SUITE_P(All, Example, ::testing::ValuesIn(examples()), [](const auto& info) { return info.param; });
+
+// A run with two checkpoints against the run that is resumed from the first: history, surfaces, pictures, energies of grains and the second
+// checkpoint are equal byte by byte, but for wall-clock times.
+struct Resumed {
+  const char* name;
+  std::string line;
+};
+void PrintTo(const Resumed& r, std::ostream* out) { *out << r.name; }
+
+class Resume : public ::testing::TestWithParam<Resumed> {
+ protected:
+  static std::string without_clock(const std::string& path) {
+    const bool all = fs::path(path).filename() != "run.txt" && fs::path(path).filename() != "summary.json";
+    std::ifstream file(path, std::ios::binary);
+    std::string text, line;
+    while (std::getline(file, line))
+      if (all || !std::regex_search(line, std::regex("wall|times/|_seconds|waited"))) text += line + "\n";
+    return text;
+  }
+};
+
+TEST_P(Resume, ReproducesTheRun) {
+  const app::Folder folder(std::string("resume_") + GetParam().name);
+  folder.done("run " + GetParam().line + " --set output.plots=false --out run --quiet", 300);
+  std::vector<long> sets;
+  for (const auto& entry : fs::directory_iterator(folder.file("run/checkpoint")))
+    sets.push_back(std::stol(entry.path().filename()));
+  ASSERT_EQ(sets.size(), 2u);
+  fs::copy(folder.file("run"), folder.file("straight"), fs::copy_options::recursive);
+  fs::remove_all(folder.file("run/checkpoint/" + std::to_string(std::max(sets[0], sets[1]))));
+  folder.done("run --resume run --quiet", 300);
+  int compared = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder.file("straight"))) {
+    const std::string file = fs::relative(entry.path(), folder.file("straight")), name = entry.path().filename();
+    if (!entry.is_regular_file() || name[0] == '.' || name.rfind("liggghts", 0) == 0 || name == "ledger.csv" ||
+        name == "checksums.txt" || name == "start.json")
+      continue;
+    EXPECT_TRUE(without_clock(entry.path()) == without_clock(folder.file("run/" + file))) << file << " differs";
+    ++compared;
+  }
+  EXPECT_GT(compared, 3);
+  EXPECT_GT(app::lines_of(folder.read("run/history.csv")), 10);
+  EXPECT_EQ(folder.summary("run")["status"], "done");
+}
+
+const std::string kSphere =
+    app::kSmallSphere + " --until 0.07 --set output.vtk=true --set output.checkpoint_interval=0.02";
+INSTANTIATE_TEST_SUITE_P(
+    Runs, Resume,
+    ::testing::Values(
+        Resumed{"mechanism", app::kInputs + "/rigid_plane --until 0.1 --set output.checkpoint_interval=0.03" +
+                                 " --set output.vtk=true --set flexible=false"},
+        Resumed{"flexible", app::kInputs + "/rigid_plane --until 0.1 --set output.checkpoint_interval=0.03"},
+        Resumed{"ida",
+                app::kInputs + "/rigid_plane --until 0.014 --integrator ida --set output.checkpoint_interval=0.005"},
+        Resumed{"contacts", app::kSource + "/tests/app/stack.toml --set output.checkpoint_interval=0.12"},
+        Resumed{"grains", kSphere}, Resumed{"two_ranks", kSphere + " --ranks 2"},
+        Resumed{"tangent", kSphere + " --scheme tangent"},
+        Resumed{"chosen_windows",
+                kSphere + " --set particles.variables.every=auto --set output.checkpoint_interval=0.03"},
+        Resumed{"box", app::kExamples + "/02_wheel --until 0.05 --set output.checkpoint_interval=0.02" +
+                           " --set particles.box.frames=0.01"},
+        Resumed{"clumps", app::kSource + "/tests/app/clumps.toml --set output.checkpoint_interval=0.02"},
+        Resumed{"bent_mesh",
+                app::kSource + "/tests/app/bent_rod.toml --ranks 2 --set output.checkpoint_interval=0.09"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Tolerance, AloneMakesARunMoreExact) {
+  const app::Folder folder("tolerance");
+  const auto end = [&](const std::string& integrator, const std::string& rtol) {
+    const std::string out = integrator + rtol;
+    folder.command(test::RunFolder::program("mbd_solver") + " " + app::kSliderCrank + " --quiet --out " + out +
+                       " --integrator " + integrator + " --set solver.rtol=" + rtol + " --set solver.max_step=1",
+                   60);
+    const History history = read_history(folder.file(out + "/history.csv"));
+    return Eigen::Vector3d(history.columns[1].back(), history.columns[2].back(), history.columns[3].back());
+  };
+  const Eigen::Vector3d reference = end("one_step", "1e-11");
+  for (const std::string integrator : {"one_step", "ida"}) {
+    double last = 1.0;
+    for (const std::string rtol : {"1e-4", "1e-6", "1e-8", "1e-10"}) {
+      const double error = (end(integrator, rtol) - reference).cwiseAbs().maxCoeff();  // [m], of a mechanism of 1 m
+      EXPECT_LT(error, 100.0 * std::stod(rtol)) << integrator << " " << rtol;
+      EXPECT_TRUE(error < 0.3 * last || error < 1e-9)
+          << integrator << " " << rtol << ": " << error << " after " << last;
+      last = error;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace footfall
