@@ -13,15 +13,13 @@
 #include <set>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/cli/analysis/column_choice.h"
-#include "mbd_solver/cli/analysis/energy_ledger.h"
-#include "mbd_solver/cli/analysis/formula.h"
-#include "mbd_solver/cli/analysis/html_page.h"
-#include "mbd_solver/cli/analysis/plots.h"
-#include "mbd_solver/cli/analysis/reduced_rows.h"
-#include "mbd_solver/cli/analysis/viewer/packed_series.h"
-#include "mbd_solver/cli/analysis/viewer/page_parts.h"
-#include "mbd_solver/output/history.h"
+#include "mbd_solver/app/plots.h"
+#include "mbd_solver/app/results.h"
+#include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/report.h"
+#include "mbd_solver/app/packed_series.h"
+#include "mbd_solver/app/view_page.h"
+#include "mbd_solver/run/output/history.h"
 #include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
 

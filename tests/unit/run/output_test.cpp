@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/output/checkpoint_folder.h"
-#include "mbd_solver/output/history.h"
-#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/output/checkpoint_folder.h"
+#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/run/output/summary.h"
 #include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
 
