@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# packaging/try_package.sh DEB... [--whole] [--tests BUILD] [--keep]: installs the packages in a clean Debian 12 (debootstrap, network, root), runs the landing there as root
-# and as an ordinary user on a small bed (--whole: the landing itself once, too), builds the C++ example where footfall-dev is among
-# them, removes everything and looks for what is left. --tests: an ordinary user runs the tests of BUILD there, each with the installed
-# programs in place of those of BUILD; TESTS: more words for ctest, to run fewer. --keep: the clean system stays for the next trial, in $TRY_ROOT.
+# packaging/try_package.sh DEB... [--whole] [--tests BUILD] [--keep]: installs the packages in a clean Debian 12 (debootstrap,
+# network, root), runs the landing there on a small bed, as root and as an ordinary user, builds the C++ example if
+# footfall-dev is given, removes everything and looks for leftovers.
+#   --whole        also the whole landing
+#   --tests BUILD  runs the tests of BUILD as an ordinary user, with the installed programs; TESTS: more words for ctest
+#   --keep         keeps the clean system in $TRY_ROOT for the next trial
 set -euo pipefail
 whole=0 keep=0 build='' packages=()
 while (($#)); do
@@ -46,14 +48,14 @@ mount -t tmpfs tmpfs "$root/dev/shm"
 # inside COMMAND...: as root; as_user COMMAND: as an ordinary user, in her home.
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive LANG=C.UTF-8 "$@"; }
 as_user() { chroot --userspec=tester:tester "$root" env -i PATH=/usr/bin:/bin HOME=/home/tester LANG=C.UTF-8 sh -c "cd && $1"; }
-# As every installed Debian has it; without, mpirun waits five seconds for the name of the host.
+# As in every installed Debian; without it mpirun waits five seconds for the name of the host.
 printf '127.0.0.1 localhost %s\n' "$(hostname)" > "$root/etc/hosts"
 inside useradd --create-home --shell /bin/sh tester
-# All files but those that every installation of a package changes.
+# All files except those that every installation of a package changes.
 files() { (cd "$root" && find . -xdev \( -path ./proc -o -path ./sys -o -path ./home -o -path ./root -o -path ./tmp -o -path ./dev -o -path ./var/cache -o -path ./var/log -o -path ./var/lib/apt \
   -o -path ./var/lib/dpkg -o -path ./trial \) -prune -o -print | sort); }
 
-# What runs tests is no part of the package, and stock LIGGGHTS is only recommended: they are there before.
+# Tools of the tests and stock LIGGGHTS, which is only recommended, are installed before.
 [[ -z $build ]] || inside apt-get install -y --no-install-recommends cmake liggghts liggghts-doc procps python3 > "$root.log" 2>&1 || { tail "$root.log"; die "no tools for tests"; }
 mkdir "$root/trial"
 cp "${packages[@]}" "$root/trial"
@@ -75,7 +77,7 @@ echo "Landing as an ordinary user"
 as_user "footfall run --until 0.01 $bed" > "$root.said" 2>&1 || { tail -n 20 "$root.said"; die "does not run as an ordinary user"; }
 tail -n 25 "$root.said" | grep -E 'done|grains |plots/overview' || die "has no results"
 as_user "footfall new my_wheel --from wheel && footfall check my_wheel && footfall run my_wheel --until 0.02 --quiet && footfall plot runs/my_wheel wheel.v && footfall view runs/my_wheel &&
-  footfall report runs/my_wheel" > "$root.said" 2>&1 || { tail -n 20 "$root.said"; die "a case of one's own does not run"; }
+  footfall report runs/my_wheel" > "$root.said" 2>&1 || { tail -n 20 "$root.said"; die "a new case does not run"; }
 ((!whole)) || { echo "The whole landing"; as_user "footfall run" > "$root.said" 2>&1 || { tail "$root.said"; die "the landing does not run"; }; tail -n 30 "$root.said"; }
 if [[ -d $root/usr/include/footfall ]]; then
   echo "The C++ example against footfall-dev"
@@ -93,8 +95,8 @@ if [[ -n $build ]]; then
     [[ ! -x $root/usr/bin/${program##*/} ]] || ln -sf "/usr/bin/${program##*/}" "$program"
   done
   inside chown -R tester:tester "$build"
-  # Those with the installed programs in them. The others hold parts of the sources, which are the same in BUILD, or install BUILD.
-  as_user "ctest --test-dir '$build' -j3 --output-on-failure --label-exclude '^(unit|physics)$' --exclude-regex '^(cli.install|Install\..*)$' ${TESTS-}" > "$root.tests" 2>&1 ||
+  # Tests that use the installed programs; others contain parts of the sources, or install BUILD.
+  as_user "ctest --test-dir '$build' -j3 --output-on-failure --label-exclude '^(unit|physics)$' --exclude-regex '^(app.Install|Install\..*)$' ${TESTS-}" > "$root.tests" 2>&1 ||
     { grep -E 'tests passed|^\s+[0-9]+ - ' "$root.tests"; die "tests fail; $root.tests"; }
   grep -E 'tests passed|Total Test time' "$root.tests"
   umount "$root/$source"
@@ -103,9 +105,9 @@ fi
 [[ -z $(find "$root/usr" "$root/etc" -newer "$root/trial/installed" -type f) ]] || die "a run wrote into the system"
 
 echo "Removing"
-# What other packages merely suggest (perl-base: perl) is no reason to stay.
+# Packages that others only suggest (perl-base: perl) are removed, too.
 inside sh -c 'apt-get -o APT::AutoRemove::SuggestsImportant=false -o APT::AutoRemove::RecommendsImportant=false purge -y --autoremove footfall footfall-dev' > "$root.log" 2>&1 || { tail "$root.log"; die "cannot be removed"; }
-# What its dependencies leave behind is theirs: nothing of the package's own may be left.
+# Only files of the package itself count.
 left=$(comm -13 "$root.files_before" <(files) | grep -i footfall || true)
 [[ -z $left ]] || { echo "$left"; die "this is left"; }
 [[ -z $(inside dpkg-query -W -f '${Package}\n' | grep footfall) ]] || die "the packages are still known"

@@ -144,8 +144,8 @@ TEST_P(Kind, ProjectionKeepsDriftBelowOneHundredMillionth) {
   test::Run run(model, GetParam(), test::tight(1e-4));
   for (int i = 1; i <= 10; ++i) {
     run.to(0.2 * i);
-    EXPECT_LT(run.equations.drift(run.state).position, 1e-8);
-    EXPECT_LT(run.equations.drift(run.state).velocity, 1e-8);
+    EXPECT_LT(run.equations.saddle().drift(run.state).position, 1e-8);
+    EXPECT_LT(run.equations.saddle().drift(run.state).velocity, 1e-8);
     for (int q : run.equations.layout().body_q) EXPECT_NEAR(run.state.q.segment<4>(q + 3).norm(), 1.0, 1e-8);
   }
   EXPECT_LT(run.integrator->statistics().drift_position, 1e-8);
@@ -161,7 +161,7 @@ TEST_P(Kind, BaumgarteBoundsTheDriftThatGrowsWithoutIt) {
   test::Run nothing(model, GetParam(), options), baumgarte(model, GetParam(), options, Baumgarte{20.0, 20.0});
   nothing.to(1.2, 40);
   baumgarte.to(1.2, 40);
-  EXPECT_LT(baumgarte.equations.drift(baumgarte.state).position, 0.1 * nothing.equations.drift(nothing.state).position);
+  EXPECT_LT(baumgarte.equations.saddle().drift(baumgarte.state).position, 0.1 * nothing.equations.saddle().drift(nothing.state).position);
   // Beyond 1e-3 m a joint is open, and the run says so.
   options = test::tight(1e-3);
   options.projection = false;
@@ -174,7 +174,7 @@ TEST_P(Kind, ResumesToTheBit) {
   const Model model = test::lander();
   const IntegratorOptions options = test::usual();
   test::Run whole(model, GetParam(), options);
-  whole.inputs.voltages = Eigen::VectorXd::Constant(4, 0.3);
+  whole.inputs.values = Eigen::VectorXd::Constant(4, 0.3);
   whole.to(0.004, 8);
   whole.integrator->forget();
   test::Run resumed(model, GetParam(), options);
@@ -236,13 +236,13 @@ TEST(Lander, BalancesItsEnergyAndComesToRest) {
   const Model model = test::lander();
   const IntegratorOptions options = test::usual();
   test::Run run(model, "one_step", options);
-  run.inputs.voltages = Eigen::VectorXd::Constant(4, 0.5);
+  run.inputs.values = Eigen::VectorXd::Constant(4, 0.5);
   double peak = 0.0;
   for (int i = 1; i <= 800; ++i) {
     run.to(5e-4 * i);
     peak = std::max(peak, run.integrator->end_rates()[run.equations.layout().v0() + 2]);
     ASSERT_LT(std::abs(run.imbalance()), 1e-4 * run.start_energy());
-    ASSERT_LT(run.equations.drift(run.state).position, 1e-8);
+    ASSERT_LT(run.equations.saddle().drift(run.state).position, 1e-8);
   }
   EXPECT_LT(std::abs(run.body(0).dr.z()), 0.2);
   EXPECT_LT(run.body(0).w.norm(), 1e-6);  // four legs alike: it does not tilt

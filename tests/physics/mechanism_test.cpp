@@ -134,7 +134,7 @@ TEST_P(MechanismBy, FourBarPassesItsSingularPositionsWithItsEnergy) {
     ASSERT_LT(std::abs(run.imbalance()), 1e-3) << "t = " << run.state.time;
   }
   EXPECT_GT(passes, 2);
-  EXPECT_LT(run.equations.drift(run.state).position, 1e-8);
+  EXPECT_LT(run.equations.saddle().drift(run.state).position, 1e-8);
 }
 
 TEST(FourBar, ReactionsAreFiniteAndNamed) {
@@ -207,7 +207,7 @@ Page page_at(test::Run& run) {
   const Layout& layout = run.equations.layout();
   const int n = layout.v_size, rows = layout.row_count;
   Eigen::VectorXd rates(layout.size()), y(layout.size()), x = Eigen::VectorXd::Zero(layout.size()), Mx = x;
-  run.equations.accelerations(run.state, run.inputs, rates);
+  run.equations.saddle().accelerations(run.state, run.inputs, rates);
   run.equations.pack(run.state, rates.tail(rows), y);
   Page page;
   page.M = Eigen::MatrixXd(n, n);
@@ -288,7 +288,7 @@ TEST_P(Reactions, AreTheSmallestByBothIntegrators) {
       EXPECT_LT(page.size(found.lambda - smallest), 1e-7 * page.size(smallest)) << where;
       // As a direct solve at the same state has them: the multipliers of a step err by what Newton leaves.
       Eigen::VectorXd rates(layout.size());
-      here.equations.accelerations(found.state, here.inputs, rates);
+      here.equations.saddle().accelerations(found.state, here.inputs, rates);
       EXPECT_LT(page.size(found.lambda - rates.tail(layout.row_count)), 1e-4 * page.size(smallest)) << where;
     }
     // A thousand tolerances: the motions differ by up to a hundred, and reactions follow the accelerations.
@@ -425,7 +425,7 @@ TEST_P(SingleBodyBy, CoulombOscillatorLosesTheSameAmplitudeEveryHalfPeriod) {
   const double k = 400.0, m = 1.0, F = 2.0, z0 = 0.05;
   Oscillator o(spring(k), std::make_unique<MrDamper>(MrDamperParameters{F, 0.0, 1e-5, 0.0, 0.0, {}}), m, z0);
   test::Run run(o.model, GetParam(), test::tight(1e-8));
-  run.inputs.voltages = Eigen::VectorXd::Ones(1);
+  run.inputs.values = Eigen::VectorXd::Ones(1);
   const double half_period = kPi * std::sqrt(m / k);
   for (int i = 1; i <= 4; ++i) {
     run.to(i * half_period, 3);

@@ -175,8 +175,8 @@ TEST(RedundantRows, CrankRockersDoNotMindHowTheirJointsAreWritten) {
       b.to(0.1 * i);
       ASSERT_LT((a.state.q - b.state.q).lpNorm<Eigen::Infinity>(), 1e-5) << "seed " << seed;
       Eigen::VectorXd rates_a(a.equations.layout().size()), rates_b(b.equations.layout().size());
-      a.equations.accelerations(a.state, a.inputs, rates_a);
-      b.equations.accelerations(a.state, b.inputs, rates_b);
+      a.equations.saddle().accelerations(a.state, a.inputs, rates_a);
+      b.equations.saddle().accelerations(a.state, b.inputs, rates_b);
       const double size = rates_b.tail(b.equations.layout().row_count).lpNorm<Eigen::Infinity>();
       a.equations.load(a.state);
       b.equations.load(a.state);

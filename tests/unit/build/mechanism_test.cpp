@@ -38,7 +38,7 @@ Mechanism build(const std::string& toml) { return build_mechanism(SceneText().re
 
 Inputs inputs_of(const Mechanism& mechanism) {
   Inputs inputs;
-  inputs.voltages = mechanism.voltages;
+  inputs.values = mechanism.inputs;
   return inputs;
 }
 
@@ -79,7 +79,7 @@ double expect_energy_balance(const Mechanism& mechanism) {
     exchanged = std::max(exchanged, stored[Stored::kStrain] + stored[Stored::kGas] + run.state.dissipated.total());
     largest = std::max(largest, stored[Stored::kKinetic] + exchanged);
     EXPECT_LT(std::abs(run.imbalance()), kTolerance * largest) << "at " << run.state.time << " s";
-    EXPECT_LT(run.equations.drift(run.state).position, 1e-8);  // what the projection leaves [m, rad]
+    EXPECT_LT(run.equations.saddle().drift(run.state).position, 1e-8);  // what the projection leaves [m, rad]
   }
   for (const double part : run.state.dissipated.by_kind) EXPECT_GE(part, 0.0);
   return exchanged / kinetic;
@@ -599,7 +599,7 @@ TEST(RoundShape, DerivativesOfItsForceAreThoseOfDifferences) {
                         "initial.angular_velocity=[1,-2,3]"});
       test::Run run(mechanism.model);
       Eigen::VectorXd rates(run.equations.layout().size()), y(run.equations.layout().size());
-      run.equations.accelerations(run.state, run.inputs, rates);
+      run.equations.saddle().accelerations(run.state, run.inputs, rates);
       run.equations.pack(run.state, rates.tail(run.equations.layout().row_count), y);
       std::string where;
       EXPECT_LT(test::jacobian_error(run.equations, y, rates, 10.0, run.inputs, &where), 1e-7)  // see its step

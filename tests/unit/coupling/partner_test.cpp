@@ -319,7 +319,7 @@ class Watched {
     load.bodies[0].max_overlap_over_radius = overlap;
     load.bodies[0].max_patch_over_facet = patch;
     time_ += kH;
-    watch.window({time_, kH, 10, told.last}, load, {{mass_, told.received, told.gravity, told.kinetic, told.pending}});
+    watch.observe({time_, kH, 10, told.last}, load, {{mass_, told.received, told.gravity, told.kinetic, told.pending}});
   }
   bool warns(const std::string& text) const {
     for (const std::string& warning : watch.warnings())

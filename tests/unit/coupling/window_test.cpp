@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(BodyWindow, EveryScheme, testing::ValuesIn(scheme_names
 
 TEST_P(EveryScheme, SendsThePlaceAsComputed) {
   window.begin(kSubsteps, kDt, computed);
-  window.answer(answer, felt);
+  window.apply(answer, felt);
   BodyMotion sent = random.motion(0);
   const BodyMotion next = sent;
   window.begin(kSubsteps, kDt, sent);
@@ -67,14 +67,14 @@ TEST_P(EveryScheme, KnowsWhereTheGrainsSideLeavesTheBoundary) {
     EXPECT_EQ(window.path().r_end, grains_side.pose().r);
     EXPECT_EQ(window.path().L_end, grains_side.pose().L);
     EXPECT_EQ(window.pending_work(grains_side.pose()), 0.0);
-    window.answer(answer, felt);
+    window.apply(answer, felt);
     computed.r += 0.01 * random.vector();
   }
 }
 
 TEST_P(EveryScheme, FeelsTheMeanOfTheGrainsAndReactsAroundThePredictedPath) {
   window.begin(kSubsteps, kDt, computed);
-  window.answer(answer, felt);
+  window.apply(answer, felt);
   EXPECT_EQ(felt.F_W, answer.mean.F_W);
   EXPECT_EQ(felt.T_B, answer.mean.T_B);
   ASSERT_EQ(felt.tangent.has_value(), scheme->requires_tangent());
@@ -92,12 +92,12 @@ TEST_P(EveryScheme, FollowsTheForceToTheEndOfItsWindow) {
   window.begin(2 * kSubsteps, kDt, sent);
   answer.mean = MeanLoad();
   answer.mean.F_W.z() = 300.0;
-  window.answer(answer, felt);
+  window.apply(answer, felt);
   sent = computed;
   window.begin(kSubsteps, kDt, sent);
   answer.mean.F_W.z() = 600.0;
   if (scheme->requires_tangent()) answer.tangent.front() = {};
-  window.answer(answer, felt);
+  window.apply(answer, felt);
   BodyMotion end;
   end.r = window.path().r_end + Eigen::Vector3d(0.0, 0.0, 1e-3);
   end.L = window.path().L_end;

@@ -47,7 +47,7 @@ TEST(Assembly, ClosesSmallGapsToRoundOff) {
   const Assembly assembly = assemble(model);
   EXPECT_NEAR(assembly.largest_gap, std::sqrt(14.0) * 1e-4, 1e-12);
   Equations equations(model, assembly);
-  EXPECT_LT(equations.drift(assembly.state).position, 1e-14);
+  EXPECT_LT(equations.saddle().drift(assembly.state).position, 1e-14);
   // The smallest change in the mass metric leaves the common mass centre where it was.
   const Eigen::Vector3d before = model.initial(0).r + 2.0 * model.initial(1).r;
   EXPECT_LT((assembly.state.q.segment<3>(0) + 2.0 * assembly.state.q.segment<3>(7) - before).norm(), 1e-12);
@@ -85,7 +85,7 @@ TEST(Assembly, MakesVelocitiesConsistent) {
                                  model.marker_at(body, Eigen::Vector3d::Zero())));
   const Assembly assembly = assemble(model);
   Equations equations(model, assembly);
-  EXPECT_LT(equations.drift(assembly.state).velocity, 1e-14);
+  EXPECT_LT(equations.saddle().drift(assembly.state).velocity, 1e-14);
   // Projection in the mass metric keeps the moment of momentum about the pivot: m r v = (J + m r^2) w.
   EXPECT_NEAR(assembly.state.v[5], 1.0 / 2.0, 1e-14);
   EXPECT_NEAR(assembly.state.v[1], 0.5, 1e-14);
@@ -181,7 +181,7 @@ TEST(Assembly, ChainsOfManyBodiesAreSparse) {
   EXPECT_EQ(assembly.rank, 5 * n);
   EXPECT_TRUE(assembly.redundant.empty());
   Equations equations(model, assembly);
-  EXPECT_LT(equations.drift(assembly.state).position, 1e-12);  // round-off of 1000 m
+  EXPECT_LT(equations.saddle().drift(assembly.state).position, 1e-12);  // round-off of 1000 m
 }
 
 // A crank whose pin is 1 m from its bearing and 2 m from a peg in line with both: `tie` tells nothing new in this
@@ -211,14 +211,14 @@ TEST(Equations, ClosesWhatWasRedundantAtTheStartOnly) {
   dx[5] = 0.01;
   dx.segment<3>(6) = Eigen::Vector3d(std::cos(0.01) - 1.0, std::sin(0.01), 0.0);
   add_increment(equations.layout(), dx, state.q);
-  EXPECT_GT(equations.drift(state).position, 1e-6);
+  EXPECT_GT(equations.saddle().drift(state).position, 1e-6);
   // Near a double root the way back is halved by each step of Newton's: some calls, as in the steps of a run.
   double left = 1.0;
   for (int i = 0; i < 10 && left > 1e-9; ++i) {
     try {
-      left = equations.project(state).position_left;
+      left = equations.saddle().project(state).position_left;
     } catch (const NumericalError&) {
-      left = equations.drift(state).position;
+      left = equations.saddle().drift(state).position;
     }
   }
   EXPECT_LT(left, 1e-9);
@@ -230,7 +230,7 @@ TEST(Equations, NamesTheJointThatStaysOpen) {
   State state = assemble(model).state;
   state.q.segment<3>(7) += Eigen::Vector3d(0.0, 0.0, 50.0);  // far from any closed position of the rod
   state.q[0] = 40.0;
-  EXPECT_THROW(equations.project(state), NumericalError);
+  EXPECT_THROW(equations.saddle().project(state), NumericalError);
 }
 
 TEST(Model, RefusesBodiesThatCannotExist) {

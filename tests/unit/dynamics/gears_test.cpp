@@ -48,7 +48,7 @@ double q_rate(test::Run& run, int body, Coordinate kind) {
 // What the gear brings on its first coordinate.
 double reaction(test::Run& run, int joint) {
   Eigen::VectorXd rates(run.equations.layout().size());
-  run.equations.accelerations(run.state, run.inputs, rates);
+  run.equations.saddle().accelerations(run.state, run.inputs, rates);
   const Layout& layout = run.equations.layout();
   return -rates[layout.lambda0() + layout.joint_row[static_cast<std::size_t>(joint)]];
 }
@@ -71,7 +71,7 @@ TEST_P(Gears, PairTurnsAsItsInertias) {
     EXPECT_NEAR(q_rate(run, 0, Coordinate::kAngle), speed, kGearTolerance * speed);
     EXPECT_NEAR(q_rate(run, 1, Coordinate::kAngle), -ratio * speed, kGearTolerance * speed);
     EXPECT_NEAR(reaction(run, gear), I1 * acc - T, kGearTolerance * T);
-    const Equations::Drift drift = run.equations.drift(run.state);
+    const Equations::Drift drift = run.equations.saddle().drift(run.state);
     EXPECT_LT(drift.position, 1e-7);  // phi over many turns; Baumgarte's terms leave some of it
     EXPECT_NEAR(run.imbalance(), 0.0, kGearTolerance * run.energy().stored.total());
   }
@@ -157,7 +157,7 @@ TEST_P(Gears, CamLiftsAMass) {
   EXPECT_NEAR(q_rate(run, 0, Coordinate::kAngle), dq, 1e-6 * dq);
   EXPECT_NEAR(q_rate(run, 1, Coordinate::kDisplacement), e * std::sin(q) * dq, 1e-5 * e * dq);
   EXPECT_NEAR(reaction(run, cam), m * (g + e * (std::cos(q) * dq * dq + std::sin(q) * acc(q, dq))), 1e-4 * m * g);
-  EXPECT_LT(run.equations.drift(run.state).position, 1e-7);
+  EXPECT_LT(run.equations.saddle().drift(run.state).position, 1e-7);
   // The third derivative of the curve jumps 96 times in a turn, over which methods of high order do not step so well.
   EXPECT_NEAR(run.imbalance(), 0.0, 10.0 * kGearTolerance * run.energy().stored.total());
 }
@@ -184,7 +184,7 @@ TEST(GearStart, OtherWheelsFollowOverManyTurns) {
   EXPECT_NEAR(angle(one + 1), -20.0, 1e-9);
   EXPECT_NEAR(angle(two + 1), 80.0, 1e-9);
   Equations equations(model, assembly);
-  EXPECT_LT(equations.drift(assembly.state).position, 1e-9);
+  EXPECT_LT(equations.saddle().drift(assembly.state).position, 1e-9);
 }
 
 // Wheels that turn towards each other at speeds that do not fit: the smallest change makes them fit, and a note tells.
@@ -230,7 +230,7 @@ constexpr double kG = 9.81;                 // [m/s2]
 // Multipliers of the three rows of joint 0 turned into the force on the wheel, in the axes of the plane.
 Eigen::Vector3d force_on_wheel(test::Run& run, int joint = 0) {
   Eigen::VectorXd rates(run.equations.layout().size());
-  run.equations.accelerations(run.state, run.inputs, rates);
+  run.equations.saddle().accelerations(run.state, run.inputs, rates);
   const Layout& layout = run.equations.layout();
   return -rates.segment<3>(layout.lambda0() + layout.joint_row[static_cast<std::size_t>(joint)]);
 }

@@ -368,7 +368,7 @@ inline Assembly as_given(const Model& model) {
 // Random loads with tangent parts on all bodies, and two voltages.
 inline Inputs random_inputs(Random& random, const Model& model) {
   Inputs inputs;
-  inputs.voltages = Eigen::Vector2d(0.3, 0.8);
+  inputs.values = Eigen::Vector2d(0.3, 0.8);
   for (int i = 0; i < model.body_count(); ++i) {
     ExternalLoad load;
     load.F_W = random.vector(5.0);

@@ -28,7 +28,7 @@ class Run {
         integrator(make_integrator(integrator_kind, equations, options)),
         state(assembly.state) {
     disturb_last_bits(state.v);
-    inputs.voltages = Eigen::VectorXd::Zero(4);
+    inputs.values = Eigen::VectorXd::Zero(4);
     start_ = energy().stored.total();
   }
   // In `windows` equal windows.
@@ -40,7 +40,7 @@ class Run {
   EnergySample energy() {
     EnergySample sample;
     Eigen::VectorXd rates(equations.layout().size()), y(equations.layout().size());
-    equations.accelerations(state, inputs, rates);
+    equations.saddle().accelerations(state, inputs, rates);
     equations.pack(state, rates.tail(equations.layout().row_count), y);
     equations.energy(state.time, y, inputs, sample);
     return sample;

@@ -415,8 +415,8 @@ TEST_P(Way, RowsKeepTheConditionsOfTheJoints) {
   std::vector<Row> rows;
   run.integrator->advance(run.state, kLast, run.inputs, every_interval(rows));
   for (const Row& row : rows) {
-    EXPECT_LT(run.equations.drift(row.state).position, 1e-9);
-    EXPECT_LT(run.equations.drift(row.state).velocity, 1e-8);
+    EXPECT_LT(run.equations.saddle().drift(row.state).position, 1e-9);
+    EXPECT_LT(run.equations.saddle().drift(row.state).velocity, 1e-8);
     for (int q : run.equations.layout().body_q) EXPECT_NEAR(row.state.q.segment<4>(q + 3).norm(), 1.0, 1e-12);
   }
   EXPECT_LT(run.integrator->statistics().drift_position, 1e-8);

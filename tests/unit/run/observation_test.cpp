@@ -40,8 +40,8 @@ class HistoryColumns : public ::testing::Test {
   }
   double value(const std::string& name) {
     const Sample& sample = bench.take(1, &coupling);
-    flexible.take(sample);
-    joints.take(sample);
+    flexible.update(sample);
+    joints.update(sample);
     for (const Column& column : columns)
       if (column.name == name) return column.value(sample);
     ADD_FAILURE() << "no column " << name;
@@ -52,7 +52,7 @@ class HistoryColumns : public ::testing::Test {
   Agreement agreement;
   CouplingSample coupling;
   FlexibleBodies flexible;
-  JointFigures joints;
+  JointObserver joints;
   std::vector<Column> columns;
 };
 
@@ -90,7 +90,7 @@ gears = [{ name = "mesh", joints = ["axle", "guide"], factors = [1, -2] },
   const Layout layout(mechanism.model);
   const Subject subject{scene, mechanism, layout, nullptr};
   const FlexibleBodies flexible(subject);
-  const JointFigures joints(subject);
+  const JointObserver joints(subject);
   std::vector<Column> more;
   for (const Column& column : history_columns(subject, flexible, joints))
     if (column.pattern.rfind("<gear>", 0) == 0 || column.pattern.rfind("<joint>", 0) == 0) more.push_back(column);
@@ -99,8 +99,8 @@ gears = [{ name = "mesh", joints = ["axle", "guide"], factors = [1, -2] },
 
 TEST_F(HistoryColumns, HaveANameOfTheirOwnAUnitAndAFiniteValue) {
   const Sample& sample = bench.take(1, &coupling);
-  flexible.take(sample);
-  joints.take(sample);
+  flexible.update(sample);
+  joints.update(sample);
   std::set<std::string> names;
   for (const Column& column : columns) {
     EXPECT_TRUE(names.insert(column.name).second) << column.name << " stands twice";
@@ -178,7 +178,7 @@ TEST_F(HistoryColumns, ShowPositionVelocityAndFreeFall) {
 }
 
 TEST_F(HistoryColumns, ShowTheVoltagesOfTheWindow) {
-  bench.inputs.voltages(0) = 0.625;
+  bench.inputs.values(0) = 0.625;
   EXPECT_EQ(value("brain.U1"), 0.625);
 }
 
@@ -263,7 +263,7 @@ TEST_F(HistoryColumns, ShowReactions) {
 
 // The strut's rate is the derivative of its stroke; its force is that of its laws.
 TEST_F(HistoryColumns, ShowTheStrutsStrokeRateAndForce) {
-  bench.inputs.voltages(0) = 0.5;
+  bench.inputs.values(0) = 0.5;
   bench.state.v(2) = -1.5;  // the cabin sinks onto the leg at 0.5 m/s
   const double before = value("damper.stroke"), rate = value("damper.rate");
   const double h = 1e-6;  // [s]
@@ -369,44 +369,44 @@ TEST(StartValues, CountInTheStateOfTheStart) {
 
 // Peaks of a run for its summary, from samples made by hand.
 
-TEST(FigureTaker, ObservesTheHeaviestBody) {
+TEST(MetricRecorder, ObservesTheHeaviestBody) {
   Bench bench(kSmallMachine);
-  EXPECT_EQ(FigureTaker(bench.subject()).body_name(), "cabin");
+  EXPECT_EQ(MetricRecorder(bench.subject()).body_name(), "cabin");
 }
 
-TEST(FigureTaker, KeepsTheDeepestDescentNotTheLast) {
+TEST(MetricRecorder, KeepsTheDeepestDescentNotTheLast) {
   Bench bench(kSmallMachine);
-  FigureTaker taker(bench.subject());
+  MetricRecorder taker(bench.subject());
   const double start = bench.state.q(2);
   for (const double way : {0.0, 0.25, 0.5, 0.125}) {
     bench.state.q(2) = start - way;
-    taker.take(bench.take());
+    taker.update(bench.take());
   }
   EXPECT_DOUBLE_EQ(taker.figures().max_descent, 0.5);
 }
 
 // Against gravity, wherever that points.
-TEST(FigureTaker, MeasuresDescentAgainstGravity) {
+TEST(MetricRecorder, MeasuresDescentAgainstGravity) {
   Bench bench(kSmallMachine, {"gravity=[-1.62,0,0]"});
-  FigureTaker taker(bench.subject());
-  taker.take(bench.take());
+  MetricRecorder taker(bench.subject());
+  taker.update(bench.take());
   bench.state.q(0) -= 0.5;
   bench.state.q(2) -= 3.0;
-  taker.take(bench.take());
+  taker.update(bench.take());
   EXPECT_DOUBLE_EQ(taker.figures().max_descent, 0.5);
 }
 
 // Of the beam's surface, 0.02 m from its line, and the same that the contact force counts with.
-TEST(FigureTaker, PenetrationIsThatOfTheContactOnThePlane) {
+TEST(MetricRecorder, PenetrationIsThatOfTheContactOnThePlane) {
   for (const char* normal : {"[0,0,1]", "[0,-0.6,0.8]"}) {
     Bench bench(kSmallMachine, {"initial.clearance=0", std::string("ground.plane.normal=") + normal});
-    FigureTaker taker(bench.subject());
-    taker.take(bench.take());
+    MetricRecorder taker(bench.subject());
+    taker.update(bench.take());
     EXPECT_NEAR(taker.figures().max_penetration, 0.0, 1e-15);  // round-off of lengths below 1 m
     const int leg = bench.equations.layout().body_q[1];
     bench.state.q(leg + 2) -= 0.03;
     const Sample& sample = bench.take();
-    taker.take(sample);
+    taker.update(sample);
     const int force = bench.mechanism.planes[0];
     const auto& plane = static_cast<const RigidPlane&>(bench.mechanism.model.force(force));
     const double overlap = plane.largest_overlap(element_input(bench.subject(), sample, force));
@@ -415,49 +415,49 @@ TEST(FigureTaker, PenetrationIsThatOfTheContactOnThePlane) {
   }
 }
 
-TEST(FigureTaker, ReferenceEnergyIsThatOfTheStartOrTheLargestKinetic) {
+TEST(MetricRecorder, ReferenceEnergyIsThatOfTheStartOrTheLargestKinetic) {
   Bench bench(kSmallMachine);
-  FigureTaker taker(bench.subject());
+  MetricRecorder taker(bench.subject());
   const double start = bench.take().energy.stored[Stored::kKinetic];
-  taker.take(bench.take());
+  taker.update(bench.take());
   EXPECT_DOUBLE_EQ(taker.figures().reference_energy, start);
   bench.state.v *= 0.5;
-  taker.take(bench.take());
+  taker.update(bench.take());
   EXPECT_DOUBLE_EQ(taker.figures().reference_energy, start);
   bench.state.v *= 4.0;
-  taker.take(bench.take());
+  taker.update(bench.take());
   EXPECT_NEAR(taker.figures().reference_energy, 4.0 * start, 1e-12 * start);
 }
 
 // Energy that appears from nowhere is told; energy that was dissipated, or came from grains or motions, is not. Both
 // bodies have one velocity at the start: seen from there they have no kinetic energy, and a quarter of E when they have
 // half of it.
-TEST(FigureTaker, WarnsOfEnergyThatDoesNotClose) {
+TEST(MetricRecorder, WarnsOfEnergyThatDoesNotClose) {
   Bench bench(kSmallMachine);
-  FigureTaker taker(bench.subject());
-  taker.take(bench.take());
+  MetricRecorder taker(bench.subject());
+  taker.update(bench.take());
   const double E = taker.figures().reference_energy;
   bench.state.v *= 0.5;
   bench.state.dissipated[Dissipation::kStop] = E;  // of which a quarter is left
   bench.state.supplied[Supply::kMotion] = 0.25 * E;
-  taker.take(bench.take());
+  taker.update(bench.take());
   EXPECT_LT(taker.figures().energy_balance_relative(), 1e-12);
   EXPECT_EQ(taker.balance_warning(), "");
   bench.state.dissipated[Dissipation::kStop] = 0.98 * E;
-  taker.take(bench.take());
+  taker.update(bench.take());
   // What flowed: to K' 0.25 E, to stops E and 0.02 E back, from the motion 0.25 E; half of the sum.
   EXPECT_NEAR(taker.figures().energy_flow, 0.76 * E, 1e-12 * E);
   EXPECT_NEAR(taker.figures().energy_balance_relative(), 0.02 / 0.76, 1e-12);
   EXPECT_NE(taker.balance_warning(), "");
 }
 
-TEST(FigureTaker, KeepsTheLargestForceOnABodyAndTellsThePresentOneOnAll) {
+TEST(MetricRecorder, KeepsTheLargestForceOnABodyAndTellsThePresentOneOnAll) {
   Bench bench(kSmallMachine);
-  FigureTaker taker(bench.subject());
+  MetricRecorder taker(bench.subject());
   bench.inputs.loads.resize(bench.scene.bodies.size());
   for (const double force : {40.0, 30.0}) {
     bench.inputs.loads[0].F_W = Eigen::Vector3d(0, 0, force);
-    taker.take(bench.take());
+    taker.update(bench.take());
   }
   EXPECT_DOUBLE_EQ(taker.figures().max_contact_force, 40.0);
   EXPECT_DOUBLE_EQ(taker.figures().contact_force, 30.0);

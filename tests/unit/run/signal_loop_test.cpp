@@ -64,7 +64,7 @@ interval = 0.01
 struct Record {
   explicit Record(const Scene& scene) : simulation(scene, scene.end_time, nullptr), observation(simulation.subject()) {}
   void run(const Keeper& keep = {}) {
-    FigureTaker figures(simulation.subject());
+    MetricRecorder figures(simulation.subject());
     simulation.run(
         [&](const Sample& sample) {
           rows.push_back(observation.row(sample));

@@ -105,13 +105,13 @@ struct Bench {
         state(assembly.state),
         rates(Eigen::VectorXd::Zero(equations.layout().size())),
         sampler({scene, mechanism, equations.layout()}, equations, state, rates, inputs) {
-    inputs.voltages = mechanism.voltages;
+    inputs.values = mechanism.inputs;
     take();
   }
   Subject subject() const { return {scene, mechanism, equations.layout()}; }
   const Sample& take(long window = 0, const CouplingSample* coupling = nullptr) {
-    equations.accelerations(state, inputs, rates);
-    sampler.take(window, false, coupling);
+    equations.saddle().accelerations(state, inputs, rates);
+    sampler.update(window, false, coupling);
     return sampler.sample();
   }
 
