@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/cli/front_door.h"
-#include "mbd_solver/cli/subcommands.h"
+#include "mbd_solver/app/command_line.h"
 #include "tests/app/programs.h"
 
 namespace footfall {
@@ -221,7 +220,7 @@ TEST_P(BadInput, IsFoundAndNamed) {
     argv.push_back(nullptr);
     ::testing::internal::CaptureStdout();
     ::testing::internal::CaptureStderr();
-    outcome.exit_code = front_door(static_cast<int>(words.size()), argv.data(), subcommands());
+    outcome.exit_code = run_command_line(static_cast<int>(words.size()), argv.data(), subcommands());
     std::fflush(stdout);
     outcome.text = ::testing::internal::GetCapturedStderr() + ::testing::internal::GetCapturedStdout();
     fs::current_path(before);

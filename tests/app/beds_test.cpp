@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "mbd_solver/build/grain_dump.h"
-#include "mbd_solver/output/history.h"
+#include "mbd_solver/run/output/history.h"
 #include "tests/app/programs.h"
 
 namespace footfall {

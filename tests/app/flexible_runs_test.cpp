@@ -11,8 +11,8 @@
 
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/fe/modal_body_file.h"
-#include "mbd_solver/output/history.h"
-#include "mbd_solver/output/summary.h"
+#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "tests/support/temporary_folder.h"

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "mbd_solver/output/history.h"
+#include "mbd_solver/run/output/history.h"
 #include "tests/app/programs.h"
 
 namespace footfall {

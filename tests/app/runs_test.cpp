@@ -9,8 +9,8 @@
 #include <regex>
 #include <sstream>
 
-#include "mbd_solver/cli/launch/new_case.h"
-#include "mbd_solver/output/history.h"
+#include "mbd_solver/app/new_case.h"
+#include "mbd_solver/run/output/history.h"
 #include "tests/app/programs.h"
 
 namespace footfall {

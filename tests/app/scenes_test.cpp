@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "mbd_solver/cli/front_door.h"
-#include "mbd_solver/cli/subcommands.h"
+#include "mbd_solver/app/command_line.h"
 
 namespace footfall {
 namespace {
@@ -28,7 +27,7 @@ TEST_P(Scene, IsGood) {
   std::string words[] = {"footfall", "check", GetParam()};
   char* argv[] = {words[0].data(), words[1].data(), words[2].data(), nullptr};
   ::testing::internal::CaptureStdout();
-  EXPECT_EQ(front_door(3, argv, subcommands()), 0);
+  EXPECT_EQ(run_command_line(3, argv, subcommands()), 0);
   std::fflush(stdout);
   ::testing::internal::GetCapturedStdout();
 }

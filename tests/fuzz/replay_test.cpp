@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <random>
 
-#include "coupler/base/whole_file.h"
+#include "coupler/base/files.h"
 #include "tests/fuzz/targets.h"
 
 namespace footfall::fuzz {
