@@ -99,8 +99,7 @@ TEST_F(Commands, ThatCannotBeReadAreAnsweredByOneLine) {
   for (const Line& line : lines) {
     const test::Outcome outcome = folder.footfall(line.line);
     EXPECT_EQ(outcome.exit_code, 2) << line.line;
-    if (!std::getenv("FOOTFALL_OLD"))  // OLD
-      EXPECT_TRUE(holds(outcome.text, std::string("[") + line.code)) << line.line << ": " << outcome.text;
+    EXPECT_TRUE(holds(outcome.text, std::string("[") + line.code)) << line.line << ": " << outcome.text;
     EXPECT_TRUE(holds(outcome.text, line.names)) << line.line << ": " << outcome.text;
     EXPECT_EQ(app::lines_of(outcome.text), 1) << line.line << ": " << outcome.text;
   }

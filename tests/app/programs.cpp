@@ -15,30 +15,13 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::milliseconds kMoment{50};
 
-// OLD-BEGIN
-namespace {
-std::string as_old(std::string line) {
-  if (!std::getenv("FOOTFALL_OLD")) return line;
-  const auto swap = [&](const char* from, const char* to) { line = std::regex_replace(line, std::regex(from), to); };
-  if (holds(line, "--pictures")) {
-    swap("^view (.*) --pictures", "pictures $1");
-    swap("--camera", "--view");
-  }
-  swap("^view (.*) --follow", "watch $1");
-  swap("^run (.*) --audit", "audit $1");
-  swap("^check (.*) --surfaces ([^ ]*)", "surfaces $1 --out $2");
-  return line;
-}
-}  // namespace
-// OLD-END
-
 Folder::~Folder() {
   std::error_code ignored;
   if (!::testing::Test::HasFailure()) fs::remove_all(path(), ignored);
 }
 
 test::Outcome Folder::footfall(const std::string& line, int limit_seconds) const {
-  return command(program("footfall") + " " + as_old(line), limit_seconds);
+  return command(program("footfall") + " " + line, limit_seconds);
 }
 
 test::Outcome Folder::done(const std::string& line, int limit_seconds) const {
@@ -50,8 +33,7 @@ test::Outcome Folder::done(const std::string& line, int limit_seconds) const {
 test::Outcome Folder::refused(const std::string& line, const std::string& code) const {
   const test::Outcome outcome = footfall(line);
   EXPECT_EQ(outcome.exit_code, 2) << "footfall " << line << "\n" << outcome.text;
-  if (!std::getenv("FOOTFALL_OLD"))  // OLD
-    EXPECT_TRUE(holds(outcome.text, "[" + code + " ")) << code << ": footfall " << line << "\n" << outcome.text;
+  EXPECT_TRUE(holds(outcome.text, "[" + code + " ")) << code << ": footfall " << line << "\n" << outcome.text;
   return outcome;
 }
 

@@ -15,8 +15,6 @@
 #include "coupler/message_fields.h"
 #include "coupler/messages.h"
 #include "mbd_solver/build/grain_dump.h"
-#include "mbd_solver/studies/calibration.h"
-#include "mbd_solver/studies/sweep_file.h"
 #include "mbd_solver/fe/modal_body_file.h"
 #include "mbd_solver/model/control/fuzzy.h"
 #include "mbd_solver/run/output/history.h"
@@ -24,6 +22,8 @@
 #include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/studies/calibration.h"
+#include "mbd_solver/studies/sweep_file.h"
 
 namespace footfall::fuzz {
 namespace {
@@ -61,7 +61,7 @@ void scene(const std::string& bytes) {
   as_file("scene.toml", bytes, [](const std::string& path) { read_scene(path, {}); });
 }
 void experiment(const std::string& bytes) {
-  as_file("experiment.toml", bytes, [](const std::string& path) { read_experiment(path); });
+  as_file("experiment.toml", bytes, [](const std::string& path) { read_sweep_file(path); });
 }
 void calibration(const std::string& bytes) {
   as_file("calibration.toml", bytes, [](const std::string& path) { read_calibration(path); });
