@@ -122,8 +122,8 @@ TEST(RedundantRows, ASingularPositionThatRoundOffMakesInaccurateIsTold) {
   for (const double rtol : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
     test::Run run(model, "one_step", test::precise(rtol));
     run.to(3.0, 30);
-    EXPECT_EQ(run.integrator->warning().empty(), run.integrator->statistics().told_error == 0.0);
-    EXPECT_LE(run.integrator->statistics().told_error, std::max(1.0, 1e-7 / rtol));
+    EXPECT_EQ(run.integrator->warning().empty(), run.integrator->statistics().reported_error == 0.0);
+    EXPECT_LE(run.integrator->statistics().reported_error, std::max(1.0, 1e-7 / rtol));
   }
 }
 
