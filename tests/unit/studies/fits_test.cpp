@@ -65,12 +65,12 @@ class FitsTest : public ::testing::Test {
     folder_ = ::mkdtemp(pattern.data());
   }
   ~FitsTest() override { std::filesystem::remove_all(folder_); }
-  ExperimentSpec read(const std::string& text) const {
+  SweepSpec read(const std::string& text) const {
     std::ofstream(folder_ / "sweep.toml") << text;
-    return read_experiment((folder_ / "sweep.toml").string());
+    return read_sweep_file((folder_ / "sweep.toml").string());
   }
   // kSweep + kFit with `from` replaced.
-  ExperimentSpec read_with(const std::string& from, const std::string& to) const {
+  SweepSpec read_with(const std::string& from, const std::string& to) const {
     std::string text = kSweep + kFit;
     text.replace(text.find(from), from.size(), to);
     return read(text);
@@ -97,7 +97,7 @@ std::vector<RunResult> results_of(const Plan& plan) {
 }
 
 TEST_F(FitsTest, AFactorMayHoldTheFigureItself) {
-  const ExperimentSpec sweep = read(kSweep + kFit);
+  const SweepSpec sweep = read(kSweep + kFit);
   const Plan plan = plan_of(sweep, false);
   const FitData data = fit_data(sweep, sweep.fits[0], plan, results_of(plan));
   ASSERT_EQ(data.x.rows(), 18);
@@ -110,7 +110,7 @@ TEST_F(FitsTest, AFactorMayHoldTheFigureItself) {
 }
 
 TEST_F(FitsTest, UnfinishedRunsAreLeftOut) {
-  const ExperimentSpec sweep = read(kSweep + kFit);
+  const SweepSpec sweep = read(kSweep + kFit);
   const Plan plan = plan_of(sweep, false);
   std::vector<RunResult> results = results_of(plan);
   results[3].end.code = 1;
@@ -120,7 +120,7 @@ TEST_F(FitsTest, UnfinishedRunsAreLeftOut) {
 }
 
 TEST_F(FitsTest, WhereNamesTheRunsThatAreMeant) {
-  const ExperimentSpec sweep = read_with("label = \"d\"", "where = { density = 2000, colour = \"blue\" }");
+  const SweepSpec sweep = read_with("label = \"d\"", "where = { density = 2000, colour = \"blue\" }");
   const Plan plan = plan_of(sweep, false);
   const FitData data = fit_data(sweep, sweep.fits[0], plan, results_of(plan));
   EXPECT_EQ(data.runs, (std::vector<std::size_t>{7, 9, 11}));
@@ -131,13 +131,13 @@ TEST_F(FitsTest, WhereKnowsAValueThatIsWrittenAsAPower) {
   std::string text = kSweep + kFit;
   text.replace(text.find("[1000, 2000, 4000]"), 18, "[2.5e6, 1e7, 4e7] ");
   text.insert(text.find("label = \"d\""), "where = { density = 2.5e6 }\n");
-  const ExperimentSpec sweep = read(text);
+  const SweepSpec sweep = read(text);
   const Plan plan = plan_of(sweep, false);
   EXPECT_EQ(fit_data(sweep, sweep.fits[0], plan, results_of(plan)).runs.size(), 6U);
 }
 
 TEST_F(FitsTest, TablesAndPictureAreWritten) {
-  const ExperimentSpec sweep = read(kSweep + kFit);
+  const SweepSpec sweep = read(kSweep + kFit);
   const Plan plan = plan_of(sweep, false);
   const std::vector<std::string> files = write_fits(sweep, plan, results_of(plan), folder_.string());
   for (const std::string& file : files) EXPECT_GT(std::filesystem::file_size(file), 100U) << file;
@@ -173,7 +173,7 @@ TEST_F(FitsTest, WrongFilesAreTold) {
 }
 
 TEST_F(FitsTest, NumbersWithoutALogarithmAreTold) {
-  const ExperimentSpec sweep = read(kSweep + kFit);
+  const SweepSpec sweep = read(kSweep + kFit);
   const Plan plan = plan_of(sweep, false);
   std::vector<RunResult> results = results_of(plan);
   results[5].figures[0] = -0.01;
@@ -185,7 +185,7 @@ TEST_F(FitsTest, NumbersWithoutALogarithmAreTold) {
 
 // What the names of the choices say is what they set: the speed of a fall through the height, and half the diameter.
 TEST(DroppedSphere, SettingsFollowFromHeightsAndDiameters) {
-  const ExperimentSpec sweep = read_experiment(std::string(FOOTFALL_SOURCE_DIR) + "/inputs/sweeps/dropped_sphere.toml");
+  const SweepSpec sweep = read_sweep_file(std::string(FOOTFALL_SOURCE_DIR) + "/inputs/sweeps/dropped_sphere.toml");
   constexpr double kDigits = 1e-6;  // of the file
   const auto number_after = [](const std::string& text, const std::string& what) {
     return std::stod(text.substr(text.find(what) + what.size()));

@@ -32,7 +32,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// What read_experiment says of a file with this text; empty when nothing is wrong.
+// What read_sweep_file says of a file with this text; empty when nothing is wrong.
 std::string complaint(const std::string& text) {
   const std::string path =
       (std::filesystem::temp_directory_path() / ("footfall_experiment_" + std::to_string(::getpid()) + ".toml"))
@@ -40,7 +40,7 @@ std::string complaint(const std::string& text) {
   std::ofstream(path) << "scene = \"scene.toml\"\n" << text;
   std::string what;
   try {
-    read_experiment(path);
+    read_sweep_file(path);
   } catch (const InputError& error) {
     what = error.what();
   }
@@ -55,7 +55,7 @@ TEST(ReadExperiment, AsksForNoDrawingsUnlessTheFileDoes) {
                          "[[parameters]]\nname = \"v\"\nsettings = [\"x={value}\"]\nvalues = [1]\n"
                          "[[figures]]\nname = \"m\"\nkey = \"k\"\n";
   // The last word counts.
-  EXPECT_EQ(read_experiment(path).settings, (std::vector<std::string>{"output.vtk=false", "output.vtk=true"}));
+  EXPECT_EQ(read_sweep_file(path).settings, (std::vector<std::string>{"output.vtk=false", "output.vtk=true"}));
   std::filesystem::remove(path);
 }
 
@@ -66,7 +66,7 @@ TEST(ReadExperiment, TheShortFormOfACurveIsItsFirstValueUnlessTheFileSaysOtherwi
     std::ofstream(path) << "scene = \"scene.toml\"\n[reference]\n[[curves]]\nname = \"c\"\nsettings = [\"x={value}\"]\n"
                            "values = [1, 2]\n" +
                                words + "[[figures]]\nname = \"m\"\nkey = \"k\"\n";
-    return read_experiment(path).curves[0].short_values;
+    return read_sweep_file(path).curves[0].short_values;
   };
   EXPECT_EQ(shortened(""), std::vector<std::string>{"1"});
   EXPECT_EQ(shortened("short = [2]\n"), std::vector<std::string>{"2"});
@@ -201,8 +201,8 @@ std::vector<std::string> names(const Plan& plan) {
 }
 
 // Two curves over two seeds, one with a reference of its own.
-ExperimentSpec two_curves() {
-  ExperimentSpec spec;
+SweepSpec two_curves() {
+  SweepSpec spec;
   spec.scene = "scene.toml";
   spec.settings = {"all=1"};
   spec.reference.emplace();
@@ -249,7 +249,7 @@ TEST(PlanOf, EveryCaseKnowsWhatItIsComparedWith) {
 }
 
 TEST(PlanOf, ShortFormTakesItsOwnValuesTimeAndSettings) {
-  ExperimentSpec spec = two_curves();
+  SweepSpec spec = two_curves();
   spec.until = 2.0;
   spec.short_form = {0.1, {"small=1"}};
   const Plan plan = plan_of(spec, true);
@@ -260,7 +260,7 @@ TEST(PlanOf, ShortFormTakesItsOwnValuesTimeAndSettings) {
 }
 
 TEST(PlanOf, AReferenceThatDependsOnTheValueIsRunForEach) {
-  ExperimentSpec spec = two_curves();
+  SweepSpec spec = two_curves();
   spec.reference.reset();
   spec.parameters.clear();
   spec.curves.pop_back();
@@ -271,7 +271,7 @@ TEST(PlanOf, AReferenceThatDependsOnTheValueIsRunForEach) {
 }
 
 TEST(PlanOf, ParametersAreCombinedAndTheEnsembleIsOneCase) {
-  ExperimentSpec spec = two_curves();
+  SweepSpec spec = two_curves();
   spec.curves.clear();
   spec.reference.reset();
   ParameterSpec speed;
@@ -288,7 +288,7 @@ TEST(PlanOf, ParametersAreCombinedAndTheEnsembleIsOneCase) {
 }
 
 TEST(PlanOf, RunsOfOneNameAreTold) {
-  ExperimentSpec spec = two_curves();
+  SweepSpec spec = two_curves();
   spec.curves[1].name = "window";
   spec.curves[1].values = {"5", "6"};
   EXPECT_THROW(plan_of(spec, false), InputError);
@@ -580,7 +580,7 @@ class ResultsTest : public ::testing::Test {
     return outcomes_of(spec_, cases_of(spec_, plan_, runs_));
   }
 
-  ExperimentSpec spec_;
+  SweepSpec spec_;
   Plan plan_;
   std::vector<RunResult> runs_;
 };
@@ -693,7 +693,7 @@ CaseResult point(int curve, const std::string& value, const std::vector<double>&
 }
 
 struct Known {
-  ExperimentSpec spec;
+  SweepSpec spec;
   Results results;
 };
 
