@@ -214,15 +214,15 @@ TEST_F(LastRowTest, ARowInWritingDoesNotCount) {
 }
 
 TEST_F(RunLookTest, KnowsAtWhichPointARunIs) {
-  EXPECT_THROW(look_at_run(run), InputError);
+  EXPECT_THROW(progress_of_run(run), InputError);
   write(".footfall.lock", std::to_string(getpid()) + "\n");
-  EXPECT_EQ(look_at_run(run).state, RunLook::State::kSettingUp);
+  EXPECT_EQ(progress_of_run(run).state, RunProgress::State::kSettingUp);
   write("liggghts.log", "run 200\nStep Atoms KinEng\n50 10 1.5\n");
-  EXPECT_EQ(look_at_run(run).preparation, "step 50 of 200 (25 %)");
+  EXPECT_EQ(progress_of_run(run).preparation, "step 50 of 200 (25 %)");
   write_run_note(run, {"A landing", "/scene.toml", 1.0});
   write("history.csv", std::string(kHead) + "0,0,0,0,0,0,0\n0.25,3,0,4,0,0,1\n");
-  const RunLook look = look_at_run(run);
-  EXPECT_EQ(look.state, RunLook::State::kRunning);
+  const RunProgress look = progress_of_run(run);
+  EXPECT_EQ(look.state, RunProgress::State::kRunning);
   EXPECT_EQ(look.title, "A landing");
   EXPECT_EQ(look.time, 0.25);
   EXPECT_EQ(look.end_time, 1.0);
@@ -232,10 +232,10 @@ TEST_F(RunLookTest, KnowsAtWhichPointARunIs) {
 TEST_F(RunLookTest, TellsARunThatEndedFromOneThatWasKilled) {
   write(".footfall.lock", "0\n");
   write("history.csv", std::string(kHead) + "0,0,0,0,0,0,0\n");
-  EXPECT_EQ(look_at_run(run).state, RunLook::State::kGone);
+  EXPECT_EQ(progress_of_run(run).state, RunProgress::State::kGone);
   write("summary.json", R"({"status": "failed", "reason": "a strut broke"})");
-  const RunLook look = look_at_run(run);
-  EXPECT_EQ(look.state, RunLook::State::kFailed);
+  const RunProgress look = progress_of_run(run);
+  EXPECT_EQ(look.state, RunProgress::State::kFailed);
   EXPECT_EQ(look.reason, "a strut broke");
 }
 

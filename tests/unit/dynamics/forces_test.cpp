@@ -487,7 +487,7 @@ double flow_of(test::Run& run, const Model& model, double t_end, int windows) {
   Kinematics kinematics(model);
   const auto take = [&] {
     kinematics.load(run.equations.layout(), run.state.q, run.state.v, Eigen::VectorXd());
-    flow.take(run.energy().stored, run.state, kinematics);
+    flow.sample(run.energy().stored, run.state, kinematics);
   };
   take();
   for (int k = 1; k <= windows; ++k) {

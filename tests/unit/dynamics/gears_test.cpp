@@ -71,7 +71,7 @@ TEST_P(Gears, PairTurnsAsItsInertias) {
     EXPECT_NEAR(q_rate(run, 0, Coordinate::kAngle), speed, kGearTolerance * speed);
     EXPECT_NEAR(q_rate(run, 1, Coordinate::kAngle), -ratio * speed, kGearTolerance * speed);
     EXPECT_NEAR(reaction(run, gear), I1 * acc - T, kGearTolerance * T);
-    const Equations::Drift drift = run.equations.saddle().drift(run.state);
+    const Drift drift = run.equations.saddle().drift(run.state);
     EXPECT_LT(drift.position, 1e-7);  // phi over many turns; Baumgarte's terms leave some of it
     EXPECT_NEAR(run.imbalance(), 0.0, kGearTolerance * run.energy().stored.total());
   }

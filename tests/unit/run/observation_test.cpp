@@ -331,7 +331,7 @@ std::string complaint_at_start(const std::string& toml, bool is_placed = true) {
   const SceneText text;
   const Scene scene = text.read(toml);
   Mechanism mechanism = build_mechanism(scene);
-  return test::refusal([&] { demand_values_at_start(scene, is_placed, mechanism); });
+  return test::refusal([&] { require_values_at_start(scene, is_placed, mechanism); });
 }
 
 TEST(StartValues, OfPlacesAccelerationsAndForcesAreThoseOfTheRun) {
@@ -382,7 +382,7 @@ TEST(MetricRecorder, KeepsTheDeepestDescentNotTheLast) {
     bench.state.q(2) = start - way;
     taker.update(bench.take());
   }
-  EXPECT_DOUBLE_EQ(taker.figures().max_descent, 0.5);
+  EXPECT_DOUBLE_EQ(taker.metrics().max_descent, 0.5);
 }
 
 // Against gravity, wherever that points.
@@ -393,7 +393,7 @@ TEST(MetricRecorder, MeasuresDescentAgainstGravity) {
   bench.state.q(0) -= 0.5;
   bench.state.q(2) -= 3.0;
   taker.update(bench.take());
-  EXPECT_DOUBLE_EQ(taker.figures().max_descent, 0.5);
+  EXPECT_DOUBLE_EQ(taker.metrics().max_descent, 0.5);
 }
 
 // Of the beam's surface, 0.02 m from its line, and the same that the contact force counts with.
@@ -402,7 +402,7 @@ TEST(MetricRecorder, PenetrationIsThatOfTheContactOnThePlane) {
     Bench bench(kSmallMachine, {"initial.clearance=0", std::string("ground.plane.normal=") + normal});
     MetricRecorder taker(bench.subject());
     taker.update(bench.take());
-    EXPECT_NEAR(taker.figures().max_penetration, 0.0, 1e-15);  // round-off of lengths below 1 m
+    EXPECT_NEAR(taker.metrics().max_penetration, 0.0, 1e-15);  // round-off of lengths below 1 m
     const int leg = bench.equations.layout().body_q[1];
     bench.state.q(leg + 2) -= 0.03;
     const Sample& sample = bench.take();
@@ -410,7 +410,7 @@ TEST(MetricRecorder, PenetrationIsThatOfTheContactOnThePlane) {
     const int force = bench.mechanism.planes[0];
     const auto& plane = static_cast<const RigidPlane&>(bench.mechanism.model.force(force));
     const double overlap = plane.largest_overlap(element_input(bench.subject(), sample, force));
-    EXPECT_NEAR(taker.figures().max_penetration, overlap, 1e-15);
+    EXPECT_NEAR(taker.metrics().max_penetration, overlap, 1e-15);
     EXPECT_NEAR(overlap, 0.03 * bench.scene.ground.plane->normal.z(), 1e-15);
   }
 }
@@ -420,13 +420,13 @@ TEST(MetricRecorder, ReferenceEnergyIsThatOfTheStartOrTheLargestKinetic) {
   MetricRecorder taker(bench.subject());
   const double start = bench.take().energy.stored[Stored::kKinetic];
   taker.update(bench.take());
-  EXPECT_DOUBLE_EQ(taker.figures().reference_energy, start);
+  EXPECT_DOUBLE_EQ(taker.metrics().reference_energy, start);
   bench.state.v *= 0.5;
   taker.update(bench.take());
-  EXPECT_DOUBLE_EQ(taker.figures().reference_energy, start);
+  EXPECT_DOUBLE_EQ(taker.metrics().reference_energy, start);
   bench.state.v *= 4.0;
   taker.update(bench.take());
-  EXPECT_NEAR(taker.figures().reference_energy, 4.0 * start, 1e-12 * start);
+  EXPECT_NEAR(taker.metrics().reference_energy, 4.0 * start, 1e-12 * start);
 }
 
 // Energy that appears from nowhere is told; energy that was dissipated, or came from grains or motions, is not. Both
@@ -436,18 +436,18 @@ TEST(MetricRecorder, WarnsOfEnergyThatDoesNotClose) {
   Bench bench(kSmallMachine);
   MetricRecorder taker(bench.subject());
   taker.update(bench.take());
-  const double E = taker.figures().reference_energy;
+  const double E = taker.metrics().reference_energy;
   bench.state.v *= 0.5;
   bench.state.dissipated[Dissipation::kStop] = E;  // of which a quarter is left
   bench.state.supplied[Supply::kMotion] = 0.25 * E;
   taker.update(bench.take());
-  EXPECT_LT(taker.figures().energy_balance_relative(), 1e-12);
+  EXPECT_LT(taker.metrics().energy_balance_relative(), 1e-12);
   EXPECT_EQ(taker.balance_warning(), "");
   bench.state.dissipated[Dissipation::kStop] = 0.98 * E;
   taker.update(bench.take());
   // What flowed: to K' 0.25 E, to stops E and 0.02 E back, from the motion 0.25 E; half of the sum.
-  EXPECT_NEAR(taker.figures().energy_flow, 0.76 * E, 1e-12 * E);
-  EXPECT_NEAR(taker.figures().energy_balance_relative(), 0.02 / 0.76, 1e-12);
+  EXPECT_NEAR(taker.metrics().energy_flow, 0.76 * E, 1e-12 * E);
+  EXPECT_NEAR(taker.metrics().energy_balance_relative(), 0.02 / 0.76, 1e-12);
   EXPECT_NE(taker.balance_warning(), "");
 }
 
@@ -459,8 +459,8 @@ TEST(MetricRecorder, KeepsTheLargestForceOnABodyAndTellsThePresentOneOnAll) {
     bench.inputs.loads[0].F_W = Eigen::Vector3d(0, 0, force);
     taker.update(bench.take());
   }
-  EXPECT_DOUBLE_EQ(taker.figures().max_contact_force, 40.0);
-  EXPECT_DOUBLE_EQ(taker.figures().contact_force, 30.0);
+  EXPECT_DOUBLE_EQ(taker.metrics().max_contact_force, 40.0);
+  EXPECT_DOUBLE_EQ(taker.metrics().contact_force, 30.0);
 }
 
 // The rigid motion of a surface's nodes.
@@ -473,7 +473,7 @@ TEST(FitRigid, FindsTheMotionOfARigidSurface) {
     const RigidFit fit = fit_rigid(x0, (R * x0).colwise() + shift);
     EXPECT_LT((fit.R - R).norm(), 1e-14);
     EXPECT_LT((fit.centre - (R * x0.rowwise().mean() + shift)).norm(), 1e-14);
-    EXPECT_LT(fit.left_over, 1e-14);
+    EXPECT_LT(fit.residual, 1e-14);
   }
 }
 
@@ -495,7 +495,7 @@ TEST(FitRigid, LeavesTheBendingOver) {
   x(2, 0) = x(2, 2) = 0.03;
   const RigidFit fit = fit_rigid(x0, x);
   EXPECT_LT((fit.R * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitX()).norm(), 1e-14);
-  EXPECT_NEAR(fit.left_over, 0.02, 1e-15);
+  EXPECT_NEAR(fit.residual, 0.02, 1e-15);
   EXPECT_NEAR(fit.centre.z(), 0.02, 1e-15);
 }
 

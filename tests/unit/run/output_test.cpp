@@ -117,11 +117,11 @@ TEST_F(CheckpointFolderTest, ASetThatIsNotFinishedDoesNotCount) {
 TEST_F(CheckpointFolderTest, WhatProgramsThatWereKilledHaveLeftIsRemoved) {
   fs::create_directories(run_ + "/checkpoint/3.part");
   std::ofstream(run_ + "/checkpoint/3.part/run.txt") << "half of it";
-  remove_unfinished_sets(run_);
+  remove_unfinished_checkpoints(run_);
   EXPECT_FALSE(fs::exists(run_ + "/checkpoint")) << "there was nothing else in it";
   keep(1);
   fs::create_directories(run_ + "/checkpoint/3.part");
-  remove_unfinished_sets(run_);
+  remove_unfinished_checkpoints(run_);
   EXPECT_TRUE(there("1"));
   EXPECT_FALSE(there("3.part"));
 }
@@ -139,7 +139,7 @@ TEST_F(CheckpointFolderTest, WhatIsDroppedOrClearedIsGoneAndOlderSetsStay) {
   keep(1);
   CheckpointFolder folder(run_);
   folder.begin(2);
-  folder.drop();
+  folder.cancel();
   EXPECT_FALSE(there("2.part"));
   folder.begin(3);
   folder.finish();

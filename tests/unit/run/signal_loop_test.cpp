@@ -63,15 +63,15 @@ interval = 0.01
 // The rows of a run, by the names of their columns.
 struct Record {
   explicit Record(const Scene& scene) : simulation(scene, scene.end_time, nullptr), observation(simulation.subject()) {}
-  void run(const Keeper& keep = {}) {
+  void run(const CheckpointWriter& keep = {}) {
     MetricRecorder figures(simulation.subject());
     simulation.run(
         [&](const Sample& sample) {
           rows.push_back(observation.row(sample));
-          figures.take(sample);
+          figures.update(sample);
         },
         test::kNever, keep);
-    balance = figures.figures().energy_balance;
+    balance = figures.metrics().energy_balance;
   }
   double value(std::size_t row, const std::string& name) const {
     const std::vector<std::string> names = observation.names();
@@ -382,7 +382,7 @@ force = { signal = "smooth" }
   std::string kept;
   Record whole(scene), later(scene);
   const auto keeper = [&](Record& record, std::string* text) {
-    Keeper keep;
+    CheckpointWriter keep;
     keep.begin = [](long) { return std::string("nowhere"); };
     keep.finish = [&record, text] {
       if (!text || !text->empty()) return;

@@ -103,7 +103,7 @@ TEST(Simulation, StepsOfAFixedLengthGoByTheFifthOrder) {
     const Scene scene =
         folder.read(kPendulum, {"solver.error_control=false", "solver.max_step=0.01", "solver.method=" + method});
     Simulation simulation(scene, scene.end_time, nullptr);
-    simulation.run([](const Sample&) {}, kNever);
+    simulation.run([](const Sample&) {}, test::kNever);
     return simulation.state().q;
   };
   EXPECT_EQ(end("auto"), end("esdirk5"));
@@ -288,7 +288,7 @@ hold_other_rotations = true
     Simulation simulation(scene, scene.end_time, &grains.transport());
     EXPECT_NO_THROW(rows_of(simulation)) << mass;
     EXPECT_EQ(grains.join(), "");
-    EXPECT_EQ(simulation.coupled()->watch().largest_omega_h()[0], 0.0);
+    EXPECT_EQ(simulation.coupled()->watch().largest_omega_h(0), 0.0);
     EXPECT_TRUE(simulation.coupled()->watch().warnings().empty());
   }
 }
@@ -447,20 +447,20 @@ stop_on_energy_gain = false
 struct Counted {
   int begun = 0, finished = 0, dropped = 0;
 };
-Keeper always_overdue(Counted& count) {
-  Keeper keep;
+CheckpointWriter always_overdue(Counted& count) {
+  CheckpointWriter keep;
   keep.begin = [&count](long windows) {
     ++count.begun;
     return "set_" + std::to_string(windows);
   };
   keep.finish = [&count] { ++count.finished; };
-  keep.drop = [&count] { ++count.dropped; };
+  keep.cancel = [&count] { ++count.dropped; };
   keep.overdue = [] { return true; };
   return keep;
 }
 
 using States = std::vector<std::vector<double>>;
-States states_of(Simulation& simulation, const Keeper& keep) {
+States states_of(Simulation& simulation, const CheckpointWriter& keep) {
   States states;
   simulation.run(
       [&](const Sample& sample) {
@@ -480,7 +480,7 @@ TEST(KeptByTheClock, AMechanismGoesOnAsIfItWereNot) {
   EXPECT_EQ(count.begun, count.finished);
 }
 
-States coupled_states(const Keeper& keep, std::int64_t cannot_before) {
+States coupled_states(const CheckpointWriter& keep, std::int64_t cannot_before) {
   const SceneText folder;
   folder.write(
       "in.grains",

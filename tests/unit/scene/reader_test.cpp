@@ -226,10 +226,6 @@ using ::testing::AllOf;
 
 auto Only(const std::string& what) { return AllOf(HasSubstr(what), Not(HasSubstr("\n"))); }
 
-std::string with_signal(const std::string& keys) { return kPendulum + "[[signals]]\nname = \"a\"\n" + keys + "\n"; }
-
-std::string with_body(const std::string& keys) { return kPendulum + "[[bodies]]\nname = \"b\"\n" + keys + "\n"; }
-
 TEST(OneFinding, OfStopsNamesTheKeyThatSetGave) {
   const SceneText text;
   const std::string stops = kPendulum + "[joints.angle]\nstops = { min_deg = -10, max_deg = 10, stiffness = 500 }\n";

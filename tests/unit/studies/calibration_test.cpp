@@ -51,11 +51,11 @@ std::string calibration_complaint(const std::string& text) {
 
 TEST(ReadCalibration, TakesAParameterWithItsScale) {
   CalibrationSpec s = read_text(kParameter + "scale = \"logarithmic\"\nstart = 1\n" + kRest);
-  const SoughtParameter& p = s.parameters.front();
+  const CalibrationParameter& p = s.parameters.front();
   EXPECT_DOUBLE_EQ(p.value(0.5), 2.0);
   EXPECT_DOUBLE_EQ(p.share(2.0), 0.5);
   EXPECT_DOUBLE_EQ(p.value(1.0), 4.0);
-  EXPECT_EQ(start_of(s), (Shares{0.0}));
+  EXPECT_EQ(start_of(s), (UnitPoint{0.0}));
   EXPECT_EQ(s.targets.front().name, "m, run");  // the only scene
 }
 
@@ -126,11 +126,11 @@ class MisfitOfRuns : public ::testing::Test {
       scene.name = name;
       spec.scenes.push_back(scene);
     }
-    FigureSpec figure;
+    MetricSpec figure;
     figure.name = "height";
-    spec.figures = {figure};
+    spec.metrics = {figure};
     TargetSpec ratio = target(1.5, 2.5);
-    ratio.figure = "height";
+    ratio.metric = "height";
     ratio.scene = "a";
     ratio.against = "b";
     spec.targets = {ratio};
@@ -177,47 +177,47 @@ TEST_F(MisfitOfRuns, IsThatOfFailureWhereARunOrANumberIsMissing) {
 
 // The way of a search: mbd_solver/cli/calibrate/search.h and gauss_newton.h.
 
-const Shares kBottom = {0.3, 0.8, 0.45};
+const UnitPoint kBottom = {0.3, 0.8, 0.45};
 
-std::vector<double> bowl_residuals(const Shares& u) {
+std::vector<double> bowl_residuals(const UnitPoint& u) {
   std::vector<double> r;
   for (std::size_t i = 0; i < u.size(); ++i) r.push_back((u[i] - kBottom[i]) * (3.0 + static_cast<double>(i)));
   r.push_back((u[0] - kBottom[0]) * (u[1] - kBottom[1]));
   return r;
 }
 
-double bowl(const Shares& u) {
+double bowl(const UnitPoint& u) {
   double sum = 0.0;
   for (const double r : bowl_residuals(u)) sum += r * r;
   return sum;
 }
 
 struct Walked {
-  StageWay way;
+  SearchPath way;
   int runs = 0, rounds = 0;  // sets that were run, and how often the search began anew
 };
 
 // As a calibration does it: the sets that are wanted become known, and the search begins anew.
 Walked walked(const StageSpec& stage, std::size_t side_by_side, int most_rounds = 100000) {
-  static const Shares kStart = {0.5, 0.5, 0.5};
-  std::map<Shares, bool> known;
+  static const UnitPoint kStart = {0.5, 0.5, 0.5};
+  std::map<UnitPoint, bool> known;
   Walked w;
-  SearchQuestions questions;
-  questions.misfit = [&](const Shares& u) -> std::optional<double> {
+  SearchQueries questions;
+  questions.misfit = [&](const UnitPoint& u) -> std::optional<double> {
     if (!known.count(u)) return {};
     return bowl(u);
   };
-  LeastSquaresQuestions squares;
-  squares.residuals = [&](const Shares& u) -> std::optional<std::vector<double>> {
+  LeastSquaresQueries squares;
+  squares.residuals = [&](const UnitPoint& u) -> std::optional<std::vector<double>> {
     if (!known.count(u)) return {};
     return bowl_residuals(u);
   };
-  questions.may_go_on = squares.may_go_on = [](const Shares&) { return true; };
+  questions.may_continue = squares.may_continue = [](const UnitPoint&) { return true; };
   for (; w.rounds < most_rounds; ++w.rounds) {
     w.way = stage.method == SearchMethod::kGaussNewton ? walk_least_squares(stage, kStart, 0.01, squares)
                                                        : walk(stage, kStart, questions, side_by_side);
     if (w.way.wanted.empty()) break;
-    for (const Shares& u : w.way.wanted) known[u] = true;
+    for (const UnitPoint& u : w.way.wanted) known[u] = true;
     w.runs = static_cast<int>(known.size());
   }
   return w;
@@ -235,25 +235,25 @@ TEST_P(Search, GoesTheSameWayHoweverManyRunsGoSideBySide) {
   EXPECT_EQ(one.way.end, four.way.end);
   EXPECT_EQ(one.runs, static_cast<int>(one.way.sets.size()));  // one by one nothing is run in vain
   EXPECT_LE(four.rounds, one.rounds);
-  for (const Shares& u : one.way.sets)
+  for (const UnitPoint& u : one.way.sets)
     for (const double share : u) EXPECT_TRUE(share >= 0.0 && share <= 1.0);
 }
 
 TEST_P(Search, GetsNearerToTheBottom) {
-  const StageWay way = walked(stage_of(GetParam(), 150), 2).way;
+  const SearchPath way = walked(stage_of(GetParam(), 150), 2).way;
   EXPECT_LT(way.misfit, 0.1 * bowl({0.5, 0.5, 0.5}));
   EXPECT_DOUBLE_EQ(way.misfit, bowl(way.best));
 }
 
 TEST_P(Search, EndsAtALimit) {
-  SearchQuestions questions;
-  questions.misfit = [](const Shares& u) { return bowl(u); };
-  LeastSquaresQuestions squares;
-  squares.residuals = [](const Shares& u) { return bowl_residuals(u); };
+  SearchQueries questions;
+  questions.misfit = [](const UnitPoint& u) { return bowl(u); };
+  LeastSquaresQueries squares;
+  squares.residuals = [](const UnitPoint& u) { return bowl_residuals(u); };
   int asked = 0;
-  questions.may_go_on = squares.may_go_on = [&](const Shares&) { return ++asked <= 7; };
+  questions.may_continue = squares.may_continue = [&](const UnitPoint&) { return ++asked <= 7; };
   const StageSpec stage = stage_of(GetParam(), 100);
-  const StageWay way = GetParam() == SearchMethod::kGaussNewton
+  const SearchPath way = GetParam() == SearchMethod::kGaussNewton
                            ? walk_least_squares(stage, {0.5, 0.5, 0.5}, 0.01, squares)
                            : walk(stage, {0.5, 0.5, 0.5}, questions, 1);
   EXPECT_EQ(way.sets.size(), 7u);
@@ -266,7 +266,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, Search,
                          [](const auto& of) { return std::string(name_of(of.param)); });
 
 TEST(GaussNewton, IsAtTheBottomOfALeastSquaresProblemAfterFewSets) {
-  const StageWay way = walked(stage_of(SearchMethod::kGaussNewton, 60), 1).way;
+  const SearchPath way = walked(stage_of(SearchMethod::kGaussNewton, 60), 1).way;
   EXPECT_EQ(way.end, "within its precision");
   for (std::size_t i = 0; i < kBottom.size(); ++i) EXPECT_NEAR(way.best[i], kBottom[i], 1e-4);  // its precision
   EXPECT_LE(way.sets.size(), 50u);
@@ -274,13 +274,13 @@ TEST(GaussNewton, IsAtTheBottomOfALeastSquaresProblemAfterFewSets) {
 
 // With the bottom outside, the constrained minimum is found, not the cut one: r = (a + b - 2, a - b), a <= 0.7 of its unit.
 TEST(GaussNewton, SolvesAnewWhereARangeEnds) {
-  LeastSquaresQuestions squares;
-  squares.may_go_on = [](const Shares&) { return true; };
-  squares.residuals = [](const Shares& u) {
+  LeastSquaresQueries squares;
+  squares.may_continue = [](const UnitPoint&) { return true; };
+  squares.residuals = [](const UnitPoint& u) {
     const double a = 0.7 * u[0], b = 2.0 * u[1];
     return std::vector<double>{3.0 * (a + b - 2.0), a - b};
   };
-  const StageWay way = walk_least_squares(stage_of(SearchMethod::kGaussNewton, 200), {0.5, 0.5}, 0.01, squares);
+  const SearchPath way = walk_least_squares(stage_of(SearchMethod::kGaussNewton, 200), {0.5, 0.5}, 0.01, squares);
   EXPECT_NEAR(way.best[0], 1.0, 1e-9);
   EXPECT_NEAR(2.0 * way.best[1], (9.0 * 1.3 + 0.7) / 10.0, 1e-3);  // least of 9 (b - 1.3)^2 + (b - 0.7)^2
 }
@@ -356,27 +356,27 @@ TEST(ResponseSurfaces, OfOnePointIsItsValue) {
 
 // Ten parameters; each of eight numbers feels three of them, bends, and is wanted within bounds.
 constexpr std::size_t kManyParameters = 10, kManyNumbers = 8;
-Shares bent_middle() { return Shares(kManyParameters, 0.5); }
-double bent_number(std::size_t k, const Shares& u) {
+UnitPoint bent_middle() { return UnitPoint(kManyParameters, 0.5); }
+double bent_number(std::size_t k, const UnitPoint& u) {
   return std::sin(2.0 * u[k]) + u[k + 1] * u[k + 1] - u[(k + 5) % kManyParameters];
 }
 double bent_part(std::size_t k, double y) {  // met at a hidden set
-  static const Shares kHidden = {0.3, 0.7, 0.2, 0.6, 0.45, 0.8, 0.35, 0.25, 0.65, 0.55};
+  static const UnitPoint kHidden = {0.3, 0.7, 0.2, 0.6, 0.45, 0.8, 0.35, 0.25, 0.65, 0.55};
   const double off = (y - bent_number(k, kHidden)) / 0.1;
   return std::min(9.0, off * off);
 }
-double bent_misfit(const Shares& u) {
+double bent_misfit(const UnitPoint& u) {
   double sum = 0.0;
   for (std::size_t k = 0; k < kManyNumbers; ++k) sum += bent_part(k, bent_number(k, u));
   return sum;
 }
 
-SurrogateQuestions questions_of(std::map<Shares, bool>* known) {
+SurrogateQuestions questions_of(std::map<UnitPoint, bool>* known) {
   SurrogateQuestions questions;
   for (std::size_t k = 0; k < kManyNumbers; ++k) questions.moved_by.push_back({k, k + 1, (k + 5) % kManyParameters});
   questions.part = bent_part;
-  questions.may_go_on = [](const Shares&) { return true; };
-  questions.numbers = [known](const Shares& u) -> std::optional<std::vector<double>> {
+  questions.may_continue = [](const UnitPoint&) { return true; };
+  questions.numbers = [known](const UnitPoint& u) -> std::optional<std::vector<double>> {
     if (known && !known->count(u)) return {};
     std::vector<double> all;
     for (std::size_t k = 0; k < kManyNumbers; ++k) all.push_back(bent_number(k, u));
@@ -385,28 +385,28 @@ SurrogateQuestions questions_of(std::map<Shares, bool>* known) {
   return questions;
 }
 
-StageWay surrogate_way(const SurrogateQuestions& questions, int evaluations) {
+SearchPath surrogate_way(const SurrogateQuestions& questions, int evaluations) {
   SurrogateSearch search(stage_of(SearchMethod::kSurrogate, evaluations), bent_middle(), questions);
   return search.go();
 }
 
 TEST(SurrogateSearch, IsBetterThanSimplicesInAsManySets) {
-  const StageWay way = surrogate_way(questions_of(nullptr), 40);
-  SearchQuestions blind;
-  blind.may_go_on = [](const Shares&) { return true; };
+  const SearchPath way = surrogate_way(questions_of(nullptr), 40);
+  SearchQueries blind;
+  blind.may_continue = [](const UnitPoint&) { return true; };
   blind.misfit = bent_misfit;
-  const StageWay simplices = walk(stage_of(SearchMethod::kSbplx, 40), bent_middle(), blind, 1);
+  const SearchPath simplices = walk(stage_of(SearchMethod::kSbplx, 40), bent_middle(), blind, 1);
   EXPECT_EQ(way.sets.size(), 40u);
   EXPECT_DOUBLE_EQ(way.misfit, bent_misfit(way.best));
   EXPECT_LT(way.misfit, 0.2 * simplices.misfit) << simplices.misfit;
-  for (const Shares& u : way.sets)
+  for (const UnitPoint& u : way.sets)
     for (const double share : u) EXPECT_TRUE(share >= 0.0 && share <= 1.0);
 }
 
 TEST(SurrogateSearch, GoesTheSameWayHoweverOftenItBegins) {
-  const StageWay straight = surrogate_way(questions_of(nullptr), 30);
-  std::map<Shares, bool> known;
-  StageWay way;
+  const SearchPath straight = surrogate_way(questions_of(nullptr), 30);
+  std::map<UnitPoint, bool> known;
+  SearchPath way;
   for (int round = 0; round < 100; ++round) {  // as a calibration that is killed after every set
     way = surrogate_way(questions_of(&known), 30);
     if (way.wanted.empty()) break;
@@ -421,7 +421,7 @@ TEST(SurrogateSearch, GoesTheSameWayHoweverOftenItBegins) {
 TEST(SurrogateSearch, UsesWhatIsKnownAndDoesNotAskForItAgain) {
   SurrogateQuestions questions = questions_of(nullptr);
   questions.earlier = surrogate_way(questions, 30).sets;
-  const StageWay way = surrogate_way(questions, 10);
+  const SearchPath way = surrogate_way(questions, 10);
   for (std::size_t k = 1; k < way.sets.size(); ++k)
     EXPECT_EQ(std::count(questions.earlier.begin(), questions.earlier.end(), way.sets[k]), 0);
   EXPECT_LT(way.misfit, 0.5 * bent_misfit(bent_middle()));
@@ -430,16 +430,16 @@ TEST(SurrogateSearch, UsesWhatIsKnownAndDoesNotAskForItAgain) {
 TEST(SurrogateSearch, GoesAroundSetsWhoseRunsFail) {
   SurrogateQuestions questions = questions_of(nullptr);
   const auto all = questions.numbers;
-  questions.numbers = [all](const Shares& u) { return u[0] > 0.6 ? std::vector<double>() : all(u); };
-  const StageWay way = surrogate_way(questions, 40);
+  questions.numbers = [all](const UnitPoint& u) { return u[0] > 0.6 ? std::vector<double>() : all(u); };
+  const SearchPath way = surrogate_way(questions, 40);
   EXPECT_LE(way.best[0], 0.6);
   EXPECT_LT(way.misfit, bent_misfit(bent_middle()));
 }
 
 TEST(SurrogateSearch, KeepsConstraints) {
   SurrogateQuestions questions = questions_of(nullptr);
-  questions.allowed = [](const Shares& u) { return u[0] + u[1] <= 1.0; };
-  const StageWay way = surrogate_way(questions, 40);
+  questions.allowed = [](const UnitPoint& u) { return u[0] + u[1] <= 1.0; };
+  const SearchPath way = surrogate_way(questions, 40);
   for (std::size_t k = 1 + bent_middle().size() + 1; k < way.sets.size(); ++k)  // behind the hypercube
     EXPECT_LE(way.sets[k][0] + way.sets[k][1], 1.0);
 }
@@ -447,8 +447,8 @@ TEST(SurrogateSearch, KeepsConstraints) {
 TEST(SurrogateSearch, EndsAtALimit) {
   SurrogateQuestions questions = questions_of(nullptr);
   int asked = 0;
-  questions.may_go_on = [&](const Shares&) { return ++asked <= 7; };
-  const StageWay way = surrogate_way(questions, 40);
+  questions.may_continue = [&](const UnitPoint&) { return ++asked <= 7; };
+  const SearchPath way = surrogate_way(questions, 40);
   EXPECT_EQ(way.sets.size(), 7u);
   EXPECT_EQ(way.end, "limit reached");
 }
@@ -461,7 +461,7 @@ CalibrationSpec spec_of(std::size_t parameters, const std::vector<double>& wante
   CalibrationSpec spec;
   spec.step = 0.02;
   for (std::size_t i = 0; i < parameters; ++i) {
-    SoughtParameter p;
+    CalibrationParameter p;
     p.name = "p" + std::to_string(i);
     p.least = 1.0;
     p.most = 10.0;
@@ -477,7 +477,7 @@ CalibrationSpec spec_of(std::size_t parameters, const std::vector<double>& wante
   return spec;
 }
 
-Evaluation evaluated(const CalibrationSpec& spec, const Model& model, const Shares& shares) {
+Evaluation evaluated(const CalibrationSpec& spec, const Model& model, const UnitPoint& shares) {
   std::vector<double> p;
   for (std::size_t i = 0; i < shares.size(); ++i) p.push_back(spec.parameters[i].value(shares[i]));
   const std::vector<double> y = model(p);
@@ -494,22 +494,22 @@ Evaluation evaluated(const CalibrationSpec& spec, const Model& model, const Shar
   return e;
 }
 
-Determination determined(const CalibrationSpec& spec, const Model& model, const Shares& best) {
+Determination determined(const CalibrationSpec& spec, const Model& model, const UnitPoint& best) {
   std::vector<Evaluation> sets;
-  for (const Shares& set : difference_sets(spec, best)) sets.push_back(evaluated(spec, model, set));
+  for (const UnitPoint& set : difference_sets(spec, best)) sets.push_back(evaluated(spec, model, set));
   std::vector<const Evaluation*> around;
   for (const Evaluation& e : sets) around.push_back(&e);
   return determination_of(spec, evaluated(spec, model, best), around);
 }
 
-Shares least_misfit(const CalibrationSpec& spec, const Model& model) {
-  LeastSquaresQuestions squares;
-  squares.may_go_on = [](const Shares&) { return true; };
-  squares.residuals = [&](const Shares& u) { return evaluated(spec, model, u).residuals(spec); };
+UnitPoint least_misfit(const CalibrationSpec& spec, const Model& model) {
+  LeastSquaresQueries squares;
+  squares.may_continue = [](const UnitPoint&) { return true; };
+  squares.residuals = [&](const UnitPoint& u) { return evaluated(spec, model, u).residuals(spec); };
   StageSpec stage;
   stage.method = SearchMethod::kGaussNewton;
   stage.evaluations = 500;
-  return walk_least_squares(stage, Shares(spec.parameters.size(), 0.5), spec.step, squares).best;
+  return walk_least_squares(stage, UnitPoint(spec.parameters.size(), 0.5), spec.step, squares).best;
 }
 
 // Force of gas and damper over time, roughly: not linear in its parameters.
@@ -556,7 +556,7 @@ TEST(Determination, OfALinearModelIsExact) {
     return std::vector<double>{2.0 * p[1], 0.5 * p[1] + 3.0 * std::log(p[0]), 4.0 * p[1] - std::log(p[0])};
   };
   const CalibrationSpec spec = spec_of(2, line({3.0, 4.0}), 0.05);
-  const Shares best = {spec.parameters[0].share(3.0), spec.parameters[1].share(4.0)};
+  const UnitPoint best = {spec.parameters[0].share(3.0), spec.parameters[1].share(4.0)};
   const Determination d = determined(spec, line, best);
   Eigen::Matrix<double, 3, 2> a;
   a << 0.0, 2.0, 3.0, 0.5, -1.0, 4.0;
@@ -582,7 +582,7 @@ TEST(Determination, TellsWhatNothingHolds) {
 
 TEST(Determination, SaysWhenTheSearchHasNotEnded) {
   const CalibrationSpec spec = spec_of(3, decay({4.0, 4.0, 4.0}), 0.1);
-  const Shares best = {spec.parameters[0].share(4.0), spec.parameters[1].share(4.0) + 0.01,
+  const UnitPoint best = {spec.parameters[0].share(4.0), spec.parameters[1].share(4.0) + 0.01,
                        spec.parameters[2].share(4.0)};
   const Determination d = determined(spec, decay, best);
   EXPECT_NEAR(d.gain / evaluated(spec, decay, best).misfit, 1.0, 0.05);  // nearly linear over so small a step
@@ -592,9 +592,9 @@ TEST(Determination, SaysWhenTheSearchHasNotEnded) {
 TEST(Pulls, NameWhatMeetingATargetCosts) {
   const auto twice = [](const std::vector<double>& p) { return std::vector<double>{p[1], p[1]}; };
   CalibrationSpec spec = spec_of(2, {3.0, 5.0}, 0.5);
-  const Shares best = {0.5, spec.parameters[1].share(4.0)};
+  const UnitPoint best = {0.5, spec.parameters[1].share(4.0)};
   std::vector<Evaluation> sets;
-  for (const Shares& set : difference_sets(spec, best)) sets.push_back(evaluated(spec, twice, set));
+  for (const UnitPoint& set : difference_sets(spec, best)) sets.push_back(evaluated(spec, twice, set));
   std::vector<const Evaluation*> around;
   for (const Evaluation& e : sets) around.push_back(&e);
   const std::vector<Pull> pulls = pulls_of(spec, evaluated(spec, twice, best), around);
@@ -616,7 +616,7 @@ struct WholeRun {
   WholeRun() {
     spec.parameters.resize(2);
     spec.step = 0.3;
-    for (SoughtParameter& p : spec.parameters) p.most = 1.0;
+    for (CalibrationParameter& p : spec.parameters) p.most = 1.0;
     spec.targets.resize(3);
     for (TargetSpec& target : spec.targets) target.least = 0.0, target.most = 4.0, target.tolerance = 1.0;
     whole.shares = {0.5, 0.5};
@@ -639,7 +639,7 @@ TEST(Adjusted, StaysWhereAllIsMetWithinTheBounds) {
 TEST(Adjusted, GoesWithinTheBoundsOfWhatWasLostAndKeepsTheRest) {
   WholeRun run;
   run.says({-1.0, 1.0, 3.0});
-  const Shares u = adjusted(run.spec, run.whole, run.sensitivity);
+  const UnitPoint u = adjusted(run.spec, run.whole, run.sensitivity);
   const double a = u[0] - 0.5, b = u[1] - 0.5;
   for (const double y : {-1.0 + 10.0 * a, 1.0 + 2.0 * a - 4.0 * b, 3.0 + 20.0 * b})
     EXPECT_TRUE(y > 0.3 && y < 3.7) << y;
@@ -668,7 +668,7 @@ TEST(Adjusted, KeepsConstraintsAndRanges) {
   run.spec.constraints[0].formula = "a";
   run.spec.constraints[0].most = 0.55;
   run.says({-1.0, 1.0, 3.0});
-  const Shares u = adjusted(run.spec, run.whole, run.sensitivity);
+  const UnitPoint u = adjusted(run.spec, run.whole, run.sensitivity);
   EXPECT_LE(u[0], 0.55);
   EXPECT_GT(u[0], 0.5);
 }
@@ -745,19 +745,19 @@ class LedgerOfRuns : public ::testing::Test {
   void SetUp() override {
     spec.scenes.resize(2);
     spec.scenes[0].name = "one", spec.scenes[1].name = "two";
-    spec.figures.resize(2);
-    spec.figures[0].name = "depth", spec.figures[0].key = "max_penetration_m";
-    spec.figures[1].name = "angle", spec.figures[1].slope = {-0.2, -0.1};
+    spec.metrics.resize(2);
+    spec.metrics[0].name = "depth", spec.metrics[0].key = "max_penetration_m";
+    spec.metrics[1].name = "angle", spec.metrics[1].slope = {-0.2, -0.1};
     spec.targets.resize(2);
-    spec.targets[0].figure = "depth", spec.targets[0].scene = "one", spec.targets[0].against = "two";
-    spec.targets[1].figure = "angle", spec.targets[1].scene = "two";
+    spec.targets[0].metric = "depth", spec.targets[0].scene = "one", spec.targets[0].against = "two";
+    spec.targets[1].metric = "angle", spec.targets[1].scene = "two";
   }
   void TearDown() override { std::filesystem::remove(file); }
 
   RunLedger::Entry entry(const std::string& run, double depth, double angle) const {
     RunLedger::Entry e;
     e.run = run, e.wall = 1.5, e.cpu = 0.1 + 0.2;
-    e.numbers.figures = {depth, angle};
+    e.numbers.metrics = {depth, angle};
     e.numbers.curves.resize(2);
     return e;
   }
@@ -779,11 +779,11 @@ TEST_F(LedgerOfRuns, ComesBackToTheLastBit) {
   const RunLedger::Entry* one = ledger.find("one", "recipe1");
   ASSERT_TRUE(one);
   EXPECT_EQ(one->run, "one_1");
-  EXPECT_EQ(one->numbers.figures[0], 1.0 / 3.0);
-  EXPECT_TRUE(std::isnan(one->numbers.figures[1])) << "not asked";
+  EXPECT_EQ(one->numbers.metrics[0], 1.0 / 3.0);
+  EXPECT_TRUE(std::isnan(one->numbers.metrics[1])) << "not asked";
   EXPECT_EQ(one->cpu, 0.1 + 0.2);
   ASSERT_TRUE(ledger.find("two", "recipe2"));
-  EXPECT_EQ(ledger.find("two", "recipe2")->numbers.figures[1], M_PI);
+  EXPECT_EQ(ledger.find("two", "recipe2")->numbers.metrics[1], M_PI);
   EXPECT_FALSE(ledger.find("one", "recipe2")) << "of another scene";
   EXPECT_FALSE(ledger.find("one", "")) << "a scene that cannot be read";
 }
@@ -791,7 +791,7 @@ TEST_F(LedgerOfRuns, ComesBackToTheLastBit) {
 TEST_F(LedgerOfRuns, AnswersTheSameQuestionOnlyAndKeepsTheOthers) {
   write_two();
   CalibrationSpec other = spec;
-  other.figures[1].slope = {-0.3, -0.1};
+  other.metrics[1].slope = {-0.3, -0.1};
   {
     RunLedger ledger(other, file);
     EXPECT_TRUE(ledger.find("one", "recipe1")) << "is not asked for the angle";
@@ -799,8 +799,8 @@ TEST_F(LedgerOfRuns, AnswersTheSameQuestionOnlyAndKeepsTheOthers) {
     ledger.note("two", "recipe2", entry("two_2", 0.5, 2.0));
     ledger.write();
   }
-  EXPECT_EQ(RunLedger(other, file).find("two", "recipe2")->numbers.figures[1], 2.0);
-  EXPECT_EQ(RunLedger(spec, file).find("two", "recipe2")->numbers.figures[1], M_PI);
+  EXPECT_EQ(RunLedger(other, file).find("two", "recipe2")->numbers.metrics[1], 2.0);
+  EXPECT_EQ(RunLedger(spec, file).find("two", "recipe2")->numbers.metrics[1], M_PI);
 }
 
 TEST_F(LedgerOfRuns, CutAnywhereLosesTheLastLineAlone) {

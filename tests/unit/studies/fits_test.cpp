@@ -92,7 +92,7 @@ double depth_of(double rho, double h) {
 std::vector<RunResult> results_of(const Plan& plan) {
   std::vector<RunResult> results(plan.runs.size());
   for (std::size_t i = 0; i < results.size(); ++i)
-    results[i].figures = {depth_of(std::stod(plan.runs[i].values[0]), std::stod(plan.runs[i].values[1]))};
+    results[i].metrics = {depth_of(std::stod(plan.runs[i].values[0]), std::stod(plan.runs[i].values[1]))};
   return results;
 }
 
@@ -157,7 +157,7 @@ TEST_F(FitsTest, WrongFilesAreTold) {
     EXPECT_THAT([&] { read_with(from, to); }, ThrowsMessage<InputError>(HasSubstr(message))) << to;
   };
   expect("figure = \"depth [m]\"\nlabel", "figure = \"width\"\nlabel",
-         "sweep.toml:19: fits.law.figure: \"width\" is not one of [[figures]]");
+         "sweep.toml:19: fits.law.metric: \"width\" is not one of [[figures]]");
   expect("sum = \"density\"", "sum = \"rho\"",
          "sweep.toml:24: fits.law.factors.rho.sum: \"rho\" is not one of [[parameters]], nor of [[figures]]");
   expect("sum = \"density\"", "sum = \"colour\"",
@@ -176,9 +176,9 @@ TEST_F(FitsTest, NumbersWithoutALogarithmAreTold) {
   const SweepSpec sweep = read(kSweep + kFit);
   const Plan plan = plan_of(sweep, false);
   std::vector<RunResult> results = results_of(plan);
-  results[5].figures[0] = -0.01;
+  results[5].metrics[0] = -0.01;
   EXPECT_THAT([&] { fit_data(sweep, sweep.fits[0], plan, results); },
-              ThrowsMessage<InputError>(HasSubstr("fits.law.figure")));
+              ThrowsMessage<InputError>(HasSubstr("fits.law.metric")));
   for (RunResult& result : results) result.end.code = 1;
   EXPECT_THAT([&] { write_fits(sweep, plan, results, folder_.string()); }, ::testing::Throws<InputError>());
 }

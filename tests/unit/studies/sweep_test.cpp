@@ -126,13 +126,13 @@ TEST(ReadExperiment, ExpectationsOfACurveAreOrdersOrErrors) {
               HasSubstr("\"e\""));
 }
 
-// experiment_schema() of mbd_solver/cli/experiments/experiment_fields.cpp says what the reader does: every shipped file
+// sweep_schema() of mbd_solver/cli/experiments/experiment_fields.cpp says what the reader does: every shipped file
 // is valid by its keys and types.
 
 using Json = nlohmann::json;
 using Kind = ConfigNode::Kind;
 
-Json schema() { return Json::parse(experiment_schema()); }
+Json schema() { return Json::parse(sweep_schema()); }
 
 bool is_of(const ConfigNode& value, const std::string& type) {
   if (type == "string") return value.kind == Kind::kText;
@@ -440,8 +440,8 @@ TEST(FiguresOfRun, ReduceEveryColumnAndTakeTheExtremeOrTheMean) {
   std::ofstream(folder / "summary.json") << "{\"weight\": 2.0}";
   std::ofstream(folder / "history.csv") << "# units: s,N,N\ntime,a,b\n0,1,5\n1,3,-1\n2,2,4\n";
   const std::vector<std::string> both = {"a", "b"};
-  std::vector<FigureSpec> figures(7);
-  for (FigureSpec& figure : figures) figure.columns = both;
+  std::vector<MetricSpec> figures(7);
+  for (MetricSpec& figure : figures) figure.columns = both;
   figures[1].average = true;
   figures[2].reduction = Reduction::kMin;
   figures[3].reduction = Reduction::kMin;
@@ -463,7 +463,7 @@ TEST(FiguresOfRun, SteadyIsTheMeanOfTheLastRows) {
   std::ofstream(folder / "summary.json") << "{}";
   std::ofstream(folder / "history.csv")
       << "# units: s,N\ntime,a\n0,99\n1,99\n2,99\n3,99\n4,99\n5,99\n6,1\n7,3\n8,2\n9,6\n";
-  FigureSpec figure;
+  MetricSpec figure;
   figure.columns = {"a"};
   figure.reduction = Reduction::kSteady;
   EXPECT_THAT(figures_of_run({figure}, folder.string(), "file.toml"), ::testing::ElementsAre(3.0));
@@ -476,7 +476,7 @@ TEST(FiguresOfRun, AreReducedColumnsOverAKeyOfTheSummary) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "summary.json") << "{\"reference_energy_J\": 50.0}\n";
   std::ofstream(folder / "history.csv") << "# units: s,J\ntime,work.contact\n0,0\n0.1,-20\n0.2,-10\n";
-  FigureSpec figure;
+  MetricSpec figure;
   figure.columns = {"work.contact"};
   figure.reduction = Reduction::kLargest;
   figure.over = "reference_energy_J";
@@ -534,7 +534,7 @@ TEST(BedSlope, IsAFigureOfARunFromItsLastDump) {
   const fs::path folder = fs::temp_directory_path() / ("footfall_slope_" + std::to_string(::getpid()));
   fs::create_directories(folder);
   std::ofstream(folder / "summary.json") << "{}";
-  FigureSpec figure;
+  MetricSpec figure;
   figure.slope = {-0.9, -0.1};
   EXPECT_THROW(figures_of_run({figure}, folder.string(), "file.toml"), InputError) << "no dumps";
   for (const int step : {0, 100}) {  // level first, then one in two
@@ -565,19 +565,19 @@ class ResultsTest : public ::testing::Test {
     seed.choices = {{"7", "", {}}, {"8", "", {}}};
     seed.ensemble = true;
     spec_.parameters = {speed, seed};
-    spec_.figures.resize(1);
-    spec_.figures[0].name = "peak";
+    spec_.metrics.resize(1);
+    spec_.metrics[0].name = "peak";
     plan_ = plan_of(spec_, false);
     for (const double peak : {4.0, 6.0, 9.0, 11.0}) {
       RunResult run;
-      run.figures = {peak};
+      run.metrics = {peak};
       run.end.cost.cpu = 2.0 * peak;
       runs_.push_back(run);
     }
   }
-  std::vector<Outcome> outcomes(const StatementSpec& statement) {
-    spec_.statements = {statement};
-    return outcomes_of(spec_, cases_of(spec_, plan_, runs_));
+  std::vector<CheckResult> outcomes(const CheckSpec& statement) {
+    spec_.checks = {statement};
+    return check_results_of(spec_, cases_of(spec_, plan_, runs_));
   }
 
   SweepSpec spec_;
@@ -588,8 +588,8 @@ class ResultsTest : public ::testing::Test {
 TEST_F(ResultsTest, ACaseIsTheMeanOfItsSamples) {
   const std::vector<CaseResult> cases = cases_of(spec_, plan_, runs_);
   ASSERT_EQ(cases.size(), 2U);
-  EXPECT_DOUBLE_EQ(cases[0].figures[0].mean, 5.0);
-  EXPECT_DOUBLE_EQ(cases[0].figures[0].spread, std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(cases[0].metrics[0].mean, 5.0);
+  EXPECT_DOUBLE_EQ(cases[0].metrics[0].spread, std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(cases[1].cost.cpu, 20.0);
 }
 
@@ -598,7 +598,7 @@ TEST_F(ResultsTest, AFailedRunIsLeftOutOfTheMeanAndTold) {
   runs_[2].end.message = "it left the box";
   const CaseResult c = cases_of(spec_, plan_, runs_)[1];
   EXPECT_THAT(c.done, ElementsAre(3));
-  EXPECT_DOUBLE_EQ(c.figures[0].mean, 11.0);
+  EXPECT_DOUBLE_EQ(c.metrics[0].mean, 11.0);
   EXPECT_EQ(c.code, 1);
   EXPECT_EQ(c.message, "it left the box");
 }
@@ -611,8 +611,8 @@ TEST_F(ResultsTest, RankingLeavesOutWhatIsBeyondTheLimits) {
 }
 
 TEST_F(ResultsTest, AStatementIsAboutACaseOrItsRatioToAnother) {
-  StatementSpec statement;
-  statement.figure = "peak";
+  CheckSpec statement;
+  statement.metric = "peak";
   statement.of_case = "speed 2";
   statement.least = 9.5;
   EXPECT_TRUE(outcomes(statement)[0].came_out);
@@ -622,8 +622,8 @@ TEST_F(ResultsTest, AStatementIsAboutACaseOrItsRatioToAnother) {
 }
 
 TEST_F(ResultsTest, AStatementWithoutItsRunsIsNotJudged) {
-  StatementSpec statement;
-  statement.figure = "peak";
+  CheckSpec statement;
+  statement.metric = "peak";
   statement.of_case = "speed 1";
   statement.most = 100.0;
   runs_[0].end.code = runs_[1].end.code = 2;
@@ -635,26 +635,26 @@ TEST_F(ResultsTest, AnOrderIsTheSlopeOfTheErrorsOfItsCurve) {
   spec_.parameters.clear();
   spec_.curves.resize(1);
   spec_.curves[0].name = "window";
-  StatementSpec statement;
+  CheckSpec statement;
   statement.order = {1.9, 2.1};
-  statement.figure = "peak";
+  statement.metric = "peak";
   statement.curve = "window";
   statement.least = 1.9;
   statement.most = 2.1;
-  spec_.statements = {statement};
+  spec_.checks = {statement};
   std::vector<CaseResult> cases(3);
   for (std::size_t k = 0; k < cases.size(); ++k) {
     cases[k].plan.curve = 0;
     cases[k].plan.x = std::pow(2.0, static_cast<double>(k));
-    cases[k].figures.resize(1);
-    cases[k].figures[0].error = 1e-3 * cases[k].plan.x * cases[k].plan.x;
+    cases[k].metrics.resize(1);
+    cases[k].metrics[0].error = 1e-3 * cases[k].plan.x * cases[k].plan.x;
   }
   cases[0].plan.is_reference = true;  // no point of the line, whatever its numbers
-  cases[0].figures[0].error = 1.0;
-  EXPECT_NEAR(outcomes_of(spec_, cases)[0].judged, 2.0, 1e-12);
-  spec_.statements[0].order.clear();
-  spec_.statements[0].error = 0.1;
-  EXPECT_DOUBLE_EQ(outcomes_of(spec_, cases)[0].judged, 16e-3);  // the last value's
+  cases[0].metrics[0].error = 1.0;
+  EXPECT_NEAR(check_results_of(spec_, cases)[0].judged, 2.0, 1e-12);
+  spec_.checks[0].order.clear();
+  spec_.checks[0].error = 0.1;
+  EXPECT_DOUBLE_EQ(check_results_of(spec_, cases)[0].judged, 16e-3);  // the last value's
 }
 
 // Errors of an ensemble's figures, and of curves.
@@ -687,7 +687,7 @@ CaseResult point(int curve, const std::string& value, const std::vector<double>&
   p.plan.curve = curve;
   p.plan.value = value;
   p.plan.is_reference = value == "reference";
-  for (std::size_t m = 0; m < errors.size(); ++m) p.figures.push_back({2.0, 0.1, errors[m], standard_errors[m]});
+  for (std::size_t m = 0; m < errors.size(); ++m) p.metrics.push_back({2.0, 0.1, errors[m], standard_errors[m]});
   p.cost.cpu = cpu;
   return p;
 }
@@ -707,9 +707,9 @@ Known known_errors() {
   known.spec.curves[0].default_value = "5";
   known.spec.curves[1].name = "steps";
   known.spec.curves[2].name = "rigid";
-  known.spec.figures.resize(2);
-  known.spec.figures[0].name = "force";
-  known.spec.figures[1].name = "depth";
+  known.spec.metrics.resize(2);
+  known.spec.metrics[0].name = "force";
+  known.spec.metrics[1].name = "depth";
   known.results.members = 4;
   CaseResult failed = point(0, "20", {0.0, 0.0}, {0.0, 0.0}, 1.0);
   failed.code = 2;
@@ -731,7 +731,7 @@ TEST(Advice, TakesTheFirstValueFromWhichOnAllErrorsAreWithin) {
   const std::vector<Advice> fine = advice_of(k.spec, k.results, 0.01), coarse = advice_of(k.spec, k.results, 0.05);
   EXPECT_TRUE(fine[0].within);
   EXPECT_EQ(fine[0].point->plan.value, "2");
-  EXPECT_EQ(k.spec.figures[fine[0].worst].name, "depth");
+  EXPECT_EQ(k.spec.metrics[fine[0].worst].name, "depth");
   EXPECT_DOUBLE_EQ(fine[0].largest().error, 0.004);
   EXPECT_DOUBLE_EQ(fine[0].largest().standard_error, 0.002);
   EXPECT_DOUBLE_EQ(fine[0].time_ratio, 2.5);  // over the default, 5
@@ -755,11 +755,11 @@ TEST(Advice, SaysWhenNoneIsWithinAndWhenTheSamplesLeaveMoreOpen) {
 TEST(Advice, LeavesOutOneMeasureThatNoValueKeepsWithin) {
   Known k = known_errors();
   for (CaseResult& p : k.results.cases)
-    if (p.code == 0) p.figures[0].error = 0.2;
+    if (p.code == 0) p.metrics[0].error = 0.2;
   const std::vector<Advice> coarse = advice_of(k.spec, k.results, 0.05);
   EXPECT_EQ(coarse[0].point->plan.value, "10");
-  EXPECT_EQ(k.spec.figures[coarse[0].apart].name, "force");
-  EXPECT_EQ(k.spec.figures[coarse[0].worst].name, "depth");
+  EXPECT_EQ(k.spec.metrics[coarse[0].apart].name, "force");
+  EXPECT_EQ(k.spec.metrics[coarse[0].worst].name, "depth");
   EXPECT_DOUBLE_EQ(coarse[0].largest().error, 0.009);
 }
 
