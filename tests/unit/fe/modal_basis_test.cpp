@@ -207,8 +207,7 @@ TEST(StaticError, AtTheAttachmentsIsWarnedOf) {
 // With all modes there are, nothing is lost; and of the free modes of a body that is held, a part always is.
 TEST(StaticError, FallsToNothingWithTheModes) {
   const double round_off = 1e-6;  // of stiffness, short elements against the whole
-  for (const auto& [nodes, pinned] :
-       {std::pair<std::vector<int>, std::vector<int>>{{0, 4, 8}, {}}, {{4}, {0, 8}}}) {
+  for (const auto& [nodes, pinned] : {std::pair<std::vector<int>, std::vector<int>>{{0, 4, 8}, {}}, {{4}, {0, 8}}}) {
     double before = 1.0;
     for (int modes : {2, 6, 12}) {
       const double now = *reduce(strut(), craig_bampton(modes, nodes, pinned), "strut").body.static_error;
