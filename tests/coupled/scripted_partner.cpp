@@ -345,7 +345,8 @@ void couple(const Options& options, TransportMpi& transport, Link& link) {
     for (const Body* body : coupled) motion.bodies.push_back(body->state);
     motion.inverse_masses.clear();
     for (const Body* body : coupled)
-      if (start.requires_masses) motion.inverse_masses.push_back(body->kind == Body::Kind::kFree ? 1.0 / body->mass : 0.0);
+      if (start.requires_masses)
+        motion.inverse_masses.push_back(body->kind == Body::Kind::kFree ? 1.0 / body->mass : 0.0);
     if (motion.window == options.misbehave_at) misbehave(options);
     Motion sent = motion;
     if (motion.window == options.misbehave_at && options.misbehave == "wrong-window") sent.window += 7;

@@ -161,7 +161,8 @@ TEST_P(Kind, BaumgarteBoundsTheDriftThatGrowsWithoutIt) {
   test::Run nothing(model, GetParam(), options), baumgarte(model, GetParam(), options, Baumgarte{20.0, 20.0});
   nothing.to(1.2, 40);
   baumgarte.to(1.2, 40);
-  EXPECT_LT(baumgarte.equations.saddle().drift(baumgarte.state).position, 0.1 * nothing.equations.saddle().drift(nothing.state).position);
+  EXPECT_LT(baumgarte.equations.saddle().drift(baumgarte.state).position,
+            0.1 * nothing.equations.saddle().drift(nothing.state).position);
   // Beyond 1e-3 m a joint is open, and the run says so.
   options = test::tight(1e-3);
   options.projection = false;

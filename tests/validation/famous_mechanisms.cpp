@@ -7,8 +7,8 @@
 #include "mbd_solver/model/elements/bushing.h"
 #include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/strut.h"
-#include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/laws/motor.h"
+#include "mbd_solver/model/laws/springs.h"
 #include "tests/physics/mechanisms.h"
 
 namespace footfall::test {

@@ -6,8 +6,8 @@
 
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/modal_basis.h"
-#include "mbd_solver/model/modal_body.h"
 #include "mbd_solver/model/mass_properties.h"
+#include "mbd_solver/model/modal_body.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"

@@ -13,11 +13,11 @@
 #include <set>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/app/plots.h"
-#include "mbd_solver/app/results.h"
-#include "mbd_solver/app/plot_script.h"
-#include "mbd_solver/app/report.h"
 #include "mbd_solver/app/packed_series.h"
+#include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/plots.h"
+#include "mbd_solver/app/report.h"
+#include "mbd_solver/app/results.h"
 #include "mbd_solver/app/view_page.h"
 #include "mbd_solver/run/output/history.h"
 #include "tests/support/refused.h"

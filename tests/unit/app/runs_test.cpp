@@ -10,13 +10,13 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/text.h"
 #include "coupler/base/files.h"
-#include "mbd_solver/app/paraview_files.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/app/check_command.h"
 #include "mbd_solver/app/compare_command.h"
 #include "mbd_solver/app/follow.h"
-#include "mbd_solver/app/check_command.h"
 #include "mbd_solver/app/new_case.h"
+#include "mbd_solver/app/paraview_files.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/output/vtk_writer.h"

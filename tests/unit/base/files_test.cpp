@@ -12,10 +12,10 @@
 
 #include "coupler/archive.h"
 #include "coupler/base/errors.h"
-#include "mbd_solver/base/lock.h"
 #include "coupler/base/files.h"
-#include "mbd_solver/base/named_file.h"
 #include "coupler/message_fields.h"
+#include "mbd_solver/base/lock.h"
+#include "mbd_solver/base/named_file.h"
 #include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
 

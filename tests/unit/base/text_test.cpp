@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/base/live_line.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/live_line.h"
 #include "mbd_solver/base/parameter_check.h"
 #include "mbd_solver/base/quote.h"
 #include "tests/support/refused.h"

@@ -8,12 +8,12 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/base/pi.h"
 #include "coupler/base/files.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/bed/bed_measures.h"
 #include "mbd_solver/bed/depth_image.h"
-#include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/liggghts_log.h"
 #include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"

@@ -8,8 +8,8 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/bed/bed.h"
-#include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/liggghts_log.h"
+#include "mbd_solver/bed/process.h"
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/base/pi.h"
 #include "coupler/load_average.h"
 #include "coupler/modal_boundary.h"
 #include "coupler/schemes/registry.h"
 #include "coupler/window.h"
+#include "mbd_solver/base/pi.h"
 #include "tests/unit/coupler/random_boundary.h"
 
 namespace footfall {

@@ -9,9 +9,9 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/couple_mbd_arguments.h"
-#include "coupler/polling_wait.h"
-#include "coupler/messages.h"
 #include "coupler/link.h"
+#include "coupler/messages.h"
+#include "coupler/polling_wait.h"
 #include "coupler/transport_loopback.h"
 #include "tests/support/refused.h"
 

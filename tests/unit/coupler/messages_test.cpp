@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
-#include "coupler/messages.h"
 #include "coupler/message_fields.h"
+#include "coupler/messages.h"
 #include "tests/support/refused.h"
 #include "tests/unit/coupler/message_content.h"
 #include "tests/unit/coupler/random_boundary.h"

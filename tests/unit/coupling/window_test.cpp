@@ -102,7 +102,7 @@ TEST_P(EveryScheme, FollowsTheForceToTheEndOfItsWindow) {
   end.r = window.path().r_end + Eigen::Vector3d(0.0, 0.0, 1e-3);
   end.L = window.path().L_end;
   const double at_end = scheme->requires_tangent() ? 600.0 : 700.0;  // [N]
-  EXPECT_NEAR(window.pending_work(end), 1e-3 * at_end, 1e-10);    // round-off of r
+  EXPECT_NEAR(window.pending_work(end), 1e-3 * at_end, 1e-10);       // round-off of r
 }
 
 // Two masses of 1 kg, 1 m apart, on a spring: one mode of Omega [rad/s].

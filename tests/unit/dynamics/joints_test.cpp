@@ -5,9 +5,9 @@
 
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/model/elements/forces.h"
-#include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/laws/friction.h"
 #include "mbd_solver/model/laws/motor.h"
+#include "mbd_solver/model/laws/springs.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"

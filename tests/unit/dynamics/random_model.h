@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "mbd_solver/dynamics/equations.h"
-#include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/bushing.h"
+#include "mbd_solver/model/elements/forces.h"
+#include "mbd_solver/model/elements/gear.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/elements/surface_contact.h"
-#include "mbd_solver/model/elements/gear.h"
 #include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/model.h"
 #include "tests/support/linear_algebra.h"

@@ -8,8 +8,8 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/fe_model.h"
-#include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/fe/mesh_generator.h"
+#include "mbd_solver/fe/triangle_mesh.h"
 #include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {

@@ -16,8 +16,8 @@
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/fe/turned_model.h"
-#include "mbd_solver/model/modal_inertia.h"
 #include "mbd_solver/model/modal_body.h"
+#include "mbd_solver/model/modal_inertia.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/unit/fe/steel_frame.h"
 

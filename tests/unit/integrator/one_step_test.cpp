@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/integrator/tableau.h"
 #include "mbd_solver/integrator/step_control.h"
+#include "mbd_solver/integrator/tableau.h"
 #include "tests/support/heap_requests.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/support/refused.h"
@@ -571,10 +571,10 @@ TEST(ProgressWatch, ComplainsOfStepsThatNeverEndAndBearsAHardMoment) {
   ProgressWatch never(0.0, 1.0), moment(0.0, 1.0);
   double t = 0.0;
   std::string complaint;
-  for (int i = 0; i < 4000 && complaint.empty(); ++i) complaint = never.complaint(t += 1e-10);
+  for (int i = 0; i < 4000 && complaint.empty(); ++i) complaint = never.check(t += 1e-10);
   EXPECT_TRUE(test::names(complaint, {"2000"}));
   t = 0.0;
-  for (int i = 0; i < 10000; ++i) EXPECT_TRUE(moment.complaint(t += i % 2000 < 1900 ? 1e-12 : 1e-5).empty()) << i;
+  for (int i = 0; i < 10000; ++i) EXPECT_TRUE(moment.check(t += i % 2000 < 1900 ? 1e-12 : 1e-5).empty()) << i;
 }
 
 }  // namespace

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/base/pi.h"
 #include "liggghts_fix/link/beam_arguments.h"
 #include "liggghts_fix/link/beam_chain.h"
 #include "liggghts_fix/link/beam_neighbours.h"
+#include "mbd_solver/base/pi.h"
 #include "tests/support/refused.h"
 #include "tests/unit/liggghts_fix/random_beams.h"
 

@@ -69,7 +69,8 @@ TEST(DemLink, GuessesTheNameThatWasMeant) {
   pair.partner = std::thread([&] { pair.answer_hello({"leg_1_pad", "cabin"}); });
   const std::string said = test::error_of<InputError>([&] { pair.dem.bodies().couple("leg1_pad", "si"); });
   EXPECT_TRUE(test::names(said, {"leg_1_pad"}));
-  EXPECT_EQ(test::error_of<InputError>([&] { pair.dem.bodies().couple("xyz", "si"); }).find("Did you mean"), std::string::npos);
+  EXPECT_EQ(test::error_of<InputError>([&] { pair.dem.bodies().couple("xyz", "si"); }).find("Did you mean"),
+            std::string::npos);
 }
 
 TEST(DemLink, StartNamesTheBodiesInTheScriptsOrder) {

@@ -7,11 +7,11 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/schemes/registry.h"
+#include "liggghts_fix/link/contact_slope.h"
 #include "liggghts_fix/link/dem_body.h"
-#include "liggghts_fix/link/surface_pieces.h"
 #include "liggghts_fix/link/mesh_match.h"
 #include "liggghts_fix/link/round_surface.h"
-#include "liggghts_fix/link/contact_slope.h"
+#include "liggghts_fix/link/surface_pieces.h"
 #include "tests/coupled/stl.h"
 #include "tests/support/refused.h"
 

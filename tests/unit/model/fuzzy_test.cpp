@@ -7,8 +7,8 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/model/control/fuzzy_controller.h"
 #include "mbd_solver/model/control/fuzzy.h"
+#include "mbd_solver/model/control/fuzzy_controller.h"
 #include "mbd_solver/model/control/fuzzy_table.h"
 #include "tests/support/refused.h"
 #include "tests/unit/model/fuzzy_files.h"

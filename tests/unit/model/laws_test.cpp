@@ -6,11 +6,11 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/model/laws/friction.h"
 #include "mbd_solver/model/laws/curves.h"
-#include "mbd_solver/model/laws/springs.h"
+#include "mbd_solver/model/laws/friction.h"
 #include "mbd_solver/model/laws/gas_spring.h"
 #include "mbd_solver/model/laws/motor.h"
+#include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/laws/table_law.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/model/law_checks.h"

@@ -8,10 +8,10 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/model/column_groups.h"
-#include "mbd_solver/model/modal_inertia.h"
-#include "mbd_solver/model/mass_properties.h"
-#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/model/elements/surface_model.h"
+#include "mbd_solver/model/mass_properties.h"
+#include "mbd_solver/model/modal_inertia.h"
+#include "mbd_solver/model/rotation.h"
 #include "tests/support/heap_requests.h"
 
 namespace footfall {

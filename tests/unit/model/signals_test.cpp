@@ -6,8 +6,8 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/model/control/signal_chain.h"
 #include "mbd_solver/model/control/signal_blocks.h"
+#include "mbd_solver/model/control/signal_chain.h"
 #include "tests/support/refused.h"
 
 namespace footfall {

@@ -10,8 +10,8 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/run/observe/columns.h"
 #include "mbd_solver/run/observe/metrics.h"
-#include "mbd_solver/run/observe/records.h"
 #include "mbd_solver/run/observe/observation.h"
+#include "mbd_solver/run/observe/records.h"
 #include "mbd_solver/run/observe/start_values.h"
 #include "tests/support/refused.h"
 #include "tests/unit/run/small_machine.h"
@@ -135,7 +135,8 @@ TEST_F(HistoryColumns, AreThoseOfThePageForUsers) {
     EXPECT_GT(line->second.second.size(), 5u) << entry.pattern << ": meaning in docs/reference/history.md";
   }
   for (const auto& line : page)
-    EXPECT_EQ(registry.count(line.first), 1u) << "docs/reference/history.md tells of " << line.first << ", which is no column";
+    EXPECT_EQ(registry.count(line.first), 1u)
+        << "docs/reference/history.md tells of " << line.first << ", which is no column";
 }
 
 TEST_F(HistoryColumns, EveryKindOfEnergyIsToldToUsers) {

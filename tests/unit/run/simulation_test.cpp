@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/run/checkpoint.h"
 #include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/run_scene.h"
-#include "mbd_solver/run/checkpoint.h"
 #include "mbd_solver/run/simulation.h"
 #include "tests/support/refused.h"
 #include "tests/unit/coupling/loopback_grains.h"

@@ -12,13 +12,13 @@
 #include <string>
 
 #include "coupler/base/text.h"
-#include "mbd_solver/scene/toml_file.h"
+#include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/field_visitor.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/kind_keys.h"
-#include "mbd_solver/scene/scene_schema.h"
 #include "mbd_solver/scene/scene_reader.h"
-#include "mbd_solver/scene/field_reader.h"
+#include "mbd_solver/scene/scene_schema.h"
+#include "mbd_solver/scene/toml_file.h"
 #include "tests/unit/scene/key_list.h"
 
 namespace footfall {

@@ -7,14 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/base/pi.h"
 #include "coupler/base/files.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/findings.h"
-#include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/resolve.h"
+#include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/scene_schema.h"
 #include "mbd_solver/scene/shipped_files.h"
-#include "mbd_solver/scene/box_bed.h"
 #include "tests/support/refused.h"
 #include "tests/unit/scene/key_list.h"
 #include "tests/unit/scene/scene_text.h"

@@ -11,8 +11,8 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/triangle_mesh.h"
-#include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/box_bed.h"
+#include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/resolve.h"
 #include "tests/unit/scene/scene_text.h"
 

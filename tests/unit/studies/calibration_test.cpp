@@ -15,10 +15,10 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
-#include "mbd_solver/studies/determination.h"
 #include "mbd_solver/studies/calibration.h"
-#include "mbd_solver/studies/search.h"
+#include "mbd_solver/studies/determination.h"
 #include "mbd_solver/studies/evaluations.h"
+#include "mbd_solver/studies/search.h"
 #include "mbd_solver/studies/surrogate.h"
 #include "tests/support/refused.h"
 #include "tests/unit/studies/search_stage.h"
@@ -53,7 +53,7 @@ TEST(ReadCalibration, TakesAParameterWithItsScale) {
   CalibrationSpec s = read_text(kParameter + "scale = \"logarithmic\"\nstart = 1\n" + kRest);
   const CalibrationParameter& p = s.parameters.front();
   EXPECT_DOUBLE_EQ(p.value(0.5), 2.0);
-  EXPECT_DOUBLE_EQ(p.share(2.0), 0.5);
+  EXPECT_DOUBLE_EQ(p.position(2.0), 0.5);
   EXPECT_DOUBLE_EQ(p.value(1.0), 4.0);
   EXPECT_EQ(start_of(s), (UnitPoint{0.0}));
   EXPECT_EQ(s.targets.front().name, "m, run");  // the only scene
@@ -69,8 +69,8 @@ TEST(ReadCalibration, PutsFormulasIntoSettings) {
 TEST(ReadCalibration, MeasuresABrokenConstraint) {
   const CalibrationSpec s =
       read_text(kParameter + kRest + "[[constraints]]\nname = \"c\"\nformula = \"k*k\"\nmost = 8\n");
-  EXPECT_DOUBLE_EQ(broken_by(s, {0.5}), 0.0);  // 2.5^2
-  EXPECT_DOUBLE_EQ(broken_by(s, {1.0}), 1.0);  // 16 over 8
+  EXPECT_DOUBLE_EQ(violation_of(s, {0.5}), 0.0);  // 2.5^2
+  EXPECT_DOUBLE_EQ(violation_of(s, {1.0}), 1.0);  // 16 over 8
 }
 
 TEST(CalibrationSchema, HoldsTheKeysOfEverySection) {
@@ -214,10 +214,10 @@ Walked walked(const StageSpec& stage, std::size_t side_by_side, int most_rounds 
   };
   questions.may_continue = squares.may_continue = [](const UnitPoint&) { return true; };
   for (; w.rounds < most_rounds; ++w.rounds) {
-    w.way = stage.method == SearchMethod::kGaussNewton ? walk_least_squares(stage, kStart, 0.01, squares)
-                                                       : walk(stage, kStart, questions, side_by_side);
-    if (w.way.wanted.empty()) break;
-    for (const UnitPoint& u : w.way.wanted) known[u] = true;
+    w.way = stage.method == SearchMethod::kGaussNewton ? least_squares_path(stage, kStart, 0.01, squares)
+                                                       : search_path(stage, kStart, questions, side_by_side);
+    if (w.way.requested.empty()) break;
+    for (const UnitPoint& u : w.way.requested) known[u] = true;
     w.runs = static_cast<int>(known.size());
   }
   return w;
@@ -254,15 +254,14 @@ TEST_P(Search, EndsAtALimit) {
   questions.may_continue = squares.may_continue = [&](const UnitPoint&) { return ++asked <= 7; };
   const StageSpec stage = stage_of(GetParam(), 100);
   const SearchPath way = GetParam() == SearchMethod::kGaussNewton
-                           ? walk_least_squares(stage, {0.5, 0.5, 0.5}, 0.01, squares)
-                           : walk(stage, {0.5, 0.5, 0.5}, questions, 1);
+                             ? least_squares_path(stage, {0.5, 0.5, 0.5}, 0.01, squares)
+                             : search_path(stage, {0.5, 0.5, 0.5}, questions, 1);
   EXPECT_EQ(way.sets.size(), 7u);
   EXPECT_EQ(way.end, "limit reached");
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Search,
-                         ::testing::Values(SearchMethod::kDirect, SearchMethod::kCrs2, SearchMethod::kIsres,
-                                           SearchMethod::kBobyqa, SearchMethod::kSbplx, SearchMethod::kGaussNewton),
+                         ::testing::Values(SearchMethod::kDirect, SearchMethod::kSbplx, SearchMethod::kGaussNewton),
                          [](const auto& of) { return std::string(name_of(of.param)); });
 
 TEST(GaussNewton, IsAtTheBottomOfALeastSquaresProblemAfterFewSets) {
@@ -280,7 +279,7 @@ TEST(GaussNewton, SolvesAnewWhereARangeEnds) {
     const double a = 0.7 * u[0], b = 2.0 * u[1];
     return std::vector<double>{3.0 * (a + b - 2.0), a - b};
   };
-  const SearchPath way = walk_least_squares(stage_of(SearchMethod::kGaussNewton, 200), {0.5, 0.5}, 0.01, squares);
+  const SearchPath way = least_squares_path(stage_of(SearchMethod::kGaussNewton, 200), {0.5, 0.5}, 0.01, squares);
   EXPECT_NEAR(way.best[0], 1.0, 1e-9);
   EXPECT_NEAR(2.0 * way.best[1], (9.0 * 1.3 + 0.7) / 10.0, 1e-3);  // least of 9 (b - 1.3)^2 + (b - 0.7)^2
 }
@@ -395,7 +394,7 @@ TEST(SurrogateSearch, IsBetterThanSimplicesInAsManySets) {
   SearchQueries blind;
   blind.may_continue = [](const UnitPoint&) { return true; };
   blind.misfit = bent_misfit;
-  const SearchPath simplices = walk(stage_of(SearchMethod::kSbplx, 40), bent_middle(), blind, 1);
+  const SearchPath simplices = search_path(stage_of(SearchMethod::kSbplx, 40), bent_middle(), blind, 1);
   EXPECT_EQ(way.sets.size(), 40u);
   EXPECT_DOUBLE_EQ(way.misfit, bent_misfit(way.best));
   EXPECT_LT(way.misfit, 0.2 * simplices.misfit) << simplices.misfit;
@@ -409,9 +408,9 @@ TEST(SurrogateSearch, GoesTheSameWayHoweverOftenItBegins) {
   SearchPath way;
   for (int round = 0; round < 100; ++round) {  // as a calibration that is killed after every set
     way = surrogate_way(questions_of(&known), 30);
-    if (way.wanted.empty()) break;
-    ASSERT_EQ(way.wanted.size(), 1u);
-    known[way.wanted.front()] = true;
+    if (way.requested.empty()) break;
+    ASSERT_EQ(way.requested.size(), 1u);
+    known[way.requested.front()] = true;
   }
   EXPECT_EQ(way.sets, straight.sets);
   EXPECT_EQ(way.best, straight.best);
@@ -509,7 +508,7 @@ UnitPoint least_misfit(const CalibrationSpec& spec, const Model& model) {
   StageSpec stage;
   stage.method = SearchMethod::kGaussNewton;
   stage.evaluations = 500;
-  return walk_least_squares(stage, UnitPoint(spec.parameters.size(), 0.5), spec.step, squares).best;
+  return least_squares_path(stage, UnitPoint(spec.parameters.size(), 0.5), spec.step, squares).best;
 }
 
 // Force of gas and damper over time, roughly: not linear in its parameters.
@@ -583,7 +582,7 @@ TEST(Determination, TellsWhatNothingHolds) {
 TEST(Determination, SaysWhenTheSearchHasNotEnded) {
   const CalibrationSpec spec = spec_of(3, decay({4.0, 4.0, 4.0}), 0.1);
   const UnitPoint best = {spec.parameters[0].share(4.0), spec.parameters[1].share(4.0) + 0.01,
-                       spec.parameters[2].share(4.0)};
+                          spec.parameters[2].share(4.0)};
   const Determination d = determined(spec, decay, best);
   EXPECT_NEAR(d.gain / evaluated(spec, decay, best).misfit, 1.0, 0.05);  // nearly linear over so small a step
 }

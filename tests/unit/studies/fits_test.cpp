@@ -11,12 +11,12 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/studies/sweep_file.h"
+#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/studies/fits.h"
 #include "mbd_solver/studies/rig.h"
 #include "mbd_solver/studies/rig_command.h"
-#include "mbd_solver/run/output/history.h"
-#include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/studies/sweep_file.h"
 
 namespace footfall {
 namespace {

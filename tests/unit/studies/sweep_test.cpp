@@ -11,19 +11,19 @@
 #include <nlohmann/json.hpp>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/files.h"
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/base/pi.h"
-#include "coupler/base/files.h"
-#include "mbd_solver/studies/results.h"
-#include "mbd_solver/studies/tables.h"
-#include "mbd_solver/studies/metrics.h"
-#include "mbd_solver/studies/sweep_file.h"
-#include "mbd_solver/studies/run_store.h"
-#include "mbd_solver/studies/plan.h"
-#include "mbd_solver/studies/window_growth.h"
 #include "mbd_solver/bed/bed_measures.h"
-#include "mbd_solver/scene/toml_file.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/scene/toml_file.h"
+#include "mbd_solver/studies/metrics.h"
+#include "mbd_solver/studies/plan.h"
+#include "mbd_solver/studies/results.h"
+#include "mbd_solver/studies/run_store.h"
+#include "mbd_solver/studies/sweep_file.h"
+#include "mbd_solver/studies/tables.h"
+#include "mbd_solver/studies/window_growth.h"
 
 namespace footfall {
 namespace {
@@ -450,7 +450,7 @@ TEST(FiguresOfRun, ReduceEveryColumnAndTakeTheExtremeOrTheMean) {
   figures[5].average = true;
   figures[5].over = "weight";
   figures[6].reduction = Reduction::kDrop;
-  EXPECT_THAT(figures_of_run(figures, folder.string(), "file.toml"),
+  EXPECT_THAT(metrics_of_run(figures, folder.string(), "file.toml"),
               ::testing::ElementsAre(5.0, 4.0, -1.0, 0.0, 4.0, 2.0, 6.0));
   std::filesystem::remove_all(folder);
 }
@@ -466,7 +466,7 @@ TEST(FiguresOfRun, SteadyIsTheMeanOfTheLastRows) {
   MetricSpec figure;
   figure.columns = {"a"};
   figure.reduction = Reduction::kSteady;
-  EXPECT_THAT(figures_of_run({figure}, folder.string(), "file.toml"), ::testing::ElementsAre(3.0));
+  EXPECT_THAT(metrics_of_run({figure}, folder.string(), "file.toml"), ::testing::ElementsAre(3.0));
   std::filesystem::remove_all(folder);
 }
 
@@ -480,7 +480,7 @@ TEST(FiguresOfRun, AreReducedColumnsOverAKeyOfTheSummary) {
   figure.columns = {"work.contact"};
   figure.reduction = Reduction::kLargest;
   figure.over = "reference_energy_J";
-  EXPECT_THAT(figures_of_run({figure}, folder.string(), "file.toml"), ::testing::ElementsAre(0.4));
+  EXPECT_THAT(metrics_of_run({figure}, folder.string(), "file.toml"), ::testing::ElementsAre(0.4));
   std::filesystem::remove_all(folder);
 }
 
@@ -536,7 +536,7 @@ TEST(BedSlope, IsAFigureOfARunFromItsLastDump) {
   std::ofstream(folder / "summary.json") << "{}";
   MetricSpec figure;
   figure.slope = {-0.9, -0.1};
-  EXPECT_THROW(figures_of_run({figure}, folder.string(), "file.toml"), InputError) << "no dumps";
+  EXPECT_THROW(metrics_of_run({figure}, folder.string(), "file.toml"), InputError) << "no dumps";
   for (const int step : {0, 100}) {  // level first, then one in two
     const BedFrame bed = bed_under([&](double x) { return step > 0 ? -0.5 * x - 0.05 : 0.0; });
     std::ofstream dump(folder / ("grains_" + std::to_string(step) + ".txt"));
@@ -547,7 +547,7 @@ TEST(BedSlope, IsAFigureOfARunFromItsLastDump) {
       dump << bed.id[static_cast<std::size_t>(i)] << ' ' << bed.x(0, i) << " 0 " << bed.x(2, i) << ' ' << kGrain
            << '\n';
   }
-  EXPECT_NEAR(figures_of_run({figure}, folder.string(), "file.toml")[0], std::atan(0.5) * 180.0 / kPi, kDegree);
+  EXPECT_NEAR(metrics_of_run({figure}, folder.string(), "file.toml")[0], std::atan(0.5) * 180.0 / kPi, kDegree);
   fs::remove_all(folder);
 }
 
@@ -615,10 +615,10 @@ TEST_F(ResultsTest, AStatementIsAboutACaseOrItsRatioToAnother) {
   statement.metric = "peak";
   statement.of_case = "speed 2";
   statement.least = 9.5;
-  EXPECT_TRUE(outcomes(statement)[0].came_out);
+  EXPECT_TRUE(outcomes(statement)[0].reproduced);
   statement.against = "speed 1";
   EXPECT_DOUBLE_EQ(outcomes(statement)[0].judged, 2.0);
-  EXPECT_FALSE(outcomes(statement)[0].came_out);
+  EXPECT_FALSE(outcomes(statement)[0].reproduced);
 }
 
 TEST_F(ResultsTest, AStatementWithoutItsRunsIsNotJudged) {
@@ -628,7 +628,7 @@ TEST_F(ResultsTest, AStatementWithoutItsRunsIsNotJudged) {
   statement.most = 100.0;
   runs_[0].end.code = runs_[1].end.code = 2;
   EXPECT_TRUE(std::isnan(outcomes(statement)[0].judged));
-  EXPECT_FALSE(outcomes(statement)[0].came_out);
+  EXPECT_FALSE(outcomes(statement)[0].reproduced);
 }
 
 TEST_F(ResultsTest, AnOrderIsTheSlopeOfTheErrorsOfItsCurve) {
@@ -659,18 +659,18 @@ TEST_F(ResultsTest, AnOrderIsTheSlopeOfTheErrorsOfItsCurve) {
 
 // Errors of an ensemble's figures, and of curves.
 
-TEST(SampledFigure, ErrorIsOfTheMeanAndItsScatterThatOfTheDifferences) {
+TEST(SampledMetric, ErrorIsOfTheMeanAndItsScatterThatOfTheDifferences) {
   // Samples far apart that all change by the same: the error is known exactly, however large the spread.
-  const SampledFigure same = sampled_figure({11.0, 21.0, 31.0}, {10.0, 20.0, 30.0});
+  const SampledMetric same = sampled_metric({11.0, 21.0, 31.0}, {10.0, 20.0, 30.0});
   EXPECT_DOUBLE_EQ(same.mean, 21.0);
   EXPECT_DOUBLE_EQ(same.spread, 10.0);
   EXPECT_DOUBLE_EQ(same.error, 0.05);
   EXPECT_DOUBLE_EQ(same.standard_error, 0.0);
   // Differences -1, 1, 3: mean 1, deviation 2, standard error 2 / sqrt(3), of 20.
-  const SampledFigure other = sampled_figure({9.0, 21.0, 33.0}, {10.0, 20.0, 30.0});
+  const SampledMetric other = sampled_metric({9.0, 21.0, 33.0}, {10.0, 20.0, 30.0});
   EXPECT_DOUBLE_EQ(other.error, 0.05);
   EXPECT_NEAR(other.standard_error, 2.0 / std::sqrt(3.0) / 20.0, 1e-15);
-  EXPECT_DOUBLE_EQ(sampled_figure({3.0}, {2.0}).standard_error, 0.0);
+  EXPECT_DOUBLE_EQ(sampled_metric({3.0}, {2.0}).standard_error, 0.0);
 }
 
 TEST(ObservedOrder, IsTheSlopeOfTheLogarithms) {
@@ -726,9 +726,10 @@ Known known_errors() {
   return known;
 }
 
-TEST(Advice, TakesTheFirstValueFromWhichOnAllErrorsAreWithin) {
+TEST(Recommendation, TakesTheFirstValueFromWhichOnAllErrorsAreWithin) {
   const Known k = known_errors();
-  const std::vector<Advice> fine = advice_of(k.spec, k.results, 0.01), coarse = advice_of(k.spec, k.results, 0.05);
+  const std::vector<Recommendation> fine = recommendations_of(k.spec, k.results, 0.01),
+                                    coarse = recommendations_of(k.spec, k.results, 0.05);
   EXPECT_TRUE(fine[0].within);
   EXPECT_EQ(fine[0].point->plan.value, "2");
   EXPECT_EQ(k.spec.metrics[fine[0].worst].name, "depth");
@@ -739,9 +740,10 @@ TEST(Advice, TakesTheFirstValueFromWhichOnAllErrorsAreWithin) {
   EXPECT_DOUBLE_EQ(coarse[0].time_ratio, 0.6);
 }
 
-TEST(Advice, SaysWhenNoneIsWithinAndWhenTheSamplesLeaveMoreOpen) {
+TEST(Recommendation, SaysWhenNoneIsWithinAndWhenTheSamplesLeaveMoreOpen) {
   const Known k = known_errors();
-  const std::vector<Advice> fine = advice_of(k.spec, k.results, 0.01), coarse = advice_of(k.spec, k.results, 0.05);
+  const std::vector<Recommendation> fine = recommendations_of(k.spec, k.results, 0.01),
+                                    coarse = recommendations_of(k.spec, k.results, 0.05);
   EXPECT_FALSE(fine[1].within);
   EXPECT_EQ(fine[1].point->plan.value, "1e-4");
   EXPECT_TRUE(fine[1].resolved);
@@ -752,18 +754,18 @@ TEST(Advice, SaysWhenNoneIsWithinAndWhenTheSamplesLeaveMoreOpen) {
   EXPECT_EQ(coarse[2].point, nullptr);          // an error that is no number is not within
 }
 
-TEST(Advice, LeavesOutOneMeasureThatNoValueKeepsWithin) {
+TEST(Recommendation, LeavesOutOneMeasureThatNoValueKeepsWithin) {
   Known k = known_errors();
   for (CaseResult& p : k.results.cases)
     if (p.code == 0) p.metrics[0].error = 0.2;
-  const std::vector<Advice> coarse = advice_of(k.spec, k.results, 0.05);
+  const std::vector<Recommendation> coarse = recommendations_of(k.spec, k.results, 0.05);
   EXPECT_EQ(coarse[0].point->plan.value, "10");
   EXPECT_EQ(k.spec.metrics[coarse[0].apart].name, "force");
   EXPECT_EQ(k.spec.metrics[coarse[0].worst].name, "depth");
   EXPECT_DOUBLE_EQ(coarse[0].largest().error, 0.009);
 }
 
-TEST(Advice, LinesOfThePage) {
+TEST(Recommendation, LinesOfThePage) {
   const Known k = known_errors();
   const std::string page = recommendations(k.spec, k.results);
   EXPECT_THAT(page, HasSubstr("| windows | 2 | 0.4 ± 0.2 %, depth | 2.50 | 10 | 0.9 ± 0.1 %, depth | 0.60 |\n"));
