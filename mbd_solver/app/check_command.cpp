@@ -27,8 +27,8 @@
 #include "mbd_solver/model/control/fuzzy_controller.h"
 #include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/run/output/summary.h"
-#include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {

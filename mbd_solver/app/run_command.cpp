@@ -28,8 +28,8 @@
 #include "mbd_solver/bed/script_safety.h"
 #include "mbd_solver/run/output/checkpoint_folder.h"
 #include "mbd_solver/run/output/summary.h"
-#include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/particle_script.h"
+#include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {
 

@@ -99,10 +99,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 // Ten seconds in all, from a signal to the last process.
-constexpr std::chrono::seconds kGrace(kEndingTime + 1);    // to write a checkpoint and end in order, before SIGKILL
-constexpr std::chrono::seconds kAfterEnd(1);           // from the end of the child to SIGTERM for its descendants
-constexpr std::chrono::seconds kAfterTerm(1);          // from SIGTERM to SIGKILL
-constexpr std::chrono::milliseconds kTypedAgain(500);  // least time from the first signal to a SIGINT typed again
+constexpr std::chrono::seconds kGrace(kEndingTime + 1);  // to write a checkpoint and end in order, before SIGKILL
+constexpr std::chrono::seconds kAfterEnd(1);             // from the end of the child to SIGTERM for its descendants
+constexpr std::chrono::seconds kAfterTerm(1);            // from SIGTERM to SIGKILL
+constexpr std::chrono::milliseconds kTypedAgain(500);    // least time from the first signal to a SIGINT typed again
 
 // Every process below this one; on request only the suspended ones.
 std::vector<pid_t> descendants(bool only_suspended = false) {

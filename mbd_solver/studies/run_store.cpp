@@ -17,9 +17,9 @@
 #include "mbd_solver/run/output/checkpoint_folder.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/findings.h"
-#include "mbd_solver/scene/scene_schema.h"
-#include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/particle_script.h"
+#include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/scene/scene_schema.h"
 
 namespace footfall {
 
