@@ -16,7 +16,7 @@ std::vector<std::string> scenes_of_inputs() {
   for (const auto& folder : fs::directory_iterator(FOOTFALL_SOURCE_DIR "/inputs"))
     if (fs::exists(folder.path() / "scene.toml")) scenes.push_back(folder.path() / "scene.toml");
   for (const auto& file : fs::directory_iterator(FOOTFALL_SOURCE_DIR "/inputs/paper_identified"))
-    if (file.path().extension() == ".toml") scenes.push_back(file.path());
+    if (file.path().extension() == ".toml" && file.path().filename() != "scene.toml") scenes.push_back(file.path());
   std::sort(scenes.begin(), scenes.end());
   return scenes;
 }

@@ -56,7 +56,7 @@ Ended run(const std::string& toml) {
   Simulation simulation(scene, scene.end_time, nullptr);
   Ended end;
   try {
-    simulation.run([](const Sample&) {}, test::kNever);
+    simulation.run([](const Sample&) {}, kNever);
   } catch (const NumericalError& error) {
     end.why = error.what();
   }
@@ -232,7 +232,7 @@ TEST(CollisionWatch, AStaticMeshOfTheScriptEndsTheRun) {
   LoopbackGrains grains(with_floor(), [](const Motion&, Load&) {});
   Simulation simulation(over.scene, over.scene.end_time, &grains.transport());
   try {
-    simulation.run([](const Sample&) {}, test::kNever);
+    simulation.run([](const Sample&) {}, kNever);
     ADD_FAILURE() << "it went through";
   } catch (const NumericalError& error) {
     EXPECT_THAT(error.what(), AllOf(HasSubstr("\"ball\""), HasSubstr("floor")));

@@ -517,7 +517,7 @@ TEST(KeptByTheClock, WhereTheGrainsCannotBeKeptTheSetIsDroppedAndTriedAgain) {
 
 TEST(SafetyClock, RestsForAsLongAsSetsTake) {
   SafetyClock never(0.0, 300.0);
-  EXPECT_FALSE(never.runs());
+  EXPECT_FALSE(never.active());
   EXPECT_FALSE(never.overdue());
   SafetyClock often(1e-9, 0.0), rests(1e-9, 1e12);
   for (SafetyClock* clock : {&often, &rests}) {

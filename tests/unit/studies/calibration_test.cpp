@@ -284,12 +284,6 @@ TEST(GaussNewton, SolvesAnewWhereARangeEnds) {
   EXPECT_NEAR(2.0 * way.best[1], (9.0 * 1.3 + 0.7) / 10.0, 1e-3);  // least of 9 (b - 1.3)^2 + (b - 0.7)^2
 }
 
-TEST(SearchSideBySide, RunsTheFirstSetsOfAGlobalSearchSideBySide) {
-  const Walked one = walked(stage_of(SearchMethod::kIsres, 60), 1), six = walked(stage_of(SearchMethod::kIsres, 60), 6);
-  EXPECT_LE(six.rounds, one.rounds / 3);
-  EXPECT_LE(six.runs, 80);  // few in vain
-}
-
 // Searches by response surfaces: mbd_solver/cli/calibrate/surrogate.h and response_surface.h.
 
 // Points of a lattice in the unit square, moved a little so that no three are in line.
@@ -370,8 +364,8 @@ double bent_misfit(const UnitPoint& u) {
   return sum;
 }
 
-SurrogateQuestions questions_of(std::map<UnitPoint, bool>* known) {
-  SurrogateQuestions questions;
+SurrogateQueries questions_of(std::map<UnitPoint, bool>* known) {
+  SurrogateQueries questions;
   for (std::size_t k = 0; k < kManyNumbers; ++k) questions.moved_by.push_back({k, k + 1, (k + 5) % kManyParameters});
   questions.part = bent_part;
   questions.may_continue = [](const UnitPoint&) { return true; };
@@ -384,7 +378,7 @@ SurrogateQuestions questions_of(std::map<UnitPoint, bool>* known) {
   return questions;
 }
 
-SearchPath surrogate_way(const SurrogateQuestions& questions, int evaluations) {
+SearchPath surrogate_way(const SurrogateQueries& questions, int evaluations) {
   SurrogateSearch search(stage_of(SearchMethod::kSurrogate, evaluations), bent_middle(), questions);
   return search.go();
 }
@@ -418,7 +412,7 @@ TEST(SurrogateSearch, GoesTheSameWayHoweverOftenItBegins) {
 }
 
 TEST(SurrogateSearch, UsesWhatIsKnownAndDoesNotAskForItAgain) {
-  SurrogateQuestions questions = questions_of(nullptr);
+  SurrogateQueries questions = questions_of(nullptr);
   questions.earlier = surrogate_way(questions, 30).sets;
   const SearchPath way = surrogate_way(questions, 10);
   for (std::size_t k = 1; k < way.sets.size(); ++k)
@@ -427,7 +421,7 @@ TEST(SurrogateSearch, UsesWhatIsKnownAndDoesNotAskForItAgain) {
 }
 
 TEST(SurrogateSearch, GoesAroundSetsWhoseRunsFail) {
-  SurrogateQuestions questions = questions_of(nullptr);
+  SurrogateQueries questions = questions_of(nullptr);
   const auto all = questions.numbers;
   questions.numbers = [all](const UnitPoint& u) { return u[0] > 0.6 ? std::vector<double>() : all(u); };
   const SearchPath way = surrogate_way(questions, 40);
@@ -436,7 +430,7 @@ TEST(SurrogateSearch, GoesAroundSetsWhoseRunsFail) {
 }
 
 TEST(SurrogateSearch, KeepsConstraints) {
-  SurrogateQuestions questions = questions_of(nullptr);
+  SurrogateQueries questions = questions_of(nullptr);
   questions.allowed = [](const UnitPoint& u) { return u[0] + u[1] <= 1.0; };
   const SearchPath way = surrogate_way(questions, 40);
   for (std::size_t k = 1 + bent_middle().size() + 1; k < way.sets.size(); ++k)  // behind the hypercube
@@ -444,7 +438,7 @@ TEST(SurrogateSearch, KeepsConstraints) {
 }
 
 TEST(SurrogateSearch, EndsAtALimit) {
-  SurrogateQuestions questions = questions_of(nullptr);
+  SurrogateQueries questions = questions_of(nullptr);
   int asked = 0;
   questions.may_continue = [&](const UnitPoint&) { return ++asked <= 7; };
   const SearchPath way = surrogate_way(questions, 40);
@@ -481,7 +475,7 @@ Evaluation evaluated(const CalibrationSpec& spec, const Model& model, const Unit
   for (std::size_t i = 0; i < shares.size(); ++i) p.push_back(spec.parameters[i].value(shares[i]));
   const std::vector<double> y = model(p);
   Evaluation e;
-  e.shares = shares;
+  e.point = shares;
   for (std::size_t t = 0; t < y.size(); ++t) {
     TargetResult r;
     r.values = {y[t]};
@@ -555,7 +549,7 @@ TEST(Determination, OfALinearModelIsExact) {
     return std::vector<double>{2.0 * p[1], 0.5 * p[1] + 3.0 * std::log(p[0]), 4.0 * p[1] - std::log(p[0])};
   };
   const CalibrationSpec spec = spec_of(2, line({3.0, 4.0}), 0.05);
-  const UnitPoint best = {spec.parameters[0].share(3.0), spec.parameters[1].share(4.0)};
+  const UnitPoint best = {spec.parameters[0].position(3.0), spec.parameters[1].position(4.0)};
   const Determination d = determined(spec, line, best);
   Eigen::Matrix<double, 3, 2> a;
   a << 0.0, 2.0, 3.0, 0.5, -1.0, 4.0;
@@ -581,8 +575,8 @@ TEST(Determination, TellsWhatNothingHolds) {
 
 TEST(Determination, SaysWhenTheSearchHasNotEnded) {
   const CalibrationSpec spec = spec_of(3, decay({4.0, 4.0, 4.0}), 0.1);
-  const UnitPoint best = {spec.parameters[0].share(4.0), spec.parameters[1].share(4.0) + 0.01,
-                          spec.parameters[2].share(4.0)};
+  const UnitPoint best = {spec.parameters[0].position(4.0), spec.parameters[1].position(4.0) + 0.01,
+                          spec.parameters[2].position(4.0)};
   const Determination d = determined(spec, decay, best);
   EXPECT_NEAR(d.gain / evaluated(spec, decay, best).misfit, 1.0, 0.05);  // nearly linear over so small a step
 }
@@ -591,12 +585,12 @@ TEST(Determination, SaysWhenTheSearchHasNotEnded) {
 TEST(Pulls, NameWhatMeetingATargetCosts) {
   const auto twice = [](const std::vector<double>& p) { return std::vector<double>{p[1], p[1]}; };
   CalibrationSpec spec = spec_of(2, {3.0, 5.0}, 0.5);
-  const UnitPoint best = {0.5, spec.parameters[1].share(4.0)};
+  const UnitPoint best = {0.5, spec.parameters[1].position(4.0)};
   std::vector<Evaluation> sets;
   for (const UnitPoint& set : difference_sets(spec, best)) sets.push_back(evaluated(spec, twice, set));
   std::vector<const Evaluation*> around;
   for (const Evaluation& e : sets) around.push_back(&e);
-  const std::vector<Pull> pulls = pulls_of(spec, evaluated(spec, twice, best), around);
+  const std::vector<TradeOff> pulls = trade_offs_of(spec, evaluated(spec, twice, best), around);
   ASSERT_EQ(pulls.size(), 2u);
   EXPECT_NEAR(pulls[0].step[1], -1.0 / 9.0, 1e-9);  // of the range 1 to 10
   ASSERT_EQ(pulls[0].costs.size(), 1u);
@@ -618,7 +612,7 @@ struct WholeRun {
     for (CalibrationParameter& p : spec.parameters) p.most = 1.0;
     spec.targets.resize(3);
     for (TargetSpec& target : spec.targets) target.least = 0.0, target.most = 4.0, target.tolerance = 1.0;
-    whole.shares = {0.5, 0.5};
+    whole.point = {0.5, 0.5};
     sensitivity.row(0) << 10.0, 0.0;
     sensitivity.row(1) << 2.0, -4.0;
     sensitivity.row(2) << 0.0, 20.0;
@@ -632,7 +626,7 @@ struct WholeRun {
 TEST(Adjusted, StaysWhereAllIsMetWithinTheBounds) {
   WholeRun run;
   run.says({2.0, 1.0, 3.0});
-  EXPECT_EQ(adjusted(run.spec, run.whole, run.sensitivity), run.whole.shares);
+  EXPECT_EQ(adjusted(run.spec, run.whole, run.sensitivity), run.whole.point);
 }
 
 TEST(Adjusted, GoesWithinTheBoundsOfWhatWasLostAndKeepsTheRest) {
@@ -650,7 +644,7 @@ TEST(Adjusted, TakesNoLongWayForWhatIsOutOfReach) {
   WholeRun run;
   run.spec.cap = 3.0;
   run.says({2.0, 1.0, 300.0});
-  EXPECT_EQ(adjusted(run.spec, run.whole, run.sensitivity), run.whole.shares);
+  EXPECT_EQ(adjusted(run.spec, run.whole, run.sensitivity), run.whole.point);
 }
 
 TEST(Adjusted, GoesNoFurtherThanTheDifferencesReach) {
@@ -702,37 +696,37 @@ std::vector<std::size_t> first_targets(std::size_t count) {
 
 TEST(Together, NamesWhatNoSetMeetsAndPairsThatNoneMeetsTogether) {
   const SetsThatMeet s(4, {{0, 1}, {1, 2}});
-  const Apart found = apart(s.spec, s.all);
+  const Conflicts found = conflicts_of(s.spec, s.all);
   EXPECT_EQ(found.never, std::vector<std::size_t>{3});
   ASSERT_EQ(found.pairs.size(), 1u);
   EXPECT_EQ(found.pairs[0].a, 0u);
   EXPECT_EQ(found.pairs[0].b, 2u);
-  EXPECT_EQ(most_without_a_pair(found, first_targets(4)), 2u);
+  EXPECT_EQ(most_without_conflict(found, first_targets(4)), 2u);
 }
 
 TEST(Together, AtMostTheLargestChoiceWithoutAPair) {
-  Apart ring;  // of five: two; the sixth goes with all, the seventh was never met
+  Conflicts ring;  // of five: two; the sixth goes with all, the seventh was never met
   for (std::size_t k = 0; k < 5; ++k) ring.pairs.push_back({k, (k + 1) % 5, 1, 1});
   ring.never = {6};
-  EXPECT_EQ(most_without_a_pair(ring, first_targets(7)), 3u);
-  Apart star;  // the middle of a star of four against its ends
+  EXPECT_EQ(most_without_conflict(ring, first_targets(7)), 3u);
+  Conflicts star;  // the middle of a star of four against its ends
   for (std::size_t k = 1; k < 5; ++k) star.pairs.push_back({0, k, 1, 1});
-  EXPECT_EQ(most_without_a_pair(star, first_targets(5)), 4u);
-  Apart middle;  // one against two
+  EXPECT_EQ(most_without_conflict(star, first_targets(5)), 4u);
+  Conflicts middle;  // one against two
   for (std::size_t k = 1; k < 3; ++k) middle.pairs.push_back({0, k, 1, 1});
-  EXPECT_EQ(most_without_a_pair(middle, first_targets(3)), 2u);
-  EXPECT_EQ(most_without_a_pair(Apart{}, first_targets(5)), 5u);
-  Apart many;  // pairs of their own: one of each, and no search through all choices
+  EXPECT_EQ(most_without_conflict(middle, first_targets(3)), 2u);
+  EXPECT_EQ(most_without_conflict(Conflicts{}, first_targets(5)), 5u);
+  Conflicts many;  // pairs of their own: one of each, and no search through all choices
   for (std::size_t k = 0; k < 60; ++k) many.pairs.push_back({2 * k, 2 * k + 1, 1, 1});
-  EXPECT_EQ(most_without_a_pair(many, first_targets(120)), 60u);
+  EXPECT_EQ(most_without_conflict(many, first_targets(120)), 60u);
 }
 
 TEST(Together, MostAreCountedByWeight) {
   SetsThatMeet s(4, {{0, 1}, {2, 3, 0}});
   s.spec.targets[2].weight = s.spec.targets[3].weight = 0.25;
   EXPECT_EQ(most_met(s.spec, s.all), s.all[0]);
-  EXPECT_EQ(weightiest(s.spec), first_targets(2));
-  EXPECT_EQ(met_of(*s.all[1], weightiest(s.spec)), 1);
+  EXPECT_EQ(heaviest_targets(s.spec), first_targets(2));
+  EXPECT_EQ(met_of(*s.all[1], heaviest_targets(s.spec)), 1);
   s.spec.targets[3].weight = 1.0;
   EXPECT_EQ(most_met(s.spec, s.all), s.all[1]);
 }
@@ -753,17 +747,17 @@ class LedgerOfRuns : public ::testing::Test {
   }
   void TearDown() override { std::filesystem::remove(file); }
 
-  RunLedger::Entry entry(const std::string& run, double depth, double angle) const {
-    RunLedger::Entry e;
+  RunRecords::Entry entry(const std::string& run, double depth, double angle) const {
+    RunRecords::Entry e;
     e.run = run, e.wall = 1.5, e.cpu = 0.1 + 0.2;
     e.numbers.metrics = {depth, angle};
     e.numbers.curves.resize(2);
     return e;
   }
   void write_two() const {
-    RunLedger ledger(spec, file);
-    ledger.note("one", "recipe1", entry("one_1", 1.0 / 3.0, std::nan("")));
-    ledger.note("two", "recipe2", entry("two_2", 2.0 / 3.0, M_PI));
+    RunRecords ledger(spec, file);
+    ledger.add("one", "recipe1", entry("one_1", 1.0 / 3.0, std::nan("")));
+    ledger.add("two", "recipe2", entry("two_2", 2.0 / 3.0, M_PI));
     ledger.write();
   }
 
@@ -774,8 +768,8 @@ class LedgerOfRuns : public ::testing::Test {
 
 TEST_F(LedgerOfRuns, ComesBackToTheLastBit) {
   write_two();
-  const RunLedger ledger(spec, file);
-  const RunLedger::Entry* one = ledger.find("one", "recipe1");
+  const RunRecords ledger(spec, file);
+  const RunRecords::Entry* one = ledger.find("one", "recipe1");
   ASSERT_TRUE(one);
   EXPECT_EQ(one->run, "one_1");
   EXPECT_EQ(one->numbers.metrics[0], 1.0 / 3.0);
@@ -792,14 +786,14 @@ TEST_F(LedgerOfRuns, AnswersTheSameQuestionOnlyAndKeepsTheOthers) {
   CalibrationSpec other = spec;
   other.metrics[1].slope = {-0.3, -0.1};
   {
-    RunLedger ledger(other, file);
+    RunRecords ledger(other, file);
     EXPECT_TRUE(ledger.find("one", "recipe1")) << "is not asked for the angle";
     EXPECT_FALSE(ledger.find("two", "recipe2"));
-    ledger.note("two", "recipe2", entry("two_2", 0.5, 2.0));
+    ledger.add("two", "recipe2", entry("two_2", 0.5, 2.0));
     ledger.write();
   }
-  EXPECT_EQ(RunLedger(other, file).find("two", "recipe2")->numbers.metrics[1], 2.0);
-  EXPECT_EQ(RunLedger(spec, file).find("two", "recipe2")->numbers.metrics[1], M_PI);
+  EXPECT_EQ(RunRecords(other, file).find("two", "recipe2")->numbers.metrics[1], 2.0);
+  EXPECT_EQ(RunRecords(spec, file).find("two", "recipe2")->numbers.metrics[1], M_PI);
 }
 
 TEST_F(LedgerOfRuns, CutAnywhereLosesTheLastLineAlone) {
@@ -808,7 +802,7 @@ TEST_F(LedgerOfRuns, CutAnywhereLosesTheLastLineAlone) {
   const std::size_t first = text.find('\n');
   for (std::size_t length = 0; length < text.size(); ++length) {
     std::ofstream(file) << text.substr(0, length);
-    const RunLedger ledger(spec, file);
+    const RunRecords ledger(spec, file);
     EXPECT_EQ(ledger.find("one", "recipe1") != nullptr, length >= first) << length;
     EXPECT_EQ(ledger.find("two", "recipe2") != nullptr, length >= text.size() - 1) << length;
   }
@@ -824,7 +818,7 @@ TEST_F(LedgerOfRuns, DamageIsNamedByItsLine) {
     for (int n = 0; n < 3; ++n) damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
     std::ofstream(file) << damaged;
     try {
-      const RunLedger ledger(spec, file);
+      const RunRecords ledger(spec, file);
     } catch (const InputError& error) {
       ++named;
       EXPECT_NE(std::string(error.what()).find(file + ":"), std::string::npos) << error.what();

@@ -760,14 +760,14 @@ TEST(Recommendation, LeavesOutOneMeasureThatNoValueKeepsWithin) {
     if (p.code == 0) p.metrics[0].error = 0.2;
   const std::vector<Recommendation> coarse = recommendations_of(k.spec, k.results, 0.05);
   EXPECT_EQ(coarse[0].point->plan.value, "10");
-  EXPECT_EQ(k.spec.metrics[coarse[0].apart].name, "force");
+  EXPECT_EQ(k.spec.metrics[coarse[0].excepted].name, "force");
   EXPECT_EQ(k.spec.metrics[coarse[0].worst].name, "depth");
   EXPECT_DOUBLE_EQ(coarse[0].largest().error, 0.009);
 }
 
 TEST(Recommendation, LinesOfThePage) {
   const Known k = known_errors();
-  const std::string page = recommendations(k.spec, k.results);
+  const std::string page = recommendation_section(k.spec, k.results);
   EXPECT_THAT(page, HasSubstr("| windows | 2 | 0.4 ± 0.2 %, depth | 2.50 | 10 | 0.9 ± 0.1 %, depth | 0.60 |\n"));
   EXPECT_THAT(
       page,
