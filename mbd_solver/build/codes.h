@@ -11,8 +11,6 @@ inline constexpr MessageCode kModelMass{"E0260", "model-mass"};
 inline constexpr MessageCode kTooManyElements{"E0261", "too-many-elements"};
 // A body is on both sides of a wall at the start, so the wall cannot hold it. Move the body, or exclude it.
 inline constexpr MessageCode kAcrossWall{"E0262", "across-wall"};
-// A mesh of the script is no wall that a contact can use. Correct the mesh.
-inline constexpr MessageCode kWallMesh{"E0263", "wall-mesh"};
 // A controller has another number of outputs than the scene names. Name as many.
 inline constexpr MessageCode kOutputCount{"E0264", "output-count"};
 // A continuous signal reads what is known at samples only. Give the signal a period.

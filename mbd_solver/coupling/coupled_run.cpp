@@ -11,9 +11,9 @@
 #include "coupler/base/errors.h"
 #include "coupler/messages.h"
 #include "coupler/schemes/registry.h"
+#include "mbd_solver/coupling/codes.h"
 #include "mbd_solver/coupling/window_choice.h"
 #include "mbd_solver/model/rotation.h"
-#include "mbd_solver/run/codes.h"
 
 namespace footfall {
 namespace {

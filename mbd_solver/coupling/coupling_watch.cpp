@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "coupler/base/text.h"
-#include "mbd_solver/run/codes.h"
+#include "mbd_solver/coupling/codes.h"
 
 namespace footfall {
 namespace {

@@ -8,7 +8,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "coupler/messages.h"
-#include "mbd_solver/run/codes.h"
+#include "mbd_solver/coupling/codes.h"
 
 namespace footfall {
 

@@ -1,6 +1,4 @@
-// Starts the calibration in its locked folder and writes pages, tables and settings at the end.
-#include "mbd_solver/studies/calibrate_command.h"
-
+// footfall calibrate: starts the calibration in its locked folder and writes pages, tables and settings at the end.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -17,6 +15,7 @@
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/studies/calibration_page.h"
+#include "mbd_solver/studies/calibration_run.h"
 #include "mbd_solver/studies/codes.h"
 
 namespace footfall {

@@ -1,5 +1,5 @@
 #pragma once
-// A whole calibration: the runs of the start, the stages, differences about the best set, confirmation.
+// A whole calibration: the runs of the start, the stages, differences about the best set, confirmation; and its command.
 
 #include <optional>
 #include <string>
@@ -111,5 +111,20 @@ class CalibrationRun {
   double spent_ = 0.0;  // by them, of one core [s]
   CalibrationOutcome outcome_;
 };
+
+// footfall calibrate FILE: the parameters with which runs meet targets, how well the targets determine them, and trade-offs
+// between targets. The folder of results holds NAME.md, report.html, way.csv, best.txt, pictures, and the runs; the same
+// command resumes an interrupted calibration.
+struct CalibrateArguments {
+  std::string file;
+  std::string out;        // empty: runs/calibrations/NAME
+  std::string table;      // also write the page to this file; empty: no
+  int jobs = 0;           // runs at once; 0: as many as the cores allow
+  bool estimate = false;  // only the runs of the start, and an estimate of the time of all
+  bool so_far = false;    // no runs: print the results so far
+};
+
+// Returns the exit code: 0; 3 when interrupted. Throws InputError, NumericalError.
+int calibrate_command(const CalibrateArguments& arguments);
 
 }  // namespace footfall

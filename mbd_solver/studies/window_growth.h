@@ -1,6 +1,6 @@
 #pragma once
 // Growth per window of the coupling schemes: one body of mass m on a linear contact of stiffness K with a fixed grain,
-// without damping, omega H = sqrt(K/m) H. Theory: the spectral radius of the scheme's window map. Measured: with the coupling
+// without damping, omega H = sqrt(K/m) H. Predicted: the spectral radius of the scheme's window map. Measured: with the coupling
 // code (path, mean load, tangent) on that contact, the body integrated exactly; and with LIGGGHTS, the pad of
 // inputs/accuracy/scenes/linear.toml, guided between fixed grains on linear contacts. theory 7.7.
 

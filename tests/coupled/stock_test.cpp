@@ -219,6 +219,20 @@ TEST(Launcher, ScreenNoneWorksWithAMesh) {
   EXPECT_EQ(ours.text, "");
 }
 
+// Stock LIGGGHTS prints that line past its screen; without `-screen none` it stays.
+TEST(Launcher, ScreenNoneHidesTheVersionOfARestartFile) {
+  const RunFolder folder("stock_restart_version");
+  folder.write("in.first", small_bed() + "run 1\nwrite_restart grains.restart\n");
+  folder.write("in.second", "atom_style granular\nread_restart grains.restart\n");
+  ASSERT_EQ(folder.alone(kStock, 1, "-in in.first -log log.first").exit_code, 0);
+  const std::string program = RunFolder::program("liggghts_mbd");
+  EXPECT_EQ(count(folder.alone(kStock, 1, "-in in.second -screen none -log log.stock").text, "version 3 8\n"), 1U);
+  EXPECT_EQ(count(folder.alone(program, 1, "-in in.second -log log.shown").text, "version 3 8\n"), 1U);
+  const Outcome hidden = folder.alone(program, 1, "-in in.second -screen none -log log.hidden");
+  EXPECT_EQ(hidden.exit_code, 0) << hidden.text;
+  EXPECT_EQ(hidden.text, "");
+}
+
 TEST(Launcher, AScriptErrorEndsWithTheExitCodeAndWordsOfStock) {
   const RunFolder folder("stock_script_error");
   folder.write("in", "units si\nno_such_command\n");

@@ -8,9 +8,9 @@ complain() { echo "$*"; failed=1; }
 page_of() { echo "docs/reference/fixes/$(tr / _ <<<"$1").md"; }
 
 styles=$(grep -ohE 'register_fix_style\(lmp, "[^"]+"' liggghts_fix/*.cpp | sed 's/.*"\(.*\)"/\1/')
-# The loop of let_meshes_resume registers all styles that begin so.
-prefix=$(sed -n 's/.*style\.rfind("\([^"]*\)", 0) != 0) continue;.*/\1/p' liggghts_fix/liggghts_access_styles.cpp)
-[[ -n $prefix ]] || complain "liggghts_access_styles.cpp: the prefix of the meshes was not found"
+# The loop of make_meshes_resumable registers all styles that begin so.
+prefix=$(sed -n 's/.*style\.rfind("\([^"]*\)", 0) != 0) continue;.*/\1/p' liggghts_fix/liggghts_access.cpp)
+[[ -n $prefix ]] || complain "liggghts_access.cpp: the prefix of the meshes was not found"
 styles+=$'\n'$prefix
 (($(wc -l <<<"$styles") >= 5)) || complain "only these registered styles were found: $styles"
 
@@ -18,11 +18,11 @@ styles+=$'\n'$prefix
 keywords_of() {
   case $1 in
     couple/mbd) grep -oE 'keyword == "[a-z_]+"|words\[3\] != "[a-z_]+"' coupler/couple_mbd_arguments.cpp ;;
-    couple/mbd/geometry) grep -oE 'strcmp\(arg\[3\], "[a-z_]+"' liggghts_fix/fix_couple_mbd_geometry.cpp ;;
+    couple/mbd/geometry) grep -oE 'strcmp\(arg\[3\], "[a-z_]+"' liggghts_fix/couple/fix_couple_mbd_geometry.cpp ;;
     wall/gran/beam)
-      grep -oE '(word (!=|==)) "[a-z_]+"' liggghts_fix/beam_arguments.cpp
-      grep 'kModelKeywords =' liggghts_fix/beam_arguments.cpp | grep -oE '"[a-z_]+"' ;;
-    mesh/surface) grep -oE 'strcmp\(words\[3\], "[a-z_]+"' liggghts_fix/liggghts_access_styles.cpp ;;
+      grep -oE '(word (!=|==)) "[a-z_]+"' liggghts_fix/link/beam_arguments.cpp
+      grep 'kModelKeywords =' liggghts_fix/link/beam_arguments.cpp | grep -oE '"[a-z_]+"' ;;
+    mesh/surface) grep -oE 'strcmp\(words\[3\], "[a-z_]+"' liggghts_fix/liggghts_access.cpp ;;
   esac | sed -E 's/.*"([a-z_]+)"/\1/' | sort -u
 }
 

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# The table of README.md is complete: it lists exactly those functions that the program defines and that one of its
-# libraries (LIGGGHTS, MPI, C) defines as well, and each has its own .cpp here.
-#   check_list.sh BUILD/bin/liggghts_mbd
+# The table of liggghts_fix/replaced/README.md is complete: it lists exactly those functions that the program defines and that
+# one of its libraries (LIGGGHTS, MPI, C) defines as well; each has its own .cpp there, and each test that it names exists.
+#   replaced_symbols.sh BUILD/bin/liggghts_mbd
 set -eu
+cd "$(dirname "$0")/../.."
 program=$1
-folder=$(cd "$(dirname "$0")" && pwd)
+folder=liggghts_fix/replaced
 
 # Strong functions only: inline functions and templates (W) are the same code in both.
 defined() { nm -D --defined-only "$2" | awk -v types="$1" 'index(types, $2) { sub(/@.*/, "", $3); print $3 }'; }
@@ -25,4 +26,17 @@ while IFS= read -r symbol; do
 done < <(comm -13 <(echo "$found") <(echo "$listed"))
 files=$(find "$folder" -name '*.cpp' | wc -l)
 (($(wc -l <<< "$listed") == files)) || { echo "$files files replace $(wc -l <<< "$listed") symbols; expected one file each"; failed=1; }
+
+# The tests of the last column: Suite.Name, a file of bad input, or a case of tests/app/by_force.sh.
+tests=$(sed -n 's/^| `[^`]*` |.*| \([^|]*\) |$/\1/p' "$folder/README.md" | sed 's/ ([^)]*)//; s/, /\n/g' | sort -u)
+[[ -n $tests ]] || { echo "README.md names no test: this check is blind"; exit 1; }
+while IFS= read -r test; do
+  case $test in
+    as\ *) ;;
+    BadInput\ *) grep -rqE "\b${test#BadInput }\b" tests/app/bad_input* || { echo "README.md names $test: there is no such input"; failed=1; } ;;
+    by_force.sh\ *) grep -qE "^ +${test##* }\)" tests/app/by_force.sh || { echo "README.md names $test: there is no such case"; failed=1; } ;;
+    *.*) grep -rqE "TEST(_[FP])?\(${test%.*}, ${test#*.}\)" tests --include=*_test.cpp || { echo "README.md names $test: there is no such test"; failed=1; } ;;
+    *) echo "README.md names $test: expected Suite.Name, BadInput NAME or by_force.sh CASE"; failed=1 ;;
+  esac
+done <<< "$tests"
 exit $failed
