@@ -1,7 +1,7 @@
 // view_read_back.mjs RUN: what stands in RUN/view.html, unpacked by the viewer's own code, is what the run's files say: places and speeds of
 // the grains, points of the bodies, columns of the history.
 import { readFileSync, readdirSync } from "node:fs";
-import { SeriesDecoder, bytesOfBase64, inflate, joinPlanes } from "../../mbd_solver/cli/analysis/viewer/web/src/decode.js";
+import { SeriesDecoder, bytesOfBase64, inflate, joinPlanes } from "../../mbd_solver/app/web/src/decode.js";
 
 const folder = process.argv[2];
 const page = readFileSync(`${folder}/view.html`, "utf8");

@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Ranks, PadsOn,
                                          std::pair(4, "4 1 1"), std::pair(4, "2 2 1"), std::pair(2, "1 1 2"),
                                          std::pair(8, "4 2 1")),
                          grid_of);
-// Half a minute on two cores: tests/scale/ranks.sh.
+// Half a minute on two cores: tests/bench/ranks.sh.
 INSTANTIATE_TEST_SUITE_P(DISABLED_ManyRanks, PadsOn, testing::Values(std::pair(16, "4 4 1"), std::pair(16, "8 2 1")),
                          grid_of);
 

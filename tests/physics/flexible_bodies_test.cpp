@@ -342,7 +342,7 @@ TEST(TorsionalSpring, TurnsAFlexibleBodyWhereItsPointIs) {
   }
 }
 
-// Segments (mbd_solver/scene/segments.cpp) bring what a floating frame with linear modes leaves out: a spinning rod
+// Segments (mbd_solver/scene/resolve.cpp) bring what a floating frame with linear modes leaves out: a spinning rod
 // stiffens by its own tension. Exact: Wright, Smith, Thresher and Wang, J. Appl. Mech. 49 (1982), 197, Table 1: uniform
 // cantilever without hub, first flapping frequency over sqrt(EI / (m L^4)) at spin rates eta in the same unit.
 

@@ -124,6 +124,19 @@ def quoting():
                 complain(f"{where}: a name in sweep.sbatch without shell_word")
 
 
+def named_files():
+    """A file that a source or a test names exists."""
+    named = 0
+    for top in TOPS + ("tests",):
+        for path in (root / top).rglob("*"):
+            if path.suffix in (".cpp", ".h", ".sh", ".mjs") and "node_modules" not in path.parts:
+                for name in re.findall(rf"\b(?:{'|'.join(TOPS)}|tests)/[a-z_/]+\.(?:h|cpp|sh|py|js)\b", path.read_text()):
+                    named += 1
+                    if not (root / name).exists():
+                        complain(f"{path.relative_to(root)} names {name}, which does not exist")
+    found("files that sources name", range(named), 1000)
+
+
 def containers():
     """The containers install what the script `footfall` installs for a run, by the same names."""
     packages = re.search(r"^packages=\((.*?)\)", (root / "footfall").read_text(), re.M | re.S)
@@ -136,6 +149,6 @@ def containers():
                 complain(f"{recipe}: does not install {package}")
 
 
-for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, quoting, containers):
+for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, quoting, named_files, containers):
     rule()
 sys.exit(failed)

@@ -1,4 +1,4 @@
-// The audit's table: one number that is wrong is seen, in its line and window (mbd_solver/cli/analysis/audit.cpp).
+// The audit's table: one number that is wrong is seen, in its line and window (mbd_solver/app/audit.cpp).
 
 #include <gtest/gtest.h>
 
@@ -89,13 +89,13 @@ const std::vector<Fault> kFaults = {
      [](AuditedRun& r) { r.grains.windows[1].sources[2].angular *= kWrong; }},
     {"state", "grains: linear momentum", [](AuditedRun& r) { r.grains.windows[1].state.linear *= kWrong; }},
     {"spin", "grains: angular momentum", [](AuditedRun& r) { r.grains.windows[1].state.angular *= kWrong; }},
-    {"impulse", "load: impulse, counted and sent",
+    {"impulse", "load: impulse, summed and sent",
      [](AuditedRun& r) { r.grains.windows[1].sources[5].linear *= kWrong; }},
-    {"load", "load: mean force, counted and sent",
+    {"load", "load: mean force, summed and sent",
      [](AuditedRun& r) { r.grains.windows[1].sources[4].linear *= kWrong; }},
-    {"moment", "load: mean moment, counted and sent",
+    {"moment", "load: mean moment, summed and sent",
      [](AuditedRun& r) { r.grains.windows[1].sources[4].angular *= kWrong; }},
-    {"felt", "load: sent and felt", [](AuditedRun& r) { r.mechanism.rows[2].loads["pad"].F_W *= kWrong; }},
+    {"felt", "load: sent and received", [](AuditedRun& r) { r.mechanism.rows[2].loads["pad"].F_W *= kWrong; }},
     {"mechanism", "mechanism: linear momentum", [](AuditedRun& r) { r.mechanism.rows[2].momentum *= 1.0 + 1e-5; }},
 };
 INSTANTIATE_TEST_SUITE_P(Faults, OneNumber, testing::ValuesIn(kFaults),

@@ -93,7 +93,7 @@ TEST(GrainSeries, ARunWithoutGrainsGetsNone) {
   fs::remove_all(folder);
 }
 
-// mbd_solver/cli/analysis/replay_script.h: the stock script that replays a run's motion, as text.
+// mbd_solver/app/compare_command.h: the stock script that replays a run's motion, as text.
 
 class ReplayTest : public ::testing::Test, protected TemporaryFolder {
  protected:
@@ -191,7 +191,7 @@ TEST_F(ReplayTest, SaysWhatItCannotReplay) {
   EXPECT_THROW(replay("fix mbd all couple/mbd every 2\nrun 10\n"), InputError);  // no mesh
 }
 
-// A look at a run: mbd_solver/cli/analysis/watch.h
+// A look at a run: mbd_solver/app/follow.h
 
 class LastRowTest : public ::testing::Test, protected TemporaryFolder {};
 class RunLookTest : public ::testing::Test, protected TemporaryFolder {

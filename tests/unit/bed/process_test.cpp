@@ -15,7 +15,7 @@
 namespace footfall {
 namespace {
 
-// mbd_solver/cli/launch/child.h and bed.h: children of the front door, and the key of a bed.
+// mbd_solver/bed/process.h and bed.h: programs that are started, and the key of a bed.
 
 class CliTest : public ::testing::Test, protected TemporaryFolder {
  protected:

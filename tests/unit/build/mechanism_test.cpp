@@ -262,7 +262,7 @@ TEST_P(EveryControllerKind, ResumesToTheBit) {
 
 INSTANTIATE_TEST_SUITE_P(Registered, EveryControllerKind, ValuesIn(names_of<ControllerKind>()), name_of_test);
 
-// Where the mechanism starts: mbd_solver/build/placement.cpp, by its steps in mbd_solver/build/mechanism.h.
+// Where the mechanism starts: mbd_solver/build/mechanism.cpp, step by step.
 
 // Two bodies, their mass centre at (1, 0, 2); the lower one touches the ground with a plate 0.4 m wide at z = 1.5.
 const std::string kTwoBodies = R"(end_time = 0.1
@@ -494,7 +494,7 @@ TEST(FlexibleCopies, LegsOfAnArrayAreTurnedCopiesOfTheFirst) {
 }
 
 // Rigid spheres, rods and discs meet the plane as what they are, not by the nodes of their triangles:
-// mbd_solver/build/build_boundaries.cpp and the round edges of mbd_solver/model/elements/rigid_plane.h.
+// mbd_solver/build/build_bodies.cpp and the round edges of mbd_solver/model/elements/rigid_plane.h.
 
 constexpr double kRadius = 0.1, kGravity = 9.81, kStiffness = 1e6;
 

@@ -10,6 +10,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/transport_loopback.h"
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/coupling/codes.h"
 #include "mbd_solver/coupling/contact_mass.h"
 #include "mbd_solver/coupling/coupling_watch.h"
 #include "mbd_solver/coupling/dem_partner.h"
@@ -321,9 +322,10 @@ class Watched {
     time_ += kH;
     watch.observe({time_, kH, 10, told.last}, load, {{mass_, told.received, told.gravity, told.kinetic, told.pending}});
   }
-  bool warns(const std::string& text) const {
+  // Whether a warning has the code, and the number if one is given.
+  bool warns(const MessageCode& code, const std::string& number = "") const {
     for (const std::string& warning : watch.warnings())
-      if (warning.find(text) != std::string::npos) return true;
+      if (warning.find(code.number) != std::string::npos && warning.find(number) != std::string::npos) return true;
     return false;
   }
   double overlap = 0.0, patch = 0.0;
@@ -340,7 +342,7 @@ TEST(CouplingWatch, JudgesByWhatTheContactsMove) {
     const Told told{0.1, -1.0, excess - 1.0};
     if (excess < 0.1) {
       EXPECT_NO_THROW(body.window(told));
-      EXPECT_TRUE(body.warns("has made"));
+      EXPECT_TRUE(body.warns(code::kCouplingCreates));
     } else {
       EXPECT_THROW(body.window(told), NumericalError);
     }
@@ -380,7 +382,7 @@ TEST(CouplingWatch, LeavesHeldAndLedBodiesAlone) {
 TEST(CouplingWatch, WarnsOfALoss) {
   Watched body(1.0);
   body.window({0.1, 1.0, 0.8});
-  EXPECT_TRUE(body.warns("has lost 0.2 J"));
+  EXPECT_TRUE(body.warns(code::kCouplingDissipates, " 0.2 J"));
 }
 
 TEST(CouplingWatch, JudgesTheLastWindowByWhatTheGrainsGave) {
@@ -396,25 +398,24 @@ TEST(CouplingWatch, JudgesTheLastWindowByWhatTheGrainsGave) {
 
 TEST(CouplingWatch, WarnsWhenATouchIsShorterThanAWindow) {
   const Told flight{0.0, 0.0, 0.0, 0.0, 0, 0.0}, end{0.0, 0.0, 0.0, 0.0, 0, 0.0, true};
-  const std::string what = "began and ended within a window";
   Watched within(1.0);  // no contact at either end, some on the way
   within.window(flight);
   within.window({1.0, 0.0, 0.0, 0.0, 0, 0.3});
   within.window(end);
-  EXPECT_TRUE(within.warns(what));
+  EXPECT_TRUE(within.warns(code::kContactNotResolved));
 
   Watched astride(1.0);  // of an end of windows
   astride.window({1.0, 0.0, 0.0, 0.0, 4, 4 * 0.3});
   astride.window({1.0, 0.0, 0.0, 0.0, 0, 4 * 0.4});
   astride.window(end);
-  EXPECT_TRUE(astride.warns(what));
+  EXPECT_TRUE(astride.warns(code::kContactNotResolved));
 
   Watched resolved(1.0);
   for (int k = 0; k < 10; ++k) resolved.window({1.0, 0.0, 0.0, 0.0, 4, 4.0});
   resolved.window({1.0, 0.0, 0.0, 0.0, 0, 4 * 0.4});
   resolved.window({0.01, 0.0, 0.0, 0.0, 0, 0.1});  // a grain that flies by
   resolved.window(end);
-  EXPECT_FALSE(resolved.warns(what));
+  EXPECT_FALSE(resolved.warns(code::kContactNotResolved));
 }
 
 TEST(CouplingWatch, WarnsOfDeepGrainsAndOfNarrowFacetsOnce) {
@@ -427,20 +428,20 @@ TEST(CouplingWatch, WarnsOfDeepGrainsAndOfNarrowFacetsOnce) {
   body.patch = 1.1;
   for (int k = 0; k < 2; ++k) body.window({});
   EXPECT_EQ(body.watch.warnings().size(), 2U);
-  EXPECT_TRUE(body.warns("pressed in by 6 %"));
-  EXPECT_TRUE(body.warns("1.1 times the width"));
+  EXPECT_TRUE(body.warns(code::kLargeOverlap, " 6 %"));
+  EXPECT_TRUE(body.warns(code::kFacetsTooSmall, " 1.1 "));
 }
 
 TEST(CouplingWatch, TellsABodyThatStartsInsideTheBedFromAHardImpact) {
   Watched inside(1.0);
   inside.overlap = 0.9;
   inside.window({});
-  EXPECT_TRUE(inside.warns("a body starts inside the bed"));
+  EXPECT_TRUE(inside.warns(code::kStartsInBed));
   Watched impact(1.0);
   impact.window({});
   impact.overlap = 0.9;
   impact.window({});
-  EXPECT_TRUE(impact.warns("soft grains soften the impact"));
+  EXPECT_TRUE(impact.warns(code::kLargeOverlap));
 }
 
 using Eigen::Vector3d;

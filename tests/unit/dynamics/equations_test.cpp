@@ -262,7 +262,7 @@ TEST(Model, FlexibleBodyMustKeepItsMassCentre) {
   EXPECT_THROW(Body("b", modal), InputError);
 }
 
-// mbd_solver/dynamics/jacobian.cpp: the analytic Jacobian of the whole system against differences of its residual.
+// mbd_solver/dynamics/equations.cpp: the analytic Jacobian of the whole system against differences of its residual.
 
 class JacobianOfRandomModel : public ::testing::TestWithParam<unsigned> {};
 

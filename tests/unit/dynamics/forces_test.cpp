@@ -311,7 +311,7 @@ TEST(Strut, RefusesALengthThatIsNotPositive) {
                InputError);
 }
 
-// mbd_solver/model/elements/applied_force.h: forces and torques over time on free bodies, against exact motions.
+// mbd_solver/model/elements/forces.h: forces and torques over time on free bodies, against exact motions.
 
 // Of fifth order: a second-order run would take ten thousand steps for the same.
 constexpr double kMass = 2.0, kInertia = 0.5;  // [kg], about every axis [kg m2]

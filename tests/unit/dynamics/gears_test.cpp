@@ -15,7 +15,7 @@
 namespace footfall {
 namespace {
 
-// mbd_solver/model/joints/gear.h: gears, racks and differentials against their equations of motion in one coordinate.
+// mbd_solver/model/elements/gear.h: gears, racks and differentials against their equations of motion in one coordinate.
 
 constexpr double kGearTolerance = 1e-8;  // rtol of the runs is 1e-11, over some hundred steps
 
@@ -221,7 +221,7 @@ TEST(GearStart, GearTwiceIsRedundant) {
   EXPECT_NEAR(run.body(0).w.z(), 0.3 / (0.1 + 0.1 / 4.0) * 2.0, 1e-7);
 }
 
-// mbd_solver/model/joints/rolling.h: rolling without slip against closed forms: down a slope, on a turntable, and a coin that
+// mbd_solver/model/elements/rolling.h: rolling without slip against closed forms: down a slope, on a turntable, and a coin that
 // rolls in a circle.
 
 constexpr double kRollingTolerance = 1e-8;  // rtol of the runs is 1e-11, over some hundred steps

@@ -15,7 +15,7 @@
 namespace footfall {
 namespace {
 
-// mbd_solver/model/joints/joint.h:
+// mbd_solver/model/elements/joint.h:
 // every condition of every joint: value, rate, acceleration and Jacobian row against differences along a
 // random motion.
 
@@ -125,7 +125,7 @@ TEST(Joint, LeavesTheFreedomOfItsKind) {
   for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(joints[i].rows.size(), rows[i]) << joints[i].kind;
 }
 
-// mbd_solver/model/joints/joint_coordinate.h, elements/joint_force.h and rotors: what acts on a joint's coordinate,
+// mbd_solver/model/elements/joint_coordinate.h, elements/joint_force.h and rotors: what acts on a joint's coordinate,
 // against exact motions of a wheel or a slider.
 
 // Of fifth order: a second-order run would take ten thousand steps for the same.
@@ -479,7 +479,7 @@ TEST(Joints, PlanarSlidesAndTurns) {
   EXPECT_NEAR(run.body(0).w.z(), 3.0, kCoordinateTolerance);
 }
 
-// The three coordinates of a planar joint (mbd_solver/model/joints/joint_coordinate.h) with springs and dampers on each,
+// The three coordinates of a planar joint (mbd_solver/model/elements/joint_coordinate.h) with springs and dampers on each,
 // against exact motions.
 
 constexpr double kPlanarTolerance = 1e-7;              // rtol of the runs is 1e-10, over some hundred steps

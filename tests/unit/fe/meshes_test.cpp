@@ -213,7 +213,7 @@ TEST(MeshCheck, ThrowsWithTheNameOfTheFile) {
                     {"pad.stl: triangle 24:", "pad.stl: triangle 25:"}));
 }
 
-// mbd_solver/fe/polyhedron.h, and the capsule of mbd_solver/fe/mesh_generator.h.
+// mbd_solver/fe/triangle_mesh.h, and the capsule of mbd_solver/fe/mesh_generator.h.
 
 using Eigen::Matrix3d;
 

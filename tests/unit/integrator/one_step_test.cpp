@@ -565,7 +565,7 @@ TEST(OneStep, TakesNoMemoryInAStep) {
   }
 }
 
-// mbd_solver/integrator/progress_watch.h: windows that do not end.
+// mbd_solver/integrator/step_control.h: windows that do not end.
 
 TEST(ProgressWatch, ComplainsOfStepsThatNeverEndAndBearsAHardMoment) {
   ProgressWatch never(0.0, 1.0), moment(0.0, 1.0);

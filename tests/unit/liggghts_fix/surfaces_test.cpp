@@ -342,7 +342,7 @@ TEST(WallContact, LinearSpringHasTheScriptsConstantsAtAnyOverlap) {
   EXPECT_EQ(slope.shear_damping, 2.5);
 }
 
-// Slopes of contacts, projected on a body: liggghts_fix/dem_body.h.
+// Slopes of contacts, projected on a body: liggghts_fix/link/dem_body.h.
 
 CoupledBody triangle() {
   Eigen::Matrix3Xd rho0(3, 3);

@@ -12,7 +12,7 @@
 namespace footfall {
 namespace {
 
-// mbd_solver/model/controllers/constant_controller.h, pid_controller.h and skyhook_controller.h.
+// mbd_solver/model/control/controllers.h, pid_controller.h and skyhook_controller.h.
 
 ControllerMeasurement measured(double acceleration, double velocity = 0.0, double rate = 0.0) {
   ControllerMeasurement m;

@@ -410,7 +410,7 @@ TEST_F(TableLawFile, IsNamedWithTheLineThatIsWrong) {
   EXPECT_THROW(read_table_law("no_such_file.csv"), InputError);
 }
 
-// mbd_solver/model/laws/cubic_spline.h
+// mbd_solver/model/laws/curves.h
 
 CubicSpline spline_of_cosine(int pieces) {
   std::vector<double> x, y;

@@ -218,7 +218,7 @@ TEST_F(ScriptCheck, GrainsWithoutWeightAreWarnedOf) {
     EXPECT_EQ(warnings(line), "") << line;
 }
 
-// mbd_solver/scene/script_mesh.h: meshes taken over from a LIGGGHTS script.
+// mbd_solver/scene/particle_script.h: meshes taken over from a LIGGGHTS script.
 
 constexpr const char* kTriangle =
     "solid t\nfacet normal 0 0 1\nouter loop\nvertex 10 0 0\nvertex 20 0 0\nvertex 10 5 0\nendloop\nendfacet\nendsolid "

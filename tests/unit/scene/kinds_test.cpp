@@ -24,7 +24,7 @@
 namespace footfall {
 namespace {
 
-// Every kind has a name and a place in the reference: coupler/base/kinds.h.
+// Every kind has a name and a place in the reference: mbd_solver/base/kinds.h.
 
 using Names = std::set<std::string>;
 

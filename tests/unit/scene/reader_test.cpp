@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +11,7 @@
 #include "coupler/base/files.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/box_bed.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/resolve.h"
 #include "mbd_solver/scene/scene_reader.h"
@@ -229,11 +231,12 @@ auto Only(const std::string& what) { return AllOf(HasSubstr(what), Not(HasSubstr
 TEST(OneFinding, OfStopsNamesTheKeyThatSetGave) {
   const SceneText text;
   const std::string stops = kPendulum + "[joints.angle]\nstops = { min_deg = -10, max_deg = 10, stiffness = 500 }\n";
-  EXPECT_THAT(text.findings(stops, {"joints.hinge.angle.stops.min_deg=20"}),
-              Only("--set joints.hinge.angle.stops.min: is 20 degrees, not below max, 10 degrees; give a smaller min"));
-  EXPECT_THAT(
-      text.findings(stops, {"joints.hinge.angle.stops.max_deg=-20"}),
-      Only("--set joints.hinge.angle.stops.max: is -20 degrees, not above min, -10 degrees; give a smaller min"));
+  for (const auto& [end, value, other] : {std::array{"min", "20", "10"}, std::array{"max", "-20", "-10"}}) {
+    const std::string found = text.findings(stops, {std::string("joints.hinge.angle.stops.") + end + "_deg=" + value});
+    EXPECT_THAT(found, Only(std::string("--set joints.hinge.angle.stops.") + end + ": "));
+    EXPECT_THAT(found, AllOf(HasSubstr(code::kRangeReversed.number), HasSubstr(std::string(value) + " degrees"),
+                             HasSubstr(std::string(other) + " degrees")));
+  }
 }
 
 TEST(OneFinding, SaysWhereItStands) {
@@ -311,7 +314,7 @@ TEST(InitialJoints, AStartBeyondAStopIsWarnedOf) {
   EXPECT_EQ(warnings("9"), "");
 }
 
-// mbd_solver/scene/segments.cpp: a tube or rod as several bodies in a row.
+// mbd_solver/scene/resolve.cpp: a tube or rod as several bodies in a row.
 
 using ::testing::ElementsAre;
 
@@ -381,7 +384,7 @@ TEST(Segments, ACutBelongsToTheEarlierOne) {
   EXPECT_EQ(scene.joints[1].bodies[0], "arm_2");
 }
 
-// mbd_solver/scene/soil.h: published soils as beds by numbers.
+// mbd_solver/scene/box_bed.h: published soils as beds by numbers.
 
 const std::string kScene = R"(end_time = 1.0
 [[bodies]]

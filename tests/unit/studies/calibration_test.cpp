@@ -26,14 +26,14 @@
 namespace footfall {
 namespace {
 
-// What the file of a calibration must hold: mbd_solver/cli/calibrate/calibration_reader.cpp.
+// What the file of a calibration must hold: mbd_solver/studies/calibration.cpp.
 
 using ::testing::HasSubstr;
 
 const std::string kParameter = "[[parameters]]\nname = \"k\"\nsettings = [\"a={value}\"]\nleast = 1\nmost = 4\n";
 const std::string kRest =
     "[[figures]]\nname = \"m\"\nkey = \"q\"\n[[targets]]\nfigure = \"m\"\nvalue = 3\ntolerance = 0.1\n"
-    "[[stages]]\nmethod = \"bobyqa\"\nevaluations = 10\n";
+    "[[stages]]\nmethod = \"sbplx\"\nevaluations = 10\n";
 
 CalibrationSpec read_text(const std::string& text) {
   const std::string path =
@@ -175,7 +175,7 @@ TEST_F(MisfitOfRuns, IsThatOfFailureWhereARunOrANumberIsMissing) {
   }
 }
 
-// The way of a search: mbd_solver/cli/calibrate/search.h and gauss_newton.h.
+// The way of a search: mbd_solver/studies/search.h.
 
 const UnitPoint kBottom = {0.3, 0.8, 0.45};
 
@@ -284,7 +284,7 @@ TEST(GaussNewton, SolvesAnewWhereARangeEnds) {
   EXPECT_NEAR(2.0 * way.best[1], (9.0 * 1.3 + 0.7) / 10.0, 1e-3);  // least of 9 (b - 1.3)^2 + (b - 0.7)^2
 }
 
-// Searches by response surfaces: mbd_solver/cli/calibrate/surrogate.h and response_surface.h.
+// Searches by response surfaces: mbd_solver/studies/surrogate.h.
 
 // Points of a lattice in the unit square, moved a little so that no three are in line.
 Eigen::MatrixXd scattered_points(int side) {
@@ -446,7 +446,7 @@ TEST(SurrogateSearch, EndsAtALimit) {
   EXPECT_EQ(way.end, "limit reached");
 }
 
-// How far targets determine parameters: mbd_solver/cli/calibrate/determination.h, on models that are formulas.
+// How far targets determine parameters: mbd_solver/studies/determination.h, on models that are formulas.
 
 using Model = std::function<std::vector<double>(const std::vector<double>&)>;  // parameters -> y of the targets
 
@@ -598,7 +598,7 @@ TEST(Pulls, NameWhatMeetingATargetCosts) {
   EXPECT_NEAR(pulls[0].costs[0].second, 2.0, 1e-9);  // tolerances
 }
 
-// The set next to one that was run whole: mbd_solver/cli/calibrate/adjustment.h.
+// The set next to one that was run whole: mbd_solver/studies/determination.h.
 
 // Two parameters with a range of 1; target 0 feels the first, target 1 both, target 2 the second.
 struct WholeRun {
@@ -666,7 +666,7 @@ TEST(Adjusted, KeepsConstraintsAndRanges) {
   EXPECT_GT(u[0], 0.5);
 }
 
-// Which targets come together: mbd_solver/cli/calibrate/together.h.
+// Which targets come together: mbd_solver/studies/determination.h.
 
 // Sets that meet these targets, of `targets` targets with weight 1.
 struct SetsThatMeet {
@@ -731,7 +731,7 @@ TEST(Together, MostAreCountedByWeight) {
   EXPECT_EQ(most_met(s.spec, s.all), s.all[1]);
 }
 
-// mbd_solver/cli/calibrate/run_ledger.h: what runs said comes back to the last bit, and only as an answer to the same question; damage is named.
+// mbd_solver/studies/evaluations.h: what runs said comes back to the last bit, and only as an answer to the same question; damage is named.
 
 class LedgerOfRuns : public ::testing::Test {
  protected:

@@ -7,22 +7,27 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <random>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/run/output/history.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/fits.h"
 #include "mbd_solver/studies/rig.h"
 #include "mbd_solver/studies/rig_command.h"
 #include "mbd_solver/studies/sweep_file.h"
+#include "tests/support/refused.h"
 
 namespace footfall {
 namespace {
 
 // Power laws of an experiment: what its file may say, what is fitted to which runs, and the sweep of dropped spheres.
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -152,33 +157,36 @@ TEST_F(FitsTest, TablesAndPictureAreWritten) {
   EXPECT_THAT(written("fits.csv"), HasSubstr("\nlaw,fitted,rho,0.5,"));
 }
 
-TEST_F(FitsTest, WrongFilesAreTold) {
-  const auto expect = [&](const std::string& from, const std::string& to, const std::string& message) {
-    EXPECT_THAT([&] { read_with(from, to); }, ThrowsMessage<InputError>(HasSubstr(message))) << to;
+TEST_F(FitsTest, WrongFilesAreReportedAtTheirKey) {
+  const auto expect = [&](const std::string& from, const std::string& to, const MessageCode& code,
+                          std::initializer_list<std::string> words) {
+    const std::string text = test::refusal([&] { read_with(from, to); });
+    EXPECT_TRUE(test::names(text, {code.number})) << to;
+    EXPECT_TRUE(test::names(text, words)) << to;
   };
-  expect("figure = \"depth [m]\"\nlabel", "figure = \"width\"\nlabel",
-         "sweep.toml:19: fits.law.metric: \"width\" is not one of [[figures]]");
-  expect("sum = \"density\"", "sum = \"rho\"",
-         "sweep.toml:24: fits.law.factors.rho.sum: \"rho\" is not one of [[parameters]], nor of [[figures]]");
-  expect("sum = \"density\"", "sum = \"colour\"",
-         "fits.law.factors.rho.sum: parameter \"colour\" has the value \"red\", expected numbers in a power law");
-  expect("marks = \"density\"", "marks = \"size\"", "fits.law.marks: \"size\" is not one of [[parameters]]");
-  expect("Walsh = 0.25", "Walsh = \"1/4\"", "published.Walsh: is \"1/4\", expected a number");
-  expect("{ Uehara = 0.5 }", "0.5", "published: is the number 0.5, expected a table");
-  expect("label = \"d\"", "where = { size = 1 }",
-         "sweep.toml:20: fits.law.where: \"size\" is not one of [[parameters]]");
-  expect("label = \"d\"", "where = { density = 3 }", "fits.law.where: parameter \"density\" has no value \"3\"");
-  expect("label = \"d\"", "where = 5", "fits.law.where: is the number 5, expected a table");
-  expect("label = \"d\"", "labels = \"d\"", "labels: unknown key.");
+  expect("figure = \"depth [m]\"\nlabel", "figure = \"width\"\nlabel", code::kUnknownMetric,
+         {"sweep.toml:19: fits.law.figure:", "\"width\""});
+  expect("sum = \"density\"", "sum = \"rho\"", code::kUnknownParameter,
+         {"sweep.toml:24: fits.law.factors.rho.sum:", "\"rho\""});
+  expect("sum = \"density\"", "sum = \"colour\"", code::kWrongType,
+         {"fits.law.factors.rho.sum:", "\"colour\"", "\"red\""});
+  expect("marks = \"density\"", "marks = \"size\"", code::kUnknownParameter, {"fits.law.marks:", "\"size\""});
+  expect("Walsh = 0.25", "Walsh = \"1/4\"", code::kWrongType, {"published.Walsh:", "\"1/4\""});
+  expect("{ Uehara = 0.5 }", "0.5", code::kWrongType, {"published:", "0.5"});
+  expect("label = \"d\"", "where = { size = 1 }", code::kUnknownParameter,
+         {"sweep.toml:20: fits.law.where:", "\"size\""});
+  expect("label = \"d\"", "where = { density = 3 }", code::kNotAValue, {"fits.law.where:", "\"density\"", "\"3\""});
+  expect("label = \"d\"", "where = 5", code::kWrongType, {"fits.law.where:"});
+  expect("label = \"d\"", "labels = \"d\"", code::kUnknownKey, {"labels:"});
 }
 
-TEST_F(FitsTest, NumbersWithoutALogarithmAreTold) {
+TEST_F(FitsTest, NumbersWithoutALogarithmAreReported) {
   const SweepSpec sweep = read(kSweep + kFit);
   const Plan plan = plan_of(sweep, false);
   std::vector<RunResult> results = results_of(plan);
   results[5].metrics[0] = -0.01;
   EXPECT_THAT([&] { fit_data(sweep, sweep.fits[0], plan, results); },
-              ThrowsMessage<InputError>(HasSubstr("fits.law.metric")));
+              ThrowsMessage<InputError>(AllOf(HasSubstr("fits.law.figure"), HasSubstr(code::kPowerLaw.number))));
   for (RunResult& result : results) result.end.code = 1;
   EXPECT_THAT([&] { write_fits(sweep, plan, results, folder_.string()); }, ::testing::Throws<InputError>());
 }
@@ -306,7 +314,7 @@ TEST(PowerLaw, RefusesWhatLeavesExponentsOpen) {
   EXPECT_THROW(fit_power_law(constant, law_of(x, 1.0)), InputError);
 }
 
-// mbd_solver/cli/rigs: the fits of rigs on runs whose soil is known exactly.
+// mbd_solver/studies/rig.h: the fits of rigs on runs whose soil is known exactly.
 
 // The deviation of a fit from the soil that the columns were made of: bins are means over curved lines.
 constexpr double kOfBins = 5e-3;
