@@ -11,13 +11,13 @@
 
 namespace footfall::app {
 
-inline const std::string kSource = FOOTFALL_SOURCE_DIR;
-inline const std::string kInputs = kSource + "/inputs", kExamples = kSource + "/examples";
-inline const std::string kPlate = kSource + "/tests/app/plate";  // a plate on four grains
+const std::string kSource = FOOTFALL_SOURCE_DIR;
+const std::string kInputs = kSource + "/inputs", kExamples = kSource + "/examples";
+const std::string kPlate = kSource + "/tests/app/plate";  // a plate on four grains
 // Mechanism without grains; a run of 0.02 s takes no time.
-inline const std::string kSliderCrank = kInputs + "/accuracy/scenes/slider_crank.toml";
+const std::string kSliderCrank = kInputs + "/accuracy/scenes/slider_crank.toml";
 // A sphere on some hundred grains, settled in a second.
-inline const std::string kSmallSphere =
+const std::string kSmallSphere =
     kInputs +
     "/dropped_sphere --set bodies.ball.shape.radius=0.07 --set particles.variables.width=0.42"
     " --set particles.bed.variables.width=0.42 --set particles.bed.variables.depth=0.2"

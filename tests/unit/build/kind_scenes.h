@@ -90,7 +90,7 @@ inline const KeysOfKind kSignalKeys = {
 };
 
 // Joints of a third body on both, and gears of two and of three coordinates.
-inline const std::string kGears = R"([[bodies]]
+const std::string kGears = R"([[bodies]]
 name = "c"
 mass = 1.5
 inertia = [0.07, 0.06, 0.08]
@@ -122,7 +122,7 @@ closed = true
 )";
 
 // Two bodies that move and turn against each other.
-inline const std::string kTwoBodies = R"(end_time = 1.0
+const std::string kTwoBodies = R"(end_time = 1.0
 [[bodies]]
 name = "a"
 mass = 2.0

@@ -9,7 +9,7 @@
 namespace footfall::test {
 
 // A cabin on a flexible leg, a controlled strut between them, a plane below.
-inline const std::string kSmallMachine = R"(end_time = 0.1
+const std::string kSmallMachine = R"(end_time = 0.1
 gravity = [0, 0, -1.62]
 [materials.steel]
 density = 7850

@@ -202,8 +202,6 @@ TEST_F(ScriptCheck, AScriptMaySettleItsBedWithALargerTimeStep) {
               HasSubstr("0.0005"));
 }
 
-const char* const kMesh = "fix pad1 all mesh/surface file pad.stl type 1\n";
-
 TEST_F(ScriptCheck, GrainsWithoutWeightAreWarnedOf) {
   const auto warnings = [&](const std::string& script) {
     EXPECT_EQ(findings("fix i all nve/sphere\n" + script + "fix m all couple/mbd every 5 mesh pad1 pad\n"), "");

@@ -23,7 +23,7 @@ class SceneText : TemporaryFolder {
 };
 
 // A scene that is good as it stands.
-inline const std::string kPendulum = R"(end_time = 1.0
+const std::string kPendulum = R"(end_time = 1.0
 [[bodies]]
 name = "bob"
 mass = 2.0
