@@ -22,7 +22,7 @@ namespace {
 constexpr const char* kOfRun =
     R"((history|ledger)\.csv|(run|summary)\.json|liggghts.*\.log|grains_energy.*\.txt|failed|audit\.txt|paraview\.py)"
     R"(|.*\.pvd|.*\.vtk\.series|.*_[0-9]+\.(vtk|vtu|vtp|txt|stl)(\.part)?|(view|report|watch)\.html)"
-    R"(|(audit|checkpoint|compare|motion|pictures|plots|script)/.*)";
+    R"(|(pictures|plots)/[^/]*\.(dat|gp|png|rgb|svg)|(audit|checkpoint|compare|motion|script)/.*)";
 
 bool has_results(const fs::path& folder) {
   std::error_code error;

@@ -68,7 +68,7 @@ TEST_F(Commands, ThatCannotBeReadAreAnsweredByOneLine) {
   struct Line {
     const char *line, *code, *names;
   };
-  const Line lines[] = {{"", "E0500", "run"},
+  const Line lines[] = {{"", "E0501", "run"},
                         {"rnu", "E0501", "\"run\""},
                         {"run --untl=1", "E0500", "\"--until\""},
                         {"compare", "E0500", "DIR"},
@@ -79,9 +79,9 @@ TEST_F(Commands, ThatCannotBeReadAreAnsweredByOneLine) {
                         {"calibrate", "E0500", "FILE"},
                         {"sweep", "E0500", "FILE"},
                         {"accuracy", "E0500", "FILE"},
-                        {"calibrate missing.toml", "E05", "missing.toml"},
-                        {"sweep missing.toml", "E05", "missing.toml"},
-                        {"accuracy /", "E05", "/"},
+                        {"calibrate missing.toml", "E0433", "missing.toml"},
+                        {"sweep missing.toml", "E0433", "missing.toml"},
+                        {"accuracy /", "E0432", "/"},
                         {"run --ranks", "E0500", "--ranks"},
                         {"run --ranks many", "E0500", "\"many\""},
                         {"run --keep-every -1", "E0500", "\"-1\""},

@@ -149,7 +149,7 @@ TEST_F(Folders, WithADamagedCheckpointResumeFromTheOneBefore) {
     EXPECT_TRUE(holds(history.text, "history.csv")) << history.text;
   }
   fs::remove_all(folder.file("good/checkpoint"));
-  folder.refused("run --resume good --quiet", "E0511");
+  folder.refused("run --resume good --quiet", "E0669");
 }
 
 TEST_F(Folders, OfBedsThatAreDamagedAreMadeAgain) {
@@ -289,7 +289,7 @@ TEST_F(Quoting, OfAnExperiment) {
   for (const std::string& name : {std::string("../../ran_"), std::string("/tmp/ran_"), std::string(".ran_"),
                                   std::string("a b"), std::string(120, 'a')}) {
     folder.write("bad.toml", experiment(name));
-    EXPECT_TRUE(holds(folder.refused("sweep bad.toml --out bad", "E").text, "bad.toml:")) << name;
+    EXPECT_TRUE(holds(folder.refused("sweep bad.toml --out bad", "E0116").text, "bad.toml:")) << name;
   }
   EXPECT_FALSE(folder.has("bad"));
 }

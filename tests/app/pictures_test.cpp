@@ -69,7 +69,7 @@ TEST_F(Pictures, OfGrains) {
   EXPECT_EQ(folder.read(run + "/pictures/grains_0.0200s.png").substr(1, 3), "PNG");
   folder.refused("view . --pictures", "E0506");
   folder.refused(draw + "--times=-1", "E0528");
-  folder.refused(draw + "--cut-at 5", "E0528");
+  folder.refused(draw + "--cut-at 5", "E0527");
 }
 
 TEST_F(Pictures, OfCutsAndOfBodiesThatWereNotDrawn) {
@@ -85,7 +85,7 @@ TEST_F(Pictures, OfCutsAndOfBodiesThatWereNotDrawn) {
   fs::create_directory(folder.file("blind"));
   fs::copy(folder.file(run + "/summary.json"), folder.file("blind/summary.json"));
   fs::copy(folder.file(run + "/run.json"), folder.file("blind/run.json"));
-  folder.refused("view blind --pictures", "E0527");
+  folder.refused("view blind --pictures", "E0572");
   EXPECT_FALSE(folder.has("blind/pictures"));
 }
 

@@ -137,9 +137,9 @@ TEST_P(Walk, WhatGrainsLoseBodiesWallsAndGravityGet) {
     const RunFolder folder("walk_" + std::to_string(seed));
     const std::vector<AuditLine> lines = audited(folder, c, script(c));
     EXPECT_TRUE(audit_holds(lines)) << audit_table(lines);
-    for (const char* const quantity : {"grains: linear momentum", "walls of bodies: linear impulse",
-                                       "gravity: linear impulse", "load: impulse, counted and sent",
-                                       "load: mean force, counted and sent", "load: mean moment, counted and sent"})
+    for (const char* const quantity :
+         {"grains: linear momentum", "walls of bodies: linear impulse", "gravity: linear impulse",
+          "load: impulse, summed and sent", "load: mean force, summed and sent", "load: mean moment, summed and sent"})
       EXPECT_EQ(line(lines, quantity).verdict, AuditVerdict::kHolds) << quantity;
     // Two periodic directions leave no component of it alone.
     EXPECT_EQ(line(lines, "grains: angular momentum").verdict,
