@@ -38,14 +38,12 @@ for file in sorted(root.glob("*/codes.h")) + sorted(root.glob("mbd_solver/*/code
             codes[number] = (name, meaning, constant, file)
         comment = []
 sources = ""
-for file in root.glob("*/**/*.cpp"):
-    if file.relative_to(root).parts[0] in ("coupler", "liggghts_fix", "mbd_solver"):
-        sources += file.read_text()
-for file in root.glob("*/**/*.h"):
-    if file.relative_to(root).parts[0] in ("coupler", "liggghts_fix", "mbd_solver") and file.name != "codes.h":
-        sources += file.read_text()
+for top in ("coupler", "liggghts_fix", "mbd_solver"):
+    for pattern in ("*.cpp", "*.h"):
+        sources += "".join(file.read_text() for file in (root / top).rglob(pattern) if file.name != "codes.h")
+used = set(re.findall(r"\bk[A-Z]\w*", sources))
 for number, (name, _, constant, file) in codes.items():
-    if not re.search(rf"\b{constant}\b", sources):
+    if constant not in used:
         faults.append(f"{file.relative_to(root)}: {number} {name} is used nowhere")
 text = "Codes of all messages, with their meaning and what to do. Made by docs/site/codes.py from the comments of codes.h.\n\n"
 text += "".join(f"{number} {name}: {meaning}\n" for number, (name, meaning, *_) in sorted(codes.items(), key=lambda c: (c[0][1:], c[0])))

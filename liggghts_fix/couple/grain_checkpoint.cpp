@@ -101,7 +101,11 @@ bool write_grains_undisturbed(LAMMPS* lmp, std::string file) {
   const bool held_before = held_forces(lmp) != nullptr;
   hold_forces(lmp);
   write_checked(lmp, file, [&] { WriteRestart(lmp).write(file.data()); });
-  if (!held_before) lmp->modify->delete_fix(kHeldForces);
+  if (!held_before) {
+    lmp->modify->delete_fix(kHeldForces);
+  } else {  // a set-up to come has its own forces
+    for (int i = 0; i < lmp->atom->nlocal; ++i) held_forces(lmp)->array_atom[i][kWaits] = 0.0;
+  }
   return true;
 }
 

@@ -121,6 +121,36 @@ INSTANTIATE_TEST_SUITE_P(
                 app::kSource + "/tests/app/bent_rod.toml --ranks 2 --set output.checkpoint_interval=0.09"}),
     [](const auto& info) { return std::string(info.param.name); });
 
+// By hand a script may have several runs. What a wall-clock checkpoint holds for a resumed run must not come back when the
+// next `run` is set up: checkpoints change no bit.
+TEST(ResumeByHand, WithSeveralRunsIsNotChangedByCheckpoints) {
+  const app::Folder folder("resume_by_hand");
+  const std::string box = "include " + app::kPlate + "/box.lammps\n",
+                    bed = "include " + app::kPlate + "/from_bed.lammps\n";
+  const std::string couple = "include " + app::kPlate + "/couple.lammps\n";
+  folder.write("stop.sh",
+               "p=$PPID\nwhile [ \"$(cat /proc/$p/comm)\" != liggghts_mbd ]; do p=$(cut -d' ' -f4 "
+               "/proc/$p/stat); done\nkill -TERM $p\n");
+  folder.write("in.first", box + couple + "run 120\nshell sh stop.sh\nrun 1000000\n");  // the plate touches at step 100
+  folder.write("in.second", bed + couple + "run 13\nrun 1000000\n");                    // in contact, within a window
+  const auto both = [&](const std::string& script, const std::string& solver) {
+    return folder.mpirun("-np 1 " + test::RunFolder::program("liggghts_mbd") + " -screen none -log none -in " + script +
+                         " : -np 1 " + test::RunFolder::program("mbd_solver") + " --quiet " + solver);
+  };
+  const std::string scene = app::kPlate + "/scene.toml --until 0.03";
+  ASSERT_EQ(both("in.first", scene + " --keep-every 1000 --out without").exit_code, 3);
+  fs::copy(folder.file("without"), folder.file("with"), fs::copy_options::recursive);
+  const std::string restart =
+      fs::path(folder.shell("ls $PWD/without/checkpoint/*/grains.restart").text).parent_path().filename();
+  for (const std::string out : {"without", "with"}) {
+    const test::Outcome resumed = both("in.second -var bed " + out + "/checkpoint/" + restart + "/grains.restart",
+                                       "--resume " + out + " --keep-every " + (out == "with" ? "1e-6" : "0"));
+    EXPECT_EQ(resumed.exit_code, 0) << resumed.text;
+  }
+  EXPECT_TRUE(folder.read("without/history.csv") == folder.read("with/history.csv"));
+  EXPECT_EQ(folder.summary("with")["status"], "done");
+}
+
 TEST(Tolerance, AloneMakesARunMoreExact) {
   const app::Folder folder("tolerance");
   const auto end = [&](const std::string& integrator, const std::string& rtol) {
