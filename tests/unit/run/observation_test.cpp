@@ -221,6 +221,25 @@ TEST_F(HistoryColumns, CountTheTurnsOfAJoint) {
   EXPECT_TRUE(joints.warnings().empty());
 }
 
+// At rest at both samples, but with an acceleration a at the second: the cubic through both is h^2/12 a behind, two turns.
+class SpunColumns : public HistoryColumns {
+ protected:
+  SpunColumns() : HistoryColumns({"drives.spinner.command.polynomial=[0, 30]"}) {}  // [N m] over [s]
+};
+TEST_F(SpunColumns, CountTheTurnsOfAJointByItsAccelerations) {
+  const Layout& layout = bench.equations.layout();
+  const double before = value("axle.angle"), h = 1.0;  // [rad], [s]
+  bench.state.time = h;
+  bench.take();
+  const double a = bench.rates(layout.v0() + layout.body_v[2] + 4) - bench.rates(layout.v0() + layout.body_v[0] + 4);
+  EXPECT_GT(a, 100.0);
+  const double angle = -h * h / 12.0 * a;  // [rad]
+  bench.state.q.segment<4>(layout.body_q[2] + 3) << std::cos(0.5 * angle), 0.0, std::sin(0.5 * angle), 0.0;
+  const double round_off = 1e-11;
+  EXPECT_NEAR(value("axle.angle") - before, angle, round_off);
+  EXPECT_TRUE(joints.warnings().empty());
+}
+
 // It speeds up and slows down by more than the samples can tell.
 TEST_F(HistoryColumns, TellWhereTurnsCannotBeCounted) {
   bench.state.v(bench.equations.layout().body_v[2] + 4) = 100.0;

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/output/checkpoint_folder.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/summary.h"
@@ -43,6 +44,22 @@ TEST_F(OutputTest, HistoryReadsBackWhatWasWritten) {
   ASSERT_EQ(history.column("v").size(), values.size());
   for (std::size_t i = 0; i < values.size(); ++i)
     EXPECT_NEAR(history.column("v")[i], values[i], kTenDigits * std::abs(values[i]));
+}
+
+TEST_F(OutputTest, HistoryThatIsResumedEndsAtItsPosition) {
+  const std::vector<std::string> names = {"time", "v"}, units = {"s", "-"};
+  long position = 0;
+  {
+    HistoryWriter writer(file("h.csv"), names, units);
+    writer.write({0.0, 1.0});
+    position = writer.position();
+    writer.write({1.0, 2.0});
+  }
+  HistoryWriter resumed(file("h.csv"), names, units, Beginning::kResume);
+  resumed.resume_at(position);
+  resumed.write({1.0, 3.0});
+  EXPECT_EQ(text("h.csv"), "# units: s,-\ntime,v\n0,1\n1,3\n");
+  EXPECT_TRUE(test::names(input_error([&] { resumed.resume_at(1000); }), {code::kHistoryChanged.number, "h.csv"}));
 }
 
 TEST_F(OutputTest, HistoryNeverHoldsANumberThatIsNotFinite) {
