@@ -228,10 +228,11 @@ TEST_F(Disks, ThatAreFullLeaveNoHalfFile) {
 }
 
 TEST_F(Disks, ThatLoseTheFolderOfARunEndIt) {
-  const std::string line = app::kSliderCrank + " --quiet --out gone --set end_time=1e5";
-  folder.shell("(exec " + solver + line +
-               "; ) > gone.txt 2>&1 & run=$!; until [[ -s gone/history.csv ]]; do sleep 0.05;" +
-               " done; rm -rf gone; wait $run; echo code $? >> gone.txt");
+  const std::string line = app::kSliderCrank + " --quiet --out gone --set end_time=1e5";  // gone after its first row
+  folder.shell(
+      "(exec " + solver + line +
+      "; ) > gone.txt 2>&1 & run=$!; until (($(cat gone/history.csv 2>/dev/null | wc -l) > 2)); do sleep 0.05;" +
+      " done; rm -rf gone; wait $run; echo code $? >> gone.txt");
   EXPECT_TRUE(holds(folder.read("gone.txt"), "gone/history.csv")) << folder.read("gone.txt");
   EXPECT_TRUE(holds(folder.read("gone.txt"), "code 1\n")) << folder.read("gone.txt");
 }

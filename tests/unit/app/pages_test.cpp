@@ -497,6 +497,21 @@ TEST(Figures, ShowWhatTheHistoryHoldsAndLeaveOutTheRest) {
             (std::vector<std::string>{"acceleration", "velocity", "descent", "energy", "strokes", "contact_forces"}));
 }
 
+// The work of contacts on the mechanism is negative where it loses energy to grains.
+TEST(Figures, ShowTheEnergyThatGoesToTheGrains) {
+  History h = plotted_history();
+  for (const auto& [name, end] : {std::pair("work.contact", -3000.0), std::pair("coupling.energy_residual", 0.0)}) {
+    h.names.push_back(name);
+    h.units.push_back("J");
+    h.columns.push_back({0.0, end});
+  }
+  std::vector<double> to_grains;  // [kJ]
+  for (const Figure& figure : standard_figures(h, ""))
+    for (const auto& curve : figure.curves)
+      if (curve.title == "to the grains") to_grains = curve.formula.values(h);
+  EXPECT_EQ(to_grains, (std::vector<double>{0.0, 3.0}));
+}
+
 TEST(Figures, HaveNoMoreSeriesThanColours) {
   History h = plotted_history();
   for (const std::string strut : {"primary", "left", "right"})
