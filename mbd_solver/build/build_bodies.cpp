@@ -18,8 +18,11 @@
 #include "mbd_solver/fe/modal_body_file.h"
 #include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/fe/turned_model.h"
+#include "mbd_solver/model/body.h"
 #include "mbd_solver/model/marker.h"
+#include "mbd_solver/model/mass_properties.h"
 #include "mbd_solver/model/rotation.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/resolve.h"
 
@@ -28,6 +31,7 @@ namespace {
 
 constexpr std::size_t kMostElements = 20000;  // of a plate; the reduction then takes minutes
 constexpr double kSameMass = 0.01;            // relative: masses in scenes are rounded
+constexpr double kUnitRange = 5.0;            // around a factor of 1000 between lengths
 
 // A point of D at which an element acts on the body. Joints that hold an attitude need the rotations of their node.
 struct Attachment {
@@ -124,11 +128,17 @@ FeModel frame(const FlexibleSpec& spec, const Material& material) {
   return beam_model(nodes, members, sections, material);
 }
 
-FeModel plate(const BodySpec& body, const FlexibleSpec& spec, const Material& material) {
+void add_notes(const TriangleMesh& mesh, std::vector<std::string>& warnings) {
+  for (const std::string& note : mesh.notes) warnings.push_back(with_code(code::kMeshFewDigits, note));
+}
+
+FeModel plate(const BodySpec& body, const FlexibleSpec& spec, const Material& material,
+              std::vector<std::string>& warnings) {
   const ShapeSpec shape = body.shape.value_or(ShapeSpec{});
   const double thickness = spec.thickness > 0.0 ? spec.thickness : shape.thickness;
   if (!spec.mesh.empty()) {
     const TriangleMesh mesh = read_mesh(spec.mesh, spec.mesh_scale);
+    add_notes(mesh, warnings);
     if (mesh.triangles.size() > kMostElements)
       throw InputError(code::kTooManyElements, spec.mesh + ": has " + std::to_string(mesh.triangles.size()) +
                                                    " triangles, expected at most " + std::to_string(kMostElements) +
@@ -149,6 +159,37 @@ void check_mass(const BodySpec& body, double mass, const std::string& file) {
                    "the model in " + file + " weighs " + number_text(mass) + " kg, the scene states " +
                        number_text(body.mass) +
                        " kg, expected the same to 1 %; check that the units of the model are m, kg and N");
+}
+
+std::string list(const Eigen::Vector3d& x) {
+  return "[" + number_text(x[0]) + ", " + number_text(x[1]) + ", " + number_text(x[2]) + "]";
+}
+
+// Centre and inertia of a model of another code, in D, against those that the scene states.
+void check_centre_and_inertia(const BodySpec& body, const MassProperties& model, double size, const std::string& file) {
+  const Eigen::Matrix3d R = body.orientation.toRotationMatrix(), J = R.transpose() * model.inertia * R;
+  const double lengths = std::sqrt(J.trace() / body.inertia.trace() * body.mass / model.mass);
+  const auto is_unit = [&](double factor) { return lengths > factor / kUnitRange && lengths < factor * kUnitRange; };
+  const std::string unit = is_unit(1e3)    ? "; its nodes seem to be in mm, expected m"
+                           : is_unit(1e-3) ? "; its nodes seem to be in km, expected m"
+                                           : "";
+  const std::string remedy = unit + "; correct the units of the nodes, or the scene";
+  const double off = (model.centre - body.position).norm();
+  if (body.source.given("position") && off > kSameMass * size)
+    throw InputError(code::kModelInertia, "the model in " + file + " has its mass centre at " + list(model.centre) +
+                                              " m, the scene states position = " + list(body.position) +
+                                              ", expected the same to 1 % of the size of " + number_text(size) + " m" +
+                                              remedy);
+  if (!body.source.given("inertia")) return;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k <= i; ++k)
+      if (std::abs(J(i, k) - body.inertia(i, k)) > kSameMass * std::sqrt(body.inertia(i, i) * body.inertia(k, k)))
+        throw InputError(code::kModelInertia,
+                         "the model in " + file + " has the inertia [Ixx, Iyy, Izz, Ixy, Ixz, Iyz] = [" +
+                             number_text(J(0, 0)) + ", " + number_text(J(1, 1)) + ", " + number_text(J(2, 2)) + ", " +
+                             number_text(J(0, 1)) + ", " + number_text(J(0, 2)) + ", " + number_text(J(1, 2)) +
+                             "] kg m2, the scene states I" + "xyz"[k] + "xyz"[i] + " = " +
+                             number_text(body.inertia(k, i)) + ", expected the same to 1 %" + remedy);
 }
 
 // Reduced bodies, for their copies in an array or elsewhere in the scene.
@@ -196,10 +237,15 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, Reductions& reducti
     reduced = read_modal_body(spec.file, options, body.name);
     for (const Attachment& a : attached)
       joint_node(reduced.body, a.point - reduced.p_DBo, reach(reduced.body.rho0), a.turns);
+    const double size = reach(reduced.body.rho0);
     check_mass(body, reduced.body.node_mass.sum(), spec.file);
+    const Body model(body.name, std::make_shared<const ModalBody>(reduced.body));
+    check_centre_and_inertia(body, {model.mass(), reduced.p_DBo, model.rigid_inertia()}, size, spec.file);
   } else if (!spec.stiffness_matrix.empty()) {
     FeModel model = read_matrix_market(spec.stiffness_matrix, spec.mass_matrix, spec.node_file);
-    check_mass(body, model.node_mass.sum(), spec.mass_matrix);
+    const MassProperties given = mass_properties(model);
+    check_mass(body, given.mass, spec.mass_matrix);
+    check_centre_and_inertia(body, given, reach(model.nodes), spec.mass_matrix + " and " + spec.node_file);
     set_interface(model, attached, options);
     reduced = reductions.reduce(body, std::move(model), options);
   } else {
@@ -207,7 +253,7 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, Reductions& reducti
     const bool beam = body.shape && (body.shape->kind == ShapeKind::kTube || body.shape->kind == ShapeKind::kRod);
     FeModel model = !spec.nodes.empty()         ? frame(spec, material)
                     : spec.mesh.empty() && beam ? beam_along_shape(*body.shape, spec.elements, attached, material)
-                                                : plate(body, spec, material);
+                                                : plate(body, spec, material, warnings);
     model = with_mass(std::move(model), body.mass);
     set_interface(model, attached, options);
     reduced = reductions.reduce(body, std::move(model), options);
@@ -268,7 +314,8 @@ ModalBoundary assemble(const std::string& name, const Nodes& nodes, std::vector<
                        std::move(Psi));
 }
 
-ModalBoundary build(const Scene& scene, const BodySpec& body, const BoundarySpec& spec, const FlexibleBody& flexible) {
+ModalBoundary build(const Scene& scene, const BodySpec& body, const BoundarySpec& spec, const FlexibleBody& flexible,
+                    std::vector<std::string>& warnings) {
   const Eigen::Matrix3d R_BD = axes_D(body, flexible).transpose();
   const Eigen::Vector3d p_DBo = origin_D(body, flexible);
   const int modes = flexible.modal ? flexible.modal->mode_count() : 0;
@@ -290,6 +337,7 @@ ModalBoundary build(const Scene& scene, const BodySpec& body, const BoundarySpec
       for (Eigen::Index j = 0; j < flexible.modal->rho0.cols(); ++j) add_node(flexible.modal->rho0.col(j));
     } else {
       const TriangleMesh mesh = boundary_surface(scene, spec);
+      if (!spec.surface->file.empty()) add_notes(mesh, warnings);  // those of a shape are told with its mass
       triangles = mesh.triangles;
       for (const Eigen::Vector3d& vertex : mesh.vertices) add_node(R_BD * (vertex - p_DBo));
     }
@@ -413,13 +461,14 @@ double lowest_place(const BodyBoundary& entry, const Eigen::Vector3d& n_B, const
   return lowest;
 }
 
-std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector<FlexibleBody>& flexible) {
+std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector<FlexibleBody>& flexible,
+                                           std::vector<std::string>& warnings) {
   std::vector<BodyBoundary> boundaries;
   for (const BoundarySpec& spec : scene.boundaries) {
     const int index = scene.body_index(spec.body);
     const auto i = static_cast<std::size_t>(index);
     const BodySpec& body = scene.bodies[i];
-    boundaries.push_back({index, build(scene, body, spec, flexible[i]), {}, {}});
+    boundaries.push_back({index, build(scene, body, spec, flexible[i], warnings), {}, {}});
     if (!touches_ground(scene.ground, body.name)) continue;
     const Body carrier =
         flexible[i].modal ? Body(body.name, flexible[i].modal) : Body(body.name, body.mass, body.inertia);

@@ -21,6 +21,8 @@ inline constexpr MessageCode kNoGrainFile{"E0266", "no-grain-file"};
 inline constexpr MessageCode kGrainFile{"E0267", "grain-file"};
 // initial.clearance needs the height of the ground under a boundary. Give grains, a surface height or a boundary above it.
 inline constexpr MessageCode kNoGroundHeight{"E0268", "no-ground-height"};
+// The model of another code has another mass centre or inertia than the scene states. Correct the scene, or the units of nodes.
+inline constexpr MessageCode kModelInertia{"E0269", "model-inertia"};
 // A tabulated controller differs from the exact one by this much. Use a finer grid if it matters.
 inline constexpr MessageCode kTableDifference{"W0260", "table-difference"};
 

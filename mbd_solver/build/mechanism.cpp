@@ -44,7 +44,7 @@ void add_bodies(const Scene& scene, const std::vector<FlexibleBody>& flexible, M
 Mechanism build_mechanism(const Scene& scene) {
   std::vector<std::string> warnings = scene.warnings;
   const std::vector<FlexibleBody> flexible = build_flexible_bodies(scene, warnings);
-  std::vector<BodyBoundary> boundaries = build_boundaries(scene, flexible);
+  std::vector<BodyBoundary> boundaries = build_boundaries(scene, flexible, warnings);
   Mechanism mechanism(place(scene, boundaries, flexible), scene.gravity);
   mechanism.boundaries = std::move(boundaries);
   mechanism.warnings = std::move(warnings);

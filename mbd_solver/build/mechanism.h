@@ -157,7 +157,8 @@ std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<
 void set_walls(const std::vector<StaticWall>& walls, Mechanism& mechanism);
 
 // The boundary of each entry of scene.boundaries, in the order of the scene.
-std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector<FlexibleBody>& flexible);
+std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector<FlexibleBody>& flexible,
+                                           std::vector<std::string>& warnings);
 
 // R_WD and p_WD from [initial]: attitude about the total mass centre, then clearance above plane or grains.
 Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,

@@ -4,6 +4,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <string>
@@ -24,8 +25,9 @@ constexpr int kMaxIterations = 300;
 constexpr double kConverged = 1e-11;  // largest relative change of a lambda + shift in one iteration
 constexpr double kRoundOff = 1e-5;    // slender bodies: below this, kStalled iterations without progress suffice
 constexpr int kStalled = 6;
-constexpr double kRank = 1e-12;      // singular below this fraction of a block's largest eigenvalue
-constexpr double kMassless = 1e-14;  // no mass in a direction with mu below this fraction of the largest
+constexpr std::size_t kDenseBlock = 200;  // rows of a mass matrix; the rank of larger blocks follows from sparse pivots
+constexpr double kRank = 1e-12;           // singular below this fraction of a block's largest eigenvalue
+constexpr double kMassless = 1e-14;       // no mass in a direction with mu below this fraction of the largest
 
 // With A = K + shift M the problem is M x = mu A x, mu = 1 / (lambda + shift) >= 0; the lowest modes have the largest mu.
 struct Reduced {
@@ -105,6 +107,24 @@ Modes subspace_modes(const Sparse& K, const Sparse& M, int count, double shift) 
                                                      " iterations.");
 }
 
+// Pivots of the block with unit diagonal, of which massless motions have none but round-off.
+int rank_of_block(const Sparse& M, const std::vector<int>& block) {
+  std::vector<int> place(static_cast<std::size_t>(M.rows()), -1);
+  for (std::size_t i = 0; i < block.size(); ++i) place[static_cast<std::size_t>(block[i])] = static_cast<int>(i);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const int j : block)
+    for (Sparse::InnerIterator it(M, j); it; ++it)
+      entries.emplace_back(
+          place[static_cast<std::size_t>(it.row())], place[static_cast<std::size_t>(j)],
+          it.value() / std::sqrt(M.coeff(it.row(), it.row()) * M.coeff(j, j)) + (it.row() == j ? 10.0 * kRank : 0.0));
+  const auto n = static_cast<Index>(block.size());
+  Sparse unit(n, n);
+  unit.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Sparse> factor(unit);
+  if (factor.info() != Eigen::Success) return 0;
+  return static_cast<int>((factor.vectorD().array() > 100.0 * kRank).count());
+}
+
 }  // namespace
 
 // Finds the blocks by following couplings.
@@ -121,6 +141,10 @@ int mass_rank(const Sparse& M) {
         done[static_cast<std::size_t>(it.row())] = true;
         block.push_back(static_cast<int>(it.row()));
       }
+    if (block.size() > kDenseBlock) {
+      rank += rank_of_block(M, block);
+      continue;
+    }
     MatrixXd dense(block.size(), block.size());
     for (std::size_t a = 0; a < block.size(); ++a)
       for (std::size_t b = 0; b < block.size(); ++b)

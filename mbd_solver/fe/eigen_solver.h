@@ -20,7 +20,7 @@ enum class EigenMethod { kAutomatic, kDense, kSubspace };
 Modes lowest_modes(const Eigen::SparseMatrix<double>& K, const Eigen::SparseMatrix<double>& M, int count, double shift,
                    EigenMethod method = EigenMethod::kAutomatic);
 
-// Number of independent motions with mass of a lumped (block-diagonal, blocks of at most 3) mass matrix.
+// Number of independent motions with mass: the rank of a mass matrix, block by block of coupled rows.
 int mass_rank(const Eigen::SparseMatrix<double>& M);
 
 // All modes with mass, dense; for the small problems of reduced bases.

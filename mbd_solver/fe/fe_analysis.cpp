@@ -33,7 +33,7 @@ constexpr double kScaleFloor = 1e-8;
 std::vector<int> active_dofs(const FeModel& model) {
   std::vector<int> dofs;
   const VectorXd stiffness = model.stiffness.diagonal();
-  const VectorXd mass = lumped_mass_matrix(model).diagonal();
+  const VectorXd mass = mass_matrix(model).diagonal();
   for (int i = 0; i < 6 * model.node_count(); ++i)
     if (stiffness(i) != 0.0 || mass(i) != 0.0) dofs.push_back(i);
   return dofs;
@@ -74,14 +74,7 @@ MatrixXd scattered(const MatrixXd& x, const std::vector<int>& rows, Index size) 
 }
 
 MatrixXd rigid_motions(const FeModel& model, const Vector3d& centre) {
-  MatrixXd R = MatrixXd::Zero(6 * model.node_count(), 6);
-  for (int j = 0; j < model.node_count(); ++j) {
-    R.block<3, 3>(6 * j, 0).setIdentity();
-    for (int i = 0; i < 3; ++i)
-      R.block<3, 1>(6 * j, 3 + i) = Vector3d::Unit(i).cross(Vector3d(model.nodes.col(j)) - centre);
-    if (model.rotations) R.block<3, 3>(6 * j + 3, 3).setIdentity();
-  }
-  return R;
+  return rigid_motions(model.nodes.colwise() - centre, model.rotations);
 }
 
 // A first bound from fields u = e_i x_k x_l, with the rotation of their curl, theta = 1/2 grad(x_k x_l) x e_i. It can be far
@@ -90,7 +83,7 @@ MatrixXd rigid_motions(const FeModel& model, const Vector3d& centre) {
 double elastic_scale(const FeModel& model) {
   const MassProperties body = mass_properties(model);
   const std::vector<int> active = active_dofs(model);
-  const Sparse M = selected(lumped_mass_matrix(model), active, active);
+  const Sparse M = selected(mass_matrix(model), active, active);
   const Sparse K = selected(model.stiffness, active, active);
   const MatrixXd R = gathered(rigid_motions(model, body.centre), active);
   const MatrixXd MR = M * R;
@@ -164,7 +157,7 @@ VectorXd static_solution(const FeModel& model, const std::vector<int>& fixed, co
 
 VectorXd natural_frequencies(const FeModel& model, const std::vector<int>& fixed, int count) {
   const std::vector<int> free = other_dofs(active_dofs(model), fixed);
-  const Eigen::SparseMatrix<double> M = lumped_mass_matrix(model);
+  const Eigen::SparseMatrix<double> M = mass_matrix(model);
   const Modes modes =
       lowest_modes(selected(model.stiffness, free, free), selected(M, free, free), count, elastic_scale(model));
   return modes.lambda.cwiseMax(0.0).cwiseSqrt() / (2.0 * kPi);

@@ -3,6 +3,7 @@
 #include "mbd_solver/fe/fe_model.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <numeric>
 #include <sstream>
@@ -197,6 +198,7 @@ FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& 
 }
 
 MassProperties mass_properties(const FeModel& model) {
+  if (model.mass.size() > 0) return mass_properties(model.nodes, model.mass);
   MassProperties result;
   result.mass = model.node_mass.sum();
   result.centre = model.nodes * model.node_mass / result.mass;
@@ -208,7 +210,8 @@ MassProperties mass_properties(const FeModel& model) {
   return result;
 }
 
-Eigen::SparseMatrix<double> lumped_mass_matrix(const FeModel& model) {
+Eigen::SparseMatrix<double> mass_matrix(const FeModel& model) {
+  if (model.mass.size() > 0) return model.mass;
   Triplets entries;
   for (int j = 0; j < model.node_count(); ++j) {
     const Matrix3d& J = model.node_inertia[static_cast<std::size_t>(j)];
@@ -225,8 +228,9 @@ FeModel with_mass(FeModel model, double mass) {
   if (!(mass > 0.0))
     throw InputError(code::kParameterOutOfRange,
                      "body: mass is " + std::to_string(mass) + " kg, expected a positive number.");
-  const double factor = mass / model.node_mass.sum();
+  const double factor = mass / mass_properties(model).mass;
   model.node_mass *= factor;
+  model.mass *= factor;
   for (Matrix3d& J : model.node_inertia) J *= factor;
   return model;
 }
@@ -282,10 +286,42 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kSymmetric = 1e-6;    // largest |K - K^T| over largest |K|: files print six digits or more
 constexpr double kUnsupported = 1e-6;  // force of a rigid-body motion over the sum of its magnitudes
+constexpr double kOneCentre = 1e-4;    // momentum of a unit rotation about the centre, over sqrt(mass inertia)
 constexpr double kMassRank = 1e-12;    // singular below this fraction of the largest eigenvalue
+
+// Symmetric, with one total mass and one centre along all axes, and without a motion of negative energy.
+void check_mass_matrix(const FeModel& model, const std::string& who) {
+  const Sparse& M = model.mass;
+  const Sparse skewed = M - Sparse(M.transpose());
+  if (!(skewed.norm() <= kSymmetric * M.norm()))
+    throw InputError(code::kFeModel, who + ": the mass matrix is not symmetric.");
+  const MassProperties body = mass_properties(model);
+  const MatrixXd R = rigid_motions(model, body.centre), rigid = R.transpose() * (M * R);
+  const double size = std::sqrt(std::max(0.0, body.mass * body.inertia.trace()));
+  if (!(rigid.topRightCorner<3, 3>().cwiseAbs().maxCoeff() <= kOneCentre * size))
+    throw InputError(code::kFeModel,
+                     who +
+                         ": the mass matrix has no mass centre: a rotation of the whole body about it has momentum. "
+                         "Expected rows in the order of the nodes, rotations in rad, and all nodes in the same unit.");
+  // Unit diagonal, a little larger: pivots of a positive matrix stay positive in spite of its round-off.
+  VectorXd scale = M.diagonal();
+  for (Index i = 0; i < scale.size(); ++i) {
+    if (!(scale(i) >= 0.0))
+      throw InputError(code::kFeModel, who + ": mass matrix is not positive: row " + std::to_string(i % 6 + 1) +
+                                           " of node " + std::to_string(i / 6) + " has the mass " +
+                                           std::to_string(scale(i)) + ", expected 0 or more.");
+    scale(i) = scale(i) > 0.0 ? 1.0 / std::sqrt(scale(i)) : 0.0;
+  }
+  Sparse unit = scale.asDiagonal() * M * scale.asDiagonal();
+  for (Index i = 0; i < unit.rows(); ++i) unit.coeffRef(i, i) += scale(i) > 0.0 ? kSymmetric : 1.0;
+  const Eigen::SimplicialLDLT<Sparse> factor(unit);
+  if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0.0))
+    throw InputError(code::kFeModel, who + ": mass matrix is not positive: some motion has negative kinetic energy.");
+}
 
 void check_mass(const FeModel& model, const std::string& who) {
   const std::string not_positive = who + ": mass matrix is not positive: ";
+  if (model.mass.size() > 0) check_mass_matrix(model, who);
   for (int j = 0; j < model.node_count(); ++j) {
     if (!(model.node_mass(j) >= 0.0))
       throw InputError(code::kFeModel, not_positive + "node " + std::to_string(j) + " has the mass " +
@@ -297,7 +333,7 @@ void check_mass(const FeModel& model, const std::string& who) {
                                            " has a rotary inertia with the principal value " +
                                            std::to_string(moments.minCoeff()) + " kg m2, expected 0 or more.");
   }
-  if (!(model.node_mass.sum() > 0.0)) throw InputError(code::kFeModel, not_positive + "the body has no mass.");
+  if (!(mass_properties(model).mass > 0.0)) throw InputError(code::kFeModel, not_positive + "the body has no mass.");
   const Vector3d moments =
       Eigen::SelfAdjointEigenSolver<Matrix3d>(mass_properties(model).inertia, Eigen::EigenvaluesOnly).eigenvalues();
   if (!(moments.minCoeff() > kMassRank * moments.maxCoeff()))
@@ -351,6 +387,7 @@ void check_model(const FeModel& model, const std::string& who) {
   const Index n = model.node_count();
   FOOTFALL_DEMAND(model.node_mass.size() == n && static_cast<Index>(model.node_inertia.size()) == n);
   FOOTFALL_DEMAND(model.stiffness.rows() == 6 * n && model.stiffness.cols() == 6 * n);
+  FOOTFALL_DEMAND(model.mass.size() == 0 || (model.mass.rows() == 6 * n && model.mass.cols() == 6 * n));
   if (n == 0) throw InputError(code::kFeModel, who + ": the model has no nodes.");
   check_mass(model, who);
   const VectorXd diagonal = model.stiffness.diagonal();

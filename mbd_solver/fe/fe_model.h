@@ -1,6 +1,6 @@
 #pragma once
-// A finite-element model of one unsupported body: nodes with six degrees of freedom, sparse stiffness, lumped mass. Frames
-// and shells are made here; models are checked, and nodes found, before a body is reduced.
+// A finite-element model of one unsupported body: nodes with six degrees of freedom, sparse stiffness and mass. Frames and
+// shells are made here, with lumped mass; models are checked, and nodes found, before a body is reduced.
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
@@ -21,6 +21,7 @@ struct FeModel {
   Eigen::SparseMatrix<double> stiffness;      // 6N x 6N, symmetric, both triangles stored
   Eigen::VectorXd node_mass;                  // N [kg]
   std::vector<Eigen::Matrix3d> node_inertia;  // N rotary inertias, in D [kg m2]
+  Eigen::SparseMatrix<double> mass;           // 6N x 6N, if masses are not lumped; node_mass then only weighs the nodes
   Eigen::SparseMatrix<double> stress;         // 6P x 6N: stress (xx yy zz xy yz zx, element axes) of P points [Pa]
   std::vector<Eigen::Vector3i> triangles;     // points 2 t (top), 2 t + 1 (bottom) belong to triangle t
   std::vector<Eigen::Vector2i> segments;      // points 8 e ... 8 e + 7 belong to segment e
@@ -53,8 +54,8 @@ FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& 
 
 MassProperties mass_properties(const FeModel& model);
 
-// 6N x 6N, block-diagonal.
-Eigen::SparseMatrix<double> lumped_mass_matrix(const FeModel& model);
+// 6N x 6N: that of the model, or of its lumped masses and inertias (block-diagonal).
+Eigen::SparseMatrix<double> mass_matrix(const FeModel& model);
 
 // The model with masses scaled to the total `mass` [kg].
 FeModel with_mass(FeModel model, double mass);

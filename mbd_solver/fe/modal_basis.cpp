@@ -177,7 +177,7 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
   check_options(options, name);
   check_model(model, name);
   const std::vector<int> active = active_dofs(model);
-  const Sparse M = lumped_mass_matrix(model);
+  const Sparse M = mass_matrix(model);
   const Problem problem{model,
                         active,
                         selected(model.stiffness, active, active),
@@ -216,6 +216,7 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
   raw.rho0 = model.nodes;
   raw.node_mass = model.node_mass;
   raw.node_inertia = model.node_inertia;
+  raw.mass = model.mass;
   raw.Phi.resize(3 * model.node_count(), shapes.cols());
   raw.Psi.resize(3 * model.node_count(), shapes.cols());
   for (int j = 0; j < model.node_count(); ++j) {
@@ -245,11 +246,18 @@ using Eigen::Vector3d;
 
 constexpr double kRigidShape = 1e-6;  // a shape is a rigid motion if less than this fraction of its norm remains
 constexpr double kDependent = 1e-12;  // smallest eigenvalue of the Gram matrix of unit shapes
-constexpr double kLowest = 0.1, kHighest = 1e6;  // plausible first elastic frequency [Hz]
+
+// Rows 6 j + i of displacements and rotations.
+MatrixXd stacked(const MatrixXd& Phi, const MatrixXd& Psi) {
+  MatrixXd U(2 * Phi.rows(), Phi.cols());
+  for (Index i = 0; i < Phi.rows(); i += 3) U.middleRows(2 * i, 6) << Phi.middleRows(i, 3), Psi.middleRows(i, 3);
+  return U;
+}
 
 // M-weighted inner products of two sets of shapes, [Phi; Psi] each.
 MatrixXd inner(const ModalBody& body, const MatrixXd& Phi1, const MatrixXd& Psi1, const MatrixXd& Phi2,
                const MatrixXd& Psi2) {
+  if (body.mass.size() > 0) return stacked(Phi1, Psi1).transpose() * (body.mass * stacked(Phi2, Psi2));
   MatrixXd MPhi = Phi2, JPsi = Psi2;
   for (Index j = 0; j < body.node_count(); ++j) {
     MPhi.middleRows(3 * j, 3) *= body.node_mass(j);
@@ -301,13 +309,31 @@ void fix_signs(ModalBody& body) {
   transform(body, sign.asDiagonal());
 }
 
+// First elastic frequency times size [m/s]: half the speed of sound, 2500 m/s, for a steel bar along its axis, less by
+// thickness over length in bending. Less than the first are cables and foils, more than the second has no material.
+constexpr double kSlowest = 0.3, kFastest = 1e4;
+constexpr double kLightest = 1e-3;  // mass over the volume of the box around the nodes [kg/m3]; air has 1.2
+
+double mass_of(const ModalBody& body) {
+  return body.mass.size() > 0 ? mass_properties(body.rho0, body.mass).mass : body.node_mass.sum();
+}
+
 std::string frequency_warning(const ModalBody& body) {
   if (body.mode_count() == 0) return "";
-  const double first = frequencies(body)(0);
-  if (first >= kLowest && first <= kHighest) return "";
+  const double first = frequencies(body)(0), size = extent(body), mass = mass_of(body);
+  const Eigen::Vector3d box = body.rho0.rowwise().maxCoeff() - body.rho0.rowwise().minCoeff();
+  const bool slow_or_fast = !(first * size >= kSlowest && first * size <= kFastest);
+  const bool light = mass < kLightest * box.prod();
+  if (!slow_or_fast && !light) return "";
   std::ostringstream text;
-  text << "body \"" << body.name << "\": first elastic frequency is " << first << " Hz, expected between " << kLowest
-       << " and " << kHighest << " Hz. Check the units: lengths in m, masses in kg, Young's modulus in Pa.";
+  text << "body \"" << body.name << "\": ";
+  if (slow_or_fast)
+    text << "first elastic frequency is " << first << " Hz at a size of " << size << " m, expected between "
+         << kSlowest / size << " and " << kFastest / size << " Hz. ";
+  if (light)
+    text << "the body weighs " << mass << " kg in a box of " << box.x() << " x " << box.y() << " x " << box.z()
+         << " m, a thousandth of air. ";
+  text << "Check the units: lengths in m (not mm), masses in kg, forces in N, Young's modulus in Pa.";
   return with_code(code::kUnusualFrequencies, text.str());
 }
 
@@ -321,7 +347,8 @@ ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const Bas
     throw InputError(code::kTooManyModes, who + ": " + std::to_string(*options.mode_count) +
                                               " modes required, but there are only " + std::to_string(s) + ".");
   ReducedBody result;
-  result.p_DBo = body.rho0 * body.node_mass / body.node_mass.sum();
+  result.p_DBo = body.mass.size() > 0 ? mass_properties(body.rho0, body.mass).centre
+                                      : Vector3d(body.rho0 * body.node_mass / body.node_mass.sum());
   body.rho0.colwise() -= result.p_DBo;
   const bool rotations = s > 0 && !body.Psi.isZero(0.0);
 

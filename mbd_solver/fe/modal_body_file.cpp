@@ -96,6 +96,7 @@ using Eigen::VectorXd;
 
 constexpr const char* kFormat = "footfall-modal-body";
 constexpr int kVersion = 1;
+constexpr double kSameMass = 1e-9;  // of a node along x, y and z, relative
 constexpr int kMaxCount = 1000000;  // larger numbers of nodes, modes or triangles indicate a damaged file
 
 // Reads `keyword N`, returns N.
@@ -326,6 +327,7 @@ Sparse read_matrix(const std::string& path) {
   const int entries = file.integer(2, 1, kMaxSize);
   if (rows != columns) file.fail("expected a square matrix.");
   std::vector<Eigen::Triplet<double>> triplets;
+  bool below = false, above = false;  // of the diagonal
   for (int e = 0; e < entries; ++e) {
     file.require_next("entry " + std::to_string(e + 1) + " of " + std::to_string(entries));
     if (file.size() != 3) file.fail("expected three numbers: row, column and value.");
@@ -333,6 +335,12 @@ Sparse read_matrix(const std::string& path) {
     const int j = file.integer(1, 1, columns) - 1;
     const double value = file.number(2);
     triplets.emplace_back(i, j, value);
+    below = below || i > j;
+    above = above || i < j;
+    if (symmetric && below && above)
+      file.fail(
+          "an entry on the other side of the diagonal, expected one triangle of a symmetric matrix. Leave the other "
+          "out, or call the matrix general.");
     if (symmetric && i != j) triplets.emplace_back(j, i, value);
   }
   if (file.next()) file.fail("more entries than the " + std::to_string(entries) + " announced.");
@@ -353,8 +361,22 @@ Sparse six_per_node(const Sparse& matrix, int per_node) {
   return result;
 }
 
-// Diagonal terms scaled to the total mass, which is the same along x, y and z; a lumped matrix does not change.
-void lump(const Sparse& M, const std::string& path, FeModel& model) {
+// M couples different nodes, displacements with rotations, or displacements with different masses.
+bool is_lumped(const Sparse& M) {
+  for (Index j = 0; j < M.cols(); ++j)
+    for (Sparse::InnerIterator it(M, j); it; ++it) {
+      const bool node = it.row() / 6 == j / 6, rotations = it.row() % 6 >= 3 && j % 6 >= 3;
+      if (it.value() != 0.0 && it.row() != j && !(node && rotations)) return false;
+    }
+  const Eigen::VectorXd m = M.diagonal();
+  for (Index j = 0; j < M.cols(); j += 6)
+    if ((m.segment<3>(j).array() - m(j)).abs().maxCoeff() > kSameMass * std::abs(m(j))) return false;
+  return true;
+}
+
+// The total mass is the same along x, y and z. Masses that are lumped go to their nodes, else the matrix is kept, and
+// nodes are weighed by its diagonal terms, scaled to the total mass.
+void set_mass(const Sparse& M, const std::string& path, FeModel& model) {
   const int n = model.node_count();
   Vector3d total, diagonal;
   for (int i = 0; i < 3; ++i) {
@@ -372,6 +394,7 @@ void lump(const Sparse& M, const std::string& path, FeModel& model) {
                      path + ": the total mass differs along x, y and z (" + std::to_string(total.x()) + ", " +
                          std::to_string(total.y()) + ", " + std::to_string(total.z()) +
                          " kg); expected the same. Check that the rows are ordered node by node, x y z first.");
+  const bool lumped = is_lumped(M);
   const double factor = mass / diagonal.mean();
   model.node_mass.resize(n);
   for (int j = 0; j < n; ++j) {
@@ -382,8 +405,9 @@ void lump(const Sparse& M, const std::string& path, FeModel& model) {
       for (int k = 0; k < 3; ++k) J(i, k) = factor * M.coeff(6 * j + 3 + i, 6 * j + 3 + k);
     }
     model.node_mass(j) = factor * m;
-    model.node_inertia.push_back(0.5 * (J + J.transpose()));
+    model.node_inertia.push_back(lumped ? Matrix3d(0.5 * (J + J.transpose())) : Matrix3d(Matrix3d::Zero()));
   }
+  if (!lumped) model.mass = M;
 }
 
 }  // namespace
@@ -414,7 +438,7 @@ FeModel read_matrix_market(const std::string& stiffness_path, const std::string&
   model.nodes.resize(3, n);
   for (Index j = 0; j < n; ++j) model.nodes.col(j) = nodes[static_cast<std::size_t>(j)];
   model.stiffness = six_per_node(K, per_node);
-  lump(six_per_node(M, per_node), mass_path, model);
+  set_mass(six_per_node(M, per_node), mass_path, model);
   model.stress.resize(0, 6 * n);
   return model;
 }

@@ -25,9 +25,8 @@
 // be used unchanged. The rotation columns (J and psi) are optional; joints that hold an orientation require them.
 //
 // MatrixMarket: `coordinate real general|symmetric` files of K and M, rows in the order of the nodes, six
-// (displacement, rotation) or three (displacement) per node, and a file of nodes, one `x y z` per line. Mass
-// is lumped per node if it is not yet: diagonal terms scaled to the total mass (Hinton, Rock and
-// Zienkiewicz). Reduce the model with reduce().
+// (displacement, rotation) or three (displacement) per node, and a file of nodes, one `x y z` per line. The
+// mass matrix is used as it is: lumped, consistent or of a static reduction (Guyan). Reduce the model with reduce().
 
 #include <string>
 

@@ -58,6 +58,7 @@ std::optional<Eigen::Vector3d> place_of_copy(const FeModel& model, const FeModel
   const double size = std::max(model.nodes.cwiseAbs().maxCoeff(), copy.nodes.cwiseAbs().maxCoeff());
   if (!same((R * model.nodes).colwise() + p, copy.nodes, size)) return std::nullopt;
   if (!same(model.node_mass, copy.node_mass, model.node_mass.maxCoeff())) return std::nullopt;
+  if (model.mass.rows() != copy.mass.rows()) return std::nullopt;
   for (std::size_t j = 0; j < model.node_inertia.size(); ++j) {
     const Eigen::Matrix3d& inertia = model.node_inertia[j];
     if (!same(R * inertia * R.transpose(), copy.node_inertia[j], inertia.cwiseAbs().maxCoeff())) return std::nullopt;
@@ -65,6 +66,7 @@ std::optional<Eigen::Vector3d> place_of_copy(const FeModel& model, const FeModel
   for (const double start : {0.1, 0.7}) {
     const VectorXd x = some_deflection(model.stiffness.cols(), start), x_of_copy = turned_vectors(x, R);
     if (!same_answer(turned_vectors(model.stiffness * x, R), copy.stiffness, x_of_copy, 3) ||
+        (model.mass.size() > 0 && !same_answer(turned_vectors(model.mass * x, R), copy.mass, x_of_copy, 3)) ||
         !same_answer(model.stress * x, copy.stress, x_of_copy, 6))
       return std::nullopt;
   }
@@ -79,6 +81,16 @@ ReducedBody turned(const ReducedBody& reduced, const Eigen::Matrix3d& R, const E
   out.body.name = name;
   out.body.rho0 = R * reduced.body.rho0;
   for (Eigen::Matrix3d& inertia : out.body.node_inertia) inertia = R * inertia * R.transpose();
+  if (reduced.body.mass.size() > 0) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Index b = 0; b < reduced.body.mass.rows(); b += 3)
+      for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+          if (R(i, k) != 0.0) entries.emplace_back(static_cast<int>(b) + i, static_cast<int>(b) + k, R(i, k));
+    Sparse T(reduced.body.mass.rows(), reduced.body.mass.cols());
+    T.setFromTriplets(entries.begin(), entries.end());
+    out.body.mass = T * reduced.body.mass * Sparse(T.transpose());
+  }
   out.body.Phi = turned_vectors(reduced.body.Phi, R);
   out.body.Psi = turned_vectors(reduced.body.Psi, R);
   return out;

@@ -7,6 +7,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/model/codes.h"
+#include "mbd_solver/model/mass_properties.h"
 
 namespace footfall {
 namespace {
@@ -35,8 +36,9 @@ const ModalBody& present(const std::string& name, const std::shared_ptr<const Mo
   return *modal;
 }
 
-// sum_j J_j - m_j rho0_j~ rho0_j~
+// sum_j J_j - m_j rho0_j~ rho0_j~, or that of the mass matrix
 Eigen::Matrix3d nodal_inertia(const ModalBody& body) {
+  if (body.mass.size() > 0) return mass_properties(body.rho0, body.mass).inertia;
   Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
   for (int j = 0; j < body.node_count(); ++j) {
     const Eigen::Vector3d rho = body.rho0.col(j);

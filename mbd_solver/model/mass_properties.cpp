@@ -116,11 +116,32 @@ MassProperties operator+(const MassProperties& a, const MassProperties& b) {
   return out;
 }
 
-namespace {
-
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+Eigen::MatrixXd rigid_motions(const Eigen::Matrix3Xd& x, bool rotations) {
+  Eigen::MatrixXd R = Eigen::MatrixXd::Zero(6 * x.cols(), 6);
+  for (Index j = 0; j < x.cols(); ++j) {
+    R.block<3, 3>(6 * j, 0).setIdentity();
+    for (int i = 0; i < 3; ++i) R.block<3, 1>(6 * j, 3 + i) = Vector3d::Unit(i).cross(Vector3d(x.col(j)));
+    if (rotations) R.block<3, 3>(6 * j + 3, 3).setIdentity();
+  }
+  return R;
+}
+
+MassProperties mass_properties(const Eigen::Matrix3Xd& x, const Eigen::SparseMatrix<double>& M) {
+  const Eigen::MatrixXd R = rigid_motions(x), rigid = R.transpose() * (M * R);
+  const Matrix3d S = 0.5 * (rigid.block<3, 3>(3, 0) - rigid.block<3, 3>(3, 0).transpose());  // m c~
+  MassProperties out;
+  out.mass = rigid.topLeftCorner<3, 3>().trace() / 3.0;
+  out.centre = Vector3d(S(2, 1), S(0, 2), S(1, 0)) / out.mass;
+  const Matrix3d J = rigid.bottomRightCorner<3, 3>();
+  out.inertia = 0.5 * (J + J.transpose()) - point_inertia(out.mass, out.centre);
+  return out;
+}
+
+namespace {
 
 constexpr double kAlong = 1e-9;  // axes nearer to the frame's than this are the frame's [rad]
 
@@ -162,6 +183,7 @@ Matrix3d principal_axes(const Matrix3d& inertia) {
 }
 
 Matrix3d principal_axes(const ModalBody& body) {
+  if (body.mass.size() > 0) return principal_axes(mass_properties(body.rho0, body.mass).inertia);
   Matrix3d inertia = Matrix3d::Zero();
   for (Index j = 0; j < body.node_count(); ++j) {
     const Matrix3d rho = skew(body.rho0.col(j));

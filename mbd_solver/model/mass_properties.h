@@ -3,6 +3,7 @@
 // axes.
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
 
 #include "mbd_solver/model/modal_body.h"
 
@@ -31,6 +32,14 @@ MassProperties capsule_properties(const Eigen::Vector3d& from, const Eigen::Vect
 MassProperties with_mass(const MassProperties& solid, double mass);
 // Several solids as one rigid body.
 MassProperties operator+(const MassProperties& a, const MassProperties& b);
+
+// --- Nodes with a mass matrix.
+
+// 6N x 6: unit translations, then unit rotations about the origin, of nodes at x (3 x N) [1, m, rad]. Rows 6 j + i as in
+// ModalBody::mass; those of rotations are zero if the nodes have none.
+Eigen::MatrixXd rigid_motions(const Eigen::Matrix3Xd& x, bool rotations = true);
+// R^T M R = [m 1, -m c~; m c~, J_o] of these motions R and a mass matrix M (6N x 6N), and c from its antisymmetric part.
+MassProperties mass_properties(const Eigen::Matrix3Xd& x, const Eigen::SparseMatrix<double>& M);
 
 // --- Principal axes, chosen uniquely where the shape of a body leaves a choice.
 

@@ -3,6 +3,7 @@
 // stresses and the range of its linear modes. [Lin25 5-12], theory 1.2.
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +12,7 @@ namespace footfall {
 
 // Position of node j, in the body frame B:   rho_j = rho0_j + Phi_j a            [m]
 // Small rotation of node j, in B:            theta_j = Psi_j a                   [rad]
-// Kinetic energy: 1/2 sum_j m_j |dr_j|^2 + 1/2 sum_j (w_B + Psi_j da)^T J_j (w_B + Psi_j da)
+// Kinetic energy: 1/2 sum_j m_j |dr_j|^2 + 1/2 sum_j (w_B + Psi_j da)^T J_j (w_B + Psi_j da), or that of a mass matrix.
 // Strain energy: 1/2 a^T K a;  modal damping force: -C da.
 // Floating frame: MEAN AXES always. Origin Bo = centre of mass, undeformed; the modes have no rigid-body content:
 //   sum_j m_j Phi_j = 0 and sum_j (m_j rho0_j x Phi_j + J_j Psi_j) = 0 (to round-off), for every kind of basis.
@@ -21,10 +22,13 @@ struct ModalBody {
   Eigen::Matrix3Xd rho0;                      // 3 x N node positions in B [m]
   Eigen::VectorXd node_mass;                  // N lumped masses [kg]
   std::vector<Eigen::Matrix3d> node_inertia;  // N lumped rotary inertias in B [kg m2] (zero for shells)
-  Eigen::MatrixXd Phi;                        // 3N x s translational mode shapes [m per unit of a]
-  Eigen::MatrixXd Psi;                        // 3N x s rotational mode shapes [rad per unit of a]
-  Eigen::VectorXd stiffness;                  // s: omega_k^2 [1/s2] (mass-orthonormal modes)
-  Eigen::VectorXd damping;                    // s: 2 zeta_k omega_k [1/s]
+  // 6N x 6N, in B, order 6 j + i (displacements, then rotations of node j): a mass matrix that couples nodes or motions. Then
+  // all masses of this page follow from it, and node_mass only weighs nodes. Empty: the lumped masses and inertias.
+  Eigen::SparseMatrix<double> mass;
+  Eigen::MatrixXd Phi;        // 3N x s translational mode shapes [m per unit of a]
+  Eigen::MatrixXd Psi;        // 3N x s rotational mode shapes [rad per unit of a]
+  Eigen::VectorXd stiffness;  // s: omega_k^2 [1/s2] (mass-orthonormal modes)
+  Eigen::VectorXd damping;    // s: 2 zeta_k omega_k [1/s]
   // Largest relative error of static deflection against the full model (fe/static_error.h); empty if nothing is attached
   // or the model is not known.
   std::optional<double> static_error;

@@ -67,7 +67,34 @@ ModalInertia::ModalInertia(const ModalBody& body)
   pairs_.setZero(9 * s, s);
   Mff_.setZero(s, s);
 
-  for (Index j = 0; j < nodes; ++j) {
+  if (body.mass.size() > 0)
+    sum_over_mass_matrix(body);
+  else
+    sum_over_nodes(body);
+  J0_ = 0.5 * (J0_ + J0_.transpose()).eval();
+  Mff_ = 0.5 * (Mff_ + Mff_.transpose()).eval();
+  if (s > 0) {
+    // Modes are orthogonal up to round-off, unless masses were added to the body.
+    const Eigen::MatrixXd mass = Mff_.diagonal().asDiagonal();
+    if ((Mff_ - mass).cwiseAbs().maxCoeff() <= kRoundOff * mass.maxCoeff()) Mff_ = mass;
+    orthogonal_ = Mff_.isDiagonal(0.0);
+    pairs_ = (pairs_.array().abs() > kZeroSum * pairs_.cwiseAbs().maxCoeff()).select(pairs_, 0.0).eval();
+  }
+  Eigen::MatrixXd parts(6 * s, s);
+  for (int k = 0; k < modes_; ++k)
+    for (int l = 0; l < modes_; ++l) {
+      parts.block<3, 1>(3 * k, l) = coupling_slope(l, k) - coupling_slope(k, l);
+      parts.block<3, 1>(3 * s + 3 * k, l) = 0.5 * (coupling_slope(l, k) + coupling_slope(k, l));
+    }
+  by_a_ = ColumnGroups(pairs_);
+  by_da_ = ColumnGroups(parts);
+  const Vector3d c = S0_ / (mass_ > 0.0 ? mass_ : 1.0);
+  require_positive_mass(mass_, J0_ + mass_ * skew(c) * skew(c), body.name);
+}
+
+void ModalInertia::sum_over_nodes(const ModalBody& body) {
+  const Index s = modes_;
+  for (Index j = 0; j < body.node_count(); ++j) {
     const double m = body.node_mass(j);
     const Matrix3d J = axes_.transpose() * body.node_inertia[static_cast<std::size_t>(j)] * axes_;
     const Vector3d rho0 = axes_.transpose() * body.rho0.col(j);
@@ -96,25 +123,87 @@ ModalInertia::ModalInertia(const ModalBody& body)
       }
     }
   }
-  J0_ = 0.5 * (J0_ + J0_.transpose()).eval();
-  Mff_ = 0.5 * (Mff_ + Mff_.transpose()).eval();
-  if (s > 0) {
-    // Modes are orthogonal up to round-off, unless masses were added to the body.
-    const Eigen::MatrixXd mass = Mff_.diagonal().asDiagonal();
-    if ((Mff_ - mass).cwiseAbs().maxCoeff() <= kRoundOff * mass.maxCoeff()) Mff_ = mass;
-    orthogonal_ = Mff_.isDiagonal(0.0);
-    pairs_ = (pairs_.array().abs() > kZeroSum * pairs_.cwiseAbs().maxCoeff()).select(pairs_, 0.0).eval();
+}
+
+namespace {
+
+using Rows3 = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+// Every vector of three in x, rotated.
+template <class Derived>
+Eigen::MatrixXd turned(const Eigen::MatrixBase<Derived>& x, const Matrix3d& R) {
+  Eigen::MatrixXd out(x.rows(), x.cols());
+  for (Index i = 0; i + 2 < x.rows(); i += 3) out.middleRows(i, 3) = R * x.middleRows(i, 3);
+  return out;
+}
+
+// A mode at one node: displacement and rotation.
+struct NodeShape {
+  Vector3d phi, t;
+  NodeShape(const Eigen::MatrixXd& U, Index node, Index mode)
+      : phi(U.block<3, 1>(6 * node, mode)), t(U.block<3, 1>(6 * node + 3, mode)) {}
+};
+
+}  // namespace
+
+// Velocities along the axes of the nodes, which turn by t: u_j = (1 - t~ + 1/2 t~ t~) (dr + w x rho_j + Phi_j da) and
+// (1 - t~ + 1/2 t~ t~) w + (1 - 1/2 t~) Psi_j da. With R their part by dr and w at a = 0, U = [Phi; Psi], and by w
+//   P_k = du/da_k = [-phi_k~ + t_k~ rho~; -t_k~],
+//   P_lk = d2u/da_l da_k = [t_l~ phi_k~ + t_k~ phi_l~ - T rho~; T],   T = 1/2 (t_l~ t_k~ + t_k~ t_l~)
+// and by da_k  Q_lk = [-t_l x phi_k; -1/2 t_l x t_k], the integrals follow from 1/2 u^T M u. The part by dr keeps its value
+// at a = 0, so that the mass is constant.
+void ModalInertia::sum_over_mass_matrix(const ModalBody& body) {
+  const Index s = modes_, nodes = body.node_count();
+  FOOTFALL_DEMAND(body.mass.rows() == 6 * nodes && body.mass.cols() == 6 * nodes);
+  const Eigen::Matrix3Xd rho0 = axes_.transpose() * body.rho0;
+  Eigen::MatrixXd U(6 * nodes, s);
+  for (Index j = 0; j < nodes; ++j) {
+    U.middleRows(6 * j, 3) = axes_.transpose() * body.Phi.middleRows(3 * j, 3);
+    U.middleRows(6 * j + 3, 3) = axes_.transpose() * body.Psi.middleRows(3 * j, 3);
   }
-  Eigen::MatrixXd parts(6 * s, s);
-  for (int k = 0; k < modes_; ++k)
-    for (int l = 0; l < modes_; ++l) {
-      parts.block<3, 1>(3 * k, l) = coupling_slope(l, k) - coupling_slope(k, l);
-      parts.block<3, 1>(3 * s + 3 * k, l) = 0.5 * (coupling_slope(l, k) + coupling_slope(k, l));
+  const auto times_mass = [&](const auto& x) {
+    return Eigen::MatrixXd(turned(body.mass * turned(x, axes_), axes_.transpose()));
+  };
+  const Eigen::MatrixXd R = rigid_motions(rho0), MR = times_mass(R), MU = times_mass(U);
+  const Eigen::MatrixXd rigid = R.transpose() * MR;
+  const Matrix3d S = 0.5 * (rigid.block<3, 3>(3, 0) - rigid.block<3, 3>(3, 0).transpose());
+  mass_ = rigid.topLeftCorner<3, 3>().trace() / 3.0;
+  S0_ = {S(2, 1), S(0, 2), S(1, 0)};
+  J0_ = rigid.bottomRightCorner<3, 3>();
+  S1_ = MR.leftCols<3>().transpose() * U;
+  C0_ = MR.rightCols<3>().transpose() * U;
+  Mff_ = U.transpose() * MU;
+  const Rows3 MRw = MR.rightCols<3>();
+  const bool turns = !body.Psi.isZero(0.0);
+  Rows3 P(6 * nodes, 3);
+  for (Index k = 0; k < s; ++k) {
+    for (Index j = 0; j < nodes; ++j) {
+      const NodeShape of_k(U, j, k);
+      P.middleRows<3>(6 * j) = -skew(of_k.phi) + skew(of_k.t) * skew(Vector3d(rho0.col(j)));
+      P.middleRows<3>(6 * j + 3) = -skew(of_k.t);
     }
-  by_a_ = ColumnGroups(pairs_);
-  by_da_ = ColumnGroups(parts);
-  const Vector3d c = S0_ / (mass_ > 0.0 ? mass_ : 1.0);
-  require_positive_mass(mass_, J0_ + mass_ * skew(c) * skew(c), body.name);
+    const Rows3 MP = times_mass(P);
+    J1_.col(k) = twice_symmetric(P.transpose() * MRw);
+    for (Index l = 0; l < s; ++l) {
+      Vector3d slope = P.transpose() * MU.col(l);  // dC_l/da_k
+      Matrix3d half = Matrix3d::Zero();            // of J2_lk, which is that of J2_kl
+      for (Index j = 0; j < nodes; ++j) {
+        const NodeShape of_k(U, j, k), of_l(U, j, l);
+        const Matrix3d MRw_u = MRw.middleRows<3>(6 * j), MRw_t = MRw.middleRows<3>(6 * j + 3);
+        const Matrix3d t_k = skew(of_k.t), t_l = skew(of_l.t);
+        if (turns) slope -= MRw_u.transpose() * (t_k * of_l.phi) + 0.5 * MRw_t.transpose() * (t_k * of_l.t);
+        if (l > k) continue;
+        const Matrix3d phi_k = skew(of_k.phi), phi_l = skew(of_l.phi);
+        half += phi_l * MP.middleRows<3>(6 * j);
+        if (!turns) continue;
+        const Matrix3d rho = skew(Vector3d(rho0.col(j))), T = 0.5 * (t_l * t_k + t_k * t_l);
+        half += rho * t_l * MP.middleRows<3>(6 * j) + t_l * MP.middleRows<3>(6 * j + 3) +
+                MRw_u.transpose() * (t_l * phi_k + t_k * phi_l - T * rho) + MRw_t.transpose() * T;
+      }
+      pairs_.block<3, 1>(6 * s + 3 * l, k) = slope;
+      if (l <= k) pairs_.block<6, 1>(6 * k, l) = pairs_.block<6, 1>(6 * l, k) = twice_symmetric(half);
+    }
+  }
 }
 
 Vector3d ModalInertia::to_principal(const Vector3d& x) const { return turned_ ? axes_.transpose() * x : x; }

@@ -17,7 +17,8 @@ namespace footfall {
 //   T = 1/2 m |dr|^2 + dr . (w x S(a) + S1 da) + 1/2 w . J(a) w + w . C(a) da + 1/2 da^T Mff da
 // with elastic and damping forces in h. The rotary inertia J_j of a node turns with it, by t_j = Psi_j a: to second
 // order in a this is J_j + t~ J_j - J_j t~ + 1/2 (t~ t~ J_j + J_j t~ t~) - t~ J_j t~, with the node's angular velocity
-// w + Psi_j da + 1/2 t x Psi_j da. This includes gyroscopic and centrifugal moments of discs on a shaft.
+// w + Psi_j da + 1/2 t x Psi_j da. This includes gyroscopic and centrifugal moments of discs on a shaft. Of a mass matrix the
+// rows of each node turn with it in the same way (theory 1.2).
 // For s = 0: M = diag(m I, J), h = [m w x (w x c); w x J w] with c = 0.
 class ModalInertia {
  public:
@@ -61,7 +62,9 @@ class ModalInertia {
   // The first six rows or columns are two vectors.
   void rows_to_body(Eigen::Ref<Eigen::MatrixXd> A) const;
   void columns_to_body(Eigen::Ref<Eigen::MatrixXd> A) const;
-  void sum_by_a(const Eigen::Ref<const Eigen::VectorXd>& a, Scratch& scratch) const;                         // by_a
+  void sum_over_nodes(const ModalBody& body);                                         // the integrals of lumped masses,
+  void sum_over_mass_matrix(const ModalBody& body);                                   // and of a mass matrix
+  void sum_by_a(const Eigen::Ref<const Eigen::VectorXd>& a, Scratch& scratch) const;  // by_a
   void times_modal_mass(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> out) const;  // Mff x
   // In the principal axes, as the integrals below:
   Eigen::Vector3d first_moment(const Eigen::Ref<const Eigen::VectorXd>& a) const;           // S(a)

@@ -274,7 +274,7 @@ void write_matrix(const std::string& path, const Eigen::SparseMatrix<double>& ma
 TEST_F(FlexibleScene, FromMatricesOrFromAFileMovesAsTheOneFromItsShape) {
   const FeModel model = straight_beam({0, 0, 0}, {1, 0, 0}, 8, rod_section(0.01), Material{7850.0, 207e9, 0.3});
   write_matrix(file("K.mtx"), model.stiffness);
-  write_matrix(file("M.mtx"), lumped_mass_matrix(model));
+  write_matrix(file("M.mtx"), mass_matrix(model));
   {
     std::ofstream nodes(file("rod.nodes"));
     nodes.precision(17);

@@ -28,6 +28,10 @@ MomentumSum momentum_of(const Model& model, const Kinematics& kinematics) {
       continue;
     }
     const ModalBody& modal = *model.body(i).modal();
+    if (modal.mass.size() > 0) {  // mean axes: Bo is the mass centre
+      add(model.body(i).mass(), b.dr);
+      continue;
+    }
     for (int j = 0; j < modal.node_count(); ++j) {
       const auto Phi = modal.Phi.middleRows(3 * j, 3);
       const Eigen::Vector3d arm = b.A * (modal.rho0.col(j) + Phi * b.a);

@@ -495,7 +495,7 @@ TEST(LowestModes, OfMasslessDegreesOfFreedomFollowStatically) {
 
 TEST(LowestModes, OfAFreePlateAgreeBetweenTheMethods) {
   const FeModel model = plate_model(disc_mesh(0.2, 0.05), 0.004, Material{7850.0, 207e9, 0.3});
-  const Sparse M = lumped_mass_matrix(model);
+  const Sparse M = mass_matrix(model);
   const int count = 16;
   const double shift = elastic_scale(model);
   const Modes dense = lowest_modes(model.stiffness, M, count, shift, EigenMethod::kDense);

@@ -147,6 +147,61 @@ TEST(ModalInertia, EqualsTheSumsOverNodesAtRandomStates) {
   }
 }
 
+// 6N x 6N of lumped masses and inertias.
+Eigen::SparseMatrix<double> mass_matrix_of(const ModalBody& body) {
+  MatrixXd M = MatrixXd::Zero(6 * body.node_count(), 6 * body.node_count());
+  for (int j = 0; j < body.node_count(); ++j) {
+    M.block<3, 3>(6 * j, 6 * j) = body.node_mass(j) * Matrix3d::Identity();
+    M.block<3, 3>(6 * j + 3, 6 * j + 3) = body.node_inertia[static_cast<std::size_t>(j)];
+  }
+  return M.sparseView();
+}
+
+TEST(ModalInertia, OfAMassMatrixIsThatOfTheLumpedMassesInIt) {
+  for (const int s : {0, 1, 7}) {
+    const ModalBody lumped = random_body(9, s, 40u + static_cast<unsigned>(s));
+    ModalBody matrix = lumped;
+    matrix.mass = mass_matrix_of(lumped);
+    matrix.node_mass.setConstant(1.0);  // not used
+    const ModalInertia a(lumped), b(matrix);
+    EXPECT_NEAR(a.mass(), b.mass(), kSumRoundOff * a.mass());
+    for (int i = 0; i < 5; ++i) {
+      const RandomState x(s);
+      MatrixXd Ma(6 + s, 6 + s), Mb(6 + s, 6 + s);
+      a.mass_matrix(x.a, Ma);
+      b.mass_matrix(x.a, Mb);
+      EXPECT_LT((Ma - Mb).norm(), kSumRoundOff * Ma.norm());
+      const VectorXd ga = residual(a, x.a, x.v, x.dv), gb = residual(b, x.a, x.v, x.dv);
+      EXPECT_LT((ga - gb).norm(), kSumRoundOff * ga.norm());
+    }
+  }
+}
+
+// Masses that couple nodes, as those of solid elements, m_ij 1: T = 1/2 sum_ij m_ij u_i . u_j, u_j = dr + w x rho_j + Phi_j da.
+TEST(ModalInertia, OfCoupledMassesHasTheirKineticEnergyInEveryDeflection) {
+  const int s = 5, n = 7;
+  ModalBody body = random_body(n, s, 51);
+  body.Psi.setZero();
+  MatrixXd m = MatrixXd::Random(n, n);
+  m = (m * m.transpose()).eval();
+  MatrixXd M = MatrixXd::Zero(6 * n, 6 * n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) M.block<3, 3>(6 * i, 6 * j) = m(i, j) * Matrix3d::Identity();
+  body.mass = M.sparseView();
+  const ModalInertia inertia(body);
+  for (int sample = 0; sample < 10; ++sample) {
+    const RandomState x(s);
+    Eigen::Matrix3Xd u(3, n);
+    for (int j = 0; j < n; ++j) {
+      const auto Phi = body.Phi.middleRows(3 * j, 3);
+      u.col(j) =
+          x.v.head<3>() + Vector3d(x.v.segment<3>(3)).cross(Vector3d(body.rho0.col(j) + Phi * x.a)) + Phi * x.v.tail(s);
+    }
+    const double exact = 0.5 * (u.transpose() * u).cwiseProduct(m).sum();
+    EXPECT_NEAR(inertia.kinetic_energy(x.a, x.v), exact, kSumRoundOff * 100.0 * exact);
+  }
+}
+
 // Kinetic energy of nodes that turn by the rotation vector t = Psi a, in full, less that of the shape integrals: third
 // order in a at given v.
 TEST(ModalInertia, RotaryInertiaTurnsWithItsNodeToSecondOrder) {
