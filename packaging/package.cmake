@@ -32,7 +32,7 @@ lunar lander with magnetorheological dampers.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME footfall-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "footfall (= ${PROJECT_VERSION}), g++, cmake, make | ninja-build, libopenmpi-dev, libeigen3-dev, libsundials-dev, libsuitesparse-dev, libtomlplusplus-dev, libfuzzylite-dev, libmuparser-dev, libnlopt-cxx-dev, libassimp-dev, nlohmann-json3-dev, libpugixml-dev, zlib1g-dev")
+  "footfall (= ${PROJECT_VERSION}), g++, cmake, make | ninja-build, libopenmpi-dev, libeigen3-dev, libsundials-dev, libsuitesparse-dev, libtomlplusplus-dev, libfuzzylite-dev, libmuparser-dev, libnlopt-cxx-dev, nlohmann-json3-dev, libpugixml-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "headers and libraries of footfall
 With these a program of your own couples its mechanism to LIGGGHTS, or uses
 the multibody solver: find_package(footfall), footfall::coupler and

@@ -11,6 +11,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/codes.h"
+#include "mbd_solver/fe/solid_shells.h"
 #include "mbd_solver/model/codes.h"
 
 namespace footfall {
@@ -26,6 +27,7 @@ TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
   FOOTFALL_DEMAND(tolerance > 0.0);
   using Cell = std::array<long, 3>;
   TriangleMesh result;
+  result.notes = mesh.notes;
   std::map<Cell, std::vector<int>> cells;
   std::vector<int> number(mesh.vertices.size(), -1);
   const auto find_or_add = [&](const Eigen::Vector3d& x) {
@@ -190,8 +192,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNoVolume = 1e-12;  // of the cube of the mesh's size
-
 struct Corners {
   Vector3d a, b, c;
   double volume() const { return a.dot(b.cross(c)) / 6.0; }
@@ -203,42 +203,9 @@ Corners corners_of(const TriangleMesh& mesh, const Eigen::Vector3i& t, const Vec
 }
 
 Vector3d middle_of(const TriangleMesh& mesh) {
-  Vector3d sum = Vector3d::Zero();
-  for (const Vector3d& x : mesh.vertices) sum += x;
-  return sum / static_cast<double>(mesh.vertices.size());
-}
-
-struct Piece {
-  double volume = 0.0;  // negative: faces inward
-  Eigen::AlignedBox3d box;
-};
-
-std::vector<Piece> solid_pieces(const TriangleMesh& mesh, const Vector3d& o) {
-  std::vector<Piece> result;
-  for (const std::vector<int>& numbers : pieces(mesh)) {
-    Piece& piece = result.emplace_back();
-    for (const int n : numbers) {
-      const Eigen::Vector3i& t = mesh.triangles[static_cast<std::size_t>(n)];
-      piece.volume += corners_of(mesh, t, o).volume();
-      for (int i = 0; i < 3; ++i) piece.box.extend(mesh.vertices[static_cast<std::size_t>(t(i))]);
-    }
-  }
-  return result;
-}
-
-void demand_outward(const std::vector<Piece>& pieces, double smallest, const std::string& where) {
-  for (const Piece& piece : pieces) {
-    if (std::abs(piece.volume) <= smallest)
-      throw InputError(code::kMeshDefect, where + ": the surface encloses no volume; expected a solid body");
-    if (piece.volume > 0.0) continue;
-    const bool cavity = std::any_of(pieces.begin(), pieces.end(), [&](const Piece& other) {
-      return other.volume > -piece.volume && other.box.contains(piece.box);
-    });
-    if (!cavity)
-      throw InputError(code::kMeshDefect,
-                       where + ": the surface faces inward (its volume is " + number_text(piece.volume) +
-                           " m3); expected corners counter-clockwise seen from outside. Flip its normals.");
-  }
+  Vector3d sum = Vector3d::Zero();  // about the first one: far from the origin a sum loses digits
+  for (const Vector3d& x : mesh.vertices) sum += x - mesh.vertices[0];
+  return mesh.vertices[0] + sum / static_cast<double>(mesh.vertices.size());
 }
 
 }  // namespace
@@ -250,10 +217,8 @@ MassProperties polyhedron_properties(const TriangleMesh& mesh, double density, c
   MeshDemands demands;
   demands.closed = demands.oriented = true;
   check_mesh(mesh, demands, where);
+  require_solid(mesh, where);
   const Vector3d o = middle_of(mesh);
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& x : mesh.vertices) box.extend(x);
-  demand_outward(solid_pieces(mesh, o), kNoVolume * std::pow(box.diagonal().norm(), 3), where);
 
   double volume = 0.0;
   Vector3d moment = Vector3d::Zero();

@@ -213,6 +213,8 @@ inline constexpr MessageCode kMeshDamaged{"E0221", "mesh-damaged"};
 inline constexpr MessageCode kMeshTooLarge{"E0222", "mesh-too-large"};
 // The mesh has no triangles or no extent. Export a surface.
 inline constexpr MessageCode kMeshEmpty{"E0223", "mesh-empty"};
+// The mesh is so far from the origin of its file that the digits of its coordinates do not give its shape. Export it nearer.
+inline constexpr MessageCode kMeshDigits{"E0224", "mesh-digits"};
 // A file that is shipped with footfall is missing. Install footfall again, or build it from a complete checkout.
 inline constexpr MessageCode kShippedFile{"E0230", "shipped-file"};
 
@@ -240,6 +242,8 @@ inline constexpr MessageCode kClearance{"W0166", "clearance"};
 inline constexpr MessageCode kNoGrainGravity{"W0207", "no-grain-gravity"};
 // The mesh is far larger than the simulation box, mostly drawn in millimetres. Add "scale 0.001" to its fix.
 inline constexpr MessageCode kMeshLargerThanBox{"W0210", "mesh-larger-than-box"};
+// The mesh is far from the origin of its file, and its coordinates have few digits. Export it nearer, or as text.
+inline constexpr MessageCode kMeshFewDigits{"W0220", "mesh-few-digits"};
 // The bed is made under other conditions than the run has. Make them agree unless this is intended.
 inline constexpr MessageCode kBedDiffers{"W0211", "bed-differs"};
 

@@ -1,5 +1,6 @@
 #pragma once
-// Triangle meshes from files (STL, ASCII and binary, OBJ, PLY), and the surfaces of boundaries.
+// Triangle meshes from files (STL, ASCII and binary, OBJ, PLY), and the surfaces of boundaries. Coordinates are in double
+// precision from the file on.
 
 #include <functional>
 #include <string>
@@ -12,10 +13,11 @@ namespace footfall {
 
 // Coordinates times `scale` [m per unit of the file]; vertices that coincide are made one; polygons are cut into
 // triangles.
-// Throws InputError, naming the file: not there, not readable, another format, no triangles.
+// Notes: coordinates with few digits for the mesh's distance from the origin of its file.
+// Throws InputError, naming the file: not there, not readable, another format, damaged, no triangles, digits lost.
 TriangleMesh read_mesh(const std::string& file, double scale = 1.0);
 
-// A reader of a library in a process of its own: a damaged file that crashes it ends that process only.
+// A reader in a process of its own: a damaged file that crashes it ends that process only.
 // The result of `read`, which runs in a copy of this process with bounded memory and processor time for a file of so many
 // bytes. Throws InputError with the message of what `read` throws, or that names `file` when the reader crashes or exceeds
 // its limits.

@@ -170,7 +170,7 @@ MassProperties point_properties(const std::vector<Eigen::Vector3d>& points) {
 }
 
 // In D. A box's edges are along the body's axes.
-MassProperties shape_properties(const BodySpec& body, double density) {
+MassProperties shape_properties(const BodySpec& body, double density, std::vector<std::string>& notes) {
   const ShapeSpec& s = *body.shape;
   switch (s.kind) {
     case ShapeKind::kBox: {
@@ -187,7 +187,11 @@ MassProperties shape_properties(const BodySpec& body, double density) {
     case ShapeKind::kSphere: return turned(sphere_properties(s.radius, density), Eigen::Vector3d::UnitZ(), s.centre);
     case ShapeKind::kCylinder: return turned(disc_properties(s.radius, s.length, density), s.axis, s.centre);
     case ShapeKind::kCapsule: return capsule_properties(s.from, s.to, s.diameter, density);
-    case ShapeKind::kMesh: return polyhedron_properties(mesh_of_shape(s), density, s.file);
+    case ShapeKind::kMesh: {
+      const TriangleMesh mesh = mesh_of_shape(s);
+      notes = mesh.notes;
+      return polyhedron_properties(mesh, density, s.file);
+    }
     case ShapeKind::kPoints: break;
   }
   return point_properties(s.points);
@@ -221,7 +225,9 @@ bool resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
   }
   MassProperties p;
   try {
-    p = shape_properties(body, density);
+    std::vector<std::string> notes;
+    p = shape_properties(body, density, notes);
+    for (const std::string& note : notes) at.warning(kMeshFewDigits, "shape", note);
   } catch (const InputError& e) {
     findings.coded_error(body.source, "shape", e.what());
     return false;

@@ -40,7 +40,6 @@ ONLY_IN = {
     r"fcl/": "mbd_solver/model/elements/surface_model.cpp mbd_solver/model/elements/contact_surface.cpp",
     r"nlopt": "mbd_solver/studies/search.cpp",
     r"muParser": "mbd_solver/model/control/signal_chain.cpp",
-    r"assimp/": "mbd_solver/scene/mesh_reader.cpp",
     r"pugixml": "mbd_solver/run/output/vtk_writer.cpp",
     r"zlib": "mbd_solver/app/packed_series.cpp",
     r"mpi\.h": MPI_FILES + " liggghts_fix/replaced/comm_world.h liggghts_fix/replaced/mpi_abort.cpp liggghts_fix/liggghts_access.cpp",

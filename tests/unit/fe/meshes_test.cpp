@@ -226,6 +226,8 @@ TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
   return a;
 }
 
+TriangleMesh sphere_of(double radius) { return capsule_mesh(radius, 1e-3, 0.5 * radius); }
+
 TriangleMesh inside_out(TriangleMesh mesh) {
   for (Eigen::Vector3i& t : mesh.triangles) std::swap(t[1], t[2]);
   return mesh;
@@ -313,6 +315,71 @@ TEST(Polyhedron, OfSeveralPiecesIsTheirSum) {
   expect_same(p, one + two, 1e-11);
   // One of them turned inside out is no cavity.
   EXPECT_NE(refusal_of(joined(box, inside_out(other))), "");
+}
+
+// A ball in a ball: a cavity if it faces inward, counted twice if it faces outward, which is refused with its triangles.
+TEST(Polyhedron, ShellWithinAShellIsACavityOrRefused) {
+  const TriangleMesh outer = sphere_of(0.5), inner = sphere_of(0.3), core = sphere_of(0.1);
+  const double V = polyhedron_properties(outer, 1.0, "").mass, v = polyhedron_properties(inner, 1.0, "").mass,
+               c = polyhedron_properties(core, 1.0, "").mass;
+  EXPECT_NEAR(polyhedron_properties(joined(outer, inside_out(inner)), 1.0, "").mass, V - v, kFeRoundOff);
+  // A solid within the cavity.
+  EXPECT_NEAR(polyhedron_properties(joined(joined(outer, inside_out(inner)), core), 1.0, "").mass, V - v + c,
+              kFeRoundOff);
+  const int first = static_cast<int>(outer.triangles.size());
+  EXPECT_TRUE(names(refusal_of(joined(outer, inner)), {"E0320", std::to_string(first), std::to_string(first + 1)}));
+  EXPECT_TRUE(names(refusal_of(joined(joined(outer, inside_out(inner)), inside_out(core))), {"E0320"}));
+  // Within the box around a dented solid, but not within the solid.
+  TriangleMesh dented = box_mesh({2.0, 2.0, 2.0}, 1.0);
+  for (Vector3d& x : dented.vertices)
+    if ((x - Vector3d(0, 0, 1)).norm() < 1e-9) x.z() = -0.8;
+  EXPECT_TRUE(
+      names(refusal_of(joined(dented, moved(inside_out(core), Matrix3d::Identity(), {0.0, 0.0, 0.6}))), {"E0320"}));
+}
+
+// Boxes that overlap by a corner, by a slab between coplanar faces, entirely, or by equal halves; and those that only touch.
+TEST(Polyhedron, OverlappingShellsAreRefusedAndTouchingOnesAdded) {
+  const TriangleMesh box = box_mesh({1.0, 1.0, 1.0}, 2.0);
+  const auto with = [&](const Vector3d& shift, const Vector3d& size = Vector3d::Ones(), double angle = 0.0) {
+    const Matrix3d R = Eigen::AngleAxisd(angle, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    return joined(box, moved(box_mesh(size, 2.0), R, shift));
+  };
+  for (const Vector3d& shift : {Vector3d(0.9, 0.9, 0.9), Vector3d(0.9, 0.0, 0.0), Vector3d(0.9, 0.9, 0.0),
+                                Vector3d(0.5, 0.5, 0.0), Vector3d(0.3, -0.2, 0.1)}) {
+    const std::string text = refusal_of(with(shift));
+    EXPECT_TRUE(names(text, {"E0320", "triangles "})) << shift.transpose();
+    EXPECT_NE(refusal_of(with(shift, Vector3d::Ones(), 0.3)), "") << shift.transpose();
+  }
+  EXPECT_NE(refusal_of(with({0.0, 0.0, 0.0}, Vector3d(1.5, 0.2, 0.2))), "") << "a bar through a box";
+  EXPECT_NE(refusal_of(with({0.0, 0.0, 0.0}, Vector3d(1.0, 0.2, 0.2))), "") << "a bar with its ends in the faces";
+  EXPECT_NE(refusal_of(with({0.0, 0.0, 0.0}, Vector3d::Ones())), "") << "the same box twice";
+  for (const Vector3d& shift : {Vector3d(1.0, 0.3, 0.2), Vector3d(1.0, 0.0, 0.2), Vector3d(1.0, 1.0, 0.3)}) {
+    EXPECT_EQ(refusal_of(with(shift)), "") << shift.transpose();
+    EXPECT_NEAR(polyhedron_properties(with(shift), 1.0, "").mass, 2.0, kFeRoundOff) << shift.transpose();
+  }
+}
+
+// A box whose top is pushed in, then through its bottom.
+TEST(Polyhedron, ShellThatCrossesItselfIsRefused) {
+  TriangleMesh mesh = box_mesh({1.0, 1.0, 1.0}, 0.5);
+  std::size_t top = 0;  // in the middle of the face z = 0.5
+  while ((mesh.vertices[top] - Vector3d(0, 0, 0.5)).norm() > 1e-9) ++top;
+  EXPECT_EQ(refusal_of(mesh), "");
+  mesh.vertices[top].z() = -0.4;
+  EXPECT_EQ(refusal_of(mesh), "") << "a deep dent";
+  mesh.vertices[top] = {0.1, 0.15, -0.8};
+  EXPECT_TRUE(names(refusal_of(mesh), {"E0320", "triangles "}));
+}
+
+// Coordinates of a site: 1e6 m from the origin, where double precision has 1e-10 m.
+TEST(Polyhedron, FarFromTheOriginKeepsItsDigits) {
+  const Vector3d size(0.3, 0.3, 0.05), p(448251.37, 5411932.91, 1234.5);
+  const MassProperties far = polyhedron_properties(moved(box_mesh(size, 0.1), Matrix3d::Identity(), p), 1000.0, "far");
+  const MassProperties near = box_properties(size, 1000.0);
+  const double digits = 4.0 * 1e-9 / 0.05;  // of the coordinates, over the thickness
+  EXPECT_NEAR(far.mass, 4.5, digits * 4.5);
+  EXPECT_LT((far.centre - p).norm(), 1e-8);
+  EXPECT_LT((far.inertia - near.inertia).norm(), digits * near.inertia.norm());
 }
 
 TEST(Polyhedron, RefusesWhatEnclosesNothing) {

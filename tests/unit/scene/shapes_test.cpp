@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -13,6 +15,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/mesh_reader.h"
@@ -83,12 +86,11 @@ TEST(SceneMasses, SolidOfAFileIsScaledTurnedAndMoved) {
       body_of("material = \"steel\"\nshape = { kind = \"mesh\", file = \"" + file +
               "\", scale = 0.001, orientation = { axis = \"z\", angle_deg = 90 }, position = [1, 0, 0] }\n"
               "orientation = { rpy_deg = [0, 0, 90] }\n");
-  constexpr double kSingle = 1e-6;  // STL is read in single precision
-  EXPECT_NEAR(b.mass, 7850 * 0.1 * 0.06 * 0.04, kSingle * b.mass);
-  EXPECT_NEAR((b.position - Eigen::Vector3d(1 - 0.03, 0.05, 0.02)).norm(), 0.0, kSingle);
+  EXPECT_NEAR(b.mass, 7850 * 0.1 * 0.06 * 0.04, kRoundOff * b.mass);
+  EXPECT_NEAR((b.position - Eigen::Vector3d(1 - 0.03, 0.05, 0.02)).norm(), 0.0, kRoundOff);
   // Body axes along the file's.
-  EXPECT_NEAR(b.inertia(0, 0), b.mass / 12 * (0.06 * 0.06 + 0.04 * 0.04), kSingle * b.mass);
-  EXPECT_NEAR(b.inertia(1, 1), b.mass / 12 * (0.1 * 0.1 + 0.04 * 0.04), kSingle * b.mass);
+  EXPECT_NEAR(b.inertia(0, 0), b.mass / 12 * (0.06 * 0.06 + 0.04 * 0.04), kRoundOff * b.mass);
+  EXPECT_NEAR(b.inertia(1, 1), b.mass / 12 * (0.1 * 0.1 + 0.04 * 0.04), kRoundOff * b.mass);
 }
 
 // The closed form of the thin cap against the same surface cut into triangles: second order in their size.
@@ -156,8 +158,6 @@ TEST(SceneMasses, AShapeSaysWhatItNeedsAndWhatMeansNothing) {
 
 using ::testing::ThrowsMessage;
 
-constexpr double kSinglePrecision = 1e-6;  // coordinates of mesh files are read as 32-bit numbers
-
 // A square of side 2 in two triangles.
 const std::string kStl =
     "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 2 2 0\nendloop\nendfacet\n"
@@ -193,7 +193,7 @@ TEST(MeshReader, ReadsTheSameSquareFromStlObjAndPly) {
     const TriangleMesh mesh = read_mesh(file, 0.5);
     EXPECT_EQ(mesh.vertices.size(), 4u) << file;
     EXPECT_EQ(mesh.triangles.size(), 2u) << file;
-    EXPECT_NEAR((area_vector(mesh) - Eigen::Vector3d(0, 0, 1)).norm(), 0.0, kSinglePrecision) << file;
+    EXPECT_NEAR((area_vector(mesh) - Eigen::Vector3d(0, 0, 1)).norm(), 0.0, kRoundOff) << file;
   }
 }
 
@@ -225,14 +225,221 @@ TEST(MeshReader, TakesANameInAHeadForNoNumber) {
   EXPECT_EQ(read_mesh(text.write("infrared.ply", ply), 1.0).triangles.size(), 2u);
 }
 
-TEST(MeshReader, ReadsBinaryStl) {
-  std::string data(80, ' ');
-  const auto append = [&](const auto& value) { data.append(reinterpret_cast<const char*>(&value), sizeof value); };
-  append(std::uint32_t{1});
-  for (float number : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 2.f, 0.f, 0.f, 2.f, 2.f, 0.f}) append(number);
-  append(std::uint16_t{0});
+// A box from `from` to `from` + `size` as triangles, outward.
+TriangleMesh box_of(const Eigen::Vector3d& from, const Eigen::Vector3d& size) {
+  return moved(box_mesh(size, size.maxCoeff()), Eigen::Matrix3d::Identity(), from + 0.5 * size);
+}
+
+std::string text_stl(const TriangleMesh& mesh, int digits = 17) {
+  std::ostringstream out;
+  out.precision(digits);
+  out << "solid of a name\n";
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    out << " facet normal 0 0 0\n  outer loop\n";
+    for (const int n : t) out << "   vertex " << mesh.vertices[static_cast<std::size_t>(n)].transpose() << "\n";
+    out << "  endloop\n endfacet\n";
+  }
+  out << "endsolid of a name\n";
+  return out.str();
+}
+
+template <class Number>
+void append(std::string& bytes, Number value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+std::string binary_stl(const TriangleMesh& mesh, const std::string& comment = "", int announced = -1) {
+  std::string bytes = comment;
+  bytes.resize(80, ' ');
+  append(bytes, static_cast<std::uint32_t>(announced < 0 ? static_cast<int>(mesh.triangles.size()) : announced));
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) append(bytes, 0.f);
+    for (const int n : t)
+      for (const double x : mesh.vertices[static_cast<std::size_t>(n)]) append(bytes, static_cast<float>(x));
+    append(bytes, std::uint16_t{0});
+  }
+  return bytes;
+}
+
+std::string obj_of(const TriangleMesh& mesh) {
+  std::ostringstream out;
+  out.precision(17);
+  for (const Eigen::Vector3d& x : mesh.vertices) out << "v " << x.transpose() << "\n";
+  for (const Eigen::Vector3i& t : mesh.triangles) out << "f " << (t.array() + 1).matrix().transpose() << "\n";
+  return out.str();
+}
+
+std::string ply_of(const TriangleMesh& mesh, const std::string& format) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "ply\nformat " << format << " 1.0\nelement vertex " << mesh.vertices.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\nproperty uchar red\nelement face "
+      << mesh.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string bytes = out.str();
+  const auto put = [&](auto value) {  // this machine is little-endian
+    std::string number;
+    append(number, value);
+    if (format == "binary_big_endian") std::reverse(number.begin(), number.end());
+    bytes += number;
+  };
+  if (format != "ascii") {
+    for (const Eigen::Vector3d& x : mesh.vertices) {
+      for (const double coordinate : x) put(coordinate);
+      put(std::uint8_t{7});
+    }
+    for (const Eigen::Vector3i& t : mesh.triangles) {
+      put(std::uint8_t{3});
+      for (const int n : t) put(std::int32_t{n});
+    }
+    return bytes;
+  }
+  for (const Eigen::Vector3d& x : mesh.vertices) out << x.transpose() << " 7\n";
+  for (const Eigen::Vector3i& t : mesh.triangles) out << "3 " << t.transpose() << "\n";
+  return out.str();
+}
+
+std::string refusal_of(const std::string& file) {
+  try {
+    read_mesh(file);
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+// A box of a site plan, 5000 km from the origin of its coordinates: 1e-9 m is their last digit.
+TEST(MeshReader, KeepsAllDigitsOfTextAndOfDoubles) {
   const SceneText text;
-  EXPECT_NEAR(area_vector(read_mesh(text.write("b.stl", data))).z(), 2.0, kSinglePrecision);
+  const Eigen::Vector3d from(448251.37, 5411932.91, 1234.5), size(0.3, 0.2, 0.05);
+  const TriangleMesh box = box_of(from, size);
+  for (const std::string& file :
+       {text.write("far.stl", text_stl(box)), text.write("far.obj", obj_of(box)),
+        text.write("far.ply", ply_of(box, "ascii")), text.write("little.ply", ply_of(box, "binary_little_endian")),
+        text.write("big.ply", ply_of(box, "binary_big_endian"))}) {
+    const TriangleMesh mesh = read_mesh(file);
+    ASSERT_EQ(mesh.vertices.size(), 8u) << file;
+    EXPECT_TRUE(mesh.notes.empty()) << file;
+    const MassProperties p = polyhedron_properties(mesh, 1000.0, file);
+    EXPECT_NEAR(p.mass, 3.0, 1e-6) << file;
+    EXPECT_LT((p.centre - from - 0.5 * size).norm(), 4e-9) << file;
+  }
+  const TriangleMesh third = box_of({1.0 / 3.0, 0, 0}, {1, 1, 1});
+  double nearest = 1.0;
+  for (const Eigen::Vector3d& x : read_mesh(text.write("third.stl", text_stl(third))).vertices)
+    nearest = std::min(nearest, std::abs(x.x() - 1.0 / 3.0));
+  EXPECT_LT(nearest, 1e-16);
+}
+
+// 448251.37 in single precision is a multiple of 1/32 m: no box of 0.3 m is left of it. At 50 m it has 4e-6 m, which is told.
+TEST(MeshReader, TellsWhatFewDigitsLeave) {
+  const SceneText text;
+  const Eigen::Vector3d size(0.3, 0.2, 0.1);
+  EXPECT_THAT(refusal_of(text.write("lost.stl", binary_stl(box_of({448251.37, 0, 0}, size)))), HasSubstr("E0224"));
+  EXPECT_EQ(read_mesh(text.write("few.stl", binary_stl(box_of({50.37, 0, 0}, size)))).notes.size(), 1u);
+  EXPECT_TRUE(read_mesh(text.write("enough.stl", binary_stl(box_of({0.37, 0, 0}, size)))).notes.empty());
+  EXPECT_EQ(read_mesh(text.write("seven.stl", text_stl(box_of({448251.4, 0, 0}, size), 7))).notes.size(), 1u);
+  EXPECT_TRUE(read_mesh(text.write("three.stl", text_stl(box_of({1, 2, 3}, size), 3))).notes.empty());
+  // The scene warns once.
+  const std::string body =
+      "end_time = 1\n[materials.m]\ndensity = 1000\n[[bodies]]\nname = \"b\"\nmaterial = \"m\"\n"
+      "shape = { kind = \"mesh\", file = \"few.stl\" }\n";
+  const Scene scene = text.read(body);
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_THAT(scene.warnings[0], HasSubstr("W0220"));
+}
+
+TEST(MeshReader, ReadsStlAsItIsWritten) {
+  const SceneText text;
+  const TriangleMesh box = box_of({0, 0, 0}, {1, 2, 4});
+  const auto weighs_eight = [&](const char* name, const std::string& bytes) {
+    EXPECT_NEAR(volume(read_mesh(text.write(name, bytes))), 8.0, kRoundOff) << name;
+  };
+  const std::string plain = text_stl(box), binary = binary_stl(box);
+  weighs_eight("text.stl", plain);
+  std::string upper = plain;
+  std::transform(upper.begin(), upper.end(), upper.begin(), [](char c) { return static_cast<char>(std::toupper(c)); });
+  weighs_eight("upper.STL", upper);
+  std::string returns = plain;
+  std::replace(returns.begin(), returns.end(), '\n', '\r');
+  weighs_eight("returns.stl", returns);
+  weighs_eight("marked.stl", "\xEF\xBB\xBF\n" + plain);
+  weighs_eight("binary.stl", binary);
+  weighs_eight("solid.stl", binary_stl(box, "solid facet normal"));
+  weighs_eight("tail.stl", binary + "\r\n");
+  weighs_eight("solid_tail.stl", binary_stl(box, "solid of a program") + std::string(2, '\0'));
+  // Two solids in one file.
+  const TriangleMesh far = box_of({5, 0, 0}, {1, 1, 1});
+  EXPECT_NEAR(volume(read_mesh(text.write("two.stl", plain + text_stl(far)))), 9.0, kRoundOff);
+}
+
+struct BadMesh {
+  const char* name;
+  std::string bytes;
+  const char* expected;  // in the message
+};
+
+TEST(MeshReader, RefusesAPartOfAMeshWithItsPlace) {
+  const SceneText text;
+  const TriangleMesh box = box_of({0, 0, 0}, {1, 2, 4});
+  const std::string plain = text_stl(box), binary = binary_stl(box), obj = obj_of(box), ply = ply_of(box, "ascii");
+  const auto with = [](std::string bytes, const std::string& from, const std::string& to) {
+    const std::size_t at = bytes.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? bytes : bytes.replace(at, from.size(), to);
+  };
+  const BadMesh cases[] = {
+      {"comma.stl", with(plain, "vertex 0", "vertex 0,0"), "comma.stl:4: "},
+      {"comma.obj", with(obj, "v 0", "v 0,0"), "comma.obj:1: "},
+      {"comma.ply", with(ply, "end_header\n0", "end_header\n0,0"), "comma.ply:11: "},
+      {"cut.stl", plain.substr(0, plain.rfind("endsolid")), "E0221"},
+      {"cut_facet.stl", plain.substr(0, plain.rfind("vertex")), "E0221"},
+      {"four.stl", with(plain, "  endloop", "   vertex 0 0 0\n  endloop"), "four.stl:7: "},
+      {"nan.stl", with(plain, "vertex 0", "vertex nan"), "nan.stl:4: "},
+      {"short.stl", binary.substr(0, binary.size() - 1), "E0221"},
+      {"fewer.stl", binary_stl(box, "", 11), "E0221"},
+      {"more.stl", binary_stl(box, "", 13), "E0221"},
+      {"none.stl", binary_stl(box, "", 0), "E0221"},
+      {"word.stl", "no mesh", "E0221"},
+      {"corner.obj", obj + "f 1 2 9\n", "E0221"},
+      {"zero.obj", obj + "f 0 1 2\n", "E0221"},
+      {"curved.obj", obj + "surf 0 1 0 1 1 2 3\n", "E0221"},
+      {"two.obj", obj + "f 1 2\n", "E0221"},
+      {"corner.ply", with(ply, "3 0", "3 8"), "E0221"},
+      {"cut.ply", ply.substr(0, ply.size() - 3), "E0221"},
+      {"more.ply", ply + "3 0 1 2\n", "E0221"},
+      {"cut_binary.ply", ply_of(box, "binary_little_endian").substr(0, 400), "E0221"},
+      {"strips.ply", with(ply, "element face", "element tristrips"), "E0221"},
+  };
+  for (const BadMesh& bad : cases) {
+    const std::string message = refusal_of(text.write(bad.name, bad.bytes));
+    EXPECT_THAT(message, HasSubstr(bad.expected)) << bad.name;
+    EXPECT_THAT(message, HasSubstr("E022")) << bad.name;
+  }
+}
+
+// A concave polygon: the square of side 2 without a notch of 1.
+TEST(MeshReader, CutsPolygonsIntoTriangles) {
+  const SceneText text;
+  const std::string notched = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nf 1/1/1 2/2 3//3 \\\n 4 -1\n";
+  const TriangleMesh mesh = read_mesh(text.write("notch.obj", notched));
+  EXPECT_EQ(mesh.triangles.size(), 3u);
+  double area = 0.0;
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    TriangleMesh one = mesh;
+    one.triangles = {t};
+    EXPECT_GT(area_vector(one).z(), 0.0);
+    area += area_vector(one).z();
+  }
+  EXPECT_NEAR(area, 4.0 - 1.5, kRoundOff);  // less the triangle over the notch, 2 wide and 1.5 deep
+  EXPECT_THAT(refusal_of(text.write("bow.obj", "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n")), HasSubstr("E0221"));
+}
+
+TEST(MeshReader, ReadsBinaryStl) {
+  TriangleMesh one;
+  one.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}};
+  one.triangles = {{0, 1, 2}};
+  const SceneText text;
+  EXPECT_NEAR(area_vector(read_mesh(text.write("b.stl", binary_stl(one)))).z(), 2.0, kRoundOff);
 }
 
 TEST(GeneratedSurface, CylinderIsClosedAndFillsItsVolume) {
