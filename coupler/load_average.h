@@ -1,5 +1,5 @@
 #pragma once
-// The mean load of one window on one body, and its work. [Lin25 34], theory 7.2.
+// The mean load of one window on one body, and its work. [Lin25 35], theory 7.2.
 
 #include "coupler/body_motion.h"
 #include "coupler/schemes/scheme.h"

@@ -1,7 +1,7 @@
 #pragma once
 // The boundary of one body: nodes that move with the body, and the triangles and beam segments between them.
 // This file alone moves boundary points and projects forces on the body, so that virtual work is conserved: for forces
-// f_c at points c,  sum_c f_c . v_c = F_W . dr + T_W . w + Q_a . da  in every motion. [Lin25 5-12, 33], theory 6.3.
+// f_c at points c,  sum_c f_c . v_c = F_W . dr + T_W . w + Q_a . da  in every motion. [Lin25 5-12, 34], theory 6.3.
 
 #include <Eigen/Dense>
 #include <array>

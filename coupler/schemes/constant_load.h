@@ -40,7 +40,7 @@ class CssTrapezoid : public ConstantLoadScheme {
   int path_degree() const override { return 1; }
 };
 
-// `css`: the straight path, and the mean over steps 1..n as published [Lin25 34].
+// `css`: the straight path, and the mean over steps 1..n as published [Lin25 35].
 class Css : public ConstantLoadScheme {
  public:
   static constexpr std::string_view kName = "css";

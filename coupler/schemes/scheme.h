@@ -1,5 +1,5 @@
 #pragma once
-// A scheme of the staggered coupling: both halves of it. [Lin25 section 4.2, 34], theory 7.3.
+// A scheme of the staggered coupling: both halves of it. [Lin25 section 4.2, 35], theory 7.3.
 //
 // DEM side: the path of the boundary within a window, and the mean of the forces of its substeps.
 // Multibody side: the rates that are sent for the path, and the load on the body once the grains' mean is known.

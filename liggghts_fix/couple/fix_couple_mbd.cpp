@@ -33,6 +33,7 @@ using footfall::InputError;
 namespace code = footfall::code;
 
 // Index of f_ID[...], from 0.
+constexpr int kForceAndMoment = 6;  // columns of f_ID before the modal forces
 enum OutputIndex { kWindows, kEnergyResidual, kWork, kOverlap, kContacts, kOutputs };
 
 }  // namespace
@@ -62,7 +63,7 @@ FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg)
   extvector = 0;
   array_flag = 1;
   size_array_rows = link_.bodies().count();
-  size_array_cols = 6;
+  size_array_cols = kForceAndMoment + link_.bodies().most_modes();
   extarray = 0;
   global_freq = 1;
   time_depend = 1;
@@ -146,6 +147,7 @@ void FixCoupleMbd::number_output_rows() {
   for (const auto& mesh : meshes_) add_row(mesh->body());
   for (int body = 0; body < link_.bodies().count(); ++body) add_row(body);
   size_array_rows = link_.bodies().count();
+  size_array_cols = kForceAndMoment + link_.bodies().most_modes();
 }
 
 // The first part of a step (positions of the grains, neighbour lists, pair forces) does not depend on the bodies. Where
@@ -265,7 +267,10 @@ double FixCoupleMbd::compute_vector(int n) {
 double FixCoupleMbd::compute_array(int i, int j) {
   if (!link_.started()) return 0.0;
   const footfall::DemBody& body = link_.body(output_rows_[static_cast<std::size_t>(i)]);
-  return j < 3 ? body.load().mean.F_W[j] : body.mean_moment_W()[j - 3];
+  if (j < 3) return body.load().mean.F_W[j];
+  if (j < kForceAndMoment) return body.mean_moment_W()[j - 3];
+  const Eigen::VectorXd& Q_a = body.load().mean.Q_a;
+  return j - kForceAndMoment < Q_a.size() ? Q_a[j - kForceAndMoment] : 0.0;  // others have more modes
 }
 
 }  // namespace LAMMPS_NS

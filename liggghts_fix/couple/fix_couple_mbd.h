@@ -9,7 +9,7 @@
 // received by the multibody side, over all windows but the last), [3] work of the grains on the boundaries [J], [4]
 // largest overlap over grain radius, [5] contacts. f_ID[i][1..6]: mean force [N] and mean moment about Bo [N m], both in
 // W, of the last window ON the i-th body that the `mesh` pairs name; then on the bodies that only have beams, in the
-// order of their fixes.
+// order of their fixes. f_ID[i][7..]: mean modal forces Q_a [J per unit of a] of a flexible body.
 
 #include <memory>
 #include <string>

@@ -84,4 +84,12 @@ std::vector<std::string> CoupledBodies::untouched_warnings() const {
   return warnings;
 }
 
+int CoupledBodies::most_modes() const {
+  int most = 0;
+  for (const CoupledBody& body : geometry_.bodies)
+    if (std::find(names_.begin(), names_.end(), body.boundary.name()) != names_.end())
+      most = std::max(most, body.boundary.mode_count());
+  return most;
+}
+
 }  // namespace footfall

@@ -37,6 +37,7 @@ class CoupledBodies {
   int count() const { return static_cast<int>(names_.size()); }
   const std::string& name(int body) const { return names_[static_cast<std::size_t>(body)]; }
   const std::vector<std::string>& names() const { return names_; }
+  int most_modes() const;                                            // of a coupled body; 0 before the handshake
   bool greeted() const { return greeted_; }                          // the handshake is done
   std::vector<CoupledBody>& of_scene() { return geometry_.bodies; }  // all that grains may touch
 

@@ -121,6 +121,7 @@ struct OutputSpec {
   std::vector<std::string> bodies;   // whose motion is recorded; empty: all
   bool joints = true;                // coordinates of joints and their rates are recorded
   bool reactions = false;            // forces and moments of joints are recorded
+  bool modal_forces = false;         // mean loads of grains on the modes of flexible bodies are recorded
   bool attitudes = true;             // angular velocities and quaternions of bodies are recorded
   bool vtk = true;                   // deformed geometry, one file per frame
   double vtk_interval = 0.0;         // [s]; 0: a hundredth of the scene's time

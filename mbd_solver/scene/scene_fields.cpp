@@ -525,7 +525,8 @@ static void visit_fields(FieldVisitor& v, OutputSpec& o) {
   v.field("", &o.source, {});
   v.field("interval", &o.interval, positive(Unit::kTime));
   v.field("bodies", &o.bodies, name);
-  v.fields(plain, {{"joints", &o.joints}, {"reactions", &o.reactions}, {"attitudes", &o.attitudes}, {"vtk", &o.vtk}});
+  v.fields(plain, {{"joints", &o.joints}, {"reactions", &o.reactions}, {"modal_forces", &o.modal_forces}});
+  v.fields(plain, {{"attitudes", &o.attitudes}, {"vtk", &o.vtk}});
   v.field("vtk_interval", &o.vtk_interval, not_negative(Unit::kTime));
   v.field("plots", &o.plots, plain);
   v.field("checkpoint_interval", &o.checkpoint_interval, not_negative(Unit::kTime));

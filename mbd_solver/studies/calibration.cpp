@@ -54,7 +54,7 @@ static void visit_fields(FieldVisitor& v, CalibrationLimits& l) {
 
 static void visit_fields(FieldVisitor& v, TargetSpec& t) {
   v.fields(rule::plain, {{"", &t.source}, {"name", &t.name}, {"figure", &t.metric}, {"scene", &t.scene}});
-  v.fields(rule::plain, {{"against", &t.against}, {"value", &t.value}, {"least", &t.least}, {"most", &t.most}});
+  v.fields(rule::plain, {{"against", &t.against}, {"difference", &t.difference}, {"value", &t.value}, {"least", &t.least}, {"most", &t.most}});
   v.fields(rule::plain, {{"column", &t.column}, {"over", &t.over}, {"file", &t.file}, {"source", &t.origin}});
   v.fields(rule::required(rule::positive()), {{"tolerance", &t.tolerance}});
   v.fields(rule::not_negative(), {{"weight", &t.weight}});

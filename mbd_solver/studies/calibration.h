@@ -89,6 +89,7 @@ struct CalibrationLimits {
 struct TargetSpec {
   std::string name, metric, scene, origin;
   std::string against;          // the metric over that of this scene; empty: the metric itself
+  bool difference = false;      // the metric minus that of `against`, not over it
   std::optional<double> value;  // required value; otherwise the bounds of a band:
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
   std::string column, over = "time", file;  // a column over another one, against a CSV file of x and y

@@ -125,8 +125,9 @@ TargetResult result_of(const CalibrationSpec& spec, std::size_t target,
     for (const RunNumbers& run : runs[static_cast<std::size_t>(index_of(spec.scenes, t.against))])
       others.push_back(run.metrics[k]);
     if (others.size() != values.size()) return failure(spec);
-    for (std::size_t s = 0; s < values.size(); ++s) values[s] /= others[s];
-    y /= sampled_metric(others).mean;
+    const auto compared = [&](double a, double b) { return t.difference ? a - b : a / b; };
+    for (std::size_t s = 0; s < values.size(); ++s) values[s] = compared(values[s], others[s]);
+    y = compared(y, sampled_metric(others).mean);
   }
   if (!std::isfinite(y)) return failure(spec);
   for (const double value : values) result.of_seed.push_back({value});

@@ -5,7 +5,7 @@
 //   r   = (y - value) / tolerance, of a band (y - most)+ / tolerance - (least - y)+ / tolerance; in Phi limited to
 //         +-CalibrationSpec::cap, if there is one
 //
-// y is the mean over the seeds, or the ratio of two means (TargetSpec::against).
+// y is the mean over the seeds, or the ratio or difference of two means (TargetSpec::against).
 
 #include <map>
 #include <optional>

@@ -52,6 +52,7 @@ double reduced(const MetricSpec& metric, const std::vector<double>& x) {
     case Reduction::kFinal: return x.back();
     case Reduction::kLargest: return std::abs(*std::max_element(x.begin(), x.end(), smaller_size));
     case Reduction::kDrop: return x.front() - *std::min_element(x.begin(), x.end());
+    case Reduction::kLoss: return (x.front() - x.back()) / x.front();
     case Reduction::kPeaks: return count_peaks(x, metric.prominence * *std::max_element(x.begin(), x.end()));
     case Reduction::kVariation: return variation(x);
     case Reduction::kSteady: return steady(x);

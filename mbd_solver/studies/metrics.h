@@ -13,7 +13,7 @@
 
 namespace footfall {
 
-enum class Reduction { kMax, kMin, kFinal, kLargest, kDrop, kPeaks, kVariation, kSteady };
+enum class Reduction { kMax, kMin, kFinal, kLargest, kDrop, kLoss, kPeaks, kVariation, kSteady };
 
 constexpr std::string_view name_of(Reduction reduction) {
   switch (reduction) {
@@ -22,6 +22,7 @@ constexpr std::string_view name_of(Reduction reduction) {
     case Reduction::kFinal: return "final";
     case Reduction::kLargest: return "largest";      // of the absolute values
     case Reduction::kDrop: return "drop";            // first value minus the least
+    case Reduction::kLoss: return "loss";            // first value minus the last, over the first
     case Reduction::kPeaks: return "peaks";          // maxima with a prominence of `prominence` times the largest value
     case Reduction::kVariation: return "variation";  // sum of |x_i+1 - x_i|
     case Reduction::kSteady: return "steady";        // mean of the last 40 % of the rows, as in rigs

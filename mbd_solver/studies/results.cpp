@@ -138,7 +138,7 @@ std::vector<CheckResult> check_results_of(const SweepSpec& spec, const std::vect
       if (s.error && c.is_of(curve)) o.value = c.metrics[k].error;
     }
     if (!s.order.empty()) o.value = order_of(cases, curve, k);
-    o.judged = s.against.empty() ? o.value : o.value / o.reference;
+    o.judged = s.against.empty() ? o.value : s.difference ? o.value - o.reference : o.value / o.reference;
     o.reproduced = o.judged >= s.least && o.judged <= s.most;
     check_results.push_back(o);
   }

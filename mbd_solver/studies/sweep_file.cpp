@@ -82,7 +82,7 @@ static void visit_fields(FieldVisitor& v, CheckSpec& s) {
   v.fields(rule::plain,
            {{"", &s.source}, {"text", &s.text}, {"why", &s.why}, {"case", &s.of_case}, {"against", &s.against}});
   v.fields(rule::required(), {{"figure", &s.metric}});
-  v.fields(rule::plain, {{"least", &s.least}, {"most", &s.most}});
+  v.fields(rule::plain, {{"difference", &s.difference}, {"least", &s.least}, {"most", &s.most}});
   v.fields(rule::plain, {{"curve", &s.curve}, {"order", &s.order}, {"error", &s.error}});
 }
 

@@ -88,7 +88,8 @@ struct PublishedSpec {
 // [[statements]] and [[expect]]: bounds of a metric of a case; with `order` or `error`, of a curve.
 struct CheckSpec {
   std::string text, metric, why;  // why: explanation, shown where the check is not reproduced
-  std::string of_case, against;   // against: case that the metric is divided by; empty: none
+  std::string of_case, against;   // against: case that the metric is compared with; empty: none
+  bool difference = false;        // bounds of the difference to `against`, not of the ratio
   std::string curve;
   std::vector<double> order;    // bounds of the slope of the error over x: empty, or two
   std::optional<double> error;  // bound of the error at the last value [-]

@@ -145,7 +145,9 @@ std::string check_page(const SweepSpec& spec, const std::vector<CheckResult>& re
     const CheckSpec& s = spec.checks[i];
     const CheckResult& o = results_of_checks[i];
     std::string numbers = s.metric + ": " + about(s) + " " + rounded(o.value);
-    if (!s.against.empty()) numbers += ", " + s.against + " " + rounded(o.reference) + ", ratio " + rounded(o.judged);
+    if (!s.against.empty())
+      numbers += ", " + s.against + " " + rounded(o.reference) + (s.difference ? ", difference " : ", ratio ") +
+                 rounded(o.judged);
     std::vector<std::string> bounds;
     if (std::isfinite(s.least)) bounds.push_back("at least " + rounded(s.least));
     if (std::isfinite(s.most)) bounds.push_back("at most " + rounded(s.most));

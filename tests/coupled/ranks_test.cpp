@@ -124,6 +124,31 @@ TEST(Pads, TouchTheCarpetAllTheWayAndAcrossReneighbouring) {
   EXPECT_GT(std::stoi(log.substr(at + 23)), 20);
 }
 
+// f_ID[i][7] is the mean modal force that the partner receives; bodies without a second mode have 0 there.
+TEST(Pads, ShowTheirMeanModalForces) {
+  const RunFolder folder("ranks_modal_forces");
+  write_stl((folder.path() / "pad.stl").string(), box({0.12, 0.12, 0.02}, 2));
+  std::string script = pads_script("1 1 1");
+  script.replace(script.find("thermo_style"), 0,
+                 "variable q equal f_mbd[1][7]\nfix q all print 20 \"${q}\" file q.txt screen no title none\n");
+  script.erase(script.find("dump mesh"));
+  folder.write("in", script);
+  const Outcome outcome = folder.coupled(1, "-in in -log log", pads_partner("modal 0.5 0 0 bowl -0.6"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
+  const Table table(folder.path() / "table.csv");
+  std::istringstream printed(folder.read("q.txt"));
+  std::vector<double> q;
+  for (double value = 0.0; printed >> value;) q.push_back(value);
+  ASSERT_EQ(q.size(), 100u);
+  double largest = 0.0;
+  for (std::size_t window = 0; window < q.size(); ++window) {
+    const double received = table["q"][4 * window];
+    largest = std::max(largest, std::abs(received));
+    EXPECT_NEAR(q[window], received, 1e-12 * std::abs(received)) << window;  // digits of the text
+  }
+  EXPECT_GT(largest, 1e-6);
+}
+
 class MeshPlace : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Processors, MeshPlace, testing::Values("1 1 1", "2 1 1", "4 1 1"));
 

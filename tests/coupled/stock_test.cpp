@@ -209,6 +209,34 @@ TEST_P(OnRanks, APlateInRotationGivesMoveMeshToRoundOff) {
   EXPECT_GT(std::stod(lines.back()[4]), 10.0);  // it does press on grains [N]
 }
 
+// LIGGGHTS' cdt, on grains of radius r that overlap by d: mu_r F r*, F = 4/3 E* sqrt(r*) d^1.5, without the damping of the normal force.
+// r* = r_i r_j / (r_i + r_j) is r/2 between equal grains, half of [Lin25 23], and r at a wall.
+TEST(RollingResistance, IsHalfOfThePublishedTorqueBetweenEqualGrainsAndTheWholeAtWalls) {
+  const RunFolder folder("stock_rolling");
+  folder.write("in", script_head("-0.3 0.3 -0.3 0.3 -0.05 0.6") +
+                         "fix m4 all property/global coefficientFriction peratomtypepair 2 0 0 0 0\n"
+                         "fix floor all wall/gran model hertz tangential history rolling_friction cdt primitive type 2 "
+                         "zplane 0.0\n"
+                         "create_atoms 1 single 0 0 0.2 units box\ncreate_atoms 1 single 0.0399 0 0.2 units box\n"
+                         "create_atoms 1 single 0.2 0 0.0199 units box\n"
+                         "set group all diameter 0.04 density 2600\nset atom 1 omegay 1.0 vx 0.05\nset atom 3 omegay 1.0\n"
+                         "fix integr all nve/sphere\ndump d all custom 1 dump id tqx tqy tqz fx fz\n"
+                         "dump_modify d sort id format \"%d %.17g %.17g %.17g %.17g %.17g\"\nrun 0\n");
+  const Outcome outcome = folder.alone(kStock, 1, "-in in");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
+  const Rows grains = read_dump(folder.read("dump"));
+  ASSERT_EQ(grains.size(), 3u);
+  const double r = 0.02, overlap = 1e-4;
+  const double soil = 35e6 / (1.0 - 0.25 * 0.25), steel = 207e9 / (1.0 - 0.1 * 0.1);
+  const double on_grain = 4.0 / 3.0 * soil / 2.0 * std::sqrt(r / 2.0) * std::pow(overlap, 1.5);
+  const double on_wall = 4.0 / 3.0 / (1.0 / soil + 1.0 / steel) * std::sqrt(r) * std::pow(overlap, 1.5);
+  EXPECT_GT(std::abs(grains[0][4]), 1.05 * on_grain) << "the normal force is damped";
+  const double round_off = 1e-9;  // of the overlap, a difference of places of 0.2 m
+  EXPECT_NEAR(grains[0][2], -0.2 * on_grain * r / 2.0, round_off * on_grain * r);
+  EXPECT_NEAR(grains[1][2], 0.2 * on_grain * r / 2.0, round_off * on_grain * r);
+  EXPECT_NEAR(grains[2][2], -0.1 * on_wall * r, round_off * on_wall * r);
+}
+
 TEST(Launcher, ScreenNoneWorksWithAMesh) {
   const RunFolder folder("stock_screen_none");
   write_stl((folder.path() / "plate.stl").string(), box(kPlate, 3));

@@ -32,6 +32,9 @@ constexpr Entry<GeneralizedForce> kContact[] = {
     {"<body>.contact.my", "N m", [](const GeneralizedForce& Q) { return Q.T_W.y(); }},
     {"<body>.contact.mz", "N m", [](const GeneralizedForce& Q) { return Q.T_W.z(); }}};
 
+// On mode <k> of a flexible body, counted from 1.
+constexpr Entry<double> kModalForce[] = {{"<body>.contact.mode_<k>", "J", itself}};
+
 constexpr Entry<CoordinateValue> kAngle[] = {
     {"<joint>.angle", "rad", [](const CoordinateValue& q) { return q.value; }},
     {"<joint>.angle_rate", "rad/s", [](const CoordinateValue& q) { return q.rate; }}};
@@ -95,7 +98,7 @@ constexpr Entry<double> kOmegaH[] = {{"coupling.omega_h.<body>", "-", itself}};
 
 template <class Visit>
 void for_each_table(Visit visit) {
-  visit(kTime), visit(kBodyEntries), visit(kAttitudeEntries), visit(kFlexible), visit(kContact), visit(kAngle),
+  visit(kTime), visit(kBodyEntries), visit(kAttitudeEntries), visit(kFlexible), visit(kContact), visit(kModalForce), visit(kAngle),
       visit(kDisplacement), visit(kDisplacementX), visit(kDisplacementY), visit(kReaction), visit(kDriveTorque),
       visit(kDriveForce), visit(kDrivePower), visit(kGearTorque), visit(kGearForce), visit(kStrut),
       visit(kControllerOutput), visit(kSignal), visit(kState), visit(kStateSince), visit(kStored), visit(kEnergyTotal);
@@ -211,11 +214,15 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
           Column::Reads::kFlexible);
   }
   if (subject.scene.ground.kind != GroundKind::kNone || !mechanism.planes.empty() || !mechanism.contacts.empty())
-    for (const BodyBoundary& entry : mechanism.boundaries)
+    for (const BodyBoundary& entry : mechanism.boundaries) {
+      const auto i = static_cast<std::size_t>(entry.body);
       out.add(kContact, {entry.boundary.name()},
-              [i = static_cast<std::size_t>(entry.body)](const Sample& s) -> const GeneralizedForce& {
-                return s.contact[i];
-              });
+              [i](const Sample& s) -> const GeneralizedForce& { return s.contact[i]; });
+      if (!subject.scene.output.modal_forces) continue;
+      for (int k = 0; k < mechanism.model.body(entry.body).mode_count(); ++k)
+        out.add(kModalForce, {entry.boundary.name(), std::to_string(k + 1)},
+                [i, k](const Sample& s) { return s.contact[i].Q_a[k]; });
+    }
   add_joints(subject, joints, out);
   for (const StrutEntry& strut : mechanism.struts)
     out.add(kStrut, {strut.name}, [subject, force = strut.force](const Sample& s) {

@@ -15,7 +15,12 @@ Sampler::Sampler(const Subject& subject, Equations& equations, const State& stat
       y_(Eigen::VectorXd::Zero(subject.layout.size())),
       sample_{state, inputs, values_, rates, kinematics_, energy_, contact_} {
   const Model& model = subject.mechanism.model;
-  for (int i = 0; i < model.body_count(); ++i) contact_.emplace_back(model.body(i).mode_count());
+  double mass = 0.0;
+  for (int i = 0; i < model.body_count(); ++i) {
+    contact_.emplace_back(model.body(i).mode_count());
+    mass += model.body(i).mass();
+  }
+  ground_potential_ = mass * subject.scene.gravity.norm() * subject.mechanism.placement.ground_height;
 }
 
 void Sampler::update(long window, bool last, const CouplingSample* coupling) {
@@ -26,6 +31,7 @@ void Sampler::update(long window, bool last, const CouplingSample* coupling) {
   equations_.pack(state, rates.tail(layout.row_count), y_);
   equations_.signals(state, sample_.inputs, values_);
   equations_.energy(state.time, y_, sample_.inputs, energy_);
+  energy_.stored[Stored::kGravity] -= ground_potential_;
   update_contact();
   sample_.window = window;
   sample_.last = last;
@@ -37,6 +43,7 @@ void Sampler::update_contact() {
   for (std::size_t i = 0; i < loads.size(); ++i) {
     contact_[i].F_W = loads[i].F_W;
     contact_[i].T_W = kinematics_.of(static_cast<int>(i)).A * loads[i].T_B;
+    if (loads[i].Q_a.size() == contact_[i].Q_a.size()) contact_[i].Q_a = loads[i].Q_a;
   }
   const Mechanism& mechanism = subject_.mechanism;
   const auto add = [&](int body, const Vector6d& wrench) {

@@ -62,7 +62,8 @@ class Sampler {
   Equations& equations_;
   Kinematics kinematics_;
   Eigen::VectorXd values_;
-  EnergySample energy_;
+  EnergySample energy_;            // with gravity's from the height of the ground (Placement::ground_height)
+  double ground_potential_ = 0.0;  // energy of the whole mass at that height [J]
   std::vector<GeneralizedForce> contact_;
   Eigen::VectorXd y_;  // [q; v; z; lambda]
   Sample sample_;      // views the members above

@@ -118,6 +118,8 @@ TEST_F(HistoryColumns, OfASceneWithEverythingAreTheWholeRegistry) {
   }
   for (const Column& column : columns) seen[column.pattern] = column.unit;
   for (const Column& column : columns_of_more_joints()) seen[column.pattern] = column.unit;
+  bench.scene.output.modal_forces = true;
+  for (const Column& column : history_columns(bench.subject(), flexible, joints)) seen[column.pattern] = column.unit;
   EXPECT_EQ(registry, seen);
 }
 
@@ -303,6 +305,34 @@ TEST_F(HistoryColumns, TotalEnergyIsTheSumOfItsParts) {
     sum += value(std::string("energy.") + part);
   EXPECT_DOUBLE_EQ(value("energy.total"), sum);
   EXPECT_GT(value("energy.kinetic"), 0.5 * 10.0);  // of the cabin alone at 1 m/s
+}
+
+// Landings on grounds of different heights start with the same energy: sum of m g (z - height of the ground).
+TEST(GravityEnergy, CountsFromTheHeightOfTheGround) {
+  const auto gravity_energy = [](const std::string& height) {
+    Bench bench(kSmallMachine, {"ground.plane.point=[0,0," + height + "]"});
+    double by_hand = 0.0;
+    for (int i = 0; i < bench.mechanism.model.body_count(); ++i)
+      by_hand += 1.62 * bench.mechanism.model.body(i).mass() * (bench.take().kinematics.of(i).r.z() - std::stod(height));
+    EXPECT_NEAR(bench.take().energy.stored[Stored::kGravity], by_hand, 1e-12 * by_hand);  // round-off
+    return bench.take().energy.stored[Stored::kGravity] - by_hand;
+  };
+  gravity_energy("0");
+  gravity_energy("-0.82");
+}
+
+// On request each mode of a flexible body shows the mean load of the grains.
+class ModalForceColumns : public HistoryColumns {
+ protected:
+  ModalForceColumns() : HistoryColumns({"output.modal_forces=true"}) {}
+};
+TEST_F(ModalForceColumns, ShowTheLoadOfEachMode) {
+  EXPECT_EQ(value("leg.contact.mode_2"), 0.0);
+  bench.inputs.loads.resize(bench.scene.bodies.size());
+  bench.inputs.loads[1].Q_a = Eigen::Vector3d(1.0, -2.0, 3.0);
+  EXPECT_EQ(value("leg.contact.mode_1"), 1.0);
+  EXPECT_EQ(value("leg.contact.mode_2"), -2.0);
+  EXPECT_EQ(value("leg.contact.mode_3"), 3.0);
 }
 
 // A leg pushed into the plane is pushed out.

@@ -140,6 +140,13 @@ class MisfitOfRuns : public ::testing::Test {
   CalibrationSpec spec;
 };
 
+TEST_F(MisfitOfRuns, TakesADifferenceOfMeans) {
+  spec.targets[0].difference = true;
+  const TargetResult r = result_of(spec, 0, {{run(2), run(4)}, {run(1), run(1)}});
+  EXPECT_DOUBLE_EQ(r.values.front(), 2.0);
+  EXPECT_DOUBLE_EQ(r.residuals.front(), 0.0);
+}
+
 TEST_F(MisfitOfRuns, TakesARatioOfMeans) {
   const TargetResult r = result_of(spec, 0, {{run(2), run(4)}, {run(1), run(1)}});
   EXPECT_DOUBLE_EQ(r.values.front(), 3.0);

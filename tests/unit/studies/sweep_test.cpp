@@ -456,6 +456,20 @@ TEST(FiguresOfRun, ReduceEveryColumnAndTakeTheExtremeOrTheMean) {
   std::filesystem::remove_all(folder);
 }
 
+// (first - last) / first.
+TEST(FiguresOfRun, LossIsTheShareOfTheFirstValueThatIsGone) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("footfall_loss_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "summary.json") << "{}";
+  std::ofstream(folder / "history.csv") << "# units: s,J\ntime,E\n0,8\n1,1\n2,2\n";
+  MetricSpec figure;
+  figure.columns = {"E"};
+  figure.reduction = Reduction::kLoss;
+  EXPECT_THAT(metrics_of_run({figure}, folder.string(), "file.toml"), ::testing::ElementsAre(0.75));
+  std::filesystem::remove_all(folder);
+}
+
 // The last four of ten rows: (1 + 3 + 2 + 6) / 4.
 TEST(FiguresOfRun, SteadyIsTheMeanOfTheLastRows) {
   const std::filesystem::path folder =
@@ -620,6 +634,8 @@ TEST_F(ResultsTest, AStatementIsAboutACaseOrItsRatioToAnother) {
   statement.against = "speed 1";
   EXPECT_DOUBLE_EQ(outcomes(statement)[0].judged, 2.0);
   EXPECT_FALSE(outcomes(statement)[0].reproduced);
+  statement.difference = true;
+  EXPECT_DOUBLE_EQ(outcomes(statement)[0].judged, outcomes(statement)[0].value - outcomes(statement)[0].reference);
 }
 
 TEST_F(ResultsTest, AStatementWithoutItsRunsIsNotJudged) {
