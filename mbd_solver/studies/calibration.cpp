@@ -8,6 +8,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/named_file.h"
 #include "mbd_solver/model/control/signal_chain.h"
 #include "mbd_solver/scene/codes.h"
@@ -42,7 +43,8 @@ static void visit_fields(FieldVisitor& v, SeedsSpec& s) {
 static void visit_fields(FieldVisitor& v, StageSpec& s) {
   v.fields(rule::plain, {{"", &s.source}});
   v.choice("method", s.method, rule::required());
-  v.fields(rule::required(rule::positive()), {{"evaluations", &s.evaluations}});
+  v.fields(rule::positive(), {{"evaluations", &s.evaluations}});
+  v.fields(rule::plain, {{"file", &s.file}});
   v.fields(rule::not_negative(), {{"seed", &s.seed}, {"until", &s.until}});
   v.fields(rule::positive(), {{"precision", &s.precision}});
   v.fields(kWords, {{"settings", &s.settings}});
@@ -126,6 +128,7 @@ class CalibrationChecker {
     if (spec_.seeds) check(*spec_.seeds);
     for (const MetricSpec& f : spec_.metrics) check(f);
     for (TargetSpec& t : spec_.targets) check(t);
+    for (StageSpec& stage : spec_.stages) check(stage);
     unique(names_in(spec_.targets), "targets");
     findings_.throw_if_errors();
   }
@@ -236,6 +239,54 @@ class CalibrationChecker {
       wrong(code::kOutOfRange, s.source, "search",
             "is " + std::to_string(s.search) + ", expected at most the number of values, " +
                 std::to_string(s.values.size()));
+  }
+
+  void check(StageSpec& stage) {
+    if (stage.method != SearchMethod::kListed) {
+      if (!stage.file.empty()) wrong(code::kConflictingKeys, stage.source, "file", "is of method = \"listed\" only");
+      if (stage.evaluations <= 0)
+        wrong(code::kMissingKey, stage.source, "evaluations", "is missing, expected the largest number of sets");
+      return;
+    }
+    if (stage.file.empty()) {
+      wrong(code::kMissingKey, stage.source, "file", "is missing, expected a CSV file with a column per parameter");
+      return;
+    }
+    stage.file = (fs::path(spec_.folder) / stage.file).lexically_normal().string();
+    try {
+      stage.sets = listed_sets(stage.file);
+      if (stage.evaluations <= 0) stage.evaluations = static_cast<int>(stage.sets.size());
+    } catch (const std::exception& e) {
+      wrong(stage.source, "file", e);
+    }
+  }
+
+  std::vector<UnitPoint> listed_sets(const std::string& file) {
+    CsvReader csv(file, "a table of sets, a column per parameter");
+    std::vector<std::size_t> columns;  // of the parameters
+    std::vector<UnitPoint> sets;
+    while (csv.next()) {
+      if (columns.empty()) {
+        for (const CalibrationParameter& p : spec_.parameters) {
+          const auto found = std::find(csv.cells().begin(), csv.cells().end(), p.name);
+          if (found == csv.cells().end()) csv.fail(code::kMissingKey, "has no column \"" + p.name + "\"");
+          columns.push_back(static_cast<std::size_t>(found - csv.cells().begin()));
+        }
+        continue;
+      }
+      UnitPoint set;
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        const CalibrationParameter& p = spec_.parameters[i];
+        const double value = csv.number(columns[i]);
+        if (value < p.least || value > p.most)
+          csv.fail(code::kOutOfRange, p.name + " is " + number_text(value) + ", expected " + number_text(p.least) + " to " +
+                                          number_text(p.most));
+        set.push_back(p.position(value));
+      }
+      sets.push_back(set);
+    }
+    if (sets.empty()) csv.fail(code::kEmptyEntry, "has no sets");
+    return sets;
   }
 
   void check(const MetricSpec& f) {

@@ -22,9 +22,10 @@ constexpr std::string_view name_of(RangeScale scale) {
   return "";
 }
 
-enum class SearchMethod { kDirect, kSbplx, kGaussNewton, kSurrogate };
+enum class SearchMethod { kListed, kDirect, kSbplx, kGaussNewton, kSurrogate };
 constexpr std::string_view name_of(SearchMethod method) {
   switch (method) {
+    case SearchMethod::kListed: return "listed";  // the sets of a file, one after another
     case SearchMethod::kDirect: return "direct";  // DIRECT-L of NLopt: divides the range; global
     case SearchMethod::kSbplx: return "sbplx";    // of NLopt: simplices in subspaces; local, for noise and kinks
     case SearchMethod::kGaussNewton: return "gauss_newton";  // least squares from differences; local (search.h)
@@ -73,6 +74,8 @@ struct StageSpec {
   SearchMethod method = SearchMethod::kDirect;
   int evaluations = 0;                // sets of parameters, at most
   int seed = 1;                       // of kSurrogate
+  std::string file;                   // of kListed: CSV, a column per parameter with its name in the first line
+  std::vector<UnitPoint> sets;        // from that file
   double precision = 1e-4;            // ends a local search: change of all parameters, over their ranges [-]
   std::vector<std::string> settings;  // of cheaper runs
   double until = 0.0;                 // [s]; 0: unchanged

@@ -73,6 +73,14 @@ double objective(const UnitPoint& set, UnitPoint&, void* search_state) {
 SearchPath search_path(const StageSpec& stage, const UnitPoint& start, const SearchQueries& queries,
                        std::size_t most_requested) {
   NloptSearch search_state(queries, stage.evaluations, std::max<std::size_t>(1, most_requested));
+  if (stage.method == SearchMethod::kListed) {
+    try {
+      for (const UnitPoint& set : stage.sets) search_state.misfit(set);
+      search_state.path.end = "all sets of the file done";
+    } catch (const nlopt::forced_stop&) {
+    }
+    return search_state.path;
+  }
   nlopt::opt search(stage.method == SearchMethod::kDirect ? nlopt::GN_DIRECT_L : nlopt::LN_SBPLX,
                     static_cast<unsigned>(start.size()));
   search.set_lower_bounds(0.0);

@@ -29,6 +29,7 @@ struct SearchQueries {
 
 // A search by NLopt. `most_requested`: number of sets requested at once. `start`: first set of a local search. Throws
 // InputError when NLopt refuses.
+// Of a local or global search; of method listed its sets in order.
 SearchPath search_path(const StageSpec& stage, const UnitPoint& start, const SearchQueries& queries,
                        std::size_t most_requested);
 

@@ -390,6 +390,25 @@ SearchPath surrogate_way(const SurrogateQueries& questions, int evaluations) {
   return search.go();
 }
 
+TEST(ListedSets, AreSearchedInTheirOrderUpToTheFirstUnknown) {
+  StageSpec stage = stage_of(SearchMethod::kListed, 3);
+  stage.sets = {{0.1, 0.2}, {0.9, 0.9}, {0.5, 0.5}};
+  SearchQueries queries;
+  queries.may_continue = [](const UnitPoint&) { return true; };
+  queries.misfit = [](const UnitPoint& u) -> std::optional<double> { return u[0] + u[1]; };
+  const SearchPath all = search_path(stage, {0.0, 0.0}, queries, 1);
+  EXPECT_EQ(all.sets, stage.sets);
+  EXPECT_EQ(all.best, stage.sets[0]);
+  EXPECT_TRUE(all.requested.empty());
+  queries.misfit = [&](const UnitPoint& u) -> std::optional<double> {
+    if (u == stage.sets[1]) return {};
+    return u[0] + u[1];
+  };
+  const SearchPath first = search_path(stage, {0.0, 0.0}, queries, 1);
+  EXPECT_EQ(first.sets, (std::vector<UnitPoint>{stage.sets[0]}));
+  EXPECT_EQ(first.requested, (std::vector<UnitPoint>{stage.sets[1]}));
+}
+
 TEST(SurrogateSearch, IsBetterThanSimplicesInAsManySets) {
   const SearchPath way = surrogate_way(questions_of(nullptr), 40);
   SearchQueries blind;
