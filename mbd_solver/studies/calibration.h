@@ -22,6 +22,9 @@ constexpr std::string_view name_of(RangeScale scale) {
   return "";
 }
 
+// A set of parameters as positions in their ranges, 0 to 1.
+using UnitPoint = std::vector<double>;
+
 enum class SearchMethod { kListed, kDirect, kSbplx, kGaussNewton, kSurrogate };
 constexpr std::string_view name_of(SearchMethod method) {
   switch (method) {
@@ -142,8 +145,6 @@ CalibrationSpec read_calibration(const std::string& file);
 // JSON schema (draft 2020-12) of these files.
 std::string calibration_schema();
 
-// A set of parameters as positions in their ranges, 0 to 1.
-using UnitPoint = std::vector<double>;
 UnitPoint start_of(const CalibrationSpec& spec);
 double distance(const UnitPoint& a, const UnitPoint& b);  // Euclidean
 

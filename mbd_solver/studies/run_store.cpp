@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -101,9 +102,27 @@ std::string recipe_of(const Scene& scene, double until) {
   return text.str();
 }
 
+namespace {
+
+// False, 0, "" and empty lists are left out, so that a key that a later version adds with such a default changes no recipe.
+void leave_out_empty(Json& json) {
+  const auto empty = [](const Json& value) {
+    return value.is_null() || value == false || (value.is_number() && value == 0.0) ||
+           (value.is_string() && value.get_ref<const std::string&>().empty()) ||
+           (value.is_structured() && value.empty());
+  };
+  if (!json.is_structured()) return;
+  for (auto& value : json) leave_out_empty(value);
+  if (!json.is_object()) return;  // places in a list count
+  for (auto at = json.begin(); at != json.end();) at = empty(*at) ? json.erase(at) : std::next(at);
+}
+
+}  // namespace
+
 std::string portable_recipe_of(const Scene& scene, double until) {
   std::ostringstream files;
   Json values = Json::parse(scene_json(scene));
+  leave_out_empty(values);
   add_files(values, fs::absolute(scene.file).parent_path(), files);
   std::ostringstream text;
   text << "until " << until << '\n' << values.dump() << '\n' << files.str();
