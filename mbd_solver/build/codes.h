@@ -25,5 +25,7 @@ inline constexpr MessageCode kNoGroundHeight{"E0268", "no-ground-height"};
 inline constexpr MessageCode kModelInertia{"E0269", "model-inertia"};
 // A tabulated controller differs from the exact one by this much. Use a finer grid if it matters.
 inline constexpr MessageCode kTableDifference{"W0260", "table-difference"};
+// A signal varies in time faster than its corners can be found, and steps may pass over parts of it. Shorten the run.
+inline constexpr MessageCode kVariesTooFast{"W0261", "varies-too-fast"};
 
 }  // namespace footfall::code

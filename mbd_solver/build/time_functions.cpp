@@ -31,4 +31,22 @@ TimeFunctionPtr time_function(const std::optional<TimeFunctionSpec>& spec, Table
   return spec ? time_function(*spec, shape) : nullptr;
 }
 
+std::vector<TimeFunctionPtr> time_functions(const Scene& scene) {
+  std::vector<TimeFunctionPtr> functions;
+  const auto add = [&](const std::optional<TimeFunctionSpec>& spec, TableShape shape) {
+    if (spec) functions.push_back(time_function(*spec, shape));
+  };
+  for (const JointSpec& joint : scene.joints) {
+    if (!joint.motion) continue;
+    for (const auto* f : {&joint.motion->x, &joint.motion->y, &joint.motion->z, &joint.motion->rotation})
+      add(*f, TableShape::kSpline);
+  }
+  for (const DriveSpec& drive : scene.drives) add(drive.command, command_shape(drive.motor.kind));
+  for (const ForceSpec& force : scene.forces) {
+    add(force.force, TableShape::kLines);
+    add(force.torque, TableShape::kLines);
+  }
+  return functions;
+}
+
 }  // namespace footfall

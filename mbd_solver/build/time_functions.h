@@ -6,7 +6,7 @@
 
 #include "mbd_solver/model/laws/motor.h"
 #include "mbd_solver/model/laws/time_function.h"
-#include "mbd_solver/scene/joint_spec.h"
+#include "mbd_solver/scene/scene.h"
 
 namespace footfall {
 
@@ -20,5 +20,8 @@ TableShape command_shape(MotorKind kind);
 TimeFunctionPtr time_function(const TimeFunctionSpec& spec, TableShape shape);
 // Null where none is given.
 TimeFunctionPtr time_function(const std::optional<TimeFunctionSpec>& spec, TableShape shape);
+
+// All that a scene gives, without their signals: prescribed motions, commands of drives, forces and torques.
+std::vector<TimeFunctionPtr> time_functions(const Scene& scene);
 
 }  // namespace footfall

@@ -34,6 +34,7 @@
 namespace footfall {
 
 struct Ida::Sundials {
+  class View;
   Sundials(Equations& equations, const IntegratorOptions& options);
   ~Sundials();
 
@@ -102,6 +103,30 @@ struct Ida::Sundials {
   std::string reason;
   long counted[5] = {0, 0, 0, 0, 0};  // steps, residuals, factorizations, rejected, failures: since the last restart
   long jacobians = 0;
+};
+
+// Between the ends of the last step of IDA, by its own interpolation.
+class Ida::Sundials::View : public StepView {
+ public:
+  View(Sundials& ida, double begin, const State& end) : ida_(ida), begin_(begin), end_(end) {}
+  double begin() const override { return begin_; }
+  double end() const override { return end_.time; }
+  void at(double time, State& state, Eigen::VectorXd& derivative) override {
+    state = end_;
+    derivative = ida_.rates;
+    if (time >= end_.time) return;
+    ida_.check(IDAGetDky(ida_.memory, time, 0, ida_.scratch), "IDAGetDky");
+    ida_.check(IDAGetDky(ida_.memory, time, 1, ida_.scratch2), "IDAGetDky");
+    ida_.equations.unpack(view(ida_.scratch), state);
+    state.time = time;
+    derivative = view(ida_.scratch2);
+    derivative.tail(ida_.equations.layout().row_count) = view(ida_.scratch).tail(ida_.equations.layout().row_count);
+  }
+
+ private:
+  Sundials& ida_;
+  double begin_;  // [s]
+  const State& end_;
 };
 
 namespace {
@@ -274,6 +299,7 @@ bool Ida::Sundials::move_history(const State& state) {
 
 bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, State& state,
                          IntegratorStatistics& statistics) {
+  const double begin = t;
   double from = t;
   reason.clear();
   check(IDASolve(memory, t_end, &t, y, ydot, IDA_ONE_STEP), "IDASolve");
@@ -301,7 +327,9 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
   state.time = t;
   rates = view(ydot);
   rates.tail(equations.layout().row_count) = view(y).tail(equations.layout().row_count);
-  return true;
+  if (!rows.on_step) return true;
+  View step_view(*this, begin, state);
+  return rows.on_step(step_view);
 }
 
 // Root mean square over q, v and z.

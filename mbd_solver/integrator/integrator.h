@@ -43,6 +43,16 @@ struct IntegratorStatistics {
   void add(const IntegratorStatistics& before, const IntegratorStatistics& now);
 };
 
+// A step that has been made, with its continuous extension.
+class StepView {
+ public:
+  virtual ~StepView() = default;
+  virtual double begin() const = 0;  // [s]
+  virtual double end() const = 0;    // [s]
+  // The state in [begin, end], without projection, with the integrals of the step's end, and its rates [dq; dv; dz; lambda].
+  virtual void at(double time, State& state, Eigen::VectorXd& rates) = 0;
+};
+
 // States required within a window: output rows of a history, samples of a controller. They come from the continuous extension of
 // the steps (DenseWeights) and do not influence the steps.
 struct Rows {
@@ -50,6 +60,8 @@ struct Rows {
   // Receives the state, projected if the integrator projects, and its rates [dq; dv; dz; lambda]. False ends the window there: an
   // event changes the loads or inputs.
   std::function<bool(const State& state, const Eigen::VectorXd& rates)> on_row;
+  // After every step, and the rows in it. False ends the window with the step.
+  std::function<bool(StepView& step)> on_step;
 
   double after(double time) const { return next ? next(time) : std::numeric_limits<double>::infinity(); }
 };

@@ -39,6 +39,28 @@ constexpr int kMostCorrections = 4;
 
 }  // namespace
 
+class OneStep::View : public StepView {
+ public:
+  View(OneStep& steps, double h, const State& end) : steps_(steps), h_(h), end_(end) {}
+  double begin() const override { return steps_.start_.time; }
+  double end() const override { return end_.time; }
+  void at(double time, State& state, Eigen::VectorXd& rates) override {
+    if (time >= end_.time) {
+      state = end_;
+      rates = steps_.K_[steps_.last()];
+      return;
+    }
+    steps_.interpolate(time, h_);
+    state = steps_.row_;
+    rates = steps_.row_rates_;
+  }
+
+ private:
+  OneStep& steps_;
+  double h_;
+  const State& end_;
+};
+
 OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
     : equations_(equations),
       options_(options),
@@ -246,6 +268,12 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
     return false;
   }
 
+  bool continues = true;
+  if (rows.on_step) {
+    View view(*this, h, state);
+    continues = rows.on_step(view);
+  }
+
   predictor_.accept(*tableau_, h, K_);
   std::swap(energy_[0], energy_[last()]);
   error_before_ = error_;
@@ -261,7 +289,7 @@ bool OneStep::accept(double t, double h, double t_new, double t_end, const Input
     crossing_.finish_careful_step();
     renew_rates(inputs, state);
   }
-  return true;
+  return continues;
 }
 
 bool OneStep::finds_another_step(double h, double planned, const Inputs& inputs, State& state) {

@@ -52,6 +52,7 @@ class OneStep : public Integrator {
   bool accept(double t, double h, double t_new, double t_end, const Inputs& inputs, const Rows& rows, State& state);
   void start_clean(const Inputs& inputs, State& state);        // without drift, with new rates
   void renew_rates(const Inputs& inputs, const State& state);  // y_, K_[0] and energy_[0]
+  class View;                                                  // of the step that has been accepted
   void interpolate(double time, double h);                     // row_ and row_rates_, within the step h from start_
   // After a failed step: true if another step than a shorter one is to be tried.
   bool finds_another_step(double h, double planned, const Inputs& inputs, State& state);

@@ -27,6 +27,8 @@ inline constexpr MessageCode kWrongPrograms{"E0667", "wrong-programs"};
 inline constexpr MessageCode kSeveralRanks{"E0668", "several-ranks"};
 // The run has no valid checkpoint. Start it again; set output.checkpoint_interval for more frequent checkpoints.
 inline constexpr MessageCode kNoValidCheckpoint{"E0669", "no-valid-checkpoint"};
+// Events of two states follow each other faster than the motion changes. Give their conditions a hysteresis or a period.
+inline constexpr MessageCode kEventChatter{"E0670", "event-chatter"};
 
 // Two surfaces overlap at the start; collisions between them are not detected. Move them apart if this is not intended.
 inline constexpr MessageCode kOverlapAtStart{"W0660", "overlap-at-start"};

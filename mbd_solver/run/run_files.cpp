@@ -1,5 +1,5 @@
-// Rows and pictures are written at the first window end at or after each multiple of their interval; motion and momentum
-// in every window.
+// Rows are written at each multiple of their interval, pictures at the first window end at or after each of theirs, motion and
+// momentum in every window, peaks at the end.
 
 #include "mbd_solver/run/run_files.h"
 
@@ -27,6 +27,7 @@ RunFiles::RunFiles(const Simulation& simulation, const std::string& folder, Begi
     : folder_(created(folder) + "/"),
       observation_(simulation.subject()),
       history_(folder_ + "history.csv", observation_.names(), observation_.units(), beginning),
+      peaks_(observation_.names(), observation_.units()),
       pictures_(folder, "bodies"),
       row_clock_(simulation.scene().output.interval, 0.0),
       picture_clock_(picture_interval(simulation.scene()), 0.0) {
@@ -38,25 +39,47 @@ RunFiles::RunFiles(const Simulation& simulation, const std::string& folder, Begi
   if (drawing_ && drawing_->empty()) drawing_.reset();
 }
 
-// Not a mistake of the scene any more.
-void RunFiles::write(const Sample& sample) {
+namespace {
+
+// A file that cannot be written is no mistake of the scene any more.
+template <class Write>
+void as_file_error(const Write& write) {
   try {
-    write_due(sample);
+    write();
   } catch (const InputError& error) {
     throw FileError(error.what());
   }
 }
 
+}  // namespace
+
+void RunFiles::write(const Sample& sample) {
+  as_file_error([&] { write_due(sample); });
+}
+
+void RunFiles::write_row(const Sample& sample) {
+  as_file_error([&] { write_due_row(sample); });
+}
+
+void RunFiles::observe(const Sample& sample) { peaks_.see(observation_.row(sample)); }
+
+void RunFiles::write_due_row(const Sample& sample) {
+  const std::vector<double>& row = observation_.row(sample);
+  peaks_.see(row);
+  if (row_clock_.take_turn(sample.state.time) || sample.last) history_.write(row);
+}
+
 void RunFiles::write_due(const Sample& sample) {
-  const double time = sample.state.time;
-  if (row_clock_.take_turn(time) || sample.last) history_.write(observation_.row(sample));
+  write_due_row(sample);
   if (motion_) motion_->write(sample);
   if (audit_) audit_->write(sample);
-  if (drawing_ && picture_clock_.take_turn(time)) pictures_.write(time, drawing_->frame(sample));
+  if (drawing_ && picture_clock_.take_turn(sample.state.time))
+    pictures_.write(sample.state.time, drawing_->frame(sample));
 }
 
 void RunFiles::flush() {
   history_.flush();
+  peaks_.write(folder_ + "peaks.csv");
   if (motion_) motion_->flush();
 }
 
@@ -64,6 +87,7 @@ void RunFiles::visit(Archive& archive) {
   archive("row_clock", row_clock_);
   archive("picture_clock", picture_clock_);
   archive("observation", observation_);
+  archive("peaks", peaks_);
   long position = archive.restores() ? 0 : history_.position();
   archive("history", position);
   if (archive.restores()) history_.resume_at(position);

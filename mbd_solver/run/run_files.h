@@ -9,6 +9,7 @@
 #include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/observe/records.h"
 #include "mbd_solver/run/output/history.h"
+#include "mbd_solver/run/output/peaks.h"
 #include "mbd_solver/run/output/vtk_writer.h"
 #include "mbd_solver/run/simulation.h"
 
@@ -20,17 +21,21 @@ class RunFiles {
   // continue. Throws InputError when it cannot be written.
   RunFiles(const Simulation& simulation, const std::string& folder, Beginning beginning);
 
-  void write(const Sample& sample);  // what is due; throws FileError, NumericalError
-  void flush();                      // throws InputError when a file is not complete
+  void write(const Sample& sample);      // what is due at the end of a window; throws FileError, NumericalError
+  void write_row(const Sample& sample);  // of the history, if it is due, within a window; throws likewise
+  void observe(const Sample& sample);    // between rows
+  void flush();                          // writes the peaks so far; throws InputError when a file is not complete
   void visit(Archive& archive);
   const Observation& observation() const { return observation_; }
 
  private:
   void write_due(const Sample& sample);
+  void write_due_row(const Sample& sample);
 
   std::string folder_;
   Observation observation_;
   HistoryWriter history_;
+  Peaks peaks_;
   std::optional<MotionRecord> motion_;   // none without grains
   std::optional<MomentumRecord> audit_;  // only if the environment requires it (coupler/programs.h)
   std::optional<Drawing> drawing_;       // none without output.vtk, or when no body can be drawn

@@ -82,6 +82,12 @@ class RunSession {
         safety_(scene.output.checkpoint_interval > 0.0 ? 0.0 : options.keep_every,
                 options.keep_every == kCheckpointEvery ? kRest : 0.0) {
     if (resumed()) restore();
+    simulation_.observe_within(
+        [this](const Sample& sample) {
+          metrics_.update_peaks(sample);
+          files_.observe(sample);
+        },
+        [this](const Sample& sample) { files_.write_row(sample); });
     as_file_error([&] {
       const std::string file = std::filesystem::absolute(scene.file).lexically_normal().string();
       write_run_note(options.out, {scene.title, file, end_time(scene, options)});
@@ -148,6 +154,7 @@ class RunSession {
     if (coupled_) coupling_warnings_.print(coupled_->watch().warnings());
     body_warnings_.print(files_.observation().flexible().warnings());
     joint_warnings_.print(files_.observation().joints().warnings());
+    time_warnings_.print(simulation_.time_warnings());
     trial_.observe(simulation_, sample.state.time);
     if (trial_.over() || interrupted_ != 0) trial_ends_ = 1;
   }
@@ -207,7 +214,7 @@ class RunSession {
   RunFiles files_;
   MetricRecorder metrics_;
   Progress progress_;
-  WarningPrinter coupling_warnings_, body_warnings_, joint_warnings_;
+  WarningPrinter coupling_warnings_, body_warnings_, joint_warnings_, time_warnings_;
   Trial trial_;
   volatile std::sig_atomic_t trial_ends_ = 0;
   CheckpointFolder checkpoints_;

@@ -68,6 +68,7 @@ Json warnings_of(const Simulation& simulation, const MetricRecorder& recorder, c
   };
   add(simulation.mechanism().warnings);
   add(simulation.assembly().notes);
+  add(simulation.time_warnings());
   if (simulation.coupled()) add(simulation.coupled()->watch().warnings());
   add(observation.flexible().warnings());
   add(observation.joints().warnings());
@@ -118,10 +119,14 @@ Json run_summary(const Simulation& simulation, const MetricRecorder& recorder, c
   if (!reason.empty()) json["reason"] = reason;
   json["end_time_s"] = simulation.state().time;
   json["observed_body"] = recorder.body_name();
-  json["peak_acceleration_g"] = metrics.peak_acceleration / 9.80665;
-  json["max_descent_m"] = metrics.max_descent;
-  json["max_penetration_m"] = metrics.max_penetration;
-  json["max_contact_force_N"] = metrics.max_contact_force;
+  json["peak_acceleration_g"] = metrics.peak_acceleration.value / 9.80665;
+  json["peak_acceleration_time_s"] = metrics.peak_acceleration.time;
+  json["max_descent_m"] = metrics.max_descent.value;
+  json["max_descent_time_s"] = metrics.max_descent.time;
+  json["max_penetration_m"] = metrics.max_penetration.value;
+  json["max_penetration_time_s"] = metrics.max_penetration.time;
+  json["max_contact_force_N"] = metrics.max_contact_force.value;
+  json["max_contact_force_time_s"] = metrics.max_contact_force.time;
   add_creep(simulation.scene(), json);
   json["reference_energy_J"] = metrics.reference_energy;
   json["energy_flow_J"] = metrics.energy_flow;

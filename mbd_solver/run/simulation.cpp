@@ -101,6 +101,7 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       mechanism_(build_mechanism(scene)),
       assembly_(assemble(mechanism_.model, assembly_options(scene))),
       equations_(mechanism_.model, assembly_, baumgarte(scene.solver)),
+      corners_(scene, mechanism_),
       integrator_(make_integrator(std::string(name_of(scene.solver.integrator)), equations_,
                                   integrator_options(scene.solver, partner_transport != nullptr))),
       state_(assembly_.state),
@@ -159,7 +160,7 @@ void Simulation::run_alone(Loop& loop) {
   // input, windows end at samples, so that no step is cut.
   double last_row = state_.time;  // [s]
   Rows rows;
-  rows.next = [&](double) { return next_stop(); };
+  rows.next = [&](double t) { return next_stop(t); };
   rows.on_row = [&](const State& state, const Eigen::VectorXd& rates) {
     const double row_started = wall_clock();
     state_ = state;
@@ -188,13 +189,18 @@ void Simulation::run_alone(Loop& loop) {
     if (loop.checkpoints && (checkpoints_.is_due(state_.time) || end_requested)) saved = save_checkpoint(loop, false);
     if (end_requested && (saved || !loop.checkpoints)) break;
 
+    cross_jump();
     sample_controllers();
-    const double t_end = std::min(
-        {inputs_change_ ? control_.next_sample() : t_end_, t_end_, loop.checkpoints ? checkpoints_.next() : t_end_});
+    const double t_end =
+        std::min({inputs_change_ ? control_.next_sample() : t_end_, t_end_,
+                  loop.checkpoints ? checkpoints_.next() : t_end_, corners_.next(state_.time, inputs_.values).before});
+    const bool continuous_events = control_.signals() && control_.signals()->has_unsampled_events();
+    if (observe_step_ || continuous_events) rows.on_step = [&](StepView& step) { return watch_step(step, t_end); };
     advance(state_, t_end, rows);
     const bool ended_at_row = !event_in_window_ && state_.time < t_end && state_.time == last_row;
     if (ended_at_row) continue;  // observed already
     finish_window();
+    cross_jump();
     loop.observation_pending = true;
     observe_sample(loop);
   }
@@ -232,7 +238,19 @@ void Simulation::run_coupled(Loop& loop) {
       throw;
     }
     if (coupled_->script_has_ended()) break;
-    advance(state_, t_end);
+    Rows rows;
+    if (observe_row_) {
+      rows.next = [&](double t) { return next_row(t); };
+      rows.on_row = [&](const State& state, const Eigen::VectorXd& rates) {
+        state_ = state;
+        rates_ = rates;
+        update_sample();
+        observe_row_(sampler_.sample());
+        return true;
+      };
+    }
+    if (observe_step_) rows.on_step = [&](StepView& step) { return watch_step(step, t_end); };
+    advance(state_, t_end, rows);
     finish_window();
     coupled_->end_window(state_, kinematics);
     loop.observation_pending = true;
@@ -266,11 +284,55 @@ bool Simulation::save_checkpoint(const Loop& loop, bool undisturbed) {
 
 void Simulation::advance(State from, double time, const Rows& rows) {
   const double started = wall_clock();
-  integrator_->advance(from, time, inputs_, rows);
+  for (;;) {
+    const Corner corner = corners_.next(from.time, inputs_.values);
+    const double end = std::min(corner.before, time);
+    if (from.time < end) {
+      integrator_->advance(from, end, inputs_, rows);
+      rates_ = integrator_->end_rates();
+    }
+    if (end == time || from.time < end) break;
+    if (rows.on_row && next_row(end - 2.0 * row_tolerance()) < end + row_tolerance()) rows.on_row(from, rates_);
+    from.time = corner.after;
+    if (from.time < time) continue;
+    equations_.saddle().accelerations(from, inputs_, rates_);
+    break;
+  }
   state_ = from;
-  rates_ = integrator_->end_rates();
   times_.mbd += wall_clock() - started;
   check_finite();
+}
+
+bool Simulation::watch_step(StepView& step, double window_end) {
+  const double started = wall_clock();
+  const auto look_at = [&](double time) {
+    step.at(time, state_, rates_);
+    if (scene_.output.reactions || !mechanism_.gears.empty())
+      equations_.saddle().smallest_multipliers(state_, rates_.tail(equations_.layout().row_count));
+    update_sample();
+  };
+  bool goes_on = true;
+  if (step.end() < window_end) {  // else finish_window() follows
+    look_at(step.end());
+    goes_on = coupled_ || !event_triggered();
+    if (goes_on && observe_step_) observe_step_(sampler_.sample());
+  }
+  if (goes_on && observe_step_) {
+    look_at(0.5 * (step.begin() + step.end()));
+    observe_step_(sampler_.sample());
+  }
+  event_in_window_ = event_in_window_ || !goes_on;
+  times_.mbd -= wall_clock() - started;  // advance() counts it
+  return goes_on;
+}
+
+void Simulation::cross_jump() {
+  const Corner corner = corners_.next(state_.time, inputs_.values);
+  if (!(corner.before <= state_.time)) return;
+  state_.time = corner.after;
+  equations_.saddle().accelerations(state_, inputs_, rates_);
+  update_sample();
+  if (event_triggered()) locate_event();
 }
 
 void Simulation::finish_window() {
@@ -280,12 +342,14 @@ void Simulation::finish_window() {
   if (event_in_window_ || event_triggered()) locate_event();
 }
 
-double Simulation::next_stop() const {
-  const double t = state_.time;
-  const double tiny = 1e-9 * std::max(scene_.output.interval, 1e-6);
-  const double next_row = (std::floor((t + tiny) / scene_.output.interval) + 1.0) * scene_.output.interval;
-  return std::min({next_row, control_.next_sample(), t_end_});
+double Simulation::row_tolerance() const { return 1e-9 * std::max(scene_.output.interval, 1e-6); }
+
+double Simulation::next_row(double t) const {
+  const double interval = scene_.output.interval;
+  return (std::floor((t + row_tolerance()) / interval) + 1.0) * interval;
 }
+
+double Simulation::next_stop(double t) const { return std::min({next_row(t), control_.next_sample(), t_end_}); }
 
 void Simulation::check_finite() const {
   if (state_.q.allFinite() && state_.v.allFinite() && state_.z.allFinite()) return;
@@ -340,6 +404,7 @@ void Simulation::apply_events() {
       throw NumericalError(code::kEventLoop, "t = " + std::to_string(time) +
                                                  " s: events trigger each other without end: " + names +
                                                  ": give each a condition that is false in the state it leads to");
+    if (!coupled_) event_watch_.count(signals->event_name(event), time, t_end_);
     const Eigen::VectorXd before = inputs_.values;
     signals->apply(event, time, inputs_.values);
     equations_.settle_signals(&before, inputs_, state_);

@@ -11,6 +11,7 @@
 
 #include "coupler/archive.h"
 #include "coupler/transport.h"
+#include "mbd_solver/build/corners.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/coupling/coupled_run.h"
 #include "mbd_solver/dynamics/equations.h"
@@ -18,6 +19,7 @@
 #include "mbd_solver/run/checkpoint.h"
 #include "mbd_solver/run/collision_watch.h"
 #include "mbd_solver/run/control_loop.h"
+#include "mbd_solver/run/event_watch.h"
 #include "mbd_solver/run/observe/sampler.h"
 
 namespace footfall {
@@ -57,6 +59,13 @@ class Simulation {
   void run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted,
            const CheckpointWriter& checkpoints = {});
 
+  // Of run(), besides its own observer: `steps` is called within steps and at their ends, for peaks that rows do not show;
+  // `rows`, with grains, at output times within windows.
+  void observe_within(std::function<void(const Sample&)> steps, std::function<void(const Sample&)> rows) {
+    observe_step_ = std::move(steps);
+    observe_row_ = std::move(rows);
+  }
+
   // State of the run at a checkpoint. Restoring it makes this the run that was saved; run() then continues it.
   void visit(Archive& archive);
 
@@ -73,6 +82,8 @@ class Simulation {
   const CollisionWatch* collisions() const { return collisions_.get(); }  // null where surfaces cannot meet
   CoupledRun* coupled() { return coupled_.get(); }                        // null without grains
   const CoupledRun* coupled() const { return coupled_.get(); }
+  // About functions of time, as far as the run has come.
+  std::vector<std::string> time_warnings() const { return corners_.warnings(); }
 
  private:
   struct Loop;  // arguments of run() and what its two loops share
@@ -82,10 +93,16 @@ class Simulation {
   void run_coupled(Loop& loop);
   void observe_sample(Loop& loop);                           // unless it has been observed
   bool save_checkpoint(const Loop& loop, bool undisturbed);  // false when the DEM side could not
-  double next_stop() const;                                  // next output row or sample, or the end [s]
+  double row_tolerance() const;                              // two times of a row are one [s]
+  double next_row(double t) const;                           // after t [s]
+  double next_stop(double t) const;                          // next output row or sample, or the end [s]
+  // Steps end at corners of given functions.
   void advance(State from, double time, const Rows& rows = {});
+  void cross_jump();     // from the last time before a jump of a given function to the first time after it
   void finish_window();  // sample, collisions, events
   void sample_controllers();
+  // After a step of a window that ends at window_end [s]: observes it; false: an event ends the window.
+  bool watch_step(StepView& step, double window_end);
   bool event_triggered();  // by the sample
   void locate_event();     // returns to its instant, in (without_event_.time, state_.time], and applies it
   void apply_events();     // all whose condition holds now
@@ -99,6 +116,7 @@ class Simulation {
   Mechanism mechanism_;
   Assembly assembly_;
   Equations equations_;
+  Corners corners_;  // of what the scene gives as functions of time
   std::unique_ptr<Integrator> integrator_;
   State state_;
   Inputs inputs_;          // of the window
@@ -106,8 +124,9 @@ class Simulation {
   long window_ = 0;        // windows completed
   ControlLoop control_;
   bool inputs_change_ = true;     // the last controller sample changed one
-  bool event_in_window_ = false;  // a row ended the window because the condition of an event holds there
-  State without_event_;           // the last state in which no condition held; for events without a period
+  bool event_in_window_ = false;  // a row or step ended the window because the condition of an event holds there
+  EventWatch event_watch_;
+  State without_event_;  // the last state in which no condition held; for events without a period
   Sampler sampler_;
   std::unique_ptr<CoupledRun> coupled_;
   std::unique_ptr<CollisionWatch> collisions_;  // null where surfaces cannot meet
@@ -115,6 +134,7 @@ class Simulation {
   IntervalClock checkpoints_;
   bool resumed_ = false;  // the sample of the present state has been observed already
   RunTimes times_;
+  std::function<void(const Sample&)> observe_step_, observe_row_;  // empty: nobody
 };
 
 }  // namespace footfall

@@ -13,6 +13,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/bed/bed_measures.h"
 #include "mbd_solver/run/output/history.h"
+#include "mbd_solver/run/output/peaks.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/studies/codes.h"
 
@@ -61,11 +62,28 @@ double reduced(const MetricSpec& metric, const std::vector<double>& x) {
   return *std::max_element(x.begin(), x.end());
 }
 
-double of_history(const MetricSpec& metric, const History& history) {
+// With the peaks between rows.
+double reduced(const MetricSpec& metric, const std::vector<double>& x, const ColumnPeaks& peaks) {
+  switch (metric.reduction) {
+    case Reduction::kMax: return peaks.largest;
+    case Reduction::kMin: return peaks.least;
+    case Reduction::kLargest: return std::max(std::abs(peaks.least), std::abs(peaks.largest));
+    case Reduction::kDrop: return x.front() - peaks.least;
+    case Reduction::kFinal:
+    case Reduction::kPeaks:
+    case Reduction::kVariation:
+    case Reduction::kSteady: break;
+  }
+  return reduced(metric, x);
+}
+
+double of_history(const MetricSpec& metric, const History& history, const std::vector<ColumnPeaks>& peaks) {
   std::vector<double> values;  // of the columns
   for (const std::string& name : metric.columns) {
     const std::vector<double>& column = history.column(name);
-    if (!column.empty()) values.push_back(reduced(metric, column));
+    if (column.empty()) continue;
+    const auto found = std::find_if(peaks.begin(), peaks.end(), [&](const ColumnPeaks& p) { return p.name == name; });
+    values.push_back(found == peaks.end() ? reduced(metric, column) : reduced(metric, column, *found));
   }
   if (values.empty()) return kNone;
   if (metric.average) return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -129,10 +147,14 @@ std::vector<double> metrics_of_run(const std::vector<MetricSpec>& metrics, const
     return summary[key].get<double>();
   };
   History history;
+  std::vector<ColumnPeaks> peaks;
   std::vector<double> values;
   for (const MetricSpec& metric : metrics) {
     if (!metric.columns.empty()) {
-      if (history.names.empty()) history = read_history((fs::path(folder) / "history.csv").string());
+      if (history.names.empty()) {
+        history = read_history((fs::path(folder) / "history.csv").string());
+        peaks = read_peaks((fs::path(folder) / "peaks.csv").string());
+      }
       require_columns(metric.columns, history, folder, file, "figures." + metric.name + ".columns");
     }
     if (metric.compares_curves()) {
@@ -140,7 +162,7 @@ std::vector<double> metrics_of_run(const std::vector<MetricSpec>& metrics, const
       continue;
     }
     values.push_back(!metric.key.empty()    ? of_summary(metric.key)
-                     : metric.slope.empty() ? of_history(metric, history)
+                     : metric.slope.empty() ? of_history(metric, history, peaks)
                                             : last_slope(folder, metric.slope[0], metric.slope[1]).angle);
     if (!metric.over.empty()) values.back() /= of_summary(metric.over);
   }

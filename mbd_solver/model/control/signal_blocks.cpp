@@ -12,6 +12,7 @@
 #include "mbd_solver/base/parameter_check.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/codes.h"
+#include "mbd_solver/model/laws/curves.h"
 
 namespace footfall {
 
@@ -102,10 +103,11 @@ LookupTable::LookupTable(std::vector<double> x, std::vector<double> y) : x1_(std
   demand_rising(x1_);
   FOOTFALL_DEMAND(y.size() == x1_.size());
   y_ = Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size()));
+  corners_ = corners_of_lines(x1_, y);
 }
 
 LookupTable::LookupTable(std::vector<double> x1, std::vector<double> x2, Eigen::MatrixXd y)
-    : x1_(std::move(x1)), x2_(std::move(x2)), y_(std::move(y)) {
+    : x1_(std::move(x1)), x2_(std::move(x2)), y_(std::move(y)), corners_(x1_) {
   demand_rising(x1_);
   demand_rising(x2_);
   FOOTFALL_DEMAND(y_.rows() == static_cast<Eigen::Index>(x1_.size()) &&
@@ -120,6 +122,14 @@ double LookupTable::value(const BlockValues& u, const BlockValues&) const {
   if (x2_.empty()) return along(0);
   const TablePlace column = table_place(x2_, u[1]);
   return (1.0 - column.share) * along(column.cell) + column.share * along(column.cell + 1);
+}
+
+double LookupTable::piece(const BlockValues& u) const {
+  const auto before = [](const std::vector<double>& x, double at) {
+    return static_cast<double>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
+  };
+  const double row = before(corners_, u[0]);
+  return x2_.empty() ? row : row + static_cast<double>(corners_.size() + 1) * before(x2_, u[1]);
 }
 
 PidBlock::PidBlock(const PidBlockParameters& parameters)

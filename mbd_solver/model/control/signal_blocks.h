@@ -34,6 +34,9 @@ class SignalBlock {
     advance(u, period, z);
     return y;
   }
+  // Blocks without memory whose value is a line in each of several pieces, in steps of the inputs: the piece at u.
+  virtual bool has_pieces() const { return false; }
+  virtual double piece(const BlockValues&) const { return 0.0; }
 };
 
 // y = u: the value of an expression.
@@ -51,6 +54,10 @@ class Saturation final : public SignalBlock {
     if (min_) y = std::max(y, *min_);
     if (max_) y = std::min(y, *max_);
     return y;
+  }
+  bool has_pieces() const override { return true; }
+  double piece(const BlockValues& u) const override {
+    return min_ && u[0] < *min_ ? -1.0 : max_ && u[0] > *max_ ? 1.0 : 0.0;
   }
 
  private:
@@ -112,10 +119,13 @@ class LookupTable final : public SignalBlock {
 
   int input_count() const override { return x2_.empty() ? 1 : 2; }
   double value(const BlockValues& u, const BlockValues& z) const override;
+  bool has_pieces() const override { return true; }
+  double piece(const BlockValues& u) const override;
 
  private:
   std::vector<double> x1_, x2_;
-  Eigen::MatrixXd y_;  // x1 by x2
+  Eigen::MatrixXd y_;            // x1 by x2
+  std::vector<double> corners_;  // x1 at which the slope changes; for two inputs all
 };
 
 // PID with limits and anti-windup.

@@ -92,12 +92,17 @@ void Expression::throw_no_value() const {
                            "; guard divisions, roots and logarithms, for example \"x > 0 ? sqrt(x) : 0\"");
 }
 
-double Expression::value() const {
-  double value = std::nan("");
+double Expression::value_or_nan() const {
   try {
-    value = parser_->Eval();
+    const double value = parser_->Eval();
+    return std::isfinite(value) ? value : std::nan("");
   } catch (const mu::Parser::exception_type&) {
+    return std::nan("");
   }
+}
+
+double Expression::value() const {
+  const double value = value_or_nan();
   if (!std::isfinite(value)) throw_no_value();
   return value;
 }

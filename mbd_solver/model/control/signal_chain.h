@@ -33,6 +33,7 @@ class Expression {
   // At the current values. Throws NumericalError if it has none (division by zero, root of a negative number), with the
   // values of its names.
   double value() const;
+  double value_or_nan() const;  // likewise; NaN if it has none
   const std::string& text() const { return text_; }
 
  private:

@@ -21,7 +21,20 @@ double bend(double y_before, double y, double y_after, double left, double right
   return 6.0 * ((y_after - y) / right - (y - y_before) / left);
 }
 
+constexpr double kStraight = 1e-12;  // change of slope that is round-off [-]
+
 }  // namespace
+
+std::vector<double> corners_of_lines(const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<double> corners;
+  double before = 0.0;  // slope
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double after = i + 1 < x.size() ? (y[i + 1] - y[i]) / (x[i + 1] - x[i]) : 0.0;
+    if (std::abs(after - before) > kStraight * std::max(std::abs(after), std::abs(before))) corners.push_back(x[i]);
+    before = after;
+  }
+  return corners;
+}
 
 CubicSpline::CubicSpline(const std::string& name, std::vector<double> x, std::vector<double> y, Ends ends)
     : x_(std::move(x)), y_(std::move(y)), m_(x_.size(), 0.0), closed_(ends == Ends::kClosed) {

@@ -1,10 +1,13 @@
 #pragma once
-// Curves through points y(x), x rising strictly: a cubic spline, and a monotone cubic that never overshoots.
+// Curves through points y(x), x rising strictly: a cubic spline, a monotone cubic that never overshoots, and corners of straight lines.
 
 #include <string>
 #include <vector>
 
 namespace footfall {
+
+// The points x at which straight lines through all points, held constant outside, change their slope.
+std::vector<double> corners_of_lines(const std::vector<double>& x, const std::vector<double>& y);
 
 // Cubic pieces, twice continuously differentiable.
 class CubicSpline {

@@ -16,6 +16,18 @@ namespace {
 
 constexpr double kTwoPi = 2.0 * kPi;
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Corner first_after(const std::vector<double>& times, double t) {
+  const auto next = std::upper_bound(times.begin(), times.end(), t);
+  return next == times.end() ? Corner() : Corner(*next);
+}
+// Of a function whose first derivative jumps there.
+Corner first_from(const std::vector<double>& times, double t) {
+  const auto next = std::lower_bound(times.begin(), times.end(), t);
+  return next == times.end() ? Corner() : Corner(*next, std::nextafter(*next, kInfinity));
+}
+
 class Polynomial : public TimeFunction {
  public:
   explicit Polynomial(std::vector<double> c) : c_(std::move(c)) {}
@@ -43,6 +55,7 @@ class Ramp : public TimeFunction {
             height * 30.0 * s * s * (1.0 - s) * (1.0 - s) / duration_,
             height * 60.0 * s * (1.0 - s) * (1.0 - 2.0 * s) / (duration_ * duration_)};
   }
+  Corner next_corner(double t) const override { return first_after({t0_, t0_ + duration_}, t); }
 
  private:
   double from_, to_, t0_, duration_;
@@ -65,13 +78,15 @@ class Sine : public TimeFunction {
 class SplineTable : public TimeFunction {
  public:
   SplineTable(std::vector<double> times, std::vector<double> values)
-      : spline_("a table over time", std::move(times), std::move(values)) {}
+      : times_(times), spline_("a table over time", std::move(times), std::move(values)) {}
   TimeValue at(double t) const override {
     const CubicSpline::Value f = spline_.at(t);
     return {f.value, f.slope, f.curvature};
   }
+  Corner next_corner(double t) const override { return first_after(times_, t); }
 
  private:
+  std::vector<double> times_;
   CubicSpline spline_;
 };
 
@@ -79,10 +94,16 @@ class SplineTable : public TimeFunction {
 class MonotoneTable : public TimeFunction {
  public:
   MonotoneTable(std::vector<double> times, std::vector<double> values)
-      : curve_("a table over time", std::move(times), std::move(values)) {}
+      : times_(times), curve_("a table over time", std::move(times), std::move(values)) {}
   TimeValue at(double t) const override { return {curve_.value(t), curve_.slope(t), 0.0}; }
+  // The rate of a table that moves jumps at its ends, where it is held; at() has the rate of the inside there.
+  Corner next_corner(double t) const override {
+    const double first = times_.front();
+    return t < first ? Corner(std::nextafter(first, -kInfinity), first) : first_from(times_, t);
+  }
 
  private:
+  std::vector<double> times_;
   MonotoneCurve curve_;
 };
 
@@ -94,6 +115,7 @@ class LineTable : public TimeFunction {
         std::adjacent_find(times_.begin(), times_.end(), std::greater_equal<>()) != times_.end())
       throw InputError(code::kCurveNotRising,
                        "a table over time: expected at least two rising times, and as many values.");
+    corners_ = corners_of_lines(times_, values_);
   }
   TimeValue at(double t) const override {
     if (t < times_.front()) return {values_.front(), 0.0, 0.0};
@@ -103,9 +125,10 @@ class LineTable : public TimeFunction {
     const double slope = (values_[i + 1] - values_[i]) / (times_[i + 1] - times_[i]);
     return {values_[i] + slope * (t - times_[i]), slope, 0.0};
   }
+  Corner next_corner(double t) const override { return first_from(corners_, t); }
 
  private:
-  std::vector<double> times_, values_;
+  std::vector<double> times_, values_, corners_;
 };
 
 class Sum : public TimeFunction {
@@ -120,6 +143,11 @@ class Sum : public TimeFunction {
       total.accel += f.accel;
     }
     return total;
+  }
+  Corner next_corner(double t) const override {
+    Corner next;
+    for (const TimeFunctionPtr& term : terms_) next = std::min(next, term->next_corner(t));
+    return next;
   }
 
  private:

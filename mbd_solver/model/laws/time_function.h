@@ -1,6 +1,7 @@
 #pragma once
 // Functions of time with two derivatives, for prescribed motions, forces and commands of drives.
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -12,10 +13,22 @@ struct TimeValue {
   double accel = 0.0;  // [1/s2]
 };
 
+// A time at which a value or derivative of a function jumps; steps of the integrator end there. Where that is the value or its
+// first derivative, `before` and `after` are neighbouring numbers, one on either side; else they are equal.
+struct Corner {
+  Corner() = default;
+  explicit Corner(double time) : before(time), after(time) {}
+  Corner(double last_before, double first_after) : before(last_before), after(first_after) {}
+  double before = std::numeric_limits<double>::infinity(), after = before;  // [s]
+};
+inline bool operator<(const Corner& a, const Corner& b) { return a.before < b.before; }
+
 class TimeFunction {
  public:
   virtual ~TimeFunction() = default;
   virtual TimeValue at(double t) const = 0;
+  // The first corner after t; at infinity: none.
+  virtual Corner next_corner(double) const { return {}; }
 };
 using TimeFunctionPtr = std::shared_ptr<const TimeFunction>;
 

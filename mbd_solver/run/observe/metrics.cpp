@@ -142,6 +142,9 @@ void JointObserver::count_turns(std::size_t k, double h, const JointCoordinate& 
 }
 
 template <>
+inline constexpr auto kFields<Peak> = std::tuple{Field{"value", &Peak::value}, Field{"time", &Peak::time}};
+
+template <>
 inline constexpr auto kFields<Metrics> = std::tuple{
     Field{"peak_acceleration", &Metrics::peak_acceleration}, Field{"max_descent", &Metrics::max_descent},
     Field{"max_penetration", &Metrics::max_penetration},     Field{"max_contact_force", &Metrics::max_contact_force},
@@ -193,6 +196,16 @@ double MetricRecorder::depth(const Sample& sample) const {
   return ground_ - lowest;
 }
 
+void MetricRecorder::update_peaks(const Sample& sample) {
+  Metrics& f = metrics_;
+  const double time = sample.state.time;
+  const BodyKinematics& body = sample.kinematics.of(body_);
+  f.peak_acceleration.see(body.ddr.norm(), time);
+  f.max_descent.see(start_height_ - up_.dot(body.r), time);
+  for (const GeneralizedForce& contact : sample.contact) f.max_contact_force.see(contact.F_W.norm(), time);
+  if (subject_.scene.ground.kind != GroundKind::kNone) f.max_penetration.see(depth(sample), time);
+}
+
 void MetricRecorder::update(const Sample& sample) {
   Metrics& f = metrics_;
   const StoredEnergy& stored = sample.energy.stored;
@@ -206,15 +219,10 @@ void MetricRecorder::update(const Sample& sample) {
     f.reference_energy = stored.total() - stored[Stored::kGravity];
   }
   f.reference_energy = std::max(f.reference_energy, stored[Stored::kKinetic]);
-  f.peak_acceleration = std::max(f.peak_acceleration, body.ddr.norm());
-  f.max_descent = std::max(f.max_descent, start_height_ - height);
+  update_peaks(sample);
   Eigen::Vector3d total = Eigen::Vector3d::Zero();
-  for (const GeneralizedForce& contact : sample.contact) {
-    f.max_contact_force = std::max(f.max_contact_force, contact.F_W.norm());
-    total += contact.F_W;
-  }
+  for (const GeneralizedForce& contact : sample.contact) total += contact.F_W;
   f.contact_force = total.norm();
-  if (subject_.scene.ground.kind != GroundKind::kNone) f.max_penetration = std::max(f.max_penetration, depth(sample));
   flow_.sample(stored, sample.state, sample.kinematics);
   f.energy_flow = flow_.scale();
   const double balance =

@@ -105,19 +105,29 @@ class JointObserver {
 // Largest acceptable error of the energy balance, of the energy exchanged: usual tolerances reach less.
 inline constexpr double kGoodBalance = 0.01;
 
-// Peaks of a run for summary.json: over every window, not only over the rows that are written.
+// A largest value so far, and its time [s].
+struct Peak {
+  double value = 0.0, time = 0.0;
+  void see(double now, double at) {
+    if (!(now > value)) return;
+    value = now;
+    time = at;
+  }
+};
+
+// Peaks of a run for summary.json: over every step, not only over the rows that are written.
 
 struct Metrics {
-  double peak_acceleration = 0.0;  // of the heaviest body [m/s2]
-  double max_descent = 0.0;        // of the heaviest body against gravity's direction, from the start [m]
-  double max_penetration = 0.0;    // of any boundary below the plane, or below the grains' height at the start [m]
-  double max_contact_force = 0.0;  // on one body [N]
-  double reference_energy = 0.0;   // initial mechanical energy without gravity; else the largest kinetic energy [J]
-  double energy_flow = 0.0;        // exchanged between forms of energy: EnergyFlow::scale() [J]
-  double energy_balance = 0.0;     // largest |E - E0 + dissipated - work of contact, motions, forces, drives| [J]
-  double energy_noise = 0.0;       // error of weights and joint forces for position errors of atol [J]
-  double contact_work = 0.0;       // of the grains on the mechanism so far [J]
-  double contact_force = 0.0;      // on all bodies now [N]
+  Peak peak_acceleration;         // of the heaviest body [m/s2]
+  Peak max_descent;               // of the heaviest body against gravity's direction, from the start [m]
+  Peak max_penetration;           // of any boundary below the plane, or below the grains' height at the start [m]
+  Peak max_contact_force;         // on one body [N]
+  double reference_energy = 0.0;  // initial mechanical energy without gravity; else the largest kinetic energy [J]
+  double energy_flow = 0.0;       // exchanged between forms of energy: EnergyFlow::scale() [J]
+  double energy_balance = 0.0;    // largest |E - E0 + dissipated - work of contact, motions, forces, drives| [J]
+  double energy_noise = 0.0;      // error of weights and joint forces for position errors of atol [J]
+  double contact_work = 0.0;      // of the grains on the mechanism so far [J]
+  double contact_force = 0.0;     // on all bodies now [N]
 
   double energy_balance_relative() const { return energy_flow > 0.0 ? energy_balance / energy_flow : 0.0; }
 };
@@ -126,7 +136,8 @@ class MetricRecorder {
  public:
   // What the subject views must outlive this.
   explicit MetricRecorder(const Subject& subject);
-  void update(const Sample& sample);
+  void update(const Sample& sample);        // at the ends of windows and in rows
+  void update_peaks(const Sample& sample);  // between them; update() includes it
   const Metrics& metrics() const { return metrics_; }
   // The warning when the energy balance has an error above kGoodBalance and energy_noise; otherwise empty.
   std::string balance_warning() const;

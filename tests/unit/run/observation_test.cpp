@@ -432,7 +432,7 @@ TEST(MetricRecorder, KeepsTheDeepestDescentNotTheLast) {
     bench.state.q(2) = start - way;
     taker.update(bench.take());
   }
-  EXPECT_DOUBLE_EQ(taker.metrics().max_descent, 0.5);
+  EXPECT_DOUBLE_EQ(taker.metrics().max_descent.value, 0.5);
 }
 
 // Against gravity, wherever that points.
@@ -443,7 +443,7 @@ TEST(MetricRecorder, MeasuresDescentAgainstGravity) {
   bench.state.q(0) -= 0.5;
   bench.state.q(2) -= 3.0;
   taker.update(bench.take());
-  EXPECT_DOUBLE_EQ(taker.metrics().max_descent, 0.5);
+  EXPECT_DOUBLE_EQ(taker.metrics().max_descent.value, 0.5);
 }
 
 // Of the beam's surface, 0.02 m from its line, and the same that the contact force counts with.
@@ -452,7 +452,7 @@ TEST(MetricRecorder, PenetrationIsThatOfTheContactOnThePlane) {
     Bench bench(kSmallMachine, {"initial.clearance=0", std::string("ground.plane.normal=") + normal});
     MetricRecorder taker(bench.subject());
     taker.update(bench.take());
-    EXPECT_NEAR(taker.metrics().max_penetration, 0.0, 1e-15);  // round-off of lengths below 1 m
+    EXPECT_NEAR(taker.metrics().max_penetration.value, 0.0, 1e-15);  // round-off of lengths below 1 m
     const int leg = bench.equations.layout().body_q[1];
     bench.state.q(leg + 2) -= 0.03;
     const Sample& sample = bench.take();
@@ -460,7 +460,7 @@ TEST(MetricRecorder, PenetrationIsThatOfTheContactOnThePlane) {
     const int force = bench.mechanism.planes[0];
     const auto& plane = static_cast<const RigidPlane&>(bench.mechanism.model.force(force));
     const double overlap = plane.largest_overlap(element_input(bench.subject(), sample, force));
-    EXPECT_NEAR(taker.metrics().max_penetration, overlap, 1e-15);
+    EXPECT_NEAR(taker.metrics().max_penetration.value, overlap, 1e-15);
     EXPECT_NEAR(overlap, 0.03 * bench.scene.ground.plane->normal.z(), 1e-15);
   }
 }
@@ -509,7 +509,7 @@ TEST(MetricRecorder, KeepsTheLargestForceOnABodyAndTellsThePresentOneOnAll) {
     bench.inputs.loads[0].F_W = Eigen::Vector3d(0, 0, force);
     taker.update(bench.take());
   }
-  EXPECT_DOUBLE_EQ(taker.metrics().max_contact_force, 40.0);
+  EXPECT_DOUBLE_EQ(taker.metrics().max_contact_force.value, 40.0);
   EXPECT_DOUBLE_EQ(taker.metrics().contact_force, 30.0);
 }
 

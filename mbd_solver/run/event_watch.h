@@ -1,0 +1,26 @@
+#pragma once
+// Detects events that follow each other faster than the motion can change: without hysteresis the conditions of two states may
+// become true in turn at once, and the run would never end.
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace footfall {
+
+class EventWatch {
+ public:
+  // After an event without a period, at `time` of a run to t_end [s]. Throws NumericalError that names the events.
+  void count(const std::string& event, double time, double t_end);
+
+ private:
+  static constexpr std::size_t kWatched = 300;  // events
+  static constexpr double kMostEvents = 1e6;    // that may remain at the present rate
+  static constexpr double kShortest = 1e-5;     // mean interval of events that are no chatter [s]
+
+  std::array<std::string, kWatched> names_;
+  std::size_t count_ = 0;
+  double since_ = 0.0;  // time of the first that is watched [s]
+};
+
+}  // namespace footfall

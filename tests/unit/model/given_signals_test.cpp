@@ -1,0 +1,163 @@
+// Corners of signals that are known beforehand: every jump to the last digit, every bump however narrow.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "mbd_solver/model/control/given_signals.h"
+#include "mbd_solver/model/control/signal_blocks.h"
+#include "mbd_solver/model/laws/time_function.h"
+
+namespace footfall {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kEnd = 1.0;  // [s]
+
+// Inputs of a run: place 0 is state "on", place 1 its beginning; "b.x" depends on the motion.
+GivenSource source_of(const std::string& name) {
+  if (name == "time") return {GivenSource::Kind::kTime, -1};
+  if (name == "state.on") return {GivenSource::Kind::kHeld, 0};
+  if (name == "state.since") return {GivenSource::Kind::kSince, 1};
+  return {name.rfind("signal.", 0) == 0 ? GivenSource::Kind::kSignal : GivenSource::Kind::kUnknown, -1};
+}
+
+class Given {
+ public:
+  void add(const std::string& name, const std::string& input) { add(name, input, std::make_unique<PassBlock>()); }
+  void add(const std::string& name, const std::string& input, std::unique_ptr<SignalBlock> block) {
+    entries_.push_back({name, name, block.get(), {input}, {}});
+    blocks_.push_back(std::move(block));
+  }
+  std::vector<Corner> corners(double on = 1.0, double since = 0.0) {
+    GivenSignals signals(entries_, source_of, kEnd);
+    const Eigen::VectorXd values = Eigen::Vector2d(on, since);
+    std::vector<Corner> all;
+    for (Corner corner = signals.next(0.0, values); corner.after <= kEnd; corner = signals.next(corner.after, values))
+      all.push_back(corner);
+    too_fast = signals.too_fast();
+    return all;
+  }
+  std::vector<std::string> too_fast;
+
+ private:
+  std::vector<GivenEntry> entries_;
+  std::vector<std::unique_ptr<SignalBlock>> blocks_;
+};
+
+std::vector<Corner> corners_of(const std::string& text) {
+  Given given;
+  given.add("s", text);
+  return given.corners();
+}
+
+std::vector<double> times_of(const std::string& text) {
+  std::vector<double> times;
+  for (const Corner& corner : corners_of(text)) times.push_back(corner.after);
+  return times;
+}
+
+bool has_near(const std::vector<double>& times, double t, double distance) {
+  for (const double time : times)
+    if (std::abs(time - t) <= distance) return true;
+  return false;
+}
+
+TEST(GivenSignals, JumpWhereComparisonsChangeToTheLastDigit) {
+  const std::vector<Corner> corners = corners_of("time > 0.25 && time < 0.25000001 ? 7 : 0");
+  ASSERT_EQ(corners.size(), 2u);
+  EXPECT_EQ(corners[0].before, 0.25);
+  EXPECT_EQ(corners[0].after, std::nextafter(0.25, kInfinity));
+  EXPECT_EQ(corners[1].before, std::nextafter(0.25000001, 0.0));
+  EXPECT_EQ(corners[1].after, 0.25000001);
+}
+
+// However a pulse of 1e-9 s is written.
+TEST(GivenSignals, FindEveryNotationOfANarrowPulse) {
+  for (const char* text :
+       {"(time >= 0.3) * (time < 0.300000001) * 5", "abs(time - 0.3) < 1e-9 ? 5 : 0",
+        "(time - 0.3) ^ 2 < 1e-18 ? 5 : b.x", "b.x + (time > 0.3 && time < 0.300000001) * b.x",
+        "max(0, 1 - abs(time - 0.3) / 1e-9)", "sign(time - 0.3) - sign(time - 0.300000001)",
+        "rint(time + 0.2) - rint(time + 0.199999999)", "b.x > 2 ? 1 : (time < 0.3 ? 0 : time < 0.300000001 ? 5 : 0)",
+        "!(abs(time - 0.3) >= 1e-9)", "exp(-((time - 0.3) / 1e-9) ^ 2)", "1 / (1 + ((time - 0.3) / 1e-9) ^ 2)",
+        "cos(1e9 * (time - 0.3)) * (abs(time - 0.3) < 1e-9)", "1 - tanh((time - 0.3) / 1e-9) ^ 2",
+        "sin(2 * pi * time) > sin(0.6 * pi) && time < 0.300000001 && time > 0.2",
+        "state.since > 0.3 && state.since < 0.300000001", "state.on * (state.since - 0.3 < 1e-9 && time > 0.3)"}) {
+    const std::vector<double> times = times_of(text);
+    EXPECT_TRUE(has_near(times, 0.3, 5e-9)) << text;
+    EXPECT_LT(times.size(), 100u) << text;
+  }
+}
+
+TEST(GivenSignals, OfTheMotionAloneHaveNone) {
+  for (const char* text : {"b.x > 0.3 ? 1 : 0", "3", "2 * time + 1", "b.x * time", "time * state.on", "time > b.x"})
+    EXPECT_TRUE(corners_of(text).empty()) << text;
+}
+
+TEST(GivenSignals, BendAtThePointsOfTables) {
+  Given given;
+  given.add("later", "time - 0.1");
+  given.add("s", "1000 * signal.later",
+            std::make_unique<LookupTable>(std::vector<double>{0, 200, 300, 301}, std::vector<double>{0, 0, 1, 7}));
+  given.add("limited", "10 * time", std::make_unique<Saturation>(1.5, 6.25));
+  std::vector<double> times;
+  for (const Corner& corner : given.corners()) {
+    EXPECT_EQ(corner.after, std::nextafter(corner.before, kInfinity));  // the slope jumps
+    times.push_back(corner.after);
+  }
+  ASSERT_EQ(times.size(), 5u);  // 0 and 200 belong to one line
+  const double expected[] = {0.15, 0.3, 0.4, 0.401, 0.625};
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], expected[i], 1e-15);
+}
+
+TEST(GivenSignals, FollowTheStateOfTheScene) {
+  Given given;
+  given.add("s", "state.on && state.since < 1e-4 ? 3 : 0");
+  const std::vector<Corner> corners = given.corners(1.0, 0.5);
+  ASSERT_EQ(corners.size(), 1u);
+  EXPECT_NEAR(corners[0].after, 0.5001, 1e-15);
+  EXPECT_LT(corners[0].before, corners[0].after);
+}
+
+// Random expressions of bumps: between neighbouring corners each is nearly a line, but for what is small beside the bumps.
+TEST(GivenSignals, LeaveNearlyLinesBetweenCorners) {
+  std::mt19937 random(7);
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  for (int trial = 0; trial < 10; ++trial) {
+    std::string text = "0";
+    for (int i = 0; i < 3; ++i) {
+      const double centre = uniform(0.05, 0.95), width = std::pow(10.0, uniform(-6.0, -2.0));
+      text += " + exp(-((time - " + std::to_string(centre) + ") / " + std::to_string(width) + ") ^ 2)";
+    }
+    text += " + 0.1 * sin(" + std::to_string(uniform(1.0, 100.0)) + " * time)";
+    const std::vector<Corner> corners = corners_of(text);
+    NamedValues names = {{"time", 0.0}};
+    const Expression f(text, names);
+    double from = 0.0;
+    for (const Corner& corner : corners) {
+      constexpr int kSamples = 20;
+      double values[kSamples + 1], farthest = 0.0;
+      for (int i = 0; i <= kSamples; ++i) {
+        names["time"] = from + (corner.before - from) * i / kSamples;
+        values[i] = f.value();
+      }
+      const auto [low, high] = std::minmax_element(values, values + kSamples + 1);
+      for (int i = 0; i <= kSamples; ++i)
+        farthest = std::max(farthest, std::abs(values[i] - values[0] - (values[kSamples] - values[0]) * i / kSamples));
+      EXPECT_LE(farthest, 0.4 * (*high - *low) + 0.01) << text << " in [" << from << ", " << corner.before << "]";
+      from = corner.after;
+    }
+    EXPECT_LT(corners.size(), 400u) << text;
+  }
+}
+
+TEST(GivenSignals, TooFastForTheGridAreNamed) {
+  Given given;
+  given.add("noise", "sin(1e6 * time)");
+  given.add("slow", "sin(10 * time)");
+  given.corners();
+  EXPECT_EQ(given.too_fast, std::vector<std::string>{"noise"});
+}
+
+}  // namespace
+}  // namespace footfall
