@@ -70,6 +70,7 @@ double reduced(const MetricSpec& metric, const std::vector<double>& x, const Col
     case Reduction::kLargest: return std::max(std::abs(peaks.least), std::abs(peaks.largest));
     case Reduction::kDrop: return x.front() - peaks.least;
     case Reduction::kFinal:
+    case Reduction::kLoss:
     case Reduction::kPeaks:
     case Reduction::kVariation:
     case Reduction::kSteady: break;
