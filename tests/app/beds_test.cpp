@@ -254,9 +254,12 @@ key = "peak_acceleration_g"
 )");
     return folder.footfall("sweep beds.toml --out sweep --jobs 2 --list");
   };
-  EXPECT_TRUE(holds(sweep("15485863, 32452843").text, "2 beds"));
-  EXPECT_EQ(folder.shell("ls cache/beds/*/bed.restart | wc -l").text, "2\n");
-  EXPECT_FALSE(holds(sweep("15485863, 32452843").text, "2 beds")) << "made again";
+  const auto beds = [&] { return folder.shell("ls --full-time cache/beds/*/bed.restart").text; };
+  EXPECT_EQ(sweep("15485863, 32452843").exit_code, 0);
+  const std::string made = beds();
+  EXPECT_EQ(app::lines_of(made), 2) << made;
+  EXPECT_EQ(sweep("15485863, 32452843").exit_code, 0);
+  EXPECT_EQ(beds(), made) << "made again";
   const test::Outcome wrong = sweep("15485863, 4");
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_TRUE(holds(wrong.text, "random seed")) << "LIGGGHTS' own message: " << wrong.text;
