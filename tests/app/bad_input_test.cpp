@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -233,6 +234,7 @@ TEST_P(BadInput, IsFoundAndNamed) {
   }
   EXPECT_EQ(outcome.exit_code, c.exit_code) << outcome.text;
   const std::string text = replaced(replaced(outcome.text, here + "/", ""), FOOTFALL_SOURCE_DIR "/", "");
+  if (std::getenv("FOOTFALL_SHOW") != nullptr) std::printf("%s\n", text.c_str());  // for tests/docs/blocks.py
   for (const Finding& wanted : c.findings) {
     std::string place = wanted.place == "-" ? "" : wanted.place;
     if (std::isdigit(static_cast<unsigned char>(place[0]))) {

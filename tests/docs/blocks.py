@@ -13,8 +13,9 @@ block control the test and are invisible on the page:
     <!-- edit: NAME | from WORDS -->  the block replaces the file from the first line that begins with WORDS to its end; `above WORDS`: it is inserted above that line
     <!-- shorten: NAME | REGEX | TEXT -->  a replacement in a file of the page, for the test only; may stand anywhere
     <!-- says -->             each line of the block is in the output of the last commands; ... matches any text
-    <!-- pair: NAME -->       likewise, in the output for the pair NAME of tests/bad_input
+    <!-- pair: NAME -->       likewise, in the output for the case NAME of tests/app/bad_input
 """
+import os
 import pathlib
 import re
 import shlex
@@ -144,14 +145,16 @@ class Page:
                 return
 
     def run_pair_of(self, name):
-        pair = kRoot / "tests/bad_input" / name
-        done = subprocess.run([str(pair.parent / "run_pair"), str(self.footfall), str(pair), str(self.folder / "pairs" / name)],
-                              capture_output=True, text=True)
-        self.output = done.stdout
-        return done.returncode == 0
+        """A case of tests/app/bad_input, run by its own test; the page calls its files scene.toml and in.script."""
+        tables = [table.stem for table in (kRoot / "tests/app/bad_input").glob("*.txt")]
+        cases = ":".join(f"*.IsFoundAndNamed/{table}_{name}" for table in tables)
+        done = subprocess.run([str(self.footfall.parent / "app_check"), f"--gtest_filter={cases}"],
+                              capture_output=True, text=True, env={**os.environ, "FOOTFALL_SHOW": "1"})
+        self.output = re.sub(r"\bcase\.toml\b", "scene.toml", done.stdout).replace("case.in:", "in.script:")
+        return done.returncode == 0 and "[       OK ]" in done.stdout
 
     def check_output(self, block):
-        said = re.sub(r"\S*/tests/bad_input/", "", self.output).replace(str(self.folder) + "/", "")
+        said = self.output.replace(str(self.folder) + "/", "")
         self.ran += 1
         for line in block.lines:
             pattern = ".*".join(re.escape(part) for part in line.strip().split("..."))
