@@ -56,7 +56,11 @@ static void visit_fields(FieldVisitor& v, CalibrationLimits& l) {
 
 static void visit_fields(FieldVisitor& v, TargetSpec& t) {
   v.fields(rule::plain, {{"", &t.source}, {"name", &t.name}, {"figure", &t.metric}, {"scene", &t.scene}});
-  v.fields(rule::plain, {{"against", &t.against}, {"difference", &t.difference}, {"value", &t.value}, {"least", &t.least}, {"most", &t.most}});
+  v.fields(rule::plain, {{"against", &t.against},
+                         {"difference", &t.difference},
+                         {"value", &t.value},
+                         {"least", &t.least},
+                         {"most", &t.most}});
   v.fields(rule::plain, {{"column", &t.column}, {"over", &t.over}, {"file", &t.file}, {"source", &t.origin}});
   v.fields(rule::required(rule::positive()), {{"tolerance", &t.tolerance}});
   v.fields(rule::not_negative(), {{"weight", &t.weight}});
@@ -279,8 +283,8 @@ class CalibrationChecker {
         const CalibrationParameter& p = spec_.parameters[i];
         const double value = csv.number(columns[i]);
         if (value < p.least || value > p.most)
-          csv.fail(code::kOutOfRange, p.name + " is " + number_text(value) + ", expected " + number_text(p.least) + " to " +
-                                          number_text(p.most));
+          csv.fail(code::kOutOfRange, p.name + " is " + number_text(value) + ", expected " + number_text(p.least) +
+                                          " to " + number_text(p.most));
         set.push_back(p.position(value));
       }
       sets.push_back(set);

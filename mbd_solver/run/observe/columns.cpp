@@ -98,9 +98,9 @@ constexpr Entry<double> kOmegaH[] = {{"coupling.omega_h.<body>", "-", itself}};
 
 template <class Visit>
 void for_each_table(Visit visit) {
-  visit(kTime), visit(kBodyEntries), visit(kAttitudeEntries), visit(kFlexible), visit(kContact), visit(kModalForce), visit(kAngle),
-      visit(kDisplacement), visit(kDisplacementX), visit(kDisplacementY), visit(kReaction), visit(kDriveTorque),
-      visit(kDriveForce), visit(kDrivePower), visit(kGearTorque), visit(kGearForce), visit(kStrut),
+  visit(kTime), visit(kBodyEntries), visit(kAttitudeEntries), visit(kFlexible), visit(kContact), visit(kModalForce),
+      visit(kAngle), visit(kDisplacement), visit(kDisplacementX), visit(kDisplacementY), visit(kReaction),
+      visit(kDriveTorque), visit(kDriveForce), visit(kDrivePower), visit(kGearTorque), visit(kGearForce), visit(kStrut),
       visit(kControllerOutput), visit(kSignal), visit(kState), visit(kStateSince), visit(kStored), visit(kEnergyTotal);
   visit(kDissipated), visit(kWork), visit(kSupplied), visit(kCoupling), visit(kChosenWindows), visit(kOmegaH);
 }

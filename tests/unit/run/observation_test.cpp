@@ -313,7 +313,8 @@ TEST(GravityEnergy, CountsFromTheHeightOfTheGround) {
     Bench bench(kSmallMachine, {"ground.plane.point=[0,0," + height + "]"});
     double by_hand = 0.0;
     for (int i = 0; i < bench.mechanism.model.body_count(); ++i)
-      by_hand += 1.62 * bench.mechanism.model.body(i).mass() * (bench.take().kinematics.of(i).r.z() - std::stod(height));
+      by_hand +=
+          1.62 * bench.mechanism.model.body(i).mass() * (bench.take().kinematics.of(i).r.z() - std::stod(height));
     EXPECT_NEAR(bench.take().energy.stored[Stored::kGravity], by_hand, 1e-12 * by_hand);  // round-off
     return bench.take().energy.stored[Stored::kGravity] - by_hand;
   };
