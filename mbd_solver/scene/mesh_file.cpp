@@ -29,7 +29,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-std::string quoted(const std::string& word) { return "\"" + word.substr(0, 40) + "\""; }
+std::string in_quotes(const std::string& word) { return "\"" + word.substr(0, 40) + "\""; }
 
 // MeshText of a text, line by line. Lines end in CR, LF or both.
 class MeshText {
@@ -68,23 +68,23 @@ class MeshText {
     return word;
   }
   void require_keyword(const std::string& keyword) {
-    const std::string word = require(quoted(keyword));
-    if (lower(word) != keyword) fail("is " + quoted(word) + ", expected " + quoted(keyword) + kAgain);
+    const std::string word = require(in_quotes(keyword));
+    if (lower(word) != keyword) fail("is " + in_quotes(word) + ", expected " + in_quotes(keyword) + kAgain);
   }
 
   double number(const std::string& word) const {
     char* end = nullptr;
     const double value = std::strtod(word.c_str(), &end);
     if (word.find(',') != std::string::npos)
-      fail(quoted(word) +
+      fail(in_quotes(word) +
            " has a comma, expected numbers with a decimal point, between blanks; export the mesh with them");
-    if (end == word.c_str() || *end != '\0') fail(quoted(word) + " is no number" + kAgain);
-    if (!std::isfinite(value)) fail(quoted(word) + " is a coordinate that is no finite number" + kAgain);
+    if (end == word.c_str() || *end != '\0') fail(in_quotes(word) + " is no number" + kAgain);
+    if (!std::isfinite(value)) fail(in_quotes(word) + " is a coordinate that is no finite number" + kAgain);
     return value;
   }
   long whole(const std::string& word) const {
     const double value = number(word);
-    if (value != std::floor(value) || std::abs(value) > 1e15) fail(quoted(word) + " is no whole number" + kAgain);
+    if (value != std::floor(value) || std::abs(value) > 1e15) fail(in_quotes(word) + " is no whole number" + kAgain);
     return static_cast<long>(value);
   }
 
@@ -267,7 +267,7 @@ MeshFile text_stl(const std::string& bytes, const std::string& file) {
     const std::string keyword = lower(word);
     if (!within) {
       if (keyword != "solid")
-        words.fail("is " + quoted(word) + " after \"endsolid\", expected another \"solid\"" + kAgain);
+        words.fail("is " + in_quotes(word) + " after \"endsolid\", expected another \"solid\"" + kAgain);
       within = true;
       words.next_line();
     } else if (keyword == "endsolid") {
@@ -291,11 +291,11 @@ MeshFile text_stl(const std::string& bytes, const std::string& file) {
       const std::string end = words.require("\"endloop\"");
       if (lower(end) == "vertex")
         words.fail("a facet has more than three corners, expected triangles" + std::string(kAgain));
-      if (lower(end) != "endloop") words.fail("is " + quoted(end) + ", expected \"endloop\"" + kAgain);
+      if (lower(end) != "endloop") words.fail("is " + in_quotes(end) + ", expected \"endloop\"" + kAgain);
       words.require_keyword("endfacet");
       mesh.triangles.emplace_back(first, first + 1, first + 2);
     } else {
-      words.fail("is " + quoted(word) + ", expected \"facet\" or \"endsolid\"" + kAgain);
+      words.fail("is " + in_quotes(word) + ", expected \"facet\" or \"endsolid\"" + kAgain);
     }
   }
   if (within) words.fail("the file ends without \"endsolid\": it is cut off" + std::string(kAgain));
@@ -356,12 +356,12 @@ MeshFile obj(const std::string& bytes, const std::string& file) {
         const long n = words.whole(word.substr(0, word.find('/')));  // from 1, or from the last one backwards
         const long corner = n > 0 ? n - 1 : static_cast<long>(mesh.vertices.size()) + n;
         if (n == 0 || corner < 0 || corner > std::numeric_limits<int>::max())
-          fail(quoted(word) + " is no vertex" + kAgain);
+          fail(in_quotes(word) + " is no vertex" + kAgain);
         corners.push_back(static_cast<int>(corner));
       }
       add_face(corners, mesh, fail);
     } else {
-      fail("begins with " + quoted(keyword) + ", expected polygons (v, f); export the mesh in triangles");
+      fail("begins with " + in_quotes(keyword) + ", expected polygons (v, f); export the mesh in triangles");
     }
   }
   result.spacing = digits.spacing(mesh);
@@ -476,7 +476,7 @@ std::string ply_head(MeshText& words, std::size_t bytes, std::vector<PlyElement>
     if (word == "format") {
       format = in_line("a format");
       if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
-        words.fail("the format is " + quoted(format) + ", expected ascii or binary" + kAgain);
+        words.fail("the format is " + in_quotes(format) + ", expected ascii or binary" + kAgain);
     } else if (word == "element") {
       PlyElement& element = elements.emplace_back();
       element.name = in_line("a name");
@@ -494,10 +494,11 @@ std::string ply_head(MeshText& words, std::size_t bytes, std::vector<PlyElement>
       }
       property.name = in_line("a name");
       for (const std::string& type : {property.type, property.count_type})
-        if (!type.empty() && size_of_type(type) == 0) words.fail("the type " + quoted(type) + " is unknown" + kAgain);
+        if (!type.empty() && size_of_type(type) == 0)
+          words.fail("the type " + in_quotes(type) + " is unknown" + kAgain);
       elements.back().properties.push_back(property);
     } else {
-      words.fail("begins with " + quoted(word) + ", expected element, property, comment or end_header" + kAgain);
+      words.fail("begins with " + in_quotes(word) + ", expected element, property, comment or end_header" + kAgain);
     }
   }
 }
@@ -517,7 +518,7 @@ MeshFile ply(const std::string& bytes, const std::string& file) {
     if (!vertices && !faces && element.count > 0 && element.name == "tristrips")
       fail("has strips of triangles, expected faces; export the mesh in triangles");
     if (element.properties.empty() && element.count > 0)
-      fail("element " + quoted(element.name) + " has no properties" + kAgain);
+      fail("element " + in_quotes(element.name) + " has no properties" + kAgain);
     for (std::size_t e = 0; e < element.count; ++e) {
       Vector3d x = Vector3d::Zero();
       std::vector<int> corners;
