@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kOfRun =
-    R"((history|ledger)\.csv|(run|summary)\.json|liggghts.*\.log|grains_energy.*\.txt|failed|audit\.txt|paraview\.py)"
+    R"((history|peaks|ledger)\.csv|(run|summary)\.json|liggghts.*\.log|grains_energy.*\.txt|failed|audit\.txt|paraview\.py)"
     R"(|.*\.pvd|.*\.vtk\.series|.*_[0-9]+\.(vtk|vtu|vtp|txt|stl)(\.part)?|(view|report|watch)\.html)"
     R"(|(pictures|plots)/[^/]*\.(dat|gp|png|rgb|svg)|(audit|checkpoint|compare|motion|script)/.*)";
 
