@@ -85,14 +85,15 @@ TEST_P(Redundant, FourBarsPassSingularPositionsWithinAWindow) {
 }
 
 // Any number of parallelograms, with the posts flat: with three of them at 1e-7 and below IDA's steps shrank into the position
-// and the run ended. [J of N x 9.8 J]
+// and the run ended. The bound is twice the largest error with other last bits at the start (FOOTFALL_LAST_BITS=1..5); a run that
+// takes another branch is off by 4 J and more. [J of N x 9.8 J]
 TEST_P(Redundant, AnyNumberOfFourBarsPassSingularPositionsAtEveryTolerance) {
   for (const int n : {1, 2, 3, 4})
     for (const double rtol : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
       const Model model = test::n_four_bar(n);
       test::Run run(model, GetParam(), test::precise(rtol));
       run.to(10.0, 1);
-      EXPECT_LT(std::abs(run.imbalance()), n * 8e-6 * std::pow(rtol / 1e-8, 0.9) + 6e-6) << n << ", rtol " << rtol;
+      EXPECT_LT(std::abs(run.imbalance()), n * 1.6e-5 * std::pow(rtol / 1e-8, 0.9) + 1.2e-5) << n << ", rtol " << rtol;
     }
 }
 
