@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
@@ -30,6 +32,7 @@ namespace footfall {
 namespace {
 
 constexpr std::size_t kMostElements = 20000;  // of a plate; the reduction then takes minutes
+constexpr double kLargeSag = 0.1;             // of a body's size: linear modes are then wrong by per cents
 constexpr double kSameMass = 0.01;            // relative: masses in scenes are rounded
 constexpr double kUnitRange = 5.0;            // around a factor of 1000 between lengths
 
@@ -39,20 +42,20 @@ struct Attachment {
   bool turns;             // transmits moments
 };
 
-std::vector<Attachment> attachments(const Scene& scene, const std::string& body) {
-  std::vector<Attachment> points;
+// By the names of bodies.
+std::unordered_map<std::string, std::vector<Attachment>> attachments(const Scene& scene) {
+  std::unordered_map<std::string, std::vector<Attachment>> points;
   for (const JointSpec& joint : scene.joints) {
-    if (joint.bodies[0] == body) points.push_back({joint.point_a, traits_of(joint.type).holds_attitude});
-    if (joint.bodies[1] == body) points.push_back({joint.point_b, traits_of(joint.type).holds_attitude});
+    points[joint.bodies[0]].push_back({joint.point_a, traits_of(joint.type).holds_attitude});
+    points[joint.bodies[1]].push_back({joint.point_b, traits_of(joint.type).holds_attitude});
   }
   for (const StrutSpec& strut : scene.struts)
-    for (std::size_t end = 0; end < 2; ++end)
-      if (strut.bodies[end] == body) points.push_back({strut.points[end], false});
+    for (std::size_t end = 0; end < 2; ++end) points[strut.bodies[end]].push_back({strut.points[end], false});
   for (const SpringSpec& spring : scene.springs)
-    if (spring.source.given("point") && (spring.bodies[0] == body || spring.bodies[1] == body))
-      points.push_back({spring.point, true});
+    if (spring.source.given("point"))
+      for (const std::string& body : spring.bodies) points[body].push_back({spring.point, true});
   for (const ForceSpec& force : scene.forces)
-    if (force.body == body && force.point) points.push_back({*force.point, force.torque.has_value()});
+    if (force.point) points[force.body].push_back({*force.point, force.torque.has_value()});
   return points;
 }
 
@@ -222,8 +225,19 @@ class Reductions {
   std::vector<Entry> entries_;
 };
 
-FlexibleBody build(const Scene& scene, const BodySpec& body, Reductions& reductions,
-                   std::vector<std::string>& warnings) {
+// Free modes deflect by at least g / omega^2, held ones by more.
+void warn_of_sag(const BodySpec& body, const ModalBody& modal, double gravity, std::vector<std::string>& warnings) {
+  if (modal.stiffness.size() == 0 || !(modal.stiffness.minCoeff() > 0.0)) return;
+  const double sag = gravity / modal.stiffness.minCoeff(), size = reach(modal.rho0);
+  if (sag > kLargeSag * size)
+    warnings.push_back(with_code(code::kBendsUnderWeight,
+                                 "body \"" + body.name + "\": bends by at least " + number_text(sag, 2) +
+                                     " m under its own weight, and is " + number_text(size, 3) +
+                                     " m large; linear modes fail there. Check young (_GPa), density and dimensions."));
+}
+
+FlexibleBody build(const Scene& scene, const BodySpec& body, const std::vector<Attachment>& attached,
+                   Reductions& reductions, std::vector<std::string>& warnings) {
   const FlexibleSpec& spec = *body.flexible;
   BasisOptions options;
   options.kind = spec.basis;
@@ -231,7 +245,6 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, Reductions& reducti
   options.max_frequency = spec.max_frequency;
   options.damping_ratio = {spec.damping};
 
-  const std::vector<Attachment> attached = attachments(scene, body.name);
   ReducedBody reduced;
   if (!spec.file.empty()) {
     reduced = read_modal_body(spec.file, options, body.name);
@@ -259,6 +272,7 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, Reductions& reducti
     reduced = reductions.reduce(body, std::move(model), options);
   }
   warnings.insert(warnings.end(), reduced.warnings.begin(), reduced.warnings.end());
+  if (reduced.warnings.empty()) warn_of_sag(body, reduced.body, scene.gravity.norm(), warnings);
   return {std::make_shared<const ModalBody>(std::move(reduced.body)), reduced.p_DBo};
 }
 
@@ -268,13 +282,16 @@ std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<
   std::vector<FlexibleBody> bodies(scene.bodies.size());
   if (!scene.flexible) return bodies;
   Reductions reductions;
+  const auto attached = attachments(scene);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const auto& flexible = scene.bodies[i].flexible;
     const bool rigid = !flexible || !flexible->enabled || (flexible->modes && *flexible->modes == 0);
     if (rigid) continue;
     const std::string who = "body \"" + scene.bodies[i].name + "\"";
     try {
-      bodies[i] = build(scene, scene.bodies[i], reductions, warnings);
+      const auto own = attached.find(scene.bodies[i].name);
+      bodies[i] = build(scene, scene.bodies[i], own == attached.end() ? std::vector<Attachment>() : own->second,
+                        reductions, warnings);
     } catch (const InputError& error) {
       const std::string what = error.what();
       throw InputError(what.find(who) == std::string::npos ? who + ": " + what : what);
@@ -414,15 +431,16 @@ bool add_round_shape(const BodySpec& body, const BoundarySpec& spec, BodyBoundar
   FOOTFALL_DEMAND(false);
 }
 
-bool touches_ground(const GroundSpec& ground, const std::string& body) {
-  if (ground.kind != GroundKind::kPlane || ground.plane->bodies.empty()) return true;
-  return std::find(ground.plane->bodies.begin(), ground.plane->bodies.end(), body) != ground.plane->bodies.end();
+// The bodies that the plane touches; empty: all.
+std::unordered_set<std::string> bodies_on_the_plane(const GroundSpec& ground) {
+  if (ground.kind != GroundKind::kPlane) return {};
+  return {ground.plane->bodies.begin(), ground.plane->bodies.end()};
 }
 
 const BoundarySpec& spec_of(const Scene& scene, const BodyBoundary& entry) {
-  for (const BoundarySpec& spec : scene.boundaries)
-    if (spec.body == entry.boundary.name()) return spec;
-  FOOTFALL_DEMAND(false);
+  const BoundarySpec* spec = scene.boundary_of(entry.boundary.name());
+  FOOTFALL_DEMAND(spec != nullptr);
+  return *spec;
 }
 
 }  // namespace
@@ -464,12 +482,13 @@ double lowest_place(const BodyBoundary& entry, const Eigen::Vector3d& n_B, const
 std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector<FlexibleBody>& flexible,
                                            std::vector<std::string>& warnings) {
   std::vector<BodyBoundary> boundaries;
+  const std::unordered_set<std::string> touching = bodies_on_the_plane(scene.ground);
   for (const BoundarySpec& spec : scene.boundaries) {
     const int index = scene.body_index(spec.body);
     const auto i = static_cast<std::size_t>(index);
     const BodySpec& body = scene.bodies[i];
     boundaries.push_back({index, build(scene, body, spec, flexible[i], warnings), {}, {}});
-    if (!touches_ground(scene.ground, body.name)) continue;
+    if (!touching.empty() && touching.count(body.name) == 0) continue;
     const Body carrier =
         flexible[i].modal ? Body(body.name, flexible[i].modal) : Body(body.name, body.mass, body.inertia);
     BodyBoundary& entry = boundaries.back();

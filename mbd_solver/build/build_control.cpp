@@ -146,27 +146,29 @@ SignalNode node_of(const Scene& scene, const SignalSpec& spec, int place) {
 
 // A name of the form "OWNER.what".
 bool is(const std::string& name, const std::string& owner, const std::string& what) {
-  return name.size() == owner.size() + 1 + what.size() && name.rfind(owner + ".", 0) == 0 &&
-         name.compare(owner.size() + 1, what.size(), what) == 0;
+  return name.size() == owner.size() + 1 + what.size() && name.compare(0, owner.size(), owner) == 0 &&
+         name[owner.size()] == '.' && name.compare(owner.size() + 1, what.size(), what) == 0;
 }
+
+// OWNER of "OWNER.what": `what` has no dots.
+std::string owner_in(const std::string& name) { return name.substr(0, name.rfind('.')); }
 
 constexpr const char* kAccelerations[] = {"ax", "ay", "az"};
 
 std::unique_ptr<Sensor> body_sensor(const Model& model, const std::string& name) {
-  for (int i = 0; i < model.body_count(); ++i) {
-    const auto find = [&](const auto& entries) -> std::unique_ptr<Sensor> {
-      for (const auto& entry : entries) {
-        const std::string what = std::string(entry.pattern).substr(std::string("<body>.").size());
-        const bool position =
-            std::find(std::begin(kAccelerations), std::end(kAccelerations), what) == std::end(kAccelerations);
-        if (position && is(name, model.body(i).name(), what)) return std::make_unique<BodySensor>(i, entry.value);
-      }
-      return nullptr;
-    };
-    if (auto sensor = find(kBodyEntries)) return sensor;
-    if (auto sensor = find(kAttitudeEntries)) return sensor;
-  }
-  return nullptr;
+  const std::optional<int> body = model.find_body(owner_in(name));
+  if (!body) return nullptr;
+  const auto find = [&](const auto& entries) -> std::unique_ptr<Sensor> {
+    for (const auto& entry : entries) {
+      const std::string what = std::string(entry.pattern).substr(std::string("<body>.").size());
+      const bool position =
+          std::find(std::begin(kAccelerations), std::end(kAccelerations), what) == std::end(kAccelerations);
+      if (position && is(name, model.body(*body).name(), what)) return std::make_unique<BodySensor>(*body, entry.value);
+    }
+    return nullptr;
+  };
+  if (auto sensor = find(kBodyEntries)) return sensor;
+  return find(kAttitudeEntries);
 }
 
 }  // namespace
@@ -174,14 +176,19 @@ std::unique_ptr<Sensor> body_sensor(const Model& model, const std::string& name)
 std::unique_ptr<Sensor> sensor_of(const Mechanism& mechanism, const std::string& name) {
   const Model& model = mechanism.model;
   if (auto sensor = body_sensor(model, name)) return sensor;
-  for (const CoordinateEntry& entry : mechanism.coordinates) {
+  const std::string owner = owner_in(name);
+  const std::vector<CoordinateEntry>& coordinates = mechanism.coordinates;  // those of a joint one after the other
+  std::size_t i = mechanism.coordinate_index.find(coordinates, owner).value_or(coordinates.size());
+  for (; i < coordinates.size() && coordinates[i].name == owner; ++i) {
+    const CoordinateEntry& entry = coordinates[i];
     const std::string coordinate(name_of(entry.coordinate));
     const Joint& joint = model.joint(entry.joint);
     if (is(name, entry.name, coordinate)) return std::make_unique<CoordinateSensor>(joint, entry.coordinate);
     if (is(name, entry.name, coordinate + "_rate"))
       return std::make_unique<CoordinateRateSensor>(joint, entry.coordinate);
   }
-  for (const StrutEntry& entry : mechanism.struts) {
+  if (const std::optional<std::size_t> found = mechanism.strut_index.find(mechanism.struts, owner)) {
+    const StrutEntry& entry = mechanism.struts[*found];
     const auto& strut = static_cast<const Strut&>(model.force(entry.force));
     if (is(name, entry.name, "stroke")) return std::make_unique<StrutSensor>(strut, StrutSensor::Reads::kStroke);
     if (is(name, entry.name, "rate")) return std::make_unique<StrutSensor>(strut, StrutSensor::Reads::kRate);
@@ -231,10 +238,15 @@ std::optional<SignalSource> signal_source(const Mechanism& mechanism, const std:
   if (name == "time") return SignalSource{Kind::kTime, 0};
   if (name == "state.since" && mechanism.state_since >= 0)
     return SignalSource{Kind::kSince, static_cast<std::size_t>(mechanism.state_since)};
-  for (const PlaceEntry& entry : mechanism.signals)
-    if (name == "signal." + entry.name) return SignalSource{Kind::kPlace, static_cast<std::size_t>(entry.place)};
-  for (const PlaceEntry& entry : mechanism.states)
-    if (name == "state." + entry.name) return SignalSource{Kind::kPlace, static_cast<std::size_t>(entry.place)};
+  const auto place_in = [&](const std::string& prefix, const std::vector<PlaceEntry>& entries,
+                            const NameIndex& index) -> std::optional<SignalSource> {
+    if (name.rfind(prefix, 0) != 0) return std::nullopt;
+    const std::optional<std::size_t> found = index.find(entries, name.substr(prefix.size()));
+    if (!found) return std::nullopt;
+    return SignalSource{Kind::kPlace, static_cast<std::size_t>(entries[*found].place)};
+  };
+  if (const auto source = place_in("signal.", mechanism.signals, mechanism.signal_index)) return source;
+  if (const auto source = place_in("state.", mechanism.states, mechanism.state_index)) return source;
   for (const ControllerEntry& entry : mechanism.controllers)
     for (std::size_t k = 0; k < entry.outputs.size(); ++k)
       if (is(name, entry.name, entry.outputs[k]))
@@ -244,9 +256,9 @@ std::optional<SignalSource> signal_source(const Mechanism& mechanism, const std:
 
 int signal_place(const Mechanism& mechanism, const std::string& name) {
   if (name.empty()) return -1;
-  for (const PlaceEntry& entry : mechanism.signals)
-    if (entry.name == name) return entry.place;
-  FOOTFALL_DEMAND(false);  // the scene is checked
+  const std::optional<std::size_t> found = mechanism.signal_index.find(mechanism.signals, name);
+  FOOTFALL_DEMAND(found.has_value());  // the scene is checked
+  return mechanism.signals[*found].place;
 }
 
 std::string where_read(const Scene& scene, const std::string& name) {

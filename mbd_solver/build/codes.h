@@ -27,5 +27,9 @@ inline constexpr MessageCode kModelInertia{"E0269", "model-inertia"};
 inline constexpr MessageCode kTableDifference{"W0260", "table-difference"};
 // A signal varies in time faster than its corners can be found, and steps may pass over parts of it. Shorten the run.
 inline constexpr MessageCode kVariesTooFast{"W0261", "varies-too-fast"};
+// The contact of two bodies, or of a body and a plane, throws them apart at the start. Move one of them.
+inline constexpr MessageCode kThrownAtStart{"W0265", "thrown-at-start"};
+// A flexible body bends by more than a tenth of its size under its own weight, where linear modes fail. Check its material.
+inline constexpr MessageCode kBendsUnderWeight{"W0266", "bends-under-weight"};
 
 }  // namespace footfall::code

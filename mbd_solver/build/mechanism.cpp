@@ -1,6 +1,8 @@
 // The steps of building in their order, the bodies, and the inputs.
 #include "mbd_solver/build/mechanism.h"
 
+#include <unordered_map>
+
 #include "mbd_solver/scene/resolve.h"
 
 namespace footfall {
@@ -23,6 +25,8 @@ int add_input(Mechanism& mechanism, double value) {
 void add_bodies(const Scene& scene, const std::vector<FlexibleBody>& flexible, Mechanism& mechanism) {
   const Placement& placement = mechanism.placement;
   const Eigen::Vector3d p_WC = placement.point(mass_centre(scene));
+  std::unordered_map<std::string, const BodyVelocitySpec*> moving;
+  for (const BodyVelocitySpec& own : scene.initial.bodies) moving.emplace(own.body, &own);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const BodySpec& spec = scene.bodies[i];
     BodyState state;
@@ -31,10 +35,9 @@ void add_bodies(const Scene& scene, const std::vector<FlexibleBody>& flexible, M
     state.L << L.w(), L.x(), L.y(), L.z();
     state.w = scene.initial.angular_velocity;
     state.dr = scene.initial.velocity + state.w.cross(state.r - p_WC);
-    for (const BodyVelocitySpec& own : scene.initial.bodies) {
-      if (own.body != spec.name) continue;
-      if (own.velocity) state.dr = *own.velocity;
-      if (own.angular_velocity) state.w = *own.angular_velocity;
+    if (const auto own = moving.find(spec.name); own != moving.end()) {
+      if (own->second->velocity) state.dr = *own->second->velocity;
+      if (own->second->angular_velocity) state.w = *own->second->angular_velocity;
     }
     mechanism.model.add_body(
         flexible[i].modal ? Body(spec.name, flexible[i].modal) : Body(spec.name, spec.mass, spec.inertia), state);
@@ -60,6 +63,7 @@ Mechanism build_mechanism(const Scene& scene) {
   add_plane(scene, mechanism);
   add_contacts(scene, mechanism);
   add_signals(scene, mechanism);
+  warn_of_overlaps(scene, mechanism);
   return mechanism;
 }
 

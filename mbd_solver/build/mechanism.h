@@ -9,6 +9,7 @@
 
 #include "coupler/messages.h"
 #include "coupler/modal_boundary.h"
+#include "mbd_solver/base/name_index.h"
 #include "mbd_solver/model/control/continuous_signals.h"
 #include "mbd_solver/model/control/controllers.h"
 #include "mbd_solver/model/control/fuzzy.h"
@@ -131,7 +132,8 @@ struct Mechanism {
   std::vector<std::string> warnings;
   std::vector<GearEntry> gears;
   std::vector<PlaceEntry> signals;
-  std::vector<PlaceEntry> states;   // 1 in this state of the scene, else 0
+  std::vector<PlaceEntry> states;  // 1 in this state of the scene, else 0
+  NameIndex signal_index, state_index, coordinate_index, strut_index;
   int state_since = -1;             // place of the time at which the present state began [s]; -1: no states
   std::vector<SignalNode> sampled;  // signals with a period, for the run
 };
@@ -176,6 +178,9 @@ void add_contacts(const Scene& scene, Mechanism& mechanism);
 void add_controllers(const Scene& scene, Mechanism& mechanism);
 void add_signal_places(const Scene& scene, Mechanism& mechanism);  // before what they command
 void add_signals(const Scene& scene, Mechanism& mechanism);        // after what they measure
+
+// Contacts that throw bodies higher than they are large, because they overlap at the start.
+void warn_of_overlaps(const Scene& scene, Mechanism& mechanism);
 
 // Where the value of a name is found among the inputs of a run, or the time; nothing for other names.
 std::optional<SignalSource> signal_source(const Mechanism& mechanism, const std::string& name);

@@ -2,13 +2,15 @@
 // All conditions of all joints at one state, sparse, in the metric of the mass matrix:
 //   B = D Phi_v C^-T,  M = C C^T,  D scales every row to unit length
 // A sparse QR of B^T gives its rank, the smallest corrections, and the rows that follow from others. Time and memory grow with
-// the number of bodies for chains and trees.
+// the number of bodies for chains and trees; bodies with many joints are split (split_bodies.h).
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
+#include <memory>
 #include <vector>
 
 #include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/dynamics/split_bodies.h"
 #include "mbd_solver/model/state.h"
 
 namespace footfall {
@@ -28,6 +30,7 @@ struct RedundantGroup {
 class ConstraintRows {
  public:
   ConstraintRows(const Model& model, const Layout& layout);
+  ~ConstraintRows();
 
   void evaluate(const State& state);
   // The smallest change (in the mass metric) of positions or velocities that removes the defects, in the least-squares sense if
@@ -36,11 +39,21 @@ class ConstraintRows {
   Eigen::VectorXd correction(const Eigen::VectorXd& defect, double rank_tolerance) const;
   // The groups of joints with redundant rows.
   std::vector<RedundantGroup> redundant(double rank_tolerance) const;
+  // Entries of the triangular factor R at this tolerance.
+  Eigen::Index factor_entries(double rank_tolerance) const;
 
   const Kinematics& kinematics() const { return kinematics_; }
   Eigen::VectorXd phi, rate, scale;  // phi, phi', diagonal of D
 
  private:
+  struct Factors;
+  struct Combination;
+  // Of the current rows: computed once for each tolerance until the rows change.
+  const Factors& factors(double rank_tolerance) const;
+  bool is_rotor(int row) const;
+  std::vector<Combination> combinations(double rank_tolerance) const;
+  // Fills a group, but for its joints, from its combinations.
+  void complete(const std::vector<const Combination*>& combinations, RedundantGroup& group) const;
   // Lengths of rows, one for the forces of a joint and one for its moments, so that the smallest reactions do not depend on the
   // directions of its conditions.
   Eigen::VectorXd joint_lengths(const RedundantGroup& group) const;
@@ -48,8 +61,10 @@ class ConstraintRows {
   const Model& model_;
   const Layout& layout_;
   Kinematics kinematics_;
-  std::vector<Eigen::MatrixXd> factors_;    // C per body
+  SplitBodies split_;
+  std::vector<Eigen::MatrixXd> masses_;     // C per body
   Eigen::SparseMatrix<double> transposed_;  // B^T
+  mutable std::unique_ptr<Factors> factors_;
 };
 
 // Redundant conditions in the equations of motion. k combinations Y of the rows of a group of joints are zero in every

@@ -435,7 +435,7 @@ void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::Vecto
     add_force_derivatives(
         i, t, y.segment(layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], model_.force(i).state_count()),
         values);
-  if (model_.signals()) add_signal_derivatives(t, y, inputs);
+  if (model_.signals()) add_signal_derivatives(t, y);
 }
 
 const Eigen::SparseMatrix<double>& Equations::jacobian_pattern() const { return work_->pattern.full; }
@@ -541,7 +541,7 @@ namespace {
 constexpr double kDifference = 1e-6;  // step of differences, which only Newton's matrix uses [m, rad, m/s, rad/s, -]
 
 struct SignalValues {
-  Eigen::VectorXd values, rates;
+  std::vector<double> values, rates;  // of what an influence changes
 };
 
 // The kinematics with one body changed.
@@ -597,20 +597,33 @@ void Equations::settle_signals(const Eigen::VectorXd* before, const Inputs& inpu
   model_.signals()->settle(state.time, w.kinematics, before, state.z.tail(w.signal_rates.size()), w.values);
 }
 
-// Central differences over each coordinate and velocity of the measured bodies, and over each state of the signals. F_z
-// contains minus the rates, F_v minus the forces.
-void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs) {
+// Central differences over each coordinate and velocity of the measured bodies, and over each state of the signals; only what
+// depends on it is evaluated. w.values and w.signal_rates are those of the loaded state, before and after. F_z contains minus
+// the rates, F_v minus the forces.
+void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y) {
   Workspace& w = *work_;
-  const SignalPlaces& places = w.pattern.signals;
-  const Eigen::Index states = w.signal_rates.size();
-  SignalValues plus{inputs.values, w.signal_rates}, minus = plus;
-  Eigen::VectorXd z = y.segment(layout_.z0() + layout_.signal_z, states);
+  const ContinuousSignals& signals = *model_.signals();
+  Eigen::VectorXd z = y.segment(layout_.z0() + layout_.signal_z, w.signal_rates.size());
+  SignalValues plus, minus;
 
-  // Adds the column of one change, of a state of the signals (by_states) or of the measured body b, to these values.
-  const auto add_column = [&](double* values, int column, bool by_states, std::size_t b, double step) {
-    if (states > 0) {
-      const Eigen::VectorXd rates = (minus.rates - plus.rates) / (2.0 * step);
-      (by_states ? places.states_states : places.states_v[b]).add_column(values, column, rates);
+  const auto read = [&](const ContinuousSignals::Influence& of, SignalValues& out) {
+    out.values.clear();
+    out.rates.clear();
+    for (const int place : of.places) out.values.push_back(w.values[place]);
+    for (const auto& [first, count] : of.rates)
+      for (int k = 0; k < count; ++k) out.rates.push_back(w.signal_rates[first + k]);
+  };
+  const auto set_values = [&](const ContinuousSignals::Influence& of, const SignalValues& from) {
+    for (std::size_t i = 0; i < of.places.size(); ++i) w.values[of.places[i]] = from.values[i];
+  };
+  // Adds the column of one change to these values.
+  const auto add_column = [&](const SignalPlaces& places, double* values, int column, double step) {
+    std::size_t k = 0;
+    Eigen::VectorXd rates;
+    for (std::size_t i = 0; i < places.rates.size(); ++i) {
+      rates.resize(places.of.rates[i].second);
+      for (Eigen::Index l = 0; l < rates.size(); ++l, ++k) rates[l] = (minus.rates[k] - plus.rates[k]) / (2.0 * step);
+      places.rates[i].add_column(values, column, rates);
     }
     if (plus.values == minus.values) return;
     for (const SignalPlaces::Driven& driven : places.driven) {
@@ -622,44 +635,52 @@ void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::V
       for (const int side : {0, 1}) {
         Q[side] = Eigen::VectorXd::Zero(pair.size());
         dz[side] = Eigen::VectorXd::Zero(m);
-        element.add_force({pair, z_of, side == 0 ? plus.values : minus.values, t}, Q[side], dz[side]);
+        set_values(places.of, side == 0 ? plus : minus);
+        element.add_force({pair, z_of, w.values, t}, Q[side], dz[side]);
       }
       const Eigen::VectorXd dQ = (Q[1] - Q[0]) / (2.0 * step), ddz = (dz[1] - dz[0]) / (2.0 * step);
       for (int i = 0; i < 2; ++i) {
         const int n = pair.body[i]->size();
-        const SparseBlock& block = by_states ? driven.v_states[i] : driven.v_v[i][b];
-        if (n > 0) block.add_column(values, column, dQ.segment(pair.offset(i), n));
+        if (n > 0) driven.v[i].add_column(values, column, dQ.segment(pair.offset(i), n));
       }
-      if (m > 0) (by_states ? driven.z_states : driven.z_v[b]).add_column(values, column, ddz);
+      if (m > 0) driven.z.add_column(values, column, ddz);
     }
   };
 
-  const auto evaluate = [&](const auto& kinematics, SignalValues& out) {
-    out.values = inputs.values;
-    model_.signals()->evaluate(t, kinematics, z, out.values, out.rates);
-  };
-  for (std::size_t b = 0; b < places.measured.size(); ++b) {
-    const int body = places.measured[b], n = w.kinematics.of(body).size();
-    for (const bool position : {true, false}) {
-      for (int j = 0; j < n; ++j) {
-        Changed changed{w.kinematics, w.kinematics.of(body), w.kinematics.of(body)};
-        move(changed.now, position, j, kDifference);
-        evaluate(changed, plus);
-        changed.now = changed.was;
-        move(changed.now, position, j, -kDifference);
-        evaluate(changed, minus);
-        add_column(position ? w.pattern.stiffness.data() : w.pattern.lower.valuePtr(), j, false, b, kDifference);
+  for (const SignalPlaces& places : w.pattern.signals) {
+    const ContinuousSignals::Influence& of = places.of;
+    const auto evaluate = [&](const auto& kinematics) {
+      signals.evaluate(of, kinematics, z, w.values, w.signal_rates);
+    };
+    if (of.body != kGround) {
+      const BodyKinematics& body = w.kinematics.of(of.body);
+      for (const bool position : {true, false}) {
+        for (int j = 0; j < body.size(); ++j) {
+          Changed changed{w.kinematics, body, body};
+          move(changed.now, position, j, kDifference);
+          evaluate(changed);
+          read(of, plus);
+          changed.now = changed.was;
+          move(changed.now, position, j, -kDifference);
+          evaluate(changed);
+          read(of, minus);
+          add_column(places, position ? w.pattern.stiffness.data() : w.pattern.lower.valuePtr(), j, kDifference);
+        }
       }
     }
-  }
-  for (Eigen::Index j = 0; j < states; ++j) {
-    const double before = z[j], step = kDifference * (1.0 + std::abs(before));
-    z[j] = before + step;
-    evaluate(w.kinematics, plus);
-    z[j] = before - step;
-    evaluate(w.kinematics, minus);
-    z[j] = before;
-    add_column(w.pattern.lower.valuePtr(), static_cast<int>(j), true, 0, step);
+    for (int j = 0; j < of.state_count; ++j) {
+      double& state = z[of.first_state + j];
+      const double given = state, step = kDifference * (1.0 + std::abs(given));
+      state = given + step;
+      evaluate(w.kinematics);
+      read(of, plus);
+      state = given - step;
+      evaluate(w.kinematics);
+      read(of, minus);
+      state = given;
+      add_column(places, w.pattern.lower.valuePtr(), j, step);
+    }
+    evaluate(w.kinematics);
   }
 }
 

@@ -105,7 +105,7 @@ class Equations {
                      EnergySample& out);
   // At the loaded kinematics: the inputs with the continuous signals among them. Also the rates of their states.
   const Eigen::VectorXd& input_values_at(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs);
-  void add_signal_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs);
+  void add_signal_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y);
   void gather_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                           const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs);
   void add_body_derivatives(int index, double c, const Inputs& inputs);

@@ -3,8 +3,8 @@
 #include "mbd_solver/dynamics/jacobian_pattern.h"
 
 #include <algorithm>
-
-#include "mbd_solver/model/control/continuous_signals.h"
+#include <map>
+#include <set>
 
 namespace footfall {
 namespace {
@@ -42,33 +42,53 @@ std::array<Range, 2> velocities(const Layout& layout, const Kinematics& kinemati
   return {Range{first[0], kinematics.of(body_1).size()}, Range{first[1], kinematics.of(body_2).size()}};
 }
 
+// What depends on continuous signals: their influences, and the forces that read a place of each.
+std::vector<SignalPlaces> signal_places(const Model& model) {
+  std::vector<SignalPlaces> out;
+  if (!model.signals()) return out;
+  std::map<int, std::vector<int>> forces;  // that read a place among the inputs
+  for (int i = 0; i < model.force_count(); ++i)
+    for (const int place : model.force(i).read_inputs())
+      if (place >= 0) forces[place].push_back(i);
+  for (ContinuousSignals::Influence& influence : model.signals()->influences()) {
+    SignalPlaces places;
+    std::set<int> driven;
+    for (const int place : influence.places)
+      if (const auto found = forces.find(place); found != forces.end())
+        driven.insert(found->second.begin(), found->second.end());
+    for (const int force : driven) {
+      places.driven.emplace_back();
+      places.driven.back().force = force;
+    }
+    places.rates.resize(influence.rates.size());
+    places.of = std::move(influence);
+    out.push_back(std::move(places));
+  }
+  return out;
+}
+
 // Blocks of the continuous signals, if there are any.
 template <typename Visit>
-void visit_signal_blocks(const Model& model, const Layout& layout, const Kinematics& kinematics, SignalPlaces& places,
-                         Visit visit) {
-  if (!model.signals()) return;
-  const int z0 = layout.v_size;
-  const Range states{z0 + layout.signal_z, layout.z_size - layout.signal_z};
+void visit_signal_blocks(const Model& model, const Layout& layout, const Kinematics& kinematics,
+                         std::vector<SignalPlaces>& signals, Visit visit) {
+  const int z0 = layout.v_size, states0 = z0 + layout.signal_z;
   const auto visit_some = [&](Range rows, Range cols, SparseBlock& block) {
     if (rows.size > 0 && cols.size > 0) visit(rows, cols, block);
   };
-  const auto columns = [&](std::size_t b) {
-    const int body = places.measured[b];
-    return Range{layout.body_v[static_cast<std::size_t>(body)], kinematics.of(body).size()};
-  };
-  for (SignalPlaces::Driven& driven : places.driven) {
-    const ForceElement& force = model.force(driven.force);
-    const std::array<Range, 2> v = velocities(layout, kinematics, force.bodies()[0], force.bodies()[1]);
-    const Range z{z0 + layout.force_z[static_cast<std::size_t>(driven.force)], force.state_count()};
-    for (std::size_t b = 0; b < places.measured.size(); ++b) {
-      for (std::size_t i = 0; i < 2; ++i) visit_some(v[i], columns(b), driven.v_v[i][b]);
-      visit_some(z, columns(b), driven.z_v[b]);
+  for (SignalPlaces& places : signals) {
+    const ContinuousSignals::Influence& of = places.of;
+    const Range columns = of.body == kGround
+                              ? Range{states0 + of.first_state, of.state_count}
+                              : Range{layout.body_v[static_cast<std::size_t>(of.body)], kinematics.of(of.body).size()};
+    for (SignalPlaces::Driven& driven : places.driven) {
+      const ForceElement& force = model.force(driven.force);
+      const std::array<Range, 2> v = velocities(layout, kinematics, force.bodies()[0], force.bodies()[1]);
+      for (std::size_t i = 0; i < 2; ++i) visit_some(v[i], columns, driven.v[i]);
+      visit_some({z0 + layout.force_z[static_cast<std::size_t>(driven.force)], force.state_count()}, columns, driven.z);
     }
-    for (std::size_t i = 0; i < 2; ++i) visit_some(v[i], states, driven.v_states[i]);
-    visit_some(z, states, driven.z_states);
+    for (std::size_t k = 0; k < of.rates.size(); ++k)
+      visit_some({states0 + of.rates[k].first, of.rates[k].second}, columns, places.rates[k]);
   }
-  for (std::size_t b = 0; b < places.measured.size(); ++b) visit_some(states, columns(b), places.states_v[b]);
-  visit_some(states, states, places.states_states);
 }
 
 auto announce_to(SparsePattern& pattern) {
@@ -92,21 +112,8 @@ Range body_range(const Layout& layout, const Kinematics& kinematics, int body) {
 JacobianPattern::JacobianPattern(const Model& model, const Layout& layout, const Kinematics& kinematics)
     : bodies(static_cast<std::size_t>(model.body_count())),
       joints(static_cast<std::size_t>(model.joint_count())),
-      forces(static_cast<std::size_t>(model.force_count())) {
-  if (model.signals()) {
-    signals.measured = model.signals()->bodies();
-    const std::size_t count = signals.measured.size();
-    signals.states_v.resize(count);
-    for (int i = 0; i < model.force_count(); ++i) {
-      if (model.force(i).input_count() == 0) continue;
-      SignalPlaces::Driven driven;
-      driven.force = i;
-      driven.v_v[0].resize(count);
-      driven.v_v[1].resize(count);
-      driven.z_v.resize(count);
-      signals.driven.push_back(driven);
-    }
-  }
+      forces(static_cast<std::size_t>(model.force_count())),
+      signals(signal_places(model)) {
   const int z0 = layout.v_size, lambda0 = layout.v_size + layout.z_size;
   const auto visit_all = [&](auto visit) {
     for (int j = 0; j < model.joint_count(); ++j) {

@@ -7,6 +7,7 @@
 
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/dynamics/sparse_blocks.h"
+#include "mbd_solver/model/control/continuous_signals.h"
 
 namespace footfall {
 
@@ -24,18 +25,16 @@ struct PairPlaces {
   std::vector<SparseBlock> extra_extra;  // z by z, block by block
 };
 
-// Places of continuous signals: forces that they drive and their own states, by the bodies that they measure and by their
-// states. Empty without signals.
+// Places of what depends on one body that continuous signals measure, or on the states of one of them: its columns in the
+// rates of states and in the forces that read signals.
 struct SignalPlaces {
   struct Driven {
-    int force = 0;                         // element of the model
-    std::vector<SparseBlock> v_v[2], z_v;  // per measured body: rows of its bodies, of its inner states
-    SparseBlock v_states[2], z_states;     // by the states of the signals
+    int force = 0;        // element of the model
+    SparseBlock v[2], z;  // rows of its bodies, of its inner states
   };
-  std::vector<int> measured;          // bodies
-  std::vector<Driven> driven;         // elements that read inputs
-  std::vector<SparseBlock> states_v;  // per measured body: rows of the states of the signals
-  SparseBlock states_states;
+  ContinuousSignals::Influence of;
+  std::vector<SparseBlock> rates;  // as of.rates
+  std::vector<Driven> driven;
 };
 
 struct JacobianPattern {
@@ -50,7 +49,7 @@ struct JacobianPattern {
   std::vector<BodyPlaces> bodies;
   std::vector<PairPlaces> joints, forces;
   std::vector<int> z_z, lambda_lambda;
-  SignalPlaces signals;
+  std::vector<SignalPlaces> signals;
   Eigen::SparseMatrix<double> full;     // of the full system: columns of q, then as in `lower` with F_q on top
   Eigen::SparseMatrix<double> reduced;  // pattern of `lower`
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 
 #include "coupler/base/errors.h"
@@ -26,35 +27,46 @@ constexpr double kLost = 1e-15;
 
 // Per body: the factor of its contribution to eps, 1 except for very light bodies. Throws InputError.
 std::vector<double> shares_in_eps(const Model& model) {
+  // Sets of connected bodies, each with its heaviest mass at its root.
+  std::vector<int> parent;
   std::vector<double> heaviest;
-  for (int i = 0; i < model.body_count(); ++i) heaviest.push_back(model.body(i).mass());
-  // Each pass propagates the heaviest mass by one joint.
-  for (bool changed = true; changed;) {
-    changed = false;
-    const auto connect = [&](int a, int b) {
-      if (a == kGround || b == kGround) return;
-      double &at_a = heaviest[static_cast<std::size_t>(a)], &at_b = heaviest[static_cast<std::size_t>(b)];
-      changed = changed || at_a != at_b;
-      at_a = at_b = std::max(at_a, at_b);
-    };
-    for (int j = 0; j < model.joint_count(); ++j) {
-      const Joint& joint = model.joint(j);
-      connect(joint.m1.body, joint.m2.body);
-      if (joint.row_of < 0) continue;
-      for (const int other : {model.joint(joint.row_of).m1.body, model.joint(joint.row_of).m2.body})
-        for (const int own : {joint.m1.body, joint.m2.body}) connect(other, own);
-    }
-  }
   for (int i = 0; i < model.body_count(); ++i) {
-    double& share = heaviest[static_cast<std::size_t>(i)];
+    parent.push_back(i);
+    heaviest.push_back(model.body(i).mass());
+  }
+  const auto root = [&parent](int i) {
+    while (parent[static_cast<std::size_t>(i)] != i) {
+      parent[static_cast<std::size_t>(i)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
+      i = parent[static_cast<std::size_t>(i)];
+    }
+    return i;
+  };
+  const auto connect = [&](int a, int b) {
+    if (a == kGround || b == kGround) return;
+    a = root(a);
+    b = root(b);
+    parent[static_cast<std::size_t>(b)] = a;
+    double& at_a = heaviest[static_cast<std::size_t>(a)];
+    at_a = std::max(at_a, heaviest[static_cast<std::size_t>(b)]);
+  };
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const Joint& joint = model.joint(j);
+    connect(joint.m1.body, joint.m2.body);
+    if (joint.row_of < 0) continue;
+    for (const int other : {model.joint(joint.row_of).m1.body, model.joint(joint.row_of).m2.body})
+      for (const int own : {joint.m1.body, joint.m2.body}) connect(other, own);
+  }
+  std::vector<double> shares;
+  for (int i = 0; i < model.body_count(); ++i) {
+    const double share = heaviest[static_cast<std::size_t>(root(i))];
     if (model.body(i).mass() < kLost * share)
       throw InputError(code::kMassRatio,
                        "body \"" + model.body(i).name() + "\" has a mass of " + number_text(model.body(i).mass(), 3) +
                            " kg and is connected by joints to a body of " + number_text(share, 3) +
                            " kg; the ratio exceeds 1e15 and is lost in round-off. Make it heavier, or remove it.");
-    share = std::min(1.0, model.body(i).mass() / (kLight * share));
+    shares.push_back(std::min(1.0, model.body(i).mass() / (kLight * share)));
   }
-  return heaviest;
+  return shares;
 }
 
 // Unit rows depend on each other if the independent part of one is shorter than this.
@@ -267,11 +279,18 @@ void SaddleSystem::find_redundancies(const State& state) {
   ConstraintRows rows(model_, layout_);
   rows.evaluate(state);
   const std::vector<RedundantGroup> found = rows.redundant(kDependent);
+  // A group at this state is part of one at the start, or belongs to a singular position, which eps regularises.
+  std::vector<const Redundancy*> owner(static_cast<std::size_t>(model_.joint_count()), nullptr);
+  std::map<const Redundancy*, std::vector<const RedundantGroup*>> parts;
+  for (const Redundancy& redundancy : redundancies_)
+    for (const int joint : redundancy.joints()) owner[static_cast<std::size_t>(joint)] = &redundancy;
+  for (const RedundantGroup& group : found)
+    parts[owner[static_cast<std::size_t>(group.joints.front())]].push_back(&group);
   for (Redundancy& redundancy : redundancies_) {
-    // A group at this state is part of one at the start, or belongs to a singular position, which eps regularises.
     Eigen::MatrixXd U = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(redundancy.rows().size()), redundancy.count());
     Eigen::Index columns = 0;
-    for (const RedundantGroup& group : found) {
+    for (const RedundantGroup* part : parts[&redundancy]) {
+      const RedundantGroup& group = *part;
       if (!std::includes(redundancy.joints().begin(), redundancy.joints().end(), group.joints.begin(),
                          group.joints.end()))
         continue;

@@ -5,6 +5,7 @@
 // of a window; neither is a force element.
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -40,7 +41,9 @@ class ForceElement {
   virtual int state_count() const { return 0; }
   // Inner states act on each other only within blocks of this size, which divides state_count().
   virtual int state_block() const { return state_count(); }
-  virtual int input_count() const { return 0; }  // required size of ElementInput::inputs
+  virtual std::array<int, 2> read_inputs() const { return {-1, -1}; }  // places in ElementInput::inputs; -1: none
+  // Required size of ElementInput::inputs.
+  int input_count() const { return 1 + std::max(read_inputs()[0], read_inputs()[1]); }
   virtual Eigen::VectorXd initial_state() const { return {}; }
   // Q += generalized force (n); dz = rate of the inner states (m, overwritten).
   virtual void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,

@@ -20,10 +20,8 @@ void demand_known_body(const std::string& what, int body, int count) {
 }  // namespace
 
 int Model::add_body(Body body, const BodyState& initial) {
-  for (const Body& other : bodies_) {
-    if (other.name() == body.name())
-      throw InputError(code::kTwiceInModel, "body \"" + body.name() + "\": there are two bodies of this name.");
-  }
+  if (body_names_.count(body.name()) > 0)
+    throw InputError(code::kTwiceInModel, "body \"" + body.name() + "\": there are two bodies of this name.");
   BodyState state = initial;
   const int s = body.mode_count();
   if (state.a.size() == 0) state.a = Eigen::VectorXd::Zero(s);
@@ -34,18 +32,18 @@ int Model::add_body(Body body, const BodyState& initial) {
   if (!finite || !(state.L.norm() > 0.0))
     throw InputError(code::kInitialState, "body \"" + body.name() + "\": its initial state is not finite.");
   state.L.normalize();
+  body_names_.emplace(body.name(), body_count());
   bodies_.push_back(std::move(body));
   initial_.push_back(std::move(state));
   return body_count() - 1;
 }
 
 int Model::add_joint(Joint joint) {
-  for (const Joint& other : joints_) {
-    if (other.name == joint.name)
-      throw InputError(code::kTwiceInModel, "joint \"" + joint.name + "\": there are two joints of this name.");
-  }
+  if (joint_names_.count(joint.name) > 0)
+    throw InputError(code::kTwiceInModel, "joint \"" + joint.name + "\": there are two joints of this name.");
   demand_known_body("joint \"" + joint.name + "\"", joint.m1.body, body_count());
   demand_known_body("joint \"" + joint.name + "\"", joint.m2.body, body_count());
+  joint_names_.emplace(joint.name, joint_count());
   joints_.push_back(std::move(joint));
   return joint_count() - 1;
 }
@@ -53,24 +51,26 @@ int Model::add_joint(Joint joint) {
 int Model::add_force(std::unique_ptr<ForceElement> element) {
   FOOTFALL_DEMAND(element != nullptr);
   const std::array<int, 2>& bodies = element->bodies();
-  for (const std::unique_ptr<ForceElement>& other : forces_) {
-    if (other->name() == element->name())
-      throw InputError(code::kTwiceInModel, "force element \"" + element->name() + "\": there are two of this name.");
-  }
+  if (force_names_.count(element->name()) > 0)
+    throw InputError(code::kTwiceInModel, "force element \"" + element->name() + "\": there are two of this name.");
   for (int body : bodies) demand_known_body("force element \"" + element->name() + "\"", body, body_count());
   if (bodies[0] == bodies[1])
     throw InputError(code::kOneBodyOnly, "force element \"" + element->name() +
                                              "\": it must act between two different bodies, or a body and the ground.");
+  force_names_.emplace(element->name(), force_count());
   forces_.push_back(std::move(element));
   return force_count() - 1;
 }
 
+std::optional<int> Model::find_body(const std::string& name) const {
+  const auto found = body_names_.find(name);
+  return found == body_names_.end() ? std::nullopt : std::optional<int>(found->second);
+}
+
 int Model::body_index(const std::string& name) const {
+  if (const std::optional<int> found = find_body(name)) return *found;
   std::string known;
-  for (int i = 0; i < body_count(); ++i) {
-    if (body(i).name() == name) return i;
-    known += (i > 0 ? ", " : "") + body(i).name();
-  }
+  for (int i = 0; i < body_count(); ++i) known += (i > 0 ? ", " : "") + body(i).name();
   throw InputError(code::kNotInModel, "unknown body \"" + name + "\". Known bodies: " + known + ".");
 }
 

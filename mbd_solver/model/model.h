@@ -2,7 +2,9 @@
 // The constant description of a mechanism: bodies, joints, force elements, gravity. Built once, then only read.
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "mbd_solver/model/body.h"
@@ -37,6 +39,7 @@ class Model {
   const BodyState& initial(int index) const { return initial_[static_cast<std::size_t>(index)]; }
   // Index by name; InputError with a list of the known names.
   int body_index(const std::string& name) const;
+  std::optional<int> find_body(const std::string& name) const;
 
   // Marker on a body (or kGround) from a point and axes given in W at the initial state.
   Marker marker_at(int body, const Eigen::Vector3d& p_W,
@@ -50,6 +53,7 @@ class Model {
   std::vector<BodyState> initial_;
   std::vector<Joint> joints_;
   std::vector<std::unique_ptr<ForceElement>> forces_;
+  std::unordered_map<std::string, int> body_names_, joint_names_, force_names_;  // indices
   std::shared_ptr<const ContinuousSignals> signals_;
 };
 

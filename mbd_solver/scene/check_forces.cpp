@@ -1,6 +1,7 @@
 // The checks of struts, springs, forces, controllers, signals and drives.
 
 #include <cmath>
+#include <set>
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
@@ -29,7 +30,20 @@ void check_voltage_table(const EntryFindings& at, const std::string& key, const 
   }
 }
 
-void check_mr(const Scene& scene, const MrSpec& mr, const EntryFindings& at) {
+// An output of a controller, "CONTROLLER.OUTPUT".
+struct OutputName {
+  std::string name;
+};
+
+std::vector<OutputName> outputs_of(const Scene& scene) {
+  std::vector<OutputName> outputs;
+  for (const ControllerSpec& c : scene.controllers)
+    for (const std::string& output : c.outputs) outputs.push_back({c.name + "." + output});
+  return outputs;
+}
+
+void check_mr(const Scene& scene, const MrSpec& mr, const std::vector<OutputName>& outputs, const NameIndex& index,
+              const EntryFindings& at) {
   if (mr.geometry) {
     at.error_if(at.given("mr.yield_force") || at.given("mr.yield_table") || at.given("mr.viscous"), kConflictingKeys,
                 "mr.geometry", "gives the forces, as do yield_force, yield_table and viscous; keep one of the two");
@@ -47,10 +61,7 @@ void check_mr(const Scene& scene, const MrSpec& mr, const EntryFindings& at) {
               "gives the voltage, as does a controller or voltage; keep one of them");
   if (mr.controller.empty()) return;
   at.given_twice_if(at.given("mr.voltage"), "mr.voltage", "the controller");
-  std::vector<std::string> outputs;
-  for (const ControllerSpec& c : scene.controllers)
-    for (const std::string& output : c.outputs) outputs.push_back(c.name + "." + output);
-  check_known(at, kUnknownOutput, "mr.controller", "controller output", "outputs", mr.controller, outputs);
+  check_known(at, kUnknownOutput, "mr.controller", "controller output", "outputs", mr.controller, outputs, index);
 }
 
 void check_honeycomb(const HoneycombSpec& h, const EntryFindings& at) {
@@ -90,15 +101,16 @@ void check_stops(const StrutSpec& strut, const EntryFindings& at) {
 }
 
 bool is_flexible(const Scene& scene, const std::string& name) {
-  return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& body) {
-    return body.name == name && body.flexible && body.flexible->enabled;
-  });
+  const BodySpec* body = scene.body(name);
+  return body != nullptr && body->flexible && body->flexible->enabled;
 }
 
 }  // namespace
 
 void check_struts(const Scene& scene, Findings& findings) {
   check_unique_names(scene.struts, "strut", findings);
+  const std::vector<OutputName> outputs = outputs_of(scene);
+  const NameIndex index;
   for (const StrutSpec& strut : scene.struts) {
     const EntryFindings at(findings, strut.source);
     check_pair(scene, at, strut.bodies);
@@ -111,7 +123,7 @@ void check_struts(const Scene& scene, Findings& findings) {
       sections.emplace_back(key);
     });
     at.error_if(!any, kEmptyEntry, "", "has no force law; give at least one of " + joined(sections));
-    if (strut.mr) check_mr(scene, *strut.mr, at);
+    if (strut.mr) check_mr(scene, *strut.mr, outputs, index, at);
     if (strut.honeycomb) check_honeycomb(*strut.honeycomb, at);
     check_stops(strut, at);
   }
@@ -223,12 +235,10 @@ void check_beams(const BodySpec& body, const BeamsSpec& beams, const EntryFindin
 void check_boundary(const Scene& scene, const BoundarySpec& boundary, const EntryFindings& at) {
   at.error_if(!boundary.surface && !boundary.beams, kEmptyEntry, "",
               "has neither a surface nor beams; give surface = {} or beams = {}");
-  for (const BodySpec& body : scene.bodies) {
-    if (body.name != boundary.body) continue;
-    if (boundary.surface) check_surface(body, *boundary.surface, at);
-    if (boundary.beams) check_beams(body, *boundary.beams, at);
-    return;
-  }
+  const BodySpec* body = scene.body(boundary.body);
+  if (body == nullptr) return;
+  if (boundary.surface) check_surface(*body, *boundary.surface, at);
+  if (boundary.beams) check_beams(*body, *boundary.beams, at);
 }
 
 // prefix: before the keys in a message.
@@ -248,16 +258,16 @@ void check_law(const Scene& scene, const std::string& prefix, const ContactLawSp
 }
 
 void check_has_boundary(const Scene& scene, const EntryFindings& at, const char* key, const std::string& name) {
-  const std::vector<std::string> names = boundary_names(scene);
-  if (!is_in(names, name))
-    at.error(kUnknownBoundary, key,
-             "\"" + name + "\" has no entry in [[boundaries]]." + known_names("boundaries", name, names));
+  if (scene.boundary_of(name) == nullptr)
+    at.error(
+        kUnknownBoundary, key,
+        "\"" + name + "\" has no entry in [[boundaries]]." + known_names("boundaries", name, boundary_names(scene)));
 }
 
 // A flexible body in a scene that is not rigid as a whole.
 bool deforms(const Scene& scene, const std::string& name) {
-  return scene.flexible && std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                                       [&](const BodySpec& body) { return body.name == name && is_flexible(body); });
+  const BodySpec* body = scene.body(name);
+  return scene.flexible && body != nullptr && is_flexible(*body);
 }
 
 void check_between(const Scene& scene, const ContactSpec& contact, const EntryFindings& at) {
@@ -278,8 +288,10 @@ void check_between(const Scene& scene, const ContactSpec& contact, const EntryFi
 }
 
 void check_contacts(const Scene& scene, Findings& findings) {
-  for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
-    const ContactSpec& contact = scene.contacts[i];
+  std::set<std::pair<std::string, std::string>> pairs;  // of the entries so far
+  std::set<std::string> at_walls;
+  bool all_at_walls = false;
+  for (const ContactSpec& contact : scene.contacts) {
     const EntryFindings at(findings, contact.source);
     if (contact.walls) {
       at.error_if(!contact.between.empty(), kConflictingKeys, "walls", "excludes between; give each of them an entry");
@@ -297,29 +309,27 @@ void check_contacts(const Scene& scene, Findings& findings) {
       at.error_if(at.given(key) && !contact.with_plane(), kKeyWithoutEffect, key,
                   "belongs to a plane: between = [\"BODY\", \"plane\"]");
     if (!contact.ignore) check_law(scene, "", contact, at);
-    for (std::size_t j = 0; j < i; ++j) {
-      const ContactSpec& other = scene.contacts[j];
-      const bool same = contact.between.size() == 2 && !contact.with_plane() && other.between.size() == 2 &&
-                        std::is_permutation(contact.between.begin(), contact.between.end(), other.between.begin());
-      const bool shared = contact.bodies.empty() || other.bodies.empty() ||
-                          std::find_first_of(contact.bodies.begin(), contact.bodies.end(), other.bodies.begin(),
-                                             other.bodies.end()) != contact.bodies.end();
-      at.error_if(same || (contact.walls && other.walls && shared), kListedTwice, contact.walls ? "walls" : "between",
-                  "are in an earlier entry already: the contact would count twice");
+    bool again = contact.between.size() == 2 && !contact.with_plane() &&
+                 !pairs.insert(std::minmax(contact.between[0], contact.between[1])).second;
+    if (contact.walls) {
+      again = again || all_at_walls || (contact.bodies.empty() && !at_walls.empty());
+      for (const std::string& body : contact.bodies) again = again || at_walls.count(body) > 0;
+      all_at_walls = all_at_walls || contact.bodies.empty();
+      at_walls.insert(contact.bodies.begin(), contact.bodies.end());
     }
+    at.error_if(again, kListedTwice, contact.walls ? "walls" : "between",
+                "are in an earlier entry already: the contact would count twice");
   }
 }
 
 }  // namespace
 
 void check_contact(const Scene& scene, Findings& findings) {
-  for (std::size_t i = 0; i < scene.boundaries.size(); ++i) {
-    const BoundarySpec& boundary = scene.boundaries[i];
+  for (const BoundarySpec& boundary : scene.boundaries) {
     const EntryFindings at(findings, boundary.source);
     check_body_name(scene, at, "body", boundary.body);
-    for (std::size_t j = 0; j < i; ++j)
-      at.error_if(!boundary.body.empty() && scene.boundaries[j].body == boundary.body, kListedTwice, "body",
-                  "\"" + boundary.body + "\" already has a boundary; put surface and beams into one entry");
+    at.error_if(!boundary.body.empty() && scene.boundary_of(boundary.body) != &boundary, kListedTwice, "body",
+                "\"" + boundary.body + "\" already has a boundary; put surface and beams into one entry");
     check_boundary(scene, boundary, at);
   }
   check_contacts(scene, findings);
@@ -354,7 +364,7 @@ bool cut_prefix(const std::string& text, const std::string& prefix, std::string&
 }
 
 void check_state_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name) {
-  check_known(at, kUnknownState, key, "state", "states", name, names_in(scene.states));
+  check_known(at, kUnknownState, key, "state", "states", name, scene.states, scene.indices.states);
 }
 
 // It can be read, and the signals and states that it names exist. Columns are known when the mechanism is built.

@@ -230,6 +230,14 @@ inline constexpr MessageCode kLightMaterial{"W0150", "light-material"};
 inline constexpr MessageCode kLooseBody{"W0151", "loose-body"};
 // Gravity pulls the bodies off the ground. Change its sign.
 inline constexpr MessageCode kGravityUpwards{"W0152", "gravity-upwards"};
+// No solid of this size has this mass or density. Check the units of mass and size.
+inline constexpr MessageCode kImplausibleMass{"W0153", "implausible-mass"};
+// The mass of the body would be far outside of the body. Check the unit of the inertia, kg m2.
+inline constexpr MessageCode kImplausibleInertia{"W0154", "implausible-inertia"};
+// Gravity is beyond that of any planet or centrifuge. Write m/s2.
+inline constexpr MessageCode kImplausibleGravity{"W0155", "implausible-gravity"};
+// A body is inside another one that nothing connects to it. Move it, or connect the two.
+inline constexpr MessageCode kBodyInside{"W0156", "body-inside"};
 // The spline through a table leaves the range of its values. Give more points where the motion begins and ends.
 inline constexpr MessageCode kSplineOvershoot{"W0160", "spline-overshoot"};
 // The motion continues beyond the end of its table at the last speed. Give more points, the last ones equal to rest.
@@ -238,6 +246,12 @@ inline constexpr MessageCode kMotionContinues{"W0161", "motion-continues"};
 inline constexpr MessageCode kStartBeyondStop{"W0165", "start-beyond-stop"};
 // The clearance is measured before [initial.joints] moves the bodies. Check the gap to the ground.
 inline constexpr MessageCode kClearance{"W0166", "clearance"};
+// An angle in rad exceeds a turn, mostly meant in degrees. Use the suffix _deg.
+inline constexpr MessageCode kAngleInDegrees{"W0167", "angle-in-degrees"};
+// The speed exceeds that of sound in the body, where contact laws do not hold. Check its unit.
+inline constexpr MessageCode kImplausibleSpeed{"W0168", "implausible-speed"};
+// Springs yield by more than the size of the mechanism under the weight that they carry. Check the unit of their stiffness.
+inline constexpr MessageCode kSoftSpring{"W0170", "soft-spring"};
 // The script has no fix gravity, so its grains have no weight. Add the line that the message gives.
 inline constexpr MessageCode kNoGrainGravity{"W0207", "no-grain-gravity"};
 // The mesh is far larger than the simulation box, mostly drawn in millimetres. Add "scale 0.001" to its fix.

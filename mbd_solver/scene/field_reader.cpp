@@ -436,7 +436,7 @@ class FieldReader final : public FieldVisitor {
   void field(const std::string& key, const FieldRef& ref, const Rule& rule) override {
     if (Source* const* source = std::get_if<Source*>(&ref)) {
       Frame& frame = frames_.back();
-      **source = Source{frame.path, frame.node->line, {}, {}};
+      **source = Source{frame.path, frame.node->line, {}, {}, {}};
       frame.source = *source;
       frame.local.clear();
       return;
@@ -577,6 +577,7 @@ class FieldReader final : public FieldVisitor {
         std::find_if(found.begin(), found.end(), [](const Given& g) { return g.node->line == Source::kFromSet; });
     const Given& chosen = set != found.end() ? *set : found.front();
     if (frame.source) frame.source->lines[frame.local + key] = chosen.node->line;
+    if (frame.source && chosen.written != key) frame.source->in_other_units.insert(frame.local + key);
     return chosen;
   }
 

@@ -40,8 +40,7 @@ bool names_a_place(const std::string& file, const std::string& message) {
 
 void Findings::coded_error(int line, const std::string& path, const std::string& what) {
   const std::string text = place_of(file_, line, path) + what;
-  const auto same = [&](const Finding& f) { return f.text == text; };
-  if (std::none_of(errors_.begin(), errors_.end(), same)) errors_.push_back({line, text});
+  if (texts_.insert(text).second) errors_.push_back({line, text});
 }
 
 void Findings::coded_error(const Source& source, const std::string& key, const std::string& what) {

@@ -15,8 +15,9 @@ struct Source {
   std::string path;  // "bodies.cabin", "struts.primary_1", "solver": for messages and --set
   int line = 0;      // of the entry; 0: not in the file (a default)
   std::map<std::string, int>
-      lines;                      // of each key given in it: "mass", "gas.exponent"; a key from --set has line kFromSet
-  std::set<std::string> refused;  // keys whose value was reported by the reader, and is not in the scene
+      lines;  // of each key given in it: "mass", "gas.exponent"; a key from --set has line kFromSet
+  std::set<std::string> in_other_units;  // keys that are written with a unit suffix
+  std::set<std::string> refused;         // keys whose value was reported by the reader, and is not in the scene
 
   static constexpr int kFromSet = -1;
   // Line of a key, or of the innermost given key around it.
@@ -65,6 +66,7 @@ class Findings {
 
   std::string file_;
   std::vector<Finding> errors_;
+  std::set<std::string> texts_;  // of all errors
   std::vector<std::string> warnings_;
 };
 

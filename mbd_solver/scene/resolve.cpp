@@ -217,10 +217,9 @@ bool resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
           std::string("is missing; give it") + (points ? ": points have no volume" : ", or a material for the shape"));
       return false;
     }
-    check_known(at, kUnknownMaterial, "material", "material", "materials", body.material, names_in(scene.materials));
-    density = 0.0;
-    for (const MaterialSpec& material : scene.materials)
-      if (material.name == body.material) density = material.density;
+    check_material_name(scene, body, at);
+    const MaterialSpec* material = scene.material_or_null(body.material);
+    density = material != nullptr ? material->density : 0.0;
     if (!(density > 0.0)) return false;  // unknown or refused
   }
   MassProperties p;

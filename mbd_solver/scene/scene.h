@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/base/name_index.h"
 #include "mbd_solver/scene/body_spec.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/force_spec.h"
@@ -60,6 +61,11 @@ struct Scene {
   CouplingSpec coupling;
   OutputSpec output;
 
+  // By name; null where there is none.
+  const BodySpec* body(const std::string& name) const;
+  const JointSpec* joint(const std::string& name) const;
+  const MaterialSpec* material_or_null(const std::string& name) const;
+  const BoundarySpec* boundary_of(const std::string& body) const;
   // Look-ups of a checked scene; an unknown name is an internal error. "ground" has the index -1.
   int body_index(const std::string& name) const;
   const MaterialSpec& material(const std::string& name) const;
@@ -70,6 +76,11 @@ struct Scene {
   int joint_index(const std::string& name) const;
   Coordinate only_coordinate(const std::string& joint) const;  // of a joint that has one
   bool touches_particles() const { return ground.kind == GroundKind::kParticles; }
+
+  struct Indices {
+    NameIndex bodies, joints, materials, boundaries, signals, states;
+  };
+  Indices indices;
 };
 
 }  // namespace footfall

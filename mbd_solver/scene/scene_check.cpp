@@ -1,7 +1,9 @@
-// The checks of bodies, joints, gears, contacts and limits; what all checks share; the look-ups of a checked scene.
+// The checks of bodies, joints, gears, contacts and limits; what all checks share.
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <unordered_set>
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
@@ -15,39 +17,7 @@ namespace {
 
 constexpr double kLeastDensity = 50.0;  // of materials that machines are built of [kg/m3]
 
-template <class Entry>
-int index_of(const std::vector<Entry>& entries, const std::string& name) {
-  const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.name == name; });
-  FOOTFALL_DEMAND(found != entries.end());
-  return static_cast<int>(found - entries.begin());
-}
-
 }  // namespace
-
-int Scene::body_index(const std::string& name) const { return name == "ground" ? -1 : index_of(bodies, name); }
-
-int Scene::joint_index(const std::string& name) const { return index_of(joints, name); }
-
-const MaterialSpec& Scene::material(const std::string& name) const {
-  return materials[static_cast<std::size_t>(index_of(materials, name))];
-}
-
-Coordinate Scene::coordinate_of(const DriveSpec& drive) const {
-  return drive.coordinate ? *drive.coordinate : only_coordinate(drive.joint);
-}
-
-Coordinate Scene::coordinate_of(const GearSpec& gear, std::size_t index) const {
-  if (index < gear.coordinates.size())
-    for (const Coordinate coordinate : every<Coordinate>())
-      if (gear.coordinates[index] == name_of(coordinate)) return coordinate;
-  return only_coordinate(gear.joints[index]);
-}
-
-Coordinate Scene::only_coordinate(const std::string& joint) const {
-  const std::vector<Coordinate> has = coordinates_of(joints[static_cast<std::size_t>(joint_index(joint))].type);
-  FOOTFALL_DEMAND(has.size() == 1);
-  return has.front();
-}
 
 std::vector<std::string> boundary_names(const Scene& scene) {
   std::vector<std::string> names;
@@ -55,18 +25,17 @@ std::vector<std::string> boundary_names(const Scene& scene) {
   return names;
 }
 
-void check_known(const EntryFindings& at, const MessageCode& code, const std::string& key, const std::string& what,
-                 const std::string& plural, const std::string& name, const std::vector<std::string>& names) {
-  if (!name.empty() && !is_in(names, name))
-    at.error(code, key, "unknown " + what + " \"" + name + "\"." + known_names(plural, name, names));
+void check_material_name(const Scene& scene, const BodySpec& body, const EntryFindings& at) {
+  check_known(at, kUnknownMaterial, "material", "material", "materials", body.material, scene.materials,
+              scene.indices.materials);
 }
 
 void check_body_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name) {
-  check_known(at, kUnknownBody, key, "body", "bodies", name, names_in(scene.bodies));
+  check_known(at, kUnknownBody, key, "body", "bodies", name, scene.bodies, scene.indices.bodies);
 }
 
 void check_signal_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name) {
-  check_known(at, kUnknownSignal, key, "signal", "signals", name, names_in(scene.signals));
+  check_known(at, kUnknownSignal, key, "signal", "signals", name, scene.signals, scene.indices.signals);
 }
 
 void check_pair(const Scene& scene, const EntryFindings& at, const std::array<std::string, 2>& bodies) {
@@ -96,7 +65,7 @@ void check_flexible(const Scene& scene, const BodySpec& body, const EntryFinding
   if (f.file.empty() && matrices == 0) {
     if (body.material.empty()) {
       at.missing("material", "a flexible body needs density, young and poisson");
-    } else if (is_in(names_in(scene.materials), body.material) && !(scene.material(body.material).young > 0.0)) {
+    } else if (scene.material_or_null(body.material) && !(scene.material(body.material).young > 0.0)) {
       at.all().error(kMissingKey, scene.material(body.material).source, "young",
                      "is missing; the flexible body \"" + body.name + "\" needs it");
     }
@@ -108,7 +77,7 @@ void check_flexible(const Scene& scene, const BodySpec& body, const EntryFinding
     at.error_if(std::max(m.first, m.second) >= nodes || m.first == m.second, kFrameMember, "flexible.members",
                 "joins nodes " + std::to_string(m.first) + " and " + std::to_string(m.second) +
                     ", expected two different ones from 0 to " + std::to_string(nodes - 1));
-    if (!is_in(names_in(f.sections), m.section))
+    if (std::none_of(f.sections.begin(), f.sections.end(), [&](const auto& s) { return s.name == m.section; }))
       at.error(kUnknownSection, "flexible.members",
                "unknown section \"" + m.section + "\"." + known_names("sections", m.section, names_in(f.sections)));
   }
@@ -133,16 +102,16 @@ void check_bodies(const Scene& scene, Findings& findings) {
   for (const BodySpec& body : scene.bodies) {
     const EntryFindings at(findings, body.source);
     at.error_if(body.name == "ground", kReservedName, "name", "\"ground\" is the inertial frame; choose another name");
-    check_known(at, kUnknownMaterial, "material", "material", "materials", body.material, names_in(scene.materials));
+    check_material_name(scene, body, at);
     if (body.flexible && body.flexible->enabled) check_flexible(scene, body, at);
   }
-  const std::vector<BodyVelocitySpec>& moving = scene.initial.bodies;
-  for (auto v = moving.begin(); v != moving.end(); ++v) {
-    const EntryFindings at(findings, v->source);
-    check_body_name(scene, at, "body", v->body);
-    const auto same = std::find_if(moving.begin(), v, [&](const BodyVelocitySpec& o) { return o.body == v->body; });
-    at.error_if(!v->body.empty() && same != v, kListedTwice, "body",
-                "\"" + v->body + "\" already has a velocity (line " + std::to_string(same->source.line) +
+  std::unordered_map<std::string, int> moving;  // lines of the first entry of each body
+  for (const BodyVelocitySpec& v : scene.initial.bodies) {
+    const EntryFindings at(findings, v.source);
+    check_body_name(scene, at, "body", v.body);
+    const auto [same, is_new] = moving.emplace(v.body, v.source.line);
+    at.error_if(!v.body.empty() && !is_new, kListedTwice, "body",
+                "\"" + v.body + "\" already has a velocity (line " + std::to_string(same->second) +
                     "); give each body one entry");
   }
   for (const std::string& name : scene.output.bodies)
@@ -154,16 +123,17 @@ namespace {
 // A body next to a mechanism that nothing connects to it and that touches nothing: mostly a forgotten joint.
 void warn_of_loose_bodies(const Scene& scene, Findings& findings) {
   if (scene.joints.empty()) return;
-  std::vector<std::string> used = boundary_names(scene);
+  std::unordered_set<std::string> used;
+  for (const BoundarySpec& boundary : scene.boundaries) used.insert(boundary.body);
   const auto use = [&](const auto& entries) {
-    for (const auto& entry : entries) used.insert(used.end(), entry.bodies.begin(), entry.bodies.end());
+    for (const auto& entry : entries) used.insert(entry.bodies.begin(), entry.bodies.end());
   };
   use(scene.joints);
   use(scene.struts);
   use(scene.springs);
-  for (const ForceSpec& force : scene.forces) used.push_back(force.body);
+  for (const ForceSpec& force : scene.forces) used.insert(force.body);
   for (const BodySpec& body : scene.bodies)
-    if (!is_in(used, body.name))
+    if (used.count(body.name) == 0)
       findings.warning(kLooseBody, body.source, "name",
                        "body \"" + body.name +
                            "\" is connected to nothing: no joint, strut, spring, force or boundary names it; add a "
@@ -197,6 +167,7 @@ void check_scene(const Scene& scene, Findings& findings) {
   check_forces(scene, findings);
   check_contact(scene, findings);
   check_limits(scene, findings);
+  if (!findings.has_errors()) check_plausible(scene, findings);
   if (scene.particles && scene.touches_particles()) check_script(scene, findings);
 }
 
@@ -282,9 +253,9 @@ void check_limits(const Scene& scene, Findings& findings) {
   for (const BoundarySpec& boundary : scene.boundaries) {
     const EntryFindings at(findings, boundary.source);
     if (boundary.beams) check_int(at, "beams.segments", boundary.beams->segments, kMostSegments);
-    for (const BodySpec& body : scene.bodies)
-      if (boundary.surface && body.name == boundary.body && body.shape)
-        check_edge(at, "surface.element_size", *body.shape, boundary.surface->element_size, kMostGenerated);
+    const BodySpec* body = scene.body(boundary.body);
+    if (boundary.surface && body != nullptr && body->shape)
+      check_edge(at, "surface.element_size", *body->shape, boundary.surface->element_size, kMostGenerated);
   }
 }
 
@@ -421,9 +392,6 @@ std::vector<std::pair<std::string, Eigen::Vector3d>> displacements(const JointSp
 
 // Two motions of the same coordinate of the same two bodies: one of them would be dropped as redundant.
 void check_motion_twice(const JointSpec& first, const JointSpec& second, Findings& findings) {
-  const bool same_pair =
-      first.bodies == second.bodies || (first.bodies[0] == second.bodies[1] && first.bodies[1] == second.bodies[0]);
-  if (!first.motion || !second.motion || !same_pair) return;
   const auto report = [&](const std::string& key) {
     findings.error(kMotionTwice, second.source, "motion." + key,
                    "is already prescribed by joint \"" + first.name + "\" (line " + std::to_string(first.source.line) +
@@ -473,15 +441,20 @@ void check_function(const EntryFindings& at, const std::string& key, const std::
 
 void check_joints(const Scene& scene, Findings& findings) {
   check_unique_names(scene.joints, "joint", findings);
+  std::map<std::pair<std::string, std::string>, std::vector<const JointSpec*>> motions;  // of each pair of bodies
   for (const JointSpec& joint : scene.joints) {
-    if (!joint.source.good("type")) continue;
+    if (!joint.source.good("type")) {
+      if (joint.motion) motions[std::minmax(joint.bodies[0], joint.bodies[1])].push_back(&joint);
+      continue;
+    }
     const EntryFindings at(findings, joint.source);
     check_pair(scene, at, joint.bodies);
     check_points(joint, scene.initial.largest_gap, at);
     check_motion(joint, scene.end_time, at);
-    for (const JointSpec& before : scene.joints) {
-      if (&before == &joint) break;
-      check_motion_twice(before, joint, findings);
+    if (joint.motion) {
+      std::vector<const JointSpec*>& others = motions[std::minmax(joint.bodies[0], joint.bodies[1])];
+      for (const JointSpec* before : others) check_motion_twice(*before, joint, findings);
+      others.push_back(&joint);
     }
     check_axes(joint, at);
   }
@@ -557,9 +530,9 @@ void check_gears(const Scene& scene, Findings& findings) {
       return "has " + std::to_string(count) + " entries for " + std::to_string(joints) +
              " joints; expected one for each";
     };
-    for (const JointSpec& joint : scene.joints)
-      at.error_if(!gear.name.empty() && joint.name == gear.name, kDuplicateName, "name",
-                  "is also that of a joint (line " + std::to_string(joint.source.line) + "); names must differ");
+    if (const JointSpec* joint = scene.joint(gear.name); joint != nullptr && !gear.name.empty())
+      at.error(kDuplicateName, "name",
+               "is also that of a joint (line " + std::to_string(joint->source.line) + "); names must differ");
     if (at.given("joints")) {
       at.error_if(joints < 2, kWrongCount, "joints",
                   "contains " + std::to_string(joints) + " names, expected two or more");
@@ -658,8 +631,7 @@ void check_coordinate_of(const Scene& scene, const DriveSpec& drive, const Entry
 
 const JointSpec* find_joint(const Scene& scene, const EntryFindings& at, const std::string& key,
                             const std::string& name) {
-  for (const JointSpec& joint : scene.joints)
-    if (joint.name == name) return &joint;
+  if (const JointSpec* joint = scene.joint(name)) return joint;
   at.error(kUnknownJoint, key, "unknown joint \"" + name + "\"." + known_names("joints", name, names_in(scene.joints)));
   return nullptr;
 }

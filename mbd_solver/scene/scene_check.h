@@ -3,7 +3,9 @@
 // sense.
 
 #include <algorithm>
+#include <unordered_map>
 
+#include "coupler/base/text.h"
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/field_visitor.h"
 #include "mbd_solver/scene/findings.h"
@@ -28,6 +30,8 @@ void check_signals(const Scene& scene, Findings& findings);
 void check_contact(const Scene& scene, Findings& findings);
 // Counts and sizes beyond reason.
 void check_limits(const Scene& scene, Findings& findings);
+// Warnings about numbers that are possible, but mostly mistakes in a unit; of a scene without errors.
+void check_plausible(const Scene& scene, Findings& findings);
 // The LIGGGHTS script as text: its time step, and that it couples at all.
 void check_script(const Scene& scene, Findings& findings);
 
@@ -45,9 +49,15 @@ std::vector<std::string> names_in(const std::vector<Entry>& entries) {
 }
 std::vector<std::string> boundary_names(const Scene& scene);
 
-// `name` is one of `names`, or was not given; what: "body", plural: "bodies".
+// One of `entries` has this name, or none was given; what: "body", plural: "bodies".
+template <class Entry>
 void check_known(const EntryFindings& at, const MessageCode& code, const std::string& key, const std::string& what,
-                 const std::string& plural, const std::string& name, const std::vector<std::string>& names);
+                 const std::string& plural, const std::string& name, const std::vector<Entry>& entries,
+                 const NameIndex& index) {
+  if (!name.empty() && !index.find(entries, name))
+    at.error(code, key, "unknown " + what + " \"" + name + "\"." + known_names(plural, name, names_in(entries)));
+}
+void check_material_name(const Scene& scene, const BodySpec& body, const EntryFindings& at);
 void check_body_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name);
 void check_signal_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name);
 // Both bodies exist, at most one is the ground, and they differ; skipped where the names were not given.
@@ -70,12 +80,13 @@ void check_kind_keys(const EntryFindings& at, Kind kind, const std::string& what
 
 template <class Entry>
 void check_unique_names(const std::vector<Entry>& entries, const std::string& what, Findings& findings) {
-  for (auto entry = entries.begin(); entry != entries.end(); ++entry) {
-    const auto same = std::find_if(entries.begin(), entry, [&](const Entry& e) { return e.name == entry->name; });
-    if (same != entry && !entry->name.empty())
-      findings.error(code::kDuplicateName, entry->source, "name",
-                     "is already that of another " + what + " (line " + std::to_string(same->source.line) +
-                         "); names must differ");
+  std::unordered_map<std::string, int> lines;  // of the first entry with a name
+  for (const Entry& entry : entries) {
+    const auto [same, is_new] = lines.emplace(entry.name, entry.source.line);
+    if (!is_new && !entry.name.empty())
+      findings.error(
+          code::kDuplicateName, entry.source, "name",
+          "is already that of another " + what + " (line " + std::to_string(same->second) + "); names must differ");
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include "mbd_solver/model/control/continuous_signals.h"
 
+#include <algorithm>
+#include <map>
 #include <set>
 
 #include "coupler/base/errors.h"
@@ -22,17 +24,22 @@ ContinuousSignals::ContinuousSignals(SignalChain chain, std::vector<SignalSource
                                      std::vector<std::unique_ptr<Sensor>> sensors)
     : chain_(std::move(chain)), sources_(std::move(sources)), sensors_(std::move(sensors)) {
   FOOTFALL_DEMAND(sources_.size() == chain_.names().size());
-  for (const std::unique_ptr<Sensor>& sensor : sensors_) sensor_states_ += sensor->has_state() ? 1 : 0;
+  for (const std::unique_ptr<Sensor>& sensor : sensors_) {
+    sensor_state_.push_back(sensor->has_state() ? chain_.state_count() + sensor_states_ : -1);
+    sensor_states_ += sensor->has_state() ? 1 : 0;
+  }
+  name_of_sensor_.resize(sensors_.size());
+  readers_of_sensor_.resize(sensors_.size());
+  readers_.resize(chain_.size());
+  for (std::size_t i = 0; i < sources_.size(); ++i)
+    if (sources_[i].kind == SignalSource::Kind::kSensor) name_of_sensor_[sources_[i].index] = i;
+  for (std::size_t k = 0; k < chain_.size(); ++k) {
+    for (const std::size_t other : chain_.reads(k).nodes) readers_[other].push_back(k);
+    for (const std::size_t i : chain_.reads(k).names)
+      if (sources_[i].kind == SignalSource::Kind::kSensor) readers_of_sensor_[sources_[i].index].push_back(k);
+  }
   measured_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(sensors_.size()));
   scratch_ = Eigen::VectorXd::Zero(state_count());
-}
-
-std::vector<int> ContinuousSignals::bodies() const {
-  std::set<int> bodies;
-  for (const std::unique_ptr<Sensor>& sensor : sensors_)
-    for (const int body : sensor->bodies())
-      if (body != kGround) bodies.insert(body);
-  return {bodies.begin(), bodies.end()};
 }
 
 void ContinuousSignals::set_names(double t, const Eigen::Ref<const Eigen::VectorXd>& values) const {
@@ -52,25 +59,79 @@ double ContinuousSignals::output(std::size_t k, const Eigen::Ref<const Eigen::Ve
   return block.passes_through() ? block.value(chain_.inputs(k), states) : block.value(states, states);
 }
 
-void ContinuousSignals::run(double t, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> values,
-                            Eigen::Ref<Eigen::VectorXd> dz) const {
-  set_names(t, values);
-  for (std::size_t k = 0; k < chain_.size(); ++k) {
-    const SignalNode& node = chain_.node(k);
-    const double y = chain_.active(k) ? output(k, z.segment(chain_.first_state(k), node.block->state_count())) : 0.0;
-    chain_.put(k, y);
-    values[node.place] = y;
+void ContinuousSignals::set_value(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& z,
+                                  Eigen::Ref<Eigen::VectorXd> values) const {
+  const SignalNode& node = chain_.node(k);
+  const double y = chain_.active(k) ? output(k, z.segment(chain_.first_state(k), node.block->state_count())) : 0.0;
+  chain_.put(k, y);
+  values[node.place] = y;
+}
+
+void ContinuousSignals::set_rates(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& z,
+                                  Eigen::Ref<Eigen::VectorXd> dz) const {
+  const SignalBlock& block = *chain_.node(k).block;
+  if (block.state_count() == 0) return;
+  auto rates = dz.segment(chain_.first_state(k), block.state_count());
+  if (chain_.active(k)) {
+    block.rates(chain_.inputs(k), z.segment(chain_.first_state(k), block.state_count()), rates);
+  } else {
+    rates.setZero();
+  }
+}
+
+// Breadth first. The value of a node that passes its inputs through changes with them, as do its rates; that of any other
+// changes with its own states alone.
+void ContinuousSignals::complete(Influence& influence, std::vector<bool>& visited) const {
+  std::vector<std::size_t> changed = influence.nodes;  // in value
+  for (const std::size_t k : changed) visited[k] = true;
+  const auto visit = [&](std::size_t k) {
+    if (visited[k]) return;
+    visited[k] = true;
+    influence.nodes.push_back(k);
+    if (chain_.node(k).block->passes_through()) changed.push_back(k);
+  };
+  for (const std::size_t i : influence.sensors)
+    for (const std::size_t k : readers_of_sensor_[i]) visit(k);
+  for (std::size_t at = 0; at < changed.size(); ++at)
+    for (const std::size_t k : readers_[changed[at]]) visit(k);
+  std::sort(influence.nodes.begin(), influence.nodes.end());
+  for (const std::size_t k : changed) influence.places.push_back(chain_.node(k).place);
+  for (const std::size_t k : influence.nodes) {
+    visited[k] = false;
+    if (const int count = chain_.node(k).block->state_count(); count > 0)
+      influence.rates.emplace_back(chain_.first_state(k), count);
+  }
+  for (const std::size_t i : influence.sensors)
+    if (sensor_state_[i] >= 0) influence.rates.emplace_back(sensor_state_[i], 1);
+}
+
+std::vector<ContinuousSignals::Influence> ContinuousSignals::influences() const {
+  std::map<int, Influence> of_bodies;
+  for (std::size_t i = 0; i < sensors_.size(); ++i)
+    for (const int body : std::set<int>{sensors_[i]->bodies()[0], sensors_[i]->bodies()[1]})
+      if (body != kGround) of_bodies[body].sensors.push_back(i);
+  std::vector<Influence> out;
+  for (auto& [body, influence] : of_bodies) {
+    influence.body = body;
+    out.push_back(std::move(influence));
   }
   for (std::size_t k = 0; k < chain_.size(); ++k) {
-    const SignalBlock& block = *chain_.node(k).block;
-    if (block.state_count() == 0) continue;
-    auto rates = dz.segment(chain_.first_state(k), block.state_count());
-    if (chain_.active(k)) {
-      block.rates(chain_.inputs(k), z.segment(chain_.first_state(k), block.state_count()), rates);
-    } else {
-      rates.setZero();
-    }
+    Influence influence;
+    influence.first_state = chain_.first_state(k);
+    influence.state_count = chain_.node(k).block->state_count();
+    influence.nodes = {k};
+    if (influence.state_count > 0) out.push_back(std::move(influence));
   }
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    Influence influence;
+    influence.first_state = sensor_state_[i];
+    influence.state_count = 1;
+    influence.sensors = {i};
+    if (sensor_state_[i] >= 0) out.push_back(std::move(influence));
+  }
+  std::vector<bool> visited(chain_.size(), false);
+  for (Influence& influence : out) complete(influence, visited);
+  return out;
 }
 
 void ContinuousSignals::start(double t, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,

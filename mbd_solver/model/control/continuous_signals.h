@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "mbd_solver/model/body.h"
@@ -137,50 +138,74 @@ class ContinuousSignals {
 
   int state_count() const { return chain_.state_count() + sensor_states_; }
   const SignalChain& chain() const { return chain_; }
-  std::vector<int> bodies() const;  // whose motion is measured, in rising order
+
+  // What depends on the motion of one body, or on the states of one signal or sensor.
+  struct Influence {
+    int body = kGround;                      // whose motion; kGround: states
+    int first_state = 0, state_count = 0;    // these states
+    std::vector<std::size_t> sensors;        // measured anew
+    std::vector<std::size_t> nodes;          // of the chain, evaluated anew, in its order
+    std::vector<int> places;                 // of their values among the inputs
+    std::vector<std::pair<int, int>> rates;  // first state and number of states of those that have states
+  };
+  // Of all bodies that are measured, in rising order, then of all states.
+  std::vector<Influence> influences() const;
 
   // Writes the signals into their places among the input `values`, and the rates of the states into dz. kinematics: has
   // pair(body_1, body_2). Throws NumericalError. No allocation.
   template <class Kinematics>
   void evaluate(double t, const Kinematics& kinematics, const Eigen::Ref<const Eigen::VectorXd>& z,
                 Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> dz) const {
-    measure(kinematics, z, dz);
-    run(t, z, values, dz);
+    for (std::size_t i = 0; i < sensors_.size(); ++i) measure(i, kinematics, z, dz);
+    set_names(t, values);
+    for (std::size_t k = 0; k < chain_.size(); ++k) set_value(k, z, values);
+    for (std::size_t k = 0; k < chain_.size(); ++k) set_rates(k, z, dz);
+  }
+  // The same where only what has this influence differs from the last evaluation.
+  template <class Kinematics>
+  void evaluate(const Influence& changed, const Kinematics& kinematics, const Eigen::Ref<const Eigen::VectorXd>& z,
+                Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> dz) const {
+    for (const std::size_t i : changed.sensors) {
+      measure(i, kinematics, z, dz);
+      chain_.set(name_of_sensor_[i], measured_[static_cast<Eigen::Index>(i)]);
+    }
+    for (const std::size_t k : changed.nodes) set_value(k, z, values);
+    for (const std::size_t k : changed.nodes) set_rates(k, z, dz);
   }
   // Settles the states of every signal (before null), or of those that were inactive under the inputs `before`. Throws
   // NumericalError; at the start, with before null, InputError.
   template <class Kinematics>
   void settle(double t, const Kinematics& kinematics, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
               Eigen::Ref<Eigen::VectorXd> values) const {
-    measure(kinematics, z, scratch_);
+    for (std::size_t i = 0; i < sensors_.size(); ++i) measure(i, kinematics, z, scratch_);
     start(t, before, z, values);
   }
 
  private:
   template <class Kinematics>
-  void measure(const Kinematics& kinematics, const Eigen::Ref<const Eigen::VectorXd>& z,
+  void measure(std::size_t i, const Kinematics& kinematics, const Eigen::Ref<const Eigen::VectorXd>& z,
                Eigen::Ref<Eigen::VectorXd> dz) const {
-    Eigen::Index state = chain_.state_count();
-    for (std::size_t i = 0; i < sensors_.size(); ++i) {
-      const std::array<int, 2> bodies = sensors_[i]->bodies();
-      const PairMotion pair = kinematics.pair(bodies[0], bodies[1]);
-      const bool has_state = sensors_[i]->has_state();
-      measured_[static_cast<Eigen::Index>(i)] = sensors_[i]->value(pair, has_state ? z[state] : 0.0);
-      if (!has_state) continue;
-      dz[state] = sensors_[i]->rate_of_state(pair, z[state]);
-      ++state;
-    }
+    const std::array<int, 2> bodies = sensors_[i]->bodies();
+    const PairMotion pair = kinematics.pair(bodies[0], bodies[1]);
+    const int state = sensor_state_[i];
+    measured_[static_cast<Eigen::Index>(i)] = sensors_[i]->value(pair, state >= 0 ? z[state] : 0.0);
+    if (state >= 0) dz[state] = sensors_[i]->rate_of_state(pair, z[state]);
   }
+  // Adds the nodes that read its sensors or nodes, and the places and rates of all.
+  void complete(Influence& influence, std::vector<bool>& visited) const;
   double output(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& states) const;  // value of node k
   void set_names(double t, const Eigen::Ref<const Eigen::VectorXd>& values) const;
-  void run(double t, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> values,
-           Eigen::Ref<Eigen::VectorXd> dz) const;
+  void set_value(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> values) const;
+  void set_rates(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> dz) const;
   void start(double t, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
              Eigen::Ref<Eigen::VectorXd> values) const;
 
   SignalChain chain_;
   std::vector<SignalSource> sources_;
   std::vector<std::unique_ptr<Sensor>> sensors_;
+  std::vector<int> sensor_state_;                                      // place of its state among all states, or -1
+  std::vector<std::size_t> name_of_sensor_;                            // its place among the names of the chain
+  std::vector<std::vector<std::size_t>> readers_, readers_of_sensor_;  // nodes that read a node, a sensor
   int sensor_states_ = 0;
   mutable Eigen::VectorXd measured_, scratch_;
 };

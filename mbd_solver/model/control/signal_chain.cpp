@@ -51,33 +51,42 @@ std::unique_ptr<mu::Parser> parser_of(const std::string& text) {
 
 }  // namespace
 
-std::vector<std::string> Expression::names_in(const std::string& text) {
-  std::vector<std::string> names;
+namespace {
+
+// Reads the text; its variables are where place(name) says.
+template <typename Place>
+std::unique_ptr<mu::Parser> read_expression(const std::string& text, const Place& place) {
   try {
-    const std::unique_ptr<mu::Parser> parser = parser_of(text);
-    double any = 1.0;
-    for (const auto& [name, place] : parser->GetUsedVar()) names.push_back(name);
-    for (const std::string& name : names) parser->DefineVar(name, &any);
-    parser->Eval();
+    std::unique_ptr<mu::Parser> parser = parser_of(text);
+    std::vector<std::string> names;
+    for (const auto& [name, unused] : parser->GetUsedVar()) names.push_back(name);
+    for (const std::string& name : names) parser->DefineVar(name, place(name));
+    parser->Eval();  // compiles it
     if (parser->GetNumResults() != 1) refuse(text, "has several values; expected one");
+    return parser;
   } catch (const mu::Parser::exception_type& error) {
     refuse_syntax(text, error);
   }
+}
+
+}  // namespace
+
+std::vector<std::string> Expression::names_in(const std::string& text) {
+  std::vector<std::string> names;
+  double any = 1.0;
+  read_expression(text, [&](const std::string& name) {
+    names.push_back(name);
+    return &any;
+  });
   return names;
 }
 
 Expression::Expression(std::string text, NamedValues& values) : text_(std::move(text)) {
-  try {
-    parser_ = parser_of(text_);
-    for (const std::string& name : names_in(text_)) {
-      const auto found = values.find(name);
-      FOOTFALL_DEMAND(found != values.end());
-      parser_->DefineVar(name, &found->second);
-    }
-    parser_->Eval();  // compiles it
-  } catch (const mu::Parser::exception_type& error) {
-    refuse_syntax(text_, error);
-  }
+  parser_ = read_expression(text_, [&](const std::string& name) {
+    const auto found = values.find(name);
+    FOOTFALL_DEMAND(found != values.end());
+    return &found->second;
+  });
 }
 
 Expression::~Expression() = default;
@@ -111,21 +120,34 @@ namespace {
 
 const std::string kSignal = "signal.", kState = "state.";
 
-// The signals of the chain that each node reads in the same evaluation.
-std::vector<std::vector<std::size_t>> reads_of(const std::vector<SignalNode>& nodes) {
-  std::vector<std::vector<std::size_t>> reads(nodes.size());
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    for (const std::string& input : nodes[k].inputs)
-      for (const std::string& name : Expression::names_in(input))
-        for (std::size_t other = 0; other < nodes.size(); ++other)
-          if (name == kSignal + nodes[other].name) reads[k].push_back(other);
-  return reads;
+// The names in the inputs of a node, each once.
+std::vector<std::string> names_read(const SignalNode& node) {
+  std::vector<std::string> names;
+  std::set<std::string> listed;
+  for (const std::string& input : node.inputs)
+    for (std::string& name : Expression::names_in(input))
+      if (listed.insert(name).second) names.push_back(std::move(name));
+  return names;
 }
 
-std::vector<SignalNode> in_order(std::vector<SignalNode> nodes) {
-  std::vector<std::vector<std::size_t>> reads = reads_of(nodes);
+struct Sorted {
+  std::vector<SignalNode> nodes;
+  std::vector<std::vector<std::string>> names;  // that each of them reads
+};
+
+Sorted in_order(std::vector<SignalNode> nodes) {
+  std::vector<std::vector<std::string>> read;
   std::vector<std::string> names;
-  for (const SignalNode& node : nodes) names.push_back(node.name);
+  std::map<std::string, std::size_t> node_of;
+  for (const SignalNode& node : nodes) {
+    node_of.emplace(kSignal + node.name, names.size());
+    names.push_back(node.name);
+    read.push_back(names_read(node));
+  }
+  std::vector<std::vector<std::size_t>> reads(nodes.size());
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (const std::string& name : read[k])
+      if (const auto other = node_of.find(name); other != node_of.end()) reads[k].push_back(other->second);
   std::vector<std::size_t> order;
   try {
     order = evaluation_order(names, reads);
@@ -135,8 +157,11 @@ std::vector<SignalNode> in_order(std::vector<SignalNode> nodes) {
       if (!nodes[k].block->passes_through()) reads[k].clear();
     order = evaluation_order(names, reads);
   }
-  std::vector<SignalNode> sorted;
-  for (const std::size_t k : order) sorted.push_back(std::move(nodes[k]));
+  Sorted sorted;
+  for (const std::size_t k : order) {
+    sorted.nodes.push_back(std::move(nodes[k]));
+    sorted.names.push_back(std::move(read[k]));
+  }
   return sorted;
 }
 
@@ -145,18 +170,18 @@ std::vector<SignalNode> in_order(std::vector<SignalNode> nodes) {
 std::vector<std::size_t> evaluation_order(const std::vector<std::string>& names,
                                           const std::vector<std::vector<std::size_t>>& reads) {
   std::vector<std::size_t> order, way;
-  std::vector<bool> done(names.size(), false);
+  std::vector<bool> done(names.size(), false), on_the_way = done;
   const auto visit = [&](const auto& self, std::size_t k) -> void {
     if (done[k]) return;
-    const auto before = std::find(way.begin(), way.end(), k);
-    if (before != way.end()) {
+    if (on_the_way[k]) {
       std::vector<std::string> circle;
-      for (auto at = before; at != way.end(); ++at) circle.push_back(names[*at]);
+      for (auto at = std::find(way.begin(), way.end(), k); at != way.end(); ++at) circle.push_back(names[*at]);
       circle.push_back(names[k]);
       throw InputError(code::kSignalLoop, "they depend on each other in a loop: " + joined(circle, " <- ") +
                                               "; put a lowpass filter into the loop");
     }
     way.push_back(k);
+    on_the_way[k] = true;
     for (const std::size_t other : reads[k]) self(self, other);
     way.pop_back();
     done[k] = true;
@@ -166,23 +191,33 @@ std::vector<std::size_t> evaluation_order(const std::vector<std::string>& names,
   return order;
 }
 
-SignalChain::SignalChain(std::vector<SignalNode> nodes)
-    : nodes_(in_order(std::move(nodes))), values_(std::make_unique<NamedValues>()) {
-  std::set<std::string> own, outside;
-  for (const SignalNode& node : nodes_) own.insert(kSignal + node.name);
-  for (const SignalNode& node : nodes_) {
+SignalChain::SignalChain(std::vector<SignalNode> nodes) : values_(std::make_unique<NamedValues>()) {
+  Sorted sorted = in_order(std::move(nodes));
+  nodes_ = std::move(sorted.nodes);
+  std::map<std::string, std::size_t> own, outside;  // index of the node, index in names_
+  for (std::size_t k = 0; k < nodes_.size(); ++k) own.emplace(kSignal + nodes_[k].name, k);
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    const SignalNode& node = nodes_[k];
     FOOTFALL_DEMAND(static_cast<int>(node.inputs.size()) == node.block->input_count());
     first_state_.push_back(states_);
     states_ += node.block->state_count();
-    for (const std::string& state : node.states) outside.insert(kState + state);
-    for (const std::string& input : node.inputs)
-      for (const std::string& name : Expression::names_in(input))
-        if (own.count(name) == 0) outside.insert(name);
+    for (const std::string& state : node.states) outside.emplace(kState + state, 0);
+    for (const std::string& name : sorted.names[k])
+      if (own.count(name) == 0) outside.emplace(name, 0);
   }
-  names_.assign(outside.begin(), outside.end());
+  for (auto& [name, index] : outside) {
+    index = names_.size();
+    names_.push_back(name);
+  }
   for (const std::string& name : names_) outside_.push_back(&(*values_)[name]);
   for (const SignalNode& node : nodes_) own_.push_back(&(*values_)[kSignal + node.name]);
-  for (const SignalNode& node : nodes_) {
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    const SignalNode& node = nodes_[k];
+    reads_.emplace_back();
+    for (const std::string& name : sorted.names[k]) {
+      const auto found = own.find(name);
+      found != own.end() ? reads_[k].nodes.push_back(found->second) : reads_[k].names.push_back(outside.at(name));
+    }
     expressions_.emplace_back();
     for (const std::string& input : node.inputs) expressions_.back().emplace_back(input, *values_);
     activities_.emplace_back();

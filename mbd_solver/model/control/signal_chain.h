@@ -67,6 +67,12 @@ class SignalChain {
   int state_count() const { return states_; }
   int first_state(std::size_t k) const { return first_state_[k]; }
 
+  // What the inputs of node k read.
+  struct Reads {
+    std::vector<std::size_t> nodes, names;  // other signals; values from outside, indices of names()
+  };
+  const Reads& reads(std::size_t k) const { return reads_[k]; }
+
   // The names of values from outside, to be set before an evaluation.
   const std::vector<std::string>& names() const { return names_; }
   void set(std::size_t name, double value) const { *outside_[name] = value; }
@@ -81,6 +87,7 @@ class SignalChain {
 
  private:
   std::vector<SignalNode> nodes_;  // in order
+  std::vector<Reads> reads_;
   std::vector<int> first_state_;
   int states_ = 0;
   std::unique_ptr<NamedValues> values_;  // the expressions refer to them

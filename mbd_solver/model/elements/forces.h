@@ -68,7 +68,7 @@ class AppliedForce : public ForceElement {
   AppliedForce(std::string name, Marker marker, std::optional<Eigen::Vector3d> fixed_direction, Magnitude force,
                Magnitude torque);
 
-  int input_count() const override { return std::max(force_.signal, torque_.signal) + 1; }
+  std::array<int, 2> read_inputs() const override { return {force_.signal, torque_.signal}; }
 
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
@@ -103,7 +103,7 @@ class JointForce : public ForceElement {
              int command_index = -1);
 
   int state_count() const override { return states_; }
-  int input_count() const override { return command_index_ + 1; }
+  std::array<int, 2> read_inputs() const override { return {command_index_, -1}; }
   Eigen::VectorXd initial_state() const override;
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;

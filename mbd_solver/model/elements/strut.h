@@ -31,7 +31,7 @@ class Strut : public ForceElement {
         int voltage_index = -1);
 
   int state_count() const override { return states_; }
-  int input_count() const override { return voltage_index_ + 1; }
+  std::array<int, 2> read_inputs() const override { return {voltage_index_, -1}; }
   Eigen::VectorXd initial_state() const override;
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;

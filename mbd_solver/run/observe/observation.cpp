@@ -2,7 +2,8 @@
 
 #include "mbd_solver/run/observe/observation.h"
 
-#include <algorithm>
+#include <optional>
+#include <set>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
@@ -27,20 +28,22 @@ Readings::Readings(const std::vector<std::string>& names, const Subject& subject
       joints_(subject_) {
   const Mechanism& mechanism = subject.mechanism;
   const std::vector<Column> columns = history_columns(subject_, flexible_, joints_);
-  const ContinuousSignals* const continuous = mechanism.model.signals();
+  const NameIndex index;
+  std::set<int> continuous;  // places of continuous signals
+  if (const ContinuousSignals* const signals = mechanism.model.signals())
+    for (std::size_t k = 0; k < signals->chain().size(); ++k) continuous.insert(signals->chain().node(k).place);
   std::string unknown;
   for (const std::string& name : names) {
     Reading reading;
     reading.source = signal_source(mechanism, name);
     if (reading.source) {
-      if (reading.source->kind == SignalSource::Kind::kPlace && continuous)
-        for (std::size_t k = 0; k < continuous->chain().size(); ++k)
-          if (continuous->chain().node(k).place == static_cast<int>(reading.source->index)) reading.continuous = true;
+      reading.continuous = reading.source->kind == SignalSource::Kind::kPlace &&
+                           continuous.count(static_cast<int>(reading.source->index)) > 0;
       readings_.push_back(std::move(reading));
       continue;
     }
-    const auto column = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
-    if (column == columns.end()) {
+    const std::optional<std::size_t> column = index.find(columns, name);
+    if (!column) {
       std::vector<std::string> known;
       for (const Column& c : columns) known.push_back(c.name);
       const std::string line = where_read(subject.scene, name) + "unknown name \"" + name +
@@ -50,9 +53,9 @@ Readings::Readings(const std::vector<std::string>& names, const Subject& subject
       if (unknown.find(line) == std::string::npos) unknown += (unknown.empty() ? "" : "\n") + line;
       continue;
     }
-    reading.column = column->value;
-    uses_flexible_ = uses_flexible_ || column->reads == Column::Reads::kFlexible;
-    uses_joints_ = uses_joints_ || column->reads == Column::Reads::kJoints;
+    reading.column = columns[*column].value;
+    uses_flexible_ = uses_flexible_ || columns[*column].reads == Column::Reads::kFlexible;
+    uses_joints_ = uses_joints_ || columns[*column].reads == Column::Reads::kJoints;
     readings_.push_back(std::move(reading));
   }
   if (!unknown.empty()) throw InputError(code::kNoSuchQuantity, unknown);

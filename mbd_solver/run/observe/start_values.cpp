@@ -71,7 +71,7 @@ class StartValues {
     for (std::size_t k = 0; k < chain.size(); ++k) {
       const SignalNode& node = chain.node(k);
       double y = 0.0;
-      if (!is_known(node) || (state_may_change_ && !node.states.empty())) {
+      if (!is_known(chain, k) || (state_may_change_ && !node.states.empty())) {
         unknown_.insert("signal." + node.name);
       } else if (chain.active(k)) {
         Eigen::VectorXd z = Eigen::VectorXd::Zero(node.block->state_count());
@@ -99,7 +99,7 @@ class StartValues {
       if (!applies) continue;
       std::size_t k = 0;
       while (conditions.node(k).name != event.name) ++k;
-      const bool known = is_known(conditions.node(k)), holds = known && conditions.inputs(k)[0] != 0.0;
+      const bool known = is_known(conditions, k), holds = known && conditions.inputs(k)[0] != 0.0;
       state_may_change_ = state_may_change_ || holds || !known;
       if (holds) break;
     }
@@ -126,10 +126,11 @@ class StartValues {
     }
     return measure();
   }
-  bool is_known(const SignalNode& node) const {
-    for (const std::string& input : node.inputs)
-      for (const std::string& name : Expression::names_in(input))
-        if (unknown_.count(name) > 0) return false;
+  bool is_known(const SignalChain& chain, std::size_t k) const {
+    for (const std::size_t name : chain.reads(k).names)
+      if (unknown_.count(chain.names()[name]) > 0) return false;
+    for (const std::size_t other : chain.reads(k).nodes)
+      if (unknown_.count("signal." + chain.node(other).name) > 0) return false;
     return true;
   }
 

@@ -240,7 +240,7 @@ TEST(OneFinding, OfStopsNamesTheKeyThatSetGave) {
 }
 
 TEST(OneFinding, SaysWhereItStands) {
-  Source source{"signals.s", 40, {{"input", Source::kFromSet}, {"rate", 41}}, {}};
+  Source source{"signals.s", 40, {{"input", Source::kFromSet}, {"rate", 41}}, {}, {}};
   EXPECT_EQ(place_of("s.toml", source, "input"), "--set signals.s.input: ");
   EXPECT_EQ(place_of("s.toml", source, "rate"), "s.toml:41: signals.s.rate: ");
   EXPECT_EQ(place_of("s.toml", source), "s.toml:40: signals.s: ");

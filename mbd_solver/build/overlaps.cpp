@@ -1,0 +1,73 @@
+// The energy of each contact in the reference configuration, as a height. Where joints move to other coordinates before the
+// start, or the mechanism settles, the start is not known here.
+
+#include <cmath>
+#include <map>
+
+#include "coupler/base/text.h"
+#include "mbd_solver/build/codes.h"
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/model/rotation.h"
+
+namespace footfall {
+namespace {
+
+constexpr double kWeight = 9.81;  // heights are those on the Earth [m/s2]
+
+BodyKinematics at_rest(const Model& model, int index) {
+  BodyKinematics body;
+  if (index == kGround) return body;
+  const BodyState& state = model.initial(index);
+  body.ground = false;
+  body.modes = model.body(index).mode_count();
+  body.r = state.r;
+  body.L = state.L;
+  body.A = rotation_matrix(state.L);
+  body.a = state.a;
+  body.da = body.dda = Eigen::VectorXd::Zero(body.modes);
+  return body;
+}
+
+double size_of(const BodyBoundary& entry) {
+  const Eigen::Matrix3Xd& nodes = entry.boundary.rho0();
+  return (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).norm();
+}
+
+}  // namespace
+
+void warn_of_overlaps(const Scene& scene, Mechanism& mechanism) {
+  if (scene.initial.settle || !scene.initial.joints.empty()) return;
+  const Model& model = mechanism.model;
+  std::map<int, double> sizes;  // of bodies [m]
+  for (const BodyBoundary& entry : mechanism.boundaries) sizes[entry.body] = size_of(entry);
+  const auto check = [&](int force) {
+    const ForceElement& contact = model.force(force);
+    const std::array<int, 2>& bodies = contact.bodies();
+    const BodyKinematics motion[2] = {at_rest(model, bodies[0]), at_rest(model, bodies[1])};
+    StoredEnergy stored;
+    Dissipated power;
+    contact.add_energy({{{&motion[0], &motion[1]}}, contact.initial_state(), mechanism.inputs, 0.0}, stored, power);
+    double mass = HUGE_VAL, size = HUGE_VAL;
+    std::string names;
+    for (const int body : bodies) {
+      if (body == kGround) continue;
+      mass = std::min(mass, model.body(body).mass());
+      size = std::min(size, sizes.at(body));
+      names += (names.empty() ? "body \"" : " and \"") + model.body(body).name() + "\"";
+    }
+    const double height = stored.total() / (mass * kWeight);
+    if (!(height > size)) return;
+    const bool pair = bodies[0] != kGround && bodies[1] != kGround;
+    mechanism.warnings.push_back(with_code(
+        code::kThrownAtStart,
+        names + (pair ? " overlap at the start" : ": is below the surface of a plane at the start") +
+            ": the contact would throw " + number_text(mass, 3) + " kg up by " + number_text(height, 2) +
+            " m. Move one of them" +
+            (pair ? ", or add a [[contacts]] entry with ignore = true." : ", for example by initial.clearance.")));
+  };
+  for (const int force : mechanism.planes) check(force);
+  for (const ContactEntry& entry : mechanism.contacts)
+    if (entry.body_2 != kGround) check(entry.force);
+}
+
+}  // namespace footfall
