@@ -207,22 +207,25 @@ void CouplingWatch::watch_energy(const Window& window, const Load& load, const s
   // What stands for two windows: of both the value nearer to zero.
   const double gain = now * gain_before_ <= 0.0 ? 0.0 : std::abs(now) < std::abs(gain_before_) ? now : gain_before_;
   gain_before_ = now;
+  // Errors of energy are of second order or more in H.
+  const double share = std::clamp(
+      std::sqrt(kWarnGain * limits_.max_energy_residual * scale / std::max(std::abs(gain), 1e-300)), 0.1, 0.5);
   const auto energy = [&](double E) {
     return number(E) + " J of spurious energy, " + percent(E / scale) + " of the energy exchanged in contacts";
   };
   if (!warned_of_gain_ && gain > kWarnGain * limits_.max_energy_residual * scale) {
     warned_of_gain_ = true;
     warn(with_code(code::kCouplingCreates,
-                   at(window.time) + "the coupling added " + energy(gain) + ": " + shorter(0.5, window)));
+                   at(window.time) + "the coupling added " + energy(gain) + ": " + shorter(share, window)));
   }
   if (!warned_of_loss_ && -gain > limits_.max_energy_residual * scale) {
     warned_of_loss_ = true;
     warn(with_code(code::kCouplingDissipates, at(window.time) + "the coupling dissipated " + number(-gain) + " J, " +
                                                   percent(-gain / scale) +
-                                                  " of the energy exchanged in contacts: " + shorter(0.5, window)));
+                                                  " of the energy exchanged in contacts: " + shorter(share, window)));
   }
   if (!limits_.stop_on_energy_gain) return;
-  const auto advice = [&] { return shorter(0.5, window) + ", or set coupling.stop_on_energy_gain = false"; };
+  const auto advice = [&] { return shorter(share, window) + ", or set coupling.stop_on_energy_gain = false"; };
   // The bodies have received more than the grains have given: spurious energy.
   if (gain > limits_.max_energy_residual * scale)
     throw NumericalError(code::kEnergyCreated, at(window.time) + "the coupling added " + energy(gain) + " (limit " +
