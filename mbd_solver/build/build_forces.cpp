@@ -15,6 +15,7 @@
 #include "mbd_solver/model/laws/table_law.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/resolve.h"
 
 namespace footfall {
 namespace {
@@ -167,9 +168,33 @@ constexpr double kDepth = 0.1;
 // So many points decide on which side of a surface a body is.
 constexpr std::size_t kSamples = 32;
 
-ContactLaw contact_law(const ContactLawSpec& spec, const Scene& scene) {
+// Speed and time of friction that sticks follow the size L of the mechanism and gravity g, so that a mechanism and its model in
+// another scale move alike (theory 6.4): v_s = 4e-4 sqrt(g L), tau = 6.4e-3 sqrt(L / g). A lander of 4 m on the moon has 1 mm/s
+// and 10 ms. Without gravity the initial speed v stands for sqrt(g L); without both, 1 m/s.
+constexpr double kSlipSpeed = 4e-4, kStickTime = 6.4e-3;
+
+// The largest distance of the boundaries from the mass centre, all bodies as they are drawn [m].
+double size_of(const Scene& scene, const Mechanism& mechanism) {
+  const Eigen::Vector3d p_WC = mechanism.placement.point(mass_centre(scene));
+  double size = 0.0;
+  for (const BodyBoundary& entry : mechanism.boundaries) {
+    const BodyState& body = mechanism.model.initial(entry.body);
+    const Eigen::Matrix3Xd nodes = (rotation_matrix(body.L) * entry.boundary.rho0()).colwise() + (body.r - p_WC);
+    double thickness = 0.0;
+    for (const ContactPoint& point : entry.points) thickness = std::max(thickness, point.radius);
+    for (const ContactRim& rim : entry.rims) thickness = std::max(thickness, rim.radius);
+    size = std::max(size, nodes.colwise().norm().maxCoeff() + thickness);
+  }
+  return size > 0.0 ? size : 1.0;
+}
+
+ContactLaw contact_law(const ContactLawSpec& spec, const Scene& scene, const Mechanism& mechanism) {
   ContactLaw law;
   law.friction = spec.friction;
+  const double L = size_of(scene, mechanism), g = scene.gravity.norm(), v = scene.initial.velocity.norm();
+  const double V = g > 0.0 ? std::sqrt(g * L) : v > 0.0 ? v : 1.0;
+  law.slip_speed = kSlipSpeed * V;
+  law.stick_time = kStickTime * L / V;
   if (spec.friction_speed) {
     law.slip_speed = *spec.friction_speed;
     law.stick_time = 0.0;
@@ -275,11 +300,12 @@ void add_pair(const Scene& scene, const ContactSpec& spec, Mechanism& mechanism)
   entry.body_2 = B.body;
   entry.force = mechanism.model.add_force(
       std::make_unique<SurfaceContact>("contact/" + spec.between[0] + "/" + spec.between[1], A.body, B.body,
-                                       std::move(sides), contact_law(spec, scene)));
+                                       std::move(sides), contact_law(spec, scene, mechanism)));
   mechanism.contacts.push_back(std::move(entry));
 }
 
 void add_walls(const Scene& scene, const ContactSpec& spec, Mechanism& mechanism) {
+  const ContactLaw law = contact_law(spec, scene, mechanism);
   for (const BodyBoundary& A : mechanism.boundaries) {
     const std::vector<std::string>& wanted = spec.bodies;
     if (!wanted.empty() && std::count(wanted.begin(), wanted.end(), A.boundary.name()) == 0) continue;
@@ -291,9 +317,8 @@ void add_walls(const Scene& scene, const ContactSpec& spec, Mechanism& mechanism
     side.points = entry.places;
     side.seen = entry.walls;
     side.depth = kDepth * reach(A);
-    entry.force = mechanism.model.add_force(
-        std::make_unique<SurfaceContact>("walls/" + A.boundary.name(), A.body, kGround,
-                                         std::vector<SurfaceContact::Side>{std::move(side)}, contact_law(spec, scene)));
+    entry.force = mechanism.model.add_force(std::make_unique<SurfaceContact>(
+        "walls/" + A.boundary.name(), A.body, kGround, std::vector<SurfaceContact::Side>{std::move(side)}, law));
     mechanism.contacts.push_back(std::move(entry));
   }
 }
@@ -310,7 +335,7 @@ void add_one_plane(const BodyBoundary& entry, const std::string& name, const Rig
 void add_plane(const Scene& scene, Mechanism& mechanism) {
   if (scene.ground.kind != GroundKind::kPlane) return;
   const PlaneSpec& spec = *scene.ground.plane;
-  const RigidPlane::Parameters p = plane_parameters(contact_law(spec, scene), spec.point, spec.normal);
+  const RigidPlane::Parameters p = plane_parameters(contact_law(spec, scene, mechanism), spec.point, spec.normal);
   for (const BodyBoundary& entry : mechanism.boundaries) {
     if (entry.points.empty() && entry.rims.empty()) continue;
     add_one_plane(entry, "ground/" + entry.boundary.name(), p, mechanism);
@@ -328,7 +353,7 @@ void add_contacts(const Scene& scene, Mechanism& mechanism) {
       BodyBoundary touching{body, boundary_of(mechanism, body).boundary, {}, {}};
       add_plane_places(scene, mechanism.model.body(body), touching);
       add_one_plane(touching, "plane_" + std::to_string(i + 1) + "/" + spec.between[0],
-                    plane_parameters(contact_law(spec, scene), spec.point, spec.normal), mechanism);
+                    plane_parameters(contact_law(spec, scene, mechanism), spec.point, spec.normal), mechanism);
     } else {
       add_pair(scene, spec, mechanism);
     }
