@@ -2,7 +2,9 @@
 
 #include "coupler/programs.h"
 
-#include <cstdio>
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdlib>
 
 namespace footfall {
@@ -12,7 +14,8 @@ bool programs_are_refused() { return std::getenv(kNoPrograms) != nullptr; }
 void note_failure() {
   const char* path = std::getenv(kFailureNote);
   if (!path) return;
-  if (std::FILE* note = std::fopen(path, "w")) std::fclose(note);
+  const int note = open(path, O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0644);
+  if (note >= 0) close(note);
 }
 
 }  // namespace footfall

@@ -16,7 +16,10 @@
 #include <vector>
 
 #include "coupler/abort_guard.h"
+#include "coupler/base/codes.h"
+#include "coupler/base/confinement.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/pulse.h"
 #include "coupler/communicator.h"
 #include "coupler/interrupt.h"
 #include "coupler/link.h"
@@ -93,16 +96,25 @@ LAMMPS_NS::Fix* create_fix(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) {
   return new FixStyle(lmp, narg, arg);
 }
 
+// MPI has started and opened its files; some it still creates or removes. The log may be a link to somewhere else.
+void confine_script() {
+  Confinement rights{folders_of_script(), {}};
+  for (const std::string& folder : folders_of_mpi()) rights.writable.push_back(folder);
+  if (const std::string why = confine(rights); !why.empty())
+    throw InputError(code::kNotConfined, "the kernel does not confine the script of the scene (" + why +
+                                             "); read the script, and if you trust it, add --trust-script");
+}
+
 int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_link) {
   const bool silent = replace_screen_none(argc, argv);
   if (silent) hide_restart_version();
+  char** log = option(argc, argv, "-log", "-l");
+  std::FILE* const hidden = silent ? open_hidden_screen(log ? *log : "log.liggghts") : nullptr;
+  if (script_is_confined()) confine_script();
   // Not owned by a smart pointer, which would delete it when an exception leaves: a LIGGGHTS stopped within a step cannot be
   // destroyed in order.
   auto* lmp = new LAMMPS_NS::LAMMPS(argc, argv, communicator.world());
-  if (silent) {
-    char** log = option(argc, argv, "-log", "-l");
-    if (std::FILE* hidden = open_hidden_screen(log ? *log : "log.liggghts")) lmp->screen = hidden;
-  }
+  if (hidden) lmp->screen = hidden;
   // Line by line: readers of the log see the progress of LIGGGHTS.
   if (lmp->logfile) std::setvbuf(lmp->logfile, nullptr, _IOLBF, BUFSIZ);
   attach_dem_link(lmp, dem_link);
@@ -170,6 +182,7 @@ int run_and_report(int argc, char** argv, const Communicator& communicator, DemL
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_pulse();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that cannot grow is an error of write()
   end_on_signals("liggghts_mbd");
   MPI_Init(&argc, &argv);

@@ -12,6 +12,7 @@
 
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/start.h"
 #include "coupler/communicator.h"
 #include "coupler/interrupt.h"
 #include "coupler/link.h"
@@ -162,6 +163,7 @@ int main(int argc, char** argv) {
   }
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit becomes an error of the write
   end_on_signals("mbd_solver");
+  if (const int code = guarded([&] { return prepare_start(argc, argv), kExitDone; }); code != kExitDone) return code;
 
   // MPI is started only under mpirun: scenes without grains need none.
   if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMI_SIZE") == nullptr)

@@ -7,21 +7,21 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/input_file.h"
+#include "coupler/base/run_directory.h"
 #include "coupler/codes.h"
 
 namespace footfall {
 namespace {
 
 // Returns 0 or errno. After a sync the content is on the disk before the file gets its name.
-int write_all(const std::string& path, const std::string& text, bool sync) {
-  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+int write_all(const Place& draft, const std::string& text, bool sync) {
+  draft.remove();  // of a program that was killed, or a link of someone else
+  const int file = draft.open(O_WRONLY | O_CREAT | O_EXCL);
   if (file < 0) return errno;
   int problem = 0;
   for (std::size_t done = 0; problem == 0 && done < text.size();) {
@@ -36,24 +36,23 @@ int write_all(const std::string& path, const std::string& text, bool sync) {
 }
 
 void write_draft_and_rename(const std::string& path, const std::string& text, const std::string& advice, bool sync) {
-  const std::string draft = path + ".part";
+  const Place draft(path + ".part"), target(path);
   int problem = write_all(draft, text, sync);
-  if (problem == 0 && std::rename(draft.c_str(), path.c_str()) != 0) problem = errno;
+  if (problem == 0) problem = draft.rename_to(target);
   if (problem == 0) return;
-  unlink(draft.c_str());
-  throw InputError(code::kFileNotWritten, path + ": cannot be written: " + std::strerror(problem) + "; " + advice);
+  draft.remove();
+  throw InputError(code::kFileNotWritten, path + ": cannot be written: " + reason_of(problem) + "; " + advice);
 }
 
 }  // namespace
 
 void make_folder(const std::string& folder, const std::string& advice) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw InputError(code::kFolderNotCreated, folder + ": cannot be created: " + error.message() + "; " + advice);
+  if (const int problem = create_folders(folder); problem != 0)
+    throw InputError(code::kFolderNotCreated, folder + ": cannot be created: " + reason_of(problem) + "; " + advice);
 }
 
 std::optional<std::string> read_whole_file(const std::string& path) {
+  require_regular_file(path);
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
   std::ostringstream text;

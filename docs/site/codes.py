@@ -12,7 +12,7 @@ import sys
 root = pathlib.Path(__file__).resolve().parents[2]
 page = root / "docs/reference/codes.txt"
 codes, faults = {}, []
-for file in sorted(root.glob("*/codes.h")) + sorted(root.glob("mbd_solver/*/codes.h")):
+for file in sorted(root.glob("*/codes.h")) + sorted(root.glob("*/*/codes.h")):
     comment = []
     pending = ""
     for line in file.read_text().splitlines():

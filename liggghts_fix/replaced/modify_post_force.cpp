@@ -1,6 +1,7 @@
 // LAMMPS_NS::Modify::post_force, the forces of all fixes in a step: moves boundaries that waited for the pair forces, and
 // calls the fixes one by one where a listener observes their forces.
 
+#include "coupler/base/pulse.h"
 #include "fix.h"
 #include "lammps.h"
 #include "liggghts_fix/replaced/force_listeners.h"
@@ -8,6 +9,7 @@
 #include "modify.h"
 
 void LAMMPS_NS::Modify::post_force(int vflag) {
+  footfall::pulse();
   static const auto pre_force = footfall::next_definition<void (*)(Modify*, int)>("_ZN9LAMMPS_NS6Modify9pre_forceEi");
   static const auto post_force =
       footfall::next_definition<void (*)(Modify*, int)>("_ZN9LAMMPS_NS6Modify10post_forceEi");

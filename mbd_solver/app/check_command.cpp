@@ -12,6 +12,7 @@
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/pulse.h"
 #include "coupler/base/text.h"
 #include "coupler/interrupt.h"
 #include "coupler/programs.h"
@@ -22,6 +23,7 @@
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_report.h"
 #include "mbd_solver/bed/liggghts_log.h"
+#include "mbd_solver/bed/program_watch.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/control/fuzzy_controller.h"
@@ -202,9 +204,13 @@ int trial_command(const RunArguments& given, double seconds) {
   double memory = 0.0;
   const double begun = wall_clock();
   SuspendedWatch suspended(scene.coupling.timeout);
+  const std::string pulse = (fs::path(plan.out) / kLockFile).string();
+  command.environment[kPulse] = fs::absolute(pulse).string();
+  ProgressWatch progress(scene.coupling.timeout, pulse, (fs::path(plan.out) / "history.csv").string(), plan.log);
   const ChildEnd end = run_child(command, kMbdProgram, [&] {
     memory = std::max(memory, memory_of_descendants());
-    return suspended();
+    const std::string stuck = suspended();
+    return stuck.empty() && scene.touches_particles() ? progress() : stuck;
   });
   if (end.interrupted) return kExitInterrupted;
   const fs::path summary_file = fs::path(plan.out) / "summary.json";
@@ -212,7 +218,7 @@ int trial_command(const RunArguments& given, double seconds) {
   const Json summary = fs::exists(summary_file) ? read_summary(summary_file.string()) : Json::object();
   const std::string status = with_summary_of(plan.out, [&] { return summary.value("status", ""); });
   if (!errors.empty() || (status != "done" && status != "interrupted")) {
-    std::string why;
+    std::string why = end.given_up.empty() ? "" : ": " + end.given_up;
     if (!errors.empty())
       why = ": LIGGGHTS stopped at " +
             why_liggghts_stopped(plan.log, scene.particles->script, scene.particles->variables);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/start.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/bed/programs.h"
@@ -153,6 +154,7 @@ int run_command_line(int argc, char** argv, const std::vector<Subcommand>& comma
     line.push_back("--help");
   }
   try {
+    prepare_start(argc, argv);
     require_command(line, commands);
     app.parse(Line(line.rbegin(), line.rend()));
     return action();
@@ -167,7 +169,16 @@ int run_command_line(int argc, char** argv, const std::vector<Subcommand>& comma
     std::fprintf(stderr, "footfall: %s\n", e.what());
     return kExitInterrupted;
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "footfall: %s\n", e.what());
+    const std::string text = e.what(), library = "[json.exception.";
+    if (text.rfind(library, 0) == 0) {
+      std::fprintf(stderr, "footfall: %s\n",
+                   with_code(code::kRunDamaged, "a JSON file that was read is incomplete (" +
+                                                    text.substr(std::min(text.size(), text.find("] ") + 2)) +
+                                                    "): it was cut off or edited; repeat the run that wrote it")
+                       .c_str());
+      return kExitBadInput;
+    }
+    std::fprintf(stderr, "footfall: %s\n", text.c_str());
     return kExitFailed;
   }
 }

@@ -10,10 +10,12 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/input_file.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/mechanism_shape.h"
@@ -23,7 +25,9 @@
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/bed/bed_measures.h"
+#include "mbd_solver/bed/confined_programs.h"
 #include "mbd_solver/bed/liggghts_log.h"
+#include "mbd_solver/bed/program_watch.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/bed/script_safety.h"
 #include "mbd_solver/run/output/history.h"
@@ -48,6 +52,7 @@ Words words_of(const std::string& line) {
 
 // Lines of a script, continued ones (&) joined; included files are inserted only if they couple.
 std::vector<std::string> logical_lines(const std::string& path, const std::string& here, int depth = 0) {
+  require_regular_file(path, kLargestText);
   std::ifstream file(path);
   if (!file) throw InputError(code::kNoRun, path + ": cannot be read; it is the script of the coupled run");
   std::vector<std::string> lines;
@@ -508,7 +513,32 @@ ComparedRun stock_run(const fs::path& out, std::size_t bodies, double dt) {
   return result;
 }
 
-void run_stock(const std::string& liggghts, const Json& particles, const fs::path& out, bool quiet) {
+// A folder for the shared memory of one MPI job, gone with it: the only place in /dev/shm that it may write to.
+class SharedMemoryFolder {
+ public:
+  explicit SharedMemoryFolder(Command& mpirun) {
+    if (::mkdtemp(folder_.data()) == nullptr) folder_.clear();
+    if (!folder_.empty()) mpirun.environment["OMPI_MCA_btl_vader_backing_directory"] = folder_;
+  }
+  ~SharedMemoryFolder() {
+    std::error_code ignored;
+    if (!folder_.empty()) fs::remove_all(folder_, ignored);
+  }
+  SharedMemoryFolder(const SharedMemoryFolder&) = delete;
+  SharedMemoryFolder& operator=(const SharedMemoryFolder&) = delete;
+
+ private:
+  std::string folder_ = "/dev/shm/footfall-XXXXXX";
+};
+
+// coupling.timeout of the run [s].
+double time_limit(const Json& summary) {
+  const Json coupling = summary.at("scene").value("coupling", Json::object());
+  return coupling.value("timeout", CouplingSpec().timeout);
+}
+
+void run_stock(const std::string& liggghts, const Json& particles, const fs::path& out, bool trusted, double limit,
+               bool quiet) {
   Command command = mpirun();
   command.words.insert(command.words.end(), {"-np", std::to_string(particles.value("ranks", 1)), liggghts, "-in",
                                              (out / "in.stock").string()});
@@ -525,8 +555,17 @@ void run_stock(const std::string& liggghts, const Json& particles, const fs::pat
   command.output = (out / "output.txt").string();
   if (!quiet) std::printf("%s\n", shell_line(command).c_str());
   std::fflush(stdout);
-  const ChildEnd end = run_child(command);
+  std::optional<SharedMemoryFolder> memory;
+  if (!trusted) {
+    const auto program = std::find(command.words.begin(), command.words.end(), liggghts);
+    command.words.insert(program, {built_program("footfall"), "confined"});
+    confine_script(command, {out.string()});
+    memory.emplace(command);
+  }
   const std::string log = (out / "liggghts.log").string();
+  ProgressWatch progress(limit, out.string(), "", log);
+  const ChildEnd end = run_child(command, "", [&] { return progress(); });
+  if (!end.given_up.empty()) throw PartnerError("stock LIGGGHTS: " + end.given_up);
   if (!liggghts_errors(log).empty())
     throw InputError(code::kReplayFailed,
                      "stock LIGGGHTS stopped at " + why_liggghts_stopped(log, (out / "in.stock").string(), variables));
@@ -590,7 +629,7 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
                                        particles.value("variables", std::map<std::string, std::string>{}));
     write(out / "in.stock", replay.script);
     for (const auto& [name, text] : replay.files) write(out / name, text);
-    run_stock(liggghts, summary.at("scene").at("particles"), out, quiet);
+    run_stock(liggghts, summary.at("scene").at("particles"), out, trust_script, time_limit(summary), quiet);
     bodies = replay.bodies;
     second = stock_run(out, bodies.size(), dt);
     remark = limits_of_replay(run, replay);

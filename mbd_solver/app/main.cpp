@@ -8,12 +8,14 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/app/command_line.h"
+#include "mbd_solver/bed/confined_programs.h"
 #include "mbd_solver/bed/programs.h"
 
 using namespace footfall;
 
 int main(int argc, char** argv) {
   std::string word = argc > 1 ? argv[1] : "";
+  if (word == "confined") return become_confined(argc, argv);
   if (word == "help" && argc > 2) word = argv[2];
   for (const Subcommand& subcommand : subcommands()) {
     if (word != subcommand.name || subcommand.prepare != nullptr) continue;

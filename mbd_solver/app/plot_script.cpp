@@ -8,10 +8,12 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/process.h"
+#include "mbd_solver/bed/program_watch.h"
 
 namespace footfall {
 
@@ -56,10 +58,16 @@ std::string write_drawing(const std::string& folder, const std::string& name, co
 std::vector<std::string> run_gnuplot(const std::string& folder, const std::vector<std::string>& scripts) {
   std::vector<std::string> pictures;
   if (scripts.empty()) return pictures;
+  for (const std::string& script : scripts)  // gnuplot would write through a link
+    for (const char* ending : {".png", ".svg"})
+      Place((fs::path(folder) / fs::path(script).replace_extension(ending)).string()).remove();
   const std::string log = "gnuplot.log";
   Command command{{"gnuplot"}, {}, log, folder};
   command.words.insert(command.words.end(), scripts.begin(), scripts.end());
-  const ChildEnd end = run_child(command);
+  constexpr double kLimit = 300.0;  // [s]
+  const TimeLimit limit("gnuplot", kLimit);
+  const ChildEnd end = run_child(command, "", limit);
+  if (!end.given_up.empty()) throw InputError(end.given_up);
   if (end.code != 0)
     throw InputError(code::kGnuplotFailed, "gnuplot ended with exit code " + std::to_string(end.code) + "; see " +
                                                (fs::path(folder) / log).string());

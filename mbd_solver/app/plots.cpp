@@ -10,6 +10,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/plot_script.h"
@@ -468,6 +469,7 @@ std::vector<std::string> plot_columns(const ColumnPlot& plot) {
   if (!fs::exists(run / "history.csv"))
     throw InputError(code::kNoRun, plot.run + ": no history.csv; expected the folder of a run");
   require_picture_ending(plot.out);
+  guard_folder(plot.run);
   const History history = read_history((run / "history.csv").string());
   if (plot.columns.empty()) return column_list(history);
   if (history.columns.front().size() < 2)

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/input_file.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/plots.h"
@@ -48,6 +49,7 @@ std::vector<double> since_start(const std::vector<double>& values, std::size_t c
 }  // namespace
 
 GrainEnergies read_grain_energies(const std::string& path) {
+  require_regular_file(path);
   std::ifstream file(path);
   if (!file)
     throw InputError(code::kRunDamaged, path + ": cannot be read; expected the energies that the script writes");

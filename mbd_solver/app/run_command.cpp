@@ -8,9 +8,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <thread>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/pulse.h"
 #include "coupler/base/text.h"
 #include "coupler/interrupt.h"
 #include "coupler/programs.h"
@@ -22,8 +24,10 @@
 #include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/bed/bed_report.h"
 #include "mbd_solver/bed/codes.h"
+#include "mbd_solver/bed/confined_programs.h"
 #include "mbd_solver/bed/liggghts_log.h"
 #include "mbd_solver/bed/process.h"
+#include "mbd_solver/bed/program_watch.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/bed/script_safety.h"
 #include "mbd_solver/run/output/checkpoint_folder.h"
@@ -111,15 +115,20 @@ int run_command(const RunArguments& arguments) {
   command.environment[kFailureNote] = note.string();
   SuspendedWatch suspended(scene.coupling.timeout + kLater);
   ReadingWatch reading(log, scene.coupling.timeout);
+  const std::string begun = (fs::path(out) / "history.csv").string();
+  const std::string pulse = (fs::path(out) / kLockFile).string();
+  if (scene.touches_particles()) command.environment[kPulse] = fs::absolute(pulse).string();
+  ProgressWatch progress(scene.coupling.timeout + 2.0 * kLater, pulse, begun, log);
   BedMaterialCheck material(plan.bed_log, log);
   leave_time_to_end(command);
   const SignalsHeld signals;  // the folder is put in order first
-  SettlingLine settling(log, (fs::path(out) / "history.csv").string(), arguments.quiet);
+  SettlingLine settling(log, begun, arguments.quiet);
   const ChildEnd end = run_child(command, kMbdProgram, [&] {
     material();
     settling();
-    const std::string stuck = reading();
-    return stuck.empty() ? suspended() : stuck;
+    std::string stuck = reading();
+    if (stuck.empty()) stuck = suspended();
+    return stuck.empty() && scene.touches_particles() ? progress() : stuck;
   });
   material();
   remove_unfinished_checkpoints(out);
@@ -241,7 +250,19 @@ void require_safe_scripts(const Scene& scene, const RunArguments& a) {
   if (!scene.touches_particles() || a.trust_script) return;
   require_safe_script(scene.particles->script, scene.particles->variables);
   if (const auto& bed = scene.particles->bed) require_safe_script(bed->script, bed->variables);
-  setenv(kNoPrograms, "1", 1);
+}
+
+// Of several machines the batch system counts the cores.
+void warn_of_ranks(int ranks) {
+  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+  for (const char* batch : {"SLURM_JOB_ID", "PBS_NODEFILE", "LSB_HOSTS", "OMPI_MCA_orte_default_hostfile"})
+    if (std::getenv(batch) != nullptr) return;
+  if (cores == 0 || ranks <= cores) return;
+  const std::string text =
+      std::to_string(ranks) + " ranks on " + std::to_string(cores) +
+      " cores: ranks that share a core wait for each other, and the run takes longer; use at most " + "--ranks " +
+      std::to_string(cores);
+  std::fprintf(stderr, "footfall: warning: %s\n", with_code(code::kRanksBeyondCores, text).c_str());
 }
 
 // The folder in runs with the newest checkpoint.
@@ -278,13 +299,17 @@ RunPlan new_run(const RunArguments& a) {
   }
   const ParticlesSpec& particles = *scene.particles;
   const int ranks = a.ranks > 0 ? a.ranks : particles.ranks;
+  warn_of_ranks(ranks);
   Bed bed;
   store_box_scripts(scene, out);
-  if (particles.bed) bed = prepare_bed(*particles.bed, ranks, a.quiet);
+  if (particles.bed) bed = prepare_bed(*particles.bed, ranks, a.quiet, a.trust_script, scene.coupling.timeout);
   if (!bed.restart.empty()) plan.bed_log = (fs::path(bed.restart).parent_path() / "liggghts.log").string();
   // Grains that the scene names itself take precedence.
   plan.command = both_programs(particles, ranks, out, bed.restart, plan.log,
                                solver_words(a, out, particles.grains.empty() ? bed.grains : ""));
+  std::vector<std::string> folders = {out};
+  if (!bed.restart.empty()) folders.push_back(fs::path(bed.restart).parent_path().string());
+  if (!a.trust_script) confine_script(plan.command, folders);
   return plan;
 }
 
@@ -307,6 +332,7 @@ RunPlan resumed_run(const RunArguments& a) {
   require_resumable(particles);
   plan.command =
       both_programs(particles, start.ranks, out, short_path(checkpoint + "/grains.restart"), plan.log, solver);
+  if (!a.trust_script) confine_script(plan.command, {out});
   move_rows_aside(out, step_of_checkpoint(checkpoint));
   if (const std::string gravity = energy_at_start(out); !gravity.empty()) {
     std::vector<std::string>& words = plan.command.words;

@@ -3,12 +3,15 @@
 #include "mbd_solver/app/run_folder.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
-#include <regex>
+#include <iterator>
 #include <set>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/run_directory.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/base/codes.h"
 #include "mbd_solver/run/output/summary.h"
@@ -19,10 +22,51 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kOfRun =
-    R"((history|peaks|ledger)\.csv|(run|summary)\.json|liggghts.*\.log|grains_energy.*\.txt|failed|audit\.txt|paraview\.py)"
-    R"(|.*\.pvd|.*\.vtk\.series|.*_[0-9]+\.(vtk|vtu|vtp|txt|stl)(\.part)?|(view|report|watch)\.html)"
-    R"(|(pictures|plots)/[^/]*\.(dat|gp|png|rgb|svg)|(audit|checkpoint|compare|motion|script)/.*)";
+bool begins(const std::string& text, const std::string& start) { return text.compare(0, start.size(), start) == 0; }
+
+// NAME_12.vtk and NAME_12.vtk.part: what scripts and programs write at a step.
+bool is_numbered(std::string name) {
+  if (ends_with(name, ".part")) name.erase(name.size() - 5);
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string::npos) return false;
+  const std::string ending = name.substr(dot + 1);
+  if (ending != "vtk" && ending != "vtu" && ending != "vtp" && ending != "txt" && ending != "stl") return false;
+  const std::size_t digits = name.find_last_not_of("0123456789", dot - 1);
+  return dot > 0 && digits != std::string::npos && digits + 1 < dot && name[digits] == '_';
+}
+
+// Folders that belong to a run with all they hold, and those of which only pictures do.
+constexpr const char* kFolders[] = {"audit", "checkpoint", "compare", "motion", "script"};
+constexpr const char* kOfPictures[] = {"pictures", "plots"};
+
+// NAME.png directly in the folder.
+bool is_picture_in(const std::string& folder, const std::string& name) {
+  if (!begins(name, folder + "/") || name.find('/', folder.size() + 1) != std::string::npos) return false;
+  for (const char* ending : {".dat", ".gp", ".png", ".rgb", ".svg"})
+    if (ends_with(name, ending)) return true;
+  return false;
+}
+
+// Compares parts of the name only: names come from other people, and a regular expression may take for ever.
+bool is_of_run(const std::string& name) {
+  for (const char* file : {"history.csv", "peaks.csv", "ledger.csv", "run.json", "summary.json", "failed", "audit.txt",
+                           "paraview.py", "view.html", "report.html", "watch.html"})
+    if (name == file) return true;
+  for (const char* folder : kFolders)
+    if (begins(name, std::string(folder) + "/")) return true;
+  for (const char* folder : kOfPictures)
+    if (is_picture_in(folder, name)) return true;
+  return (begins(name, "liggghts") && ends_with(name, ".log")) ||
+         (begins(name, "grains_energy") && ends_with(name, ".txt")) || ends_with(name, ".pvd") ||
+         ends_with(name, ".vtk.series") || is_numbered(name);
+}
+
+// The name of such a folder; a link with this name is no file of the user.
+bool is_folder_of_run(const std::string& name) {
+  const auto is = [&](const char* folder) { return name == folder; };
+  return std::any_of(std::begin(kFolders), std::end(kFolders), is) ||
+         std::any_of(std::begin(kOfPictures), std::end(kOfPictures), is);
+}
 
 bool has_results(const fs::path& folder) {
   std::error_code error;
@@ -51,23 +95,20 @@ void require_replaceable(const std::string& folder, bool force) {
 void remove_files(const std::string& folder) {
   std::set<fs::path> parents;
   for (const std::string& name : files_of_run(folder)) {
-    std::error_code error;
-    fs::remove(fs::path(folder) / name, error);
-    if (error)
-      throw InputError(code::kFileNotRemoved,
-                       (fs::path(folder) / name).string() + ": cannot be removed: " + error.message());
+    const std::string file = (fs::path(folder) / name).string();
+    if (const int problem = Place(file).remove(); problem != 0)
+      throw InputError(code::kFileNotRemoved, file + ": cannot be removed: " + reason_of(problem));
     for (fs::path parent = fs::path(name).parent_path(); !parent.empty(); parent = parent.parent_path())
       parents.insert(parent);
   }
-  std::error_code not_empty;
-  for (auto parent = parents.rbegin(); parent != parents.rend(); ++parent)  // the deepest first
-    fs::remove(fs::path(folder) / *parent, not_empty);
+  // The deepest first; folders that hold other files stay.
+  for (auto parent = parents.rbegin(); parent != parents.rend(); ++parent)
+    Place((fs::path(folder) / *parent).string()).remove();
 }
 
 }  // namespace
 
 std::vector<std::string> files_of_run(const std::string& folder) {
-  static const std::regex of_run(kOfRun);
   std::vector<std::string> names;
   std::error_code error;
   fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, error), end;
@@ -75,7 +116,7 @@ std::vector<std::string> files_of_run(const std::string& folder) {
     std::error_code gone;
     if (it->is_directory(gone) && !it->is_symlink(gone)) continue;
     const std::string name = it->path().lexically_relative(folder).generic_string();
-    if (std::regex_match(name, of_run)) names.push_back(name);
+    if (is_of_run(name) || (it->is_symlink(gone) && is_folder_of_run(name))) names.push_back(name);
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -93,6 +134,11 @@ RunFolder::RunFolder(const std::string& folder) {
   if (std::error_code error; !fs::is_directory(folder, error))
     throw InputError(code::kNoRun, folder + ": no such folder, and so no run to resume");
   lock_ = lock_folder(folder);
+  // LIGGGHTS and gnuplot follow links.
+  for (const std::string& name : files_of_run(folder))
+    if (std::error_code none; fs::is_symlink(fs::path(folder) / name, none))
+      throw InputError(code::kFileInTheWay,
+                       (fs::path(folder) / name).string() + ": cannot be written: " + reason_of(ELOOP));
 }
 
 std::string new_run_folder(const std::string& name) {

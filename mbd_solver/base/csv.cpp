@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "coupler/base/input_file.h"
+
 namespace footfall {
 namespace {
 
@@ -27,7 +29,9 @@ bool read_number(std::string_view text, double& value) {
 }
 
 CsvReader::CsvReader(const std::string& path, const std::string& expected, Separators separators)
-    : path_(path), separators_(separators), file_(path) {
+    : path_(path), separators_(separators) {
+  require_regular_file(path);
+  file_.open(path);
   if (!file_) throw InputError(code::kTableNotReadable, path + ": cannot be read; expected " + expected);
 }
 

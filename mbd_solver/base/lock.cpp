@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -18,6 +19,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/run_directory.h"
 #include "mbd_solver/base/codes.h"
 
 namespace footfall {
@@ -51,8 +53,12 @@ FileLock& FileLock::operator=(FileLock&& other) noexcept {
 
 FileLock FileLock::try_lock(const std::string& path) {
   FileLock lock;
-  lock.file_ = open(path.c_str(), O_RDWR | O_CREAT, 0644);  // child programs inherit it: no O_CLOEXEC
-  if (lock.file_ < 0) throw InputError(code::kLockNotCreated, path + ": cannot be created: " + std::strerror(errno));
+  // Child programs inherit it: no O_CLOEXEC.
+  lock.file_ = open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK, 0644);
+  if (lock.file_ < 0) throw InputError(code::kLockNotCreated, path + ": cannot be created: " + reason_of(errno));
+  struct stat status {};
+  if (fstat(lock.file_, &status) != 0 || !S_ISREG(status.st_mode))
+    throw InputError(code::kLockNotCreated, path + ": is no regular file, as a lock is; remove it");
   int result = -1;
   do {
     result = flock(lock.file_, LOCK_EX | LOCK_NB);
@@ -89,6 +95,7 @@ bool is_alive(int process) {
 
 FileLock lock_folder(const std::string& folder) {
   make_folder(folder);
+  guard_folder(folder);
   const std::string file = (fs::path(folder) / kLockFile).string();
   const auto deadline = std::chrono::steady_clock::now() + kOrphanTime;
   FileLock lock = FileLock::try_lock(file);

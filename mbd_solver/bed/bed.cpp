@@ -2,8 +2,10 @@
 // neither a kill nor a second run leaves half a bed. bed.seal holds sizes and checksums of its files.
 #include "mbd_solver/bed/bed.h"
 
+#include <pwd.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -18,14 +20,18 @@
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/pulse.h"
 #include "coupler/base/text.h"
 #include "coupler/programs.h"
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/bed/codes.h"
+#include "mbd_solver/bed/confined_programs.h"
 #include "mbd_solver/bed/liggghts_log.h"
 #include "mbd_solver/bed/process.h"
+#include "mbd_solver/bed/program_watch.h"
 #include "mbd_solver/bed/programs.h"
+#include "mbd_solver/bed/script_safety.h"
 #include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
@@ -34,16 +40,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kSilence = 300.0;  // a program that is suspended or reads a restart file for longer is ended [s]
 constexpr const char* kAdvice = "set FOOTFALL_CACHE to a folder that can be written";
 
 // ---- Seal ----
 
 constexpr const char* kSeal = "bed.seal";
-constexpr const char* kSealHead = "footfall-seal 1";
+constexpr const char* kSealHead = "footfall-seal 2";
+constexpr const char* kOldSealHead = "footfall-seal 1";  // without conditions
+
+// The name of a bed's folder, or of its draft, is the key of the conditions under which it is made.
+std::string key_in(const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  return name.substr(0, name.find('.'));
+}
 
 std::string seal_of(const fs::path& folder) {
-  std::string text = std::string(kSealHead) + "\n";
+  std::string text = std::string(kSealHead) + "\nconditions " + key_in(folder) + "\n";
   for (const char* name : {kBedRestart, kBedGrains})
     if (const auto bytes = read_whole_file((folder / name).string()))
       text += std::string(name) + " " + std::to_string(bytes->size()) + " " + fingerprint(*bytes) + "\n";
@@ -133,7 +145,7 @@ class Draft {
   fs::path folder_;
 };
 
-void make_bed(const BedSpec& spec, int ranks, bool quiet, const fs::path& folder) {
+void make_bed(const BedSpec& spec, int ranks, bool quiet, bool trusted, double limit, const fs::path& folder) {
   const std::string restart = (folder / kBedRestart).string(), log = (folder / "liggghts.log").string();
   Command command = mpirun();
   command.environment[kAllOrNothing] = "1";
@@ -145,8 +157,13 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, const fs::path& folder
   LiveLine live(quiet, isatty(STDOUT_FILENO) == 1);
   if (!quiet) std::printf("Making the bed (once): %s\n", shell_line(command).c_str());
   std::fflush(stdout);
-  SuspendedWatch suspended(kSilence);
-  ReadingWatch reading(log, kSilence);
+  if (!trusted) confine_script(command, {folder.string()});
+  SuspendedWatch suspended(limit);
+  ReadingWatch reading(log, limit);
+  const std::string pulse = (folder / ".pulse").string();
+  write_whole_file_unsynced(pulse, "", kAdvice);
+  command.environment[kPulse] = pulse;
+  ProgressWatch steps(limit, pulse, "", log);
   const double started = wall_clock();
   const auto show = [&] {
     const LogProgress progress = log_progress(log);
@@ -155,10 +172,12 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, const fs::path& folder
           progress.runs > 1 ? "" : time_left({progress.share(), progress.share(), wall_clock() - started});
       live.show("bed: " + progress.text() + (left.empty() ? "" : ", " + left));
     }
-    const std::string stuck = reading();
-    return stuck.empty() ? suspended() : stuck;
+    std::string stuck = reading();
+    if (stuck.empty()) stuck = suspended();
+    return stuck.empty() ? steps() : stuck;
   };
   const ChildEnd end = run_child(command, "", show);
+  fs::remove(pulse);
   live.finish(true);
   const std::string output = read_whole_file(command.output).value_or("");
   if (end.interrupted || was_asked_to_end(end.code) ||
@@ -168,6 +187,8 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, const fs::path& folder
   if (!liggghts_errors(log).empty())
     throw InputError(code::kBedScriptFailed, "the bed's script " + spec.script + " failed in LIGGGHTS, at " +
                                                  why_liggghts_stopped(log, spec.script, spec.variables));
+  if (end.code == kExitBadInput)
+    throw InputError(code::kBedScriptFailed, "the bed's script " + spec.script + " failed in LIGGGHTS\n" + output);
   if (end.code != 0)
     throw PartnerError(code::kBedProgramEnded, "making the bed: LIGGGHTS ended with exit code " +
                                                    std::to_string(end.code) + " on " + spec.script + "\n" + output);
@@ -197,13 +218,35 @@ void seal_bed(const std::string& folder) {
   write_whole_file((fs::path(folder) / kSeal).string(), seal_of(folder), kAdvice);
 }
 
+void require_own_bed(const std::string& folder) {
+  for (const std::string name : {"", kSeal, kBedRestart, kBedGrains}) {
+    const std::string file = name.empty() ? folder : (fs::path(folder) / name).string();
+    struct stat status {};
+    if (lstat(file.c_str(), &status) != 0) continue;
+    const bool link = S_ISLNK(status.st_mode), ours = status.st_uid == geteuid() || status.st_uid == 0;
+    if (ours && !link) continue;
+    throw InputError(
+        code::kForeignBed,
+        file + (link ? ": is a link" : ": belongs to another user (number " + std::to_string(status.st_uid) + ")") +
+            ", expected a bed that you have made; set FOOTFALL_CACHE to a folder of "
+            "your own, or remove that bed");
+  }
+}
+
 std::string damage_of_bed(const std::string& folder) {
   const fs::path at(folder);
   const auto seal = read_whole_file((at / kSeal).string());
   if (!seal) return std::string(kSeal) + " is missing";
   std::istringstream lines(*seal);
   std::string line;
-  if (!std::getline(lines, line) || line != kSealHead) return std::string(kSeal) + " cannot be read";
+  if (!std::getline(lines, line) || (line != kSealHead && line != kOldSealHead))
+    return std::string(kSeal) + " cannot be read";
+  if (line == kSealHead) {
+    std::string word, key;
+    if (!(lines >> word >> key) || word != "conditions" || !std::getline(lines, line))
+      return std::string(kSeal) + " cannot be read";
+    if (key != key_in(at)) return "it was made under other conditions (" + key + ")";
+  }
   bool restart = false;
   while (std::getline(lines, line)) {
     std::istringstream words(line);
@@ -224,7 +267,14 @@ std::string cache_folder() {
   if (const char* own = std::getenv("FOOTFALL_CACHE")) return own;
   if (const char* xdg = std::getenv("XDG_CACHE_HOME")) return std::string(xdg) + "/footfall";
   const char* home = std::getenv("HOME");
-  return (home ? std::string(home) : std::string("/tmp")) + "/.cache/footfall";
+  const passwd* const user = home != nullptr && *home != '\0' ? nullptr : getpwuid(geteuid());
+  if (user != nullptr) home = user->pw_dir;
+  // Not in /tmp: a bed there may be anybody's.
+  if (home == nullptr || *home == '\0')
+    throw InputError(code::kNoCacheFolder,
+                     "HOME is not set, so there is no folder for beds of grains; set FOOTFALL_CACHE "
+                     "to a folder of your own");
+  return std::string(home) + "/.cache/footfall";
 }
 
 std::string bed_key(const BedSpec& spec, const std::string& version) {
@@ -238,12 +288,17 @@ std::string bed_folder(const BedSpec& spec) {
   return (fs::path(cache_folder()) / "beds" / bed_key(spec, version)).string();
 }
 
-bool bed_is_made(const std::string& folder) { return fs::exists(folder) && damage_of_bed(folder).empty(); }
+bool bed_is_made(const std::string& folder) {
+  if (!fs::exists(folder)) return false;
+  require_own_bed(folder);
+  return damage_of_bed(folder).empty();
+}
 
-Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet) {
+Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet, bool trusted, double limit) {
   const fs::path target = bed_folder(spec);
   remove_dead_drafts(target.parent_path());
   if (!bed_is_made(target)) {
+    if (!trusted) require_safe_script(spec.script, spec.variables);
     // Of two runs that need the same bed the second waits, and uses it.
     make_folder(target.parent_path().string(), kAdvice);
     const FileLock lock = FileLock::wait_for(target.string() + ".lock", [&] {
@@ -259,7 +314,7 @@ Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet) {
     }
     const SignalsHeld signals;  // until the draft is removed or stored
     Draft draft(draft_name(target));
-    make_bed(spec, ranks, quiet, draft.folder());
+    make_bed(spec, ranks, quiet, trusted, limit, draft.folder());
     draft.store_as(target);
   }
   if (!quiet) std::printf("Bed: %s\n", (target / kBedRestart).c_str());

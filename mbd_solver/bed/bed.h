@@ -22,12 +22,15 @@ struct Bed {
 
 // Finds the bed in the cache, or makes it there with `ranks` LIGGGHTS processes (with a progress line unless quiet).
 // Throws InputError with LIGGGHTS' own message when the script fails, PartnerError when LIGGGHTS dies or is suspended,
-// Interrupted when a signal asks for the end.
-Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet);
+// Interrupted when a signal asks for the end. trusted: the script may run programs and write anywhere. limit [s]: how long
+// LIGGGHTS may make no step.
+Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet, bool trusted = false, double limit = 300.0);
 
 // The folder of the bed, whether it exists or not: named by bed_key.
 std::string bed_folder(const BedSpec& spec);
-// True when the folder holds an undamaged bed.
+// Throws InputError for a bed that is a link or belongs to another user (except root).
+void require_own_bed(const std::string& folder);
+// True when the folder holds an undamaged bed. Throws as require_own_bed.
 bool bed_is_made(const std::string& folder);
 
 // $FOOTFALL_CACHE, else $XDG_CACHE_HOME/footfall, else ~/.cache/footfall.

@@ -13,6 +13,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/input_file.h"
 #include "mbd_solver/bed/codes.h"
 
 namespace footfall {
@@ -128,6 +129,7 @@ bool parts_of(const fs::path& file, std::string& prefix, long& step) {
 }  // namespace
 
 BedFrame read_bed_frame(const std::string& path) {
+  require_regular_file(path);
   std::ifstream file(path);
   if (!file) throw InputError(code::kDumpNotReadable, path + ": cannot be read");
   std::string first;

@@ -21,6 +21,10 @@ inline constexpr MessageCode kBedInterrupted{"E0554", "bed-interrupted"};
 inline constexpr MessageCode kOutsideBox{"E0555", "outside-box"};
 // A file that belongs to footfall is missing. Install footfall again.
 inline constexpr MessageCode kShippedFileMissing{"E0556", "shipped-file-missing"};
+// There is no folder for beds: HOME is not set. Set FOOTFALL_CACHE to a folder of your own.
+inline constexpr MessageCode kNoCacheFolder{"E0557", "no-cache-folder"};
+// A bed in the cache belongs to another user, or is a link. Set FOOTFALL_CACHE to a folder of your own.
+inline constexpr MessageCode kForeignBed{"E0558", "foreign-bed"};
 // A bed in the cache is damaged. It is made again; nothing is to be done.
 inline constexpr MessageCode kBedDamaged{"W0550", "bed-damaged"};
 // The bed was made of another material than the run has. Give both scripts the same constants unless this is meant.
@@ -36,8 +40,14 @@ inline constexpr MessageCode kLiggghtsStopped{"E0560", "liggghts-stopped"};
 inline constexpr MessageCode kRestartDamaged{"E0561", "restart-damaged"};
 // A script runs a program or writes outside the folder of results. Change it, or trust it with --trust-script.
 inline constexpr MessageCode kUnsafeScript{"E0562", "unsafe-script"};
+// mpirun waits for programs that are gone. Free space in the temporary folder, and raise the limits of ulimit.
+inline constexpr MessageCode kProgramsGone{"E0568", "programs-gone"};
+// A program does not get on within the time limit. Correct what it is at, or raise coupling.timeout.
+inline constexpr MessageCode kProgramSilent{"E0569", "program-silent"};
 // A program of footfall is missing. Build footfall again.
 inline constexpr MessageCode kProgramNotBuilt{"E0563", "program-not-built"};
+// A run has more LIGGGHTS processes than this machine has cores. Use fewer ranks.
+inline constexpr MessageCode kRanksBeyondCores{"W0553", "ranks-beyond-cores"};
 // A program of another Debian package is missing. Install the package.
 inline constexpr MessageCode kProgramNotInstalled{"E0564", "program-not-installed"};
 // A program cannot be started. Install it, or free memory and processes.

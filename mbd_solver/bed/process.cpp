@@ -24,10 +24,13 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
 #include "coupler/interrupt.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/codes.h"
+#include "mbd_solver/bed/confined_programs.h"
+#include "mbd_solver/bed/program_watch.h"
 
 namespace footfall {
 namespace {
@@ -40,15 +43,16 @@ constexpr std::chrono::nanoseconds kTick = std::chrono::milliseconds(200);
   sigprocmask(SIG_UNBLOCK, &held, nullptr);
   const int nothing = open("/dev/null", O_RDONLY);
   if (nothing >= 0) dup2(nothing, STDIN_FILENO);
-  if (!command.folder.empty() && chdir(command.folder.c_str()) != 0) _exit(kCannotStart);
+  if (!command.folder.empty() && fchdir(Place(command.folder).open(O_RDONLY | O_DIRECTORY)) != 0) _exit(kCannotStart);
   if (!command.output.empty()) {
-    const int file = open(command.output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    const int file = Place(command.output).open(O_WRONLY | O_CREAT | O_TRUNC);
     if (file >= 0) {
       dup2(file, STDOUT_FILENO);
       dup2(file, STDERR_FILENO);
     }
   }
-  for (const auto& [name, value] : command.environment) setenv(name.c_str(), value.c_str(), 1);
+  for (const auto& settings : {command.environment, settings_of_confined(command)})
+    for (const auto& [name, value] : settings) setenv(name.c_str(), value.c_str(), 1);
   std::vector<char*> words;
   for (const std::string& word : command.words) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
@@ -191,6 +195,8 @@ bool reap(pid_t pid, int& status, double& cpu) {
 
 }  // namespace
 
+int count_descendants(bool only_suspended) { return static_cast<int>(descendants(only_suspended).size()); }
+
 std::string SuspendedWatch::operator()() {
   const double now = wall_clock();
   if (now < next_look_) return "";
@@ -275,7 +281,8 @@ bool was_asked_to_end(int exit_code) {
 
 std::string shell_line(const Command& command) {
   std::string line;
-  for (const auto& [name, value] : command.environment) line += name + "=" + shell_word(value) + " ";
+  for (const auto& [name, value] : command.environment)
+    if (name.rfind("FOOTFALL_", 0) != 0) line += name + "=" + shell_word(value) + " ";
   for (const std::string& word : command.words)
     line += (line.empty() || line.back() == ' ' ? "" : " ") + shell_word(word);
   return line;

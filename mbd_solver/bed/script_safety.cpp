@@ -1,52 +1,75 @@
 // Looks at every command of a script for what it runs and which files it writes; commands inside `if`, `run every` and
-// `partition` count as well.
+// `partition` count as well. Certain is only what stands in the text: known commands and styles, and files whose names
+// hold no variables but numbers.
 #include "mbd_solver/bed/script_safety.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <set>
 #include <vector>
 
+#include "coupler/base/confinement.h"
 #include "coupler/base/errors.h"
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/scene/particle_script.h"
+#include "mbd_solver/scene/script_words.h"
 
 namespace footfall {
 namespace {
 
 using Words = std::vector<std::string>;
+using Variables = std::map<std::string, std::string>;
 
 // Quoted words may hold commands, as in: if ... then "shell rm".
-Words without_quotes(Words words) {
-  for (std::string& word : words)
-    word.erase(std::remove_if(word.begin(), word.end(), [](char c) { return c == '"' || c == '\''; }), word.end());
-  return words;
+std::string without_quotes(std::string word) {
+  word.erase(std::remove_if(word.begin(), word.end(), [](char c) { return c == '"' || c == '\''; }), word.end());
+  return word;
 }
 
-std::string word_after(const Words& w, std::size_t from, const std::string& key) {
-  for (std::size_t i = from; i + 1 < w.size(); ++i)
+// The command, and those that its words hold: each word of `if` and `run ... every N` may be one.
+std::vector<Words> with_nested(const ScriptCommand& command) {
+  Words plain;
+  for (const std::string& word : command.words) plain.push_back(without_quotes(word));
+  std::vector<Words> all = {plain};
+  if (plain[0] != "if" && plain[0] != "run" && plain[0] != "partition") return all;
+  for (std::size_t at = 1; at < plain.size(); ++at) {
+    all.emplace_back(plain.begin() + static_cast<std::ptrdiff_t>(at), plain.end());
+    if (Words words = script_words(plain[at]); words.size() > 1) all.push_back(words);
+  }
+  return all;
+}
+
+std::string word_after(const Words& w, const std::string& key) {
+  for (std::size_t i = 1; i + 1 < w.size(); ++i)
     if (w[i] == key) return w[i + 1];
   return "";
 }
 
-// The files that one command writes; it begins at word `at`.
-Words files_written(const Words& w, std::size_t at) {
-  const auto word = [&](std::size_t k) { return at + k < w.size() ? w[at + k] : std::string(); };
-  const std::string command = word(0);
+bool begins(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
+
+bool is_writing_fix(const std::string& style) {
+  return style == "print" || begins(style, "ave/") || begins(style, "massflow/");
+}
+
+// The files that one command writes.
+Words files_written(const Words& w) {
+  const auto word = [&](std::size_t k) { return k < w.size() ? w[k] : std::string(); };
+  if (w.empty()) return {};
+  const std::string& command = w[0];
   if (command == "dump") return {word(5)};
   if (command == "write_dump") return {word(3)};
   if (command == "write_restart" || command == "write_data" || command == "log") return {word(1)};
   if (command == "restart" && word(1) != "0") return {word(2), word(3)};
-  if (command == "print") return {word_after(w, at + 1, "file"), word_after(w, at + 1, "append")};
-  if (command == "run") return {};
-  if (command != "fix") return {};
+  if (command == "print") return {word_after(w, "file"), word_after(w, "append")};
   // Other fixes only read files: meshes, particle templates.
-  const std::string style = word(3);
-  if (style != "print" && style.rfind("ave/", 0) != 0 && style.rfind("massflow/", 0) != 0) return {};
-  return {word_after(w, at + 4, "file"), word_after(w, at + 4, "append")};
+  if (command != "fix" || !is_writing_fix(word(3))) return {};
+  return {word_after(w, "file"), word_after(w, "append")};
 }
 
 bool is_allowed(const std::string& file) {
   if (file.empty() || file == "none" || file == "NULL" || file == "&") return true;
-  const bool out = file.rfind("${out}/", 0) == 0, bed = file.rfind("${bed}", 0) == 0;
+  const bool out = begins(file, "${out}/"), bed = begins(file, "${bed}");
   if (!out && !bed) return false;
   const std::string rest = file.substr(6);
   // Only a plain path: LIGGGHTS passes the names of compressed files to a shell.
@@ -55,33 +78,246 @@ bool is_allowed(const std::string& file) {
   return plain && rest.find("..") == std::string::npos;
 }
 
+// The command line gives both; values that the script itself gives do not count.
+ScriptText read_script(const std::string& script, Variables variables) {
+  variables["out"] = "${out}";
+  variables["bed"] = "${bed}";
+  return ScriptText(script, variables);
+}
+
+void complain(std::string& findings, const ScriptCommand& command, const std::string& what) {
+  findings += (findings.empty() ? "" : "\n") + command.place() + ": " + what;
+}
+
+std::string unsafe_lines(const ScriptText& text) {
+  std::string findings;
+  for (const ScriptCommand& command : text.commands()) {
+    std::set<std::string> said;
+    const auto say = [&](const std::string& what) {
+      if (said.insert(what).second) complain(findings, command, what);
+    };
+    for (const Words& w : with_nested(command)) {
+      if (std::find(w.begin(), w.end(), "shell") != w.end())
+        say("`shell` runs programs, which a script may not do; run them before");
+      if (w[0] == "dump" && w.size() > 3 && w[3] == "movie")
+        say("`dump movie` runs a program, which a script may not do; make the film after the run");
+      for (const std::string& file : files_written(w))
+        if (!is_allowed(file)) say("writes \"" + file + "\", expected a file in the folder of results: ${out}/NAME");
+    }
+  }
+  return findings;
+}
+
+// ---- What is certain ----
+
+// Commands that write no file and run no program, whatever follows them. Those that write are judged by files_written.
+const std::set<std::string> kHarmless = {"atom_modify",
+                                         "atom_style",
+                                         "boundary",
+                                         "bond_coeff",
+                                         "bond_style",
+                                         "clear",
+                                         "communicate",
+                                         "compute",
+                                         "create_atoms",
+                                         "create_box",
+                                         "delete_atoms",
+                                         "delete_bonds",
+                                         "dielectric",
+                                         "displace_atoms",
+                                         "dump_modify",
+                                         "echo",
+                                         "fix_modify",
+                                         "group",
+                                         "hard_particles",
+                                         "if",
+                                         "include",
+                                         "jump",
+                                         "label",
+                                         "lattice",
+                                         "mass",
+                                         "neigh_modify",
+                                         "neigh_settings",
+                                         "neighbor",
+                                         "newton",
+                                         "next",
+                                         "orient",
+                                         "origin",
+                                         "pair_coeff",
+                                         "pair_style",
+                                         "processors",
+                                         "quit",
+                                         "read_data",
+                                         "read_restart",
+                                         "region",
+                                         "reset_timestep",
+                                         "run",
+                                         "run_style",
+                                         "set",
+                                         "soft_particles",
+                                         "special_bonds",
+                                         "thermo",
+                                         "thermo_modify",
+                                         "thermo_style",
+                                         "timestep",
+                                         "uncompute",
+                                         "undump",
+                                         "unfix",
+                                         "units",
+                                         "variable",
+                                         "velocity",
+                                         "modify_timing",
+                                         "communicate",
+                                         "coarsegraining",
+                                         "min_style",
+                                         "change_box"};
+const std::set<std::string> kWriting = {"dump",    "fix",        "log",        "print",
+                                        "restart", "write_data", "write_dump", "write_restart"};
+const Words kHarmlessFixes = {"property/",
+                              "mesh/",
+                              "wall/gran",
+                              "nve",
+                              "gravity",
+                              "particletemplate/",
+                              "particledistribution/",
+                              "insert/",
+                              "move/",
+                              "couple/mbd",
+                              "rigid",
+                              "multisphere",
+                              "freeze",
+                              "setforce",
+                              "addforce",
+                              "drag",
+                              "viscous",
+                              "momentum",
+                              "limit/",
+                              "check/timestep/gran",
+                              "adapt",
+                              "store/",
+                              "cfd/none"};
+const Words kDumps = {"atom",  "custom",   "image",      "local",      "xyz",
+                      "mesh/", "atom/vtk", "custom/vtk", "local/gran", "euler/"};
+
+bool begins_as_one_of(const std::string& style, const Words& known) {
+  return std::any_of(known.begin(), known.end(), [&](const std::string& start) { return begins(style, start); });
+}
+
+bool is_numeric(const std::string& text) {
+  const Words words = script_words(text);
+  return !words.empty() &&
+         std::all_of(words.begin(), words.end(), [](const std::string& w) { return as_number(w).has_value(); });
+}
+
+// Variables whose value is a number at every time, as all commands that define them say.
+std::set<std::string> numeric_variables(const ScriptText& text, const Variables& given) {
+  std::map<std::string, bool> numeric;
+  for (const auto& [name, value] : given) numeric[name] = is_numeric(value);
+  for (const ScriptCommand& command : text.commands())
+    for (const Words& w : with_nested(command)) {
+      if (w.size() < 3 || w[0] != "variable") continue;
+      bool number = w[2] == "equal" || w[2] == "loop" || w[2] == "delete";
+      if (w[2] == "index" || w[2] == "string") number = w.size() > 3 && std::all_of(w.begin() + 3, w.end(), is_numeric);
+      const auto known = numeric.emplace(w[1], true).first;
+      known->second = known->second && number;
+    }
+  std::set<std::string> names;
+  for (const auto& [name, number] : numeric)
+    if (number) names.insert(name);
+  return names;
+}
+
+// True when the text names no variable but the numeric ones, ${out}, ${bed} and ${here}.
+bool is_plain(const std::string& text, const std::set<std::string>& numeric) {
+  for (std::size_t at = text.find('$'); at != std::string::npos; at = text.find('$', at + 1)) {
+    if (at + 1 >= text.size()) return false;
+    const bool braces = text[at + 1] == '{';
+    const std::size_t end = text.find('}', at);
+    if (braces && end == std::string::npos) return false;
+    const std::string name = braces ? text.substr(at + 2, end - at - 2) : text.substr(at + 1, 1);
+    if (name != "out" && name != "bed" && name != "here" && numeric.count(name) == 0) return false;
+  }
+  return true;
+}
+
+// Why it is not certain that this command is safe; empty when it is.
+std::string doubt(const Words& w, const std::string& text, const std::set<std::string>& numeric,
+                  const std::string& here) {
+  const auto word = [&](std::size_t k) { return k < w.size() ? w[k] : std::string(); };
+  if (kHarmless.count(w[0]) == 0 && kWriting.count(w[0]) == 0) return "`" + w[0] + "` is not known to be harmless";
+  if (w[0] == "processors" && word_after(w, "file") != "") return "writes a file";
+  if (std::find(w.begin(), w.end(), "element_exclusion_list") != w.end()) return "writes or reads a list of elements";
+  if (w[0] == "jump" && word(1) != "SELF") return "jumps into another file";
+  if (w[0] == "include" && !begins(word(1), "/") && (here.empty() || !begins(word(1), here + "/")))
+    return "includes a file by a name that may mean two files, expected ${here}/NAME";
+  if (w[0] == "variable") {
+    for (const char* name : {"out", "bed", "here"})
+      if (word(1) == name) return std::string("defines ${") + name + "} anew";
+    if (word(1).find('$') != std::string::npos) return "defines a variable with a computed name";
+    return "";
+  }
+  if (w[0] == "fix" && !is_writing_fix(word(3)) && !begins_as_one_of(word(3), kHarmlessFixes))
+    return "fix " + word(3) + " is not known to be harmless";
+  if (w[0] == "dump" && !begins_as_one_of(word(3), kDumps)) return "dump " + word(3) + " is not known to be harmless";
+  const bool writes = kWriting.count(w[0]) > 0 && (w[0] != "fix" || is_writing_fix(word(3)));
+  if (writes && !is_plain(text, numeric)) return "writes files with words that only LIGGGHTS can compute";
+  return "";
+}
+
+// `if CONDITION then COMMAND...` and `run N ... every M COMMAND...`: the words that are commands.
+Words commands_within(const Words& w) {
+  Words commands;
+  if (w[0] == "if")
+    for (std::size_t i = 2; i < w.size(); ++i) {
+      if (w[i] == "then" || w[i] == "else") continue;
+      if (w[i] == "elif")
+        ++i;
+      else
+        commands.push_back(w[i]);
+    }
+  const auto every = std::find(w.begin(), w.end(), "every");
+  if (w[0] == "run" && every != w.end() && every + 1 != w.end()) commands.assign(every + 2, w.end());
+  commands.erase(std::remove(commands.begin(), commands.end(), "NULL"), commands.end());
+  return commands;
+}
+
 }  // namespace
 
-void require_safe_script(const std::string& script, const std::map<std::string, std::string>& variables) {
-  std::string findings;
-  // The command line gives both; values that the script itself gives do not count.
-  std::map<std::string, std::string> given = variables;
-  given["out"] = "${out}";
-  given["bed"] = "${bed}";
-  const ScriptText text(script, given);
+std::string uncertain_lines(const std::string& script, const Variables& variables) {
+  const ScriptText text = read_script(script, variables);
+  const std::set<std::string> numeric = numeric_variables(text, variables);
+  const std::string here = std::filesystem::path(script).parent_path().string();
+  std::string findings = unsafe_lines(text);
+  if (!text.whole()) findings += script + ": not all files that it includes can be read";
   for (const ScriptCommand& command : text.commands()) {
-    const Words w = without_quotes(command.words);
-    const auto complain = [&](const std::string& what) {
-      findings += (findings.empty() ? "" : "\n") + command.file + ":" + std::to_string(command.line) + ": " + what;
+    if (command.conditional) continue;  // comes with its `if`
+    const std::function<void(const Words&, const std::string&, int)> judge = [&](const Words& w, const std::string& raw,
+                                                                                 int depth) {
+      if (w.empty()) return;
+      const std::string why = w[0].find('$') != std::string::npos || depth > 3
+                                  ? "only LIGGGHTS knows which command this is"
+                                  : doubt(w, raw, numeric, here);
+      if (!why.empty()) complain(findings, command, why);
+      for (const std::string& within : commands_within(w)) judge(script_words(within), within, depth + 1);
     };
-    if (std::find(w.begin(), w.end(), "shell") != w.end())
-      complain("`shell` runs programs, which a script may not do; run them before");
-    if (w[0] == "dump" && w.size() > 3 && w[3] == "movie")
-      complain("`dump movie` runs a program, which a script may not do; make the film after the run");
-    // Commands inside these may begin at any word.
-    const bool nested = w[0] == "if" || w[0] == "run" || w[0] == "partition";
-    for (std::size_t at = 0; at < (nested ? w.size() : 1); ++at)
-      for (const std::string& file : files_written(w, at))
-        if (!is_allowed(file))
-          complain("writes \"" + file + "\", expected a file in the folder of results: ${out}/NAME");
+    // The first word as it is written: the value of a variable is no command.
+    const Words written = script_words(command.text);
+    if (!written.empty() && written[0].find('$') != std::string::npos)
+      complain(findings, command, "only LIGGGHTS knows which command this is");
+    judge(command.words, command.text, 0);
   }
-  if (!findings.empty())
-    throw InputError(code::kUnsafeScript, findings + "\nIf you trust this script, add --trust-script.");
+  return findings;
+}
+
+void require_safe_script(const std::string& script, const Variables& variables) {
+  std::string findings = unsafe_lines(read_script(script, variables));
+  const bool confined = kernel_confines_files();
+  if (findings.empty() && !confined) findings = uncertain_lines(script, variables);
+  if (findings.empty()) return;
+  throw InputError(code::kUnsafeScript,
+                   findings +
+                       (confined ? "" : "\nThis kernel has no Landlock (Linux 5.13), which would confine the script.") +
+                       "\nIf you trust this script, add --trust-script.");
 }
 
 }  // namespace footfall

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "coupler/base/input_file.h"
 #include "mbd_solver/build/codes.h"
 
 namespace footfall {
@@ -23,6 +24,7 @@ InputError wrong_line(const std::string& path, int number, const std::string& li
 }  // namespace
 
 std::vector<GrainPlace> read_grains(const std::string& path) {
+  require_regular_file(path);
   std::ifstream file(path);
   if (!file)
     throw InputError(kNoGrainFile, "particles.grains: " + path +

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/input_file.h"
 #include "mbd_solver/model/codes.h"
 
 namespace footfall {
@@ -43,7 +44,9 @@ class TextRecords {
   std::vector<std::string> words_;
 };
 
-TextRecords::TextRecords(const std::string& path, char comment) : path_(path), comment_(comment), stream_(path) {
+TextRecords::TextRecords(const std::string& path, char comment) : path_(path), comment_(comment) {
+  require_regular_file(path);
+  stream_.open(path);
   if (!stream_)
     throw InputError(code::kModelFile,
                      path + ": the file cannot be opened. Check the name; it is relative to the scene file.");

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "coupler/base/files.h"
+#include "coupler/base/run_directory.h"
 #include "coupler/programs.h"
 
 namespace footfall {
@@ -13,6 +14,7 @@ namespace {
 
 const std::string& created(const std::string& folder) {
   make_folder(folder);
+  guard_folder(folder);
   return folder;
 }
 

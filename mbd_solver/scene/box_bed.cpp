@@ -362,6 +362,8 @@ void resolve_box(Scene& scene, Findings& findings) {
     findings.coded_error(particles.source, "box", e.what());
     return;
   }
+  constexpr double kSmallBed = 2000.0;  // grains, of which ranks would mostly wait for each other
+  if (!particles.source.given("ranks") && box_numbers(scene).grains < kSmallBed) particles.ranks = 1;
   particles.variables.merge(run_variables(scene));
   if (!particles.surface_height) particles.surface_height = 0.0;
   if (!particles.source.given("max_time_step")) particles.max_time_step = box_numbers(scene).time_step;

@@ -5,19 +5,22 @@
 #include <filesystem>
 #include <fstream>
 
+#include "coupler/base/input_file.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/particle_script.h"
+#include "mbd_solver/scene/script_words.h"
 
 namespace footfall {
 namespace {
 
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// As LIGGGHTS splits a line: outside of quotes blanks separate words, and `#` begins a comment.
-std::vector<std::string> words_of(const std::string& text) {
+}  // namespace
+
+std::vector<std::string> script_words(const std::string& text) {
   std::vector<std::string> words;
   bool inside = false;
   char quote = '\0';
@@ -43,8 +46,6 @@ std::vector<std::string> words_of(const std::string& text) {
   }
   return words;
 }
-
-}  // namespace
 
 std::optional<double> as_number(const std::string& text) {
   double value = 0.0;
@@ -79,6 +80,7 @@ void ScriptText::read(const std::string& file, const std::string& included_at) {
     circle_ = included_at;
     return;
   }
+  require_regular_file(path, kLargestText);
   std::ifstream stream(path);
   if (!stream) {
     whole_ = false;
@@ -94,10 +96,10 @@ void ScriptText::read(const std::string& file, const std::string& included_at) {
     line.erase(line.find_last_not_of(" \t\r") + 1);
     const bool more = !line.empty() && line.back() == '&';
     if (more) line.pop_back();
-    text += line + " ";
+    text += line;  // LIGGGHTS joins them without a blank
     if (more) continue;
     note_names(text);
-    add({file, start, text, words_of(substitute(text)), false});
+    add({file, start, text, script_words(substitute(text)), false});
     text.clear();
   }
   open_.pop_back();
@@ -123,7 +125,7 @@ void ScriptText::add_branches(const ScriptCommand& command) {
       ++i;
       continue;
     }
-    add({command.file, command.line, command.text, words_of(words[i]), true});
+    add({command.file, command.line, command.text, script_words(words[i]), true});
   }
 }
 
@@ -149,7 +151,7 @@ void ScriptText::note_names(const std::string& text) {
       names_.insert(text.substr(at + 2, end - at - 2));
     }
   }
-  const std::vector<std::string> words = words_of(text);
+  const std::vector<std::string> words = script_words(text);
   for (std::size_t i = 0; i + 1 < words.size(); ++i)
     if (words[i] == "variable" || words[i] == "next") names_.insert(words[i + 1]);
 }

@@ -8,6 +8,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/input_file.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/named_file.h"
 #include "mbd_solver/scene/box_bed.h"
@@ -117,6 +118,7 @@ ConfigNode* list_entry(ConfigNode& list, const std::string& name, const std::str
 }  // namespace
 
 ConfigNode parse_toml_file(const std::string& file) {
+  require_regular_file(file, kLargestText);
   const std::optional<std::string> text = read_whole_file(file);
   if (!text) throw InputError(kFileNotReadable, file + ": cannot be read; expected a scene file (TOML)");
   require_flat_keys(file, *text);

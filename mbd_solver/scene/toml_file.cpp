@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <unordered_map>
 
 #include "coupler/base/text.h"
 #include "mbd_solver/scene/codes.h"
@@ -96,23 +97,27 @@ void lay_over(ConfigNode& base, const ConfigNode& own, const std::string& file) 
   if (tables) {
     base.line = own.line;
     if (const ConfigNode* without = own.find("without")) leave_out(base, *without, file);
+    std::unordered_map<std::string, std::size_t> places;
+    for (const auto& entry : base.table) places.emplace(entry.first, places.size());
     for (const auto& [key, value] : own.table) {
       if (key == "without") continue;
-      if (ConfigNode* there = base.find(key)) {
-        lay_over(*there, value, file);
-      } else {
+      const auto [there, is_new] = places.emplace(key, base.table.size());
+      if (is_new) {
         base.table.emplace_back(key, value);
+      } else {
+        lay_over(base.table[there->second].second, value, file);
       }
     }
   } else if (named(base) && named(own)) {
     base.line = own.line;
+    std::unordered_map<std::string, std::size_t> places;  // of the first entry of each name
+    for (std::size_t i = 0; i < base.list.size(); ++i) places.emplace(base.list[i].entry_name(), i);
     for (const ConfigNode& item : own.list) {
-      const auto same = std::find_if(base.list.begin(), base.list.end(),
-                                     [&](const ConfigNode& other) { return other.entry_name() == item.entry_name(); });
-      if (same != base.list.end()) {
-        lay_over(*same, item, file);
-      } else {
+      const auto [same, is_new] = places.emplace(item.entry_name(), base.list.size());
+      if (is_new) {
         base.list.push_back(item);
+      } else {
+        lay_over(base.list[same->second], item, file);
       }
     }
   } else {

@@ -10,6 +10,8 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/input_file.h"
+#include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/bed/bed.h"
@@ -58,6 +60,7 @@ std::string last_message(const std::string& log) {
 
 // Empty if the file does not exist, or is incomplete.
 Json read_object(const std::string& file) {
+  require_regular_file(file, kLargestText);
   std::ifstream in(file);
   const Json json = in ? Json::parse(in, nullptr, false) : Json();
   return json.is_object() ? json : Json::object();
@@ -189,13 +192,13 @@ void RunStore::try_bed(std::size_t run) {
   } catch (const InputError& e) {
     std::set<std::string> impossible;
     for (const BedSpec& bed : runs_[run].bed) impossible.insert(bed_folder(bed));
-    fs::create_directories(folder_);
+    make_folder(folder_);
     for (std::size_t k = 0; k < runs_.size(); ++k)
       for (const BedSpec& bed : runs_[k].bed) {
         if (impossible.count(bed_folder(bed)) == 0) continue;
         runs_[k].code = kExitBadInput;
         write_whole_file(folder(k) + ".log", std::string("footfall: ") + e.what() + "\n");
-        fs::create_directories(folder(k));
+        make_folder(folder(k));
         write_whole_file(summary_file(k), Json{{"status", "failed"}}.dump(1) + "\n");
       }
   }
@@ -240,12 +243,12 @@ void RunStore::record_end(Entry& entry, int code, double cpu, bool first) {
 
 bool RunStore::carry_out(const std::vector<std::size_t>& runs, int jobs,
                          const std::function<void(std::size_t)>& ended) {
-  fs::create_directories(folder_);
+  make_folder(folder_);
   std::vector<std::size_t> round = runs;
   for (int k = 1; !round.empty(); ++k) {
     std::vector<Command> commands;
     for (const std::size_t run : round) {
-      fs::remove(record_file(run));  // until it is done again
+      Place(record_file(run)).remove();  // until it is done again
       const bool resumes = k == 1 && can_resume(run);
       write_whole_file(begun_file(run), Json{{"recipe", runs_[run].recipe}}.dump(1) + "\n");
       commands.push_back({words_of(runs_[run].request, folder(run), resumes), {}, folder(run) + ".log", ""});

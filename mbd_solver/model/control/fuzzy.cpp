@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/input_file.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/parameter_check.h"
 #include "mbd_solver/model/codes.h"
@@ -48,6 +49,7 @@ std::string first_word(const std::string& text) { return text.substr(0, text.fin
 // Throws InputError "file:line: ..." for a file that cannot be read, a line without colon, a line outside a block, an unknown
 // key, or a variable or term given twice.
 std::vector<FllBlock> read_fll_text(const std::filesystem::path& file) {
+  require_regular_file(file.string(), kLargestText);
   std::ifstream in(file);
   if (!in)
     throw InputError(code::kFllSyntax,

@@ -9,6 +9,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/run_directory.h"
 #include "coupler/codes.h"
 #include "coupler/message_fields.h"
 
@@ -54,7 +55,7 @@ bool is_free(const Model& model) {
 MomentumRecord::MomentumRecord(const Subject& subject, const std::string& folder)
     : subject_(subject), path_(folder + "/mechanism.csv") {
   make_folder(folder);
-  file_.open(path_);
+  open_file(file_, path_, FileStart::kNew);
   file_.precision(17);
   file_ << "time,px,py,pz,size,mass,gx,gy,gz,free,reacts";
   for (const int i : subject.agreement->boundaries) {

@@ -4,15 +4,19 @@
 #include "mbd_solver/run/output/checkpoint_folder.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <sstream>
 #include <vector>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/run_directory.h"
+#include "coupler/base/text.h"
 #include "coupler/codes.h"
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/run/codes.h"
@@ -39,6 +43,14 @@ std::vector<long> checkpoints_in(const std::string& folder) {
   return numbers;
 }
 
+void remove_tree(const std::string& folder) { Place(folder).remove_all(); }
+
+// Not a folder that contains a checkpoint, nor a link.
+void remove_empty(const std::string& folder) {
+  struct stat status {};
+  if (lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) Place(folder).remove();
+}
+
 std::string checksum(const fs::path& file) {
   const std::optional<std::string> bytes = read_whole_file(file.string());
   if (!bytes) throw InputError(code::kCheckpointFile, file.string() + ": cannot be read");
@@ -52,7 +64,8 @@ std::string damage_of(const fs::path& checkpoint) {
   std::istringstream lines(*list);
   std::string sum, name;
   while (lines >> sum >> name)
-    if (!fs::exists(checkpoint / name) || checksum(checkpoint / name) != sum) return name + " is damaged or missing";
+    if (!is_plain_name(name) || !fs::exists(checkpoint / name) || checksum(checkpoint / name) != sum)
+      return name + " is damaged or missing";
   return "";
 }
 
@@ -68,8 +81,7 @@ void sync_to_disk(const std::string& path) {
 std::string CheckpointFolder::begin(long n) {
   n_ = n;
   part_ = folder_ + "/" + std::to_string(n) + kPart;
-  std::error_code error;
-  fs::remove_all(part_, error);
+  remove_tree(part_);
   make_folder(part_);
   return fs::absolute(part_).lexically_normal().string();
 }
@@ -84,32 +96,29 @@ void CheckpointFolder::finish() {
   write_whole_file(checksums, list);
   sync_to_disk(checksums);
   sync_to_disk(part_);
-  std::error_code error;
-  fs::remove_all(whole, error);  // of an earlier part of a resumed run
-  fs::rename(part_, whole, error);
-  if (error) throw InputError(code::kFileNotWritten, whole + ": cannot be written: " + error.message());
+  remove_tree(whole);  // of an earlier part of a resumed run
+  if (const int problem = Place(part_).rename_to(Place(whole)); problem != 0)
+    throw InputError(code::kFileNotWritten, whole + ": cannot be written: " + reason_of(problem));
   sync_to_disk(folder_);
   part_.clear();
   written_.push_back(n_);
   const std::vector<long> numbers = checkpoints_in(folder_);
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (i >= kStored) fs::remove_all(folder_ + "/" + std::to_string(numbers[i]), error);
+    if (i >= kStored) remove_tree(folder_ + "/" + std::to_string(numbers[i]));
 }
 
 void CheckpointFolder::cancel() {
   if (part_.empty()) return;
-  std::error_code ignored;
-  fs::remove_all(part_, ignored);
-  fs::remove(folder_, ignored);  // unless it contains a checkpoint
+  remove_tree(part_);
+  remove_empty(folder_);
   part_.clear();
 }
 
 void CheckpointFolder::clear() {
-  std::error_code ignored;
-  for (const long n : written_) fs::remove_all(folder_ + "/" + std::to_string(n), ignored);
+  for (const long n : written_) remove_tree(folder_ + "/" + std::to_string(n));
   written_.clear();
   cancel();  // required for a window that was not reached
-  fs::remove(folder_, ignored);
+  remove_empty(folder_);
 }
 
 void remove_unfinished_checkpoints(const std::string& run) {
@@ -118,12 +127,17 @@ void remove_unfinished_checkpoints(const std::string& run) {
   std::vector<fs::path> unfinished;
   for (const auto& entry : fs::directory_iterator(folder, ignored))
     if (entry.path().extension() == kPart) unfinished.push_back(entry.path());
-  for (const fs::path& part : unfinished) fs::remove_all(part, ignored);
-  fs::remove(folder, ignored);  // unless it contains a checkpoint
+  for (const fs::path& part : unfinished) remove_tree(part.string());
+  remove_empty(folder.string());
 }
 
 std::string newest_checkpoint(const std::string& run) {
   const std::string folder = run + "/checkpoint";
+  guard_folder(run);
+  // A checkpoint elsewhere would be changed with this run.
+  const Place inside(folder + "/start");
+  if (inside.problem() == ELOOP)
+    throw InputError(code::kNoValidCheckpoint, folder + ": cannot be resumed from: " + reason_of(ELOOP));
   std::string damages;
   for (const long n : checkpoints_in(folder)) {
     const std::string checkpoint = folder + "/" + std::to_string(n);

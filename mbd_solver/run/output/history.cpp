@@ -3,6 +3,10 @@
 
 #include "mbd_solver/run/output/history.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -13,6 +17,7 @@
 #include <filesystem>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
 #include "coupler/codes.h"
 #include "mbd_solver/base/csv.h"
@@ -34,8 +39,9 @@ HistoryWriter::HistoryWriter(const std::string& path, const std::vector<std::str
     : path_(path), names_(names) {
   FOOTFALL_DEMAND(!names.empty() && names.size() == units.size());
   if (beginning == Beginning::kResume) return;
-  file_.open(path);
-  if (!file_) throw InputError(code::kFileNotWritten, path + ": cannot be written; choose another folder with --out");
+  if (!open_file(file_, path, FileStart::kNew))
+    throw InputError(code::kFileNotWritten,
+                     path + ": cannot be written: " + reason_of(errno) + "; choose another folder with --out");
   write_whole(kUnitsMark + joined(units, ",") + "\n" + joined(names, ",") + "\n");
 }
 
@@ -89,17 +95,22 @@ long HistoryWriter::position() {
 }
 
 void HistoryWriter::resume_at(long position) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path_, error), at = static_cast<std::uintmax_t>(position);
-  if (error || size < at)
-    throw InputError(code::kHistoryChanged, path_ + ": has " + std::to_string(error ? 0 : size) +
+  file_.close();
+  const int file = Place(path_).open(O_RDWR);
+  const int problem = file < 0 ? errno : 0;
+  struct stat status {};
+  const long size = file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode) ? status.st_size : 0;
+  const bool done = file >= 0 && size >= position && ftruncate(file, position) == 0;
+  if (file >= 0) close(file);
+  if (problem != 0 && problem != ENOENT)
+    throw InputError(code::kFileNotWritten, path_ + ": cannot be written: " + reason_of(problem));
+  if (size < position)
+    throw InputError(code::kHistoryChanged, path_ + ": has " + std::to_string(size) +
                                                 " bytes, the checkpoint expects at least " + std::to_string(position) +
                                                 ": the file was changed after the checkpoint");
-  file_.close();
-  std::filesystem::resize_file(path_, at, error);
-  file_.open(path_, std::ios::in | std::ios::out | std::ios::ate);
-  whole_ = at;
-  if (error || !file_) throw InputError(code::kFileNotWritten, path_ + ": cannot be written");
+  whole_ = static_cast<std::uintmax_t>(position);
+  if (!done || !open_file(file_, path_, FileStart::kEnd))
+    throw InputError(code::kFileNotWritten, path_ + ": cannot be written: " + reason_of(errno));
 }
 
 int History::find(const std::string& name) const {

@@ -7,11 +7,14 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <thread>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/input_file.h"
+#include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/run/codes.h"
 
@@ -102,6 +105,12 @@ void require_finite(const nlohmann::ordered_json& value, const std::string& path
   for (const auto& [key, inner] : value.items()) require_finite(inner, path.empty() ? key : path + "." + key);
 }
 
+// Without the library's "[json.exception.parse_error.101] ".
+std::string plain_json_text(const std::string& what) {
+  const std::size_t end = what.rfind("[json.exception", 0) == 0 ? what.find("] ") : std::string::npos;
+  return end == std::string::npos ? what : what.substr(end + 2);
+}
+
 }  // namespace
 
 void write_summary(const std::string& path, const nlohmann::ordered_json& summary) {
@@ -110,11 +119,13 @@ void write_summary(const std::string& path, const nlohmann::ordered_json& summar
 }
 
 void throw_incomplete_summary(const std::string& folder, const std::string& what) {
-  throw InputError(code::kSummaryDamaged,
-                   folder + "/summary.json: is incomplete (" + what + "): it was cut off or edited; repeat the run");
+  throw InputError(code::kSummaryDamaged, folder + "/summary.json: is incomplete (" + plain_json_text(what) +
+                                              "): it was cut off or edited; repeat the run");
 }
 
 nlohmann::ordered_json read_summary(const std::string& path) {
+  require_regular_file(path, kLargestText);
+  guard_folder(std::filesystem::path(path).parent_path().string());  // what is read is written to by and by
   std::ifstream file(path);
   if (!file) throw InputError(code::kSummaryDamaged, path + ": cannot be read; expected the summary.json of a run");
   try {
@@ -123,7 +134,8 @@ nlohmann::ordered_json read_summary(const std::string& path) {
       throw InputError(code::kSummaryDamaged, path + ": is not the summary of a run: no object { ... }");
     return summary;
   } catch (const nlohmann::json::exception& e) {
-    throw InputError(code::kSummaryDamaged, path + ": is not the summary of a run: " + e.what());
+    throw InputError(code::kSummaryDamaged, path + ": is not the summary of a run: " + plain_json_text(e.what()) +
+                                                "; it was cut off or edited, repeat the run");
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/input_file.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/run/codes.h"
 
@@ -81,6 +82,7 @@ void save(const pugi::xml_document& document, const std::string& path) {
 }
 
 pugi::xml_node loaded(pugi::xml_document& document, const std::string& path, const char* kind) {
+  require_regular_file(path);
   const pugi::xml_parse_result result = document.load_file(path.c_str());
   if (!result) throw InputError(code::kPictureDamaged, path + ": cannot be read: " + result.description());
   const pugi::xml_node node = document.child("VTKFile").child(kind);
@@ -113,6 +115,9 @@ std::vector<std::pair<double, std::string>> read_vtk_series(const std::string& p
   std::vector<std::pair<double, std::string>> frames;
   for (const pugi::xml_node entry : loaded(document, pvd, "Collection").children("DataSet"))
     frames.emplace_back(entry.attribute("timestep").as_double(), entry.attribute("file").as_string());
+  for (const auto& [time, file] : frames)
+    if (file.find('/') != std::string::npos)
+      throw InputError(code::kPictureDamaged, pvd + ": lists \"" + file + "\", expected a file beside the list");
   return frames;
 }
 

@@ -1,0 +1,21 @@
+#pragma once
+// Codes of the messages of coupler/base: E0424 to E0429.
+
+#include "coupler/base/errors.h"
+
+namespace footfall::code {
+
+// A pipe or a device is named where a file is read. Name a regular file.
+inline constexpr MessageCode kNotRegularFile{"E0424", "not-a-regular-file"};
+// A file is larger than any that can be meant. Name the right file.
+inline constexpr MessageCode kFileTooLarge{"E0425", "file-too-large"};
+// The current folder is gone or may not be entered. Change to another folder.
+inline constexpr MessageCode kCurrentFolder{"E0426", "current-folder"};
+// A path is not UTF-8 text. Rename the file or folder.
+inline constexpr MessageCode kNotUtf8{"E0427", "not-utf8"};
+// The script of a scene writes a file outside the folder of results. Write ${out}/NAME, or allow it with --trust-script.
+inline constexpr MessageCode kScriptWritesElsewhere{"E0428", "script-writes-elsewhere"};
+// The kernel does not confine a program to the files of its script. Read the script, and allow it with --trust-script.
+inline constexpr MessageCode kNotConfined{"E0429", "not-confined"};
+
+}  // namespace footfall::code

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# help.sh FOOTFALL OUT CHECKOUT: --help and --version of every command, in a checkout that is not built, neither build nor install.
+set -eu
+out=$2 checkout=$3
+rm -rf "$out"
+mkdir -p "$out"
+for command in run check new view report plot compare sweep accuracy calibrate rig schema test install package unknown ""; do
+  for option in --help -h --version; do
+    FOOTFALL_BUILD=$out/build timeout 20 "$checkout/footfall" $command $option >"$out/text" 2>&1 || { echo "$command $option failed"; cat "$out/text"; exit 1; }
+    [[ -s $out/text && ! -e $out/build ]] || { echo "$command $option builds, or says nothing"; exit 1; }
+  done
+done
