@@ -612,7 +612,7 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
   if (other.empty() && !trust_script) {
     const Json& particles = summary.at("scene").at("particles");
     require_safe_script(particles.value("script", ""),
-                        particles.value("variables", std::map<std::string, std::string>{}));
+                        particles.value("variables", std::map<std::string, std::string>{}), {"out", "here"});
   }
   const std::string liggghts = other.empty() ? installed_program("liggghts", "liggghts") : "";
   std::error_code ignored;

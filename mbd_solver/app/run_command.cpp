@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <set>
 #include <thread>
 
 #include "coupler/base/errors.h"
@@ -248,8 +249,11 @@ void require_whole_words(const ParticlesSpec& particles, const std::string& out)
 // Scripts of a scene run no programs and write into the folder of results only.
 void require_safe_scripts(const Scene& scene, const RunArguments& a) {
   if (!scene.touches_particles() || a.trust_script) return;
-  require_safe_script(scene.particles->script, scene.particles->variables);
-  if (const auto& bed = scene.particles->bed) require_safe_script(bed->script, bed->variables);
+  const auto& bed = scene.particles->bed;
+  std::set<std::string> given = {"out", "here"};
+  if (bed || a.resume) given.insert("bed");
+  require_safe_script(scene.particles->script, scene.particles->variables, given);
+  if (bed) require_safe_script(bed->script, bed->variables, {"bed", "here"});
 }
 
 // Of several machines the batch system counts the cores.

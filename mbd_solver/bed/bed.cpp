@@ -298,7 +298,7 @@ Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet, bool trusted, double
   const fs::path target = bed_folder(spec);
   remove_dead_drafts(target.parent_path());
   if (!bed_is_made(target)) {
-    if (!trusted) require_safe_script(spec.script, spec.variables);
+    if (!trusted) require_safe_script(spec.script, spec.variables, {"bed", "here"});
     // Of two runs that need the same bed the second waits, and uses it.
     make_folder(target.parent_path().string(), kAdvice);
     const FileLock lock = FileLock::wait_for(target.string() + ".lock", [&] {

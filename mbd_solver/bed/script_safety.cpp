@@ -203,67 +203,6 @@ bool begins_as_one_of(const std::string& style, const Words& known) {
   return std::any_of(known.begin(), known.end(), [&](const std::string& start) { return begins(style, start); });
 }
 
-bool is_numeric(const std::string& text) {
-  const Words words = script_words(text);
-  return !words.empty() &&
-         std::all_of(words.begin(), words.end(), [](const std::string& w) { return as_number(w).has_value(); });
-}
-
-// Variables whose value is a number at every time, as all commands that define them say.
-std::set<std::string> numeric_variables(const ScriptText& text, const Variables& given) {
-  std::map<std::string, bool> numeric;
-  for (const auto& [name, value] : given) numeric[name] = is_numeric(value);
-  for (const ScriptCommand& command : text.commands())
-    for (const Words& w : with_nested(command)) {
-      if (w.size() < 3 || w[0] != "variable") continue;
-      bool number = w[2] == "equal" || w[2] == "loop" || w[2] == "delete";
-      if (w[2] == "index" || w[2] == "string") number = w.size() > 3 && std::all_of(w.begin() + 3, w.end(), is_numeric);
-      const auto known = numeric.emplace(w[1], true).first;
-      known->second = known->second && number;
-    }
-  std::set<std::string> names;
-  for (const auto& [name, number] : numeric)
-    if (number) names.insert(name);
-  return names;
-}
-
-// True when the text names no variable but the numeric ones, ${out}, ${bed} and ${here}.
-bool is_plain(const std::string& text, const std::set<std::string>& numeric) {
-  for (std::size_t at = text.find('$'); at != std::string::npos; at = text.find('$', at + 1)) {
-    if (at + 1 >= text.size()) return false;
-    const bool braces = text[at + 1] == '{';
-    const std::size_t end = text.find('}', at);
-    if (braces && end == std::string::npos) return false;
-    const std::string name = braces ? text.substr(at + 2, end - at - 2) : text.substr(at + 1, 1);
-    if (name != "out" && name != "bed" && name != "here" && numeric.count(name) == 0) return false;
-  }
-  return true;
-}
-
-// Why it is not certain that this command is safe; empty when it is.
-std::string doubt(const Words& w, const std::string& text, const std::set<std::string>& numeric,
-                  const std::string& here) {
-  const auto word = [&](std::size_t k) { return k < w.size() ? w[k] : std::string(); };
-  if (kHarmless.count(w[0]) == 0 && kWriting.count(w[0]) == 0) return "`" + w[0] + "` is not known to be harmless";
-  if (w[0] == "processors" && word_after(w, "file") != "") return "writes a file";
-  if (std::find(w.begin(), w.end(), "element_exclusion_list") != w.end()) return "writes or reads a list of elements";
-  if (w[0] == "jump" && word(1) != "SELF") return "jumps into another file";
-  if (w[0] == "include" && !begins(word(1), "/") && (here.empty() || !begins(word(1), here + "/")))
-    return "includes a file by a name that may mean two files, expected ${here}/NAME";
-  if (w[0] == "variable") {
-    for (const char* name : {"out", "bed", "here"})
-      if (word(1) == name) return std::string("defines ${") + name + "} anew";
-    if (word(1).find('$') != std::string::npos) return "defines a variable with a computed name";
-    return "";
-  }
-  if (w[0] == "fix" && !is_writing_fix(word(3)) && !begins_as_one_of(word(3), kHarmlessFixes))
-    return "fix " + word(3) + " is not known to be harmless";
-  if (w[0] == "dump" && !begins_as_one_of(word(3), kDumps)) return "dump " + word(3) + " is not known to be harmless";
-  const bool writes = kWriting.count(w[0]) > 0 && (w[0] != "fix" || is_writing_fix(word(3)));
-  if (writes && !is_plain(text, numeric)) return "writes files with words that only LIGGGHTS can compute";
-  return "";
-}
-
 // `if CONDITION then COMMAND...` and `run N ... every M COMMAND...`: the words that are commands.
 Words commands_within(const Words& w) {
   Words commands;
@@ -281,38 +220,123 @@ Words commands_within(const Words& w) {
   return commands;
 }
 
+// The commands of the script as they are written, with those within them.
+std::vector<Words> written_commands(const ScriptText& text) {
+  std::vector<Words> all;
+  for (const ScriptCommand& command : text.commands())
+    if (!command.conditional) all.push_back(script_words(command.text));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const std::string& within : commands_within(Words(all[i]))) all.push_back(script_words(within));
+  all.erase(std::remove_if(all.begin(), all.end(), [](const Words& w) { return w.empty(); }), all.end());
+  return all;
+}
+
+// Numbers, and variables of which `numeric` is true, which are not in it yet.
+bool is_numeric(const std::string& text, const std::map<std::string, bool>& numeric) {
+  const Words words = script_words(text);
+  return !words.empty() && std::all_of(words.begin(), words.end(), [&](const std::string& word) {
+    if (as_number(word)) return true;
+    if (!begins(word, "${") || word.back() != '}') return false;
+    const auto known = numeric.find(word.substr(2, word.size() - 3));
+    return known != numeric.end() && known->second;
+  });
+}
+
+// Variables whose value is a number at every time, as all commands that define them say.
+std::set<std::string> numeric_variables(const ScriptText& text, const Variables& given) {
+  const std::vector<Words> commands = written_commands(text);
+  std::map<std::string, bool> numeric;
+  for (const Words& w : commands)
+    if (w.size() > 2 && w[0] == "variable") numeric[w[1]] = true;
+  for (const auto& [name, value] : given) numeric[name] = is_numeric(value, {});
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Words& w : commands) {
+      if (w.size() < 3 || w[0] != "variable" || !numeric[w[1]]) continue;
+      bool number = w[2] == "equal" || w[2] == "loop" || w[2] == "delete";
+      if (w[2] == "index" || w[2] == "string")
+        number = w.size() > 3 && std::all_of(w.begin() + 3, w.end(),
+                                             [&](const std::string& value) { return is_numeric(value, numeric); });
+      if (number) continue;
+      numeric[w[1]] = false;
+      changed = true;
+    }
+  }
+  std::set<std::string> names;
+  for (const auto& [name, number] : numeric)
+    if (number) names.insert(name);
+  return names;
+}
+
+// True when the text names no variables but these.
+bool is_plain(const std::string& text, const std::set<std::string>& known) {
+  for (std::size_t at = text.find('$'); at != std::string::npos; at = text.find('$', at + 1)) {
+    if (at + 1 >= text.size()) return false;
+    const bool braces = text[at + 1] == '{';
+    const std::size_t end = text.find('}', at);
+    if (braces && end == std::string::npos) return false;
+    const std::string name = braces ? text.substr(at + 2, end - at - 2) : text.substr(at + 1, 1);
+    if (known.count(name) == 0) return false;
+  }
+  return true;
+}
+
+// Why it is not certain that this command is safe; empty when it is. w: its words as they are written; known: variables
+// that are numbers or of the command line; given: the latter.
+std::string doubt(const Words& w, const std::string& text, const std::set<std::string>& known,
+                  const std::set<std::string>& given) {
+  const auto word = [&](std::size_t k) { return k < w.size() ? w[k] : std::string(); };
+  if (kHarmless.count(w[0]) == 0 && kWriting.count(w[0]) == 0) return "`" + w[0] + "` is not known to be harmless";
+  if (w[0] == "processors" && word_after(w, "file") != "") return "writes a file";
+  if (std::find(w.begin(), w.end(), "element_exclusion_list") != w.end()) return "writes or reads a list of elements";
+  if (w[0] == "jump" && word(1) != "SELF") return "jumps into another file";
+  if (w[0] == "include" && !(begins(word(1), "${here}/") || begins(word(1), "/")))
+    return "includes a file by a name that may mean two files, expected ${here}/NAME";
+  if (w[0] == "include" && !is_plain(text, known)) return "includes a file whose name only LIGGGHTS can compute";
+  if (w[0] == "variable") {
+    // LIGGGHTS keeps the value of the command line where the script says `index`.
+    if (given.count(word(1)) > 0 && word(2) != "index") return "defines ${" + word(1) + "} anew";
+    return word(1).find('$') == std::string::npos ? "" : "defines a variable with a computed name";
+  }
+  if (w[0] == "fix" && !is_writing_fix(word(3)) && !begins_as_one_of(word(3), kHarmlessFixes))
+    return "fix " + word(3) + " is not known to be harmless";
+  if (w[0] == "dump" && !begins_as_one_of(word(3), kDumps)) return "dump " + word(3) + " is not known to be harmless";
+  const bool writes = kWriting.count(w[0]) > 0 && (w[0] != "fix" || is_writing_fix(word(3)));
+  if (writes && !is_plain(text, known)) return "writes files with words that only LIGGGHTS can compute";
+  return "";
+}
+
 }  // namespace
 
-std::string uncertain_lines(const std::string& script, const Variables& variables) {
+std::string uncertain_lines(const std::string& script, const Variables& variables, const std::set<std::string>& given) {
   const ScriptText text = read_script(script, variables);
-  const std::set<std::string> numeric = numeric_variables(text, variables);
-  const std::string here = std::filesystem::path(script).parent_path().string();
+  std::set<std::string> known = numeric_variables(text, variables);
+  for (const char* place : {"out", "bed", "here"}) known.erase(place);
+  known.insert(given.begin(), given.end());
   std::string findings = unsafe_lines(text);
+  for (const std::string& name : given)
+    if (variables.count(name) > 0) findings += script + ": the scene has a variable \"" + name + "\" of its own\n";
   if (!text.whole()) findings += script + ": not all files that it includes can be read";
   for (const ScriptCommand& command : text.commands()) {
     if (command.conditional) continue;  // comes with its `if`
-    const std::function<void(const Words&, const std::string&, int)> judge = [&](const Words& w, const std::string& raw,
-                                                                                 int depth) {
+    const std::function<void(const std::string&, int)> judge = [&](const std::string& line, int depth) {
+      const Words w = script_words(line);
       if (w.empty()) return;
       const std::string why = w[0].find('$') != std::string::npos || depth > 3
                                   ? "only LIGGGHTS knows which command this is"
-                                  : doubt(w, raw, numeric, here);
+                                  : doubt(w, line, known, given);
       if (!why.empty()) complain(findings, command, why);
-      for (const std::string& within : commands_within(w)) judge(script_words(within), within, depth + 1);
+      for (const std::string& within : commands_within(w)) judge(within, depth + 1);
     };
-    // The first word as it is written: the value of a variable is no command.
-    const Words written = script_words(command.text);
-    if (!written.empty() && written[0].find('$') != std::string::npos)
-      complain(findings, command, "only LIGGGHTS knows which command this is");
-    judge(command.words, command.text, 0);
+    judge(command.text, 0);
   }
   return findings;
 }
 
-void require_safe_script(const std::string& script, const Variables& variables) {
+void require_safe_script(const std::string& script, const Variables& variables, const std::set<std::string>& given) {
   std::string findings = unsafe_lines(read_script(script, variables));
   const bool confined = kernel_confines_files();
-  if (findings.empty() && !confined) findings = uncertain_lines(script, variables);
+  if (findings.empty() && !confined) findings = uncertain_lines(script, variables, given);
   if (findings.empty()) return;
   throw InputError(code::kUnsafeScript,
                    findings +

@@ -38,8 +38,6 @@ const std::vector<Attack> kAttacks = {
     {"shell_removes", "shell rm @/kept", {}},
     {"shell_moves", "shell mv @/kept @/evil", {}},
     {"shell_makes_folder", "shell mkdir @/evil", {}},
-    {"packed_dump", "dump d all custom 1 @/evil.gz id\nrun 1", {}},
-    {"packed_dump_with_a_program", "dump d all custom 1 \"/dev/null;touch @/evil;.gz\" id\nrun 1", {}},
     // Files, by commands that name them.
     {"print", "print \"x\" file @/evil", {}},
     {"print_append", "print \"x\" append @/kept", {}},
@@ -133,6 +131,8 @@ class Place {
   mutable std::string before_;
 };
 
+void PrintTo(const Attack& attack, std::ostream* out) { *out << attack.name; }
+
 class ForeignScripts : public ::testing::TestWithParam<Attack> {};
 
 TEST_P(ForeignScripts, ReachNothingOutside) {
@@ -163,7 +163,9 @@ TEST_P(ForeignScripts, ReachNothingOutside) {
 // Where the kernel does not confine, only certainly safe scripts are run.
 TEST_P(ForeignScripts, AreNeverCertainlySafe) {
   const Place place(GetParam());
-  EXPECT_NE(uncertain_lines((place.folder().path() / "coupled.in").string(), {{"every", "5"}, {"dt", "1e-4"}}), "");
+  EXPECT_NE(uncertain_lines((place.folder().path() / "coupled.in").string(), {{"every", "5"}, {"dt", "1e-4"}},
+                            {"out", "here"}),
+            "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Attack, ForeignScripts, ::testing::ValuesIn(kAttacks),

@@ -171,7 +171,7 @@ TEST(RandomScripts, NeverReachOutside) {
           folder.command("env FOOTFALL_MAY_WRITE=" + out + " " + test::RunFolder::program("liggghts_mbd") + line, 60);
       ASSERT_EQ(contents(outside), before) << "confined, seed " << first + k << ":\n" << lines << confined.text;
     }
-    if (!uncertain_lines((folder.path() / "s.in").string(), {}).empty()) continue;
+    if (!uncertain_lines((folder.path() / "s.in").string(), {}, {"out", "here"}).empty()) continue;
     ++certain;
     renew();
     const test::Outcome stock = folder.command(LIGGGHTS_EXECUTABLE + line, 60);

@@ -43,7 +43,7 @@ ONLY_IN = {
     r"pugixml": "mbd_solver/run/output/vtk_writer.cpp",
     r"zlib": "mbd_solver/app/packed_series.cpp",
     r"mpi\.h": MPI_FILES + " liggghts_fix/replaced/comm_world.h liggghts_fix/replaced/mpi_abort.cpp liggghts_fix/liggghts_access.cpp",
-    r"coupler/(communicator|polling_wait|abort_guard|transport_mpi)\.h": MPI_FILES + " liggghts_fix/replaced/popen.cpp",
+    r"coupler/(communicator|polling_wait|abort_guard|transport_mpi)\.h": MPI_FILES + " liggghts_fix/replaced/popen.cpp liggghts_fix/replaced/fopen.cpp",
     r"(lammps|fix|fix_[a-z_]*|mesh_module|atom|modify|neighbor|comm|domain|update|error|input|tri_mesh|signal_handling)\.h":
         "liggghts_fix/launcher.cpp liggghts_fix/liggghts_access.* liggghts_fix/couple/* liggghts_fix/contact/* liggghts_fix/replaced/*",
     # A scene without grains makes nothing of the coupling: all of it is made by CoupledRun, and that by the run alone.
@@ -53,7 +53,8 @@ ONLY_IN = {
     r"mbd_solver/run/(?!codes)[a-z_]*\.h": "mbd_solver/run/* mbd_solver/main.cpp",
 }
 # Plain C++: only these files of coupler/base may use headers of the operating system.
-SYSTEM_FILES_OF_BASE = "coupler/base/files.cpp"
+SYSTEM_FILES_OF_BASE = ("coupler/base/files.cpp coupler/base/confinement.cpp coupler/base/input_file.cpp coupler/base/pulse.cpp"
+                        " coupler/base/run_directory.cpp coupler/base/run_directory.h coupler/base/start.cpp")
 SYSTEM_HEADER = re.compile(r"[a-z_]+[/.]")
 COUPLED_RUN_IS_MADE_IN = "mbd_solver/run/simulation.cpp"
 
