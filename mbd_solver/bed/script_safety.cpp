@@ -220,11 +220,12 @@ Words commands_within(const Words& w) {
   return commands;
 }
 
-// The commands of the script as they are written, with those within them.
-std::vector<Words> written_commands(const ScriptText& text) {
+// The commands of the scripts as they are written, with those within them.
+std::vector<Words> written_commands(const std::vector<ScriptText>& texts) {
   std::vector<Words> all;
-  for (const ScriptCommand& command : text.commands())
-    if (!command.conditional) all.push_back(script_words(command.text));
+  for (const ScriptText& text : texts)
+    for (const ScriptCommand& command : text.commands())
+      if (!command.conditional) all.push_back(script_words(command.text));
   for (std::size_t i = 0; i < all.size(); ++i)
     for (const std::string& within : commands_within(Words(all[i]))) all.push_back(script_words(within));
   all.erase(std::remove_if(all.begin(), all.end(), [](const Words& w) { return w.empty(); }), all.end());
@@ -243,8 +244,7 @@ bool is_numeric(const std::string& text, const std::map<std::string, bool>& nume
 }
 
 // Variables whose value is a number at every time, as all commands that define them say.
-std::set<std::string> numeric_variables(const ScriptText& text, const Variables& given) {
-  const std::vector<Words> commands = written_commands(text);
+std::set<std::string> numeric_variables(const std::vector<Words>& commands, const Variables& given) {
   std::map<std::string, bool> numeric;
   for (const Words& w : commands)
     if (w.size() > 2 && w[0] == "variable") numeric[w[1]] = true;
@@ -268,17 +268,71 @@ std::set<std::string> numeric_variables(const ScriptText& text, const Variables&
   return names;
 }
 
+// The variable that the text names at this place: its name, and the place behind it; empty for a syntax that is not known.
+std::pair<std::string, std::size_t> variable_at(const std::string& text, std::size_t at) {
+  if (at + 1 >= text.size()) return {"", at + 1};
+  if (text[at + 1] != '{') return {text.substr(at + 1, 1), at + 2};
+  const std::size_t end = text.find('}', at);
+  if (end == std::string::npos) return {"", text.size()};
+  return {text.substr(at + 2, end - at - 2), end + 1};
+}
+
 // True when the text names no variables but these.
 bool is_plain(const std::string& text, const std::set<std::string>& known) {
-  for (std::size_t at = text.find('$'); at != std::string::npos; at = text.find('$', at + 1)) {
-    if (at + 1 >= text.size()) return false;
-    const bool braces = text[at + 1] == '{';
-    const std::size_t end = text.find('}', at);
-    if (braces && end == std::string::npos) return false;
-    const std::string name = braces ? text.substr(at + 2, end - at - 2) : text.substr(at + 1, 1);
-    if (known.count(name) == 0) return false;
-  }
+  for (std::size_t at = text.find('$'); at != std::string::npos; at = text.find('$', at + 1))
+    if (known.count(variable_at(text, at).first) == 0) return false;
   return true;
+}
+
+// All texts that a word may become, by the values that the scripts and the command line give to its variables; nothing
+// where one of them is computed, or there are too many.
+std::set<std::string> possible_texts(const std::string& word, const std::vector<Words>& commands,
+                                     const Variables& given) {
+  constexpr std::size_t kMost = 16;
+  std::set<std::string> open = {word}, texts;
+  for (int round = 0; !open.empty(); ++round) {
+    if (round > 4 || open.size() > kMost) return {};
+    std::set<std::string> next;
+    for (const std::string& text : open) {
+      const std::size_t at = text.find('$');
+      if (at == std::string::npos) {
+        texts.insert(text);
+        continue;
+      }
+      const auto [name, behind] = variable_at(text, at);
+      std::set<std::string> values;
+      if (const auto value = given.find(name); value != given.end()) values.insert(value->second);
+      for (const Words& w : commands) {
+        if (w.size() < 2 || w[0] != "variable" || w[1] != name) continue;
+        if (w.size() != 4 || (w[2] != "index" && w[2] != "string")) return {};
+        if (name != "here") values.insert(w[3]);
+      }
+      if (values.empty()) return {};
+      for (const std::string& value : values) next.insert(text.substr(0, at) + value + text.substr(behind));
+    }
+    open = next;
+  }
+  return texts;
+}
+
+// The script with all files that it may include.
+std::vector<ScriptText> with_includes(const std::string& script, const Variables& variables, std::string& findings) {
+  std::vector<ScriptText> texts = {read_script(script, variables)};
+  Variables given = variables;
+  given["here"] = std::filesystem::path(script).parent_path().string();
+  std::set<std::string> read;
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    const std::vector<Words> commands = written_commands(texts);
+    for (const Words& w : commands) {
+      if (w[0] != "include" || w.size() < 2 || is_plain(w[1], {"here"})) continue;  // those have been read
+      const std::set<std::string> files = possible_texts(w[1], commands, given);
+      if (files.empty()) findings += script + ": includes " + w[1] + ", a name that only LIGGGHTS can compute\n";
+      for (const std::string& file : files)
+        if (read.insert(file).second) texts.push_back(read_script(file, variables));
+    }
+    if (texts.size() > 50) return texts;
+  }
+  return texts;
 }
 
 // Why it is not certain that this command is safe; empty when it is. w: its words as they are written; known: variables
@@ -290,9 +344,8 @@ std::string doubt(const Words& w, const std::string& text, const std::set<std::s
   if (w[0] == "processors" && word_after(w, "file") != "") return "writes a file";
   if (std::find(w.begin(), w.end(), "element_exclusion_list") != w.end()) return "writes or reads a list of elements";
   if (w[0] == "jump" && word(1) != "SELF") return "jumps into another file";
-  if (w[0] == "include" && !(begins(word(1), "${here}/") || begins(word(1), "/")))
+  if (w[0] == "include" && !begins(word(1), "$") && !begins(word(1), "/"))
     return "includes a file by a name that may mean two files, expected ${here}/NAME";
-  if (w[0] == "include" && !is_plain(text, known)) return "includes a file whose name only LIGGGHTS can compute";
   if (w[0] == "variable") {
     // LIGGGHTS keeps the value of the command line where the script says `index`.
     if (given.count(word(1)) > 0 && word(2) != "index") return "defines ${" + word(1) + "} anew";
@@ -301,7 +354,9 @@ std::string doubt(const Words& w, const std::string& text, const std::set<std::s
   if (w[0] == "fix" && !is_writing_fix(word(3)) && !begins_as_one_of(word(3), kHarmlessFixes))
     return "fix " + word(3) + " is not known to be harmless";
   if (w[0] == "dump" && !begins_as_one_of(word(3), kDumps)) return "dump " + word(3) + " is not known to be harmless";
-  const bool writes = kWriting.count(w[0]) > 0 && (w[0] != "fix" || is_writing_fix(word(3)));
+  // A mesh may write its elements, and `processors` its grid, by further words.
+  const bool writes = w[0] == "fix" ? is_writing_fix(word(3)) || begins(word(3), "mesh/")
+                                    : kWriting.count(w[0]) > 0 || w[0] == "processors";
   if (writes && !is_plain(text, known)) return "writes files with words that only LIGGGHTS can compute";
   return "";
 }
@@ -309,15 +364,20 @@ std::string doubt(const Words& w, const std::string& text, const std::set<std::s
 }  // namespace
 
 std::string uncertain_lines(const std::string& script, const Variables& variables, const std::set<std::string>& given) {
-  const ScriptText text = read_script(script, variables);
-  std::set<std::string> known = numeric_variables(text, variables);
+  std::string findings;
+  const std::vector<ScriptText> texts = with_includes(script, variables, findings);
+  std::set<std::string> known = numeric_variables(written_commands(texts), variables);
   for (const char* place : {"out", "bed", "here"}) known.erase(place);
   known.insert(given.begin(), given.end());
-  std::string findings = unsafe_lines(text);
   for (const std::string& name : given)
     if (variables.count(name) > 0) findings += script + ": the scene has a variable \"" + name + "\" of its own\n";
-  if (!text.whole()) findings += script + ": not all files that it includes can be read";
-  for (const ScriptCommand& command : text.commands()) {
+  std::vector<ScriptCommand> commands;
+  for (const ScriptText& text : texts) {
+    findings += unsafe_lines(text);
+    if (!text.whole()) findings += script + ": not all files that it includes can be read\n";
+    commands.insert(commands.end(), text.commands().begin(), text.commands().end());
+  }
+  for (const ScriptCommand& command : commands) {
     if (command.conditional) continue;  // comes with its `if`
     const std::function<void(const std::string&, int)> judge = [&](const std::string& line, int depth) {
       const Words w = script_words(line);

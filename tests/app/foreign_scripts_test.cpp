@@ -74,7 +74,7 @@ const std::vector<Attack> kAttacks = {
     {"fix_print_append", "fix p all print 1 \"x\" append @/kept\nrun 1", {}},
     {"fix_ave_time", "variable v equal step\nfix a all ave/time 1 1 1 v_v file @/evil\nrun 1", {}},
     {"fix_ave_histo", "variable v equal step\nfix a all ave/histo 1 1 1 0 1 2 v_v mode scalar file @/evil\nrun 1", {}},
-    {"processors", "processors 1 1 1 file @/evil\nrun 1", {}},
+    {"processors", "clear\nprocessors 1 1 1 file @/evil\ninclude ${here}/box.lammps\nrun 1", {}},
 };
 
 // Everything below a folder: paths with what they hold.
