@@ -242,7 +242,8 @@ void Simulation::run_coupled(Loop& loop) {
     }
     if (coupled_->script_has_ended()) break;
     Rows rows;
-    if (observe_row_) {
+    // An interval below the step of the grains asks for a row per window.
+    if (observe_row_ && scene_.output.interval > 0.999 * coupled_->agreement().dt) {
       rows.next = [&](double t) { return next_row(t); };
       rows.on_row = [&](const State& state, const Eigen::VectorXd& rates) {
         state_ = state;

@@ -163,7 +163,7 @@ std::vector<RunRequest> growth_runs(const GrowthSpec& growth, const std::string&
                         "particles.variables.every=" + std::to_string(n),
                         "particles.variables.dt=" + text(dt),
                         "initial.velocity=[0,0," + text(-push(scheme, omega_h, n)) + "]",
-                        "output.interval=" + text(0.5 * H),
+                        "output.interval=" + text(0.5 * dt),  // a row per window
                         "end_time=" + text((grows(scheme, omega_h, n) ? kFewWindows : kWindows) * H),
                         "particles.max_time_step=" + text(2.0 * dt)};
     requests.push_back(request);
