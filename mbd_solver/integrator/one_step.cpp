@@ -36,6 +36,9 @@ constexpr double kOpen = 1e3;  // error of a step whose end cannot be closed
 // correction changes a step by less than this share of the tolerance.
 constexpr double kRateError = 1e-4;
 constexpr int kMostCorrections = 4;
+// Convergence rate of a stage from which the next stage has a Jacobian of its own: a stiff force whose direction turns within the
+// step makes the one of its start useless, and what Newton then leaves, small in every coordinate, adds up over many steps.
+constexpr double kStale = 0.1;
 
 }  // namespace
 
@@ -204,13 +207,20 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
     Y_[at].head(m) = known_.head(m) + (h * tableau_->gamma) * K_[at].head(m);
     Y_[at].tail(rows) = K_[at].tail(rows);
     const double t_stage = t + tableau_->c[at] * h;
-    if (at_stages_) {
+    const bool own = at_stages_ || (i > 1 && newton_.rate() > kStale);
+    if (own) {
       if (!newton_.refresh(t_stage, Y_[at], K_[at], c, slow(), inputs)) return Outcome::kNoConvergence;
     } else if (newton_.needs_jacobian(c, i == 1, slow())) {
       // At the start of the step: the prediction of the first implicit stage differs from it by O(h).
       if (!newton_.refresh(t, y_, K_[0], c, slow(), inputs)) return Outcome::kNoConvergence;
     }
-    if (!newton_.solve(t_stage, c, known_, newton_tolerance, slow(), inputs, Y_[at], K_[at]))
+    if (newton_.solve(t_stage, c, known_, newton_tolerance, slow(), inputs, Y_[at], K_[at])) continue;
+    // Once more with the Jacobian of this stage, if that of the start of this step is not enough.
+    if (own || !newton_.fresh()) return Outcome::kNoConvergence;
+    Y_[at].head(m) = known_.head(m) + (h * tableau_->gamma) * K_[at].head(m);
+    Y_[at].tail(rows) = K_[at].tail(rows);
+    if (!newton_.refresh(t_stage, Y_[at], K_[at], c, slow(), inputs) ||
+        !newton_.solve(t_stage, c, known_, newton_tolerance, slow(), inputs, Y_[at], K_[at]))
       return Outcome::kNoConvergence;
   }
 

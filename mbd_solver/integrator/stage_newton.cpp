@@ -18,6 +18,8 @@ constexpr int kMostIterations = 10;
 // A measured rate loses its meaning as the Jacobian ages: without this, stages that end after one iteration would never
 // measure it again (as in RADAU5 of Hairer and Wanner).
 constexpr double kForgetting = 0.8;
+// A stage that converges more slowly than this shows that the matrix belongs to another position: less error may remain then.
+constexpr double kSlowStage = 0.02, kStricter = 0.1;
 
 }  // namespace
 
@@ -34,6 +36,7 @@ StageNewton::StageNewton(Equations& equations, const ErrorNorm& norm, Integrator
 void StageNewton::forget() {
   factored_c_ = 0.0;
   rate_ = 1.0;
+  slowest_ = slowest_before_ = 0.0;
   lu_.forget();
 }
 
@@ -65,6 +68,7 @@ bool StageNewton::solve(double t, double c, const Eigen::VectorXd& known, double
   expected_ = K.tail(rows);
   double last = 0.0;
   rate_ = std::max(rate_, std::min(std::pow(rate_, kForgetting), slow));
+  if (std::max(slowest_, slowest_before_) > kSlowStage) tolerance *= kStricter;
   for (int i = 0; i < kMostIterations; ++i) {
     // Positions and rates of the current velocities and states.
     change_.head(q) = Y.head(q);
@@ -93,8 +97,9 @@ bool StageNewton::solve(double t, double c, const Eigen::VectorXd& known, double
       if (rate_ >= 1.0 && !done) return false;
     }
     last = size;
-    // Remaining error: size rate / (1 - rate); the first iteration uses the rate of the previous stage.
-    const double rate = std::min(rate_, 0.9);
+    // Remaining error: size rate / (1 - rate); the first iteration uses the slowest rate of earlier stages.
+    if (i > 0) slowest_ = std::max(slowest_, rate_);
+    const double rate = std::min(i > 0 ? rate_ : std::max({rate_, slowest_, slowest_before_}), 0.9);
     if (done || size * rate / (1.0 - rate) <= tolerance) {
       solve_positions(layout, known.head(q), Y.segment(q, layout.v_size), c, Y.head(q));
       K.head(m) = c * (Y - known).head(m);
