@@ -405,6 +405,7 @@ Comparison compare_beds(const ComparedRun& a, const ComparedRun& b, const std::v
     if (same == frames_b.end()) continue;
     last_a = read_bed_frame(file_a);
     last_b = read_bed_frame(same->second);
+    if (last_a.count() == 0 || last_b.count() == 0) continue;
     if (!result.has_beds) start_a = last_a, start_b = last_b;
     result.has_beds = true;
     const double t = static_cast<double>(step) * dt;

@@ -85,8 +85,10 @@ Eye eye_around(const std::vector<const BedFrame*>& beds, const std::vector<const
       }
   for (const MechanismShape* shape : shapes)
     for (Eigen::Index j = 0; j < shape->frame.points.cols(); ++j) include(shape->frame.points.col(j), 0.0);
-  if (grains == 0)
-    throw InputError(code::kNothingToDraw, "--cut-at: no grain has y above " + std::to_string(cut) + " m");
+  const bool all = cut == GrainView{}.cut;  // nothing is cut away
+  if (grains == 0 && (!all || eye.low_E.x() > eye.high_E.x()))
+    throw InputError(code::kNothingToDraw, all ? std::string("the dumps at these times have no grains; choose others")
+                                               : "--cut-at: no grain has y above " + std::to_string(cut) + " m");
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(0.02 * (eye.high_E - eye.low_E).maxCoeff());
   eye.low_E -= margin;
   eye.high_E += margin;
@@ -172,6 +174,7 @@ double foremost(const fs::path& motion, const BedFrame& bed, double t) {
     const RecordedMotion record = read_motion(motion.string(), body);
     y = std::min(y, record.pose[nearest(record.time, t)][1]);
   }
+  if (!std::isfinite(y) && bed.count() == 0) return 0.0;
   return std::isfinite(y) ? y : 0.5 * (bed.x.row(1).minCoeff() + bed.x.row(1).maxCoeff());
 }
 
@@ -218,12 +221,14 @@ int draw_pictures(const PicturesArguments& a) {
   const Json summary = read_summary((folder / "summary.json").string());
   const std::vector<Moment> moments = read_moments(a, summary);
 
+  // The first of these moments with grains sets the view.
+  const auto with_grains =
+      std::find_if(moments.begin(), moments.end(), [](const Moment& moment) { return moment.bed.count() > 0; });
+  const Moment& shown = with_grains == moments.end() ? moments.front() : *with_grains;
   GrainView view;
   view.width = a.width;
   const bool cut = a.cut || !a.cut_at.empty();
-  if (cut)
-    view.cut =
-        a.cut_at.empty() ? foremost(folder / "motion", moments.front().bed, moments.front().time) : a.cut_at.front();
+  if (cut) view.cut = a.cut_at.empty() ? foremost(folder / "motion", shown.bed, shown.time) : a.cut_at.front();
   std::vector<const BedFrame*> beds;
   std::vector<const MechanismShape*> shapes;
   for (const Moment& moment : moments) {
@@ -233,7 +238,7 @@ int draw_pictures(const PicturesArguments& a) {
   const std::vector<double> angles = !a.camera.empty() ? a.camera
                                      : cut             ? std::vector<double>{-90, 12}
                                                        : std::vector<double>{-65, 28};
-  view.eye = eye_around({beds.front()}, shapes, view.cut, angles[0] * kDegree, angles[1] * kDegree);
+  view.eye = eye_around({&shown.bed}, shapes, view.cut, angles[0] * kDegree, angles[1] * kDegree);
   view.fastest = a.fastest > 0.0 ? a.fastest : colour_range(beds);
 
   const std::string out = (folder / "pictures").string();

@@ -290,7 +290,7 @@ FrameBed read_bed(const std::vector<std::pair<long, std::string>>& dumps, double
   FrameBed bed;
   for (const auto& [step, file] : dumps) {
     const BedFrame frame = read_bed_frame(file);
-    if (bed.frames.empty())
+    if (bed.numbers.empty())  // the first dumps may have no grains
       for (const Number& number : kNumbers)
         if ((frame.*number.vector).cols() > 0) bed.numbers.push_back(number);
     bed.times.push_back(static_cast<double>(step) * dt);
@@ -300,6 +300,8 @@ FrameBed read_bed(const std::vector<std::pair<long, std::string>>& dumps, double
     std::set_union(bed.ids.begin(), bed.ids.end(), frame.id.begin(), frame.id.end(), std::back_inserter(both));
     bed.ids = std::move(both);
   }
+  for (LeanFrame& frame : bed.frames)
+    if (frame.x.cols() == 0) frame.numbers.resize(static_cast<Eigen::Index>(bed.numbers.size()), 0);
   return bed;
 }
 
@@ -328,7 +330,9 @@ void add_grains(const std::string& run, double dt, FrameLimits& limits, PagePart
   parts.run["grains"] = nullptr;
   const std::map<long, std::string> dumps = find_bed_frames(run);
   if (dumps.empty()) return;
-  const std::size_t most = most_frames(limits, static_cast<std::size_t>(read_bed_frame(dumps.begin()->second).count()));
+  const int count =
+      std::max(read_bed_frame(dumps.begin()->second).count(), read_bed_frame(dumps.rbegin()->second).count());
+  const std::size_t most = most_frames(limits, static_cast<std::size_t>(count));
   const FrameBed bed = read_bed(thinned(dumps, most), dt);
   const std::size_t n = bed.ids.size();
   if (bed.frames.size() < dumps.size())

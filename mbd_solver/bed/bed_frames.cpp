@@ -24,9 +24,10 @@ namespace {
 // Columns of numbers by name.
 struct Columns {
   std::map<std::string, std::vector<double>> of;
+  bool without_grains = false;  // a dump from before the first grain, or after the last: VTK files then name no columns
   const std::vector<double>& get(const std::string& path, const std::string& name) const {
     const auto found = of.find(name);
-    if (found == of.end() || found->second.empty())
+    if (found == of.end())
       throw InputError(code::kDumpColumnMissing,
                        path + ": no column \"" + name + "\"; dump id x y z vx vy vz radius of the grains");
     return found->second;
@@ -47,6 +48,7 @@ Columns read_text(std::ifstream& file, const std::string& path) {
       if (word != "ATOMS") continue;
       columns.of.clear();
       while (words >> word) names.push_back(word);
+      for (const std::string& name : names) columns.of[name];
       continue;
     }
     for (const std::string& name : names) {
@@ -97,6 +99,7 @@ Columns read_vtk(std::ifstream& file, const std::string& path) {
       throw InputError(code::kDumpNotReadable,
                        path + ": is a binary VTK file, expected the ASCII one that dump custom/vtk writes");
     if (name == "POINTS" && words >> n) {
+      columns.without_grains = n == 0;
       numbers({"x", "y", "z"}, n);
     } else if (name == "FIELD") {
       fields = true;
@@ -135,7 +138,12 @@ BedFrame read_bed_frame(const std::string& path) {
   const bool vtk = first.rfind("# vtk", 0) == 0;
   if (!vtk) file.seekg(0);
   const Columns columns = vtk ? read_vtk(file, path) : read_text(file, path);
-
+  if (columns.without_grains) {
+    BedFrame empty;
+    std::string ignored;
+    parts_of(path, ignored, empty.step);
+    return empty;
+  }
   const std::vector<double>& id = columns.get(path, "id");
   std::vector<std::size_t> order(id.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -175,8 +183,12 @@ std::map<long, std::string> find_bed_frames(const std::string& folder) {
   std::map<long, std::string> best;
   for (const auto& [prefix, frames] : by_prefix) {
     if (frames.size() <= best.size()) continue;
-    try {
-      if (read_bed_frame(frames.begin()->second).count() > 0) best = frames;
+    try {  // the first dumps may have no grains yet
+      for (const auto& [step, file] : frames)
+        if (read_bed_frame(file).count() > 0) {
+          best = frames;
+          break;
+        }
     } catch (const InputError&) {  // a dump of something else, such as meshes
     }
   }

@@ -18,11 +18,11 @@ struct BedFrame {
   int count() const { return static_cast<int>(id.size()); }
 };
 
-// Reads one dump, with id, x y z and radius at least. Throws InputError.
+// Reads one dump, with id, x y z and radius at least; it may have no grains. Throws InputError.
 BedFrame read_bed_frame(const std::string& path);
 
-// The dumps of grains in a folder, by step: files that read_bed_frame accepts; of several prefixes the one with the most
-// steps.
+// The dumps of grains in a folder, by step: files that read_bed_frame accepts, at least one of them with grains; of several
+// prefixes the one with the most steps.
 std::map<long, std::string> find_bed_frames(const std::string& folder);
 
 // grains_energy.txt of a resumed run: LIGGGHTS begins the file again, so the rows before the checkpoint are moved to

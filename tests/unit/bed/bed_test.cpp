@@ -53,6 +53,20 @@ TEST_F(BedFiles, VtkAndTextDumpsOfTheSameGrainsAreTheSameBed) {
   EXPECT_EQ(text.radius, vtk.radius);
 }
 
+// Where grains are inserted during the run, the first dumps have none.
+TEST_F(BedFiles, DumpsMayBeginWithoutGrains) {
+  const std::string head = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n0\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n";
+  const BedFrame text = read_bed_frame(write("grains_0.txt", head + "ITEM: ATOMS id x y z vx vy vz radius \n"));
+  EXPECT_EQ(text.count(), 0);
+  EXPECT_EQ(read_bed_frame(
+                write("grains_0.vtk", "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nPOINTS 0 float\n\n"))
+                .count(),
+            0);
+  write("grains_40.vtk", kVtk);
+  EXPECT_EQ(find_bed_frames(folder_.string()).size(), 2u);
+  EXPECT_THROW(read_bed_frame(write("other_0.txt", head + "ITEM: ATOMS id x y z \n")), InputError) << "no radius";
+}
+
 TEST_F(BedFiles, OfAFolderTheGrainsAreFoundAndNotTheMeshes) {
   for (const char* step : {"0", "50", "100"}) {
     write(std::string("grains_") + step + ".vtk", kVtk);
