@@ -26,7 +26,7 @@ constexpr std::string_view name_of(Packing kind) { return name_in(kind, "loose",
 // Hertz and Mindlin contacts. Grains are softer than sand, which allows longer time steps.
 struct GrainMaterialSpec {
   double density = 2600.0;  // [kg/m3] > 0
-  double young = 1e7;       // [Pa] >= 5e6
+  double young = 1e7;       // [Pa] >= 1e4
   double poisson = 0.3;     // [-] in [0, 0.5)
   // Grain on grain:
   double restitution = 0.3;                         // [-] in (0.05, 1]
@@ -39,7 +39,7 @@ struct GrainMaterialSpec {
 
 // The bodies of the mechanism, and their contacts with grains; not given: as grain on grain.
 struct BodyContactSpec {
-  double young = 2e11;   // [Pa] >= 5e6
+  double young = 2e11;   // [Pa] >= 1e4
   double poisson = 0.3;  // [-] in [0, 0.5)
   std::optional<double> restitution, friction, rolling_friction, cohesion;
 };

@@ -329,6 +329,32 @@ void check_steps_continue(const ScriptText& script, const EntryFindings& at) {
   }
 }
 
+// LIGGGHTS' own limits, which it tells when the run begins, after the bed is poured.
+void check_moduli(const ScriptText& script, const EntryFindings& at) {
+  constexpr double kSoft = 5e6, kHard = 1e9;  // [Pa]
+  const auto allows = [&](const char* word) {
+    return std::any_of(script.commands().begin(), script.commands().end(),
+                       [&](const ScriptCommand& command) { return command.words[0] == word; });
+  };
+  for (const ScriptCommand& command : script.commands()) {
+    const Names& w = command.words;
+    if (command.conditional || !command.is_fix("property/global") || w.size() < 7 || w[4] != "youngsModulus") continue;
+    for (std::size_t i = 6; i < w.size(); ++i) {
+      const std::optional<double> young = as_number(w[i]);
+      if (!young || (*young >= kSoft && *young <= kHard)) continue;
+      const bool soft = *young < kSoft;
+      const char* const word = soft ? "soft_particles" : "hard_particles";
+      if (allows(word)) continue;
+      at.error(kLiggghtsRange, "script",
+               command.place() + " has a Young's modulus of " + number_text(*young) + " Pa; LIGGGHTS refuses " +
+                   (soft ? "less than 5e6, because grains so soft overlap much under small loads"
+                         : "more than 1e9, because grains so stiff need very small time steps") +
+                   ". If it is meant, write  " + word + " yes  below `units si`");
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 void check_coupling(const ScriptText& script, const Scene& scene, Findings& findings) {
@@ -340,6 +366,7 @@ void check_coupling(const ScriptText& script, const Scene& scene, Findings& find
   }
   if (!script.straight()) return;
   if (script.whole()) {
+    check_moduli(script, at);
     check_meshes_named(script, at);
     check_run_follows(script, at);
   }
@@ -443,7 +470,8 @@ constexpr double kLeastDepth = 4.0, kLeastSize = 8.0;  // of the bed, over the l
 constexpr double kSteepest = 30.0;                     // of gravity against -z [deg]
 // The range of LIGGGHTS in SI units.
 constexpr double kLeastRestitution = 0.05;  // more than this
-constexpr double kSoftest = 5e6;            // [Pa]
+constexpr double kSoft = 5e6;               // [Pa]; below it only with `soft_particles yes`, as in inputs/box
+constexpr double kSoftest = 1e4;            // [Pa]; a contact of softer grains is none
 constexpr int kMostSeeds = 10000;
 constexpr std::size_t kMostTemplates = 12;  // of clumps, in inputs/box/in.bed
 
@@ -452,8 +480,16 @@ const char* const kNoOther = "; LIGGGHTS accepts no other";
 void check_material(const EntryFindings& at, const std::string& of, double poisson, double young, double restitution) {
   at.error_if(!(poisson >= 0.0 && poisson < 0.5), kLiggghtsRange, of + "poisson",
               "is " + number_text(poisson) + ", expected 0 or more and less than 0.5" + kNoOther);
-  at.error_if(young > 0.0 && young < kSoftest, kLiggghtsRange, of + "young",  // 0 was refused by the reader
-              "is " + number_text(young) + " Pa, expected at least 5e6" + kNoOther);
+  if (young > 0.0 && young < kSoftest) {  // 0 was refused by the reader
+    at.error(kOutOfRange, of + "young",
+             "is " + number_text(young) + " Pa, expected at least 1e4; is it in MPa? Then write young_MPa");
+  } else if (young < kSoft) {
+    at.warning(kSoftMaterial, of + "young",
+               "is " + number_text(young) +
+                   " Pa; LIGGGHTS takes less than 5e6 for a mistake, because grains so soft overlap much under small "
+                   "loads, and their first peak of force is too low. The run allows it (soft_particles yes): watch "
+                   "max_overlap_over_radius in the summary, which should stay below 5 %");
+  }
   at.error_if(restitution <= kLeastRestitution, kLiggghtsRange, of + "restitution",
               "is " + number_text(restitution) + ", expected more than 0.05, at most 1" + kNoOther);
 }

@@ -247,4 +247,7 @@ inline constexpr MessageCode kMeshFewDigits{"W0220", "mesh-few-digits"};
 // The bed is made under other conditions than the run has. Make them agree unless this is intended.
 inline constexpr MessageCode kBedDiffers{"W0211", "bed-differs"};
 
+// A material is softer than LIGGGHTS expects: overlaps are large. Watch max_overlap_over_radius, or use a stiffer one.
+inline constexpr MessageCode kSoftMaterial{"W0212", "soft-material"};
+
 }  // namespace footfall::code
