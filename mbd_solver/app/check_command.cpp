@@ -20,11 +20,13 @@
 #include "mbd_solver/app/run_command.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/bed/bed.h"
+#include "mbd_solver/bed/bed_forecast.h"
 #include "mbd_solver/bed/bed_report.h"
 #include "mbd_solver/bed/liggghts_log.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/control/fuzzy_controller.h"
+#include "mbd_solver/run/observe/start_overlaps.h"
 #include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/findings.h"
@@ -34,8 +36,19 @@
 namespace footfall {
 namespace {
 
+// The dump of the grains of a bed in the cache, as a run gets it; empty without one.
+std::string grains_of_bed(const Scene& scene) {
+  if (!scene.touches_particles() || !scene.particles->bed) return "";
+  const std::string folder = bed_folder(*scene.particles->bed), grains = folder + "/" + kBedGrains;
+  std::error_code error;
+  return bed_is_made(folder) && std::filesystem::exists(grains, error) ? grains : "";
+}
+
 // Faults that only building the mechanism finds. A message that does not begin with a file gets the scene's.
-void check_by_building(Scene scene) {
+// judges: also what a run only warns of, at its start or later.
+void check_by_building(Scene scene, bool judges) {
+  if (judges && scene.touches_particles() && scene.particles->grains.empty())
+    scene.particles->grains = grains_of_bed(scene);
   // The bed may not be made yet: whether the mechanism can be built does not depend on its height.
   const bool unknown_height =
       scene.touches_particles() && scene.particles->grains.empty() && !scene.particles->surface_height;
@@ -49,6 +62,12 @@ void check_by_building(Scene scene) {
       std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
     require_inside_box(scene, mechanism);
     require_values_at_start(scene, !unknown_height, mechanism);
+    if (!judges) return;
+    std::vector<GrainPlace> grains;
+    if (scene.touches_particles() && !scene.particles->grains.empty()) grains = read_grains(scene.particles->grains);
+    std::vector<std::string> warnings = overlaps_at_start(scene, mechanism, grains);
+    for (std::string& warning : leaving_bodies(scene, mechanism)) warnings.push_back(std::move(warning));
+    for (const std::string& warning : warnings) std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
   } catch (const InputError& error) {
     const std::string what = error.what();
     throw InputError(what.front() == '/' || names_a_place(scene.file, what) ? what : scene.file + ": " + what);
@@ -59,12 +78,13 @@ void check_by_building(Scene scene) {
 
 Scene checked_scene(const std::string& argument, const std::vector<std::string>& settings) {
   const Scene scene = read_scene(argument, settings);
-  check_by_building(scene);  // its warnings include those of the scene
+  check_by_building(scene, false);  // its warnings include those of the scene
   return scene;
 }
 
 int check_command(const std::string& argument, const std::vector<std::string>& settings) {
-  const Scene scene = checked_scene(argument, settings);
+  const Scene scene = read_scene(argument, settings);
+  check_by_building(scene, true);
   const char* grounds[] = {"no ground", "a rigid plane", "particles"};
   double mass = 0.0;
   for (const BodySpec& body : scene.bodies) mass += body.mass;

@@ -28,10 +28,24 @@ namespace {
 
 constexpr double kLargeOverlap = 0.05;  // the limit of the run's warning [of the radius]
 
+constexpr double kFewGrains = 200.0;  // per rank
+
 // An estimate with two digits: 1583 -> "1600".
 std::string round_count(double count) {
   const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(count)) - 1.0));
   return std::to_string(std::lround(count / unit) * std::lround(unit));
+}
+
+// Ranks exchange the grains at their borders in every step.
+std::string ranks_text(double grains, int ranks) {
+  if (ranks < 2 || grains >= kFewGrains * ranks) return "";
+  const int better = std::max(1, static_cast<int>(grains / kFewGrains));
+  return "  warning: " +
+         with_code(code::kFewGrainsPerRank,
+                   "about " + round_count(grains) + " grains on " + std::to_string(ranks) +
+                       " ranks are few: ranks wait for each other more than they save. Set particles.ranks = " +
+                       std::to_string(better)) +
+         "\n";
 }
 
 // Share of each sphere's volume that counts: overlaps within a clump count once [-].
@@ -140,7 +154,7 @@ std::string box_report(const Scene& scene) {
   text += "  time step: " + number_text(n.time_step) + " s, " + share_text(n.time_step / n.rayleigh) +
           " of the Rayleigh time, " + share_text(n.time_step / n.hertz) + " of the Hertz time; window: " +
           (box.every ? std::to_string(*box.every) + " steps\n" : "chosen during the run\n");
-  return text + made_bed(box, bed_folder(*particles.bed));
+  return text + ranks_text(n.grains, particles.ranks) + made_bed(box, bed_folder(*particles.bed));
 }
 
 void require_inside_box(const Scene& scene, const Mechanism& mechanism) {
@@ -148,6 +162,14 @@ void require_inside_box(const Scene& scene, const Mechanism& mechanism) {
   const BoxSpec& box = *scene.particles->box;
   const BoxNumbers n = box_numbers(scene);
   constexpr double kTolerance = 1e-6;  // of the box
+  // What is moved to a clearance is moved as a whole: another body may be the lowest one.
+  const int lowest = mechanism.placement.lowest;
+  const std::string lowest_name =
+      lowest < 0 ? "" : mechanism.boundaries[static_cast<std::size_t>(lowest)].boundary.name();
+  const auto lifted = [&](const std::string& name) {
+    if (!scene.initial.clearance || lowest_name.empty() || lowest_name == name) return std::string();
+    return ". Its height follows from initial.clearance of body \"" + lowest_name + "\", the lowest one";
+  };
   for (const BodyBoundary& entry : mechanism.boundaries) {
     const BodyState& start = mechanism.model.initial(entry.body);
     const Eigen::Matrix3Xd x =
@@ -168,10 +190,10 @@ void require_inside_box(const Scene& scene, const Mechanism& mechanism) {
     }
     const double top = x.row(2).maxCoeff();
     if (top > n.headroom * (1.0 + kTolerance) && entry.boundary.segments().empty())
-      throw InputError(code::kOutsideBox, "body \"" + entry.boundary.name() +
-                                              "\" reaches up to z = " + number_text(top, 4) +
-                                              " m, the simulation box to " + number_text(n.headroom, 4) +
-                                              " m; increase particles.box.headroom" + in_millimetres(x));
+      throw InputError(code::kOutsideBox,
+                       "body \"" + entry.boundary.name() + "\" reaches up to z = " + number_text(top, 4) +
+                           " m, the simulation box to " + number_text(n.headroom, 4) +
+                           " m; increase particles.box.headroom" + lifted(entry.boundary.name()) + in_millimetres(x));
   }
 }
 
@@ -264,6 +286,7 @@ std::string script_report(const Scene& scene) {
   if (particles.bed) read_script(particles.bed->script, particles.bed->variables, values);
   values.step.reset();
   read_script(particles.script, particles.variables, values);
+  std::string few;
   std::string text = "Grains: " + short_path(particles.script) + " on " + std::to_string(particles.ranks) +
                      (particles.ranks == 1 ? " rank" : " ranks");
   if (particles.bed) {
@@ -280,9 +303,10 @@ std::string script_report(const Scene& scene) {
         values.largest = std::max(values.largest, place.radius);
       }
       text += "\n  the bed is made: " + std::to_string(count_grains(places)) + " grains, " + short_path(folder);
+      few = ranks_text(static_cast<double>(count_grains(places)), particles.ranks);
     }
   }
-  text += "\n";
+  text += "\n" + few;
   if (values.largest > 0.0) text += "  radius: " + radii_text(values.smallest, values.largest) + "\n";
   return text + step_text(values, scene.initial.velocity.norm());
 }

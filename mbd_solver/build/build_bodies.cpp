@@ -527,13 +527,17 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
     const auto i = static_cast<std::size_t>(entry.body);
     const Eigen::Matrix3d R_WB = placement.R_WD * axes_D(scene.bodies[i], flexible[i]);
     const Eigen::Vector3d r = placement.point(origin_D(scene.bodies[i], flexible[i]));
+    const auto take = [&](double gap) {
+      if (gap < smallest) placement.lowest = static_cast<int>(&entry - boundaries.data());
+      smallest = std::min(smallest, gap);
+    };
     const auto lowest_along = [&](const Eigen::Vector3d& n) {
       return n.dot(r) + lowest_place(entry, R_WB.transpose() * n, Eigen::VectorXd());
     };
     if (plane) {  // a sloping plane: the point of the boundary nearest to it counts
       const PlaneSpec& spec = *scene.ground.plane;
       const double gap = lowest_along(spec.normal) - spec.normal.dot(spec.point);
-      smallest = std::min(smallest, gap / std::max(1e-6, spec.normal.dot(up)));
+      take(gap / std::max(1e-6, spec.normal.dot(up)));
       continue;
     }
     double ground = placement.ground_height;
@@ -548,7 +552,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
     }
     if (!std::isfinite(ground)) continue;  // no grain under this boundary
     highest_ground = std::max(highest_ground, ground);
-    smallest = std::min(smallest, lowest_along(up) - ground);
+    take(lowest_along(up) - ground);
   }
   if (particles && std::isfinite(highest_ground)) placement.ground_height = highest_ground;
 

@@ -34,6 +34,7 @@ struct Placement {
   Eigen::Vector3d p_WD = Eigen::Vector3d::Zero();  // [m]
   bool ground_known = false;                       // the scene gives the height of the ground
   double ground_height = 0.0;                      // of plane or highest grain under the boundaries, along up [m]
+  int lowest = -1;                                 // boundary with the smallest gap to the ground; -1: unknown
   std::vector<LandingSite> sites;                  // per boundary, where each grain is known; else empty
 
   Eigen::Vector3d point(const Eigen::Vector3d& p_D) const { return p_WD + R_WD * p_D; }

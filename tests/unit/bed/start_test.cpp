@@ -1,0 +1,86 @@
+// What `footfall check` foretells: overlaps at the start, and bodies that will leave the bed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mbd_solver/bed/bed_forecast.h"
+#include "mbd_solver/bed/bed_report.h"
+#include "mbd_solver/run/observe/start_overlaps.h"
+#include "tests/unit/scene/scene_text.h"
+
+namespace footfall {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// Two balls of radius 5 cm, 30 cm apart, on a bed of 0.6 x 0.4 m.
+const std::string kBalls = R"(end_time = 0.5
+gravity = [0, 0, -9.81]
+[ground]
+kind = "particles"
+[particles.box]
+size = [0.6, 0.4]
+depth = 0.1
+radius = 0.01
+[[bodies]]
+name = "left"
+mass = 1.0
+shape = { kind = "sphere", centre = [-0.15, 0, 0.1], radius = 0.05 }
+[[bodies]]
+name = "right"
+mass = 1.0
+shape = { kind = "sphere", centre = [0.15, 0, 0.1], radius = 0.05 }
+[[boundaries]]
+body = "left"
+surface = {}
+[[boundaries]]
+body = "right"
+surface = {}
+)";
+
+std::vector<std::string> overlaps(const std::vector<std::string>& settings, const std::vector<GrainPlace>& grains) {
+  const SceneText text;
+  const Scene scene = text.read(kBalls, settings);
+  return overlaps_at_start(scene, build_mechanism(scene), grains);
+}
+
+TEST(OverlapsAtStart, OfBodiesAndGrainsAreNamed) {
+  EXPECT_THAT(overlaps({}, {}), IsEmpty());
+  EXPECT_THAT(overlaps({"bodies.right.shape.centre=[-0.06,0,0.1]"}, {}), ElementsAre(HasSubstr("W0660")));
+  const GrainPlace rests{{0.15, 0, 0.0401}, 0.01}, pressed{{0.15, 0, 0.046}, 0.01}, inside{{0.15, 0.0499, 0.1}, 0.01};
+  EXPECT_THAT(overlaps({}, {rests}), IsEmpty());
+  EXPECT_THAT(overlaps({}, {rests, pressed}), ElementsAre(testing::AllOf(HasSubstr("W0656"), HasSubstr("right"))));
+  EXPECT_THAT(overlaps({}, {inside}), ElementsAre(HasSubstr("W0656")));
+}
+
+std::vector<std::string> leaving(const std::string& more, const std::vector<std::string>& settings) {
+  const SceneText text;
+  const Scene scene = text.read(kBalls + more, settings);
+  return leaving_bodies(scene, build_mechanism(scene));
+}
+
+TEST(LeavingBodies, AreForetoldByTheirMotion) {
+  EXPECT_THAT(leaving("", {}), IsEmpty());
+  // 0.15 m to the side: 0.1 s of flight and then friction.
+  EXPECT_THAT(leaving("", {"initial.velocity=[0.5,0,0]"}), IsEmpty());
+  EXPECT_THAT(leaving("", {"initial.velocity=[1.2,0,0]"}), ElementsAre(HasSubstr("right")));
+  // A steep slope: bodies slide; on a flat one they are held.
+  EXPECT_THAT(leaving("", {"gravity=[4,0,-8.9]"}), ElementsAre(HasSubstr("W0553")));
+  EXPECT_THAT(leaving("", {"gravity=[1.7,0,-9.66]"}), IsEmpty());
+  // Periodic sides cannot be left.
+  EXPECT_THAT(leaving("", {"initial.velocity=[2.5,0,0]", "particles.box.periodic=true"}), IsEmpty());
+}
+
+TEST(LeavingBodies, AreForetoldByPrescribedMotions) {
+  const auto drag = [](const std::string& speed) {
+    return "[[joints]]\nname = \"drag\"\ntype = \"prescribed\"\nbodies = [\"ground\", \"left\"]\npoint = [-0.15, 0, "
+           "0.1]\naxis = \"z\"\naxis2 = \"y\"\n[joints.motion]\nx = { polynomial = [0, " +
+           speed + "] }\ny = { polynomial = [0] }\nz = { polynomial = [0] }\n";
+  };
+  EXPECT_THAT(leaving(drag("0.3"), {}), IsEmpty());  // 0.15 m along y
+  EXPECT_THAT(leaving(drag("-0.5"), {}), ElementsAre(testing::AllOf(HasSubstr("left"), HasSubstr("t = 0.4 s"))));
+}
+
+}  // namespace
+}  // namespace footfall
