@@ -13,9 +13,10 @@ namespace {
 
 constexpr const char* kUsage =
     "expected: fix ID all couple/mbd every N|auto [patience SECONDS] [gravity scene|script] [end scene|script] "
-    "[lost SHARE] [surface smooth|facets|round] [edge DEGREES] [damping_mass grain|pair] [mesh MESH-ID BODY]...";
-const std::vector<std::string> kKeywords = {"every",   "patience", "gravity",      "end", "lost",
-                                            "surface", "edge",     "damping_mass", "mesh"};
+    "[lost SHARE] [outflow yes|no] [surface smooth|facets|round] [edge DEGREES] [damping_mass grain|pair] [mesh "
+    "MESH-ID BODY]...";
+const std::vector<std::string> kKeywords = {"every",   "patience", "gravity", "end",          "lost",
+                                            "outflow", "surface",  "edge",    "damping_mass", "mesh"};
 constexpr int kMostSubsteps = 1000000;  // per window
 
 // Reads the words in order. Throws InputError, whose message begins with `fix`, for unexpected words.
@@ -89,6 +90,9 @@ CoupleMbdArguments::CoupleMbdArguments(int narg, const char* const* arg) {
       const std::optional<double> share = positive_number(reader.value());
       if (!share || *share > 1.0) reader.wrong_value("a share of the grains above 0 and at most 1");
       max_lost = *share;
+    } else if (keyword == "outflow") {
+      if (reader.value() != "yes" && reader.value() != "no") reader.wrong_value("`yes` or `no`");
+      outflow = reader.value() == "yes";
     } else if (keyword == "surface") {
       if (reader.value() == "smooth") {
         surface = Surface::kSmooth;

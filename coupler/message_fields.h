@@ -102,7 +102,8 @@ inline constexpr auto kFields<Accept> = std::tuple{Field{"scheme", &Accept::sche
                                                    Field{"patience", &Accept::patience},
                                                    Field{"held_by_walls", &Accept::held_by_walls},
                                                    Field{"gravity", &Accept::gravity},
-                                                   Field{"gravity_known", &Accept::gravity_known}};
+                                                   Field{"gravity_known", &Accept::gravity_known},
+                                                   Field{"outflow", &Accept::outflow}};
 
 template <>
 inline constexpr auto kFields<Motion> = std::tuple{Field{"window", &Motion::window},
@@ -118,12 +119,18 @@ template <>
 inline constexpr auto kFields<Load> = std::tuple{Field{"window", &Load::window},
                                                  Field{"particles", &Load::particles},
                                                  Field{"lost", &Load::lost},
+                                                 Field{"changes", &Load::changes},
                                                  Field{"warnings", &Load::warnings},
                                                  Field{"end_requested", &Load::end_requested},
                                                  Field{"wall_seconds", &Load::wall_seconds},
                                                  Field{"waited_seconds", &Load::waited_seconds},
                                                  Field{"bodies", &Load::bodies},
                                                  Field{"gone_walls", &Load::gone_walls}};
+
+template <>
+inline constexpr auto kFields<GrainChanges> =
+    std::tuple{Field{"inserted", &GrainChanges::inserted}, Field{"left", &GrainChanges::left},
+               Field{"changed", &GrainChanges::changed}, Field{"lost_mass", &GrainChanges::lost_mass}};
 
 template <>
 inline constexpr auto kFields<BodyLoad> =

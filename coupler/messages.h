@@ -25,7 +25,7 @@
 
 namespace footfall {
 
-inline constexpr std::int32_t kProtocolVersion = 8;
+inline constexpr std::int32_t kProtocolVersion = 9;
 inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 
 // LIGGGHTS' name for SI units, which both programs use.
@@ -104,6 +104,7 @@ struct Accept {
   std::vector<std::string> held_by_walls;  // bodies in contact with the script's planes and static meshes: [[contacts]]
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // of the scene [m/s2]
   bool gravity_known = false;                         // false: it is not compared with that of the grains
+  bool outflow = false;                               // grains are meant to leave the box
 };
 
 // Meaning of a body's BodyMotion here:
@@ -144,11 +145,20 @@ struct BodyLoad {
   std::vector<ContactTangent> tangent;  // empty, or one
 };
 
+// Kinetic energy and m g . x that grains have brought, taken along or changed otherwise than by forces, since the start.
+struct GrainChanges {
+  double inserted = 0.0;   // with grains that appeared [J]
+  double left = 0.0;       // minus that of grains that left the box or were deleted [J]
+  double changed = 0.0;    // of grains that a command or fix gave another velocity, place or size [J]
+  double lost_mass = 0.0;  // of grains lost by LIGGGHTS [kg]
+};
+
 struct Load {
   static constexpr MessageKind kKind = MessageKind::kLoad;
   std::int64_t window = 0;     // the same k as the Motion it answers
   std::int64_t particles = 0;  // grains now
   std::int64_t lost = 0;       // grains lost by LIGGGHTS since the start; those that the script deleted do not count
+  GrainChanges changes;
   std::vector<std::string> warnings;  // new ones, for the user; the multibody side prints them
   bool end_requested = false;  // by a signal to one of its ranks; both programs end after a checkpoint if possible
   // Wall-clock time of the DEM side since its last Load or Accept, with set-up and output, without waiting [s]

@@ -92,6 +92,11 @@ inline constexpr MessageCode kBodyThroughFloor{"E0487", "body-through-floor"};
 // The balances of an audit cannot be written. Free space on the disk.
 inline constexpr MessageCode kAuditNotWritten{"E0488", "audit-not-written"};
 
+// A grain meets a body so fast that it may pass through within a time step. Use a smaller time step.
+inline constexpr MessageCode kGrainTooFast{"E0489", "grain-too-fast"};
+// A grain has passed through the surface of a body. Use stiffer grains, smaller loads or a smaller time step.
+inline constexpr MessageCode kGrainPassed{"E0498", "grain-passed"};
+
 // --- fix wall/gran/beam.
 
 // The arguments of fix wall/gran/beam are wrong. Follow the syntax in the message.
@@ -133,5 +138,8 @@ inline constexpr MessageCode kRadiusDiffers{"W0457", "radius-differs"};
 inline constexpr MessageCode kMeshMovedByScript{"W0458", "mesh-moved-by-script"};
 // A body has passed through a wall, which stops grains only. Add a contact in the scene if it should stop.
 inline constexpr MessageCode kBodyThroughWall{"W0459", "body-through-wall"};
+
+// A body has passed through a side wall of the bed. Make the bed larger, or end the scene earlier.
+inline constexpr MessageCode kBodyLeavesBed{"W0460", "body-leaves-bed"};
 
 }  // namespace footfall::code

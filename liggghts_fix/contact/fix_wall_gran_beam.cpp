@@ -227,12 +227,22 @@ void FixWallGranBeam::touch_grains(Beam& beam) {
     const double overlap = -closest.gap / radius_[i];
     body.count_contact(overlap, stiffness);
     if (body.samples_slopes()) body.add_slope(closest.contact_point(), slope_);
+    if (overlap > GrainPassages::kDeep) watch_passage(beam, i, closest);
     ++beam.contacts;
     beam.overlap = std::max(beam.overlap, overlap);
   }
   if (!counts) return;
   beam.motion.project(body.pose(), beam.load);
   body.add_load(beam.load);
+}
+
+// Through the axis.
+void FixWallGranBeam::watch_passage(Beam& beam, int i, const BeamTouch& touch) {
+  const double speed = (vector(atom->v[i]) - beam.motion.velocity(touch)).norm();
+  const int tag = static_cast<int>(atom->tag[i]);
+  const Eigen::Vector3d to_axis = touch.p - (vector(x_[i]) - touch.image);
+  if (!beam.passages.passes(update->ntimestep, tag, to_axis, speed * update->dt)) return;
+  link_.grain_fault({GrainFault::kPassed, link_.time(), tag, beam.body, speed, radius_[i]});
 }
 
 // Force on the round beam relative to a plane; the end of a beam is a sphere.

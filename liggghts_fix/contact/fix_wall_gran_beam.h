@@ -25,6 +25,7 @@
 #include "liggghts_fix/link/beam_chain.h"
 #include "liggghts_fix/link/beam_neighbours.h"
 #include "liggghts_fix/link/dem_body.h"
+#include "liggghts_fix/link/grain_paths.h"
 
 namespace footfall {
 class DemLink;
@@ -57,6 +58,7 @@ class FixWallGranBeam : public FixWallGran {
     footfall::BeamChain chain;
     footfall::BeamMotion motion;
     footfall::BeamNeighbours neighbours;
+    footfall::GrainPassages passages;    // through the axis
     footfall::BodyMotion at_list;        // motion at which the neighbour list was built
     FixPropertyAtom* history = nullptr;  // of each grain with this beam; null: the model has none
     // Of this rank, in the last step.
@@ -71,6 +73,7 @@ class FixWallGranBeam : public FixWallGran {
   double over_ranks(double mine, bool largest) const;
   void touch_grains(Beam& beam);
   double touch(Beam& beam, int i, const footfall::BeamTouch& touch, double* history);
+  void watch_passage(Beam& beam, int i, const footfall::BeamTouch& touch);
   double softness(const Beam& beam, const footfall::BeamTouch& touch, double r) const;
 
   footfall::DemLink& link_;

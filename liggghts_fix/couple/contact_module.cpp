@@ -9,6 +9,7 @@
 #include "atom.h"
 #include "fix_mesh_surface.h"
 #include "liggghts_fix/liggghts_access.h"
+#include "update.h"
 
 namespace LAMMPS_NS {
 namespace {
@@ -56,6 +57,7 @@ void ContactModule::add_particle_contribution(int ip, double* frc, double* delta
     to_point = weights[0] * vector3(nodes[0]) + weights[1] * vector3(nodes[1]) + weights[2] * vector3(nodes[2]) -
                vector3(atom->x[ip]);
   const Eigen::Vector3d m_W = *torque_before_ - vector3(atom->torque[ip]) - to_point.cross(f_W);
+  if (overlap > footfall::GrainPassages::kDeep * radius) watch_passage(ip, d, point);
   if (!widths_.empty()) body_->count_patch(std::sqrt(2.0 * radius * overlap) / widths_[element]);
   if (contacts_.empty()) {
     body_->add_contact(point, f_W, m_W, overlap / radius, 0.0);
@@ -66,6 +68,13 @@ void ContactModule::add_particle_contribution(int ip, double* frc, double* delta
   body_->add_contact(point, f_W, m_W, overlap / radius, contact.stiffness(s));
   if (body_->samples_slopes())
     body_->add_slope(point, (0.5 * overlap / distance) * d, contact.slope(d / distance, f_W, s, atom->rmass[ip]));
+}
+
+void ContactModule::watch_passage(int ip, const Eigen::Vector3d& d, const footfall::BoundaryPoint& point) {
+  const double speed = (vector3(atom->v[ip]) - body_->boundary().velocity(body_->pose(), point)).norm();
+  const int tag = static_cast<int>(atom->tag[ip]);
+  if (!passages_.passes(update->ntimestep, tag, d, speed * update->dt)) return;
+  link_->grain_fault({footfall::GrainFault::kPassed, link_->time(), tag, index_, speed, atom->radius[ip]});
 }
 
 }  // namespace LAMMPS_NS

@@ -6,7 +6,8 @@
 
 #include "liggghts_fix/contact/wall_observers.h"
 #include "liggghts_fix/link/contact_slope.h"
-#include "liggghts_fix/link/dem_body.h"
+#include "liggghts_fix/link/dem_link.h"
+#include "liggghts_fix/link/grain_paths.h"
 #include "liggghts_fix/link/mesh_match.h"
 #include "liggghts_fix/link/surface_pieces.h"
 #include "mesh_module.h"
@@ -22,7 +23,11 @@ class ContactModule final : public MeshModule {
                 const Eigen::Matrix3Xd& rho0);
 
   // The body on which the forces act; known once the coupling has started.
-  void set_body(footfall::DemBody* body) { body_ = body; }
+  void set_body(footfall::DemLink& link, int body) {
+    link_ = &link;
+    index_ = body;
+    body_ = &link.body(body);
+  }
   // By grain type, from 1; empty: the script gives no elastic constants, and stiffnesses are unknown.
   void set_contacts(std::vector<footfall::WallContact> contacts) { contacts_ = std::move(contacts); }
   // The torque of the touching grain before the contact.
@@ -34,10 +39,15 @@ class ContactModule final : public MeshModule {
   void add_particle_contribution(int ip, double* frc, double* delta, int iTri, double* v_wall) override;
 
  private:
+  void watch_passage(int grain, const Eigen::Vector3d& d, const footfall::BoundaryPoint& point);
+
   std::vector<footfall::CornerNodes> corners_;
   std::vector<double> widths_;  // of facets on curved parts, by mesh element id [m]; empty: touched once
   std::vector<footfall::WallContact> contacts_;
+  footfall::DemLink* link_ = nullptr;
+  int index_ = 0;  // of the body in the link
   footfall::DemBody* body_ = nullptr;
+  footfall::GrainPassages passages_;
   GrainTorque torque_before_;
   bool after_stress_;  // the module `stress` has been called
 };

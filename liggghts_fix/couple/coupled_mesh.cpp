@@ -273,7 +273,9 @@ void CoupledMesh::begin_run(const char* style, const GrainTorque& torque_before,
                          "no fix wall/gran names it, so that grains would pass through it: add  fix ID all wall/gran "
                          "model ... mesh n_meshes 1 meshes " +
                          mesh_id_);
-  if (const std::string outside = outside_box(); !outside.empty())
+  const std::string outside = outside_box();
+  stays_behind_ = !outside.empty() && link_.body(body_).off_bed();
+  if (!outside.empty() && !stays_behind_)
     throw InputError(code::kMeshLeavesBox, where_ + "body \"" + link_.bodies().name(body_) + "\" " + outside);
   for (FixWallGran* wall : touching) {
     WallTorque::observe(lmp, *wall, torque_before);
@@ -281,9 +283,10 @@ void CoupledMesh::begin_run(const char* style, const GrainTorque& torque_before,
   }
   let_grains_touch_once(arguments, touching);
   module_->set_torque_before(torque_before);
-  module_->set_body(&link_.body(body_));
+  module_->set_body(link_, body_);
   module_->set_contacts(wall_contacts(*modify, atom->ntypes, fix_->atomTypeWall(), style));
   if (link_.resumed() && !moved_) set_velocities();
+  hold_in_box();
 }
 
 // Restart files hold the positions of the nodes only, but the forces before the first substep include damping.
@@ -301,12 +304,14 @@ void CoupledMesh::set_velocities() {
 // Owned and ghost triangles: LIGGGHTS copies neither positions nor velocities to ghosts between two re-neighbourings.
 void CoupledMesh::move() {
   moved_ = true;
+  if (stays_behind_) return;
   bend_round_surface();
   const footfall::DemBody& body = link_.body(body_);
   TriMesh* tri_mesh = fix_->triMesh();
   if (body.path().steady_translation()) {
     translate(body.pose().dr);
     add_belt();
+    hold_in_box();
     return;
   }
   body.boundary().node_positions(body.pose(), x_W_);
@@ -328,6 +333,22 @@ void CoupledMesh::move() {
   if (body.path().first_substep()) turn_properties(body.path().jump());
   turn_properties(body.path().last_step());
   if (body.boundary().mode_count() > 0) footfall::recalculate_mesh(tri_mesh);
+  hold_in_box();
+}
+
+// LIGGGHTS loses a triangle whose centre is outside of a side of the box, be it by round-off.
+void CoupledMesh::hold_in_box() {
+  const footfall::DemBody& body = link_.body(body_);
+  const double margin = reach_ + 2.0 * kOnTheSide * (high(*domain) - low(*domain)).maxCoeff();
+  if (body.boundary().mode_count() == 0 && !is_outside(*domain, body.pose().r, margin)) return;
+  TriMesh* mesh = fix_->triMesh();
+  double** center = footfall::mesh_centers(mesh);
+  for (int i = 0; i < mesh->size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      if (domain->periodicity[c]) continue;
+      if (domain->boundary[c][0] <= kFixed) center[i][c] = std::max(center[i][c], domain->boxlo[c]);
+      if (domain->boundary[c][1] <= kFixed) center[i][c] = std::min(center[i][c], domain->boxhi[c]);
+    }
 }
 
 // The same sums as in fix move/mesh linear, so that the same motion gives the same bits.
@@ -391,11 +412,14 @@ std::string CoupledMesh::outside_box() const {
 }
 
 // Every rank checks the same pose with the same result.
-void CoupledMesh::check_inside_box() const {
+void CoupledMesh::check_inside_box() {
   const footfall::DemBody& body = link_.body(body_);
+  if (stays_behind_) return;
   if (body.boundary().mode_count() == 0 && !is_outside(*domain, body.pose().r, reach_)) return;
   const std::string outside = outside_box();
   if (outside.empty()) return;
+  stays_behind_ = body.off_bed();
+  if (stays_behind_) return;
   throw footfall::NumericalError(
       code::kMeshLeavesBox, "t = " + footfall::number_text(static_cast<double>(update->ntimestep) * update->dt) +
                                 " s: mesh " + mesh_id_ + " (body \"" + link_.bodies().name(body_) + "\"), at step " +

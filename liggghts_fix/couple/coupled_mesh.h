@@ -32,8 +32,9 @@ class CoupledMesh : protected Pointers {
   // it, or when it is outside of the box.
   void begin_run(const char* style, const GrainTorque& torque_before, const footfall::CoupleMbdArguments& arguments);
 
-  // Throws NumericalError when a node leaves the box.
-  void check_inside_box() const;
+  // Throws NumericalError when a node leaves the box. Of a body that is off the bed the mesh stays behind instead: no grain
+  // can touch it there.
+  void check_inside_box();
   // To the present pose of the body's path.
   void move();
 
@@ -41,6 +42,7 @@ class CoupledMesh : protected Pointers {
   std::string outside_box() const;  // about the nodes of the mesh at the body's pose; empty when all are inside
   void set_velocities();            // of the body's path
   void translate(const Eigen::Vector3d& velocity);
+  void hold_in_box();  // centres of triangles
   void add_belt();
   double nearest_image(double place, double before, int direction) const;
   void turn_properties(const footfall::BoundaryStep& step);
@@ -65,6 +67,7 @@ class CoupledMesh : protected Pointers {
   std::vector<int> nodes_;        // nodes of the boundary in the mesh; those of beams alone may leave the box
   double reach_ = 0.0;            // largest distance of a node from Bo, undeformed [m]
   bool moved_ = false;            // in this run
+  bool stays_behind_ = false;
 };
 
 // The part of a body's surface in one mesh.

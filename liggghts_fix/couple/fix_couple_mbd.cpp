@@ -39,7 +39,11 @@ enum OutputIndex { kWindows, kEnergyResidual, kWork, kOverlap, kContacts, kOutpu
 }  // namespace
 
 FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg)
-    : Fix(lmp_, narg, arg), link_(footfall::dem_link_of(lmp_)), arguments_(narg, arg) {
+    : Fix(lmp_, narg, arg),
+      link_(footfall::dem_link_of(lmp_)),
+      arguments_(narg, arg),
+      fast_grains_(lmp_, link_),
+      grain_changes_(lmp_, link_) {
   if (modify->n_fixes_style_strict(style) > 0)
     throw InputError(code::kSecondCoupling, arguments_.fix + "the script has one already; name all meshes in it");
   if (link_.started())
@@ -47,6 +51,7 @@ FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg)
                      arguments_.fix + "the coupling has run already and cannot be defined again");
   if (arguments_.patience) link_.set_patience(*arguments_.patience);
   link_.set_max_lost(arguments_.max_lost);
+  if (arguments_.outflow) link_.expect_outflow();
   for (const footfall::MeshOfBody& pair : arguments_.meshes)
     meshes_.push_back(std::make_unique<CoupledMesh>(lmp_, arguments_.fix, pair, link_));
   for (const auto& mesh : meshes_) {
@@ -109,6 +114,7 @@ void FixCoupleMbd::init() {
   link_.start(describe_script());
   footfall::work_is_under_way();
   number_output_rows();
+  grain_changes_.initialized();
   for (const auto& mesh : meshes_) mesh->begin_run(style, torque_before_, arguments_);
   overlap_or_wait(first_run);
   link_.expect_set_up();
@@ -173,6 +179,7 @@ void FixCoupleMbd::initial_integrate(int) {
                          "time step; use a fixed `timestep`");
   if (compares_gravity_) link_.require_scene_gravity(gravity_now(*modify));  // its variables have values now
   compares_gravity_ = false;
+  grain_changes_.run_begins();
   if (!overlaps_) move_boundaries();
 }
 
@@ -182,9 +189,10 @@ void FixCoupleMbd::move_boundaries() {
     mesh->check_inside_box();
     mesh->move();
   }
+  fast_grains_.check();
   // The scene determines the length of the run: the run loop stops after this step. LIGGGHTS writes the thermo line of
   // this step only if the request comes in time, which restart_requested does.
-  if (!link_.in_last_substep() || update->ntimestep >= update->laststep) return;
+  if (!link_.in_last_substep() || (update->ntimestep >= update->laststep && !link_.repeats())) return;
   SignalHandler::request_quit = true;
   output->restart_requested(update->ntimestep);
 }
@@ -248,6 +256,8 @@ void FixCoupleMbd::order_as_after_restart(TriMesh* mesh) const {
   footfall::check_mpi(MPI_Allreduce(&own, &all, 1, MPI_INT, MPI_SUM, world), "MPI_Allreduce");
   if (own < all) footfall::reorder_mesh(mesh, footfall::order_after_restart(until - own, own, all - until));
 }
+
+void FixCoupleMbd::post_run() { grain_changes_.run_ended(); }
 
 double FixCoupleMbd::compute_vector(int n) {
   switch (static_cast<OutputIndex>(n)) {

@@ -1,6 +1,6 @@
 #pragma once
 // fix ID all couple/mbd every N|auto [patience SECONDS] [gravity scene|script] [end scene|script] [lost SHARE]
-//   [surface smooth|facets|round] [edge DEGREES] [damping_mass grain|pair] [mesh MESH-ID BODY]...
+//   [outflow yes|no] [surface smooth|facets|round] [edge DEGREES] [damping_mass grain|pair] [mesh MESH-ID BODY]...
 // Moves stock meshes with the bodies of a multibody scene, and sends the mean contact load of every N steps to
 // mbd_solver. Bodies of fix wall/gran/beam take part without being named here. couple_mbd_arguments.h describes the
 // keywords.
@@ -18,6 +18,8 @@
 #include "coupler/couple_mbd_arguments.h"
 #include "fix.h"
 #include "liggghts_fix/couple/coupled_mesh.h"
+#include "liggghts_fix/couple/fast_grains.h"
+#include "liggghts_fix/couple/grain_changes.h"
 #include "liggghts_fix/couple/script_walls.h"
 #include "liggghts_fix/link/dem_link.h"
 #include "liggghts_fix/replaced/force_listeners.h"
@@ -40,6 +42,7 @@ class FixCoupleMbd : public Fix, private footfall::DeferredBoundaryMotion, priva
   void initial_integrate(int) override;
   void final_integrate() override;
   void end_of_step() override;
+  void post_run() override;
   double compute_vector(int n) override;
   double compute_array(int i, int j) override;
 
@@ -60,6 +63,8 @@ class FixCoupleMbd : public Fix, private footfall::DeferredBoundaryMotion, priva
   std::vector<std::unique_ptr<CoupledMesh>> meshes_;
   const GrainTorque torque_before_ = std::make_shared<Eigen::Vector3d>(Eigen::Vector3d::Zero());
   WallCrossings crossings_;
+  FastGrains fast_grains_;
+  GrainChangeWatch grain_changes_;
   bool overlaps_ = false;           // pair forces overlap with the mechanism's step
   bool compares_gravity_ = false;   // gravity varies, and the first step has not begun
   std::vector<int> output_rows_;    // body of each row of f_ID: those of meshes_, then the others

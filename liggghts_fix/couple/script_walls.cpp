@@ -3,6 +3,7 @@
 
 #include "liggghts_fix/couple/script_walls.h"
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -23,6 +24,9 @@ namespace LAMMPS_NS {
 namespace {
 
 namespace code = footfall::code;
+
+// A wall that is reached within 45 degrees of gravity is a floor, or a roof; others are sides of the bed [-].
+const double kSteep = std::sqrt(0.5);
 
 bool is_of_a_body(FixMeshSurface& mesh) { return mesh.get_module(footfall::kMeshModule) != nullptr; }
 
@@ -158,6 +162,8 @@ void WallCrossings::check(const std::string& wall_id, PrimitiveWall& wall, footf
   const Eigen::Matrix3Xd& x = now_[static_cast<std::size_t>(body)];
   const auto [place, is_new] = pairs_.try_emplace({wall_id, body});
   Pair& pair = place->second;
+  if (!pair.side.isZero(0.0) && (pair.side.transpose() * to_wall(wall, x)).maxCoeff() <= 0.0)
+    link.body(body).set_off_bed();
   if (pair.exempt) return;
   const Eigen::Matrix3Xd d = to_wall(wall, x);
   if (is_new || before_.empty()) {
@@ -170,18 +176,36 @@ void WallCrossings::check(const std::string& wall_id, PrimitiveWall& wall, footf
     const Eigen::Vector3d d_before = pair.d.col(j);
     if (d_before.dot(d.col(j)) >= 0.0 || d.col(j).norm() > (x.col(j) - x_before.col(j)).norm()) continue;
     pair.exempt = true;
-    const std::string what = "t = " + footfall::number_text(time) + " s: body \"" + link.bodies().name(body) +
-                             "\" passes through the wall of fix " + wall_id +
-                             ", because LIGGGHTS' walls stop grains only";
-    if (d_before.dot(link.script_gravity()) > 0.0)
-      throw footfall::NumericalError(code::kBodyThroughFloor,
-                                     what +
-                                         ". This wall is the floor below the body: make the bed deeper, or end the "
-                                         "scene earlier");
-    link.warn(footfall::with_code(code::kBodyThroughWall, what));
+    if (report(wall_id, d_before, link, body, time)) pair.side = d_before;
   }
   for (Eigen::Index j = 0; j < x.cols(); ++j)
     if (!d.col(j).isZero(0.0)) pair.d.col(j) = d.col(j);  // on the wall the old vector remains
+}
+
+// The floor ends a run: below it nothing can carry the body. LIGGGHTS' planes have no end, but the bed has: once a body has
+// left it sideways, the plane of the floor is beside the bed.
+bool WallCrossings::report(const std::string& wall_id, const Eigen::Vector3d& to_wall, footfall::DemLink& link,
+                           int body, double time) {
+  const std::string what = "t = " + footfall::number_text(time) + " s: body \"" + link.bodies().name(body) +
+                           "\" passes through the wall of fix " + wall_id +
+                           ", because LIGGGHTS' walls stop grains only";
+  const Eigen::Vector3d& g = link.script_gravity();
+  const double down = to_wall.dot(g), steep = kSteep * to_wall.norm() * g.norm();
+  footfall::DemBody& record = link.body(body);
+  if (down > 0.0 && down >= steep && !record.beside_bed())
+    throw footfall::NumericalError(
+        code::kBodyThroughFloor,
+        what + ". This wall is the floor below the body: make the bed deeper, or end the scene earlier");
+  if (std::abs(down) >= steep) {
+    link.warn(footfall::with_code(code::kBodyThroughWall, what));
+    return false;
+  }
+  record.set_beside_bed();
+  link.warn(footfall::with_code(
+      code::kBodyLeavesBed,
+      what + ". This wall is a side of the bed: from here on the body has no grains below it, and "
+             "its results say nothing about the bed. Make the bed larger, or end the scene earlier"));
+  return true;
 }
 
 }  // namespace LAMMPS_NS

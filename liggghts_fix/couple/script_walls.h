@@ -31,16 +31,21 @@ std::vector<std::string> gone_walls(Modify& modify, const std::vector<footfall::
 // A body on both sides of a wall at the first check is taken as intended.
 class WallCrossings {
  public:
-  // Throws NumericalError, naming body, wall and time, when a body has passed through a wall below it (along the script's
-  // gravity); warns through the link of every other wall, once. time [s].
+  // Throws NumericalError, naming body, wall and time, when a body has passed through the floor: a wall that it reaches
+  // within 45 degrees of the script's gravity. Warns through the link of every other wall, once: of a side of the bed,
+  // after which the floor is no longer below this body. time [s].
   void check(Modify& modify, footfall::DemLink& link, double time);
 
  private:
   struct Pair {  // a wall and a body
     Eigen::Matrix3Xd d;
-    bool exempt = false;  // on both sides, or reported
+    bool exempt = false;                             // on both sides, or reported
+    Eigen::Vector3d side = Eigen::Vector3d::Zero();  // from the bed to a side that the body has passed
   };
   void check(const std::string& wall_id, PrimitiveWall& wall, footfall::DemLink& link, int body, double time);
+  // True: the wall is a side of the bed.
+  bool report(const std::string& wall_id, const Eigen::Vector3d& to_wall, footfall::DemLink& link, int body,
+              double time);
 
   std::map<std::pair<std::string, int>, Pair> pairs_;
   std::vector<Eigen::Matrix3Xd> before_, now_;  // nodes of each body [m]

@@ -29,6 +29,8 @@ DemBody::DemBody(const CoupledBody& scene_body, const Scheme& scheme)
 void DemBody::visit(Archive& archive) {
   archive("path", path_);
   archive("load", load_);
+  archive("beside_bed", beside_bed_);
+  archive("off_bed", off_bed_);
 }
 
 void DemBody::begin_window(const BodyMotion& start, int n, double dt, double inverse_mass) {

@@ -68,6 +68,11 @@ class DemBody {
   const BodyLoad& load() const { return load_; }
   // Mean moment about Bo in W at the end of the window [N m].
   Eigen::Vector3d mean_moment_W() const { return pose().rotation() * load_.mean.T_B; }
+  // A part of the body has passed through a side wall of the bed; all of it has.
+  bool beside_bed() const { return beside_bed_; }
+  bool off_bed() const { return off_bed_; }
+  void set_beside_bed() { beside_bed_ = true; }
+  void set_off_bed() { off_bed_ = true; }
   // State between two windows, without the opening force, of which each rank has a part (DemLink::opening_forces).
   void visit(Archive& archive);
   // Work of the mean load of the last window between two computed states [J].
@@ -84,6 +89,7 @@ class DemBody {
   double contact_time_ = 0.0;    // integral of the contacts over the window [s]
   double time_ = 0.0;            // of the window [s]
   double inverse_mass_ = 0.0;    // [1/kg]
+  bool beside_bed_ = false, off_bed_ = false;
   bool scheme_needs_slopes_;
   bool samples_slopes_ = false;
   int substep_ = 0, slope_stride_ = 1, slope_samples_ = 0;  // in the window

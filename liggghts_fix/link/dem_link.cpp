@@ -21,8 +21,23 @@ namespace {
 
 constexpr int kDigits = 10;
 
-// Numbers of the rank itself at the start of its row: grains, lost grains, end requested.
-constexpr std::size_t kOfTheRank = 3;
+// Numbers of the rank itself at the start of its row: grains, lost grains, end requested, changes, fault.
+enum RankNumber : std::size_t {
+  kGrains,
+  kLost,
+  kEndRequested,
+  kInserted,
+  kLeft,
+  kChanged,
+  kLostMass,
+  kFault,
+  kFaultTime,
+  kFaultTag,
+  kFaultBody,
+  kFaultSpeed,
+  kFaultRadius,
+  kOfTheRank
+};
 
 std::string number(double value) { return number_text(value, kDigits); }
 
@@ -89,8 +104,10 @@ void DemLink::start(Start script) {
   link_->receive(accept_);
   require_finite(accept_, link_->partner());
   if (accept_.patience > 0.0 && !own_patience_) link_->set_patience(accept_.patience);
+  if (accept_.outflow) outflow_ = true;
   sent_ = wall_clock();
   lost_here_ = 0.0;
+  changes_here_ = {};
   scheme_ = make_scheme(accept_.scheme);
   for (const std::string& name : coupled_.names())
     bodies_.push_back(std::make_unique<DemBody>(coupled_.scene_body(name, kUnitStyle), *scheme_));
@@ -209,9 +226,50 @@ bool DemLink::end_substep() {
 }
 
 void DemLink::write_shares(std::int64_t grains, bool end_requested, std::vector<double>& row) {
-  row = {static_cast<double>(grains), lost_here_, end_requested ? 1.0 : 0.0};
+  row.assign(kOfTheRank, 0.0);
+  row[kGrains] = static_cast<double>(grains);
+  row[kLost] = lost_here_;
+  row[kEndRequested] = end_requested ? 1.0 : 0.0;
+  row[kInserted] = changes_here_.inserted;
+  row[kLeft] = changes_here_.left;
+  row[kChanged] = changes_here_.changed;
+  row[kLostMass] = changes_here_.lost_mass;
+  row[kFault] = fault_.kind;
+  row[kFaultTime] = fault_.time;
+  row[kFaultTag] = fault_.tag;
+  row[kFaultBody] = fault_.body;
+  row[kFaultSpeed] = fault_.speed;
+  row[kFaultRadius] = fault_.radius;
   lost_here_ = 0.0;
+  changes_here_ = {};
+  fault_ = {};
   for (const auto& body : bodies_) body->append_share(row);
+}
+
+void DemLink::grains_changed(const GrainChanges& more) {
+  changes_here_.lost_mass += more.lost_mass;
+  if (!counts_changes()) return;
+  changes_here_.inserted += more.inserted;
+  changes_here_.left += more.left;
+  changes_here_.changed += more.changed;
+}
+
+void DemLink::stop_for(const GrainFault& fault) const {
+  const std::string which = "t = " + number(fault.time) + " s: grain " + std::to_string(fault.tag);
+  const std::string name = "body \"" + coupled_.name(fault.body) + "\"";
+  if (fault.kind == GrainFault::kPassed)
+    throw NumericalError(code::kGrainPassed,
+                         which + " has passed through the surface of " + name +
+                             ": its contact was pressed in by more than its radius, " + number_text(fault.radius) +
+                             " m. Use stiffer grains, or smaller loads or speeds; a smaller time step if it is fast (" +
+                             number_text(fault.speed, 3) + " m/s)");
+  const double travel = fault.speed * dt_;
+  throw NumericalError(code::kGrainTooFast, which + " meets " + name + " at " + number_text(fault.speed, 3) + " m/s, " +
+                                                number_text(travel, 3) + " m in a time step, with a radius of " +
+                                                number_text(fault.radius, 3) +
+                                                " m: it may pass through without a contact. Use a time step of " +
+                                                number_text(0.1 * fault.radius / fault.speed, 2) +
+                                                " s or less, or look for what makes the grain so fast");
 }
 
 // Of all ranks: present grains, and those lost since the start.
@@ -219,20 +277,31 @@ void DemLink::count_grains(const std::vector<double>& rows, int ranks) {
   const std::size_t row_size = rows.size() / static_cast<std::size_t>(ranks);
   double grains = 0.0, lost = 0.0;
   for (std::size_t rank = 0; rank < static_cast<std::size_t>(ranks); ++rank) {
-    grains += rows[rank * row_size];
-    lost += rows[rank * row_size + 1];
+    const double* const row = &rows[rank * row_size];
+    grains += row[kGrains];
+    lost += row[kLost];
+    load_.changes.inserted += row[kInserted];
+    load_.changes.left += row[kLeft];
+    load_.changes.changed += row[kChanged];
+    load_.changes.lost_mass += row[kLostMass];
+    if (row[kFault] != 0.0)
+      stop_for({static_cast<GrainFault::Kind>(std::lround(row[kFault])), row[kFaultTime],
+                static_cast<int>(std::lround(row[kFaultTag])), static_cast<int>(std::lround(row[kFaultBody])),
+                row[kFaultSpeed], row[kFaultRadius]});
   }
   load_.particles = std::llround(grains);
   if (lost <= 0.0) return;
   const bool first = load_.lost == 0;
   load_.lost += std::llround(lost);
+  if (outflow_) return;
   const double all = grains + static_cast<double>(load_.lost);
   const std::string what = "t = " + number(time()) + " s: " + std::to_string(load_.lost) + " of " + number(all) +
                            " grains have left the box, and LIGGGHTS has lost them";
   if (static_cast<double>(load_.lost) > max_lost_ * all)
     throw NumericalError(code::kTooManyGrainsLost,
                          what + "; fix couple/mbd allows a share of " + number(max_lost_) +
-                             ". Enlarge the region of create_box, make the bed calmer, or allow more: lost SHARE");
+                             ". Enlarge the region of create_box or make the bed calmer; where grains are meant to "
+                             "leave, set particles.outflow = true in the scene, or outflow yes in fix couple/mbd");
   if (first) warn(with_code(code::kGrainsLost, what + " (reported once; total: grains_lost in the summary)"));
 }
 
@@ -244,7 +313,7 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks) {
   for (const auto& body : bodies_) body->clear_load();
   const double* next = rows.data();
   for (int rank = 0; rank < ranks; ++rank) {
-    end_requested_ = next[2] != 0.0 || end_requested_;
+    end_requested_ = next[kEndRequested] != 0.0 || end_requested_;
     next += kOfTheRank;
     for (const auto& body : bodies_) next = body->add_share(next);
   }
@@ -303,6 +372,7 @@ void DemLink::visit(Archive& archive) {
   archive("at_last_start", at_last_start_);
   archive("windows", windows_);
   archive("lost", load_.lost);
+  archive("changes", load_.changes);
   archive("window_work", window_work_);
   archive("work_given", work_given_);
   archive("work_received", work_received_);

@@ -15,6 +15,17 @@
 
 namespace footfall {
 
+// A grain that a body cannot stop, so that the run must end.
+struct GrainFault {
+  enum Kind { kNone, kTooFast, kPassed };
+  Kind kind = kNone;
+  double time = 0.0;    // [s]
+  int tag = 0;          // of the grain
+  int body = 0;         // index in the link
+  double speed = 0.0;   // relative to the body [m/s]
+  double radius = 0.0;  // of the grain [m]
+};
+
 class DemLink {
  public:
   // Null when this program runs alone.
@@ -27,6 +38,7 @@ class DemLink {
   const CoupledBodies& bodies() const { return coupled_; }
   void set_patience(double seconds);                      // how long the partner may be silent [s]
   void set_max_lost(double share) { max_lost_ = share; }  // of all grains [-]; the run stops when more are lost
+  void expect_outflow() { outflow_ = true; }              // grains are meant to leave the box, however many
 
   // --- A run.
 
@@ -50,6 +62,16 @@ class DemLink {
   // A run is set up: LIGGGHTS evaluates all forces, which open the next substep. After start().
   void expect_set_up();
 
+  // Loops of the script do not know the end of the scene. After a jump, runs beyond it are left out as long as the script
+  // couples. The number of runs left out, with the one that begins now; 0: it is executed.
+  void script_jumps() { jumps_ = jumps_ || started(); }
+  int runs_left_out(bool couples) { return finished_ && jumps_ && couples ? ++left_out_ : 0; }
+  // A loop waits for steps that do not come.
+  void end_script() { script_is_over_ = true; }
+  bool script_is_over() const { return script_is_over_; }
+  void run_repeats(bool every) { repeats_ = every; }  // the run that begins is a `run N every M`
+  bool repeats() const { return repeats_; }
+
   // --- A substep.
 
   // Before DEM step `step`: begins a window if none is open (receives Motion), moves every boundary, and clears the
@@ -58,14 +80,23 @@ class DemLink {
   bool in_last_substep() const { return last_window_ && substeps_left_ == 1; }  // of the scene
   // After the forces. True when the window is complete: write_shares, a gather over the ranks, and finish_window follow.
   bool end_substep();
-  // One row of numbers: this rank's grains, those lost since the last row, whether it was asked to end, and the loads of
-  // its grains on the bodies.
+  // One row of numbers: this rank's grains, those lost since the last row, whether it was asked to end, changes and faults
+  // of its grains, and their loads on the bodies.
   void write_shares(std::int64_t grains, bool end_requested, std::vector<double>& row);
-  // rows: those of all ranks in order. Throws NumericalError for a load that is not finite, and when more grains are lost
-  // than allowed.
+  // rows: those of all ranks in order. Throws NumericalError for a load that is not finite, for the first fault of a
+  // grain, and when more grains are lost than allowed.
   void finish_window(const std::vector<double>& rows, int ranks);
   // Grains have changed ranks: numbers of this rank before and after. Their difference, summed over the ranks, is lost.
   void grains_exchanged(std::int64_t before, std::int64_t now) { lost_here_ += static_cast<double>(before - now); }
+  // Grains of this rank have changed otherwise than by forces. Energies count from the first substep on.
+  void grains_changed(const GrainChanges& more);
+  bool counts_changes() const { return step_ >= 0 && !finished_; }
+  // Of a grain of this rank; the first since the last row counts.
+  void grain_fault(const GrainFault& fault) {
+    if (fault_.kind == GrainFault::kNone) fault_ = fault;
+  }
+  bool window_begins() const { return substeps_left_ == motion_.n; }  // the present substep is its first
+  int substeps_left() const { return substeps_left_; }
   void warn(const std::string& coded_text) { load_.warnings.push_back(coded_text); }  // with the next load
   double time() const { return motion_.time + dt_ * (motion_.n - substeps_left_); }   // at the end of the substep [s]
 
@@ -112,6 +143,7 @@ class DemLink {
   void require_expected(const Motion& motion) const;
   void promise_next_step();
   void count_grains(const std::vector<double>& rows, int ranks);
+  [[noreturn]] void stop_for(const GrainFault& fault) const;
   void visit(Archive& archive);
 
   Link* link_;
@@ -119,6 +151,7 @@ class DemLink {
   CoupledBodies coupled_;
   bool own_patience_ = false;  // set by the script
   double max_lost_ = 1.0;      // of all grains [-]
+  bool outflow_ = false;
 
   Start script_;  // of the first run
   Accept accept_;
@@ -135,10 +168,17 @@ class DemLink {
   std::int64_t windows_ = 0;
   bool last_window_ = false;
   bool finished_ = false;
+  bool jumps_ = false;    // the script has jumped since the first run
+  bool repeats_ = false;  // the present command runs several times
+  int left_out_ = 0;      // runs
+  bool script_is_over_ = false;
   bool end_requested_ = false;
   bool set_up_forces_ = false;         // a set-up has evaluated forces that open the next substep
   std::vector<double> stored_forces_;  // opening forces of a checkpoint
-  double lost_here_ = 0.0;             // grains sent to other ranks minus received, since the last write_shares
+  // Of this rank since the last write_shares.
+  double lost_here_ = 0.0;  // grains sent to other ranks minus received
+  GrainChanges changes_here_;
+  GrainFault fault_;
 
   double window_work_ = 0.0;    // of the last complete window [J]
   double work_given_ = 0.0;     // [J]

@@ -4,6 +4,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "lammps.h"
+#include "liggghts_fix/couple/grain_changes.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "liggghts_fix/link/dem_link.h"
 #include "liggghts_fix/replaced/next_definition.h"
@@ -11,6 +12,14 @@
 void LAMMPS_NS::Comm::exchange() {
   static const auto exchange = footfall::next_definition<void (*)(Comm*)>("_ZN9LAMMPS_NS4Comm8exchangeEv");
   const int before = atom->nlocal;
+  footfall::DemLink* const link = footfall::find_dem_link(lmp);
+  if (link != nullptr && link->started() && !link->finished()) {
+    const GrainSum lost = sum_of_grains(lmp, link->script_gravity(), true);
+    footfall::GrainChanges changes;
+    changes.left = -lost.energy;
+    changes.lost_mass = lost.mass;
+    link->grains_changed(changes);
+  }
   exchange(this);
-  if (footfall::DemLink* const link = footfall::find_dem_link(lmp)) link->grains_exchanged(before, atom->nlocal);
+  if (link != nullptr) link->grains_exchanged(before, atom->nlocal);
 }

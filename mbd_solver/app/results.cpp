@@ -20,7 +20,8 @@ namespace {
 
 const std::string kDissipated = "dissipated.";
 constexpr const char* kResidual = "coupling.energy_residual";
-constexpr double kSameTime = 1e-6;  // grains_energy.txt has six digits
+const std::string kChanges = "coupling.grains_";  // energy that grains got otherwise than by forces
+constexpr double kSameTime = 1e-6;                // grains_energy.txt has six digits
 
 // The values of a column at ascending times within its range, interpolated linearly.
 std::vector<double> at_times(const std::vector<double>& time, const std::vector<double>& value,
@@ -126,6 +127,12 @@ History energy_ledger(const History& run, const GrainEnergies& grains) {
       std::vector<double> dissipated;
       for (std::size_t k = 0; k < rows; ++k)
         dissipated.push_back(to_grains[k] - interface[k] - kinetic[k] - gravity[k]);
+      for (const std::string& name : run.names) {
+        if (name.rfind(kChanges, 0) != 0) continue;
+        const std::vector<double> change = since_start(from_run(name), rows);
+        for (std::size_t k = 0; k < rows; ++k) dissipated[k] += change[k];
+        add("grains." + name.substr(kChanges.size()), "J", change);
+      }
       add("grains.kinetic", "J", kinetic);
       add("grains.gravity", "J", gravity);
       add("grains.dissipated", "J", dissipated);
@@ -201,6 +208,10 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
   }
   row(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "%.2f %% of its radius");
   row(summary, "grains", "particles", 1.0, "%.0f");
+  if (summary.value("grains_lost", 0.0) > 0.0) {
+    row(summary, "grains that left the box", "grains_lost", 1.0, "%.0f");
+    row(summary, "their mass", "grains_lost_kg", 1.0, "%.4g kg");
+  }
   row(summary, "steps", "steps", 1.0, "%.0f");
   row(summary, "windows", "windows", 1.0, "%.0f");
   print_times(summary);

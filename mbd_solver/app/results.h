@@ -6,7 +6,9 @@
 // The mechanism's part comes from history.csv. LIGGGHTS writes kinetic and gravity energy of the grains
 // (grains_energy.txt, by the stock commands of inputs/regolith/energy.lammps). Energy dissipated by the grains is the
 // rest of the work that they received:
-//   received = -work.contact - coupling.energy_residual,   dissipated = received - change of kinetic and gravity energy
+//   received = -work.contact - coupling.energy_residual
+//   dissipated = received + coupling.grains_* - change of kinetic and gravity energy
+// coupling.grains_*: energy that grains brought or took along, or got by commands and fixes that set their motion.
 // It includes the elastic energy of their contacts, of which LIGGGHTS has no sum, and may decrease by that much.
 
 #include <exception>
@@ -30,7 +32,7 @@ GrainEnergies read_grain_energies(const std::string& path);
 //   mechanism.kinetic, .gravity, .strain, .gas, .contact (elastic, of a rigid plane); dissipated.* as in history.csv
 //   work.motion            work of prescribed motions so far
 //   with particles:        work.to_grains (work of the mechanism on them) and interface (the part they did not receive)
-//   with `grains`:         grains.kinetic, grains.gravity, grains.dissipated: changes since the first row
+//   with `grains`:         grains.inserted, .left, .changed, .kinetic, .gravity, .dissipated: changes since the first row
 //   sum                    mechanism + dissipated - work.motion + work.to_grains
 //   closing_error          change of the sum over reference_energy
 // Rows at the times of `grains`, with the mechanism's values interpolated linearly; without grains at those of `run`.

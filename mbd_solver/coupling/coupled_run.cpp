@@ -44,6 +44,7 @@ DemTerms terms_of(const Scene& scene, const Mechanism& mechanism, double t_end, 
   terms.t_end = t_end;
   terms.gravity = scene.gravity;
   terms.held_by_walls = bodies_stopped_by_walls(mechanism);
+  terms.outflow = scene.particles->outflow;
   terms.resume = resume;
   terms.n_max = scene.coupling.max_substeps;
   terms.max_dt = scene.particles->max_time_step;
@@ -67,7 +68,8 @@ std::vector<CoupledBody> bodies_with_boundary(const Mechanism& mechanism, const 
 template <>
 inline constexpr auto kFields<CouplingSample> =
     std::tuple{Field{"substeps", &CouplingSample::substeps}, Field{"estimate", &CouplingSample::estimate},
-               Field{"energy_residual", &CouplingSample::energy_residual}, Field{"omega_h", &CouplingSample::omega_h}};
+               Field{"energy_residual", &CouplingSample::energy_residual}, Field{"omega_h", &CouplingSample::omega_h},
+               Field{"changes", &CouplingSample::changes}};
 
 CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations& equations, const Kinematics& start,
                        double t_end, Transport& transport, const std::string& resume)
@@ -195,6 +197,7 @@ void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {
   sample_.estimate = choice_ ? choice_->estimate() : 0.0;
   sample_.energy_residual = watch_->energy_residual();
   sample_.omega_h = watch_->omega_h();
+  sample_.changes = partner_.load().changes;
   ++motion_.window;
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "coupler/messages.h"
 #include "coupler/schemes/scheme.h"
 
 namespace footfall {
@@ -21,6 +22,7 @@ struct CouplingSample {
   double estimate = 0.0;         // of its force error, when windows are chosen [-]
   double energy_residual = 0.0;  // created (< 0) or dissipated (> 0) by the interface since the start [J]
   std::vector<double> omega_h;   // per coupled body [-]
+  GrainChanges changes;          // since the start
 };
 
 }  // namespace footfall

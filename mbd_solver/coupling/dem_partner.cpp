@@ -46,6 +46,7 @@ DemPartner::DemPartner(Transport& transport, std::vector<CoupledBody> bodies, co
     accept.held_by_walls = terms.held_by_walls;
     accept.gravity = terms.gravity;
     accept.gravity_known = true;
+    accept.outflow = terms.outflow;
     link_.send(accept);
   } catch (const ProtocolError& error) {
     link_.fail(error.what(), Status::kBadInput);

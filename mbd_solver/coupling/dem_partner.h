@@ -23,6 +23,7 @@ struct DemTerms {
   int expected_n = 0;                                 // particles.variables.every; 0: not given
   int n_max = 1;                                      // longest window for `every auto`
   std::vector<std::string> held_by_walls;             // bodies that walls of the script stop ([[contacts]] with walls)
+  bool outflow = false;                               // grains are meant to leave the box
   std::string resume;                                 // folder of the checkpoint to resume from; empty: a new run
 };
 

@@ -52,6 +52,7 @@ void add_coupling(const CoupledRun& coupled, double energy_flow, Json& json) {
   json["max_overlap_over_radius"] = watch.largest_overlap();
   json["particles"] = coupled.load().particles;
   json["grains_lost"] = coupled.load().lost;
+  json["grains_lost_kg"] = coupled.load().changes.lost_mass;
   json["dt_dem_s"] = coupled.agreement().dt;
   if (const int n = coupled.agreement().substeps; n > 0) {
     json["substeps_per_window"] = n;

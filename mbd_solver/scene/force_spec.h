@@ -212,6 +212,7 @@ struct ParticlesSpec {
       grains;  // text dump (x y z radius) of the grains at the start, set by `footfall run`: clearance counts from
                // the highest grain under the boundaries
   std::optional<double> surface_height;  // instead of grains: height of the bed's surface [m]
+  bool outflow = false;                  // grains are meant to leave the box, however many
   double max_time_step =
       1e-4;  // of DEM [s]; larger steps give wrong results on this soil long before they are unstable
 };

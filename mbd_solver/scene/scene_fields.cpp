@@ -416,6 +416,7 @@ static void visit_fields(FieldVisitor& v, ParticlesSpec& p) {
   v.field("grains", &p.grains, path);
   v.field("surface_height", &p.surface_height, {Unit::kLength});
   v.field("max_time_step", &p.max_time_step, positive(Unit::kTime));
+  v.field("outflow", &p.outflow, plain);
 }
 
 // The keys of signals, states and events.

@@ -106,6 +106,22 @@ TEST(Script, GoesOnAfterARunThatEndsWithTheScene) {
   EXPECT_TRUE(folder.has("end.restart"));
 }
 
+// A loop does not know when the scene ends: its further runs are left out. The last one waits for a step that never comes.
+TEST(Script, LoopsMayGoOnBeyondTheScene) {
+  const RunFolder folder = plate_folder("loops");
+  for (const char* loop :
+       {"run 1000 every 50 \"print again\"\nprint \"went on\"\n", "run 1000 every 33 NULL\nprint \"went on\"\n",
+        "variable k loop 20\nlabel again\nrun 50\nnext k\njump in again\nprint \"went on\"\n",
+        "variable k loop 20\nlabel again\nrun 30\nnext k\njump in again\nprint \"went on\"\n",
+        "variable s equal step\nlabel again\nrun 50\nprint \"went on\"\nif \"${s} < 1000\" then \"jump in again\"\n"}) {
+    folder.write("in", small_bed() + kMeshFromFile + mesh_wall() + couple(5) + loop);
+    const Outcome outcome = folder.coupled(2, "-in in", "until 0.01 out table.csv" + kFalling);
+    EXPECT_EQ(outcome.exit_code, 0) << loop << outcome.text;
+    EXPECT_NE(outcome.text.find("went on"), std::string::npos) << loop;
+    EXPECT_EQ(Table(folder.path() / "table.csv").rows(), 40U) << loop;
+  }
+}
+
 TEST(Script, MaySettleItsBedFirst) {
   const RunFolder folder = plate_folder("settle");
   folder.write("in", small_bed() + "run 100\n" + kMeshFromFile + mesh_wall() + "run 100\n" + couple(5) + "run 200\n");
@@ -346,8 +362,87 @@ TEST(ForeignScript, ABodyThatGoesThroughASideWallIsToldOnce) {
                          kCouple + "run 200\n");
   const Outcome outcome = folder.coupled(2, "-in in", kRun);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
-  EXPECT_EQ(count(outcome.text, code::kBodyThroughWall.number), 1U) << outcome.text;
+  EXPECT_EQ(count(outcome.text, code::kBodyLeavesBed.number), 1U) << outcome.text;
   EXPECT_TRUE(names(outcome.text, {"\"plate\"", "fix side"}));  // it stands in the slot from the start
+  EXPECT_EQ(count(outcome.text, "W0459"), 0U) << outcome.text;
+}
+
+// On a slope gravity has a part towards the side wall, which is no floor for that; once the body is beside the bed, the
+// plane of the floor is not below it either. Only a body on the bed goes through its floor.
+TEST(ForeignScript, OnASlopeASideIsASideAndTheFloorTheFloor) {
+  const RunFolder folder = plate_folder("slope");
+  const std::string walls =
+      "fix side all wall/gran model hertz tangential history rolling_friction cdt primitive type 1 xplane 0.1505\n"
+      "fix low all wall/gran model hertz tangential history rolling_friction cdt primitive type 1 zplane 0.226\n";
+  std::string bed = small_bed();
+  bed.replace(bed.find("9.81 vector 0 0 -1"), 18, "9.81 vector 0.45 0 -0.89");
+  folder.write("in", bed + kMesh + mesh_wall() + walls + kCouple + "run 200\n");
+  const std::string run = "until 0.01 body plate plate.stl 0 0 0.24 prescribed ";
+  const Outcome beside = folder.coupled(2, "-in in", run + "1 0 -1 0 0 0");
+  EXPECT_EQ(beside.exit_code, 0) << beside.text;
+  EXPECT_EQ(count(beside.text, "W0460"), 1U) << beside.text;
+  EXPECT_EQ(count(beside.text, "W0459"), 1U) << "the floor, beside the bed: " << beside.text;
+  const Outcome below = folder.coupled(2, "-in in", run + "0 0 -1 0 0 0");
+  EXPECT_EQ(below.exit_code, 1) << below.text;
+  EXPECT_NE(below.text.find("E0487"), std::string::npos) << below.text;
+}
+
+// A grain at 300 m/s would jump over the plate of 2 mm; two that are pressed together would change sides of it. Between,
+// a grain bounces as it should.
+TEST(ForeignScript, AGrainThatABodyCannotStopEndsTheRun) {
+  const RunFolder folder("foreign_tunnel");
+  write_stl((folder.path() / "plate.stl").string(), box({0.3, 0.3, 0.002}, 1));
+  const auto script = [](const std::string& grain, const std::string& more) {
+    return script_head("-0.3 0.3 -0.3 0.3 -0.3 0.3", "* * *", 1e-5) + "fix integr all nve/sphere\n" + grain +
+           "set group all diameter 0.004 density 2600\n" + more + kGeometry + mesh_wall() + kCouple + "run 100000\n";
+  };
+  const std::string still = "body plate plate.stl 0 0 0 prescribed 0 0 0 0 0 0";
+  const auto expect = [&](const std::string& run, const std::string& code) {
+    for (const int ranks : {1, 2}) {
+      const Outcome outcome = folder.coupled(ranks, "-in in", run);
+      EXPECT_EQ(outcome.exit_code, 1) << outcome.text;
+      EXPECT_NE(outcome.text.find(code), std::string::npos) << outcome.text;
+    }
+  };
+  const std::string above = "create_atoms 1 single 0.01 0.02 0.1 units box\n";
+  folder.write("in", script(above, "velocity all set 0 0 -300\n"));
+  expect("until 0.001 " + still, "E0489");
+  folder.write("in", script("create_atoms 1 single 0.01 0.02 0 units box\n", ""));
+  expect("until 0.001 body plate plate.stl 0 0 0.1 prescribed 0 0 -300 0 0 0", "E0489");  // the plate is fast
+  folder.write("in",
+               script("create_atoms 1 single 0.01 0.02 0.0028 units box\ncreate_atoms 1 single 0.01 0.02 -0.0028 "
+                      "units box\nregion above block INF INF INF INF 0 INF units box\ngroup above region "
+                      "above\ngroup below subtract all above\n",
+                      "variable push equal 1e6*step*dt\nvariable pull equal -1e6*step*dt\nfix a above addforce 0 0 "
+                      "v_pull\nfix b below addforce 0 0 v_push\n"));
+  expect("until 0.1 " + still, "E0498");
+  folder.write("in", script(above, "velocity all set 0 0 -20\n"));  // a tenth of its radius in a time step
+  const Outcome bounces = folder.coupled(1, "-in in", "until 0.01 out table.csv " + still);
+  EXPECT_EQ(bounces.exit_code, 0) << bounces.text;
+  const std::vector<double> fz = Table(folder.path() / "table.csv")["fz"];
+  EXPECT_LT(*std::min_element(fz.begin(), fz.end()), 0.0) << "it never touched";
+}
+
+// The mesh lies in the side z = 0 of the box and turns: round-off must not take it out of the box. -0.1 is no binary number.
+TEST(ForeignScript, AMeshMayTurnInASideOfTheBox) {
+  const RunFolder folder("foreign_turning_side");
+  for (const char* z : {"0", "-0.1"}) {
+    Surface plate;
+    plate.nodes.resize(3, 4);
+    plate.nodes << -0.05, 0.05, 0.05, -0.05, -0.05, -0.05, 0.05, 0.05, -0.01, -0.01, -0.01, -0.01;
+    plate.triangles = {{0, 1, 2}, {0, 2, 3}};
+    write_stl((folder.path() / "plate.stl").string(), plate);
+    folder.write("in", script_head(std::string("-0.2 0.2 -0.2 0.2 ") + z + " 0.5", "* * *", 2e-5) +
+                           "fix grav all gravity 9.81 vector 0 0 -1\nfix integr all nve/sphere\ncreate_atoms 1 single "
+                           "0.02 0.01 0.2 units box\nset group all diameter 0.02 density 2600\n" +
+                           kGeometry + mesh_wall() + kCouple + "run 100 every 10 NULL\nrun 300\n");
+    const std::string place = z == std::string("0") ? "0.01" : "-0.09";
+    for (const int ranks : {1, 2}) {
+      const Outcome outcome =
+          folder.coupled(ranks, "-in in", "until 0.008 body plate plate.stl 0 0 " + place + " prescribed 0 0 0 0 0 10");
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+    }
+  }
 }
 
 TEST(ForeignScript, AMeshMayLieOnTheSideOfTheBox) {

@@ -89,7 +89,10 @@ constexpr Entry<double> kSupplied[] = {{"work.<source>", "J", itself}};
 
 constexpr Entry<CouplingSample> kCoupling[] = {
     {"coupling.energy_residual", "J", [](const CouplingSample& c) { return c.energy_residual; }},
-    {"coupling.substeps", "-", [](const CouplingSample& c) { return static_cast<double>(c.substeps); }}};
+    {"coupling.substeps", "-", [](const CouplingSample& c) { return static_cast<double>(c.substeps); }},
+    {"coupling.grains_inserted", "J", [](const CouplingSample& c) { return c.changes.inserted; }},
+    {"coupling.grains_left", "J", [](const CouplingSample& c) { return c.changes.left; }},
+    {"coupling.grains_changed", "J", [](const CouplingSample& c) { return c.changes.changed; }}};
 
 constexpr Entry<CouplingSample> kChosenWindows[] = {
     {"coupling.estimate", "-", [](const CouplingSample& c) { return c.estimate; }}};

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <random>
 #include <set>
 
@@ -407,6 +408,24 @@ TEST(EnergyLedger, TheRestOfTheWorkIsDissipatedInTheGrains) {
   EXPECT_DOUBLE_EQ(ledger.column("grains.gravity")[3], -3.0);
   EXPECT_DOUBLE_EQ(ledger.column("grains.dissipated")[3], 30.0 - 1.5 - 6.0 + 3.0);
   for (const double sum : ledger.column("sum")) EXPECT_DOUBLE_EQ(sum, 100.0);
+}
+
+// 6 J come with grains in the middle, and 1 J leaves with others: neither is dissipated.
+TEST(EnergyLedger, EnergyThatGrainsBringIsALineOfItsOwn) {
+  History h = run(true);
+  for (const auto& [name, values] :
+       std::map<std::string, std::vector<double>>{{"coupling.grains_inserted", {0, 6, 6}},
+                                                  {"coupling.grains_left", {0, 0, -1}},
+                                                  {"coupling.grains_changed", {0, 0, 0}}}) {
+    h.names.push_back(name);
+    h.units.emplace_back("J");
+    h.columns.push_back(values);
+  }
+  const History ledger = energy_ledger(h, {{0, 1, 2}, {3, 13, 16}, {50, 48, 46}});
+  EXPECT_DOUBLE_EQ(ledger.column("grains.inserted")[2], 6.0);
+  EXPECT_DOUBLE_EQ(ledger.column("grains.left")[2], -1.0);
+  EXPECT_DOUBLE_EQ(ledger.column("grains.dissipated")[1], 20.0 - 1.0 - 10.0 + 2.0 + 6.0);
+  EXPECT_DOUBLE_EQ(ledger.column("grains.dissipated")[2], 40.0 - 2.0 - 13.0 + 4.0 + 5.0);
 }
 
 TEST(EnergyLedger, AMechanismThatDoesNotCloseIsSeen) {

@@ -7,7 +7,9 @@
 #include "coupler/base/clock.h"
 #include "coupler/interrupt.h"
 #include "coupler/transport_loopback.h"
+#include "liggghts_fix/codes.h"
 #include "liggghts_fix/link/dem_link.h"
+#include "liggghts_fix/link/grain_paths.h"
 #include "liggghts_fix/link/rank_shares.h"
 #include "tests/support/refused.h"
 #include "tests/unit/coupler/message_content.h"
@@ -143,8 +145,11 @@ TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
 // Windows of one substep; in each one rank counts so many grains, and so many lost ones.
 struct Census {
   double grains, lost;
+  GrainChanges changes = {};
+  GrainFault fault = {};
 };
-std::vector<Load> loads_of(const std::vector<Census>& census, double max_lost, std::string* failure = nullptr) {
+std::vector<Load> loads_of(const std::vector<Census>& census, double max_lost, std::string* failure = nullptr,
+                           bool outflow = false) {
   Pair pair;
   std::vector<Load> loads;
   pair.partner = std::thread([&] {
@@ -169,6 +174,7 @@ std::vector<Load> loads_of(const std::vector<Census>& census, double max_lost, s
   });
   pair.dem.bodies().couple("pad", "si");
   pair.dem.set_max_lost(max_lost);
+  if (outflow) pair.dem.expect_outflow();
   const double before_start = wall_clock();
   pair.dem.start(script(1e-4, 1, 0));
   const double after_start = wall_clock();
@@ -181,6 +187,8 @@ std::vector<Load> loads_of(const std::vector<Census>& census, double max_lost, s
       EXPECT_TRUE(pair.dem.end_substep());
       const auto grains = static_cast<std::int64_t>(now.grains), lost = static_cast<std::int64_t>(now.lost);
       pair.dem.grains_exchanged(grains + lost, grains);
+      pair.dem.grains_changed(now.changes);
+      pair.dem.grain_fault(now.fault);
       std::vector<double> row;
       pair.dem.write_shares(grains, false, row);
       before_end = wall_clock();
@@ -222,6 +230,33 @@ TEST(DemLink, TooManyLostGrainsEndTheRun) {
   EXPECT_TRUE(test::names(failure, {"100"}));
   EXPECT_TRUE(test::names(failure, {"0.05"}));
   loads_of({{0, 7}}, 0.9, &failure);
+}
+
+TEST(DemLink, GrainsThatAreMeantToLeaveAreCountedWithoutAWord) {
+  const std::vector<Load> loads =
+      loads_of({{100, 0}, {40, 60, {0, 0, 0, 1.5}}, {1, 39, {0, 0, 0, 0.25}}}, 0.05, nullptr, true);
+  ASSERT_EQ(loads.size(), 3U);
+  EXPECT_EQ(loads[2].lost, 99);
+  EXPECT_EQ(loads[2].changes.lost_mass, 1.75);
+  EXPECT_TRUE(loads[1].warnings.empty() && loads[2].warnings.empty());
+}
+
+TEST(DemLink, ChangesOfGrainsAddUpSinceTheStart) {
+  const std::vector<Load> loads = loads_of({{9, 0, {8, -2, 0.5, 0}}, {9, 0}, {9, 0, {4, -1, 0, 0}}}, 0.05);
+  ASSERT_EQ(loads.size(), 3U);
+  EXPECT_EQ(loads[1].changes.inserted, 8.0);
+  EXPECT_EQ(loads[2].changes.inserted, 12.0);
+  EXPECT_EQ(loads[2].changes.left, -3.0);
+  EXPECT_EQ(loads[2].changes.changed, 0.5);
+}
+
+TEST(DemLink, AGrainThatABodyCannotStopEndsTheRun) {
+  for (const auto& [kind, code] :
+       {std::pair{GrainFault::kTooFast, code::kGrainTooFast}, {GrainFault::kPassed, code::kGrainPassed}}) {
+    std::string failure;
+    loads_of({{9, 0}, {9, 0, {}, {kind, 0.25, 17, 0, 300.0, 0.01}}, {9, 0}}, 0.05, &failure);
+    EXPECT_TRUE(test::names(failure, {"t = 0.25 s", "17", "pad", std::string(code.number)}));
+  }
 }
 
 TEST(DemLink, GravityThatChangesBetweenTwoRunsIsRefused) {
@@ -397,6 +432,33 @@ BodyLoad random_load(unsigned seed) {
   BodyLoad load;
   test::randomize(load, random, 2);
   return load;
+}
+
+// A plate of two triangles in z = 0, and a beam of radius 0.1 along x at z = 1.
+TEST(GrainPaths, MeetWhatTheyPassThrough) {
+  Eigen::Matrix3Xd nodes(3, 6);
+  nodes << 0, 1, 1, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 1, 1;
+  const ModalBoundary boundary("both", nodes, {{0, 1, 2}, {0, 2, 3}}, {{4, 5, 0.1, 0}});
+  const auto meets = [&](Eigen::Vector3d from, Eigen::Vector3d way) { return path_meets(boundary, nodes, from, way); };
+  EXPECT_TRUE(meets({0.3, 0.6, 0.2}, {0.1, 0.0, -0.4}));
+  EXPECT_TRUE(meets({0.3, 0.6, -0.2}, {0.0, 0.0, 0.4})) << "from below";
+  EXPECT_FALSE(meets({0.3, 0.6, 0.2}, {0.0, 0.0, -0.19})) << "ends above";
+  EXPECT_FALSE(meets({0.3, 0.6, 0.2}, {0.0, 0.0, 9.0})) << "moves away";
+  EXPECT_FALSE(meets({1.3, 0.6, 0.2}, {0.0, 0.0, -0.4})) << "passes beside";
+  EXPECT_TRUE(meets({0.5, -1.0, 1.09}, {0.0, 2.0, 0.0})) << "the side of the beam";
+  EXPECT_FALSE(meets({0.5, -1.0, 1.11}, {0.0, 2.0, 0.0})) << "above the beam";
+  EXPECT_FALSE(meets({1.11, -1.0, 1.0}, {0.0, 2.0, 0.0})) << "beyond its end";
+}
+
+TEST(GrainPassages, AreReversalsWithinAStep) {
+  const Eigen::Vector3d down(0, 0, -1);
+  GrainPassages passages;
+  EXPECT_FALSE(passages.passes(1, 7, 0.002 * down, 0.003));
+  EXPECT_FALSE(passages.passes(2, 7, 0.001 * down, 0.003)) << "comes nearer";
+  EXPECT_FALSE(passages.passes(2, 8, -0.001 * down, 0.003)) << "another grain, on the other side";
+  EXPECT_FALSE(passages.passes(3, 7, -0.004 * down, 0.001)) << "another surface is nearer now: its way was 1 mm";
+  EXPECT_TRUE(passages.passes(4, 7, 0.001 * down, 0.003));
+  EXPECT_FALSE(passages.passes(9, 7, -0.001 * down, 0.003)) << "apart in between";
 }
 
 TEST(RankShares, ShareOfTheOnlyRankIsTheLoad) {

@@ -1,0 +1,160 @@
+// Sums over the grains of a rank; their differences are shares of the ranks, which the link adds up.
+
+#include "liggghts_fix/couple/grain_changes.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+
+#include "atom.h"
+#include "coupler/communicator.h"
+#include "domain.h"
+#include "fix_multisphere.h"
+#include "modify.h"
+
+namespace LAMMPS_NS {
+namespace {
+
+using footfall::GrainChanges;
+using When = footfall::GrainChangeListener::When;
+
+// Differences below this are round-off [of the sum].
+constexpr double kRoundOff = 1e-12;
+
+// Fixes that act before the exchange of grains, but neither insert nor delete any.
+constexpr std::array<std::string_view, 7> kHarmless = {
+    "contacthistory", "contactproperty", "mesh/surface", "multisphere", "neighlist", "property/", "couple/mbd"};
+struct Changer {
+  std::string_view style;
+  When when;
+};
+// Fixes that change grains elsewhere in a step.
+constexpr std::array<Changer, 7> kChangers = {{{"adapt", When::kForces},
+                                               {"move", When::kIntegration},
+                                               {"momentum", When::kEnd},
+                                               {"recenter", When::kIntegration},
+                                               {"insert/stream", When::kEnd},
+                                               {"insert/stream/predefined", When::kEnd},
+                                               {"deform", When::kEnd}}};
+
+bool begins(std::string_view style, std::string_view with) { return style.substr(0, with.size()) == with; }
+
+FixMultisphere* clumps_of(Modify& modify) {
+  for (int i = 0; i < modify.nfix; ++i)
+    if (auto* clumps = dynamic_cast<FixMultisphere*>(modify.fix[i])) return clumps;
+  return nullptr;
+}
+
+bool is_outside(const Domain& domain, const double* x) {
+  for (int c = 0; c < 3; ++c)
+    if (!domain.periodicity[c] && (x[c] < domain.boxlo[c] || x[c] >= domain.boxhi[c])) return true;
+  return false;
+}
+
+void add(GrainSum& sum, double share, double kinetic, double m, const Eigen::Vector3d& g, const double* x) {
+  const double height = -m * (g[0] * x[0] + g[1] * x[1] + g[2] * x[2]);
+  sum.energy += share * (kinetic + height);
+  sum.size += share * (kinetic + std::abs(height));
+  sum.mass += share * m;
+}
+
+double square(const double* v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
+
+GrainChanges changes(const GrainSum& before, const GrainSum& now) {
+  GrainChanges difference;
+  const double energy = now.energy - before.energy;
+  if (std::abs(energy) <= kRoundOff * std::max(now.size, before.size) && now.count == before.count) return difference;
+  (now.count > before.count   ? difference.inserted
+   : now.count < before.count ? difference.left
+                              : difference.changed) = energy;
+  return difference;
+}
+
+}  // namespace
+
+// Each sphere of a clump has an equal share of it.
+GrainSum sum_of_grains(LAMMPS* lmp, const Eigen::Vector3d& g, bool only_outside) {
+  const Atom& atom = *lmp->atom;
+  GrainSum sum;
+  if (atom.rmass == nullptr || atom.radius == nullptr) return sum;
+  FixMultisphere* const clumps = clumps_of(*lmp->modify);
+  for (int i = 0; i < atom.nlocal; ++i) {
+    if (only_outside && !is_outside(*lmp->domain, atom.x[i])) continue;
+    ++sum.count;
+    const int clump = clumps == nullptr || clumps->n_body() == 0 ? -1 : clumps->belongs_to(i);
+    if (clump < 0) {
+      const double m = atom.rmass[i], r = atom.radius[i];
+      const double rotation = atom.omega == nullptr ? 0.0 : 0.4 * m * r * r * square(atom.omega[i]);
+      add(sum, 1.0, 0.5 * (m * square(atom.v[i]) + rotation), m, g, atom.x[i]);
+      continue;
+    }
+    const int body = clumps->data().map(clump);
+    if (body < 0) continue;  // of another rank
+    double x[3], v[3], w[3], spin[3];
+    clumps->data().xcm(x, body);
+    clumps->data().vcm(v, body);
+    clumps->data().omega(w, body);
+    clumps->data().angmom(spin, body);
+    const double m = clumps->data().mass(body);
+    add(sum, 1.0 / clumps->data().nrigid(body),
+        0.5 * (m * square(v) + w[0] * spin[0] + w[1] * spin[1] + w[2] * spin[2]), m, g, x);
+  }
+  return sum;
+}
+
+GrainChangeWatch::~GrainChangeWatch() { footfall::set_listener<GrainChangeListener>(lmp, nullptr); }
+
+bool GrainChangeWatch::watches(Fix& fix, When when) {
+  const std::string_view style = fix.style;
+  if (when == When::kExchange)
+    return std::none_of(kHarmless.begin(), kHarmless.end(), [&](std::string_view one) { return begins(style, one); });
+  return std::any_of(kChangers.begin(), kChangers.end(),
+                     [&](const Changer& one) { return one.when == when && style == one.style; });
+}
+
+bool GrainChangeWatch::any_watched() const {
+  for (int i = 0; i < modify->nfix; ++i) {
+    const std::string_view style = modify->fix[i]->style;
+    const bool exchanges =
+        (modify->fmask[i] & FixConst::PRE_EXCHANGE) != 0 &&
+        std::none_of(kHarmless.begin(), kHarmless.end(), [&](std::string_view one) { return begins(style, one); });
+    if (exchanges ||
+        std::any_of(kChangers.begin(), kChangers.end(), [&](const Changer& one) { return style == one.style; }))
+      return true;
+  }
+  return false;
+}
+
+void GrainChangeWatch::initialized() {
+  footfall::set_listener<GrainChangeListener>(lmp, any_watched() ? this : nullptr);
+  if (!at_end_) return;
+  // Commands may also have moved grains to other ranks: only the sums over the ranks are compared.
+  const GrainSum now = sum_of_grains(lmp, link_.script_gravity());
+  std::array<double, 6> sums = {at_end_->energy, at_end_->size, static_cast<double>(at_end_->count),
+                                now.energy,      now.size,      static_cast<double>(now.count)};
+  footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, sums.data(), 6, MPI_DOUBLE, MPI_SUM, world), "MPI_Allreduce");
+  at_end_ = now;
+  int rank = 0;
+  MPI_Comm_rank(world, &rank);
+  if (rank == 0)
+    link_.grains_changed(
+        changes({sums[0], sums[1], 0.0, std::lround(sums[2])}, {sums[3], sums[4], 0.0, std::lround(sums[5])}));
+}
+
+void GrainChangeWatch::run_ended() {
+  if (link_.counts_changes()) at_end_ = sum_of_grains(lmp, link_.script_gravity());
+}
+
+void GrainChangeWatch::before() {
+  if (link_.counts_changes()) before_ = sum_of_grains(lmp, link_.script_gravity());
+}
+
+void GrainChangeWatch::after() {
+  if (link_.counts_changes()) link_.grains_changed(changes(before_, sum_of_grains(lmp, link_.script_gravity())));
+}
+
+}  // namespace LAMMPS_NS
