@@ -362,7 +362,8 @@ TEST(ForeignScript, ABodyThatGoesThroughASideWallIsToldOnce) {
                          kCouple + "run 200\n");
   const Outcome outcome = folder.coupled(2, "-in in", kRun);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
-  EXPECT_EQ(count(outcome.text, "W0460"), 1U) << outcome.text;  // it stands in the slot from the start
+  EXPECT_EQ(count(outcome.text, code::kBodyLeavesBed.number), 1U) << outcome.text;
+  EXPECT_TRUE(names(outcome.text, {"\"plate\"", "fix side"}));  // it stands in the slot from the start
   EXPECT_EQ(count(outcome.text, "W0459"), 0U) << outcome.text;
 }
 
@@ -386,7 +387,7 @@ TEST(ForeignScript, OnASlopeASideIsASideAndTheFloorTheFloor) {
   EXPECT_NE(below.text.find("E0487"), std::string::npos) << below.text;
 }
 
-// A grain at 300 m/s would jump over the plate of 2 cm; two that are pressed together would change sides of it. Between,
+// A grain at 300 m/s would jump over the plate of 2 mm; two that are pressed together would change sides of it. Between,
 // a grain bounces as it should.
 TEST(ForeignScript, AGrainThatABodyCannotStopEndsTheRun) {
   const RunFolder folder("foreign_tunnel");
