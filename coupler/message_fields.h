@@ -111,7 +111,9 @@ inline constexpr auto kFields<Motion> = std::tuple{Field{"window", &Motion::wind
                                                    Field{"last_window", &Motion::last_window},
                                                    Field{"checkpoint", &Motion::checkpoint},
                                                    Field{"undisturbed", &Motion::undisturbed},
+                                                   Field{"closing", &Motion::closing},
                                                    Field{"bodies", &Motion::bodies},
+                                                   Field{"paths", &Motion::paths},
                                                    Field{"inverse_masses", &Motion::inverse_masses}};
 
 template <>
@@ -133,6 +135,9 @@ inline constexpr auto kFields<BodyLoad> =
                Field{"contact_stiffness", &BodyLoad::contact_stiffness},
                Field{"max_overlap_over_radius", &BodyLoad::max_overlap_over_radius},
                Field{"max_patch_over_facet", &BodyLoad::max_patch_over_facet},
+               Field{"grain_energy", &BodyLoad::grain_energy},
+               Field{"grain_mass", &BodyLoad::grain_mass},
+               Field{"grain_omega2", &BodyLoad::grain_omega2},
                Field{"tangent", &BodyLoad::tangent}};
 
 template <>

@@ -22,10 +22,11 @@
 #include "coupler/codes.h"
 #include "coupler/load_average.h"
 #include "coupler/modal_boundary.h"
+#include "coupler/window.h"
 
 namespace footfall {
 
-inline constexpr std::int32_t kProtocolVersion = 8;
+inline constexpr std::int32_t kProtocolVersion = 9;
 inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 
 // LIGGGHTS' name for SI units, which both programs use.
@@ -121,7 +122,12 @@ struct Motion {
   bool last_window = false;
   std::string checkpoint;    // folder into which the DEM side saves its state after this window; empty: it does not
   bool undisturbed = false;  // it saves only if the run then continues with unchanged bits
+  // DEM steps in which the gap between the boundary and r, L, a closes, at least n: no fewer than those that made it.
+  std::int32_t closing = 0;
   std::vector<BodyMotion> bodies;  // order of Start; see above
+  // Of every body the poses that it takes whatever the grains do; without columns: the path follows from its motion. Empty:
+  // of no body.
+  std::vector<KnownPath> paths;
   // 1/m of the mass that contacts of each body act on [1/kg], 0: fixed or driven. Empty unless the script requires them.
   std::vector<double> inverse_masses;
 };
@@ -141,6 +147,9 @@ struct BodyLoad {
   // Radius of the contact patch, sqrt(2 R overlap), over the width of its facet; the largest in the window on curved
   // parts of a mesh [-]
   double max_patch_over_facet = 0.0;
+  // Of the grains in contact, each the largest in the window: m (v^2/2 + g R) + k overlap^2/2, v relative to the body [J];
+  // mass [kg]; stiffness of a contact over the mass of its grain [1/s2]. 0 when not known
+  double grain_energy = 0.0, grain_mass = 0.0, grain_omega2 = 0.0;
   std::vector<ContactTangent> tangent;  // empty, or one
 };
 

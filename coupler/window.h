@@ -16,6 +16,15 @@
 //   closed by 1 - u   1.2e-2, 2.1             1.045              1.9
 //   closed by g       2.7e-3, 2.0             1.001              2.0
 // Contact damping acts on the derivative of the path.
+//
+// Catching up. A gap that a long window has made closes over that length, even if the present window is shorter: within few
+// substeps the boundary would move much faster than the body ever did, and contact damping would do work that nobody
+// supplies. Such gaps are carried from window to window, each closed by its own g.
+//
+// Known motion. Where the joints alone decide how a body moves (prescribed motions), its poses are known for every substep,
+// and the boundary follows them.
+
+#include <vector>
 
 #include "coupler/archive.h"
 #include "coupler/body_motion.h"
@@ -31,6 +40,9 @@ struct BoundaryStep {
   Eigen::VectorXd a;                                  // s
 };
 
+// A known motion of a body in a window: after every substep r, L, dr, w (column by column). No columns: not known.
+using KnownPath = Eigen::Matrix<double, 13, Eigen::Dynamic>;
+
 // The path of one body. The DEM side moves nodes by it; the multibody side computes the mean predicted pose from it. Call
 // begin_window(motion sent for t_k, n, dt), then advance() n times; after each, pose() is the path at t_k + i dt.
 class BoundaryPath {
@@ -39,8 +51,9 @@ class BoundaryPath {
   BoundaryPath(const Scheme& scheme, const BodyMotion& initial);
 
   // Begins a window of n substeps of dt [s] from `start`: position at t_k and rates of the path. If the path jumps,
-  // pose() jumps here by jump().
-  void begin_window(const BodyMotion& start, int n, double dt);
+  // pose() jumps here by jump(). closing: substeps in which the gap of the window before closes, at least n; 0: n.
+  // known: of this window; modes still follow the scheme.
+  void begin_window(const BodyMotion& start, int n, double dt, int closing = 0, const KnownPath& known = KnownPath());
   // Goes one substep further. Precondition: fewer than n calls since begin_window.
   void advance();
 
@@ -51,13 +64,25 @@ class BoundaryPath {
   // be moved by x += dr * dt per substep, exactly as LIGGGHTS' own `fix move/mesh linear` does; pose() is summed up in
   // the same way.
   bool steady_translation() const { return steady_; }
+  // What of carried gaps remains at the end of this window: path minus prediction.
+  const BoundaryStep& left_open() const { return left_open_; }
+  bool is_known() const { return is_known_; }  // in this window, or the last one
   int substeps_left() const { return n_ - i_; }
   bool first_substep() const { return i_ == 1; }
 
   void visit(Archive& archive);  // between two windows
 
  private:
+  // A gap that closes over several windows.
+  struct Carried {
+    BoundaryStep gap;
+    double elapsed = 0.0, duration = 0.0;  // at the start of this window; of its closing [s]
+    void visit(Archive& archive);
+  };
+  void carry(int closing);
+  bool gap_is_round_off() const;
   void set_pose_at(double tau);
+  void follow_known_path();
 
   const Scheme& scheme_;
   BodyMotion start_;    // the motion sent: position at t_k, rates of the path
@@ -66,13 +91,16 @@ class BoundaryPath {
   BodyMotion shifted_;  // start_ moved by the rest of the gap
   BoundaryStep step_;
   BoundaryStep jump_;
-  BoundaryStep gap_;        // from the position at t_k to the end of the path before
+  BoundaryStep gap_;  // from the position at t_k to the end of the path before, without carried gaps
+  BoundaryStep left_open_;
+  std::vector<Carried> carried_;
+  KnownPath known_;
   double travelled_ = 0.0;  // largest |r| so far, the scale of round-off in r [m]
   double amplitude_ = 0.0;  // largest |a| so far, likewise
   int n_ = 0;               // substeps of this window
   int i_ = 0;               // of them done
   double dt_ = 0.0;         // [s]
-  bool steady_ = false;
+  bool steady_ = false, is_known_ = false;
 };
 
 }  // namespace footfall

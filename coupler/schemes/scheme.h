@@ -35,6 +35,8 @@ struct PredictedPath {
   Vector6d v_mean = Vector6d::Zero();               // [dr; w] [m/s, rad/s]
   Eigen::Vector3d r_end = Eigen::Vector3d::Zero();  // [m]
   Eigen::Vector4d L_end = Eigen::Vector4d::UnitX();
+  Eigen::VectorXd a_end;                  // modal coordinates
+  Vector6d left_open = Vector6d::Zero();  // of carried gaps: [r_end; L_end] minus the end of the prediction [m, rad]
 };
 
 // The grains' loads of two consecutive windows.

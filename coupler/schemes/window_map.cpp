@@ -3,6 +3,7 @@
 #include "coupler/schemes/window_map.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "coupler/matrix_exponential.h"
@@ -40,6 +41,32 @@ double predicted_growth(const Scheme& scheme, double omega_h, int n) {
   Map map;
   for (int k = 0; k < 5; ++k) map.col(k) = scheme.window_map(omega_h, n, MapState::Unit(k));
   return spectral_radius(map);
+}
+
+double largest_omega_h(const Scheme& scheme, int n, double gain, double most) {
+  constexpr double kRatio = 1.03;  // between two trials
+  double last = 0.0;
+  for (double w = 2e-3; w < most; w *= kRatio) {
+    if (std::pow(predicted_growth(scheme, w, n), 2.0 * M_PI / w) > 1.0 + gain) return last;
+    last = w;
+  }
+  return most;
+}
+
+// Long windows come ever closer to the map of fine steps: beyond kMany the last value holds.
+double OmegaHLimit::at(int n) {
+  constexpr std::size_t kMany = 32;
+  known_.resize(kMany, 0.0);
+  double& limit = known_[std::min(static_cast<std::size_t>(n), kMany) - 1];
+  if (limit == 0.0) limit = largest_omega_h(*scheme_, std::min(n, static_cast<int>(kMany)), kContactGain, given_);
+  return limit;
+}
+
+int OmegaHLimit::substeps(double omega_dt, int most, double share) {
+  if (!(omega_dt > 0.0)) return most;
+  int n = static_cast<int>(std::clamp(share * given_ / omega_dt, 1.0, static_cast<double>(most)));
+  while (n > 1 && omega_dt * n > share * at(n)) --n;
+  return n;
 }
 
 }  // namespace footfall

@@ -225,7 +225,8 @@ void FixWallGranBeam::touch_grains(Beam& beam) {
     const double stiffness = touch(beam, i, closest, history);
     if (!counts || closest.gap > 0.0) continue;
     const double overlap = -closest.gap / radius_[i];
-    body.count_contact(overlap, stiffness);
+    body.count_contact(overlap, stiffness, body.boundary().segment_point(closest.segment, closest.mu),
+                       {atom->rmass[i], radius_[i], vector(atom->v[i])});
     if (body.samples_slopes()) body.add_slope(closest.contact_point(), slope_);
     ++beam.contacts;
     beam.overlap = std::max(beam.overlap, overlap);

@@ -57,13 +57,14 @@ void ContactModule::add_particle_contribution(int ip, double* frc, double* delta
                vector3(atom->x[ip]);
   const Eigen::Vector3d m_W = *torque_before_ - vector3(atom->torque[ip]) - to_point.cross(f_W);
   if (!widths_.empty()) body_->count_patch(std::sqrt(2.0 * radius * overlap) / widths_[element]);
+  const footfall::TouchingGrain grain{atom->rmass[ip], radius, vector3(atom->v[ip])};
   if (contacts_.empty()) {
-    body_->add_contact(point, f_W, m_W, overlap / radius, 0.0);
+    body_->add_contact(point, f_W, m_W, overlap / radius, 0.0, grain);
     return;
   }
   const footfall::WallContact& contact = contacts_[static_cast<std::size_t>(atom->type[ip])];
   const double s = std::sqrt(radius * overlap);
-  body_->add_contact(point, f_W, m_W, overlap / radius, contact.stiffness(s));
+  body_->add_contact(point, f_W, m_W, overlap / radius, contact.stiffness(s), grain);
   if (body_->samples_slopes())
     body_->add_slope(point, (0.5 * overlap / distance) * d, contact.slope(d / distance, f_W, s, atom->rmass[ip]));
 }

@@ -15,12 +15,13 @@ constexpr int kSlopeSamples = 8;
 
 }  // namespace
 
-DemBody::DemBody(const CoupledBody& scene_body, const Scheme& scheme)
+DemBody::DemBody(const CoupledBody& scene_body, const Scheme& scheme, double gravity)
     : boundary_(scene_body.boundary),
       path_(scheme, scene_body.initial),
       average_(scheme, scene_body.boundary.mode_count()),
       now_(scene_body.boundary.mode_count()),
-      scheme_needs_slopes_(scheme.requires_tangent()) {
+      scheme_needs_slopes_(scheme.requires_tangent()),
+      gravity_(gravity) {
   share_.mean = MeanLoad(boundary_.mode_count());
   if (scheme_needs_slopes_) share_.tangent.resize(1);
   load_ = share_;
@@ -31,13 +32,15 @@ void DemBody::visit(Archive& archive) {
   archive("load", load_);
 }
 
-void DemBody::begin_window(const BodyMotion& start, int n, double dt, double inverse_mass) {
+void DemBody::begin_window(const BodyMotion& start, int n, double dt, double inverse_mass, int closing,
+                           const KnownPath& known) {
   inverse_mass_ = inverse_mass;
-  path_.begin_window(start, n, dt);
+  path_.begin_window(start, n, dt, closing, known);
   average_.begin_window(path_.jump(), path_.pose());
   stiffness_time_ = 0.0;
   time_ = 0.0;
   overlap_ = patch_over_facet_ = 0.0;
+  grain_energy_ = grain_mass_ = grain_omega2_ = 0.0;
   contact_time_ = 0.0;
   substep_ = 0;
   slope_stride_ = (n + kSlopeSamples - 1) / kSlopeSamples;
@@ -54,10 +57,10 @@ void DemBody::clear_contacts() {
 }
 
 void DemBody::add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W, const Eigen::Vector3d& m_W,
-                          double overlap_over_radius, double stiffness) {
+                          double overlap_over_radius, double stiffness, const TouchingGrain& grain) {
   boundary_.add_point_force(path_.pose(), point, f_W, now_);
   boundary_.add_point_moment(path_.pose(), point, m_W, now_);
-  count_contact(overlap_over_radius, stiffness);
+  count_contact(overlap_over_radius, stiffness, point, grain);
 }
 
 void DemBody::count_patch(double over_facet) { patch_over_facet_ = std::max(patch_over_facet_, over_facet); }
@@ -68,10 +71,18 @@ void DemBody::add_load(const GeneralizedForce& Q) {
   now_.Q_a += Q.Q_a;
 }
 
-void DemBody::count_contact(double overlap_over_radius, double stiffness) {
+void DemBody::count_contact(double overlap_over_radius, double stiffness, const BoundaryPoint& point,
+                            const TouchingGrain& grain) {
   overlap_ = std::max(overlap_, overlap_over_radius);
   stiffness_now_ += stiffness;
   ++contacts_now_;
+  if (grain.mass <= 0.0) return;
+  const double overlap = overlap_over_radius * grain.radius;
+  const double v2 = (grain.v_W - boundary_.velocity(path_.pose(), point)).squaredNorm();
+  const double energy = grain.mass * (0.5 * v2 + gravity_ * grain.radius) + 0.5 * stiffness * overlap * overlap;
+  grain_energy_ = std::max(grain_energy_, energy);
+  grain_mass_ = std::max(grain_mass_, grain.mass);
+  grain_omega2_ = std::max(grain_omega2_, stiffness / grain.mass);
 }
 
 void DemBody::add_slope(const BoundaryPoint& point, const Eigen::Vector3d& arm_W, const ContactSlope& slope) {
@@ -104,6 +115,9 @@ void DemBody::append_share(std::vector<double>& row) {
   share_.contact_stiffness = stiffness_time_ / time_;
   share_.max_overlap_over_radius = overlap_;
   share_.max_patch_over_facet = patch_over_facet_;
+  share_.grain_energy = grain_energy_;
+  share_.grain_mass = grain_mass_;
+  share_.grain_omega2 = grain_omega2_;
   const double per_sample = 1.0 / std::max(1, slope_samples_);
   for (ContactTangent& tangent : share_.tangent) {
     tangent.K = per_sample * slopes_sum_.K;
@@ -113,6 +127,8 @@ void DemBody::append_share(std::vector<double>& row) {
 }
 
 double DemBody::work_between(const BodyMotion& from, const BodyMotion& to) const {
+  // On a known path the body received what the grains gave.
+  if (path_.is_known() && from.mode_count() == 0) return load_.mean.work;
   // T_B turns with the body: its work is T_B . theta_B, where theta has the same components in B at both ends.
   const Eigen::Vector3d theta_B = from.rotation().transpose() * rotation_vector(from.L, to.L);
   return load_.mean.F_W.dot(to.r - from.r) + load_.mean.T_B.dot(theta_B) + load_.mean.Q_a.dot(to.a - from.a);

@@ -13,19 +13,28 @@
 
 namespace footfall {
 
+// A grain that touches a body.
+struct TouchingGrain {
+  double mass = 0.0;                              // [kg]; 0: unknown
+  double radius = 0.0;                            // [m]
+  Eigen::Vector3d v_W = Eigen::Vector3d::Zero();  // of its centre [m/s]
+};
+
 // A window: begin_window; per substep advance, clear_contacts, add_contact for every contact of this rank, end_substep;
 // then append_share, a gather over the ranks, clear_load and add_share for every rank.
 class DemBody {
  public:
-  // Both must outlive the body.
-  DemBody(const CoupledBody& scene_body, const Scheme& scheme);
+  // Both must outlive the body. gravity: on the grains [m/s2].
+  DemBody(const CoupledBody& scene_body, const Scheme& scheme, double gravity = 0.0);
 
   const ModalBoundary& boundary() const { return boundary_; }
   const BoundaryPath& path() const { return path_; }
   const BodyMotion& pose() const { return path_.pose(); }
 
   // inverse_mass [1/kg]: 1/m of the mass that contacts act on; 0: unknown, fixed or driven.
-  void begin_window(const BodyMotion& start, int n, double dt, double inverse_mass = 0.0);
+  // closing, known: of BoundaryPath::begin_window.
+  void begin_window(const BodyMotion& start, int n, double dt, double inverse_mass = 0.0, int closing = 0,
+                    const KnownPath& known = KnownPath());
   double inverse_mass() const { return inverse_mass_; }
   void advance() { path_.advance(); }
 
@@ -34,13 +43,14 @@ class DemBody {
   // friction, and contacts at a distance from the point, as on the surface of a beam); overlap over grain radius [-];
   // normal stiffness [N/m] (0: unknown).
   void add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W, const Eigen::Vector3d& m_W,
-                   double overlap_over_radius, double stiffness);
+                   double overlap_over_radius, double stiffness, const TouchingGrain& grain = {});
   // Of a contact on a curved part of a mesh: patch radius sqrt(2 R overlap) over the width of the facet [-].
   void count_patch(double over_facet);
   // The same in two parts, where many contacts are projected together (beams): their generalized force ON the body, and
   // the values of each contact.
   void add_load(const GeneralizedForce& Q);
-  void count_contact(double overlap_over_radius, double stiffness);
+  void count_contact(double overlap_over_radius, double stiffness, const BoundaryPoint& point,
+                     const TouchingGrain& grain);
   // Does the scheme use contact slopes, and is this one of the substeps at which they are sampled? Then call add_slope
   // for every contact: at arm_W [m] from a boundary point (on a periodic mesh the position in W would be that of an
   // image), or at a point in W [m].
@@ -86,12 +96,14 @@ class DemBody {
   double inverse_mass_ = 0.0;    // [1/kg]
   bool scheme_needs_slopes_;
   bool samples_slopes_ = false;
-  int substep_ = 0, slope_stride_ = 1, slope_samples_ = 0;  // in the window
-  ContactTangent slopes_now_, slopes_sum_;                  // sum over contacts; sum over samples
-  double overlap_ = 0.0;                                    // largest in the window over radius [-]
-  double patch_over_facet_ = 0.0;                           // likewise [-]
-  BodyLoad share_;                                          // of this rank, in the last window
-  BodyLoad load_;                                           // of all ranks
+  int substep_ = 0, slope_stride_ = 1, slope_samples_ = 0;             // in the window
+  ContactTangent slopes_now_, slopes_sum_;                             // sum over contacts; sum over samples
+  double overlap_ = 0.0;                                               // largest in the window over radius [-]
+  double patch_over_facet_ = 0.0;                                      // likewise [-]
+  double gravity_;                                                     // [m/s2]
+  double grain_energy_ = 0.0, grain_mass_ = 0.0, grain_omega2_ = 0.0;  // of BodyLoad
+  BodyLoad share_;                                                     // of this rank, in the last window
+  BodyLoad load_;                                                      // of all ranks
 };
 
 }  // namespace footfall

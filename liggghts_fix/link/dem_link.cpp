@@ -93,7 +93,8 @@ void DemLink::start(Start script) {
   lost_here_ = 0.0;
   scheme_ = make_scheme(accept_.scheme);
   for (const std::string& name : coupled_.names())
-    bodies_.push_back(std::make_unique<DemBody>(coupled_.scene_body(name, kUnitStyle), *scheme_));
+    bodies_.push_back(std::make_unique<DemBody>(coupled_.scene_body(name, kUnitStyle), *scheme_,
+                                                (script_.gravity_known ? script_.gravity : accept_.gravity).norm()));
   load_.bodies.resize(bodies_.size());
   if (!resumed()) return;
   checkpoint_.restore(script_.step, [this](Archive& archive) { visit(archive); });
@@ -175,7 +176,9 @@ void DemLink::begin_window() {
       throw NumericalError(code::kMotionNotFinite, "the motion of body \"" + coupled_.names()[i] + "\" at t = " +
                                                        number(motion_.time) + " s is not finite (" + place + ")");
     if (windows_ > 0) work_received_ += bodies_[i]->work_between(at_last_start_[i], state);
-    bodies_[i]->begin_window(state, motion_.n, dt_, script_.requires_masses ? motion_.inverse_masses[i] : 0.0);
+    static const KnownPath unknown;
+    bodies_[i]->begin_window(state, motion_.n, dt_, script_.requires_masses ? motion_.inverse_masses[i] : 0.0,
+                             motion_.closing, motion_.paths.empty() ? unknown : motion_.paths[i]);
   }
   work_given_ += window_work_;
   window_work_ = 0.0;
@@ -194,6 +197,13 @@ void DemLink::require_expected(const Motion& motion) const {
                                                      " substeps with " + std::to_string(motion.bodies.size()) +
                                                      " bodies; expected at most " + std::to_string(n_) +
                                                      " substeps and " + std::to_string(bodies_.size()) + " bodies");
+  const auto fits = [&](const KnownPath& path) {
+    return path.cols() == 0 || (path.cols() == motion.n && path.allFinite());
+  };
+  if (!motion.paths.empty() &&
+      (motion.paths.size() != bodies_.size() || !std::all_of(motion.paths.begin(), motion.paths.end(), fits)))
+    throw ProtocolError(code::kMotionUnexpected,
+                        window + link_->partner() + " sent known paths that do not fit its bodies and substeps");
   const std::vector<double>& masses = motion.inverse_masses;
   if (script_.requires_masses &&
       (masses.size() != bodies_.size() ||

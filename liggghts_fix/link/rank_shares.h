@@ -17,8 +17,8 @@ enum class Combine { kSum, kLargest };
 // A new member of BodyLoad that is not listed here does not compile.
 template <class Load, class Visit>
 void visit_shares(Load& load, const Visit& visit) {
-  auto& [mean, contacts, mean_contacts, contact_stiffness, max_overlap_over_radius, max_patch_over_facet, tangent] =
-      load;
+  auto& [mean, contacts, mean_contacts, contact_stiffness, max_overlap_over_radius, max_patch_over_facet, grain_energy,
+         grain_mass, grain_omega2, tangent] = load;
   auto& [F_W, T_B, Q_a, work, jump_work, impulse_W] = mean;
   visit(F_W, Combine::kSum);
   visit(T_B, Combine::kSum);
@@ -31,6 +31,9 @@ void visit_shares(Load& load, const Visit& visit) {
   visit(contact_stiffness, Combine::kSum);
   visit(max_overlap_over_radius, Combine::kLargest);
   visit(max_patch_over_facet, Combine::kLargest);
+  visit(grain_energy, Combine::kLargest);
+  visit(grain_mass, Combine::kLargest);
+  visit(grain_omega2, Combine::kLargest);
   for (auto& [K, C] : tangent) {
     visit(K, Combine::kSum);
     visit(C, Combine::kSum);

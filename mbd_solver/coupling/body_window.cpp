@@ -27,9 +27,10 @@ PredictedWindow::PredictedWindow(const Scheme& scheme, const BodyMotion& initial
     : scheme_(scheme), walk_(scheme, initial) {
   path_.r_mean = path_.r_end = initial.r;
   path_.L_mean = path_.L_end = initial.L;
+  path_.a_end = initial.a;
 }
 
-void PredictedWindow::begin(const BodyMotion& start, int n, double dt) {
+void PredictedWindow::begin(const BodyMotion& start, int n, double dt, int closing, const KnownPath& known) {
   const StepWeights weights = scheme_.weights();
   Eigen::Vector3d r = Eigen::Vector3d::Zero(), theta = Eigen::Vector3d::Zero();  // from the start of the window
   Vector6d v = Vector6d::Zero();
@@ -42,7 +43,7 @@ void PredictedWindow::begin(const BodyMotion& start, int n, double dt) {
   };
   // The force that opens the window acts since the last DEM step of the window before.
   add(weights.opening);
-  walk_.begin_window(start, n, dt);
+  walk_.begin_window(start, n, dt, closing, known);
   for (int i = 1; i <= n; ++i) {
     walk_.advance();
     add(i < n ? 1.0 : weights.closing);
@@ -52,6 +53,8 @@ void PredictedWindow::begin(const BodyMotion& start, int n, double dt) {
   path_.v_mean = v / n;
   path_.r_end = walk_.pose().r;
   path_.L_end = walk_.pose().L;
+  path_.a_end = walk_.pose().a;
+  path_.left_open << walk_.left_open().r, walk_.left_open().theta_W;
 }
 
 BodyWindow::BodyWindow(const Scheme& scheme, const Body& body, const BodyMotion& initial, const BodyLoad& last)
@@ -79,14 +82,14 @@ Matrix6d BodyWindow::rigid_inertia() const {
   return M;
 }
 
-void BodyWindow::begin(int n, double dt, BodyMotion& motion) {
+void BodyWindow::begin(int n, double dt, BodyMotion& motion, int closing, const KnownPath& known) {
   start_ = motion;
   n_before_ = n_;
   n_ = n;
   length_ = n * dt;
   scheme_.set_path_rates(rigid_inertia(), load_, length_, motion);
   if (body_.mode_count() > 0) slow_down_fast_modes(start_, body_.modal()->stiffness, length_, motion);
-  predicted_.begin(motion, n, dt);
+  predicted_.begin(motion, n, dt, closing, known);
 }
 
 void BodyWindow::apply(const BodyLoad& load, ExternalLoad& applied) {
@@ -102,6 +105,14 @@ void BodyWindow::apply(const BodyLoad& load, ExternalLoad& applied) {
 double BodyWindow::pending_work(const BodyMotion& computed) const {
   const double ratio = n_before_ > 0 ? static_cast<double>(n_) / n_before_ : 0.0;
   return scheme_.pending_work({load_, before_, ratio}, predicted_.path(), computed);
+}
+
+// By the mean of this window and that of the window before, extrapolated to its end.
+double BodyWindow::pending_modal_work(const BodyMotion& computed) const {
+  if (computed.mode_count() == 0) return 0.0;
+  const double ratio = n_before_ > 0 ? static_cast<double>(n_) / n_before_ : 0.0, share = ratio / (1.0 + ratio);
+  const Eigen::VectorXd &Q = load_.mean.Q_a, &before = before_.Q_a;
+  return (Q + share * (Q - before)).dot(computed.a - predicted_.path().a_end);
 }
 
 std::optional<Eigen::Vector3d> BodyWindow::surplus_impulse(const BodyMotion& computed) const {

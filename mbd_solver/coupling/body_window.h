@@ -36,9 +36,11 @@ class PredictedWindow {
   // The scheme must outlive this. initial: position of the boundary until the first window.
   PredictedWindow(const Scheme& scheme, const BodyMotion& initial);
 
-  // A window of n DEM steps of dt [s] begins with the motion that is sent, `start`.
-  void begin(const BodyMotion& start, int n, double dt);
+  // A window of n DEM steps of dt [s] begins with the motion that is sent, `start`. closing, known: of
+  // BoundaryPath::begin_window.
+  void begin(const BodyMotion& start, int n, double dt, int closing = 0, const KnownPath& known = KnownPath());
   const PredictedPath& path() const { return path_; }
+  bool is_known() const { return walk_.is_known(); }
   void visit(Archive& archive) { walk_.visit(archive); }  // between two windows
 
  private:
@@ -58,13 +60,19 @@ class BodyWindow {
   BodyWindow(const Scheme& scheme, const Body& body, const BodyMotion& initial, const BodyLoad& last = BodyLoad());
 
   // A window of n DEM steps of dt [s] begins at the state `motion`; its rates become those of the path that is sent to
-  // the grains: of the scheme, then of fast modes.
-  void begin(int n, double dt, BodyMotion& motion);
+  // the grains: of the scheme, then of fast modes. closing, known: of BoundaryPath::begin_window.
+  void begin(int n, double dt, BodyMotion& motion, int closing = 0, const KnownPath& known = KnownPath());
   // The grains' load of this window arrived: `applied` becomes the load on the body.
   void apply(const BodyLoad& load, ExternalLoad& applied);
 
+  // The work received [J] is that of the grains, because the motion was known to them: no work is left over.
+  bool is_known() const { return predicted_.is_known() && body_.mode_count() == 0; }
+  double work() const { return load_.mean.work; }  // of the grains on the boundary [J]
+
   // Work [J] that the contacts have not done yet, from the predicted end of the boundary to the computed motion.
   double pending_work(const BodyMotion& computed) const;
+  // The same of the modes, from the predicted to the computed modal coordinates.
+  double pending_modal_work(const BodyMotion& computed) const;
   // Impulse [N s] beyond that of the grains; none when the load does not react within the window.
   std::optional<Eigen::Vector3d> surplus_impulse(const BodyMotion& computed) const;
 

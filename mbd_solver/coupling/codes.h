@@ -44,5 +44,8 @@ inline constexpr MessageCode kStartsInBed{"W0656", "starts-in-bed"};
 inline constexpr MessageCode kFacetsTooSmall{"W0657", "facets-too-small"};
 // The script has no gravity, the scene has. Add `fix gravity` to the script, or write `gravity script`.
 inline constexpr MessageCode kGrainsWithoutGravity{"W0658", "grains-without-gravity"};
+// Within a coupling interval the force changes too much: its peaks are averaged, or the mechanism leaves its predicted path.
+// Use the coupling interval in the message.
+inline constexpr MessageCode kForceNotResolved{"W0659", "force-not-resolved"};
 
 }  // namespace footfall::code

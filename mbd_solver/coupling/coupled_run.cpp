@@ -20,7 +20,8 @@ namespace {
 
 // The mass that contacts meet changes slowly with the attitude of the mechanism; computed in every window it would cost
 // run time.
-constexpr int kMassInterval = 10;  // windows
+constexpr int kMassInterval = 10;   // windows
+constexpr double kSameTime = 1e-6;  // of a DEM step: round-off of a time
 
 // A number that the scene passes to the script; 0: none.
 double script_variable(const Scene& scene, const std::string& name) {
@@ -69,8 +70,8 @@ inline constexpr auto kFields<CouplingSample> =
     std::tuple{Field{"substeps", &CouplingSample::substeps}, Field{"estimate", &CouplingSample::estimate},
                Field{"energy_residual", &CouplingSample::energy_residual}, Field{"omega_h", &CouplingSample::omega_h}};
 
-CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations& equations, const Kinematics& start,
-                       double t_end, Transport& transport, const std::string& resume)
+CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, const Assembly& assembly, Equations& equations,
+                       const Kinematics& start, double t_end, Transport& transport, const std::string& resume)
     : mechanism_(mechanism),
       equations_(equations),
       t_end_(t_end),
@@ -98,15 +99,23 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations
     masses.push_back(body.mass());
     weight = std::min(weight, body.mass() * scene.gravity.norm());
   }
+  std::vector<int> bodies;
+  for (const Coupled& body : bodies_) bodies.push_back(body.entry.body);
+  known_motion_ = std::make_unique<KnownMotion>(mechanism.model, assembly, assembly.state, std::move(bodies));
   watched_.resize(bodies_.size());
-  watch_ = std::make_unique<CouplingWatch>(names, scene.coupling);
+  const bool box = scene.particles->box.has_value();
+  const auto setting = chooses_windows()
+                           ? (box ? CouplingWatch::Setting::kBoxAuto : CouplingWatch::Setting::kScriptAuto)
+                           : (box ? CouplingWatch::Setting::kBox : CouplingWatch::Setting::kScript);
+  watch_ = std::make_unique<CouplingWatch>(names, scene.coupling, *scheme_, setting);
   for (const std::string& warning : partner_.warnings()) watch_->warn(warning);
   sample_.omega_h = watch_->omega_h();
-  if (agreement_.substeps > 0) return;
-  choice_ = std::make_unique<WindowChoice>(scene.coupling, agreement_.dt, weight);
+  choice_ = std::make_unique<WindowChoice>(scene.coupling, agreement_.dt, weight,
+                                           OmegaHLimit(*scheme_, scene.coupling.warn_omega_h));
   choice_bodies_.resize(bodies_.size());
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     choice_bodies_[k].mass = masses[k];
+    if (!chooses_windows()) continue;
     choice_bodies_[k].flight =
         flight_time(bodies_[k].end, bodies_[k].entry.boundary, mechanism.placement, up_, bodies_[k].site);
   }
@@ -116,6 +125,7 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations
 void CoupledRun::visit(Archive& archive) {
   archive("window", motion_.window);
   archive("n", motion_.n);
+  archive("restarts", restarts_);
   for (Coupled& body : bodies_) {
     archive(body.entry.boundary.name().c_str(), body.window);
     archive("contact_mass", body.contact_mass);
@@ -123,7 +133,7 @@ void CoupledRun::visit(Archive& archive) {
   }
   archive("partner", partner_);
   archive("watch", *watch_);
-  if (choice_) archive("choice", *choice_);
+  archive("choice", *choice_);
   archive("sample", sample_);
   archive("dem_seconds", dem_seconds_);
   archive("waited_seconds", waited_seconds_);
@@ -131,24 +141,31 @@ void CoupledRun::visit(Archive& archive) {
   archive("overlapped_seconds", overlapped_seconds_);
 }
 
-double CoupledRun::exchange(const State& state, const Kinematics& kinematics,
+double CoupledRun::exchange(const State& state, const Kinematics& kinematics, double stop,
                             const std::function<CheckpointRequest(double t_end)>& checkpoint_at,
                             const std::function<void()>& meanwhile, Inputs& inputs) {
   const double dt = agreement_.dt;
   const double left = std::round((t_end_ - state.time) / dt);  // DEM steps, possibly more than an integer holds
   motion_.time = state.time;
-  const int wanted = choice_ ? choice_->substeps() : agreement_.substeps;
-  const int most = scheme_->substeps(wanted, motion_.window);
-  motion_.n = left < most ? std::max(1, static_cast<int>(left)) : most;
+  const int wanted = !chooses_windows() ? agreement_.substeps : restarts_ ? 1 : choice_->substeps();
+  restarts_ = false;
+  const int most = scheme_->substeps(wanted, motion_.window), before = motion_.n;
+  const double until = std::min(left, std::ceil((stop - state.time) / dt - kSameTime));
+  motion_.n = until < most ? std::max(1, static_cast<int>(until)) : most;
   motion_.last_window = left <= motion_.n;
+  // In the last window the boundary comes to the prediction: work that is pending then will never be done.
+  motion_.closing = motion_.last_window ? motion_.n : std::max(motion_.n, before);
   const double t_end = motion_.last_window ? t_end_ : state.time + motion_.n * dt;
   const CheckpointRequest request = motion_.last_window ? CheckpointRequest{} : checkpoint_at(t_end);
   motion_.checkpoint = request.folder;
   motion_.undisturbed = request.undisturbed;
   work_before_ = state.load_work;
+  motion_.paths = known_motion_->paths(state, motion_.n, dt);
+  const KnownPath unknown;
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     fill_motion(kinematics.of(bodies_[k].entry.body), motion_.bodies[k]);
-    bodies_[k].window.begin(motion_.n, dt, motion_.bodies[k]);
+    bodies_[k].window.begin(motion_.n, dt, motion_.bodies[k], motion_.closing,
+                            motion_.paths.empty() ? unknown : motion_.paths[k]);
   }
   if (partner_.requires_masses()) {
     motion_.inverse_masses.clear();
@@ -187,12 +204,22 @@ void CoupledRun::prepare_masses(const State& state) {
       return equations_.saddle().factor_at(state);
 }
 
+void CoupledRun::settle_work(State& state) const {
+  for (const Coupled& body : bodies_) {
+    if (!body.window.is_known()) continue;
+    const int i = body.entry.body;
+    const double missing = body.window.work() - (state.load_work(i) - work_before_(i));
+    state.load_work(i) += missing;
+    state.supplied[Supply::kMotion] -= missing;
+  }
+}
+
 void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {
   for (Coupled& body : bodies_) fill_motion(kinematics.of(body.entry.body), body.end);
+  choose_window();
   observe(state);
-  if (choice_) choose_window();
   sample_.substeps = motion_.n;
-  sample_.estimate = choice_ ? choice_->estimate() : 0.0;
+  sample_.estimate = choice_->estimate();
   sample_.energy_residual = watch_->energy_residual();
   sample_.omega_h = watch_->omega_h();
   ++motion_.window;
@@ -201,24 +228,28 @@ void CoupledRun::end_window(const State& state, const Kinematics& kinematics) {
 // end_window has counted the window already.
 bool CoupledRun::wait_for_checkpoint() { return partner_.wait_for_checkpoint(motion_.window - 1); }
 
-// n of the next window, and the omega H up to which it needs no warning.
+// The force error of this window, and n of the next one.
 void CoupledRun::choose_window() {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const Coupled& body = bodies_[k];
     const BodyLoad& load = partner_.load().bodies[k];
-    // Before its first contact only the grains below it count.
-    const LandingSite* site = watch_->largest_omega_h(k) == 0.0 ? body.site : nullptr;
-    const Vector6d gap = body.window.path().gap(body.end);
+    // Without carried gaps, which say nothing of this window.
+    const Vector6d gap = body.window.path().gap(body.end) + body.window.path().left_open;
     WindowChoice::Body& measured = choice_bodies_[k];
-    measured.flight = flight_time(body.end, body.entry.boundary, mechanism_.placement, up_, site);
+    if (chooses_windows()) {
+      // Before its first contact only the grains below it count.
+      const LandingSite* site = watch_->largest_omega_h(k) == 0.0 ? body.site : nullptr;
+      measured.flight = flight_time(body.end, body.entry.boundary, mechanism_.placement, up_, site);
+    }
     measured.mass = watched_[k].mass;
     measured.stiffness = load.contact_stiffness;
     measured.force = load.mean.F_W;
     measured.place = body.window.path().r_mean;
     measured.gap = gap.head<3>().norm() + gap.tail<3>().norm() * body.reach;
+    measured.grain_omega2 = load.grain_omega2;
   }
   choice_->observe(motion_.n, choice_bodies_);
-  for (std::size_t k = 0; k < bodies_.size(); ++k) watch_->allow_omega_h(k, choice_->allowed_omega_h(k));
+  for (std::size_t k = 0; k < bodies_.size(); ++k) watched_[k].force_error = choice_->force_error(k);
 }
 
 void CoupledRun::receive(const Load& load, Inputs& inputs) {
@@ -228,7 +259,7 @@ void CoupledRun::receive(const Load& load, Inputs& inputs) {
       throw NumericalError(code::kGrainLoadNotFinite,
                            "t = " + std::to_string(motion_.time) + " s: the load of the grains on body " +
                                watch_->name(k) + " is not finite (" + place +
-                               "): the bed has become unstable; use a smaller timestep in the script");
+                               "): the bed has become unstable; use a smaller time step of the grains");
     body.window.apply(load.bodies[k], inputs.loads[static_cast<std::size_t>(body.entry.body)]);
   }
 }
@@ -238,6 +269,7 @@ void CoupledRun::observe(const State& state) {
     const Coupled& body = bodies_[k];
     watched_[k].work_received = state.load_work(body.entry.body) - work_before_(body.entry.body);
     watched_[k].pending = body.window.pending_work(body.end);
+    watched_[k].pending_modes = body.window.pending_modal_work(body.end);
     watched_[k].gravity = body.body.mass() * gravity_.dot(body.end.r - motion_.bodies[k].r);
     watched_[k].kinetic = 0.5 * body.body.mass() * body.end.dr.squaredNorm();
     if (const std::optional<Eigen::Vector3d> surplus = body.window.surplus_impulse(body.end))

@@ -19,6 +19,7 @@
 #include "mbd_solver/coupling/coupling_sample.h"
 #include "mbd_solver/coupling/coupling_watch.h"
 #include "mbd_solver/coupling/dem_partner.h"
+#include "mbd_solver/coupling/known_motion.h"
 #include "mbd_solver/coupling/window_choice.h"
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/model/state.h"
@@ -33,20 +34,26 @@ struct CheckpointRequest {
 
 class CoupledRun {
  public:
-  // Performs the handshake with LIGGGHTS. start: of the mechanism. mechanism, equations and transport must outlive this.
-  // resume: folder of the checkpoint from which both sides resume; visit() then follows. Throws ProtocolError,
-  // PartnerError.
-  CoupledRun(const Scene& scene, const Mechanism& mechanism, Equations& equations, const Kinematics& start,
-             double t_end, Transport& transport, const std::string& resume = "");
+  // Performs the handshake with LIGGGHTS. start: of the mechanism. mechanism, assembly, equations and transport must
+  // outlive this. resume: folder of the checkpoint from which both sides resume; visit() then follows. Throws
+  // ProtocolError, PartnerError.
+  CoupledRun(const Scene& scene, const Mechanism& mechanism, const Assembly& assembly, Equations& equations,
+             const Kinematics& start, double t_end, Transport& transport, const std::string& resume = "");
 
   // Sends the motion, waits for the load, writes it into inputs.loads (one per body of the model, sized by the caller).
   // meanwhile: called after sending, before waiting for the load; it must not change inputs.loads.
-  // kinematics: with accelerations. checkpoint_at: the checkpoint that is required at the window's end [s].
-  // Returns the window's end [s]; the present time when the script has ended, as it may: script_has_ended(). Throws
+  // kinematics: with accelerations. stop: a known time at which something changes abruptly, where the window must end if
+  // it comes so far [s]. checkpoint_at: the checkpoint that is required at the window's end [s]. Returns the window's end [s]; the present time when the script has ended, as it may: script_has_ended(). Throws
   // NumericalError for a load that is not finite, PartnerError.
-  double exchange(const State& state, const Kinematics& kinematics,
+  double exchange(const State& state, const Kinematics& kinematics, double stop,
                   const std::function<CheckpointRequest(double t_end)>& checkpoint_at,
                   const std::function<void()>& meanwhile, Inputs& inputs);
+  // Something has changed abruptly at the start of the next window: chosen windows begin with the shortest.
+  void restart() { restarts_ = true; }
+  bool chooses_windows() const { return agreement_.substeps == 0; }
+  // The mechanism has reached the window's end in `state`. A body whose motion was known to the grains has received their
+  // work on its path; its prescribed motions have supplied the difference from that of the mean load.
+  void settle_work(State& state) const;
   // The mechanism has reached the window's end. Throws NumericalError when the coupling creates energy or chatters
   // (CouplingWatch).
   void end_window(const State& state, const Kinematics& kinematics);
@@ -92,7 +99,7 @@ class CoupledRun {
   };
 
   void prepare_masses(const State& state);
-  void choose_window();  // n of the next window, after one
+  void choose_window();  // after a window: its force error, and n of the next one
   void receive(const Load& load, Inputs& inputs);
   void observe(const State& state);  // a window that has ended
 
@@ -104,12 +111,14 @@ class CoupledRun {
   std::unique_ptr<Scheme> scheme_;
   DemPartner partner_;
   Agreement agreement_;
+  std::unique_ptr<KnownMotion> known_motion_;
   // State from window to window:
   std::vector<Coupled> bodies_;  // in the order of Motion and Load
   Motion motion_;                // of this window, as sent
   std::unique_ptr<CouplingWatch> watch_;
-  std::unique_ptr<WindowChoice> choice_;  // null when the script fixes n
+  std::unique_ptr<WindowChoice> choice_;  // estimates errors; chooses n unless the script fixes it
   std::vector<WindowChoice::Body> choice_bodies_;
+  bool restarts_ = false;  // the next window
   CouplingSample sample_;
   Eigen::VectorXd work_before_;               // State::load_work at the window's start [J]
   std::vector<CouplingWatch::Body> watched_;  // of the window, per coupled body

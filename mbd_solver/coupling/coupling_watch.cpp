@@ -20,6 +20,10 @@ constexpr int kSurplusWindows = 10;     // bodies times windows
 constexpr double kUnresolved = 0.1;     // of the impulse on a body
 constexpr double kWindowsPerTouch = 10.0;
 constexpr double kFloor = 1e-3;             // of the energy that a window's impulse can give
+constexpr double kMuchLarger = 1.25;        // than what has been reported
+constexpr double kForceError = 0.05;        // of the largest force on a body
+constexpr double kOfPeaks = 0.35;           // of the window that hides a peak: shows it
+constexpr double kForceThatMatters = 0.1;   // of the largest force on any body
 constexpr double kWarnGain = 0.2;           // of the gain that ends the run
 constexpr double kChatterForceShare = 0.2;  // of the largest force of the run: smaller ones may alternate
 
@@ -27,19 +31,39 @@ std::string number(double x) { return number_text(x, 3); }
 std::string percent(double x) { return number(100.0 * x) + " %"; }
 std::string at(double time) { return "t = " + number(time) + " s: "; }
 
-std::string shorter_interval(int n) {
-  return n > 1 ? "use a shorter coupling interval (every " + std::to_string(n / 2) + ")"
-               : "use a smaller timestep in the script: the coupling interval is a single DEM step already";
-}
+std::string steps(int n) { return std::to_string(n) + (n == 1 ? " DEM step" : " DEM steps"); }
 
 }  // namespace
 
-CouplingWatch::CouplingWatch(const std::vector<std::string>& names, const CouplingSpec& limits)
-    : limits_(limits), records_(names.size()) {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    records_[i].name = names[i];
-    records_[i].warn_omega_h = limits.warn_omega_h;
+CouplingWatch::CouplingWatch(const std::vector<std::string>& names, const CouplingSpec& limits, const Scheme& scheme,
+                             Setting setting)
+    : limits_(limits), omega_h_limit_(scheme, limits.warn_omega_h), setting_(setting), records_(names.size()) {
+  for (std::size_t i = 0; i < names.size(); ++i) records_[i].name = names[i];
+}
+
+std::string CouplingWatch::window_text(int n) const {
+  const std::string number = std::to_string(n);
+  switch (setting_) {
+    case Setting::kScript: return "`every " + number + "`";
+    case Setting::kBox: return "particles.box.every = " + number;
+    case Setting::kScriptAuto:
+    case Setting::kBoxAuto: return "coupling.max_substeps = " + number;
   }
+  return {};
+}
+
+std::string CouplingWatch::shorter(double share, const Window& window) {
+  const bool box = setting_ == Setting::kBox || setting_ == Setting::kBoxAuto;
+  const double n = share * n_longest_;
+  if (n_longest_ > 1) {
+    advised_ = std::min(advised_, std::max(1, static_cast<int>(n)));
+    const std::string text = "use " + window_text(advised_);
+    if (n >= 1.0) return advised_ > 1 ? text + " or less" : text;
+    return text + (box ? ", and a smaller particles.box.time_step" : ", and a smaller timestep in the script");
+  }
+  return std::string(box ? "use a smaller particles.box.time_step" : "use a smaller timestep in the script") + " (" +
+         number_text(share * window.H / window.n, 2) +
+         " s or less): the coupling interval is a single DEM step already";
 }
 
 void CouplingWatch::Touch::visit(Archive& archive) {
@@ -55,12 +79,13 @@ void CouplingWatch::Work::visit(Archive& archive) {
   archive("smallest", smallest);
   archive("kinetic", kinetic);
   archive("surplus", surplus);
+  archive("grain", grain);
 }
 
 void CouplingWatch::Record::visit(Archive& archive) {
   archive("omega_h", omega_h);
   archive("largest_omega_h", largest_omega_h);
-  archive("warn_omega_h", warn_omega_h);
+  archive("most_excess", most_excess);
   archive("warned_of_omega_h", warned_of_omega_h);
   archive("work", work);
   archive("touch", touch);
@@ -72,6 +97,13 @@ void CouplingWatch::Record::visit(Archive& archive) {
   archive("given", given);
   archive("force", force);
   archive("change", change);
+  archive("rise", rise);
+  archive("largest_force", largest_force);
+  archive("smoothed", smoothed);
+  archive("smoothed_n", smoothed_n);
+  archive("error", error);
+  archive("error_before", error_before);
+  archive("error_n", error_n);
   archive("alternations", alternations);
 }
 
@@ -87,6 +119,14 @@ void CouplingWatch::visit(Archive& archive) {
   archive("warned_of_overlap", warned_of_overlap_);
   archive("warned_of_facets", warned_of_facets_);
   archive("warned_of_surplus", warned_of_surplus_);
+  archive("gain_before", gain_before_);
+  archive("deepest_time", deepest_time_);
+  archive("told_overlap", told_overlap_);
+  archive("deepest", deepest_);
+  archive("n_before", n_before_);
+  archive("n_longest", n_longest_);
+  archive("H_before", H_before_);
+  archive("advised", advised_);
   archive("largest_overlap", largest_overlap_);
   archive("largest_patch", largest_patch_);
   archive("largest_force", largest_force_);
@@ -102,32 +142,38 @@ std::vector<double> CouplingWatch::omega_h() const {
 }
 
 void CouplingWatch::observe(const Window& window, const Load& load, const std::vector<Body>& bodies) {
+  n_longest_ = std::max(window.n, n_before_);
   for (std::size_t i = 0; i < records_.size(); ++i) {
     const BodyLoad& body = load.bodies[i];
-    largest_overlap_ = std::max(largest_overlap_, body.max_overlap_over_radius);
-    largest_patch_ = std::max(largest_patch_, body.max_patch_over_facet);
-    largest_force_ = std::max(largest_force_, body.mean.F_W.norm());
+    records_[i].largest_force = std::max(records_[i].largest_force, body.mean.F_W.norm());
+    largest_force_ = std::max(largest_force_, records_[i].largest_force);
     watch_omega_h(records_[i], window, body.contact_stiffness, bodies[i].mass);
-    if (std::isinf(bodies[i].mass)) continue;
-    watch_chatter(records_[i], body.mean.F_W, window.time, window.n);
-    watch_touch(records_[i], window, body);
+    watch_chatter(records_[i], body.mean.F_W, window, !std::isinf(bodies[i].mass));
+    if (!std::isinf(bodies[i].mass)) watch_touch(records_[i], window, body);
   }
-  watch_grains(window.time);
+  for (std::size_t i = 0; i < records_.size(); ++i) watch_peaks(records_[i], window, bodies[i].force_error);
+  watch_grains(window, load);
   watch_energy(window, load, bodies);
+  n_before_ = window.n;
+  H_before_ = window.H;
 }
 
-// A body on contacts of stiffness K: omega = sqrt(K / m).
+// A body on contacts of stiffness K: omega = sqrt(K / m). Reported when it first exceeds its limit, and at the end if it
+// became much larger.
 void CouplingWatch::watch_omega_h(Record& record, const Window& window, double stiffness, double mass) {
   record.omega_h = std::sqrt(std::max(0.0, stiffness) / mass) * window.H;
+  const double limit = omega_h_limit_.at(window.n), excess = record.omega_h / limit;
   record.largest_omega_h = std::max(record.largest_omega_h, record.omega_h);
-  if (record.warned_of_omega_h || record.omega_h <= record.warn_omega_h) return;
+  const bool much_larger = record.warned_of_omega_h && window.last && record.most_excess > kMuchLarger;
+  record.most_excess = std::max(record.most_excess, excess);
+  if (!much_larger && (record.warned_of_omega_h || excess <= 1.0)) return;
   record.warned_of_omega_h = true;
-  const int safe = std::max(1, static_cast<int>(std::floor(window.n * record.warn_omega_h / record.omega_h)));
+  const double worst = much_larger ? record.largest_omega_h : record.omega_h;
   warn(with_code(code::kIntervalTooLong,
-                 at(window.time) + "body " + record.name + " has omega H = " + number(record.omega_h) + " above " +
-                     number(record.warn_omega_h) + ": a coupling interval of " + std::to_string(window.n) +
-                     (window.n == 1 ? " DEM step" : " DEM steps") +
-                     " is too long for this contact stiffness; use `every " + std::to_string(safe) + "` or less"));
+                 (much_larger ? "t = 0 to " + number(window.time) + " s: " : at(window.time)) + "body " + record.name +
+                     " has omega H = " + number(worst) + (much_larger ? " at most" : "") + ", above " + number(limit) +
+                     ": a coupling interval of " + steps(window.n) + " is too long for this contact stiffness; " +
+                     shorter(1.0 / std::max(record.most_excess, excess), window)));
 }
 
 void CouplingWatch::watch_energy(const Window& window, const Load& load, const std::vector<Body>& bodies) {
@@ -139,50 +185,58 @@ void CouplingWatch::watch_energy(const Window& window, const Load& load, const s
     residual_ += bodies[i].pending;
     Work& work = records_[i].work;
     if (!std::isinf(bodies[i].mass)) {
+      const BodyLoad& grains = load.bodies[i];
+      work.grain = std::max(work.grain, grains.grain_energy * bodies[i].mass / (bodies[i].mass + grains.grain_mass));
       work.sum += bodies[i].work_received + bodies[i].gravity;
       work.kinetic = std::max(work.kinetic, bodies[i].kinetic);
       work.largest = std::max(work.largest, work.sum);
       work.smallest = std::min(work.smallest, work.sum);
       work.surplus += mean.work - bodies[i].work_received;
-      pending += bodies[i].pending;
+      pending += bodies[i].pending + bodies[i].pending_modes;
       const double J = mean.F_W.norm() * window.H;
       kick += J * J / (2.0 * bodies[i].mass);
     }
     surplus += work.surplus;
-    moved += std::max(work.largest - work.smallest, work.kinetic);
+    moved += std::max(work.largest - work.smallest, work.kinetic) + work.grain;
   }
   residual_ += sum_;
   largest_residual_ = std::max(largest_residual_, std::abs(residual_));
   largest_kick_ = std::max(largest_kick_, kick);
   const double scale = moved + kFloor * largest_kick_;
-  const double gain = -(surplus + pending);
+  const double now = -(surplus + pending);
+  // What stands for two windows: of both the value nearer to zero.
+  const double gain = now * gain_before_ <= 0.0 ? 0.0 : std::abs(now) < std::abs(gain_before_) ? now : gain_before_;
+  gain_before_ = now;
+  // Errors of energy are of second order or more in H.
+  const double share = std::clamp(
+      std::sqrt(kWarnGain * limits_.max_energy_residual * scale / std::max(std::abs(gain), 1e-300)), 0.1, 0.5);
   const auto energy = [&](double E) {
     return number(E) + " J of spurious energy, " + percent(E / scale) + " of the energy exchanged in contacts";
   };
   if (!warned_of_gain_ && gain > kWarnGain * limits_.max_energy_residual * scale) {
     warned_of_gain_ = true;
     warn(with_code(code::kCouplingCreates,
-                   at(window.time) + "the coupling added " + energy(gain) + ": " + shorter_interval(window.n)));
+                   at(window.time) + "the coupling added " + energy(gain) + ": " + shorter(share, window)));
   }
   if (!warned_of_loss_ && -gain > limits_.max_energy_residual * scale) {
     warned_of_loss_ = true;
-    warn(with_code(code::kCouplingDissipates,
-                   at(window.time) + "the coupling dissipated " + number(-gain) + " J, " + percent(-gain / scale) +
-                       " of the energy exchanged in contacts: " + shorter_interval(window.n)));
+    warn(with_code(code::kCouplingDissipates, at(window.time) + "the coupling dissipated " + number(-gain) + " J, " +
+                                                  percent(-gain / scale) +
+                                                  " of the energy exchanged in contacts: " + shorter(share, window)));
   }
   if (!limits_.stop_on_energy_gain) return;
-  const std::string advice = shorter_interval(window.n) + ", or set coupling.stop_on_energy_gain = false";
+  const auto advice = [&] { return shorter(share, window) + ", or set coupling.stop_on_energy_gain = false"; };
   // The bodies have received more than the grains have given: spurious energy.
   if (gain > limits_.max_energy_residual * scale)
     throw NumericalError(code::kEnergyCreated, at(window.time) + "the coupling added " + energy(gain) + " (limit " +
-                                                   percent(limits_.max_energy_residual) + "): " + advice);
+                                                   percent(limits_.max_energy_residual) + "): " + advice());
   // After the last window pending work is never done. A window of omega H that ends in full contact leaves (omega H)^2
   // of it.
   const double allowed = limits_.max_energy_residual + limits_.warn_omega_h * limits_.warn_omega_h;
   if (window.last && -surplus > allowed * scale)
     throw NumericalError(code::kEnergyUnbalanced,
                          at(window.time) + "in the last coupling interval the mechanism received " + energy(-surplus) +
-                             ", work that the grains have not done: " + advice);
+                             ", work that the grains have not done: " + advice());
 }
 
 // A touch that begins and ends within a window gives a mean force of the right impulse, but the grains met a body that
@@ -205,13 +259,12 @@ void CouplingWatch::watch_touch(Record& record, const Window& window, const Body
   }
   record.touches = load.contacts > 0;
   if (!window.last || record.unresolved <= kUnresolved * record.impulse) return;
-  const int safe = std::max(1, static_cast<int>(record.shortest / kWindowsPerTouch * window.n / window.H));
   warn(with_code(code::kContactNotResolved,
                  "body " + record.name + ": " + percent(record.unresolved / record.impulse) +
                      " of its contact impulse came from contacts that began and ended within one coupling interval "
                      "(the shortest lasted " +
-                     number(record.shortest) + " s): its rebound is not resolved; use `every " + std::to_string(safe) +
-                     "` or less"));
+                     number(record.shortest) + " s): its rebound is not resolved; " +
+                     shorter(record.shortest / (kWindowsPerTouch * window.H) * window.n / n_longest_, window)));
 }
 
 void CouplingWatch::add_surplus_impulse(std::size_t i, double time, const Eigen::Vector3d& surplus, double given) {
@@ -232,15 +285,27 @@ void CouplingWatch::add_surplus_impulse(std::size_t i, double time, const Eigen:
                      "interval"));
 }
 
-void CouplingWatch::watch_grains(double time) {
+// The first overlap above the limit, and at the end the largest, where it is much larger.
+void CouplingWatch::watch_grains(const Window& window, const Load& load) {
   const bool first_window = !began_;
   began_ = true;
-  if (!warned_of_overlap_ && largest_overlap_ > kLargeOverlap) {
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    largest_patch_ = std::max(largest_patch_, load.bodies[i].max_patch_over_facet);
+    if (load.bodies[i].max_overlap_over_radius <= largest_overlap_) continue;
+    largest_overlap_ = load.bodies[i].max_overlap_over_radius;
+    deepest_time_ = window.time;
+    deepest_ = static_cast<int>(i);
+  }
+  const bool larger = warned_of_overlap_ && window.last && largest_overlap_ > kMuchLarger * told_overlap_;
+  if (larger || (!warned_of_overlap_ && largest_overlap_ > kLargeOverlap)) {
     warned_of_overlap_ = true;
-    const std::string overlap = at(time) + "grain overlap " + percent(largest_overlap_) + " of radius";
+    told_overlap_ = largest_overlap_;
+    const std::string overlap = at(deepest_time_) + (larger ? "largest grain overlap of the run " : "grain overlap ") +
+                                percent(largest_overlap_) + " of radius, on body " +
+                                records_[static_cast<std::size_t>(deepest_)].name;
     if (first_window && largest_overlap_ > kInside) {
       warn(with_code(code::kStartsInBed, overlap +
-                                             " in the first coupling interval: a body overlaps the bed at the start; "
+                                             ", in the first coupling interval: a body overlaps the bed at the start; "
                                              "raise it (initial.clearance, positions of bodies, [initial.joints])"));
     } else {
       warn(with_code(code::kLargeOverlap,
@@ -252,7 +317,7 @@ void CouplingWatch::watch_grains(double time) {
   if (!warned_of_facets_ && largest_patch_ > 1.0) {
     warned_of_facets_ = true;
     warn(with_code(code::kFacetsTooSmall,
-                   at(time) + "the contact patch of a grain has " + number(largest_patch_) +
+                   at(window.time) + "the contact patch of a grain has " + number(largest_patch_) +
                        " times the width of its facet, and with `surface facets` its contacts with several facets add "
                        "up: the force is about " +
                        number(0.9 + 0.4 * largest_patch_) +
@@ -262,20 +327,58 @@ void CouplingWatch::watch_grains(double time) {
   }
 }
 
-void CouplingWatch::watch_chatter(Record& record, const Eigen::Vector3d& force, double time, int n) {
+// A mean over a window of length H leaves out F'' H^2 / 24 of a peak of the force F.
+// free: nothing holds the body, so that its contacts can chatter.
+void CouplingWatch::watch_chatter(Record& record, const Eigen::Vector3d& force, const Window& window, bool free) {
   const Eigen::Vector3d change = force - record.force;
   const double larger = std::max(force.norm(), record.force.norm());
-  const bool alternates =
-      change.dot(record.change) < 0.0 && change.norm() > 0.5 * larger && larger > kChatterForceShare * largest_force_;
+  // At a peak in the window before: the smaller fall to either side, so that a jump to a plateau is none.
+  const double fall = record.force.norm() - force.norm();
+  if (H_before_ > 0.0 && record.rise > 0.0 && fall > 0.0) {
+    const double second = 2.0 * std::min(record.rise, fall / (0.5 * (window.H + H_before_))) / H_before_;
+    const double left_out = second * H_before_ * H_before_ / 24.0;
+    if (left_out > record.smoothed) {
+      record.smoothed = left_out;
+      record.smoothed_n = n_before_;
+    }
+  }
+  record.rise = -fall / (0.5 * (window.H + H_before_));
+  const bool alternates = free && change.dot(record.change) < 0.0 && change.norm() > 0.5 * larger &&
+                          larger > kChatterForceShare * largest_force_;
   record.alternations = alternates ? record.alternations + 1 : 0;
   record.change = change;
   record.force = force;
   if (limits_.stop_on_chatter && record.alternations >= kChatterWindows)
-    throw NumericalError(code::kChatter, at(time) + "the mean force on body " + record.name +
+    throw NumericalError(code::kChatter, at(window.time) + "the mean force on body " + record.name +
                                              " alternated by more than half of its magnitude in " +
                                              std::to_string(kChatterWindows) +
                                              " coupling intervals in a row: the coupling is unstable; " +
-                                             shorter_interval(n) + ", or set coupling.stop_on_chatter = false");
+                                             shorter(0.5, window) + ", or set coupling.stop_on_chatter = false");
+}
+
+// At the end, when the largest force is known: the share of it that means leave out, or that predictions miss.
+void CouplingWatch::watch_peaks(Record& record, const Window& window, double force_error) {
+  const double error = std::min(force_error, record.error_before);  // that stands for two windows
+  record.error_before = force_error;
+  if (error > record.error) {
+    record.error = error;
+    record.error_n = n_longest_;
+  }
+  if (!window.last || record.largest_force <= kForceThatMatters * largest_force_) return;
+  const double missed = record.error / record.largest_force, smoothed = record.smoothed / record.largest_force;
+  if (std::max(missed, smoothed) <= kForceError) return;
+  const bool by_means = smoothed > missed;
+  const int n = by_means ? record.smoothed_n : record.error_n;
+  if (n == 1) return;  // the time step of the grains decides
+  // A peak shorter than a window is estimated too low.
+  const double share = by_means ? kOfPeaks : std::sqrt(0.5 * kForceError / missed);
+  warn(with_code(code::kForceNotResolved,
+                 "body " + record.name + ": its contact force has errors of about " +
+                     percent(std::max(missed, smoothed)) + " of the largest, because within a coupling interval of " +
+                     steps(n) +
+                     (by_means ? " the force rises and falls, and only its mean is recorded; "
+                               : " the mechanism moves otherwise than predicted (contacts, springs, motors); ") +
+                     shorter(share * n / n_longest_, window)));
 }
 
 }  // namespace footfall

@@ -8,6 +8,7 @@
 
 #include "coupler/archive.h"
 #include "coupler/messages.h"
+#include "coupler/schemes/window_map.h"
 #include "mbd_solver/scene/run_spec.h"
 
 namespace footfall {
@@ -17,7 +18,9 @@ namespace footfall {
 //         range of (work received from the grains + work of gravity) so far: the energy exchanged, without what the
 //         weight of a body that swings on its contacts gives and takes back
 //         its largest 1/2 m0 v^2 so far: the energy available to contacts that begin
+//         + the largest energy of a grain at a contact: m (v^2/2 + g R) + k overlap^2/2, m reduced by that of the body
 //     + kFloor J^2 / 2m, J = |F| H the largest impulse of a window: at rest everything else is round-off
+// The first step of a contact is not judged: a gain or loss counts when it stands at the ends of two windows in a row.
 // m: the mass that the contacts meet (contact_mass.h). A body that is held or driven (m infinite) can neither receive
 // spurious energy nor chatter: it is left out, and omega H = 0.
 class CouplingWatch {
@@ -28,6 +31,8 @@ class CouplingWatch {
     int n = 1;          // DEM steps
     bool last = false;  // of the run: pending work will never be done
   };
+  // How the user sets the length of windows: decides what a message advises.
+  enum class Setting { kScript, kBox, kScriptAuto, kBoxAuto };
   // One coupled body in a window.
   struct Body {
     double mass = 0.0;           // that its contacts meet; infinity: held [kg]
@@ -36,17 +41,17 @@ class CouplingWatch {
     double kinetic = 0.0;        // 1/2 m0 v^2 at the window's end [J]
     double pending = 0.0;        // work that the body has received and the grains will do when the next window starts
                                  // from the computed motion [J]
+    double pending_modes = 0.0;  // the same of its modes: judged, but no part of energy_residual() [J]
+    double force_error = 0.0;    // of the predicted path at the window's end (WindowChoice) [N]
   };
 
-  // Names of the coupled bodies in the order of Load; limits of the scene.
-  CouplingWatch(const std::vector<std::string>& names, const CouplingSpec& limits);
+  // Names of the coupled bodies in the order of Load; limits of the scene; the scheme must outlive this.
+  CouplingWatch(const std::vector<std::string>& names, const CouplingSpec& limits, const Scheme& scheme,
+                Setting setting);
 
   // A window has ended: what the grains did (load) and the bodies received. Throws NumericalError, naming time and body,
   // when the interface creates energy or a mean force chatters.
   void observe(const Window& window, const Load& load, const std::vector<Body>& bodies);
-
-  // `every auto`: omega H above which a warning is given for body i, in place of warn_omega_h, from now on.
-  void allow_omega_h(std::size_t i, double omega_h) { records_[i].warn_omega_h = omega_h; }
 
   // Scheme `tangent`, per window: impulse that body i received beyond that of the grains, and the size of theirs [N s].
   void add_surplus_impulse(std::size_t i, double time, const Eigen::Vector3d& surplus, double given);
@@ -78,12 +83,14 @@ class CouplingWatch {
     double sum = 0.0, largest = 0.0, smallest = 0.0;  // since the start, with that of gravity [J]
     double kinetic = 0.0;                             // largest [J]
     double surplus = 0.0;                             // work of the grains - work received, while it is not held [J]
+    double grain = 0.0;                               // largest energy of a grain at a contact [J]
     void visit(Archive& archive);
   };
   // Everything that is recorded of one body.
   struct Record {
     std::string name;
-    double omega_h = 0.0, largest_omega_h = 0.0, warn_omega_h = 0.0;  // [-]
+    double omega_h = 0.0, largest_omega_h = 0.0;  // [-]
+    double most_excess = 1.0;                     // largest omega H over its limit [-]
     bool warned_of_omega_h = false;
     Work work;
     Touch touch;                                                // the present one
@@ -95,6 +102,11 @@ class CouplingWatch {
     double given = 0.0;                                         // impulse of the grains, likewise [N s]
     Eigen::Vector3d force = Eigen::Vector3d::Zero();            // mean of the last window [N]
     Eigen::Vector3d change = Eigen::Vector3d::Zero();           // of that, from the window before [N]
+    double rise = 0.0;                                          // of |force| likewise, over the time between [N/s]
+    double largest_force = 0.0;                                 // [N]
+    double smoothed = 0.0;                                      // largest part of a peak that a mean leaves out [N]
+    double error = 0.0, error_before = 0.0;                     // largest and last force_error [N]
+    int smoothed_n = 1, error_n = 1;                            // DEM steps of their windows
     int alternations = 0;  // windows in a row in which the force alternated by more than half of its magnitude
     void visit(Archive& archive);
   };
@@ -102,10 +114,20 @@ class CouplingWatch {
   void watch_omega_h(Record& record, const Window& window, double stiffness, double mass);
   void watch_energy(const Window& window, const Load& load, const std::vector<Body>& bodies);
   void watch_touch(Record& record, const Window& window, const BodyLoad& load);
-  void watch_grains(double time);
-  void watch_chatter(Record& record, const Eigen::Vector3d& force, double time, int n);
+  void watch_grains(const Window& window, const Load& load);
+  void watch_chatter(Record& record, const Eigen::Vector3d& force, const Window& window, bool free);
+  void watch_peaks(Record& record, const Window& window, double force_error);
+  // "use `every 3` or less": to windows of this share of the longest of late, or to shorter DEM steps. Of several
+  // messages none advises longer windows than those before.
+  std::string shorter(double share, const Window& window);
+  std::string window_text(int n) const;
 
   CouplingSpec limits_;
+  OmegaHLimit omega_h_limit_;
+  Setting setting_;
+  int n_before_ = 0, n_longest_ = 1;                // DEM steps of the last window; of the longer one of the last two
+  int advised_ = std::numeric_limits<int>::max();   // DEM steps
+  double H_before_ = 0.0;                           // of the last window [s]
   std::vector<Record> records_;                     // per coupled body
   double sum_ = 0.0;                                // of work on the boundary - work received [J]
   double residual_ = 0.0, largest_residual_ = 0.0;  // [J]
@@ -113,6 +135,10 @@ class CouplingWatch {
   bool began_ = false;
   bool warned_of_gain_ = false, warned_of_loss_ = false, warned_of_overlap_ = false, warned_of_facets_ = false;
   bool warned_of_surplus_ = false;
+  double gain_before_ = 0.0;   // of energy, at the end of the last window [J]
+  double deepest_time_ = 0.0;  // of largest_overlap_ [s]
+  double told_overlap_ = 0.0;  // largest that has been reported [-]
+  int deepest_ = 0;            // body of largest_overlap_
   double largest_overlap_ = 0.0, largest_patch_ = 0.0, largest_force_ = 0.0;
   double largest_impulse_ = 0.0;  // largest Record::given [N s]
   int surplus_windows_ = 0;

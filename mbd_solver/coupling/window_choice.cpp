@@ -39,18 +39,19 @@ constexpr double kApproach = 0.5;
 constexpr double kGrowth = 2.0;          // from one window to the next
 constexpr double kForget = 0.95;         // of the stiffness so far, per window: contacts may open and close again
 constexpr double kForgetResponse = 0.9;  // of K_s, per window
+constexpr double kAim = 0.8;             // of the limit of omega H: contacts stiffen within a window
+constexpr double kGrainAngle = 0.8;      // largest omega_g H
 constexpr double kFast = 3.0;            // response to a fast disturbance over that to the displacement of a window
-constexpr double kClosed = 0.9;          // of the stiffness so far: contacts remain closed
 
 }  // namespace
 
-WindowChoice::WindowChoice(const CouplingSpec& spec, double dt, double weight)
-    : spec_(spec), dt_(dt), force_scale_(weight) {}
+WindowChoice::WindowChoice(const CouplingSpec& spec, double dt, double weight, const OmegaHLimit& limit)
+    : spec_(spec), dt_(dt), limit_(limit), force_scale_(weight) {}
 
 void WindowChoice::History::visit(Archive& archive) {
   archive("stiffness", stiffness);
   archive("response", response);
-  archive("omega_h", omega_h);
+  archive("grain_omega2", grain_omega2);
   archive("touched", touched);
   archive("force", force);
   archive("place", place);
@@ -73,18 +74,11 @@ double WindowChoice::response(const Body& body, History& history) {
   return known ? std::min(body.stiffness, history.response) : body.stiffness;
 }
 
-double WindowChoice::largest_omega_h(const Body& body, double stiffness, double response) const {
-  if (stiffness <= 0.0 || body.stiffness < kClosed * stiffness) return spec_.warn_omega_h;
-  return spec_.warn_omega_h * std::min(std::sqrt(stiffness / response), kChosenOmegaH);
-}
-
-double WindowChoice::longest(const Body& body, double stiffness, double omega_h) const {
+double WindowChoice::longest(const Body& body, double stiffness, double grain_omega2) {
   if (body.stiffness <= 0.0 && body.flight > 0.0) return std::max(1.0, kApproach * body.flight / dt_);
-  return stiffness > 0.0 ? omega_h / (std::sqrt(stiffness / body.mass) * dt_) : 1.0;
-}
-
-double WindowChoice::allowed_omega_h(std::size_t i) const {
-  return std::max(1.25 * history_[i].omega_h - 0.25 * spec_.warn_omega_h, spec_.warn_omega_h);
+  if (stiffness <= 0.0) return 1.0;
+  const int n = limit_.substeps(std::sqrt(stiffness / body.mass) * dt_, spec_.max_substeps, kAim);
+  return grain_omega2 > 0.0 ? std::min<double>(n, kGrainAngle / (std::sqrt(grain_omega2) * dt_)) : n;
 }
 
 void WindowChoice::start(const std::vector<Body>& bodies) {
@@ -95,21 +89,26 @@ void WindowChoice::start(const std::vector<Body>& bodies) {
 }
 
 void WindowChoice::observe(int n, const std::vector<Body>& bodies) {
-  double stiffest = 0.0;  // contact of all bodies so far
+  double stiffest = 0.0, fastest = 0.0;  // contact of all bodies so far
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     force_scale_ = std::max(force_scale_, bodies[i].force.norm());
     history_[i].stiffness = std::max(bodies[i].stiffness, kForget * history_[i].stiffness);
+    history_[i].grain_omega2 = std::max(bodies[i].grain_omega2, kForget * history_[i].grain_omega2);
     stiffest = std::max(stiffest, history_[i].stiffness);
+    fastest = std::max(fastest, history_[i].grain_omega2);
   }
   estimate_ = 0.0;
   double next = std::min<double>(spec_.max_substeps, kGrowth * n);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Body& body = bodies[i];
-    const double K_s = response(body, history_[i]);
+    const bool touched = history_[i].stiffness > 0.0;
+    double K_s = response(body, history_[i]);
+    // Among grains a contact may begin at any time: the path must be right for it.
+    if (body.stiffness <= 0.0 && body.flight <= 0.0) K_s = touched ? history_[i].stiffness : stiffest;
+    history_[i].force_error = body.stiffness > 0.0 ? K_s * body.gap : 0.0;
     if (force_scale_ > 0.0) estimate_ = std::max(estimate_, K_s * body.gap / force_scale_);
-    const double stiffness = history_[i].stiffness > 0.0 ? history_[i].stiffness : stiffest;
-    history_[i].omega_h = largest_omega_h(body, stiffness, K_s);
-    next = std::min(next, longest(body, stiffness, history_[i].omega_h));
+    next = std::min(
+        next, longest(body, touched ? history_[i].stiffness : stiffest, touched ? history_[i].grain_omega2 : fastest));
   }
   if (estimate_ > 0.0) next = std::min(next, n * std::sqrt(kSafety * spec_.tolerance / estimate_));
   n_ = std::max(1, static_cast<int>(next));

@@ -6,6 +6,7 @@
 
 #include "coupler/archive.h"
 #include "coupler/body_motion.h"
+#include "coupler/schemes/window_map.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/scene/run_spec.h"
 
@@ -27,20 +28,18 @@ double flight_time(const BodyMotion& motion, const ModalBoundary& boundary, cons
 //   response stiffness  K_s = 3 |change of the mean force| / |displacement| since the window before, at most K: grains
 //                       that yield respond softer than their contacts, but to a fast disturbance stiffer than to the
 //                       whole displacement. K itself where the displacement is at most e. K_s decreases by at most 10 %
-//                       per window: a force may pass through an extremum.
+//                       per window: a force may pass through an extremum. Among grains without contact: K so far.
 //   error estimate      eta = K_s e / F,  F = largest mean force of the run so far (at least the weight of the lightest
 //                       body)
-//   next window         n sqrt(0.9 tolerance / eta): e is of second order in H;
-//                       at most warn_omega_h / (omega_s dt), omega_s = sqrt(K_s / m), and omega H at most kChosenOmegaH
-//                       warn_omega_h, omega = sqrt(K / m): explicit schemes are stable up to 2. Where contacts open or
-//                       have just closed, omega_s = omega;
+//   next window         n sqrt(0.9 tolerance / eta): e is of second order in H. It covers all that bends the motion:
+//                       contacts, springs, motors, prescribed motions of other bodies;
+//                       omega H at most kAim of the limit that warnings have (OmegaHLimit), omega = sqrt(K / m);
+//                       omega_g H at most 0.8, omega_g = sqrt(k / m_g) of a contact with a grain of mass m_g: the mean
+//                       force of a window then shows the peak of that contact within 3 %;
 //                       at most twice the last one, and at most max_substeps.
 // A body without contact: at most half of the time until its lowest point can meet a grain, so that windows shrink on
 // the way; among the grains, as for the stiffest contact that it has had, or, before its first, that any other has had;
 // single DEM steps before the first of all.
-
-// Limit of omega H for chosen windows, in warn_omega_h: their error is estimated, that of fixed ones is not.
-inline constexpr double kChosenOmegaH = 2.4;
 
 class WindowChoice {
  public:
@@ -51,16 +50,15 @@ class WindowChoice {
     double flight = 0.0;                              // time until it can meet a grain [s]; 0: it may touch one now
     Eigen::Vector3d force = Eigen::Vector3d::Zero();  // mean over the window, in W [N]
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  // of Bo, likewise [m]
+    double grain_omega2 = 0.0;                        // omega_g^2, the largest [1/s2]
   };
 
-  // dt: DEM step [s]. weight: of the lightest body, the smallest F [N].
-  WindowChoice(const CouplingSpec& spec, double dt, double weight);
+  // dt: DEM step [s]. weight: of the lightest body, the smallest F [N]. limit: of omega H.
+  WindowChoice(const CouplingSpec& spec, double dt, double weight, const OmegaHLimit& limit);
 
-  int substeps() const { return n_; }            // of the next window
-  double estimate() const { return estimate_; }  // largest eta of the last window [-]
-  // omega H of body i in the next window above which a warning is due: contacts with a softer response may stiffen by a
-  // quarter of it.
-  double allowed_omega_h(std::size_t i) const;
+  int substeps() const { return n_; }                                          // of the next window
+  double estimate() const { return estimate_; }                                // largest eta of the last window [-]
+  double force_error(std::size_t i) const { return history_[i].force_error; }  // K_s e of body i in it [N]
   // Before the first window: distances from the grains.
   void start(const std::vector<Body>& bodies);
   // After a window of n DEM steps.
@@ -72,7 +70,8 @@ class WindowChoice {
   struct History {
     double stiffness = 0.0;                           // of its contacts so far: decreases by 5 % per window [N/m]
     double response = 0.0;                            // K_s before it is limited by K [N/m]
-    double omega_h = 0.0;                             // limit of the next window; 0: not limited by contacts
+    double grain_omega2 = 0.0;                        // likewise [1/s2]
+    double force_error = 0.0;                         // K_s e of the last window [N]
     bool touched = false;                             // in the window before
     Eigen::Vector3d force = Eigen::Vector3d::Zero();  // of the window before [N]
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  // likewise [m]
@@ -81,12 +80,12 @@ class WindowChoice {
   };
 
   static double response(const Body& body, History& history);  // K_s; the window becomes the previous one
-  // Largest omega H of the next window. stiffness: of contacts so far; response: K_s.
-  double largest_omega_h(const Body& body, double stiffness, double response) const;
-  double longest(const Body& body, double stiffness, double omega_h) const;  // DEM steps that this or the flight allows
+  // DEM steps that contacts of this stiffness [N/m] and frequency omega_g^2 [1/s2], or the flight, allow.
+  double longest(const Body& body, double stiffness, double grain_omega2);
 
   CouplingSpec spec_;
-  double dt_;                     // [s]
+  double dt_;  // [s]
+  OmegaHLimit limit_;
   double force_scale_;            // F [N]
   std::vector<History> history_;  // per body
   double estimate_ = 0.0;

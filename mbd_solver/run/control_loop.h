@@ -19,6 +19,7 @@ class ControlLoop {
   // Time of the next sample [s]; infinity without controllers.
   double next_sample() const;
   SignalLoop* signals() { return signals_.get(); }  // null without sampled signals and events
+  const SignalLoop* signals() const { return signals_.get(); }
 
   void visit(Archive& archive);  // samples taken, and the state of every controller
 

@@ -116,8 +116,8 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
   equations_.settle_signals(nullptr, inputs_, state_);
   if (partner_transport) {
     inputs_.loads.resize(static_cast<std::size_t>(mechanism_.model.body_count()));
-    coupled_ =
-        std::make_unique<CoupledRun>(scene, mechanism_, equations_, kinematics(), t_end, *partner_transport, resume);
+    coupled_ = std::make_unique<CoupledRun>(scene, mechanism_, assembly_, equations_, kinematics(), t_end,
+                                            *partner_transport, resume);
     walls_ = coupled_->walls();
     set_walls(walls_, mechanism_);
   }
@@ -230,9 +230,12 @@ void Simulation::run_coupled(Loop& loop) {
     }
     if (end_requested() && (saved || !loop.checkpoints)) break;
 
+    sample_before_window(loop);
+    const double corner = corners_.next_time(state_.time, inputs_.values);
     double t_end = state_.time;
     try {
-      t_end = coupled_->exchange(state_, kinematics, checkpoint_at, meanwhile, inputs_);
+      const double stop = std::min(next_window_end(), corner);
+      t_end = coupled_->exchange(state_, kinematics, stop, checkpoint_at, meanwhile, inputs_);
     } catch (...) {
       observe_sample(loop);  // the last row of a run whose partner is gone
       throw;
@@ -252,6 +255,8 @@ void Simulation::run_coupled(Loop& loop) {
     }
     if (observe_step_) rows.on_step = [&](StepView& step) { return watch_step(step, t_end); };
     advance(state_, t_end, rows);
+    coupled_->settle_work(state_);
+    if (corner <= t_end) coupled_->restart();
     finish_window();
     coupled_->end_window(state_, kinematics);
     loop.observation_pending = true;
@@ -352,6 +357,25 @@ double Simulation::next_row(double t) const {
 
 double Simulation::next_stop(double t) const { return std::min({next_row(t), control_.next_sample(), t_end_}); }
 
+// A controller acts on dampers alone, through the lag of their coils: its samples end chosen windows only, not those whose
+// length the user has fixed.
+double Simulation::next_window_end() const {
+  if (coupled_->chooses_windows()) return control_.next_sample();
+  const SignalLoop* const signals = control_.signals();
+  return signals ? signals->next_sample() : std::numeric_limits<double>::infinity();
+}
+
+void Simulation::sample_before_window(Loop& loop) {
+  if (next_window_end() > state_.time + 1e-6 * coupled_->agreement().dt) return;
+  observe_sample(loop);
+  const Eigen::VectorXd before = inputs_.values;
+  sample_controllers();
+  if (!control_.signals() || inputs_.values == before) return;
+  equations_.saddle().accelerations(state_, inputs_, rates_);
+  update_sample();
+  coupled_->restart();
+}
+
 void Simulation::check_finite() const {
   if (state_.q.allFinite() && state_.v.allFinite() && state_.z.allFinite()) return;
   throw NumericalError(code::kStateNotFinite,
@@ -411,6 +435,7 @@ void Simulation::apply_events() {
     equations_.settle_signals(&before, inputs_, state_);
     equations_.saddle().accelerations(state_, inputs_, rates_);
     update_sample();
+    if (coupled_) coupled_->restart();
   }
   without_event_ = state_;
 }

@@ -96,6 +96,9 @@ class Simulation {
   double row_tolerance() const;                              // two times of a row are one [s]
   double next_row(double t) const;                           // after t [s]
   double next_stop(double t) const;                          // next output row or sample, or the end [s]
+  // With grains: the next sample at which a window must end [s].
+  double next_window_end() const;
+  void sample_before_window(Loop& loop);  // what is due now, and ended the last window for this reason
   // Steps end at corners of given functions.
   void advance(State from, double time, const Rows& rows = {});
   void cross_jump();     // from the last time before a jump of a given function to the first time after it

@@ -55,8 +55,8 @@ bool write_growth(const SweepSpec& spec, const Results& results, const OutputPla
   for (const GrowthPoint& p : points) {
     if (p.as_theory(!results.runs.empty())) continue;
     all = false;
-    std::printf("differs: %s, omega H %g: growth in LIGGGHTS %.6g, coupling code %.6g, theory %.6g\n", p.scheme.c_str(),
-                p.omega_h, p.in_liggghts, p.measured, p.theory);
+    std::printf("differs: %s, %d substeps, omega H %g: growth in LIGGGHTS %.6g, coupling code %.6g, theory %.6g\n",
+                p.scheme.c_str(), p.substeps, p.omega_h, p.in_liggghts, p.measured, p.theory);
   }
   return all;
 }

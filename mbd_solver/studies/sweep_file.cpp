@@ -250,6 +250,8 @@ class Checker {
 
   void check_runs() {
     if (spec_.growth) {
+      for (const double n : spec_.growth->substeps)
+        if (n != std::floor(n)) wrong(code::kOutOfRange, spec_.source, "growth.substeps", "expected whole numbers");
       if (spec_.growth->omega_h.empty()) wrong(code::kMissingKey, spec_.source, "growth.omega_h", "is missing");
       return;
     }

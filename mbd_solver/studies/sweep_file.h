@@ -101,7 +101,7 @@ struct CheckSpec {
 // [growth]: growth per window instead of all the above: window_growth.h.
 struct GrowthSpec {
   std::vector<double> omega_h, short_omega_h;  // [-]; short_omega_h empty: all
-  int substeps = 20;                           // DEM steps per window
+  std::vector<double> substeps = {20.0};       // DEM steps per window, whole numbers
 };
 
 struct FitFactor {

@@ -136,62 +136,73 @@ double growth_of_series(const std::vector<double>& v) {
   return square < 0.0 ? std::sqrt(-ab[1]) : std::abs(half) + std::sqrt(square);
 }
 
+namespace {
+
+// Calls visit(n, omega H, scheme) in the order of runs and points.
+template <class Visit>
+void for_each_point(const GrowthSpec& growth, const Visit& visit) {
+  for (const double n : growth.substeps)
+    for (const double omega_h : growth.omega_h)
+      for (const std::string& scheme : scheme_names()) visit(static_cast<int>(n), omega_h, scheme);
+}
+
+}  // namespace
+
 std::vector<RunRequest> growth_runs(const GrowthSpec& growth, const std::string& scene) {
   std::vector<RunRequest> requests;
-  const int n = growth.substeps;
   const auto text = [](double value) { return number_text(value, kDigits); };
-  for (const double omega_h : growth.omega_h) {
-    for (const std::string& scheme : scheme_names()) {
-      const double dt = omega_h / (kOmega * n), H = n * dt;
-      RunRequest request;
-      request.name = scheme + "_" + number_text(omega_h);
-      request.scene = scene;
-      request.settings = {"output.plots=false",
-                          "output.vtk=false",
-                          "coupling.scheme=" + scheme,
-                          "coupling.stop_on_energy_gain=false",
-                          "particles.variables.every=" + std::to_string(n),
-                          "particles.variables.dt=" + text(dt),
-                          "initial.velocity=[0,0," + text(-push(scheme, omega_h, n)) + "]",
-                          "output.interval=" + text(0.5 * dt),  // a row per window
-                          "end_time=" + text((grows(scheme, omega_h, n) ? kFewWindows : kWindows) * H),
-                          "particles.max_time_step=" + text(2.0 * dt)};
-      requests.push_back(request);
-    }
-  }
+  for_each_point(growth, [&](int n, double omega_h, const std::string& scheme) {
+    const double dt = omega_h / (kOmega * n), H = n * dt;
+    RunRequest request;
+    request.name = scheme + "_" + std::to_string(n) + "_" + number_text(omega_h);
+    request.scene = scene;
+    request.settings = {"output.plots=false",
+                        "output.vtk=false",
+                        "coupling.scheme=" + scheme,
+                        "coupling.stop_on_energy_gain=false",
+                        "particles.variables.every=" + std::to_string(n),
+                        "particles.variables.dt=" + text(dt),
+                        "initial.velocity=[0,0," + text(-push(scheme, omega_h, n)) + "]",
+                        "output.interval=" + text(0.5 * dt),  // a row per window
+                        "end_time=" + text((grows(scheme, omega_h, n) ? kFewWindows : kWindows) * H),
+                        "particles.max_time_step=" + text(2.0 * dt)};
+    requests.push_back(request);
+  });
   return requests;
 }
 
 std::vector<GrowthPoint> growth_of_schemes(const GrowthSpec& growth, const std::vector<RunResult>& runs) {
   std::vector<GrowthPoint> points;
-  const int n = growth.substeps;
-  for (const double w : growth.omega_h)
-    for (const std::string& scheme : scheme_names()) {
-      GrowthPoint point{scheme, w, predicted_growth(scheme, w, n), measured_growth(scheme, w, n)};
-      if (!runs.empty()) point.in_liggghts = growth_in_liggghts(runs[points.size()].end.folder, scheme, w, n);
-      points.push_back(point);
-    }
+  for_each_point(growth, [&](int n, double w, const std::string& scheme) {
+    GrowthPoint point{scheme, n, w, predicted_growth(scheme, w, n), measured_growth(scheme, w, n)};
+    if (!runs.empty()) point.in_liggghts = growth_in_liggghts(runs[points.size()].end.folder, scheme, w, n);
+    points.push_back(point);
+  });
   return points;
 }
 
 std::string growth_page(const SweepSpec& spec, const std::vector<GrowthPoint>& points) {
   std::vector<std::string> head = scheme_names();
   head.insert(head.begin(), "omega H");
-  Table table(head);
-  std::vector<std::string> row;
-  for (const GrowthPoint& p : points) {
-    if (row.empty()) row.push_back(number_text(p.omega_h));
-    row.push_back((std::isnan(p.in_liggghts) ? "-" : number_text(p.in_liggghts, 5)) + " / " +
-                  number_text(p.measured, 5) + " / " + number_text(p.theory, 5));
-    if (row.size() < head.size()) continue;
-    table.add(row);
-    row.clear();
+  std::string page = "# " + spec.title +
+                     "\n\nGrowth of the motion per window, one body on linear contacts with fixed grains, without "
+                     "damping: in LIGGGHTS / coupling code only /\ntheory (theory 7.7). Above 1 the scheme creates "
+                     "energy.\n";
+  for (const double n : spec.growth->substeps) {
+    Table table(head);
+    std::vector<std::string> row;
+    for (const GrowthPoint& p : points) {
+      if (p.substeps != static_cast<int>(n)) continue;
+      if (row.empty()) row.push_back(number_text(p.omega_h));
+      row.push_back((std::isnan(p.in_liggghts) ? "-" : number_text(p.in_liggghts, 5)) + " / " +
+                    number_text(p.measured, 5) + " / " + number_text(p.theory, 5));
+      if (row.size() < head.size()) continue;
+      table.add(row);
+      row.clear();
+    }
+    page += "\nWindows of " + number_text(n) + (n == 1.0 ? " DEM step:\n\n" : " DEM steps:\n\n") + table.page();
   }
-  return "# " + spec.title + "\n\nGrowth of the motion per window of " + std::to_string(spec.growth->substeps) +
-         " DEM steps, one body on linear contacts with fixed grains, without damping: in LIGGGHTS / coupling code only "
-         "/ "
-         "theory\n(theory 7.7). Above 1 the scheme creates energy.\n\n" +
-         table.page();
+  return page;
 }
 
 }  // namespace footfall

@@ -14,6 +14,7 @@ namespace footfall {
 
 struct GrowthPoint {
   std::string scheme;
+  int substeps = 1;                                               // DEM steps of a window
   double omega_h = 0.0;                                           // [-]
   double theory = 0.0;                                            // spectral radius [-]
   double measured = 0.0;                                          // growth of the motion per window [-]
@@ -30,12 +31,12 @@ double measured_growth(const std::string& scheme, double omega_h, int n);
 // squares over the second half. NaN for fewer than four values.
 double growth_of_series(const std::vector<double>& v);
 
-// A run of `scene` for every omega H and scheme, over as many windows as the contacts stay closed.
+// A run of `scene` for every number of substeps, omega H and scheme, over as many windows as the contacts stay closed.
 std::vector<RunRequest> growth_runs(const GrowthSpec& growth, const std::string& scene);
 
-// Every scheme at every omega H; `runs`: those of growth_runs, may be empty.
+// Every scheme at every omega H and number of substeps; `runs`: those of growth_runs, may be empty.
 std::vector<GrowthPoint> growth_of_schemes(const GrowthSpec& growth, const std::vector<RunResult>& runs);
-// As Markdown: a line per omega H, "in LIGGGHTS / measured / theory" per scheme.
+// As Markdown: a table per number of substeps, a line per omega H, "in LIGGGHTS / measured / theory" per scheme.
 std::string growth_page(const SweepSpec& spec, const std::vector<GrowthPoint>& points);
 
 }  // namespace footfall

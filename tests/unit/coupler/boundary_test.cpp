@@ -291,6 +291,49 @@ TEST(BoundaryPath, IsNotSteadyWhenItTurnsDeformsAcceleratesOrLags) {
   EXPECT_FALSE(steady(*linear, changed));
 }
 
+// A gap of 1 mm made in 50 substeps closes over as many, here in windows of 2: no faster than 4 mm per 50 substeps, as
+// within one window, and exactly.
+TEST(BoundaryPath, CatchesUpNoFasterThanInTheWindowThatMadeTheGap) {
+  const std::unique_ptr<Scheme> scheme = make_scheme("css-trapezoid");
+  const double dt = 1e-4, e = 1e-3;
+  BodyMotion state;
+  state.r = {0.1, 0.0, 0.0};
+  BoundaryPath path(*scheme, state);
+  path.begin_window(state, 50, dt);
+  for (int i = 0; i < 50; ++i) path.advance();
+  state.r.x() += e;
+  state.L = turned(state.L, {0.0, e, 0.0});
+  for (int window = 0; window < 25; ++window) {
+    path.begin_window(state, 2, dt, window == 0 ? 50 : 2);
+    for (int i = 0; i < 2; ++i) {
+      path.advance();
+      EXPECT_LT(path.pose().dr.norm(), 4.0 * e / (50 * dt) * (1.0 + 1e-9)) << window;
+      EXPECT_LT(path.pose().w.norm(), 4.0 * e / (50 * dt) * (1.0 + 1e-6)) << window;
+    }
+    EXPECT_LT((path.pose().r - state.r - path.left_open().r).norm(), 1e-15);
+  }
+  EXPECT_LT((path.pose().r - state.r).norm(), 1e-15);
+  EXPECT_LT(rotation_vector(path.pose().L, state.L).norm(), 1e-15);
+}
+
+TEST(BoundaryPath, FollowsAKnownMotion) {
+  const std::unique_ptr<Scheme> scheme = make_scheme("css-trapezoid");
+  BodyMotion state(1);
+  state.da[0] = 2.0;
+  KnownPath known(13, 3);
+  for (int i = 0; i < 3; ++i)
+    known.col(i) << 0.1 * i * i, 0.0, 0.0, turned(state.L, {0.1 * i, 0.0, 0.0}), 1.0 * i, 0.0, 0.0, 0.0, 2.0 * i, 0.0;
+  BoundaryPath path(*scheme, state);
+  path.begin_window(state, 3, 0.1, 3, known);
+  for (int i = 0; i < 3; ++i) {
+    path.advance();
+    EXPECT_EQ(path.pose().r, known.col(i).head<3>());
+    EXPECT_EQ(path.pose().L, known.col(i).segment<4>(3));
+    EXPECT_EQ(path.pose().w, known.col(i).tail<3>());
+    EXPECT_NEAR(path.pose().a[0], 0.2 * (i + 1), 1e-15);  // modes follow the scheme
+  }
+}
+
 TEST(Scheme, QuadraticPredictionIsThirdOrderInPositionOfASmoothMotion) {
   // Circle of radius 1 with the body turning along: error of r in tau^3 / 6, of the turn in zero (constant
   // w).

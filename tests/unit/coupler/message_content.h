@@ -74,7 +74,12 @@ void randomize(Message& message, Random& random, int modes) {
         } else if constexpr (std::is_same_v<Value, ModalBoundary>) {
           // is random already
         } else {
-          if constexpr (Value::SizeAtCompileTime == Eigen::Dynamic) value.resize(modes);
+          if constexpr (Value::SizeAtCompileTime == Eigen::Dynamic) {
+            if constexpr (Value::IsVectorAtCompileTime)
+              value.resize(modes);
+            else
+              value.resize(Value::RowsAtCompileTime, 2);
+          }
           random.fill(value);
         }
       },

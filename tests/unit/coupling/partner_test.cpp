@@ -8,6 +8,7 @@
 
 #include "coupler/archive.h"
 #include "coupler/base/errors.h"
+#include "coupler/schemes/registry.h"
 #include "coupler/transport_loopback.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/coupling/codes.h"
@@ -319,8 +320,10 @@ class Watched {
     load.bodies[0].contact_stiffness = 1e4;
     load.bodies[0].max_overlap_over_radius = overlap;
     load.bodies[0].max_patch_over_facet = patch;
+    load.bodies[0].grain_energy = grain_energy;
     time_ += kH;
-    watch.observe({time_, kH, 10, told.last}, load, {{mass_, told.received, told.gravity, told.kinetic, told.pending}});
+    watch.observe({time_, kH, 10, told.last}, load,
+                  {{mass_, told.received, told.gravity, told.kinetic, told.pending, 0.0, force_error}});
   }
   // Whether a warning has the code, and the number if one is given.
   bool warns(const MessageCode& code, const std::string& number = "") const {
@@ -328,25 +331,44 @@ class Watched {
       if (warning.find(code.number) != std::string::npos && warning.find(number) != std::string::npos) return true;
     return false;
   }
-  double overlap = 0.0, patch = 0.0;
-  CouplingWatch watch{{"plate"}, CouplingSpec{}};
+  double overlap = 0.0, patch = 0.0, grain_energy = 0.0, force_error = 0.0;
+  const std::unique_ptr<Scheme> scheme = make_scheme("css-trapezoid");
+  CouplingWatch watch{{"plate"}, CouplingSpec{}, *scheme, CouplingWatch::Setting::kScript};
 
  private:
   double mass_, time_ = 0.0;
 };
 
+// A gain counts that stands at the ends of two windows.
 TEST(CouplingWatch, JudgesByWhatTheContactsMove) {
   // 1 J goes to the grains; the body must not keep 0.1 J of it.
   for (const double excess : {0.09, 0.12}) {
     Watched body(1.0);
-    const Told told{0.1, -1.0, excess - 1.0};
+    body.window({0.1, -1.0, excess - 1.0});
+    EXPECT_TRUE(body.watch.warnings().empty());
     if (excess < 0.1) {
-      EXPECT_NO_THROW(body.window(told));
+      EXPECT_NO_THROW(body.window({0.1}));
       EXPECT_TRUE(body.warns(code::kCouplingCreates));
     } else {
-      EXPECT_THROW(body.window(told), NumericalError);
+      EXPECT_THROW(body.window({0.1}), NumericalError);
     }
   }
+}
+
+// What the first step of a contact gains and the second gives back.
+TEST(CouplingWatch, DoesNotJudgeTheFirstStepOfAContact) {
+  Watched body(1.0);
+  body.window({0.1, 0.0, 0.5});
+  EXPECT_NO_THROW(body.window({0.1, 0.5, 0.0}));
+  EXPECT_TRUE(body.watch.warnings().empty());
+}
+
+// 1e-9 J, all of it wrong, where grains of 1 mJ lie on the body.
+TEST(CouplingWatch, ComparesWithTheEnergyOfTheGrainsThatTouch) {
+  Watched body(1.0);
+  body.grain_energy = 1e-3;
+  for (int k = 0; k < 3; ++k) EXPECT_NO_THROW(body.window({0.0, 0.0, k == 0 ? 1e-9 : 0.0}));
+  EXPECT_TRUE(body.watch.warnings().empty());
 }
 
 TEST(CouplingWatch, DoesNotCountTheWeightOfABodyThatSwings) {
@@ -354,7 +376,8 @@ TEST(CouplingWatch, DoesNotCountTheWeightOfABodyThatSwings) {
   Watched body(1.0);
   Told told{0.1, -10.0, -9.88};
   told.gravity = 9.0;
-  EXPECT_THROW(body.window(told), NumericalError);
+  body.window(told);
+  EXPECT_THROW(body.window({0.1}), NumericalError);
 }
 
 TEST(CouplingWatch, CountsTheMotionThatAContactHasBeforeIt) {
@@ -382,6 +405,7 @@ TEST(CouplingWatch, LeavesHeldAndLedBodiesAlone) {
 TEST(CouplingWatch, WarnsOfALoss) {
   Watched body(1.0);
   body.window({0.1, 1.0, 0.8});
+  body.window({0.1});
   EXPECT_TRUE(body.warns(code::kCouplingDissipates, " 0.2 J"));
 }
 
@@ -430,6 +454,58 @@ TEST(CouplingWatch, WarnsOfDeepGrainsAndOfNarrowFacetsOnce) {
   EXPECT_EQ(body.watch.warnings().size(), 2U);
   EXPECT_TRUE(body.warns(code::kLargeOverlap, " 6 %"));
   EXPECT_TRUE(body.warns(code::kFacetsTooSmall, " 1.1 "));
+}
+
+TEST(CouplingWatch, TellsTheDeepestOverlapAtTheEnd) {
+  Watched body(1.0);
+  for (const double overlap : {0.0, 0.06, 0.24, 0.01}) {
+    body.overlap = overlap;
+    body.window({});
+  }
+  EXPECT_FALSE(body.warns(code::kLargeOverlap, " 24 %"));
+  Told last;
+  last.last = true;
+  body.window(last);
+  EXPECT_TRUE(body.warns(code::kLargeOverlap, " 24 %"));
+}
+
+// The contacts of 1e4 N/m: omega H = 0.1 of 1 kg, 1 of 10 g.
+TEST(CouplingWatch, AdvisesTheIntervalThatKeepsTheLimitOfOmegaH) {
+  Watched heavy(1.0), light(0.01);
+  heavy.window({1.0});
+  light.window({1.0});
+  EXPECT_FALSE(heavy.warns(code::kIntervalTooLong));
+  EXPECT_TRUE(light.warns(code::kIntervalTooLong, "`every 5`"));
+}
+
+// No message advises more than one before it.
+TEST(CouplingWatch, AdvisesNeverLongerIntervalsThanBefore) {
+  Watched body(0.0001);  // omega H = 10: every 0.5
+  body.window({1.0, 1.0, 0.8});
+  EXPECT_TRUE(body.warns(code::kIntervalTooLong, "`every 1`"));
+  body.window({1.0});
+  EXPECT_TRUE(body.warns(code::kCouplingDissipates, "`every 1`"));
+}
+
+// A force that comes and goes within three windows: their means hide its peak. And one on a path that was missed.
+TEST(CouplingWatch, WarnsOfForcesThatWindowsDoNotResolve) {
+  const auto last_warns = [](Watched& body) {
+    Told end;
+    end.last = true;
+    body.window(end);
+    return body.warns(code::kForceNotResolved);
+  };
+  Watched peak(kHeld), slow(kHeld), missed(1.0), followed(1.0);
+  for (const double force : {0.0, 0.0, 10.0, 0.0, 0.0}) peak.window({force});
+  EXPECT_TRUE(last_warns(peak));
+  for (int k = 0; k <= 10; ++k) slow.window({10.0 * std::sin(0.1 * M_PI * k)});
+  EXPECT_FALSE(last_warns(slow));
+  for (Watched* body : {&missed, &followed}) {
+    body->force_error = body == &missed ? 1.0 : 0.1;
+    for (int k = 0; k < 5; ++k) body->window({10.0});
+  }
+  EXPECT_TRUE(last_warns(missed));
+  EXPECT_FALSE(last_warns(followed));
 }
 
 TEST(CouplingWatch, TellsABodyThatStartsInsideTheBedFromAHardImpact) {

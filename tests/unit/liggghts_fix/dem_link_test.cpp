@@ -403,6 +403,7 @@ TEST(RankShares, ShareOfTheOnlyRankIsTheLoad) {
   BodyLoad share = random_load(5), load = empty_load(2, share.tangent.size());
   share.max_overlap_over_radius = 0.03;
   share.max_patch_over_facet = 0.3;
+  share.grain_energy = share.grain_mass = share.grain_omega2 = 2.0;
   std::vector<double> row;
   append_share(share, row);
   EXPECT_EQ(row.size(), share_size(share));
@@ -421,13 +422,16 @@ TEST(RankShares, RanksAddUpAndTheLargestOverlapCounts) {
   add_share(row.data(), load);
   EXPECT_EQ(load.max_overlap_over_radius, one.max_overlap_over_radius);
   EXPECT_EQ(load.max_patch_over_facet, one.max_patch_over_facet);
+  EXPECT_EQ(load.grain_energy, one.grain_energy);
+  EXPECT_EQ(load.grain_mass, one.grain_mass);
+  EXPECT_EQ(load.grain_omega2, one.grain_omega2);
   std::vector<double> once, twice;
   append_share(one, once);
   append_share(load, twice);
   EXPECT_EQ(once, row);
   int doubled = 0;
   for (std::size_t i = 0; i < row.size(); ++i) doubled += twice[i] == 2.0 * row[i] ? 1 : 0;
-  EXPECT_EQ(doubled, static_cast<int>(row.size()) - 2);
+  EXPECT_EQ(doubled, static_cast<int>(row.size()) - 5);
 }
 
 TEST(RankShares, EveryFieldOfTheLoadHasItsPlaceInTheRow) {

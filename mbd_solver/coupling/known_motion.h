@@ -1,0 +1,36 @@
+#pragma once
+// Bodies whose motion the joints alone decide: prescribed motions, and what is fixed to them. Their path among the grains is
+// known before the grains move.
+
+#include <memory>
+#include <vector>
+
+#include "coupler/window.h"
+#include "mbd_solver/dynamics/equations.h"
+#include "mbd_solver/model/state.h"
+
+namespace footfall {
+
+class KnownMotion {
+ public:
+  // model and assembly must outlive this. start: of the run. bodies: indices in the model of the coupled ones.
+  KnownMotion(const Model& model, const Assembly& assembly, const State& start, std::vector<int> bodies);
+
+  // Known poses of each of the bodies after every DEM step of a window of n steps of dt [s] from `state`; without columns
+  // for bodies that loads can move. No entries where the straight path is exact.
+  const std::vector<KnownPath>& paths(const State& state, int n, double dt);
+
+ private:
+  void find_bodies(const Assembly& assembly, const State& start);
+  State at(const State& before, double time);
+  bool goes_straight(const State& state, int n, double dt);
+
+  const Model& model_;
+  std::vector<int> bodies_;
+  std::unique_ptr<Equations>
+      equations_;            // of its own, so that those of the run keep their factors; null: nothing moves so
+  std::vector<bool> known_;  // per body
+  std::vector<KnownPath> paths_, none_;
+};
+
+}  // namespace footfall

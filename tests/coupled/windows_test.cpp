@@ -1,0 +1,137 @@
+// Coupling intervals beside single DEM steps, with LIGGGHTS: prescribed motions, events, first contacts.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/coupled/coupled_run.h"
+
+namespace footfall::test {
+namespace {
+
+constexpr double kDt = 2e-5;  // [s]
+
+// Nine grains of radius 2 cm, apart from each other so that no chaos makes two runs differ, at rest at this height.
+std::string grains(double z, const std::string& every, const std::string& body) {
+  std::ostringstream s;
+  s << "atom_style granular\natom_modify map array\nboundary f f f\nnewton off\ncommunicate single vel yes\nunits si\n"
+       "hard_particles yes\nregion box block -0.3 0.3 -0.3 0.3 -0.1 0.6 units box\ncreate_box 2 box\n"
+       "neighbor 0.01 bin\nneigh_modify delay 0\n"
+       "fix m1 all property/global youngsModulus peratomtype 1e7 2e11\n"
+       "fix m2 all property/global poissonsRatio peratomtype 0.3 0.3\n"
+       "fix m3 all property/global coefficientRestitution peratomtypepair 2 0.5 0.5 0.5 0.5\n"
+       "fix m4 all property/global coefficientFriction peratomtypepair 2 0.4 0.4 0.4 0.4\n"
+       "pair_style gran model hertz tangential history\npair_coeff * *\ntimestep "
+    << kDt << "\n";
+  for (int i = -1; i <= 1; ++i)
+    for (int j = -1; j <= 1; ++j)
+      s << "create_atoms 1 single " << 0.05 * i << " " << 0.05 * j << " " << z + 0.02 + 0.001 * i << " units box\n";
+  s << "set group all diameter 0.04 density 2600\nfix g all gravity 9.81 vector 0 0 -1\nfix i all nve/sphere\n"
+       "fix floor all wall/gran model hertz tangential history primitive type 1 zplane -0.0001\n"
+       "fix geo all couple/mbd/geometry body "
+    << body << "\nfix m all mesh/surface/stress fix geo type 2\n"
+    << "fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes m\n"
+    << "fix mbd all couple/mbd every " << every << " mesh m " << body
+    << "\nthermo_style custom step f_m[3]\nthermo 1\nthermo_modify norm no format float %.17g\nrun 1000000\n";
+  return s.str();
+}
+
+std::string plate(double z, double mass) {
+  std::ostringstream s;
+  s << "gravity = [0, 0, -9.81]\nground = { kind = \"particles\" }\nparticles = { script = \"in.coupled\" }\n"
+    << "[output]\nplots = false\nvtk = false\n[[bodies]]\nname = \"plate\"\nmass = " << mass
+    << "\nshape = { kind = \"box\", size = [0.3, 0.3, 0.01], centre = [0, 0, " << z << "] }\n[[boundaries]]\n"
+    << "body = \"plate\"\nsurface = {}\n";
+  return s.str();
+}
+
+std::string moved(const std::string& z) {
+  return "[[joints]]\nname = \"p\"\ntype = \"prescribed\"\nbodies = [\"ground\", \"plate\"]\npoint = [0, 0, 0]\n"
+         "axis = \"z\"\naxis2 = \"x\"\n[joints.motion]\nx = { polynomial = [0] }\ny = { polynomial = [0] }\nz = " +
+         z + "\nrotation = { polynomial = [0] }\nhold_other_rotations = true\n";
+}
+
+struct Ran {
+  std::vector<double> force;  // on the mesh after every DEM step [N]
+  nlohmann::json summary;
+};
+
+Ran run(const std::string& name, const std::string& script, const std::string& scene) {
+  const BeamRun folder(name);
+  const Outcome outcome = folder.scene(script, scene);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+  Ran ran;
+  ran.summary = nlohmann::json::parse(folder.read("out/summary.json"));
+  std::istringstream log(folder.read("log.liggghts"));
+  long step = 0;
+  double force = 0.0;
+  for (std::string line; std::getline(log, line);) {
+    std::istringstream words(line);
+    std::string more;
+    if (words >> step >> force && !(words >> more)) ran.force.push_back(force);
+  }
+  return ran;
+}
+
+bool warns(const Ran& ran, const std::string& code) {
+  return ran.summary["warnings"].dump().find(code) != std::string::npos;
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0.0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+// Poses differ by the projection on the joints, 1e-12 m; a sphere's impact magnifies that by less than a thousand.
+TEST(PrescribedMotion, GivesTheSameForcesInLongWindows) {
+  const std::string scene =
+      "end_time = 0.03\n" + plate(0.025, 20.0) + moved("{ amplitude = 0.0005, frequency = 100.0 }");
+  const Ran single = run("tray_1", grains(0.0301, "1", "plate"), scene);
+  ASSERT_GT(largest(single.force), 100.0);
+  for (const std::string every : {"100", "auto"}) {
+    const Ran ran = run("tray_" + every, grains(0.0301, every, "plate"), scene);
+    ASSERT_EQ(ran.force.size(), single.force.size());
+    double off = 0.0;
+    for (std::size_t i = 0; i < ran.force.size(); ++i) off = std::max(off, std::abs(ran.force[i] - single.force[i]));
+    EXPECT_LT(off, 1e-5 * largest(single.force)) << every;
+    // The body receives what the grains give.
+    EXPECT_LT(ran.summary["coupling_energy_residual_relative"].get<double>(), 1e-9) << every;
+    EXPECT_LT(ran.summary["energy_balance_relative"].get<double>(), 1e-3) << every;
+  }
+}
+
+// z = -60 t^2 onto the grains: 60 m/s2 bend the path by 0.24 mm in 2 ms.
+TEST(PrescribedMotion, AcceleratesWithinAWindow) {
+  const std::string scene = "end_time = 0.006\n" + plate(0.0455, 20.0) + moved("{ polynomial = [0, 0, -60] }");
+  const Ran single = run("press_1", grains(0.0, "1", "plate"), scene),
+            windows = run("press_100", grains(0.0, "100", "plate"), scene);
+  EXPECT_NEAR(largest(windows.force), largest(single.force), 1e-5 * largest(single.force));
+}
+
+// A grain of 87 g touches for 4 ms: a mean over 2 ms hides its peak, and the run tells so.
+TEST(PrescribedMotion, OfLongWindowsTellsThatMeansHidePeaks) {
+  const std::string scene =
+      "end_time = 0.03\n" + plate(0.025, 20.0) + moved("{ amplitude = 0.0005, frequency = 100.0 }");
+  EXPECT_TRUE(warns(run("peaks_100", grains(0.0301, "100", "plate"), scene), "W0659"));
+  EXPECT_FALSE(warns(run("peaks_5", grains(0.0301, "5", "plate"), scene), "W0659"));
+}
+
+// A motor of 100 N switches on at 10.5 ms: windows end at the sample, and catching up does no work.
+TEST(Events, InLongWindowsCreateNoEnergy) {
+  const std::string scene = "end_time = 0.03\n" + plate(0.0451, 1.0) +
+                            "[[joints]]\nname = \"slide\"\ntype = \"prismatic\"\nbodies = [\"ground\", \"plate\"]\n"
+                            "point = [0, 0, 0]\naxis = \"z\"\n[[drives]]\nname = \"motor\"\nkind = \"torque\"\n"
+                            "joint = \"slide\"\ncommand = { signal = \"push\" }\n[[signals]]\nname = \"push\"\n"
+                            "kind = \"expression\"\ninput = \"time > 0.01 ? -100 : 9.81\"\nperiod = 0.0005\n";
+  const Ran ran = run("event_auto", grains(0.0, "auto", "plate"), scene);
+  const Ran single = run("event_1", grains(0.0, "1", "plate"), scene);
+  EXPECT_FALSE(warns(ran, "W0651"));
+  // Twice coupling.tolerance.
+  const double force = single.summary["max_contact_force_N"];
+  EXPECT_NEAR(ran.summary["max_contact_force_N"].get<double>(), force, 0.02 * force);
+}
+
+}  // namespace
+}  // namespace footfall::test
