@@ -176,7 +176,7 @@ void check_centre_and_inertia(const BodySpec& body, const MassProperties& model,
   const std::string unit = is_unit(1e3)    ? "; its nodes seem to be in mm, expected m"
                            : is_unit(1e-3) ? "; its nodes seem to be in km, expected m"
                                            : "";
-  const std::string remedy = unit + "; correct the units of the nodes, or the scene";
+  const std::string remedy = unit + "; correct the units of the nodes, or give the values of the model in the scene";
   const double off = (model.centre - body.position).norm();
   if (body.source.given("position") && off > kSameMass * size)
     throw InputError(code::kModelInertia, "the model in " + file + " has its mass centre at " + list(model.centre) +

@@ -312,9 +312,11 @@ void check_mass_matrix(const FeModel& model, const std::string& who) {
                                            std::to_string(scale(i)) + ", expected 0 or more.");
     scale(i) = scale(i) > 0.0 ? 1.0 / std::sqrt(scale(i)) : 0.0;
   }
-  Sparse unit = scale.asDiagonal() * M * scale.asDiagonal();
-  for (Index i = 0; i < unit.rows(); ++i) unit.coeffRef(i, i) += scale(i) > 0.0 ? kSymmetric : 1.0;
-  const Eigen::SimplicialLDLT<Sparse> factor(unit);
+  Triplets shift;
+  for (int i = 0; i < scale.size(); ++i) shift.emplace_back(i, i, scale(i) > 0.0 ? kSymmetric : 1.0);
+  const Sparse unit = scale.asDiagonal() * M * scale.asDiagonal();
+  const Eigen::SimplicialLDLT<Sparse> factor(
+      Sparse(unit + assembled(6 * model.node_count(), 6 * model.node_count(), shift)));
   if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0.0))
     throw InputError(code::kFeModel, who + ": mass matrix is not positive: some motion has negative kinetic energy.");
 }

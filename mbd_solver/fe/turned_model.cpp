@@ -13,8 +13,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 // Every vector of three in x, rotated.
-template <class Derived>
-Eigen::MatrixXd turned_vectors(const Eigen::MatrixBase<Derived>& x, const Eigen::Matrix3d& R) {
+Eigen::MatrixXd turned_vectors(const Eigen::MatrixXd& x, const Eigen::Matrix3d& R) {
   Eigen::MatrixXd out(x.rows(), x.cols());
   for (Index i = 0; i + 2 < x.rows(); i += 3) out.middleRows(i, 3) = R * x.middleRows(i, 3);
   return out;

@@ -130,8 +130,7 @@ namespace {
 using Rows3 = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 // Every vector of three in x, rotated.
-template <class Derived>
-Eigen::MatrixXd turned(const Eigen::MatrixBase<Derived>& x, const Matrix3d& R) {
+Eigen::MatrixXd turned(const Eigen::MatrixXd& x, const Matrix3d& R) {
   Eigen::MatrixXd out(x.rows(), x.cols());
   for (Index i = 0; i + 2 < x.rows(); i += 3) out.middleRows(i, 3) = R * x.middleRows(i, 3);
   return out;
@@ -161,8 +160,8 @@ void ModalInertia::sum_over_mass_matrix(const ModalBody& body) {
     U.middleRows(6 * j, 3) = axes_.transpose() * body.Phi.middleRows(3 * j, 3);
     U.middleRows(6 * j + 3, 3) = axes_.transpose() * body.Psi.middleRows(3 * j, 3);
   }
-  const auto times_mass = [&](const auto& x) {
-    return Eigen::MatrixXd(turned(body.mass * turned(x, axes_), axes_.transpose()));
+  const auto times_mass = [&](const Eigen::MatrixXd& x) {
+    return turned(body.mass * turned(x, axes_), axes_.transpose());
   };
   const Eigen::MatrixXd R = rigid_motions(rho0), MR = times_mass(R), MU = times_mass(U);
   const Eigen::MatrixXd rigid = R.transpose() * MR;

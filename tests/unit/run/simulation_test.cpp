@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/coupling/codes.h"
 #include "mbd_solver/run/checkpoint.h"
 #include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/output/summary.h"
@@ -289,7 +290,9 @@ hold_other_rotations = true
     EXPECT_NO_THROW(rows_of(simulation)) << mass;
     EXPECT_EQ(grains.join(), "");
     EXPECT_EQ(simulation.coupled()->watch().largest_omega_h(0), 0.0);
-    EXPECT_TRUE(simulation.coupled()->watch().warnings().empty());
+    // A force that alternates from window to window is not resolved; nothing else is wrong.
+    for (const std::string& warning : simulation.coupled()->watch().warnings())
+      EXPECT_NE(warning.find(code::kForceNotResolved.number), std::string::npos) << warning;
   }
 }
 
