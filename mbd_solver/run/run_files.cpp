@@ -63,12 +63,17 @@ void RunFiles::write_row(const Sample& sample) {
   as_file_error([&] { write_due_row(sample); });
 }
 
-void RunFiles::observe(const Sample& sample) { peaks_.see(observation_.row(sample)); }
+void RunFiles::observe(const Sample& sample) {
+  if (sample.coupling == nullptr || observation_.flexible().count() == 0) peaks_.see(observation_.row(sample));
+}
 
 void RunFiles::write_due_row(const Sample& sample) {
+  const bool due = row_clock_.take_turn(sample.state.time) || sample.last;
+  // With grains, stresses of every window would delay the grains.
+  if (!due && sample.coupling != nullptr && observation_.flexible().count() > 0) return;
   const std::vector<double>& row = observation_.row(sample);
   peaks_.see(row);
-  if (row_clock_.take_turn(sample.state.time) || sample.last) history_.write(row);
+  if (due) history_.write(row);
 }
 
 void RunFiles::write_due(const Sample& sample) {

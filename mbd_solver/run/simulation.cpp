@@ -126,12 +126,45 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
   if (collisions_->empty()) collisions_.reset();
 }
 
+namespace {
+
+// The middles of steps without grains, where a peak may exceed those of the ends: rates there differ from the mean of the ends by
+// more than kBend of their largest so far.
+class StepMiddles {
+ public:
+  bool are_peaks(StepView& step) {
+    step.at(step.end(), state_, end_);
+    step.at(0.5 * (step.begin() + step.end()), state_, rates_);
+    if (largest_.size() == 0) largest_ = Eigen::VectorXd::Zero(end_.size());
+    largest_ = largest_.cwiseMax(end_.cwiseAbs()).cwiseMax(rates_.cwiseAbs());
+    const bool known = time_ == step.begin();
+    const bool bends = !known || ((rates_ - 0.5 * (begin_ + end_)).cwiseAbs() - kBend * largest_).maxCoeff() >
+                                     kRoundOff * largest_.maxCoeff();
+    begin_.swap(end_);
+    time_ = step.end();
+    return bends;
+  }
+  const State& state() const { return state_; }  // in the middle of the last step
+  const Eigen::VectorXd& rates() const { return rates_; }
+
+ private:
+  static constexpr double kBend = 2e-3;       // [-]
+  static constexpr double kRoundOff = 1e-10;  // of the largest rate of all [-]
+
+  State state_;
+  Eigen::VectorXd rates_, begin_, end_, largest_;
+  double time_ = -1.0;  // of the last end [s]
+};
+
+}  // namespace
+
 struct Simulation::Loop {
   const std::function<void(const Sample&)>& observe;
   const volatile std::sig_atomic_t& interrupted;
   const CheckpointWriter& checkpoints;
   double started;                   // wall clock, minus the time of earlier parts of the run [s]
   bool observation_pending = true;  // the sample has not been observed
+  StepMiddles middles = {};
 
   bool overdue() const { return checkpoints.overdue && checkpoints.overdue(); }
 };
@@ -195,7 +228,19 @@ void Simulation::run_alone(Loop& loop) {
         std::min({inputs_change_ ? control_.next_sample() : t_end_, t_end_,
                   loop.checkpoints ? checkpoints_.next() : t_end_, corners_.next(state_.time, inputs_.values).before});
     const bool continuous_events = control_.signals() && control_.signals()->has_unsampled_events();
-    if (observe_step_ || continuous_events) rows.on_step = [&](StepView& step) { return watch_step(step, t_end); };
+    if (observe_step_ || continuous_events)
+      rows.on_step = [&](StepView& step) {
+        const bool bends = observe_step_ && loop.middles.are_peaks(step);
+        if (!watch_step(step, t_end)) return false;
+        if (!bends) return true;
+        const double middle_started = wall_clock();
+        state_ = loop.middles.state();
+        rates_ = loop.middles.rates();
+        update_sample();
+        observe_step_(sampler_.sample());
+        times_.mbd -= wall_clock() - middle_started;
+        return true;
+      };
     advance(state_, t_end, rows);
     const bool ended_at_row = !event_in_window_ && state_.time < t_end && state_.time == last_row;
     if (ended_at_row) continue;  // observed already
@@ -310,23 +355,14 @@ void Simulation::advance(State from, double time, const Rows& rows) {
 }
 
 bool Simulation::watch_step(StepView& step, double window_end) {
+  if (!(step.end() < window_end)) return true;  // finish_window() follows
   const double started = wall_clock();
-  const auto look_at = [&](double time) {
-    step.at(time, state_, rates_);
-    if (scene_.output.reactions || !mechanism_.gears.empty())
-      equations_.saddle().smallest_multipliers(state_, rates_.tail(equations_.layout().row_count));
-    update_sample();
-  };
-  bool goes_on = true;
-  if (step.end() < window_end) {  // else finish_window() follows
-    look_at(step.end());
-    goes_on = coupled_ || !event_triggered();
-    if (goes_on && observe_step_) observe_step_(sampler_.sample());
-  }
-  if (goes_on && observe_step_) {
-    look_at(0.5 * (step.begin() + step.end()));
-    observe_step_(sampler_.sample());
-  }
+  step.at(step.end(), state_, rates_);
+  if (scene_.output.reactions || !mechanism_.gears.empty())
+    equations_.saddle().smallest_multipliers(state_, rates_.tail(equations_.layout().row_count));
+  update_sample();
+  const bool goes_on = coupled_ || !event_triggered();
+  if (goes_on && observe_step_) observe_step_(sampler_.sample());
   event_in_window_ = event_in_window_ || !goes_on;
   times_.mbd -= wall_clock() - started;  // advance() counts it
   return goes_on;
