@@ -32,9 +32,9 @@ inline constexpr MessageCode kBedMaterialDiffers{"W0551", "bed-material-differs"
 // Grains of the bed at rest overlap more than their contact law allows. Raise material.young.
 inline constexpr MessageCode kBedOverlaps{"W0552", "bed-overlaps"};
 // A body may pass a side wall of the bed before the end of the scene. Make the bed larger, or end the scene earlier.
-inline constexpr MessageCode kMayLeaveBed{"W0553", "may-leave-bed"};
+inline constexpr MessageCode kMayLeaveBed{"W0555", "may-leave-bed"};
 // LIGGGHTS has so few grains per rank that more ranks cost time. Use the number of ranks that the message gives.
-inline constexpr MessageCode kFewGrainsPerRank{"W0554", "few-grains-per-rank"};
+inline constexpr MessageCode kFewGrainsPerRank{"W0556", "few-grains-per-rank"};
 
 // --- LIGGGHTS and other programs.
 
