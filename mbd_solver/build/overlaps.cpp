@@ -56,7 +56,7 @@ void warn_of_overlaps(const Scene& scene, Mechanism& mechanism) {
       names += (names.empty() ? "body \"" : " and \"") + model.body(body).name() + "\"";
     }
     const double height = stored.total() / (mass * kWeight);
-    if (!(height > size)) return;
+    if (size == 0.0 || !(height > size)) return;
     const bool pair = bodies[0] != kGround && bodies[1] != kGround;
     mechanism.warnings.push_back(with_code(
         code::kThrownAtStart,
