@@ -86,7 +86,7 @@ TEST(Scales, OfALanderDoNotChangeItsAttitude) {
     return Rows(scene).last("hull.yaw");
   };
   const double metres = yaw(1.0);
-  EXPECT_GT(std::abs(metres), 0.05);
+  EXPECT_GT(std::abs(metres), 0.02);
   // Errors of integration alone; velocities have their tolerance in m/s.
   EXPECT_NEAR(yaw(1e-3), metres, 1e-3 * std::abs(metres));
   EXPECT_NEAR(yaw(1e3), metres, 1e-3 * std::abs(metres));
