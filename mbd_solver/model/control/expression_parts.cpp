@@ -10,7 +10,7 @@
 namespace footfall {
 namespace {
 
-using Kind = ExpressionPart::Kind;
+using PartKind = ExpressionPart::Kind;
 
 struct NotUnderstood {};
 
@@ -41,11 +41,11 @@ class Parser {
       }
     return {};
   }
-  ExpressionPart made(Kind kind, std::string name, std::size_t begin, std::vector<ExpressionPart> parts) const {
+  ExpressionPart made(PartKind kind, std::string name, std::size_t begin, std::vector<ExpressionPart> parts) const {
     return {kind, std::move(name), text_.substr(begin, at_ - begin), std::move(parts)};
   }
   // Operators of one level, from the left.
-  ExpressionPart chain(Kind kind, std::initializer_list<const char*> operators, Level next) {
+  ExpressionPart chain(PartKind kind, std::initializer_list<const char*> operators, Level next) {
     skip_space();
     const std::size_t begin = at_;
     ExpressionPart left = (this->*next)();
@@ -64,20 +64,20 @@ class Parser {
     ExpressionPart then = choice();
     if (accept({":"}).empty()) throw NotUnderstood{};
     ExpressionPart otherwise = choice();
-    return made(Kind::kChoice, "?", begin, {std::move(condition), std::move(then), std::move(otherwise)});
+    return made(PartKind::kChoice, "?", begin, {std::move(condition), std::move(then), std::move(otherwise)});
   }
-  ExpressionPart any_of() { return chain(Kind::kLogic, {"||"}, &Parser::all_of); }
-  ExpressionPart all_of() { return chain(Kind::kLogic, {"&&"}, &Parser::comparison); }
-  ExpressionPart comparison() { return chain(Kind::kCompare, {"<=", ">=", "==", "!=", "<", ">"}, &Parser::sum); }
-  ExpressionPart sum() { return chain(Kind::kSum, {"+", "-"}, &Parser::product); }
-  ExpressionPart product() { return chain(Kind::kProduct, {"*", "/"}, &Parser::prefixed); }
+  ExpressionPart any_of() { return chain(PartKind::kLogic, {"||"}, &Parser::all_of); }
+  ExpressionPart all_of() { return chain(PartKind::kLogic, {"&&"}, &Parser::comparison); }
+  ExpressionPart comparison() { return chain(PartKind::kCompare, {"<=", ">=", "==", "!=", "<", ">"}, &Parser::sum); }
+  ExpressionPart sum() { return chain(PartKind::kSum, {"+", "-"}, &Parser::product); }
+  ExpressionPart product() { return chain(PartKind::kProduct, {"*", "/"}, &Parser::prefixed); }
   ExpressionPart prefixed() {
     skip_space();
     const std::size_t begin = at_;
     const std::string name = accept({"-", "+", "!"});
     if (name.empty()) return power();
     ExpressionPart operand = prefixed();
-    return made(Kind::kPrefix, name, begin, {std::move(operand)});
+    return made(PartKind::kPrefix, name, begin, {std::move(operand)});
   }
   ExpressionPart power() {
     skip_space();
@@ -85,7 +85,7 @@ class Parser {
     ExpressionPart base = primary();
     if (accept({"^"}).empty()) return base;
     ExpressionPart exponent = prefixed();
-    return made(Kind::kPower, "^", begin, {std::move(base), std::move(exponent)});
+    return made(PartKind::kPower, "^", begin, {std::move(base), std::move(exponent)});
   }
   ExpressionPart primary() {
     skip_space();
@@ -98,20 +98,20 @@ class Parser {
     }
     if (const std::size_t digits = number_length(); digits > 0) {
       at_ += digits;
-      return made(Kind::kNumber, {}, begin, {});
+      return made(PartKind::kNumber, {}, begin, {});
     }
     while (is_of_name()) ++at_;
     if (at_ == begin) throw NotUnderstood{};
     const std::string name = text_.substr(begin, at_ - begin);
     if (accept({"("}).empty()) {
       at_ = begin + name.size();
-      return made(Kind::kName, name, begin, {});
+      return made(PartKind::kName, name, begin, {});
     }
     std::vector<ExpressionPart> arguments;
     do arguments.push_back(choice());
     while (!accept({","}).empty());
     if (accept({")"}).empty()) throw NotUnderstood{};
-    return made(Kind::kCall, name, begin, std::move(arguments));
+    return made(PartKind::kCall, name, begin, std::move(arguments));
   }
 
   bool is_of_name() const {
