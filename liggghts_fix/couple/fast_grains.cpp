@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kInterval = 50;  // steps after which speeds are measured even without a new list of neighbours
 
-Eigen::Vector3d vector3(const double* x) { return {x[0], x[1], x[2]}; }
+Eigen::Vector3d grain_vector(const double* x) { return {x[0], x[1], x[2]}; }
 
 }  // namespace
 
@@ -40,7 +40,7 @@ void FastGrains::measure() {
   list_ = neighbor->lastcall;
   double largest = 0.0, smallest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < atom->nlocal; ++i) {
-    const double r = atom->radius[i], v2 = vector3(atom->v[i]).squaredNorm();
+    const double r = atom->radius[i], v2 = grain_vector(atom->v[i]).squaredNorm();
     if (v2 > largest * r * r) largest = v2 / (r * r);
     smallest = std::min(smallest, r);
   }
@@ -66,8 +66,8 @@ void FastGrains::find_faults() {
     nodes_.resize(3, boundary.node_count());
     boundary.node_positions(pose, nodes_);
     for (int i = 0; i < atom->nlocal; ++i) {
-      const Eigen::Vector3d x = vector3(atom->x[i]);
-      const Eigen::Vector3d v = vector3(atom->v[i]) - pose.dr - pose.w.cross(x - pose.r);
+      const Eigen::Vector3d x = grain_vector(atom->x[i]);
+      const Eigen::Vector3d v = grain_vector(atom->v[i]) - pose.dr - pose.w.cross(x - pose.r);
       const double r = atom->radius[i], speed = v.norm();
       if (speed * update->dt <= footfall::kLongestWay * r) continue;
       // To the end of the window, and one radius and step on either side.

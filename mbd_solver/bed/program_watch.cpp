@@ -30,7 +30,7 @@ std::int64_t last_change(const std::string& path) {
   return file_changed(path);
 }
 
-std::string last_line(const std::string& log) {
+std::string last_log_line(const std::string& log) {
   std::ifstream file(log, std::ios::ate);
   if (!file) return "";
   constexpr std::streamoff kTail = 4096;
@@ -85,7 +85,7 @@ std::string ProgressWatch::silence() {
   if (change != seen_) silent_ = 0.0;
   seen_ = change;
   if (silent_ < limit_) return "";
-  const std::string line = last_line(log_);
+  const std::string line = last_log_line(log_);
   return with_code(code::kProgramSilent,
                    "LIGGGHTS has made no step for " + number_text(limit_) + " s, the limit of coupling.timeout" +
                        (line.empty() ? "" : "; the last line of its log is \"" + line + "\"") +

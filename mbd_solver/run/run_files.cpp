@@ -45,7 +45,7 @@ namespace {
 
 // A file that cannot be written is no mistake of the scene any more.
 template <class Write>
-void as_file_error(const Write& write) {
+void with_file_error(const Write& write) {
   try {
     write();
   } catch (const InputError& error) {
@@ -56,11 +56,11 @@ void as_file_error(const Write& write) {
 }  // namespace
 
 void RunFiles::write(const Sample& sample) {
-  as_file_error([&] { write_due(sample); });
+  with_file_error([&] { write_due(sample); });
 }
 
 void RunFiles::write_row(const Sample& sample) {
-  as_file_error([&] { write_due_row(sample); });
+  with_file_error([&] { write_due_row(sample); });
 }
 
 void RunFiles::observe(const Sample& sample) {

@@ -16,12 +16,12 @@
 namespace footfall {
 namespace {
 
-using Kind = ExpressionPart::Kind;
+using PartKind = ExpressionPart::Kind;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoCorner = std::numeric_limits<double>::infinity();
 constexpr int kRounds = 8;                    // of looking for corners between those found so far
 constexpr double kNoClass = -1e300;           // where an expression has no value
-constexpr double kSmall = 1e-9;               // variation that does not count, of the largest value in a block [-]
+constexpr double kNoWidth = 1e-9;             // variation that does not count, of the largest value in a block [-]
 constexpr double kTiny = 1e-12;               // likewise, [unit]
 constexpr double kBend = 0.3;                 // distance from a line, of the variation, that does not count [-]
 constexpr std::size_t kMostCorners = 200000;  // of a block
@@ -56,25 +56,25 @@ Shape shape_of(const ExpressionPart& part, const std::vector<Shape>& of_parts,
   const auto bent = [&](int degree) { return Shape{all.known, all.varies, degree, true}; };
   const auto smooth = [&](int degree) { return Shape{all.known, all.varies, degree, all.pieces}; };
   switch (part.kind) {
-    case Kind::kNumber: return {};
-    case Kind::kName: {
+    case PartKind::kNumber: return {};
+    case PartKind::kName: {
       const auto found = names.find(part.name);
       return found == names.end() ? Shape{} : found->second;  // else a constant
     }
-    case Kind::kCall:
+    case PartKind::kCall:
       if (part.name == "abs" || part.name == "min" || part.name == "max") return bent(highest);
       if (part.name == "sign" || part.name == "rint") return stepped();
       return smooth(highest == 0 ? 0 : 2);
-    case Kind::kChoice: return bent(std::max(of_parts[1].degree, of_parts[2].degree));
-    case Kind::kLogic:
-    case Kind::kCompare: return stepped();
-    case Kind::kSum: return smooth(highest);
-    case Kind::kProduct: {
+    case PartKind::kChoice: return bent(std::max(of_parts[1].degree, of_parts[2].degree));
+    case PartKind::kLogic:
+    case PartKind::kCompare: return stepped();
+    case PartKind::kSum: return smooth(highest);
+    case PartKind::kProduct: {
       const int left = of_parts[0].degree, right = of_parts[1].degree;
       return smooth(part.name == "*" ? std::min(left + right, 2) : right == 0 ? left : 2);
     }
-    case Kind::kPower: return smooth(highest == 0 ? 0 : 2);
-    case Kind::kPrefix: return part.name == "!" ? stepped() : smooth(highest);
+    case PartKind::kPower: return smooth(highest == 0 ? 0 : 2);
+    case PartKind::kPrefix: return part.name == "!" ? stepped() : smooth(highest);
   }
   FOOTFALL_DEMAND(false);
   return {};
@@ -113,7 +113,7 @@ struct Value {
   bool curved;  // no line between corners
 };
 
-bool neighbours(double a, double b) { return std::nextafter(a, kInfinity) >= b; }
+bool neighbours(double a, double b) { return std::nextafter(a, kNoCorner) >= b; }
 
 }  // namespace
 
@@ -198,8 +198,8 @@ void GivenSignals::Scan::add(const GivenEntry& entry, const std::function<GivenS
       const GivenSource from = source(name);
       Shape& shape = name_shapes[name];
       double* const value = &names[name];
-      shape.known = from.kind != GivenSource::Kind::kUnknown && from.kind != GivenSource::Kind::kSignal;
-      shape.varies = from.kind == GivenSource::Kind::kTime || from.kind == GivenSource::Kind::kSince;
+      shape.known = from.kind != GivenSource::PartKind::kUnknown && from.kind != GivenSource::PartKind::kSignal;
+      shape.varies = from.kind == GivenSource::PartKind::kTime || from.kind == GivenSource::PartKind::kSince;
       shape.degree = shape.varies ? 1 : 0;
       if (!shape.known) *value = std::nan("");
       if (shape.known) sources.push_back({value, from});
@@ -263,7 +263,7 @@ void GivenSignals::Scan::collect(const ExpressionPart& part, const std::string& 
     for (const ExpressionPart& inner : part.parts) collect(inner, owner, shapes);
     return;
   }
-  if (!shape.varies || part.kind == Kind::kName) return;
+  if (!shape.varies || part.kind == PartKind::kName) return;
   const bool bends = shape.degree == 2;
   values.push_back({owner, Expression(part.text, names), bends});
   curved = curved || bends;
@@ -288,13 +288,13 @@ void GivenSignals::Scan::collect_switches(const ExpressionPart& part, const std:
   };
   const auto condition = [&](const ExpressionPart& p) {
     const bool is_logical =
-        p.kind == Kind::kCompare || p.kind == Kind::kLogic || (p.kind == Kind::kPrefix && p.name == "!");
+        p.kind == PartKind::kCompare || p.kind == PartKind::kLogic || (p.kind == PartKind::kPrefix && p.name == "!");
     if (!is_logical) add(p, Classes::kSign);
   };
   switch (part.kind) {
-    case Kind::kNumber:
-    case Kind::kName: break;
-    case Kind::kCall:
+    case PartKind::kNumber:
+    case PartKind::kName: break;
+    case PartKind::kCall:
       if (part.name == "rint") {
         if (shapes[&part].varies) add_switch(owner, part.text, Classes::kLevel, false);
       } else if (part.name == "sign") {
@@ -307,22 +307,22 @@ void GivenSignals::Scan::collect_switches(const ExpressionPart& part, const std:
         for (const ExpressionPart& argument : part.parts) add(argument, Classes::kNegative);
       }
       break;
-    case Kind::kChoice: condition(part.parts[0]); break;
-    case Kind::kLogic:
+    case PartKind::kChoice: condition(part.parts[0]); break;
+    case PartKind::kLogic:
       for (const ExpressionPart& operand : part.parts) condition(operand);
       break;
-    case Kind::kCompare:
+    case PartKind::kCompare:
       compare(part.parts[0], part.parts[1],
               part.name == "<" || part.name == ">="   ? Classes::kNegative
               : part.name == "<=" || part.name == ">" ? Classes::kPositive
                                                       : Classes::kSign);
       break;
-    case Kind::kSum:
+    case PartKind::kSum:
       if (bends) add(part, Classes::kNegative);
       break;
-    case Kind::kPower: add(part.parts[0], Classes::kNegative); break;
-    case Kind::kProduct: break;
-    case Kind::kPrefix:
+    case PartKind::kPower: add(part.parts[0], Classes::kNegative); break;
+    case PartKind::kProduct: break;
+    case PartKind::kPrefix:
       if (part.name == "!") condition(part.parts[0]);
       break;
   }
@@ -336,9 +336,9 @@ void GivenSignals::Scan::evaluate(double t, Point& point) {
   point.value.clear();
   for (const auto& [value, source] : sources) {
     const double held_value = source.place >= 0 ? (*inputs)[source.place] : 0.0;
-    *value = source.kind == GivenSource::Kind::kTime    ? t
-             : source.kind == GivenSource::Kind::kSince ? t - held_value
-                                                        : held_value;
+    *value = source.kind == GivenSource::PartKind::kTime    ? t
+             : source.kind == GivenSource::PartKind::kSince ? t - held_value
+                                                            : held_value;
   }
   std::vector<double> pieces;
   const Eigen::VectorXd none;
@@ -448,14 +448,14 @@ void GivenSignals::Scan::add_turns(const Points& points, double cell) {
   bool varies = false;
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (!values[k].curved) continue;
-    double largest = 0.0, least_value = kInfinity, most_value = -kInfinity;
+    double largest = 0.0, least_value = kNoCorner, most_value = -kNoCorner;
     for (const Point& point : all) {
       if (std::isnan(point.value[k])) continue;
       largest = std::max(largest, std::abs(point.value[k]));
       least_value = std::min(least_value, point.value[k]);
       most_value = std::max(most_value, point.value[k]);
     }
-    const double floor = kTiny + kSmall * largest;
+    const double floor = kTiny + kNoWidth * largest;
     varies = varies || most_value - least_value > floor;
     // In parts between jumps and missing values.
     std::size_t begin = 0;

@@ -12,7 +12,7 @@
 namespace footfall {
 namespace {
 
-constexpr int kDigits = 10;
+constexpr int kPeakDigits = 10;
 constexpr std::size_t kWidth = 6;
 
 }  // namespace
@@ -55,7 +55,7 @@ void Peaks::write(const std::string& path) const {
     text += column.name + "," + column.unit;
     for (const double number : {column.least, column.least_time, column.largest, column.largest_time}) {
       text += ',';
-      append_number(text, number, kDigits);
+      append_number(text, number, kPeakDigits);
     }
     text += '\n';
   }
