@@ -335,14 +335,27 @@ std::vector<ScriptText> with_includes(const std::string& script, const Variables
   return texts;
 }
 
+// The word with which a mesh writes a list of its elements.
+constexpr const char* kElementList = "element_exclusion_list";
+
+// True when no value of the variables in these words, which are all known, names a list of elements.
+bool cannot_list_elements(const Words& w, const std::vector<Words>& commands, const Variables& variables) {
+  return std::all_of(w.begin(), w.end(), [&](const std::string& word) {
+    const std::set<std::string> texts = possible_texts(word, commands, variables);
+    return !texts.empty() && std::none_of(texts.begin(), texts.end(), [](const std::string& text) {
+      return text.find(kElementList) != std::string::npos;
+    });
+  });
+}
+
 // Why it is not certain that this command is safe; empty when it is. w: its words as they are written; known: variables
-// that are numbers or of the command line; given: the latter.
+// that are numbers or of the command line; given: the latter; commands, variables: all others of the script.
 std::string doubt(const Words& w, const std::string& text, const std::set<std::string>& known,
-                  const std::set<std::string>& given) {
+                  const std::set<std::string>& given, const std::vector<Words>& commands, const Variables& variables) {
   const auto word = [&](std::size_t k) { return k < w.size() ? w[k] : std::string(); };
   if (kHarmless.count(w[0]) == 0 && kWriting.count(w[0]) == 0) return "`" + w[0] + "` is not known to be harmless";
   if (w[0] == "processors" && word_after(w, "file") != "") return "writes a file";
-  if (std::find(w.begin(), w.end(), "element_exclusion_list") != w.end()) return "writes or reads a list of elements";
+  if (std::find(w.begin(), w.end(), kElementList) != w.end()) return "writes or reads a list of elements";
   if (w[0] == "jump" && word(1) != "SELF") return "jumps into another file";
   if (w[0] == "include" && !begins(word(1), "$") && !begins(word(1), "/"))
     return "includes a file by a name that may mean two files, expected ${here}/NAME";
@@ -355,6 +368,7 @@ std::string doubt(const Words& w, const std::string& text, const std::set<std::s
     return "fix " + word(3) + " is not known to be harmless";
   if (w[0] == "dump" && !begins_as_one_of(word(3), kDumps)) return "dump " + word(3) + " is not known to be harmless";
   // A mesh may write its elements, and `processors` its grid, by further words.
+  if (w[0] == "fix" && begins(word(3), "mesh/") && cannot_list_elements(w, commands, variables)) return "";
   const bool writes = w[0] == "fix" ? is_writing_fix(word(3)) || begins(word(3), "mesh/")
                                     : kWriting.count(w[0]) > 0 || w[0] == "processors";
   if (writes && !is_plain(text, known)) return "writes files with words that only LIGGGHTS can compute";
@@ -366,7 +380,8 @@ std::string doubt(const Words& w, const std::string& text, const std::set<std::s
 std::string uncertain_lines(const std::string& script, const Variables& variables, const std::set<std::string>& given) {
   std::string findings;
   const std::vector<ScriptText> texts = with_includes(script, variables, findings);
-  std::set<std::string> known = numeric_variables(written_commands(texts), variables);
+  const std::vector<Words> written = written_commands(texts);
+  std::set<std::string> known = numeric_variables(written, variables);
   for (const char* place : {"out", "bed", "here"}) known.erase(place);
   known.insert(given.begin(), given.end());
   for (const std::string& name : given)
@@ -384,7 +399,7 @@ std::string uncertain_lines(const std::string& script, const Variables& variable
       if (w.empty()) return;
       const std::string why = w[0].find('$') != std::string::npos || depth > 3
                                   ? "only LIGGGHTS knows which command this is"
-                                  : doubt(w, line, known, given);
+                                  : doubt(w, line, known, given, written, variables);
       if (!why.empty()) complain(findings, command, why);
       for (const std::string& within : commands_within(w)) judge(within, depth + 1);
     };

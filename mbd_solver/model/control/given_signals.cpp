@@ -198,8 +198,8 @@ void GivenSignals::Scan::add(const GivenEntry& entry, const std::function<GivenS
       const GivenSource from = source(name);
       Shape& shape = name_shapes[name];
       double* const value = &names[name];
-      shape.known = from.kind != GivenSource::PartKind::kUnknown && from.kind != GivenSource::PartKind::kSignal;
-      shape.varies = from.kind == GivenSource::PartKind::kTime || from.kind == GivenSource::PartKind::kSince;
+      shape.known = from.kind != GivenSource::Kind::kUnknown && from.kind != GivenSource::Kind::kSignal;
+      shape.varies = from.kind == GivenSource::Kind::kTime || from.kind == GivenSource::Kind::kSince;
       shape.degree = shape.varies ? 1 : 0;
       if (!shape.known) *value = std::nan("");
       if (shape.known) sources.push_back({value, from});
@@ -336,8 +336,8 @@ void GivenSignals::Scan::evaluate(double t, Point& point) {
   point.value.clear();
   for (const auto& [value, source] : sources) {
     const double held_value = source.place >= 0 ? (*inputs)[source.place] : 0.0;
-    *value = source.kind == GivenSource::PartKind::kTime    ? t
-             : source.kind == GivenSource::PartKind::kSince ? t - held_value
+    *value = source.kind == GivenSource::Kind::kTime    ? t
+             : source.kind == GivenSource::Kind::kSince ? t - held_value
                                                             : held_value;
   }
   std::vector<double> pieces;
