@@ -172,7 +172,7 @@ TEST_P(Masses, OfTheGrainAloneDampAsStockDoes) {
 // yade-dev/trunk), 5 and 6 as in Kratos (DEM_application, basic_benchmarks, benchmark5DEM.mdpa and benchmark6DEM.mdpa) and, test 5,
 // in PySPH's examples of these tests; Kratos has the same values for 2 to 4.
 //
-// With FOOTFALL_WALL_TESTS=FILE the rows of docs/data/wall_tests.txt are appended to FILE (docs/wall_tests.sh).
+// With FOOTFALL_WALL_TESTS=FILE the rows of docs/data/wall_tests.txt are appended to FILE (docs/data/remake/wall_tests.sh).
 
 using Eigen::Vector3d;
 

@@ -6,7 +6,7 @@
 #     PART     page: writes the data file and runs nothing
 #     --short  a minute in all; the data file stays as it is
 #   BUILD=FOLDER     default build, with all tests. The programs are copied first.
-#   LOGS=1           takes the results of tests/fuzz/run.sh and tests/sanitize/run.sh as they are
+#   LOGS=1           takes the results of tests/fuzz/run.sh and tests/bench/sanitize/run.sh as they are
 #   PART_SECONDS     limit of kills and signals, twice that of load (default 900)
 #   FUZZ_SECONDS     for each target (default 300); KEEP_SCENE, KEEP_ARGS: the run whose checkpoints are timed; PLANE_SECONDS
 # The long form takes some 40 minutes on two cores that are shared, and hours with PART_SECONDS=100000 FUZZ_SECONDS=3600.
@@ -19,7 +19,7 @@ short=false as_row=false
 [[ ${1-} == --row ]] && { as_row=true; shift; } # of a whole run
 parts=("$@")
 all=(kills signals load stops disk damage keeping fuzz sanitizers endurance plane)
-work=$build/reliability cli=tests/cli
+work=$build/reliability app=tests/app
 version="$(git rev-parse --short HEAD 2>/dev/null || echo "no commit") ($(date +%F))"
 $short && work=$build/reliability_short
 mkdir -p "$work"
@@ -39,36 +39,34 @@ kills() {
   jobs=${KILL_JOBS:-1}
   rm -f "$log".*
   for ((k = 1; k <= jobs; ++k)); do
-    $cli/kills.sh "$footfall" "$work/kills_$k" "$(of 2 $((100 / jobs)))" "$((${SEED:-1} + k))" "$limit" >"$log.$k" 2>&1 &
+    $app/kills.sh "$footfall" "$work/kills_$k" "$(of 2 $((100 / jobs)))" "$((${SEED:-1} + k))" "$limit" >"$log.$k" 2>&1 &
   done
   for ((k = 1; k <= jobs; ++k)); do wait -n || failed; done
   cat "$log".* >"$log"
   ((code == 0)) || tail -n 5 "$log".* >&2
-  local slow
-  slow=$(sed -n 's/.*code [0-9]* after \([0-9.]*\) s, .*/\1/p' "$log" | sort -n | tail -n 1)
-  echo "| a program is killed (SIGKILL) at a random moment; then \`footfall run --resume\`, or anew where nothing was kept yet | $(grep -c '^[0-9]*: ' "$log"): $(table_of phase "$log"); $(table_of process "$log") | history, surfaces and pictures are those of the undisturbed run to the byte; gone on with a checkpoint $(grep -c 'gone on with after' "$log"), anew $(grep -c 'gone on with from' "$log"); all gone after $slow s at most | $(verdict $code) | \`Kills.*\`, \`Resume.ToTheBit/*\` |"
+  echo "| a program is killed (SIGKILL) at a random moment; then \`footfall run --resume\`, or anew where nothing was kept yet | $(grep -c '^[0-9]*: ' "$log"): $(sed -n 's/^[0-9]*: .* in \([a-z]*\): .*/phase \1 1/p' "$log" | table_of phase /dev/stdin); $(sed -n 's/^[0-9]*: \([a-z0-9_]*\) in .*/process \1 1/p' "$log" | table_of process /dev/stdin) | history, surfaces and pictures are those of the undisturbed run to the byte; resumed from a checkpoint $(grep -c 'resumed after' "$log"), anew $(grep -c 'resumed from the start' "$log") | $(verdict $code) | \`app.Kills\`, \`app.Resume\` |"
 }
 
 # Of a log of signals.sh: how many, and how many of those that were to leave a checkpoint did.
 signals_line() { # LOG CODE WHAT
-  local log=$1 kept='^\(window\|exchange\|checkpoint\), .*code 3, sets'
-  echo "| $3 | $(grep -c ', SIG\|^BAD' "$log"): $(sed -n 's/^\([a-z]*\), SIG.*/phase \1 1/p; s/^BAD \([a-z]*\),.*/phase \1 1/p' "$log" | table_of phase /dev/stdin); did not hold: $(grep -c '^BAD' "$log") | exit code 3, and the run goes on from a whole checkpoint: $(grep "$kept" "$log" | grep -vc 'sets no') of $(grep -c "$kept" "$log") in the three phases that can have one; nothing is left behind; all gone after $(slowest "$log") s at most | $(verdict "$2") | \`Signals.EndBothPrograms/*\` |"
+  local log=$1 kept='^\(window\|exchange\|checkpoint\), .*code 3, checkpoints'
+  echo "| $3 | $(grep -c ', SIG' "$log"): $(sed -n 's/^\(FAILED \)\{0,1\}\([a-z]*\), .*/phase \2 1/p' "$log" | table_of phase /dev/stdin); did not hold: $(grep -c '^FAILED' "$log") | exit code 3, and the run goes on from a whole checkpoint: $(grep "$kept" "$log" | grep -vc 'checkpoints 0') of $(grep -c "$kept" "$log") in the three phases that can have one; nothing is left behind; all gone after $(slowest "$log") s at most | $(verdict "$2") | \`app.Signal/*\` |"
 }
 
 signals() {
   local log=$work/signals.log code=0 names="TERM INT HUP QUIT USR1"
   if $short; then
-    $cli/signals.sh "$footfall" "$work/signals" window rank1 TERM >"$log" 2>&1 || failed
-    $cli/signals.sh "$footfall" "$work/signals" window footfall TWICE >>"$log" 2>&1 || failed
+    $app/by_force.sh "$footfall" "$work/signals" signal window rank1 TERM >"$log" 2>&1 || failed
+    $app/by_force.sh "$footfall" "$work/signals" signal window footfall TWICE >>"$log" 2>&1 || failed
     return
   fi
-  JOBS=${JOBS:-2} $cli/signals.sh "$footfall" "$work/signals" many 10 "footfall mpirun rank0 rank1 mbd_solver" "$names" "window bed checkpoint start exchange handshake shutdown" "$limit" >"$log" 2>&1 || failed
-  grep '^BAD' "$log" >&2
+  JOBS=${JOBS:-2} timeout "$limit" $app/by_force.sh "$footfall" "$work/signals" signals 10 "footfall mpirun rank0 rank1 mbd_solver" "$names" "window bed checkpoint start exchange handshake shutdown" >"$log" 2>&1 || failed
+  grep '^FAILED' "$log" >&2
   signals_line "$log" $code "a signal (TERM, INT, HUP, QUIT, USR1) to one process (footfall, mpirun, rank 0, rank 1, mbd_solver), ten times each pair, the phases in turn"
   code=0
-  JOBS=${JOBS:-2} $cli/signals.sh "$footfall" "$work/signals" many 2 "footfall mpirun rank0 rank1 mbd_solver" "KILL TWICE" "window checkpoint" "$limit" >"$log" 2>&1 || failed
-  grep '^BAD' "$log" >&2
-  echo "| SIGKILL, and two signals one after the other, to each process | $(grep -c ', SIG' "$log"); did not hold: $(grep -c '^BAD' "$log") | exit code 1 and 3; nothing is left behind; all gone after $(slowest "$log") s at most | $(verdict $code) | \`Signals.EndBothPrograms/*\` |"
+  JOBS=${JOBS:-2} timeout "$limit" $app/by_force.sh "$footfall" "$work/signals" signals 2 "footfall mpirun rank0 rank1 mbd_solver" "KILL TWICE" "window checkpoint" >"$log" 2>&1 || failed
+  grep '^FAILED' "$log" >&2
+  echo "| SIGKILL, and two signals one after the other, to each process | $(grep -c ', SIG' "$log"); did not hold: $(grep -c '^FAILED' "$log") | exit code 1 and 3; nothing is left behind; all gone after $(slowest "$log") s at most | $(verdict $code) | \`app.Signal/*\` |"
 }
 
 # On a machine where ten programs want each core: what is missing to that is started.
@@ -80,10 +78,10 @@ load() {
     bash -c 'while :; do :; done' &
     idle+=($!)
   done
-  JOBS=1 $cli/signals.sh "$footfall" "$work/load" many 10 footfall "TERM INT HUP QUIT USR1" "window checkpoint exchange" "$((limit / 2))" >"$log" 2>&1 || failed
+  JOBS=1 timeout "$((limit / 2))" $app/by_force.sh "$footfall" "$work/load" signals 10 footfall "TERM INT HUP QUIT USR1" "window checkpoint exchange" >"$log" 2>&1 || failed
   ((${#idle[@]} == 0)) || { kill "${idle[@]}"; wait "${idle[@]}" 2>/dev/null; }
   read -r after _ </proc/loadavg
-  grep '^BAD' "$log" >&2
+  grep '^FAILED' "$log" >&2
   signals_line "$log" $code "the same to the front door of a run on a machine on which ten programs want each core (load $before by others at the start, ${#idle[@]} of our own added, $after at the end)"
 }
 
@@ -91,51 +89,53 @@ stops() {
   local log=$work/stops.log code=0 case
   : >"$log"
   for case in $(of window/mbd_solver "window/liggghts_mbd window/mbd_solver window/orterun start/liggghts_mbd"); do
-    $cli/stopped_partner.sh "$footfall" "$work/stops" "${case#*/}" "${case%/*}" >>"$log" 2>&1 || failed
+    $app/by_force.sh "$footfall" "$work/stops" stopped "${case#*/}" "${case%/*}" >>"$log" 2>&1 || failed
   done
-  echo "| one program is stopped (SIGSTOP), \`coupling.timeout\` = 2 s: $(sed -n 's/^\(.*\) stopped: .*/\1/p' "$log" | paste -sd';' | sed 's/;/; /g') | $(grep -c ended "$log") | exit code 1, a message names the silent program; all gone after $(slowest "$log") s at most, the 2 s included | $(verdict $code) | \`Failure.AStoppedPartnerEndsTheRun/*\` |"
+  echo "| one program is stopped (SIGSTOP), \`coupling.timeout\` = 2 s: $(sed -n 's/^\(.*\) stopped: .*/\1/p' "$log" | paste -sd';' | sed 's/;/; /g') | $(grep -c ended "$log") | exit code 1, a message names the silent program; all gone after $(slowest "$log") s at most, the 2 s included | $(verdict $code) | \`app.Stopped/*\` |"
 }
 
 disk() {
   local log=$work/disk.log code=0 case bad=""
   : >"$log"
-  $cli/full_disk.sh "$footfall" "$work/disk" >>"$log" 2>&1 || { failed; bad="mechanism"; }
-  for case in $(of restart "motion pictures restart memory"); do
-    $cli/full_disk_grains.sh "$footfall" "$work/disk_$case" $case >>"$log" 2>&1 || { failed; bad+=" $case"; }
+  "$build/bin/app_tests" --gtest_filter='Disks.*' >>"$log" 2>&1 || { failed; bad="mechanism"; }
+  for case in $(of restart "motion pictures restart state"); do
+    $app/by_force.sh "$footfall" "$work/disk_$case" full $case >>"$log" 2>&1 || { failed; bad+=" $case"; }
   done
-  echo "| a file may not grow any more: history, summary, pictures, checkpoint of a mechanism; motion, pictures, both sides' parts of a checkpoint with grains; a folder that is gone | 9 | exit code 1 at once, with the file's name; what is there is whole; no half set passes for a checkpoint | $(verdict $code)${bad:+: $bad} | \`cli.full_disk\`, \`Failure.AFileThatMayNotGrowEndsTheRun/*\` |"
+  echo "| a file may not grow any more: history, summary, pictures, checkpoint of a mechanism; motion, pictures, both sides' parts of a checkpoint with grains; a folder that is gone | 9 | exit code 1 at once, with the file's name; what is there is whole; no half set passes for a checkpoint | $(verdict $code)${bad:+: $bad} | \`app.Disks\`, \`app.Full/*\` |"
   $short && return
   code=0
-  $cli/full_tmpfs.sh "$footfall" "$work/tmpfs" >"$log" 2>&1 || code=$?
+  $app/by_force.sh "$footfall" "$work/tmpfs" disks >"$log" 2>&1 || code=$?
   if ((code == 77)); then
     echo "| a disk that is full (a small tmpfs) | 0 | not tried: no right to mount one | | |"
   else
     ((code == 0)) || failed
-    echo "| a disk that is full (a small tmpfs), with grains: history, motion, pictures, both sides' checkpoints; sizes between an empty folder and a whole run | $(grep -c '^full' "$log") | exit code 1 with the file's name, or done where the room is enough; what is there is whole, and goes on once there is room | $(verdict $code) | |"
+    echo "| a disk that is full (a small tmpfs), with grains: history, motion, pictures, both sides' checkpoints; sizes between an empty folder and a whole run | $(grep -c '^disk of' "$log") | exit code 1 with the file's name, or done where the room is enough; what is there is whole, and goes on once there is room | $(verdict $code) | |"
   fi
 }
 
+passed() { sed -n 's/.*PASSED.* \([0-9]* tests*\)\..*/\1/p' "$1"; }
+
 damage() {
   local log=$work/damage.log code=0
-  $cli/damaged_checkpoint.sh "$footfall" "$work/damaged_checkpoint" >"$log" 2>&1 || failed
-  echo "| files of a checkpoint, and the history it belongs to, cut, changed, empty, missing | $(sed -n 's/ damaged checkpoints.*//p' "$log") | the set before is taken, to the byte; where none is whole exit code 2 and their names | $(verdict $code) | \`cli.damaged_checkpoint\` |"
+  "$build/bin/app_tests" --gtest_filter='*DamagedCheckpoint*' >"$log" 2>&1 || failed
+  echo "| files of a checkpoint, and the history it belongs to, cut, changed, empty, missing | $(passed "$log") | the set before is taken, to the byte; where none is whole exit code 2 and their names | $(verdict $code) | \`Folders.WithADamagedCheckpoint*\` |"
   $short && return
   code=0
-  $cli/damaged_runs.sh "$footfall" "$work/damaged_runs" >"$log" 2>&1 || failed
-  echo "| summaries cut or strange, read by report, pictures, compare, sweep | 18 | exit code 2; a sweep does the run again | $(verdict $code) | \`cli.damaged_runs\` |"
+  "$build/bin/app_tests" --gtest_filter='Folders.OfDamagedRuns*' >"$log" 2>&1 || failed
+  echo "| summaries cut or strange, read by report, pictures, compare, sweep | $(passed "$log") | exit code 2; a sweep does the run again | $(verdict $code) | \`Folders.OfDamagedRuns*\` |"
   code=0
-  $cli/damaged_bed.sh "$footfall" "$work/damaged_bed" "$root/inputs/dropped_sphere" >"$log" 2>&1 || failed
-  echo "| beds empty, cut, changed, missing, without seal; a cut restart file of a script | 6 | made again with a warning; exit code 2 for the script's own | $(verdict $code) | \`Bed.ThatIsDamagedIsToldAndMadeAgain\` |"
+  "$build/bin/app_tests" --gtest_filter='Folders.OfBedsThatAreDamaged*' >"$log" 2>&1 || failed
+  echo "| beds empty, cut, changed, missing, without seal; a cut restart file of a script | $(passed "$log") | made again with a warning; exit code 2 for the script's own | $(verdict $code) | \`Folders.OfBedsThatAreDamaged*\` |"
   code=0
-  ctest --test-dir "$build" -L bad_input >"$log" 2>&1 || failed
-  echo "| wrong scenes, scripts, meshes, experiments; kept findings of fuzzing | $(sed -n 's/.*tests passed.* out of //p' "$log") tests | one clear message, exit code 2, within 10 s | $(verdict $code) | label \`bad_input\` |"
+  "$build/bin/app_check" --gtest_filter='Check/*:Quick/*:Run/*' >"$log" 2>&1 || failed
+  echo "| wrong scenes, scripts, meshes, experiments; kept findings of fuzzing | $(passed "$log") | one clear message, exit code 2, within 10 s | $(verdict $code) | \`app.BadInput*\` |"
 }
 
 keeping() {
   $short && return
   local log=$work/keeping.log code=0
-  tests/endurance/keeping.sh "$footfall" "$work/keeping" "${KEEP_EVERY:-60}" ${KEEP_SCENE:-inputs/landing_mr} ${KEEP_ARGS:---until 1.0} >"$log" 2>&1 || failed
-  echo "| a run (${KEEP_SCENE:-inputs/landing_mr} ${KEEP_ARGS:---until 1.0}) is kept by the clock | 1 | at most 0.5 % of its time: $(tail -n 1 "$log") | $(verdict $code) | \`Resume.KeptByTheClock/*\` |"
+  $app/endurance.sh "$footfall" "$work/keeping" checkpoints "${KEEP_EVERY:-60}" ${KEEP_SCENE:-inputs/landing_mr} ${KEEP_ARGS:---until 1.0} >"$log" 2>&1 || failed
+  echo "| a run (${KEEP_SCENE:-inputs/landing_mr} ${KEEP_ARGS:---until 1.0}) is kept by the clock | 1 | at most 0.5 % of its time: $(tail -n 1 "$log") | $(verdict $code) | \`app.WallClockCheckpoints/*\` |"
 }
 
 fuzz() {
@@ -156,7 +156,7 @@ fuzz() {
 sanitizers() {
   $short && return
   local log=$work/sanitizers.log code=0
-  [[ -n ${LOGS-} ]] || BUILD=$work nice tests/sanitize/run.sh >"$log" 2>&1 || code=1
+  [[ -n ${LOGS-} ]] || BUILD=$work nice tests/bench/sanitize/run.sh >"$log" 2>&1 || code=1
   local lines=(build-sanitize/*.line) line name said
   [[ -e ${lines[0]} ]] || { echo "| tests under sanitizers | 0 | not tried | | |"; return; }
   made_at=$(sed -n 's/.*; at //p' "${lines[@]}" | grep -o '[0-9a-f]\{7\} ([-0-9]*)' | sort -u | paste -sd, | sed 's/,/, /g')
@@ -165,24 +165,21 @@ sanitizers() {
     line=$(cat "build-sanitize/$name.line") said=${line#*: } code=0
     grep -q '[1-9][0-9]* failed\|[1-9][0-9]* findings\|[1-9][0-9]* reports\|[1-9][0-9]* places\|failed:' <<<"$said" && failed
     line=${line%%:*}
-    echo "| ${line#*, }: $name | $said | no finding; what is left out has its reason in \`tests/sanitize/left_out.txt\` | $(verdict $code) | \`tests/sanitize/run.sh $name\` |"
+    echo "| ${line#*, }: $name | $said | no finding; what is left out has its reason in \`tests/bench/sanitize/left_out.txt\` | $(verdict $code) | \`tests/bench/sanitize/run.sh $name\` |"
   done
 }
 
 endurance() {
   local log=$work/endurance.log code=0
-  "$work/bin/endurance_loopback" "$(of 10000 1000000)" >"$log" 2>&1 || failed
-  echo "| many windows in one process | $(head -n 1 "$log" | sed 's/ windows.*//') windows | $(tail -n 1 "$log" | sed 's/.*windows: //') | $(verdict $code) | \`Endurance.MemoryStays/loopback\` |"
-  code=0
-  tests/endurance/grains.sh "$footfall" "$work/endurance" "$(of 2000 100000)" >"$log" 2>&1 || failed
-  echo "| many windows through LIGGGHTS, two ranks | $(tail -n 1 "$log" | sed 's/ windows.*//') windows | $(tail -n 1 "$log" | sed 's/.*: //') | $(verdict $code) | \`Endurance.MemoryStays/grains\` |"
+  $app/endurance.sh "$footfall" "$work/endurance" grains "$(of 2000 100000)" >"$log" 2>&1 || failed
+  echo "| many windows through LIGGGHTS, two ranks | $(tail -n 1 "$log" | sed 's/ windows.*//') windows | $(tail -n 1 "$log" | sed 's/.*: //') | $(verdict $code) | \`app.Endurance/*\` |"
 }
 
 plane() {
   $short && return
   local log=$work/plane.log code=0
-  tests/endurance/plane.sh "$footfall" "$work/plane" "${PLANE_SECONDS:-1000}" >"$log" 2>&1 || failed
-  echo "| the lander stands on the rigid plane | $(tail -n 1 "$log" | sed 's/ on the.*//') | $(tail -n 1 "$log" | sed 's/.*plane: //') | $(verdict $code) | |"
+  $app/endurance.sh "$footfall" "$work/plane" plane "${PLANE_SECONDS:-1000}" >"$log" 2>&1 || failed
+  echo "| the lander stands on the rigid plane | $(sed -n 's/ on the rigid plane.*//p' "$log") | $(sed -n 's/.*plane: //p; s/^report/, report/p' "$log" | paste -sd '') | $(verdict $code) | |"
 }
 
 row() { # PART...
