@@ -14,7 +14,7 @@
 namespace footfall {
 namespace {
 
-constexpr double kMass = 2.0, kImpulse = 0.5;  // [kg], of each pulse [N s]
+constexpr double kPulsedMass = 2.0, kImpulse = 0.5;  // [kg], of each pulse [N s]
 
 struct Pulse {
   double begin, width, force;  // [s], [s], [N]
@@ -155,7 +155,7 @@ TEST_P(PulseTrain, GivesItsImpulse) {
       const std::vector<Pulse> train = random_train(random, 6);
       const std::string solver = std::string("integrator = \"") + integrator + "\"\nmax_step = " + max_step +
                                  (integrator == std::string("ida") ? "\nrtol = 1e-11\n" : "\nrtol = 1e-6\n");
-      const double expected = 6.0 * kImpulse / kMass;
+      const double expected = 6.0 * kImpulse / kPulsedMass;
       EXPECT_NEAR(final_speed(notation.pushed(train), solver), expected, 1e-9 * expected)
           << notation.name << ", " << integrator << ", " << max_step << "\n"
           << notation.pushed(train);
