@@ -7,7 +7,7 @@
 #     --short  a minute in all; the data file stays as it is
 #   BUILD=FOLDER     default build, with all tests. The programs are copied first.
 #   LOGS=1           takes the results of tests/fuzz/run.sh and tests/bench/sanitize/run.sh as they are
-#   PART_SECONDS     limit of kills and signals, twice that of load (default 900)
+#   PART_SECONDS     limit of kills (default 900)
 #   FUZZ_SECONDS     for each target (default 300); KEEP_SCENE, KEEP_ARGS: the run whose checkpoints are timed; PLANE_SECONDS
 # The long form takes some 40 minutes on two cores that are shared, and hours with PART_SECONDS=100000 FUZZ_SECONDS=3600.
 set -uo pipefail
@@ -47,7 +47,7 @@ kills() {
   echo "| a program is killed (SIGKILL) at a random moment; then \`footfall run --resume\`, or anew where nothing was kept yet | $(grep -c '^[0-9]*: ' "$log"): $(sed -n 's/^[0-9]*: .* in \([a-z]*\): .*/phase \1 1/p' "$log" | table_of phase /dev/stdin); $(sed -n 's/^[0-9]*: \([a-z0-9_]*\) in .*/process \1 1/p' "$log" | table_of process /dev/stdin) | history, surfaces and pictures are those of the undisturbed run to the byte; resumed from a checkpoint $(grep -c 'resumed after' "$log"), anew $(grep -c 'resumed from the start' "$log") | $(verdict $code) | \`app.Kills\`, \`app.Resume\` |"
 }
 
-# Of a log of signals.sh: how many, and how many of those that were to leave a checkpoint did.
+# Of a log of `by_force.sh signals`: how many, and how many of those that were to leave a checkpoint did.
 signals_line() { # LOG CODE WHAT
   local log=$1 kept='^\(window\|exchange\|checkpoint\), .*code 3, checkpoints'
   echo "| $3 | $(grep -c ', SIG' "$log"): $(sed -n 's/^\(FAILED \)\{0,1\}\([a-z]*\), .*/phase \2 1/p' "$log" | table_of phase /dev/stdin); did not hold: $(grep -c '^FAILED' "$log") | exit code 3, and the run goes on from a whole checkpoint: $(grep "$kept" "$log" | grep -vc 'checkpoints 0') of $(grep -c "$kept" "$log") in the three phases that can have one; nothing is left behind; all gone after $(slowest "$log") s at most | $(verdict "$2") | \`app.Signal/*\` |"
@@ -60,11 +60,11 @@ signals() {
     $app/by_force.sh "$footfall" "$work/signals" signal window footfall TWICE >>"$log" 2>&1 || failed
     return
   fi
-  JOBS=${JOBS:-2} timeout "$limit" $app/by_force.sh "$footfall" "$work/signals" signals 10 "footfall mpirun rank0 rank1 mbd_solver" "$names" "window bed checkpoint start exchange handshake shutdown" >"$log" 2>&1 || failed
+  JOBS=${JOBS:-2} $app/by_force.sh "$footfall" "$work/signals" signals 10 "footfall mpirun rank0 rank1 mbd_solver" "$names" "window bed checkpoint start exchange handshake shutdown" >"$log" 2>&1 || failed
   grep '^FAILED' "$log" >&2
   signals_line "$log" $code "a signal (TERM, INT, HUP, QUIT, USR1) to one process (footfall, mpirun, rank 0, rank 1, mbd_solver), ten times each pair, the phases in turn"
   code=0
-  JOBS=${JOBS:-2} timeout "$limit" $app/by_force.sh "$footfall" "$work/signals" signals 2 "footfall mpirun rank0 rank1 mbd_solver" "KILL TWICE" "window checkpoint" >"$log" 2>&1 || failed
+  JOBS=${JOBS:-2} $app/by_force.sh "$footfall" "$work/signals" signals 2 "footfall mpirun rank0 rank1 mbd_solver" "KILL TWICE" "window checkpoint" >"$log" 2>&1 || failed
   grep '^FAILED' "$log" >&2
   echo "| SIGKILL, and two signals one after the other, to each process | $(grep -c ', SIG' "$log"); did not hold: $(grep -c '^FAILED' "$log") | exit code 1 and 3; nothing is left behind; all gone after $(slowest "$log") s at most | $(verdict $code) | \`app.Signal/*\` |"
 }
@@ -78,7 +78,7 @@ load() {
     bash -c 'while :; do :; done' &
     idle+=($!)
   done
-  JOBS=1 timeout "$((limit / 2))" $app/by_force.sh "$footfall" "$work/load" signals 10 footfall "TERM INT HUP QUIT USR1" "window checkpoint exchange" >"$log" 2>&1 || failed
+  JOBS=1 $app/by_force.sh "$footfall" "$work/load" signals 10 footfall "TERM INT HUP QUIT USR1" "window checkpoint exchange" >"$log" 2>&1 || failed
   ((${#idle[@]} == 0)) || { kill "${idle[@]}"; wait "${idle[@]}" 2>/dev/null; }
   read -r after _ </proc/loadavg
   grep '^FAILED' "$log" >&2

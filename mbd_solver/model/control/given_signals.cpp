@@ -338,7 +338,7 @@ void GivenSignals::Scan::evaluate(double t, Point& point) {
     const double held_value = source.place >= 0 ? (*inputs)[source.place] : 0.0;
     *value = source.kind == GivenSource::Kind::kTime    ? t
              : source.kind == GivenSource::Kind::kSince ? t - held_value
-                                                            : held_value;
+                                                        : held_value;
   }
   std::vector<double> pieces;
   const Eigen::VectorXd none;
