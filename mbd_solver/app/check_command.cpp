@@ -28,6 +28,7 @@
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/control/fuzzy_controller.h"
+#include "mbd_solver/run/observe/attached_damping.h"
 #include "mbd_solver/run/observe/start_overlaps.h"
 #include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/run/output/summary.h"
@@ -69,6 +70,7 @@ void check_by_building(Scene scene, bool judges) {
     if (scene.touches_particles() && !scene.particles->grains.empty()) grains = read_grains(scene.particles->grains);
     std::vector<std::string> warnings = overlaps_at_start(scene, mechanism, grains);
     for (std::string& warning : leaving_bodies(scene, mechanism)) warnings.push_back(std::move(warning));
+    for (std::string& warning : damping_warnings(scene, mechanism)) warnings.push_back(std::move(warning));
     for (const std::string& warning : warnings) std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
   } catch (const InputError& error) {
     const std::string what = error.what();

@@ -5,6 +5,7 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/build/moved_mass.h"
 #include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/gear.h"
@@ -54,7 +55,13 @@ Joint build(const JointSpec& spec, const Model& model, int a, int b, const Place
       const auto [m1, m2] = markers(axes, axes);
       return planar_joint(spec.name, m1, m2);
     }
-    case JointType::kConstantVelocity: return along_axis(constant_velocity_joint);
+    case JointType::kConstantVelocity: {
+      // z of each marker along its shaft. Marker 2 is marker 1 bent about a normal of both shafts, without a turn about them.
+      Eigen::Vector3d z_b = spec.source.given("axis2") ? spec.axis2 : spec.axis;
+      if (z_b.dot(spec.axis) < 0.0) z_b = -z_b;
+      const auto [m1, m2] = markers(along_z, Eigen::Quaterniond::FromTwoVectors(spec.axis, z_b) * along_z);
+      return constant_velocity_joint(spec.name, m1, m2);
+    }
     case JointType::kUniversal: {
       const Eigen::Vector3d across = spec.axis.cross(spec.axis2);  // x of a along `axis`, y of b along `axis2`
       const auto [m1, m2] = markers(axes_with_z(across, spec.axis), axes_with_z(across, spec.axis2.cross(across)));
@@ -81,9 +88,12 @@ Joint build(const JointSpec& spec, const Model& model, int a, int b, const Place
 }  // namespace
 
 void add_joints(const Scene& scene, Mechanism& mechanism) {
-  for (const JointSpec& spec : scene.joints)
-    mechanism.model.add_joint(build(spec, mechanism.model, scene.body_index(spec.bodies[0]),
-                                    scene.body_index(spec.bodies[1]), mechanism.placement));
+  for (const JointSpec& spec : scene.joints) {
+    Joint joint = build(spec, mechanism.model, scene.body_index(spec.bodies[0]), scene.body_index(spec.bodies[1]),
+                        mechanism.placement);
+    joint.counts_turns = has_coordinate(spec.type, Coordinate::kAngle);
+    mechanism.model.add_joint(std::move(joint));
+  }
 }
 
 // Gears of the scene, between coordinates of its joints.
@@ -109,21 +119,27 @@ namespace {
 
 using Laws = std::vector<std::unique_ptr<StrutLaw>>;
 
-Laws laws_of(const CoordinateSpec& spec) {
+Laws laws_of(const CoordinateSpec& spec, double mass) {
   Laws laws;
   if (spec.stops) laws.push_back(std::make_unique<EndStop>(*spec.stops));
-  if (spec.friction) laws.push_back(std::make_unique<JointFriction>(*spec.friction));
+  if (spec.friction) {
+    JointFrictionParameters friction = *spec.friction;
+    friction.mass = mass;
+    laws.push_back(std::make_unique<JointFriction>(friction));
+  }
   if (spec.spring) laws.push_back(std::make_unique<LinearSpringDamper>(*spec.spring));
   return laws;
 }
 
-std::unique_ptr<StrutLaw> build(const DriveSpec& spec) {
+std::unique_ptr<StrutLaw> build(const DriveSpec& spec, double mass) {
   const TimeFunctionPtr command = time_function(spec.command, command_shape(spec.motor.kind));
   if (spec.motor.kind == MotorKind::kBrake) {
     BrakeParameters p;
     p.command = command;
     p.largest_force = spec.motor.gear_ratio * spec.motor.largest_torque.value_or(0.0);
     p.lag = spec.lag;
+    p.mass = mass;
+    p.damping_ratio = spec.stick_damping;
     return std::make_unique<Brake>(p);
   }
   MotorParameters p = spec.motor;
@@ -148,14 +164,14 @@ void add_drives(const Scene& scene, Mechanism& mechanism) {
       mechanism.coordinates.push_back({spec.name, joint, coordinate});
       if (const std::optional<CoordinateSpec>& acting = spec.acting_on(coordinate))
         add_joint_force("joint/" + spec.name + "/" + std::string(name_of(coordinate)), joint, coordinate,
-                        laws_of(*acting), model);
+                        laws_of(*acting, moved_mass(scene, mechanism, joint, coordinate)), model);
     }
   }
   for (const DriveSpec& spec : scene.drives) {
     const int joint = scene.joint_index(spec.joint);
     const Coordinate coordinate = scene.coordinate_of(spec);
     Laws laws;
-    laws.push_back(build(spec));
+    laws.push_back(build(spec, moved_mass(scene, mechanism, joint, coordinate)));
     const int force = add_joint_force("drive/" + spec.name, joint, coordinate, std::move(laws), model,
                                       signal_place(mechanism, spec.command->signal));
     mechanism.drives.push_back({spec.name, force, coordinate});

@@ -15,6 +15,7 @@
 #include "mbd_solver/dynamics/codes.h"
 #include "mbd_solver/dynamics/constraint_rows.h"
 #include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/dynamics/turn_follower.h"
 #include "mbd_solver/model/elements/gear.h"
 #include "mbd_solver/model/elements/joint_coordinate.h"
 #include "mbd_solver/model/rotation.h"
@@ -241,7 +242,8 @@ State initial_state(const Model& model, const Layout& layout) {
   for (int i = 0; i < model.force_count(); ++i)
     state.z.segment(layout.force_z[static_cast<std::size_t>(i)], model.force(i).state_count()) =
         model.force(i).initial_state();
-  state.load_work = Eigen::VectorXd::Zero(model.body_count());
+  state.load_work = state.work_error.load_work = Eigen::VectorXd::Zero(model.body_count());
+  state.angles = Eigen::VectorXd::Zero(layout.angle_count);
   return state;
 }
 
@@ -357,6 +359,17 @@ void note_speeds(const Model& model, const Layout& layout, const Eigen::VectorXd
           number(dw.norm()) + " rad/s."));
 }
 
+// Modes of force elements that fit the velocities of the start.
+void start_modes(const Model& model, const Layout& layout, const Kinematics& kinematics, State& state) {
+  for (int i = 0; i < model.force_count(); ++i) {
+    const ForceElement& element = model.force(i);
+    if (!element.switches()) continue;
+    const Eigen::VectorXd inputs = Eigen::VectorXd::Zero(element.input_count());
+    auto z = state.z.segment(layout.force_z[static_cast<std::size_t>(i)], element.state_count());
+    element.switch_states({kinematics.pair(element.bodies()[0], element.bodies()[1]), z, inputs, state.time}, z);
+  }
+}
+
 }  // namespace
 
 Assembly assemble(const Model& model, const AssemblyOptions& options) {
@@ -396,6 +409,8 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
                       "m/s or rad/s");
   note_speeds(model, layout, rate_given, out.state.v - v_given, !v_given.isZero(), options.speed_tolerance, out);
 
+  start_angles(model, layout, rows.kinematics(), out.state);
+  start_modes(model, layout, rows.kinematics(), out.state);
   out.redundant = rows.redundant(options.rank_tolerance);
   out.rank = layout.row_count;
   for (int j = 0; j < model.joint_count(); ++j)

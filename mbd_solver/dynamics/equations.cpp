@@ -79,7 +79,10 @@ Equations::Equations(const Model& model, const Assembly& assembly, const Baumgar
       layout_(model),
       baumgarte_(baumgarte),
       work_(std::make_unique<Workspace>(model, layout_)),
-      saddle_(std::make_unique<SaddleSystem>(*this, assembly)) {}
+      saddle_(std::make_unique<SaddleSystem>(*this, assembly)) {
+  for (int i = 0; i < model.force_count(); ++i)
+    if (model.force(i).switches()) mode_elements_.push_back(i);
+}
 
 Equations::~Equations() = default;
 
@@ -193,6 +196,7 @@ void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eig
                            double t, Eigen::Ref<Eigen::VectorXd> out) {
   Workspace& w = *work_;
   w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size), w.empty);
+  w.kinematics.load_turns(layout_, y.segment(layout_.z0(), layout_.z_size));
   out = x;
   for (int i = 0; i < model_.body_count(); ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
@@ -361,8 +365,9 @@ void Equations::add_joint_derivatives(int index, double t, double c, const Eigen
   for (std::size_t k = 0; k < joint.rows.size(); ++k) {
     const int local = static_cast<int>(k), row = layout_.joint_row[static_cast<std::size_t>(index)] + local;
     const double beta2 = closes && joint.rows[k].holds_positions() ? baumgarte_.beta * baumgarte_.beta : 0.0;
-    evaluate_row(joint.rows[k], t, vectors, phi_v);  // phi alone depends on whole turns
-    row_derivatives(joint.rows[k], t, vectors, lambda[row], rate_dx, acc_dx, acc_dv, K);
+    const double turns = w.kinematics.turns(index);
+    evaluate_row(joint.rows[k], t, vectors, phi_v, turns);
+    row_derivatives(joint.rows[k], t, vectors, lambda[row], rate_dx, acc_dx, acc_dv, K, turns);
     // F_lambda = phi'' + 2 alpha phi' + beta^2 phi - eps lambda
     if (alpha2 != 0.0 || beta2 != 0.0) acc_dx += alpha2 * rate_dx + beta2 * phi_v;
     acc_dv += (c + alpha2) * phi_v;
@@ -422,6 +427,7 @@ void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::Vecto
   Workspace& w = *work_;
   w.kinematics.load(layout_, y.head(layout_.q_size), y.segment(layout_.v0(), layout_.v_size),
                     ydot.segment(layout_.v0(), layout_.v_size));
+  w.kinematics.load_turns(layout_, y.segment(layout_.z0(), layout_.z_size));
   w.pattern.stiffness.setZero();
   Eigen::Map<Eigen::VectorXd>(w.pattern.lower.valuePtr(), w.pattern.lower.nonZeros()).setZero();
   for (int i = 0; i < model_.body_count(); ++i) add_body_derivatives(i, c, inputs);
@@ -595,6 +601,26 @@ void Equations::settle_signals(const Eigen::VectorXd* before, const Inputs& inpu
   load(state);
   w.values = inputs.values;
   model_.signals()->settle(state.time, w.kinematics, before, state.z.tail(w.signal_rates.size()), w.values);
+}
+
+double Equations::mode_value(const State& state, const Inputs& inputs) {
+  load(state);
+  double smallest = 1.0;
+  for (const int force : mode_elements_)
+    smallest = std::min(smallest, model_.force(force).switch_value(element_input(force, state, inputs)));
+  return smallest;
+}
+
+bool Equations::switch_modes(const Inputs& inputs, State& state) {
+  if (mode_elements_.empty()) return false;
+  load(state);
+  bool any = false;
+  for (const int force : mode_elements_) {
+    const ForceElement& element = model_.force(force);
+    const auto z = state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], element.state_count());
+    any = element.switch_states(element_input(force, state, inputs), z) || any;
+  }
+  return any;
 }
 
 // Central differences over each coordinate and velocity of the measured bodies, and over each state of the signals; only what

@@ -80,6 +80,12 @@ class Equations {
   // enters another of its states: `before` are the inputs until then.
   void settle_signals(const Eigen::VectorXd* before, const Inputs& inputs, State& state);
 
+  // Modes of force elements (ForceElement::switches): the smallest value, below 0 where a mode no longer fits; switch_modes()
+  // sets those, true if there were any.
+  bool has_modes() const { return !mode_elements_.empty(); }
+  double mode_value(const State& state, const Inputs& inputs);
+  bool switch_modes(const Inputs& inputs, State& state);
+
   // Unpacks a state for the output functions below.
   void load(const State& state);
   void load(const Eigen::Ref<const Eigen::VectorXd>& y);
@@ -116,6 +122,7 @@ class Equations {
   const Model& model_;
   Layout layout_;
   Baumgarte baumgarte_;
+  std::vector<int> mode_elements_;
   std::unique_ptr<Workspace> work_;
   std::unique_ptr<SaddleSystem> saddle_;
 };

@@ -26,7 +26,9 @@ struct Layout {
   std::vector<int> joint_row;       // first row of each joint among all rows; members of a gear share one
   std::vector<int> row_joint;       // for each of all rows: its joint, the first member of a gear
   std::vector<int> joint_turns;     // for each joint: the inner state that counts its turns for a gear in z, or -1
-  std::vector<char> shared;         // for each of all rows: several joints contribute to it
+  std::vector<int> joint_angle;     // for each joint: its angle in State::angles, or -1
+  int angle_count = 0;
+  std::vector<char> shared;  // for each of all rows: several joints contribute to it
 };
 
 // The kinematics of all bodies at one instant, unpacked from the vectors of a state.

@@ -25,6 +25,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/dynamics/turn_follower.h"
 #include "mbd_solver/integrator/codes.h"
 #include "mbd_solver/integrator/error_norm.h"
 #include "mbd_solver/integrator/one_step.h"
@@ -53,6 +54,8 @@ struct Ida::Sundials {
   // One step of IDA, with its rows; false: a row has ended the window, and state and rates belong to it.
   bool step(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
   void add_work_between(double begin, double end, const Inputs& inputs, State& state);
+  // In the last step, between two times [s]: when a mode changes (like OneStep); infinity: it does not.
+  double time_of_switch(double begin, double end, const Inputs& inputs);
   void count(IntegratorStatistics& statistics);
   double step_error();                  // of the last step, in tolerances of the scene
   void look_ahead(const State& state);  // after a step: sets passage_end if a singular position comes near
@@ -81,6 +84,7 @@ struct Ida::Sundials {
   SUNLinearSolver solver = nullptr;
   SUNNonlinearSolver newton = nullptr;
   bool fresh = false;                  // the Jacobian belongs to the current step
+  bool switched = false;               // a mode changed at the end of the last step
   double reaction_tolerance = 1.0;     // of multipliers in Newton's iteration [N, N m]
   double last_error = 1.0;             // of the last step [tolerances of a step]
   bool close = false;                  // Newton's last correction was within the tolerance
@@ -92,6 +96,8 @@ struct Ida::Sundials {
   double row_time = 0.0;  // of the next row [s]
   double t = 0.0;
   Eigen::VectorXd rates;
+  TurnFollower turns;
+  TurnFollower::Motion turning;  // at the last state that was returned
   EnergySample energy;
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
   double passage_end = kNever;        // OneStep continues up to this time [s]
@@ -137,6 +143,7 @@ constexpr double kStepShare = 0.1, kAllFrom = 1e-11;  // [-], [rtol] at which th
 // Gauss-Legendre with three points, exact to fifth order like IDA.
 const double kGaussNode[3] = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
 constexpr double kGaussWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+const double kTwoNodes = std::sqrt(1.0 / 3.0);  // of the embedded rule, with two points, for the error of work
 
 // IDA raises its order only after steps of exactly equal length. At its limit H the next step is h 2 / (2 h / H), which for most
 // H (1e-4 is one) alternates between two numbers one unit in the last place apart. The order then stays at one or two, and
@@ -146,7 +153,11 @@ double exact_limit(double max_step) { return std::exp2(std::floor(std::log2(max_
 }  // namespace
 
 Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
-    : equations(e), options(o), norm(e.layout(), o), share(std::clamp(std::sqrt(kAllFrom / o.rtol), kStepShare, 1.0)) {
+    : equations(e),
+      options(o),
+      norm(e.layout(), o),
+      share(std::clamp(std::sqrt(kAllFrom / o.rtol), kStepShare, 1.0)),
+      turns(e.model(), e.layout()) {
   const Layout& layout = equations.layout();
   const int n = layout.size();
   if (SUNContext_Create(nullptr, &context) != 0) throw NumericalError(code::kSundials, "SUNContext_Create failed.");
@@ -273,6 +284,7 @@ void Ida::Sundials::restart(const State& state, const Inputs& inputs, Integrator
   writable(ydot).tail(layout.row_count).setZero();
   check(IDAReInit(memory, state.time, y, ydot), "IDAReInit");
   std::fill(std::begin(counted), std::end(counted), 0L);
+  turns.measure(state, rates, turning);
   t = state.time;
   last_error = 1.0;
 }
@@ -306,7 +318,9 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
   const double error = step_error();
   statistics.reported_error += error;
   last_error = error / share;
-  for (; row_time < t; row_time = rows.after(row_time)) {
+  const double change = equations.has_modes() ? time_of_switch(from, t, inputs) : HUGE_VAL;
+  const double end = std::min(t, change);
+  for (; row_time < end; row_time = rows.after(row_time)) {
     add_work_between(from, row_time, inputs, state);
     from = row_time;
     check(IDAGetDky(memory, row_time, 0, scratch), "IDAGetDky");
@@ -318,18 +332,44 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
     row = state;
     statistics.count(options.projection ? equations.saddle().project(row) : equations.saddle().check_closed(row));
     equations.saddle().smallest_multipliers(row, rates.tail(equations.layout().row_count));
+    turns.follow(turning, rates, row, &turning);
+    state.angles = row.angles;
+    state.uncertain_angle = row.uncertain_angle;
     if (rows.on_row(row, rates)) continue;
     state = row;
     return false;
   }
-  add_work_between(from, t, inputs, state);
+  add_work_between(from, end, inputs, state);
+  switched = change < HUGE_VAL;
+  if (switched) {
+    check(IDAGetDky(memory, end, 1, ydot), "IDAGetDky");
+    check(IDAGetDky(memory, end, 0, y), "IDAGetDky");
+  }
   equations.unpack(view(y), state);
-  state.time = t;
+  state.time = t = end;
   rates = view(ydot);
   rates.tail(equations.layout().row_count) = view(y).tail(equations.layout().row_count);
-  if (!rows.on_step) return true;
-  View step_view(*this, begin, state);
-  return rows.on_step(step_view);
+  turns.follow(turning, rates, state, &turning);
+  bool goes_on = true;
+  if (rows.on_step) {
+    View step_view(*this, begin, state);
+    goes_on = rows.on_step(step_view);
+  }
+  if (switched) equations.switch_modes(inputs, state);
+  return goes_on;
+}
+
+double Ida::Sundials::time_of_switch(double begin, double end, const Inputs& inputs) {
+  const auto fits = [&](double time) {
+    check(IDAGetDky(memory, time, 0, scratch), "IDAGetDky");
+    equations.unpack(view(scratch), row);
+    row.time = time;
+    return equations.mode_value(row, inputs) >= 0.0;
+  };
+  if (fits(end)) return HUGE_VAL;
+  for (double middle = 0.5 * (begin + end); middle > begin && middle < end; middle = 0.5 * (begin + end))
+    (fits(middle) ? begin : end) = middle;
+  return end;
 }
 
 // Root mean square over q, v and z.
@@ -344,12 +384,19 @@ double Ida::Sundials::step_error() {
 // Work integrals on IDA's own interpolant, within its last step.
 void Ida::Sundials::add_work_between(double begin, double end, const Inputs& inputs, State& state) {
   const double half = 0.5 * (end - begin);
-  for (int i = 0; i < 3; ++i) {
-    const double node = begin + half * (1.0 + kGaussNode[i]);
+  const auto sample = [&](double place) -> const EnergySample& {
+    const double node = begin + half * (1.0 + place);
     check(IDAGetDky(memory, node, 0, scratch), "IDAGetDky");
-    equations.energy(node, view(scratch), inputs, energy);
-    add_work(energy, half * kGaussWeight[i], state);
+    equations.powers(node, view(scratch), inputs, energy);
+    return energy;
+  };
+  for (int i = 0; i < 3; ++i) {
+    const EnergySample& at = sample(kGaussNode[i]);
+    add_work(at, half * kGaussWeight[i], state);
+    add_work_error(at, half * kGaussWeight[i], state.work_error);
+    state.work_error.scale += half * kGaussWeight[i] * size_of_powers(at);
   }
+  for (const double place : {-kTwoNodes, kTwoNodes}) add_work_error(sample(place), -half, state.work_error);
 }
 
 void Ida::Sundials::count(IntegratorStatistics& statistics) {
@@ -433,6 +480,7 @@ void Ida::resume(const IntegratorStatistics& so_far) {
 void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) {
   Sundials& s = *ida_;
   FOOTFALL_DEMAND(t_end > state.time);
+  s.equations.switch_modes(inputs, state);
   s.inputs_now = &inputs;
   const bool continues = state.time == s.state_last.time && same(state.q, s.state_last.q) &&
                          same(state.v, s.state_last.v) && same(state.z, s.state_last.z) && same(inputs, s.inputs_last);
@@ -458,6 +506,14 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
     ended_by_row = !s.step(t_end, inputs, rows, state, statistics_);
     if (++steps % kRestInterval == 0) s.equations.saddle().update_resting_rows(state);
     if (const std::string slow = watch.check(state.time); !slow.empty()) s.give_up(code::kNoProgress, slow);
+    if (std::exchange(s.switched, false)) {  // a new initial value problem
+      statistics_.count(s.options.projection ? s.equations.saddle().project(state, SaddleSystem::Close::kFully)
+                                             : s.equations.saddle().check_closed(state));
+      drift = {};
+      starts = true;
+      if (ended_by_row || state.time >= t_end) s.equations.saddle().stage_rates(state, inputs, s.rates);
+      continue;
+    }
     drift = s.options.projection ? s.equations.saddle().drift(state) : s.equations.saddle().check_closed(state);
     if (!ended_by_row) s.look_ahead(state);
     if (ended_by_row || state.time >= t_end || !s.options.projection ||

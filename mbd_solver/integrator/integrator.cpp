@@ -3,6 +3,7 @@
 #include "mbd_solver/integrator/integrator.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/integrator/codes.h"
@@ -35,6 +36,21 @@ void add_work(const EnergySample& at, double weight, State& state) {
   state.load_work += weight * at.load_power;
   for (std::size_t k = 0; k < state.supplied.by_kind.size(); ++k)
     state.supplied.by_kind[k] += weight * at.supplied.by_kind[k];
+}
+
+void add_work_error(const EnergySample& at, double weight, WorkError& error) {
+  for (std::size_t k = 0; k < error.dissipated.by_kind.size(); ++k)
+    error.dissipated.by_kind[k] += weight * at.power.by_kind[k];
+  error.load_work += weight * at.load_power;
+  for (std::size_t k = 0; k < error.supplied.by_kind.size(); ++k)
+    error.supplied.by_kind[k] += weight * at.supplied.by_kind[k];
+}
+
+double size_of_powers(const EnergySample& at) {
+  double sum = at.load_power.lpNorm<1>();
+  for (const double power : at.power.by_kind) sum += std::abs(power);
+  for (const double power : at.supplied.by_kind) sum += std::abs(power);
+  return sum;
 }
 
 std::unique_ptr<Integrator> make_integrator(const std::string& kind, Equations& equations,

@@ -88,6 +88,10 @@ class Integrator {
 
 // Adds a share of the current powers to the time integrals of a State: integral += weight [s] x power [W].
 void add_work(const EnergySample& at, double weight, State& state);
+// The same for the errors of these integrals, weight: of the rule minus that of its embedded rule.
+void add_work_error(const EnergySample& at, double weight, WorkError& error);
+// The sum of the sizes of all powers [W].
+double size_of_powers(const EnergySample& at);
 
 // kind: "one_step" (default, L-stable TR-BDF2, no restarts) or "ida" (SUNDIALS); else InputError. `equations` must outlive the
 // integrator.

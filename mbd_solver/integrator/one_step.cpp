@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
@@ -24,9 +25,13 @@ constexpr double kSafety = 0.9, kLeast = 0.2, kMost = 5.0;
 // After Newton diverged, mostly at a contact, the step is halved, and the next one grows little: it would fail again. With
 // redundant conditions the step is quartered, and grows as its error allows.
 constexpr double kDivergence = 0.5, kSingularDivergence = 0.25, kAfterDivergence = 1.5;
-constexpr double kFirst = 0.01;     // relative change of y in the first step
-constexpr double kCrossing = 1e-7;  // smallest error limit of a step over a singular position, near round-off
-constexpr double kNear = 1e-9;      // of a step
+constexpr double kFirst = 0.01;         // relative change of y in the first step
+constexpr double kCrossing = 1e-7;      // smallest error limit of a step over a singular position, near round-off
+constexpr double kNear = 1e-9;          // of a step
+constexpr double kKineticShare = 0.01;  // of the kinetic energy, against which errors of work are small
+// Of the error of a step, beyond which that of work does not count: at rest work is round-off, and needs no short steps.
+constexpr double kMostWorkError = 1e3;
+constexpr int kMostHalvings = 60;  // in the search for the change of a mode
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 constexpr double kStretch = 10.0;  // number of steps to its end from which a window is divided into equal ones
 // Drift [in absolute tolerances] that remains within a window; reported states have none.
@@ -44,11 +49,11 @@ constexpr double kStale = 0.1;
 
 class OneStep::View : public StepView {
  public:
-  View(OneStep& steps, double h, const State& end) : steps_(steps), h_(h), end_(end) {}
+  View(OneStep& steps, double h, const State& end, bool cut) : steps_(steps), h_(h), end_(end), cut_(cut) {}
   double begin() const override { return steps_.start_.time; }
   double end() const override { return end_.time; }
   void at(double time, State& state, Eigen::VectorXd& rates) override {
-    if (time >= end_.time) {
+    if (time >= end_.time && !cut_) {
       state = end_;
       rates = steps_.K_[steps_.last()];
       return;
@@ -62,6 +67,7 @@ class OneStep::View : public StepView {
   OneStep& steps_;
   double h_;
   const State& end_;
+  bool cut_;  // the step ends before all of its stages
 };
 
 OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
@@ -73,6 +79,7 @@ OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
       norm_(equations.layout(), options),
       newton_(equations, norm_, statistics_, failure_),
       predictor_(std::min(usual_.stages, high_.stages), equations.layout().size()),
+      turns_(equations.model(), equations.layout()),
       may_be_singular_(equations.saddle().resting_row_changes() > 0) {
   const int n = equations.layout().size();
   const std::size_t stages = static_cast<std::size_t>(std::max(usual_.stages, high_.stages));
@@ -90,13 +97,15 @@ void OneStep::forget() {
   crossing_.forget();
   start_before_.time = start_.time = kNever;
   choice_ = {};
-  left_time_ = kNever;
+  left_time_ = turning_.time = kNever;
   equations_.saddle().forget();
 }
 
 void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) {
   const Layout& layout = equations_.layout();
   FOOTFALL_DEMAND(t_end > state.time);
+  equations_.switch_modes(inputs, state);
+  work_scale_ = state.work_error.scale;
   start_window(inputs, state);
   row_time_ = rows.after(state.time);
 
@@ -119,7 +128,8 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
       if (diverged && !may_be_singular_) required = std::min(required, kAfterDivergence * step);
       diverged = false;
       if (error_ > 1.0 && limit_ > 1.0) statistics_.reported_error = std::max(statistics_.reported_error, error_);
-      continues = accept(t, step, steps > 1.0 ? t + step : t_end, t_end, inputs, rows, state);
+      continues = accept(step, steps > 1.0 ? t + step : t_end, t_end, inputs, rows, state);
+      if (std::exchange(switched_, false)) required = std::min(required, first_step());
       if (const std::string slow = watch.check(state.time); !slow.empty()) give_up(code::kNoProgress, state.time, slow);
       if (crossing_.careful()) look_ahead(state);
       crossing_.finish_step();
@@ -227,6 +237,8 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
   error_ = estimated_error(t, h);
   failure_.worst = norm_.worst(F_);
   if (!std::isfinite(error_)) return Outcome::kNoConvergence;
+  if (error_ <= limit_ || !options_.error_control)
+    error_ = std::max(error_, std::min(work_error(t, h, inputs), kMostWorkError * error_));
   if ((error_ <= limit_ || !options_.error_control) && !close_end(t + h)) return Outcome::kTooInaccurate;
   return error_ <= limit_ || !options_.error_control ? Outcome::kAccepted : Outcome::kTooInaccurate;
 }
@@ -250,40 +262,78 @@ double OneStep::estimated_error(double t, double h) {
   return norm_(F_);
 }
 
-bool OneStep::accept(double t, double h, double t_new, double t_end, const Inputs& inputs, const Rows& rows,
-                     State& state) {
+// Integrals of powers are further unknowns, W' = P, without influence on the others: their error is h sum (b - b^) P. It is
+// compared with the energies that all powers have transferred, and with a share of the kinetic energy.
+double OneStep::work_error(double t, double h, const Inputs& inputs) {
+  step_error_.dissipated = {};
+  step_error_.supplied = {};
+  step_error_.load_work = Eigen::VectorXd::Zero(equations_.model().body_count());
+  for (std::size_t i = 0; i <= last(); ++i) {
+    if (i == last()) {
+      equations_.energy(t + h, Y_[i], inputs, energy_[i]);
+    } else if (i > 0) {
+      equations_.powers(t + tableau_->c[i] * h, Y_[i], inputs, energy_[i]);
+    }
+    add_work_error(energy_[i], h * tableau_->error[i], step_error_);
+  }
+  step_error_.scale = 0.5 * h * (size_of_powers(energy_[0]) + size_of_powers(energy_[last()]));
+  const double error = step_error_.total();
+  if (error == 0.0) return 0.0;
+  const double scale = work_scale_ + step_error_.scale + kKineticShare * energy_[last()].stored[Stored::kKinetic];
+  return error / (options_.rtol * scale);
+}
+
+bool OneStep::accept(double h, double t_new, double t_end, const Inputs& inputs, const Rows& rows, State& state) {
   ++statistics_.steps;
   // Work integrals with the weights of the method.
   std::swap(start_before_, start_);
   start_ = state;
   for (std::size_t i = 0; i <= last(); ++i) {
     const double b = i < last() ? tableau_->a[last()][i] : tableau_->gamma;
-    if (i > 0) equations_.powers(t + tableau_->c[i] * h, Y_[i], inputs, energy_[i]);
     if (b != 0.0) add_work(energy_[i], h * b, state);
   }
+  state.work_error.add(step_error_);
+  work_scale_ = state.work_error.scale;
   equations_.unpack(Y_[last()], state);
   state.time = t_new;
 
-  const double reached = t_new + kNear * h;  // a row just behind the step, by round-off, belongs to it
+  const double change = equations_.has_modes() ? time_of_switch(h, t_new, inputs) : HUGE_VAL;
+  // A row just behind the step, by round-off, belongs to it.
+  const double reached = change < HUGE_VAL ? change : t_new + kNear * h;
   for (; row_time_ < t_end && row_time_ <= reached; row_time_ = rows.after(row_time_)) {
     interpolate(row_time_, h);
     statistics_.count(options_.projection ? equations_.saddle().project(row_, SaddleSystem::Close::kWithOldFactors)
                                           : equations_.saddle().check_closed(row_));
     equations_.saddle().smallest_multipliers(row_, row_rates_.tail(equations_.layout().row_count));
+    turns_.follow(turning_, row_rates_, row_);
     if (rows.on_row(row_, row_rates_)) continue;
     state = row_;
     K_[0] = row_rates_;
+    turning_.time = kNever;
     predictor_.forget();
     closed_ = false;
     return false;
   }
 
+  const bool changes = change < HUGE_VAL;
+  if (changes) {
+    interpolate(change, h);
+    turns_.follow(turning_, row_rates_, row_);
+    state = row_;
+    state.work_error.add(step_error_);  // at most that of the whole step
+  } else {
+    turns_.follow(turning_, K_[last()], state, &turning_next_);
+  }
   bool continues = true;
   if (rows.on_step) {
-    View view(*this, h, state);
+    View view(*this, h, state, changes);
     continues = rows.on_step(view);
   }
-
+  if (changes) {
+    switch_modes(inputs, state);
+    return continues;
+  }
+  std::swap(turning_, turning_next_);
   predictor_.accept(*tableau_, h, K_);
   std::swap(energy_[0], energy_[last()]);
   error_before_ = error_;
@@ -341,6 +391,44 @@ void OneStep::interpolate(double time, double h) {
   equations_.unpack(known_, row_);
 }
 
+// The first crossing of zero that the middle or the end of the step shows, from above; behind it the mode no longer fits.
+double OneStep::time_of_switch(double h, double end, const Inputs& inputs) {
+  const auto value = [&](double time) {
+    interpolate(time, h);
+    return equations_.mode_value(row_, inputs);
+  };
+  double before = start_.time, after = 0.5 * (start_.time + end);
+  double at_after = value(after);
+  if (at_after >= 0.0) {
+    before = std::exchange(after, end);
+    at_after = value(end);
+    if (at_after >= 0.0) return HUGE_VAL;
+  }
+  double at_before = before == start_.time ? std::max(equations_.mode_value(start_, inputs), 0.0) : value(before);
+  // Regula falsi (Illinois), with bisection where it does not halve the bracket.
+  for (int i = 0; i < kMostHalvings && after - before > kNear * h; ++i) {
+    const double share = i % 3 == 2 ? 0.5 : at_before / (at_before - at_after);
+    const double middle = before + std::clamp(share, 0.01, 0.99) * (after - before);
+    if (middle <= before || middle >= after) break;
+    const double now = value(middle);
+    (now < 0.0 ? after : before) = middle;
+    (now < 0.0 ? at_after : at_before) = now;
+    if (now < 0.0) at_before *= 0.5;
+  }
+  return after;
+}
+
+void OneStep::switch_modes(const Inputs& inputs, State& state) {
+  equations_.switch_modes(inputs, state);
+  statistics_.count(options_.projection ? equations_.saddle().project(state) : equations_.saddle().check_closed(state));
+  renew_rates(inputs, state);
+  turns_.measure(state, K_[0], turning_);
+  predictor_.forget();
+  newton_.drop_factors();
+  closed_ = false;
+  switched_ = true;
+}
+
 // If drift is large enough, or a singular position near, projection is a part of the step.
 bool OneStep::close_end(double t) {
   closed_ = false;
@@ -390,6 +478,7 @@ void OneStep::start_window(const Inputs& inputs, const State& state) {
   }
   equations_.pack(state, K_[0].tail(equations_.layout().row_count), y_);
   equations_.powers(state.time, y_, inputs, energy_[0]);
+  if (state.time != turning_.time) turns_.measure(state, K_[0], turning_);
 }
 
 bool OneStep::follow_rates(const Inputs& inputs, const State& state) {

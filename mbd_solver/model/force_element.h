@@ -52,6 +52,10 @@ class ForceElement {
   virtual bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const = 0;
   // Adds stored energy and dissipated power. Identity: supplied power - Q.v = d(stored)/dt + sum of dissipated power.
   virtual void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const = 0;
+  // Inner states that are modes (StrutLaw::switches): below 0 where one no longer fits; sets those, true if there were any.
+  virtual bool switches() const { return false; }
+  virtual double switch_value(const ElementInput&) const { return 1.0; }
+  virtual bool switch_states(const ElementInput&, Eigen::Ref<Eigen::VectorXd>) const { return false; }
   // Adds the power supplied from outside.
   virtual void add_supply(const ElementInput&, Supplied&) const {}
 

@@ -3,6 +3,7 @@
 // restored resumes a run bit for bit, because integrators restart at a checkpoint in both runs.
 
 #include <Eigen/Dense>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,36 @@
 #include "mbd_solver/model/laws/strut_law.h"
 
 namespace footfall {
+
+// Estimated errors of the time integrals of a State: the sums of differences to an embedded rule of lower order, with their
+// signs; and the integral of all |powers|, the scale of these errors.
+struct WorkError {
+  Dissipated dissipated;      // [J]
+  Eigen::VectorXd load_work;  // [J]
+  Supplied supplied;          // [J]
+  double scale = 0.0;         // [J]
+
+  void add(const WorkError& more) {
+    for (std::size_t k = 0; k < dissipated.by_kind.size(); ++k) dissipated.by_kind[k] += more.dissipated.by_kind[k];
+    for (std::size_t k = 0; k < supplied.by_kind.size(); ++k) supplied.by_kind[k] += more.supplied.by_kind[k];
+    load_work += more.load_work;
+    scale += more.scale;
+  }
+  // The sum of their sizes [J].
+  double total() const {
+    double sum = load_work.lpNorm<1>();
+    for (const double error : dissipated.by_kind) sum += std::abs(error);
+    for (const double error : supplied.by_kind) sum += std::abs(error);
+    return sum;
+  }
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive("dissipated", dissipated);
+    archive("load_work", load_work);
+    archive("supplied", supplied);
+    archive("scale", scale);
+  }
+};
 
 struct State {
   double time = 0.0;  // [s]
@@ -20,6 +51,11 @@ struct State {
   Dissipated dissipated;      // [J]
   Eigen::VectorXd load_work;  // work of the external loads on each body [J]
   Supplied supplied;          // work of prescribed motions, forces and drives [J]
+  WorkError work_error;       // of these integrals
+  // Angles of the joints that count turns (Layout::joint_angle), followed from step to step [rad]; -1, or the first joint whose
+  // angle may be off by whole turns, because it turned too fast in one step.
+  Eigen::VectorXd angles;
+  int uncertain_angle = -1;
   // Next internal step to try [s]; 0: chosen by the integrator.
   double step = 0.0;
 };

@@ -40,8 +40,11 @@ inline constexpr MessageCode kEnergyBalance{"W0662", "energy-balance"};
 inline constexpr MessageCode kBeyondLinearRange{"W0663", "beyond-linear-range"};
 // The stress of a flexible body exceeds the yield stress of its material; plasticity is not modelled. Strengthen it.
 inline constexpr MessageCode kYields{"W0664", "yields"};
-// A joint turns too fast between two output rows for its turns to be counted. Reduce output.interval.
+// A joint turned too fast in an integration step for its turns to be counted. Reduce solver.max_step.
 inline constexpr MessageCode kTurnsNotCounted{"W0665", "turns-not-counted"};
+
+// Joints change the damping ratio of a flexible body's lowest mode. Give the damping that the message computes, if that is meant.
+inline constexpr MessageCode kAttachedDamping{"W0666", "attached-damping"};
 
 // ---- files of a run ----
 

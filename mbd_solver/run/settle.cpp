@@ -22,7 +22,10 @@ constexpr double kFirst = 1e-3;                                       // [s]: fi
 constexpr double kLongest = 1000.0;                                   // [s] of motion
 constexpr double kRtol = 1e-8, kAtol = 1e-12, kAtolVelocity = 1e-10;  // small motions count
 constexpr int kMaxStops = 2000;
-constexpr int kSamples = 12;  // until the maximum of the kinetic energy
+// Of joints that stick: an overdamped coordinate has no maximum of kinetic energy at its equilibrium.
+constexpr double kStickDamping = 0.02;
+constexpr double kOvershoot = 2.0;  // of a load that such a coordinate takes up, over the load at rest
+constexpr int kSamples = 12;        // until the maximum of the kinetic energy
 
 void freeze(TimeFunctionSpec& f, TableShape shape) {
   const double now = time_function(f, shape)->at(0.0).value;
@@ -44,8 +47,18 @@ Scene frozen(Scene scene) {
     freeze(force.force, TableShape::kLines);
     freeze(force.torque, TableShape::kLines);
   }
-  for (DriveSpec& drive : scene.drives) freeze(drive.command, command_shape(drive.motor.kind));
+  for (DriveSpec& drive : scene.drives) {
+    freeze(drive.command, command_shape(drive.motor.kind));
+    drive.stick_damping = kStickDamping;
+  }
   for (JointSpec& joint : scene.joints) {
+    for (std::optional<CoordinateSpec>* c :
+         {&joint.angle, &joint.displacement, &joint.displacement_x, &joint.displacement_y})
+      if (*c && (*c)->friction) {
+        JointFrictionParameters& friction = *(*c)->friction;
+        friction.damping_ratio = kStickDamping;
+        friction.breakaway = kOvershoot * friction.breakaway.value_or(friction.coulomb);
+      }
     if (!joint.motion) continue;
     for (std::optional<TimeFunctionSpec>* f :
          {&joint.motion->x, &joint.motion->y, &joint.motion->z, &joint.motion->rotation})

@@ -22,6 +22,9 @@ inline constexpr auto kFields<State> = std::tuple{Field{"time", &State::time},
                                                   Field{"dissipated", &State::dissipated},
                                                   Field{"load_work", &State::load_work},
                                                   Field{"supplied", &State::supplied},
+                                                  Field{"work_error", &State::work_error},
+                                                  Field{"angles", &State::angles},
+                                                  Field{"uncertain_angle", &State::uncertain_angle},
                                                   Field{"step", &State::step}};
 
 template <>
@@ -114,6 +117,7 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
   const Kinematics reference = kinematics();
   if (scene.initial.settle && resume.empty()) settle_start();
   equations_.settle_signals(nullptr, inputs_, state_);
+  equations_.switch_modes(inputs_, state_);
   if (partner_transport) {
     inputs_.loads.resize(static_cast<std::size_t>(mechanism_.model.body_count()));
     coupled_ = std::make_unique<CoupledRun>(scene, mechanism_, assembly_, equations_, kinematics(), t_end,
@@ -510,6 +514,7 @@ void Simulation::settle_start() {
   const Settled settled = settle(scene_, assembly_options(scene_), integrator_options(scene_.solver, false));
   state_.q = settled.state.q;
   state_.z = settled.state.z;
+  state_.angles = settled.state.angles;
   equations_.saddle().project(state_);  // velocities of prescribed motions
   assembly_.notes.push_back(
       with_code(code::kSettled, "the mechanism was settled under the loads of the start: body \"" + settled.body +

@@ -61,7 +61,7 @@ constexpr JointTraits traits_of(JointType type) {
     case JointType::kPointOnPlane: return {"point_on_plane", must, no, no, no, no, true, false, false, false, false};
     case JointType::kPlanar: return {"planar", must, may, no, no, no, false, true, true, false, true};
     case JointType::kConstantVelocity:
-      return {"constant_velocity", must, no, no, no, no, false, true, false, false, false};
+      return {"constant_velocity", must, may, no, no, no, false, true, false, false, false};
     case JointType::kRolling: return {"rolling", must, may, no, must, no, true, true, false, false, false};
     case JointType::kPrescribed: return {"prescribed", may, may, no, no, must, false, true, false, false, false};
   }
@@ -116,8 +116,8 @@ struct JointSpec {
   // unit vector; revolute, prismatic, cylindrical, planar, prescribed; universal: axis
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   // fixed in a; point_on_plane, rolling: normal of the plane, fixed in a
-  // universal: axis fixed in b, perpendicular to `axis`; prescribed, planar: x axis; rolling: axis of a disc, fixed in b
-  // (not given: a sphere)
+  // universal: axis fixed in b, perpendicular to `axis`; constant_velocity: axis of the shaft b (not given: `axis`);
+  // prescribed, planar: x axis; rolling: axis of a disc, fixed in b (not given: a sphere)
   Eigen::Vector3d axis2 = Eigen::Vector3d::UnitX();
   std::optional<double> length;      // distance [m]; not given: that of the points
   std::optional<double> radius;      // rolling [m] > 0
@@ -139,8 +139,9 @@ struct DriveSpec {
   // kTorque: of the motor [N m]; kSpeed: of the joint [rad/s or m/s]; kPosition: of the joint [rad or m]; kBrake: pressing,
   // limited to [0, 1] [-]
   std::optional<TimeFunctionSpec> command;
-  double lag = BrakeParameters{}.lag;  // of the brake behind its command [s] > 0
-  double rotor_inertia = 0.0;          // about the motor's axis [kg m2] >= 0
+  double lag = BrakeParameters{}.lag;                      // of the brake behind its command [s] > 0
+  double rotor_inertia = 0.0;                              // about the motor's axis [kg m2] >= 0
+  double stick_damping = BrakeParameters{}.damping_ratio;  // of the brake; not a key
 };
 
 // Gears of a scene: a weighted sum of coordinates of joints that remains zero, as in the reference configuration.

@@ -267,6 +267,8 @@ constexpr double kLargestGap = 1e-6;      // between points that should coincide
 constexpr double kLargestCosine = 1e-3;   // of the two axes of a universal joint, given by numbers of four digits
 constexpr double kSameDirection = 0.999;  // cosine of two axes that count as parallel
 constexpr double kOvershoot = 0.05;       // of a spline beyond the range of its values
+// Shafts that a constant-velocity joint connects [rad]: bent by less they count as straight, by more as no shafts.
+constexpr double kStraight = 2e-3, kLargestBend = 80.0 * kPi / 180.0;
 
 double degrees(double angle) { return angle * 180.0 / kPi; }
 
@@ -416,12 +418,51 @@ void check_axes(const JointSpec& joint, const EntryFindings& at) {
   const bool has_x = joint.type == JointType::kPrescribed || (joint.type == JointType::kPlanar && at.given("axis2"));
   at.error_if(has_x && cosine > kSameDirection, kJointGeometry, "axis2",
               "is parallel to axis, expected the x direction of the joint, perpendicular to its z = axis");
+  at.error_if(joint.type == JointType::kConstantVelocity && at.given("axis2") && cosine < std::cos(kLargestBend),
+              kJointGeometry, "axis2",
+              "makes " + number_text(degrees(std::acos(cosine)), 3) + " degrees with axis, expected less than " +
+                  number_text(degrees(kLargestBend), 3) + ": the axes of two shafts");
   at.error_if(joint.type == JointType::kRolling && at.given("axis2") && cosine > kSameDirection, kJointGeometry,
               "axis2", "is parallel to axis, so the disc lies flat; expected a disc on its edge");
   at.missing_if(traits.radius == KeyUse::kRequired && !joint.radius, "radius", "the radius of the wheel [m]");
   for (const auto& [key, use] :
        {std::pair("radius", traits.radius), {"axis2", traits.axis2}, {"length", traits.length}})
     at.no_effect_if(use == KeyUse::kUnused && at.source().good(key), key, "this type of joint");
+}
+
+// The axis of the shaft that joint `cv` turns in a body, as another joint of the body shows it: a bearing whose axis passes
+// through the point of `cv`, or a second joint of shafts at the other end. None if it shows no shaft.
+std::optional<Eigen::Vector3d> shaft_axis(const JointSpec& cv, const JointSpec& other, const std::string& body) {
+  if (&cv == &other || (other.bodies[0] != body && other.bodies[1] != body)) return std::nullopt;
+  const Eigen::Vector3d way = other.point_a - cv.point_a;
+  const double distance = way.norm();
+  if (other.type == JointType::kRevolute || other.type == JointType::kCylindrical) {
+    if (way.cross(other.axis).norm() > kStraight * distance + kLargestGap) return std::nullopt;
+    return other.axis;
+  }
+  const bool shafts = other.type == JointType::kConstantVelocity || other.type == JointType::kUniversal;
+  if (!shafts || distance <= kLargestGap) return std::nullopt;
+  return way / distance;
+}
+
+// With one axis for both bodies a joint that is drawn bent would turn unevenly.
+void check_shafts(const Scene& scene, const JointSpec& cv, const EntryFindings& at) {
+  if (cv.type != JointType::kConstantVelocity || !at.given("axis") || at.given("axis2")) return;
+  for (const JointSpec& other : scene.joints) {
+    for (const std::size_t side : {1u, 0u}) {
+      const std::optional<Eigen::Vector3d> shaft = shaft_axis(cv, other, cv.bodies[side]);
+      if (!shaft) continue;
+      const double cosine = std::min(1.0, std::abs(cv.axis.dot(*shaft))), bend = std::acos(cosine);
+      if (bend < kStraight || bend > kLargestBend) continue;
+      const auto component = [&](int k) { return number_text((*shaft)[k], 9); };
+      at.error(kJointGeometry, side == 0 ? "axis" : "axis2",
+               (side == 0 ? "is " : "is missing: axis is ") + number_text(degrees(bend), 4) +
+                   " degrees from the shaft of body \"" + cv.bodies[side] + "\", which joint \"" + other.name +
+                   "\" shows along [" + component(0) + ", " + component(1) + ", " + component(2) +
+                   "]. Shafts turn evenly about axis (in a) and axis2 (in b): give both along their shafts");
+      return;
+    }
+  }
 }
 
 }  // namespace
@@ -457,6 +498,7 @@ void check_joints(const Scene& scene, Findings& findings) {
       others.push_back(&joint);
     }
     check_axes(joint, at);
+    check_shafts(scene, joint, at);
   }
 }
 

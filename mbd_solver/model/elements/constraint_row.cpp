@@ -45,9 +45,11 @@ Coefficients coefficients(const ConstraintRow& row, double t) {
   return out;
 }
 
-// y(q) of a cam. An angle counts from the turn in which it is nearest to the middle of the curve.
-CubicSpline::Value lift(const ConstraintRow& row, double q) {
-  if (*row.coordinate == Coordinate::kAngle) q = nearest_turn(q, 0.5 * (row.curve->first() + row.curve->last()));
+// y(q) of a cam. On a closed curve the turn of an angle does not matter; on an open one it is that nearest to `near`.
+CubicSpline::Value lift(const ConstraintRow& row, double q, double near) {
+  if (*row.coordinate == Coordinate::kAngle)
+    q = row.curve->closed() ? nearest_turn(q, 0.5 * (row.curve->first() + row.curve->last()))
+                            : nearest_turn(q, near) + row.offset;
   return row.curve->at(q);
 }
 
@@ -58,9 +60,9 @@ RowValue evaluate_coordinate(const ConstraintRow& row, MarkerVectors& vectors, E
   phi_v.setZero();
   RowValue out;
   if (row.curve) {
-    const CubicSpline::Value y = lift(row, q.value());
+    const CubicSpline::Value y = lift(row, q.value(), near);
     q.add_gradient(row.scale * y.slope, phi_v);
-    out.phi = row.scale * (y.value - lift(row, 0.0).value);
+    out.phi = row.scale * (y.value - lift(row, 0.0, 0.0).value);
     out.rate = row.scale * y.slope * q.rate();
     out.acc = row.scale * (y.slope * q.acc() + y.curvature * q.rate() * q.rate());
     return out;
@@ -78,11 +80,11 @@ RowValue evaluate_coordinate(const ConstraintRow& row, MarkerVectors& vectors, E
 
 void coordinate_derivatives(const ConstraintRow& row, MarkerVectors& vectors, double lambda,
                             Eigen::Ref<Eigen::VectorXd> rate_dx, Eigen::Ref<Eigen::VectorXd> acc_dx,
-                            Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K) {
+                            Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K, double near) {
   const JointCoordinate q(*row.coordinate, vectors.pair(), vectors.marker(0), vectors.marker(1));
   CoordinateScratch& scratch = *row.scratch;
   if (row.curve) {
-    const CubicSpline::Value y = lift(row, q.value());
+    const CubicSpline::Value y = lift(row, q.value(), near);
     const double slope = row.scale * y.slope, curvature = row.scale * y.curvature, third = row.scale * y.third;
     // phi' = y' q',  phi'' = y' q'' + y'' q'^2
     q.add_rate_by_position(slope, scratch, rate_dx);
@@ -194,11 +196,11 @@ RowValue measure_row_with_reaction(const ConstraintRow& row, double t, MarkerVec
 
 void row_derivatives(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda,
                      Eigen::Ref<Eigen::VectorXd> rate_dx, Eigen::Ref<Eigen::VectorXd> acc_dx,
-                     Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K) {
+                     Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K, double near) {
   rate_dx.setZero();
   acc_dx.setZero();
   acc_dv.setZero();
-  if (row.coordinate) return coordinate_derivatives(row, vectors, lambda, rate_dx, acc_dx, acc_dv, K);
+  if (row.coordinate) return coordinate_derivatives(row, vectors, lambda, rate_dx, acc_dx, acc_dv, K, near);
   if (row.law) return row.law->add_derivatives(row.law_row, vectors, lambda, rate_dx, acc_dx, acc_dv, K);
   const Coefficients at = coefficients(row, t);
   for (int i = 0; i < row.term_count; ++i) {

@@ -35,7 +35,7 @@ struct ConstraintRow {
   DotTerm terms[2];
   double scale = 1.0;
   double scale2 = 0.0;     // of a constant second term
-  double offset = 0.0;     // constant part of f
+  double offset = 0.0;     // constant part of f; of an open cam on an angle: q + offset is its place on the curve [rad]
   TimeFunctionPtr motion;  // f(t) of a prescribed coordinate; null otherwise
   bool rotation = false;   // motion is an angle (see above), else a displacement
   // Rows on a coordinate q of a joint:
@@ -93,6 +93,6 @@ RowValue measure_row_with_reaction(const ConstraintRow& row, double t, MarkerVec
 //   K += d(Phi_v^T lambda) / dx (n x n)
 void row_derivatives(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda,
                      Eigen::Ref<Eigen::VectorXd> rate_dx, Eigen::Ref<Eigen::VectorXd> acc_dx,
-                     Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K);
+                     Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K, double near = 0.0);
 
 }  // namespace footfall

@@ -77,6 +77,7 @@ JointForce::JointForce(std::string name, Marker m1, Marker m2, Coordinate coordi
   for (const std::unique_ptr<StrutLaw>& law : laws_) {
     first_state_.push_back(states_);
     states_ += law->state_count();
+    switches_ = switches_ || law->switches();
     out_.emplace_back(law->state_count());
   }
   row_.resize(scratch_.row.size());
@@ -167,6 +168,25 @@ void JointForce::add_energy(const ElementInput& in, StoredEnergy& stored, Dissip
     laws_[i]->dissipated_power(law, power_);
   }
   for (const StrutPower& p : power_) power[p.kind] += p.power;
+}
+
+double JointForce::switch_value(const ElementInput& in) const {
+  const JointCoordinate at(coordinate_, in.pair, m1_, m2_);
+  double smallest = 1.0;
+  for (std::size_t i = 0; i < laws_.size(); ++i)
+    if (laws_[i]->switches()) smallest = std::min(smallest, laws_[i]->switch_value(law_input(in, at, i)));
+  return smallest;
+}
+
+bool JointForce::switch_states(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> z) const {
+  const JointCoordinate at(coordinate_, in.pair, m1_, m2_);
+  bool any = false;
+  for (std::size_t i = 0; i < laws_.size(); ++i) {
+    if (!laws_[i]->switches() || laws_[i]->switch_value(law_input(in, at, i)) >= 0.0) continue;
+    laws_[i]->switch_state(law_input(in, at, i), z.segment(first_state_[i], laws_[i]->state_count()));
+    any = true;
+  }
+  return any;
 }
 
 void JointForce::add_supply(const ElementInput& in, Supplied& power) const {

@@ -108,6 +108,9 @@ class JointForce : public ForceElement {
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
+  bool switches() const override { return switches_; }
+  double switch_value(const ElementInput& in) const override;
+  bool switch_states(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> z) const override;
   void add_supply(const ElementInput& in, Supplied& power) const override;  // kDrive
 
   JointForceSample sample(const ElementInput& in) const;
@@ -124,6 +127,7 @@ class JointForce : public ForceElement {
   std::vector<int> first_state_;
   int states_;
   int command_index_;
+  bool switches_ = false;
   mutable std::vector<StrutOutput> out_;  // one per law
   mutable std::vector<StrutPower> power_;
   mutable Eigen::VectorXd row_, row_rate_;  // scratch rows of size n

@@ -28,8 +28,11 @@ int add_gear(Model& model, const std::string& name, const std::vector<GearMember
     row.coordinate = member.coordinate;
     row.curve = member.curve;
     row.scratch = std::make_shared<CoordinateScratch>(12 + m1.S.cols() + m2.S.cols());
+    const bool closed = member.curve && member.curve->closed();  // then turns do not matter
+    if (member.curve && !closed && member.coordinate == Coordinate::kAngle)
+      row.offset = nearest_turn(0.0, 0.5 * (member.curve->first() + member.curve->last()));
     joint.rows = {row};
-    if (member.coordinate == Coordinate::kAngle && !member.curve)
+    if (member.coordinate == Coordinate::kAngle && !closed)
       joint.turn_counter = model.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, m1, m2));
     const int index = model.add_joint(std::move(joint));
     if (first < 0) first = index;

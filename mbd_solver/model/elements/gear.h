@@ -3,8 +3,8 @@
 //   phi = sum_i f_i q_i = 0,   q_i = 0 in the reference configuration,   angles over any number of turns (TurnCounter)
 // divided by f_1, so that phi has the unit of the first coordinate and its multiplier is minus the torque or force of the
 // gear on it: Q_i = -lambda f_i / f_1. It does no work. theory 2.1.
-// A cam: one of the coordinates enters as a curve, f_i (y(q_i) - y(0)), and Q_i = -lambda y' f_i / f_1. Its angle is taken
-// in the turn nearest to the middle of the curve; a closed curve allows any number of turns.
+// A cam: one of the coordinates enters as a curve, f_i (y(q_i) - y(0)), and Q_i = -lambda y' f_i / f_1. On an open curve its
+// angle starts in the turn nearest to the middle of the curve, counts on from there, and leaves the curve along its tangents.
 // The model holds one joint per coordinate, between the two bodies of that coordinate; they share one row.
 
 #include <memory>

@@ -19,7 +19,8 @@ struct Joint {
   std::vector<ConstraintRow> rows;
   // Of a member of a gear (gear.h) after the first: the first member's joint, to whose row it contributes.
   int row_of = -1;
-  int turn_counter = -1;  // of a gear's angle: the force element that counts its turns
+  int turn_counter = -1;      // of a gear's angle: the force element that counts its turns
+  bool counts_turns = false;  // its angle about z is reported over any number of turns (State::angles)
 };
 
 // Force and moment [N, N m] that the joint exerts on its body 2, about the point of marker 2, in W.

@@ -27,6 +27,7 @@ class CubicSpline {
   Value at(double x) const;
   double first() const { return x_.front(); }
   double last() const { return x_.back(); }
+  bool closed() const { return closed_; }
 
  private:
   Value inside(std::size_t piece, double x) const;

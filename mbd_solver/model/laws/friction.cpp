@@ -1,4 +1,5 @@
-// The bristle model of Dupont et al. with analytic derivatives; a brake scales it by its engagement.
+// Stick is a spring and a damper, slip a constant or Stribeck force; the mode is a state. A brake scales the force by its
+// engagement, and needs no memory of the mode.
 
 #include "mbd_solver/model/laws/friction.h"
 
@@ -14,72 +15,83 @@
 namespace footfall {
 namespace {
 
-constexpr double kElastic = 0.7;  // z_0 over delta: no sliding up to here
-constexpr double kDamping = 0.3;  // of F_c: spring at z_0 plus damping do not exceed F_c
+// Slip ends when the force is this share below that of sliding, so that round-off does not end slip as soon as it begins.
+constexpr double kHysteresis = 1e-4;
+
+double sign(double x) { return x < 0.0 ? -1.0 : 1.0; }
 
 }  // namespace
 
-// a, r = a z / z_s and d(v), with their derivatives.
-struct JointFriction::Sliding {
-  Sliding(const JointFrictionParameters& p, double stiffness, double z, double v) {
-    const double u = v / p.stribeck_speed;
-    const double root = std::sqrt(1.0 + u * u);
-    damping = kDamping * p.coulomb * u / root;
-    damping_v = kDamping * p.coulomb / (p.stribeck_speed * root * root * root);
-    if (!(z * v > 0.0)) return;
-    const double fall = (p.breakaway.value_or(p.coulomb) - p.coulomb) * std::exp(-u * u);
-    const double end = (p.coulomb + fall) / stiffness;  // |z_s|
-    const double end_v = -2.0 * u / p.stribeck_speed * fall / stiffness;
-    const double sign = v > 0.0 ? 1.0 : -1.0, size = std::abs(z);
-    const double begin = kElastic * p.stick_displacement;
-    if (size <= begin) return;
-    if (size >= end) {
-      a = 1.0;
-    } else {
-      const double s = (size - begin) / (end - begin);  // in (0, 1)
-      a = 0.5 * (1.0 - std::cos(kPi * s));
-      const double slope = 0.5 * kPi * std::sin(kPi * s) / (end - begin);
-      a_z = slope * sign;
-      a_v = -slope * s * end_v;
-    }
-    r = a * size / end;
-    r_z = (a_z * size + a * sign) / end;
-    r_v = (a_v * size - r * end_v) / end;
-  }
-  double a = 0.0, a_z = 0.0, a_v = 0.0;
-  double r = 0.0, r_z = 0.0, r_v = 0.0;
-  double damping, damping_v;
-};
-
 JointFriction::JointFriction(const JointFrictionParameters& parameters)
-    : parameters_(parameters), stiffness_(parameters.coulomb / parameters.stick_displacement) {
+    : parameters_(parameters),
+      stiffness_(parameters.coulomb / parameters.stick_displacement),
+      damping_(2.0 * parameters.damping_ratio * std::sqrt(stiffness_ * parameters.mass)),
+      breakaway_(parameters.breakaway.value_or(parameters.coulomb)) {
   require_positive(kind(), "coulomb", parameters.coulomb, "N");
-  require_positive(kind(), "stribeck_speed", parameters.stribeck_speed, "m/s");
+  if (parameters.stribeck_speed) require_positive(kind(), "stribeck_speed", *parameters.stribeck_speed, "m/s");
   require_positive(kind(), "stick_displacement", parameters.stick_displacement, "m");
   require_not_negative(kind(), "viscous", parameters.viscous, "N s/m");
+  require_positive(kind(), "mass", parameters.mass, "kg");
+  require_positive(kind(), "damping_ratio", parameters.damping_ratio, "");
   if (parameters.breakaway && !(*parameters.breakaway >= parameters.coulomb))
     throw InputError(code::kParametersDisagree, "joint_friction: breakaway " + number_text(*parameters.breakaway) +
                                                     " is less than coulomb " + number_text(parameters.coulomb) +
                                                     "; expected at least as much friction at rest as in sliding.");
 }
 
+JointFriction::Slip JointFriction::slip(double rate) const {
+  if (!parameters_.stribeck_speed) return {parameters_.coulomb, 0.0};
+  const double u = rate / *parameters_.stribeck_speed;
+  const double fall = (breakaway_ - parameters_.coulomb) * std::exp(-u * u);
+  return {parameters_.coulomb + fall, -2.0 * u / *parameters_.stribeck_speed * fall};
+}
+
 void JointFriction::evaluate(const StrutInput& in, StrutOutput& out) const {
   out.set_zero();
-  const double z = in.z[0], v = in.rate;
-  const Sliding s(parameters_, stiffness_, z, v);
-  out.force = stiffness_ * z + (1.0 - s.a) * s.damping + parameters_.viscous * v;
-  out.dforce_drate = (1.0 - s.a) * s.damping_v - s.a_v * s.damping + parameters_.viscous;
-  out.dforce_dz[0] = stiffness_ - s.a_z * s.damping;
-  out.dz[0] = v * (1.0 - s.r);
-  out.ddz_drate[0] = 1.0 - s.r - v * s.r_v;
-  out.ddz_dz(0, 0) = -v * s.r_z;
+  const double z = in.z[0], s = std::round(in.z[1]), v = in.rate;
+  if (s == 0.0) {
+    out.force = trial(in);
+    out.dforce_drate = damping_;
+    out.dforce_dz[0] = stiffness_;
+    out.dz[0] = v;
+    out.ddz_drate[0] = 1.0;
+  } else {
+    const Slip g = slip(v);
+    out.force = s * g.force;
+    out.dforce_drate = s * g.slope;
+    out.dz[0] = (s * g.force - stiffness_ * z) / damping_;
+    out.ddz_drate[0] = s * g.slope / damping_;
+    out.ddz_dz(0, 0) = -stiffness_ / damping_;
+  }
+  out.force += parameters_.viscous * v;
+  out.dforce_drate += parameters_.viscous;
 }
 
 void JointFriction::dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const {
-  const double z = in.z[0], v = in.rate;
-  const Sliding s(parameters_, stiffness_, z, v);
-  out.push_back(
-      {Dissipation::kFriction, stiffness_ * z * v * s.r + (1.0 - s.a) * s.damping * v + parameters_.viscous * v * v});
+  const double s = std::round(in.z[1]), v = in.rate;
+  double power = damping_ * v * v;
+  if (s != 0.0) {
+    const double g = s * slip(v).force, z_rate = (g - stiffness_ * in.z[0]) / damping_;
+    power = g * (v - z_rate) + damping_ * z_rate * z_rate;
+  }
+  out.push_back({Dissipation::kFriction, power + parameters_.viscous * v * v});
+}
+
+// Relative to F_c.
+double JointFriction::switch_value(const StrutInput& in) const {
+  const double s = std::round(in.z[1]), force = trial(in);
+  const double left = s == 0.0 ? breakaway_ - std::abs(force) : s * force - (1.0 - kHysteresis) * slip(in.rate).force;
+  return left / parameters_.coulomb;
+}
+
+void JointFriction::switch_state(const StrutInput& in, Eigen::Ref<Eigen::VectorXd> z) const {
+  const double force = trial(in);
+  z[1] = std::abs(force) > breakaway_ ? sign(force) : 0.0;
+}
+
+double JointFriction::mode_at(double z, double rate) const {
+  const double force = stiffness_ * z + damping_ * rate;
+  return std::abs(force) > breakaway_ ? sign(force) : 0.0;
 }
 
 namespace {
@@ -90,12 +102,14 @@ JointFrictionParameters friction_of(const BrakeParameters& p) {
   JointFrictionParameters friction;
   friction.coulomb = p.largest_force;
   friction.stick_displacement = p.stick_displacement;
+  friction.mass = p.mass;
+  friction.damping_ratio = p.damping_ratio;
   return friction;
 }
 
 }  // namespace
 
-Brake::Brake(const BrakeParameters& parameters) : parameters_(parameters), friction_(friction_of(parameters)), out_(1) {
+Brake::Brake(const BrakeParameters& parameters) : parameters_(parameters), friction_(friction_of(parameters)), out_(2) {
   FOOTFALL_DEMAND(parameters_.command != nullptr);
 }
 
@@ -108,7 +122,8 @@ double Brake::engagement_command(const StrutInput& in) const {
 }
 
 StrutInput Brake::of_friction(const StrutInput& in) const {
-  return {in.stroke, in.rate, 0.0, in.z.segment(1, 1), in.time};
+  z_ << in.z[1], friction_.mode_at(in.z[1], in.rate);
+  return {in.stroke, in.rate, 0.0, z_, in.time};
 }
 
 void Brake::evaluate(const StrutInput& in, StrutOutput& out) const {

@@ -139,6 +139,11 @@ class StrutLaw {
   // Dissipated power, appended by kind.
   // Identity: force * rate + supplied power = d(stored)/dt + sum of dissipated power.
   virtual void dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const = 0;
+  // Inner states that are modes: their rates are 0, and they change between integration steps, where switch_value() falls
+  // below 0; switch_state() then sets those that fit.
+  virtual bool switches() const { return false; }
+  virtual double switch_value(const StrutInput&) const { return 1.0; }
+  virtual void switch_state(const StrutInput&, Eigen::Ref<Eigen::VectorXd>) const {}
   // Power that a drive supplies [W].
   virtual double supplied_power(const StrutInput&) const { return 0.0; }
 };

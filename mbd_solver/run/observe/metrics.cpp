@@ -98,25 +98,19 @@ void FlexibleBodies::warn(double time, int k) {
 JointObserver::JointObserver(const Subject& subject)
     : subject_(subject),
       now_(subject.mechanism.coordinates.size()),
-      acc_(now_.size(), 0.0),
-      warned_(now_.size(), false),
       reactions_(subject.scene.output.reactions ? subject.scene.joints.size() : 0, Vector6d::Zero()) {}
 
 void JointObserver::update(const Sample& sample) {
   const Model& model = subject_.mechanism.model;
-  const double h = sample.state.time - time_;
   for (std::size_t k = 0; k < now_.size(); ++k) {
     const CoordinateEntry& entry = subject_.mechanism.coordinates[k];
     const Joint& joint = model.joint(entry.joint);
     const JointCoordinate at(entry.coordinate, sample.kinematics.pair(joint.m1.body, joint.m2.body), joint.m1,
                              joint.m2);
-    if (started_ && entry.coordinate == Coordinate::kAngle) {
-      count_turns(k, h, at);
-    } else {
-      now_[k].value = at.value();
-    }
-    now_[k].rate = at.rate();
-    acc_[k] = at.acc();
+    const int angle = entry.coordinate == Coordinate::kAngle
+                          ? subject_.layout.joint_angle[static_cast<std::size_t>(entry.joint)]
+                          : -1;
+    now_[k] = {angle >= 0 ? nearest_turn(at.value(), sample.state.angles[angle]) : at.value(), at.rate()};
   }
   const Eigen::Ref<const Eigen::VectorXd> lambda = sample.rates.tail(subject_.layout.row_count);
   for (std::size_t j = 0; j < reactions_.size(); ++j) {
@@ -125,20 +119,13 @@ void JointObserver::update(const Sample& sample) {
         joint_wrench(joint, sample.kinematics.pair(joint.m1.body, joint.m2.body), sample.state.time,
                      lambda.segment(subject_.layout.joint_row[j], static_cast<Eigen::Index>(joint.rows.size())));
   }
-  time_ = sample.state.time;
-  started_ = true;
-}
-
-void JointObserver::count_turns(std::size_t k, double h, const JointCoordinate& at) {
-  const double expected = now_[k].value + 0.5 * h * (now_[k].rate + at.rate()) + h * h / 12.0 * (acc_[k] - at.acc());
-  now_[k].value = at.value() + 2.0 * kPi * std::round((expected - at.value()) / (2.0 * kPi));
-  if (warned_[k] || std::abs(now_[k].value - expected) < 0.5 * kPi) return;
-  warned_[k] = true;
+  const int uncertain = sample.state.uncertain_angle;
+  if (uncertain < 0 || !warnings_.empty()) return;
   warnings_.push_back(with_code(
-      code::kTurnsNotCounted, "joint \"" + subject_.mechanism.coordinates[k].name +
-                                  "\": between two rows, at t = " + number_text(time_, 6) +
-                                  " s, its rate changes too much for its turns to be counted; its angle may be off by "
-                                  "whole turns: reduce output.interval"));
+      code::kTurnsNotCounted,
+      "joint \"" + model.joint(uncertain).name + "\": by t = " + number_text(sample.state.time, 6) +
+          " s it turned too fast in one integration step for its turns to be counted; angles may be off by whole "
+          "turns: reduce solver.max_step"));
 }
 
 template <>
@@ -227,7 +214,7 @@ void MetricRecorder::update(const Sample& sample) {
   f.energy_flow = flow_.scale();
   const double balance =
       stored.total() - start_energy_ + sample.state.dissipated.total() - f.contact_work - sample.state.supplied.total();
-  f.energy_balance = std::max(f.energy_balance, std::abs(balance));
+  f.energy_balance = std::max({f.energy_balance, std::abs(balance), sample.state.work_error.total()});
   // A mechanism at rest exchanges no energy, but its positions are known to atol only.
   const Model& model = subject_.mechanism.model;
   double forces = sample.rates.tail(subject_.layout.row_count).lpNorm<1>();

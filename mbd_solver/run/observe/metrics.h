@@ -62,23 +62,16 @@ struct CoordinateValue {
 };
 
 // Coordinates of joints with their rates, and reactions, at every sample.
-// An angle counts turns. Between two samples it is predicted from the rates and their derivatives,
-//   q_1 ~ q_0 + h (q'_0 + q'_1) / 2 + h^2 (q''_0 - q''_1) / 12,   error O(h^5)
-// and the number of turns nearest to that is chosen; where the prediction is off by more than a quarter of a turn, the
-// samples are too far apart, and a warning is given.
+// Angles are over any number of turns (State::angles).
 class JointObserver {
  public:
   // What the subject views must outlive this.
   explicit JointObserver(const Subject& subject);
 
   void update(const Sample& sample);
-  const std::vector<std::string>& warnings() const { return warnings_; }  // once per joint
+  const std::vector<std::string>& warnings() const { return warnings_; }  // of turns, at most one
   void visit(Archive& archive) {
-    archive("started", started_);
-    archive("time", time_);
     archive("now", now_);
-    archive("acc", acc_);
-    archive("warned", warned_);
     archive("warnings", warnings_);
     archive("reactions", reactions_);
   }
@@ -90,14 +83,8 @@ class JointObserver {
   const Vector6d& reaction(std::size_t joint) const { return reactions_[joint]; }
 
  private:
-  void count_turns(std::size_t k, double h, const JointCoordinate& at);
-
   Subject subject_;
-  bool started_ = false;
-  double time_ = 0.0;  // of the last sample [s]
   std::vector<CoordinateValue> now_;
-  std::vector<double> acc_;  // q'' [rad/s2 or m/s2]
-  std::vector<bool> warned_;
   std::vector<std::string> warnings_;
   std::vector<Vector6d> reactions_;
 };
@@ -124,10 +111,12 @@ struct Metrics {
   Peak max_contact_force;         // on one body [N]
   double reference_energy = 0.0;  // initial mechanical energy without gravity; else the largest kinetic energy [J]
   double energy_flow = 0.0;       // exchanged between forms of energy: EnergyFlow::scale() [J]
-  double energy_balance = 0.0;    // largest |E - E0 + dissipated - work of contact, motions, forces, drives| [J]
-  double energy_noise = 0.0;      // error of weights and joint forces for position errors of atol [J]
-  double contact_work = 0.0;      // of the grains on the mechanism so far [J]
-  double contact_force = 0.0;     // on all bodies now [N]
+  // Largest |E - E0 + dissipated - work of contact, motions, forces, drives|, or estimated error of these integrals, which
+  // cancels where two of them are the same work [J]
+  double energy_balance = 0.0;
+  double energy_noise = 0.0;   // error of weights and joint forces for position errors of atol [J]
+  double contact_work = 0.0;   // of the grains on the mechanism so far [J]
+  double contact_force = 0.0;  // on all bodies now [N]
 
   double energy_balance_relative() const { return energy_flow > 0.0 ? energy_balance / energy_flow : 0.0; }
 };

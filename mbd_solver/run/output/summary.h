@@ -34,7 +34,7 @@ struct RunStart {
 };
 
 // Layout of checkpoints: raised whenever what a run stores changes.
-inline constexpr int kCheckpointFormat = 2;
+inline constexpr int kCheckpointFormat = 3;
 
 // folder: of the checkpoint. Both throw InputError for a file that cannot be written or read, or that another version of
 // footfall or of the layout wrote.

@@ -1,4 +1,4 @@
-// Whole scenes against closed forms: scales, stiff springs.
+// Whole scenes against closed forms: friction that sticks, shafts, cams, work, scales, stiff springs, damping of held bodies.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/run/observe/attached_damping.h"
 #include "mbd_solver/run/observe/metrics.h"
 #include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/simulation.h"
@@ -59,6 +60,206 @@ struct Rows {
   double balance = 0.0, flow = 0.0;  // [J]
   std::vector<std::string> notes;
 };
+
+// --- Dry friction (theory 3.6).
+
+// A body on rails under a force that is there at once.
+std::string pushed(double force, double mass, const std::string& more = "") {
+  return "end_time = 5.0\ngravity = [" + text(force / mass) + ", 0, -9.81]\n" + body("b", mass, 0.1, "[0, 0, 0]") +
+         "[[joints]]\nname = \"p\"\ntype = \"prismatic\"\nbodies = [\"ground\", \"b\"]\npoint = [0, 0, 0]\naxis = "
+         "\"x\"\ndisplacement = { friction = { coulomb = 4.0, breakaway = 5.2 } }\n" +
+         more;
+}
+
+TEST(DryFriction, HoldsWhatIsBelowBreakawayHoweverFastItComes) {
+  for (const char* integrator : {"solver.integrator=\"one_step\"", "solver.integrator=\"ida\""}) {
+    for (const double mass : {1e-3, 1.0, 100.0}) {
+      // F / k of the bristle, k = F_c / 1e-5 m.
+      EXPECT_NEAR(Rows(pushed(5.1, mass), {integrator, "solver.max_step=1"}).last("p.displacement"), 5.1 / 4.0 * 1e-5,
+                  1e-7)
+          << mass;
+      // It slides by (F - F_c) / m from the start; the bristle delays it by less than a percent of 5 s.
+      const double way = 0.5 * (5.3 - 4.0) / mass * 25.0;
+      EXPECT_NEAR(Rows(pushed(5.3, mass), {integrator, "solver.max_step=1"}).last("p.displacement"), way, 0.02 * way)
+          << mass;
+    }
+  }
+}
+
+TEST(DryFriction, SettlesUnderWhatItBears) {
+  const Rows run(pushed(4.9, 1.0, "[initial]\nsettle = true\n"));
+  EXPECT_NEAR(run.rows.front()[1], 4.9 / 4.0 * 1e-5, 1e-8);  // b.x
+  EXPECT_NEAR(run.last("p.displacement"), 4.9 / 4.0 * 1e-5, 1e-8);
+}
+
+// A mass on a belt of speed v, held by a spring k, sticks until k x = F_b and slips as an oscillator about F_c / k:
+//   T = 2 A / v + (2 / w) (pi - atan(A w / v)),   A = (F_b - F_c) / k,  w^2 = k / m
+class Belt : public ::testing::TestWithParam<const char*> {};
+TEST_P(Belt, SticksAndSlipsWithTheClosedPeriod) {
+  const double v = 0.1, k = 100.0, m = 1.0, F_c = 4.0, F_b = 5.2;
+  const std::string scene = "end_time = 4.0\ngravity = [0, 0, -9.81]\n" + body("belt", 5.0, 0.1, "[0, 0, 0]") +
+                            body("m", m, 0.1, "[0, 0, 0.1]") +
+                            R"([[joints]]
+name = "drive"
+type = "prescribed"
+bodies = ["ground", "belt"]
+point = [0, 0, 0]
+axis = "z"
+axis2 = "x"
+motion = { x = { polynomial = [0, 0.1] }, y = { polynomial = [0] }, z = { polynomial = [0] }, rotation = { polynomial = [0] }, hold_other_rotations = true }
+[[joints]]
+name = "p"
+type = "prismatic"
+bodies = ["belt", "m"]
+point = [0, 0, 0.1]
+axis = "x"
+displacement = { friction = { coulomb = 4.0, breakaway = 5.2 } }
+[[struts]]
+name = "s"
+bodies = ["ground", "m"]
+points = [[-1.0, 0, 0.1], [0, 0, 0.1]]
+spring = { stiffness = 100.0, free_length = 1.0 }
+[initial]
+bodies = [{ body = "belt", velocity = [0.1, 0, 0] }, { body = "m", velocity = [0.1, 0, 0] }]
+[output]
+interval = 0.001
+)";
+  const Rows run(scene, {std::string("solver.integrator=\"") + GetParam() + "\""});
+  const std::vector<double> t = run.column("time"), x = run.column("m.x");
+  std::vector<double> crossings;
+  for (std::size_t i = 1; i < t.size(); ++i)
+    if (x[i - 1] < 0.04 && x[i] >= 0.04)  // on the belt, at v
+      crossings.push_back(t[i - 1] + (0.04 - x[i - 1]) / (x[i] - x[i - 1]) * (t[i] - t[i - 1]));
+  ASSERT_GE(crossings.size(), 5u);
+  const double A = (F_b - F_c) / k, w = std::sqrt(k / m);
+  const double period = 2.0 * A / v + 2.0 / w * (kPi - std::atan(A * w / v));
+  EXPECT_NEAR(crossings.back() - crossings[crossings.size() - 2], period, 1e-3 * period);
+  EXPECT_LT(run.balance, 1e-4 * run.flow);
+}
+INSTANTIATE_TEST_SUITE_P(Integrators, Belt, ::testing::Values("one_step", "ida"));
+
+// --- Shafts and cams.
+
+std::string bent_shafts(const std::string& axis2) {
+  return "end_time = 2.0\ngravity = [0, 0, 0]\n" + body("a", 1.0, 0.1, "[0, 0, -0.5]") +
+         body("b", 1.0, 0.1, "[0.286788218175523, 0.0, 0.409576022144496]") +
+         R"([[joints]]
+name = "ja"
+type = "revolute"
+bodies = ["ground", "a"]
+point = [0, 0, -0.5]
+axis = "z"
+[[joints]]
+name = "u"
+type = "constant_velocity"
+bodies = ["a", "b"]
+point = [0, 0, 0]
+axis = "z"
+)" + axis2 +
+         R"(
+[[joints]]
+name = "jb"
+type = "revolute"
+bodies = ["ground", "b"]
+point = [0.286788218175523, 0.0, 0.409576022144496]
+axis = [0.573576436351046, 0.0, 0.819152044288992]
+[[forces]]
+name = "f"
+body = "a"
+direction = [0, 0, 1]
+torque = { polynomial = [1.0] }
+[output]
+interval = 0.02
+)";
+}
+
+// Drawn bent by 35 degrees: with the axes of both shafts they turn alike, w = T t / (I_a + I_b).
+TEST(ConstantVelocity, TurnsEvenlyWhereItIsDrawnBent) {
+  for (const char* axis2 : {"axis2 = [0.573576436351046, 0.0, 0.819152044288992]",
+                            "axis2 = [-0.573576436351046, 0.0, -0.819152044288992]"}) {
+    const Rows run(bent_shafts(axis2));
+    const std::vector<double> t = run.column("time"), a = run.column("ja.angle_rate"), b = run.column("jb.angle_rate");
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      EXPECT_NEAR(a[i], 5.0 * t[i], 1e-4) << t[i];  // rtol 1e-6 of 10 rad/s
+      EXPECT_NEAR(b[i], 5.0 * t[i], 1e-4) << t[i];
+    }
+  }
+}
+
+TEST(ConstantVelocity, IsRefusedWhereOneAxisCannotBeThatOfBothShafts) {
+  const std::string findings = SceneText().findings(bent_shafts(""));
+  EXPECT_TRUE(test::names(findings, {"E0161", "joints.u.axis2", "35", "jb", "0.573576"})) << findings;
+  EXPECT_EQ(SceneText().findings(bent_shafts("axis2 = \"z\"")), "");  // whoever says so means it
+}
+
+// A shaft turns at 9 rad/s through an open curve and beyond its end, where the rod continues along the tangent.
+TEST(OpenCam, GoesOnAlongItsTangentPastHalfATurn) {
+  const std::string scene = "end_time = 1.0\ngravity = [0, 0, 0]\n" + body("s", 1.0, 0.1, "[0, 0, 0]") +
+                            body("rod", 2.0, 0.1, "[1, 0, 0]") +
+                            R"([[joints]]
+name = "sa"
+type = "revolute"
+bodies = ["ground", "s"]
+point = [0, 0, 0]
+axis = "z"
+[[joints]]
+name = "ro"
+type = "prismatic"
+bodies = ["ground", "rod"]
+point = [1, 0, 0]
+axis = "x"
+[[gears]]
+name = "cam"
+joints = ["ro", "sa"]
+factors = [1, -1]
+curve = [[0, 0], [1, 0.004], [2, 0.016], [3, 0.025], [4, 0.024], [5, 0.011]]
+[initial]
+bodies = [{ body = "s", angular_velocity = [0, 0, 9.0] }]
+[output]
+interval = 0.02
+)";
+  const CubicSpline curve("y", {0, 1, 2, 3, 4, 5}, {0, 0.004, 0.016, 0.025, 0.024, 0.011});
+  for (const double direction : {1.0, -1.0}) {
+    const Rows run(scene, {"initial.bodies.s.angular_velocity=[0,0," + text(9.0 * direction) + "]", "solver.rtol=1e-8",
+                           "solver.max_step=1"});
+    const std::vector<double> q = run.column("sa.angle"), x = run.column("ro.displacement");
+    EXPECT_GT(std::abs(q.back()), 7.0);
+    for (std::size_t i = 0; i < q.size(); ++i) EXPECT_NEAR(x[i], curve.at(q[i]).value, 1e-9) << q[i];
+    const std::vector<double> energy = run.column("energy.total");
+    EXPECT_NEAR(energy.back(), energy.front(), 1e-5 * energy.front());  // jumps of the curve's third derivative
+  }
+}
+
+// --- Work.
+
+// A body that turns at 20 rad/s is moved by 0.1 sin(2 pi t): the work of the motion is the kinetic energy of that, m x'^2 / 2.
+TEST(Work, OfAPrescribedMotionStandsUnderTheErrorTest) {
+  const std::string scene = "end_time = 2.0\ngravity = [0, 0, 0]\n" + body("a", 2.0, 0.3, "[0.5, 0, 0]") +
+                            R"([[joints]]
+name = "d"
+type = "prescribed"
+bodies = ["ground", "a"]
+point = [0, 0, 0]
+axis = "z"
+axis2 = "x"
+motion = { x = { amplitude = 0.1, frequency = 1.0 }, y = { polynomial = [0] }, z = { polynomial = [0] }, rotation = { polynomial = [0, 20.0] }, hold_other_rotations = true }
+[initial]
+bodies = [{ body = "a", velocity = [0.6283185307179586, 10.0, 0], angular_velocity = [0, 0, 20.0] }]
+[output]
+interval = 0.0173
+)";
+  for (const double rtol : {1e-4, 1e-6}) {
+    const Rows run(scene, {"solver.rtol=" + text(rtol), "solver.max_step=1"});
+    const std::vector<double> work = run.column("work.motion"), energy = run.column("energy.kinetic");
+    double error = 0.0, size = 0.0;
+    for (std::size_t i = 0; i < work.size(); ++i) {
+      error = std::max(error, std::abs(work[i] - (energy[i] - energy[0])));
+      size = std::max(size, std::abs(energy[i] - energy[0]));
+    }
+    EXPECT_LT(error, 100.0 * rtol * size) << rtol;  // the errors of some hundred steps
+    EXPECT_GE(run.balance, 0.999 * error) << rtol;
+  }
+}
 
 // --- Scales.
 
@@ -123,6 +324,48 @@ TEST(StiffSpring, SwingsAsAPendulum) {
       EXPECT_NEAR(z[i], -std::sin(q), tolerance) << stiffness << " " << t[i];
     }
   }
+}
+
+// --- Damping of flexible bodies.
+
+std::string beam(const std::string& more) {
+  return R"(end_time = 1.0
+gravity = [0, 0, -1.0]
+[[bodies]]
+name = "b"
+material = "al"
+shape = { kind = "rod", from = [0, 0, 0], to = [1.0, 0, 0], diameter = 0.02 }
+flexible = { elements = 10, modes = 6, damping = 0.02 }
+)" + more +
+         R"(
+[materials.al]
+density = 2700.0
+young = 70000000000.0
+poisson = 0.3
+)";
+}
+
+// Of a cantilever the lowest frequency is 1.8751^2 / (2 pi) sqrt(EI / (rho A)), and its damping ratio far below that of free
+// modes. The damping that the warning gives leads to the ratio that was given.
+TEST(AttachedDamping, IsToldWithTheValueThatGivesTheRatio) {
+  const auto found = [](const std::string& toml, const std::vector<std::string>& settings = {}) {
+    const SceneText folder;
+    const Scene scene = folder.read(toml, settings);
+    return attached_damping(scene, build_mechanism(scene));
+  };
+  EXPECT_TRUE(found(beam("")).empty());
+  const std::string clamp =
+      "[[joints]]\nname = \"c\"\ntype = \"fixed\"\nbodies = [\"ground\", \"b\"]\npoint = [0, 0, 0]\n";
+  const std::vector<AttachedDamping> held = found(beam(clamp));
+  ASSERT_EQ(held.size(), 1u);
+  const double frequency = 1.8751 * 1.8751 / (2.0 * kPi) * std::sqrt(70e9 / 2700.0 * 0.02 * 0.02 / 16.0);
+  EXPECT_NEAR(held[0].frequency, frequency, 0.01 * frequency);  // six modes
+  EXPECT_LT(held[0].ratio, 0.2 * held[0].given);
+  EXPECT_NEAR(held[0].given, 0.02, 1e-12);
+  const double other = held[0].given * held[0].given / held[0].ratio;
+  const std::vector<AttachedDamping> mended = found(beam(clamp), {"bodies.b.flexible.damping=" + text(other)});
+  ASSERT_EQ(mended.size(), 1u);
+  EXPECT_NEAR(mended[0].ratio, 0.02, 1e-6);
 }
 
 }  // namespace

@@ -1,0 +1,12 @@
+#pragma once
+// The mass, or moment of inertia, that a joint coordinate moves: an estimate from above, for the damping of stick in joints.
+
+#include "mbd_solver/build/mechanism.h"
+
+namespace footfall {
+
+// In the reference configuration, all other joints locked: the smaller of both sides of the joint [kg or kg m2], with what
+// gears and rotors on the coordinate add. In a loop all bodies. > 0.
+double moved_mass(const Scene& scene, const Mechanism& mechanism, int joint, Coordinate coordinate);
+
+}  // namespace footfall

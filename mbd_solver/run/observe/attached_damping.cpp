@@ -1,0 +1,108 @@
+// Modes of all bodies under the conditions of all joints: a dense eigenvalue problem in a basis of the free motions.
+
+#include "mbd_solver/run/observe/attached_damping.h"
+
+#include <cmath>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/dynamics/assembly.h"
+#include "mbd_solver/dynamics/body_force.h"
+#include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/fe/eigen_solver.h"
+#include "mbd_solver/run/codes.h"
+#include "mbd_solver/run/observe/start_values.h"
+
+namespace footfall {
+namespace {
+
+constexpr int kMost = 1000;        // velocities; the effort grows with the third power
+constexpr double kOther = 0.2;     // relative difference of ratios that is told
+constexpr double kElastic = 1e-6;  // of the largest eigenvalue: rigid motions are below
+
+// Columns: independent velocities that all joints allow.
+Eigen::MatrixXd free_motions(const Model& model, const Layout& layout, const Kinematics& kinematics, double t) {
+  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(layout.row_count, layout.v_size);
+  int largest = 0;
+  for (int i = 0; i < model.body_count(); ++i) largest = std::max(largest, 2 * kinematics.of(i).size());
+  Eigen::VectorXd scratch = Eigen::VectorXd::Zero(2 * largest);
+  for_each_row(
+      model, layout, kinematics, t, scratch,
+      [&](const RowPlace& at, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
+        const Joint& joint = model.joint(at.joint);
+        if (joint.rows[static_cast<std::size_t>(at.local)].inertia > 0.0) return;  // a rotor is no condition
+        const std::array<int, 2> v = pair_v(layout, joint.m1.body, joint.m2.body);
+        for (int i = 0; i < 2; ++i) {
+          const int n = pair.body[i]->size();
+          if (n > 0)
+            B.row(at.row).segment(v[static_cast<std::size_t>(i)], n) += phi_v.segment(pair.offset(i), n).transpose();
+        }
+      });
+  if (layout.row_count == 0) return Eigen::MatrixXd::Identity(layout.v_size, layout.v_size);
+  Eigen::FullPivLU<Eigen::MatrixXd> lu(B);
+  lu.setThreshold(1e-9);
+  return lu.kernel();
+}
+
+}  // namespace
+
+std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanism& mechanism) {
+  const Model& model = mechanism.model;
+  const Layout layout(model);
+  std::vector<AttachedDamping> out;
+  std::vector<int> bodies;
+  for (int i = 0; i < model.body_count(); ++i)
+    if (model.body(i).mode_count() > 0 && model.body(i).modal()->damping.maxCoeff() > 0.0) bodies.push_back(i);
+  if (bodies.empty() || layout.v_size > kMost) return out;
+
+  const Assembly assembly = assemble(model, assembly_options(scene));
+  Kinematics kinematics(model);
+  kinematics.load(layout, assembly.state.q, assembly.state.v, Eigen::VectorXd());
+  kinematics.load_turns(layout, assembly.state.z);
+  const Eigen::MatrixXd N = free_motions(model, layout, kinematics, 0.0);
+  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(layout.v_size, layout.v_size);
+  Eigen::VectorXd K = Eigen::VectorXd::Zero(layout.v_size), C = K;
+  for (int i = 0; i < model.body_count(); ++i) {
+    const int v = layout.body_v[static_cast<std::size_t>(i)], n = kinematics.of(i).size();
+    InertiaScratch scratch(n - 6);
+    Eigen::MatrixXd own(n, n);
+    body_mass_matrix(model.body(i), kinematics.of(i), scratch, own);
+    M.block(v, v, n, n) = own;
+    if (n == 6) continue;
+    K.segment(v + 6, n - 6) = model.body(i).modal()->stiffness;
+    C.segment(v + 6, n - 6) = model.body(i).modal()->damping;
+  }
+  const Eigen::MatrixXd KN = K.asDiagonal() * N, MN = M * N;
+  const Modes modes = all_modes(N.transpose() * KN, N.transpose() * MN, K.maxCoeff());
+  for (const int i : bodies) {
+    const int v = layout.body_v[static_cast<std::size_t>(i)] + 6, s = model.body(i).mode_count();
+    for (Eigen::Index k = 0; k < modes.lambda.size(); ++k) {
+      const double lambda = modes.lambda[k];
+      if (lambda <= kElastic * K.segment(v, s).minCoeff()) continue;
+      const Eigen::VectorXd x = N * modes.shapes.col(k);  // x^T M x = 1
+      if (x.segment(v, s).cwiseAbs2().dot(K.segment(v, s)) < 0.5 * lambda) continue;
+      const double omega = std::sqrt(lambda);
+      const double given = C[v] / (2.0 * std::sqrt(K[v]));
+      const double ratio = x.cwiseAbs2().dot(C) / (2.0 * omega);
+      if (std::abs(ratio - given) > kOther * given) out.push_back({i, omega / (2.0 * kPi), given, ratio});
+      break;
+    }
+  }
+  return out;
+}
+
+std::vector<std::string> damping_warnings(const Scene& scene, const Mechanism& mechanism) {
+  std::vector<std::string> out;
+  for (const AttachedDamping& at : attached_damping(scene, mechanism))
+    out.push_back(
+        with_code(code::kAttachedDamping,
+                  "bodies." + mechanism.model.body(at.body).name() + ".flexible.damping: " + number_text(at.given, 3) +
+                      " is the damping ratio of the modes of the free body; as its joints hold it, its lowest mode (" +
+                      number_text(at.frequency, 4) + " Hz) has " + number_text(at.ratio, 3) + ". For " +
+                      number_text(at.given, 3) +
+                      " in that mode give damping = " + number_text(at.given * at.given / at.ratio, 3)));
+  return out;
+}
+
+}  // namespace footfall

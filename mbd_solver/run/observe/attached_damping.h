@@ -1,0 +1,26 @@
+#pragma once
+// The damping ratio that a flexible body has as its joints hold it. The scene gives that of the body's own, free modes: where
+// joints hold a body, its lowest mode is mostly a combination of stiffer free modes, which damp slow motion little.
+
+#include <string>
+#include <vector>
+
+#include "mbd_solver/build/mechanism.h"
+
+namespace footfall {
+
+struct AttachedDamping {
+  int body = 0;            // in the model
+  double frequency = 0.0;  // of the lowest mode with at least half of its strain energy in this body [Hz]
+  double given = 0.0;      // damping ratio of the scene
+  double ratio = 0.0;      // that of this mode
+};
+
+// One per flexible body with damping whose ratio differs from the given one by more than a fifth; at the start, joints closed,
+// without struts and springs.
+std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanism& mechanism);
+
+// The warnings of `check`.
+std::vector<std::string> damping_warnings(const Scene& scene, const Mechanism& mechanism);
+
+}  // namespace footfall
