@@ -397,12 +397,12 @@ TEST_F(RunStoreTest, AWrongSceneIsToldUnlessTheRunMayBeRefused) {
 
 TEST_F(RunStoreTest, WhatStoodThereIsKeptWhenTheNewFileCannotBeWritten) {
   write("result.csv", "old\n");
-  fs::create_directory(file("result.csv.part"));  // nothing can be written under this name
+  fs::create_directories(file("result.csv.part/full"));  // nothing can be written under this name
   EXPECT_THROW(write_whole_file(file("result.csv"), "new\n"), InputError);
   std::string text;
   std::ifstream(file("result.csv")) >> text;
   EXPECT_EQ(text, "old");
-  fs::remove(file("result.csv.part"));
+  fs::remove_all(file("result.csv.part"));
   write_whole_file(file("result.csv"), "new\n");
   std::ifstream(file("result.csv")) >> text;
   EXPECT_EQ(text, "new");
