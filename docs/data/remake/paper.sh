@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../../.."
 . docs/data/remake/parts.sh
 runs=${1:-runs/paper} what=${2-}
 data=docs/data/paper pictures=docs/pictures/paper
-sweeps=(validation_drop validation_sensitivity ground attitudes friction velocity explanations bed bed_grains)
+sweeps=(validation_drop validation_sensitivity ground attitudes friction velocity control_fast explanations bed bed_grains)
 identified=(validation_drop ground attitudes friction velocity)   # run once more with the scenes of inputs/paper_identified
 
 # SWEEP: the same sweep with the calibrated scenes; prints its file.
