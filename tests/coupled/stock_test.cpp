@@ -98,6 +98,36 @@ TEST_P(OnRanks, GrainsOfManySizesGiveTheSameBitsAndLists) {
   EXPECT_EQ(told, neighbours_told(folder.read("log.ours")));
 }
 
+// Pair forces are computed by a member of ours, of two types of grains, for each setting of the models that it knows; it leaves those it does not know
+// (the last three) to LIGGGHTS.
+TEST_P(OnRanks, PairForcesOfEveryModelAreThoseOfStock) {
+  const int ranks = GetParam();
+  const std::string history = "model hertz tangential history";
+  int number = 0;
+  for (const std::string& model :
+       {history, history + " tangential_damping off limitForce on", history + " rolling_friction cdt limitForce on",
+        history + " rolling_friction cdt torsionTorque on",
+        history + " rolling_friction cdt tangential_damping off torsionTorque on limitForce on",
+        history + " rolling_friction epsd2", history + " rolling_friction cdt computeElasticPotential on",
+        std::string("model hooke/stiffness tangential history")}) {
+    SCOPED_TRACE(model);
+    const RunFolder folder("stock_forces_" + std::to_string(ranks) + "_" + std::to_string(number++));
+    const auto script = [&](const std::string& name) {
+      std::string bed = small_bed(ranks == 1 ? "1 1 1" : "2 1 1");
+      const std::string usual = "pair_style gran " + history + " rolling_friction cdt";
+      bed.replace(bed.find(usual), usual.size(), "pair_style gran " + model);
+      return bed +
+             "fix s1 all property/global kn peratomtypepair 2 1e5 1e5 1e5 1e5\nfix s2 all property/global kt "
+             "peratomtypepair 2 3e4 3e4 3e4 3e4\n"
+             "fix s3 all property/global gamman peratomtypepair 2 80 80 80 80\nfix s4 all property/global gammat "
+             "peratomtypepair 2 40 40 40 40\n"
+             "region right block 0 1 -1 1 -1 1 units box\nset region right type 2\nvelocity all set 0.3 0 -2\n" +
+             thermo("ke") + dump_every(200, name) + "run 100\nrun 300\n";
+    };
+    expect_same_run(folder, ranks, script, {0, 200, 400});
+  }
+}
+
 // Bins are 32 mm wide, as large grains ask for, and small ones on a lattice of 32.47 mm are neighbours up to 32.5 mm: some of
 // them with an empty bin between.
 TEST_P(OnRanks, NeighboursWithAnEmptyBinBetweenStandInTheList) {
