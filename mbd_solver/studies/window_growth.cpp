@@ -2,6 +2,7 @@
 #include "mbd_solver/studies/window_growth.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -26,8 +27,11 @@ constexpr int kDigits = 10;
 
 bool grows(const std::string& scheme, double omega_h, int n) { return predicted_growth(scheme, omega_h, n) > 1.2; }
 
-// First velocity [m/s].
-double push(const std::string& scheme, double omega_h, int n) { return grows(scheme, omega_h, n) ? 1e-11 : 1e-2; }
+// First velocity [m/s]: the contacts stay closed in the first window, and in all of them unless the motion grows by more than a billion.
+double push(const std::string& scheme, double omega_h, int n) {
+  const double first = std::min(1e-2, 0.1 * kClosed * kOmega / omega_h);
+  return first / std::clamp(std::pow(predicted_growth(scheme, omega_h, n), kWindows), 1.0, 1e9);
+}
 
 // Of the run in `folder`.
 double growth_in_liggghts(const std::string& folder, const std::string& scheme, double omega_h, int n) {
@@ -37,15 +41,18 @@ double growth_in_liggghts(const std::string& folder, const std::string& scheme, 
   const std::vector<double>&z = history.column("pad.z"), &vz = history.column("pad.vz");
   const double least = kDecayed * push(scheme, omega_h, n);
   std::size_t count = 0;
-  while (count < z.size() && std::abs(z[count] - z.front()) <= kClosed && std::abs(vz[count]) >= least) ++count;
+  const auto size = [&](std::size_t k) { return std::hypot(vz[k], kOmega * (z[k] - z.front())); };
+  while (count < z.size() && std::abs(z[count] - z.front()) <= kClosed && size(count) >= least) ++count;
   return growth_of_series({vz.begin(), vz.begin() + static_cast<std::ptrdiff_t>(count)});
 }
 
 }  // namespace
 
 bool GrowthPoint::as_theory(bool ran) const {
-  const auto near = [&](double found) { return std::abs(found - theory) <= 1e-2 * theory; };
-  return near(measured) && (!ran || near(in_liggghts));
+  const auto near = [&](double found, double limit) { return std::abs(found - theory) <= limit * theory; };
+  // A motion that decays fast can be followed over few windows, in which equal roots of the window's map are not told apart.
+  const double limit = theory < 0.9 ? 5e-2 : 1e-2;
+  return near(measured, limit) && (!ran || near(in_liggghts, limit));
 }
 
 double predicted_growth(const std::string& scheme, double omega_h, int n) {
