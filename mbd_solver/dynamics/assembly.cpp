@@ -23,11 +23,25 @@
 namespace footfall {
 namespace {
 
+// A joint of another model with the same bodies.
+void add_joint(Joint joint, Model& out) {
+  if (joint.turn_counter >= 0)
+    joint.turn_counter = out.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, joint.m1, joint.m2));
+  out.add_joint(std::move(joint));
+}
+
 constexpr double kStartStep = 0.05;  // of a coordinate on its way to its start value [rad or m]
 
-// One more condition per given coordinate: from zero at t = 0 to its value at t = 1.
+// One more condition per given coordinate: from zero at t = 0 to its value at t = 1. Motions of the scene stand where they start.
 Model model_on_the_way(const Model& model, const std::vector<StartCoordinate>& start) {
-  Model out = without_forces(model);
+  Model out;
+  for (int i = 0; i < model.body_count(); ++i) out.add_body(model.body(i), model.initial(i));
+  for (int j = 0; j < model.joint_count(); ++j) {
+    Joint joint = model.joint(j);
+    for (ConstraintRow& row : joint.rows)
+      if (row.motion) row.motion = polynomial({row.motion->at(0.0).value});
+    add_joint(std::move(joint), out);
+  }
   for (const StartCoordinate& given : start) {
     const Joint& joint = model.joint(given.joint);
     PrescribedMotion motion;
@@ -89,12 +103,7 @@ void move_to_start(const Model& model, const std::vector<StartCoordinate>& start
 namespace {
 
 void add_joints(const Model& model, Model& out) {
-  for (int j = 0; j < model.joint_count(); ++j) {
-    Joint joint = model.joint(j);
-    if (joint.turn_counter >= 0)
-      joint.turn_counter = out.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, joint.m1, joint.m2));
-    out.add_joint(std::move(joint));
-  }
+  for (int j = 0; j < model.joint_count(); ++j) add_joint(model.joint(j), out);
 }
 
 Model unbendable(const Model& model) {
