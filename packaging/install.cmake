@@ -5,6 +5,9 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS footfall footfall_studies mbd_solver liggghts_mbd RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
+if(FOOTFALL_IMPORT)  # where it has been built, by the first `footfall import`
+  install(TARGETS footfall_import RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT import OPTIONAL)
+endif()
 
 # Programs find these from their own place: ../share/footfall (mbd_solver/scene/shipped_files.h).
 set(share share/footfall)
@@ -40,7 +43,7 @@ install(FILES packaging/footfall.bash DESTINATION share/bash-completion/completi
 # Headers by their full paths, as the sources name them.
 install(DIRECTORY coupler DESTINATION include/footfall COMPONENT development FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY mbd_solver DESTINATION include/footfall COMPONENT development
-  FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE PATTERN studies EXCLUDE PATTERN bed EXCLUDE)
+  FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE PATTERN studies EXCLUDE PATTERN import EXCLUDE PATTERN bed EXCLUDE)
 
 # footfall::coupler       the conversation with LIGGGHTS, over MPI
 # footfall::mbd_solver    scene, model, integrators, runs

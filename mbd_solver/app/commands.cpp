@@ -13,6 +13,7 @@
 #include "mbd_solver/app/follow.h"
 #include "mbd_solver/app/grain_pictures.h"
 #include "mbd_solver/app/new_case.h"
+
 #include "mbd_solver/app/option_checks.h"
 #include "mbd_solver/app/plots.h"
 #include "mbd_solver/app/report.h"
@@ -127,7 +128,8 @@ Action new_case(CLI::App& command) {
   };
   const auto a = std::make_shared<Arguments>();
   CLI::Option* name = command.add_option("NAME", a->name, "Folder to create");
-  command.add_option("--from", a->from, "Example to copy; --list lists them")->type_name("CASE");
+  command.add_option("--from", a->from, "Example to copy; --list lists them. Or a robot: URDF, SDF or MJCF file")
+      ->type_name("CASE");
   command.add_flag("--list", a->list, "List the examples, and stop")->excludes(name);
   return [a] {
     if (a->list) {
@@ -139,6 +141,7 @@ Action new_case(CLI::App& command) {
     if (a->name.empty() || a->from.empty())
       throw InputError(code::kWrongOption, "footfall new: expected a name and an example, as in `" + self +
                                                " new my_wheel --from wheel`; `" + self + " new --list` lists them");
+    if (is_robot_file(a->from)) return start_import({"import", a->from, "--out", a->name});
     make_case(a->name, a->from);
     std::printf("%s: a copy of \"%s\" to edit\nNext: %s check %s; %s run %s\n", a->name.c_str(), a->from.c_str(),
                 self.c_str(), a->name.c_str(), self.c_str(), a->name.c_str());
@@ -260,6 +263,7 @@ constexpr Subcommand kSubcommands[] = {
     {"run", "Run a scene: make the bed, run both programs, summarise and plot the results", run},
     {"check", "Check a scene: report every fault with file, line and key", check},
     {"new", "Create a folder with a scene to edit, from an example", new_case},
+    {"import", "Make a scene of a robot: URDF, SDF or MJCF", nullptr},
     {"view", "Write a page that plays a run in 3D; or draw pictures; or follow a run in progress", view},
     {"report", "Write one page about a run or a sweep: DIR/report.html", report},
     {"plot", "Plot columns of a run's history", plot},

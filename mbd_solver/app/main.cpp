@@ -8,6 +8,8 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/app/command_line.h"
+#include "mbd_solver/app/new_case.h"
+
 #include "mbd_solver/bed/confined_programs.h"
 #include "mbd_solver/bed/programs.h"
 
@@ -20,6 +22,7 @@ int main(int argc, char** argv) {
   for (const Subcommand& subcommand : subcommands()) {
     if (word != subcommand.name || subcommand.prepare != nullptr) continue;
     try {
+      if (word == "import") return start_import({argv + 1, argv + argc});
       const std::string studies = built_program("footfall_studies");
       execv(studies.c_str(), argv);
       std::perror(studies.c_str());

@@ -1,8 +1,11 @@
 // Copies a scene with the neighbouring folders that its files name as "../NAME/"; these become folders of the copy.
 #include "mbd_solver/app/new_case.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <filesystem>
 
 #include "coupler/base/errors.h"
@@ -170,6 +173,31 @@ void make_case(const std::string& given, const std::string& from) {
     fs::remove_all(folder, ignored);
     throw;
   }
+}
+
+bool is_robot_file(const std::string& from) {
+  for (const char* ending : {".urdf", ".URDF", ".sdf", ".xml", ".mjcf", ".xacro", ".world"})
+    if (ends_with(from, ending)) return true;
+  return false;
+}
+
+int start_import(const std::vector<std::string>& words) {
+  std::string program;
+  try {
+    program = built_program("footfall_import");
+  } catch (const InputError& error) {
+    throw InputError(with_addition(error.what(),
+                                   ": `./footfall import` in a checkout installs libsdformat-dev, liburdfdom-dev and "
+                                   "libmujoco-dev, and builds it"));
+  }
+  std::vector<std::string> line{"footfall"};
+  line.insert(line.end(), words.begin(), words.end());
+  std::vector<char*> arguments;
+  for (std::string& word : line) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execv(program.c_str(), arguments.data());
+  std::perror(program.c_str());
+  return kExitFailed;
 }
 
 }  // namespace footfall

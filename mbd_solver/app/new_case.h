@@ -1,5 +1,5 @@
 #pragma once
-// footfall new: a folder with a scene to edit, copied from an example or an input that comes with the program.
+// footfall new: a folder with a scene to edit, copied from an example or an input that comes with the program; or made of a robot.
 
 #include <string>
 #include <vector>
@@ -19,5 +19,12 @@ std::vector<CaseKind> case_kinds();
 // Creates `folder` with that scene, the scripts, meshes and tables that it reads, and a README; the copy needs no other
 // file. Throws InputError for an existing folder, a name that LIGGGHTS cannot read, or an unknown kind.
 void make_case(const std::string& folder, const std::string& from);
+
+// A file of a robot (URDF, SDF, MJCF) by its ending, in place of an example.
+bool is_robot_file(const std::string& from);
+
+// Carries out `footfall WORDS` by footfall_import, in the place of this process. Throws InputError where that program has not
+// been built; returns an exit code where it cannot be started.
+int start_import(const std::vector<std::string>& words);
 
 }  // namespace footfall

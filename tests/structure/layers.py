@@ -27,6 +27,7 @@ MAY_INCLUDE = {
     "mbd_solver/bed": "mbd_solver/build mbd_solver/run/output",
     "mbd_solver/app": "mbd_solver/bed mbd_solver/run/observe",
     "mbd_solver/studies": "mbd_solver/app",
+    "mbd_solver/import": "mbd_solver/app",
     "mbd_solver": "mbd_solver/run mbd_solver/app",  # main.cpp
 }
 
@@ -40,7 +41,10 @@ ONLY_IN = {
     r"fcl/": "mbd_solver/model/elements/surface_model.cpp mbd_solver/model/elements/contact_surface.cpp",
     r"nlopt": "mbd_solver/studies/search.cpp",
     r"muParser": "mbd_solver/model/control/signal_chain.cpp",
-    r"pugixml": "mbd_solver/run/output/vtk_writer.cpp",
+    r"pugixml": "mbd_solver/run/output/vtk_writer.cpp mbd_solver/import/xml_source.h",
+    r"(urdf_parser|console_bridge)/": "mbd_solver/import/urdf_reader.cpp",
+    r"mujoco/": "mbd_solver/import/mjcf_reader.cpp",
+    r"(sdf|ignition)/": "mbd_solver/import/sdf_reader.cpp",
     r"zlib": "mbd_solver/app/packed_series.cpp",
     r"mpi\.h": MPI_FILES + " liggghts_fix/replaced/comm_world.h liggghts_fix/replaced/mpi_abort.cpp liggghts_fix/liggghts_access.cpp",
     r"coupler/(communicator|polling_wait|abort_guard|transport_mpi)\.h": MPI_FILES + " liggghts_fix/replaced/popen.cpp liggghts_fix/replaced/fopen.cpp",

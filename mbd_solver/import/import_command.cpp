@@ -1,0 +1,110 @@
+// Reads the file in a process of its own first, since its libraries may crash on a damaged one; then writes all files of the
+// scene, or none.
+#include "mbd_solver/import/import_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/import/codes.h"
+#include "mbd_solver/scene/mesh_reader.h"
+#include "mbd_solver/scene/scene_reader.h"
+
+namespace footfall {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder_for(const ImportArguments& arguments) {
+  std::string name = arguments.out;
+  while (name.size() > 1 && name.back() == '/') name.pop_back();
+  if (name.empty()) {
+    for (const char c : fs::path(arguments.file).stem().string())
+      name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' ? c : '_';
+  }
+  const fs::path folder(name);
+  if (!is_plain_name(folder.filename().string()))
+    throw InputError(code::kRobotFolder,
+                     name +
+                         ": the name of the folder has characters other than letters, digits and _ - . "
+                         "(or too many); choose another one with --out");
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(folder, error)))
+    throw InputError(code::kRobotFolder, name + ": exists already; choose another folder with --out");
+  return folder;
+}
+
+void write_files(const fs::path& folder, const std::vector<SceneFile>& files) {
+  make_folder(folder.string());
+  try {
+    for (const SceneFile& file : files) {
+      const fs::path path = folder / file.name;
+      make_folder(path.parent_path().string());
+      write_whole_file(path.string(), file.content);
+    }
+    read_scene(folder.string());  // a scene that this program made is one
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+    throw;
+  }
+}
+
+}  // namespace
+
+int import_command(const ImportArguments& arguments) {
+  const fs::path folder = folder_for(arguments);
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(arguments.file, error);
+  const auto read = [&] {
+    Robot robot = read_robot(arguments.file, arguments.options);
+    tidy_robot(robot, arguments.options);
+    return robot;
+  };
+  if (!error && fs::is_regular_file(arguments.file, error))
+    read_apart(arguments.file, static_cast<std::size_t>(bytes) + 10000000, [&] {
+      read();
+      return std::string("read");
+    });
+  Robot robot = read();
+  const std::vector<SceneFile> files = write_robot_scene(robot, arguments.options);
+  std::stable_sort(robot.not_taken.begin(), robot.not_taken.end(), [](const NotTaken& a, const NotTaken& b) {
+    return std::tie(a.origin.file, a.origin.line) < std::tie(b.origin.file, b.origin.line);
+  });
+  std::string list;
+  std::size_t looks = 0, others = 0;
+  for (const NotTaken& one : robot.not_taken) {
+    ++(one.looks ? looks : others);
+    if (!one.looks) list += one.origin.place() + ": " + one.what + ": " + one.why + "\n";
+  }
+  if (arguments.strict && others > 0)
+    throw InputError(code::kRobotStrict,
+                     list + arguments.file + ": --strict: " + std::to_string(others) +
+                         " parts cannot be said in a scene as they are; remove them, or import without "
+                         "--strict");
+  write_files(folder, files);
+  if (!arguments.quiet) std::fprintf(stderr, "%s", list.c_str());
+  const auto count = [](std::size_t n, const std::string& what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+  };
+  const std::size_t bodies = robot.links.size();
+  std::printf("%s: %s with %s, %s, %s and %s, of the %s file %s\n", folder.string().c_str(), "a scene",
+              (std::to_string(bodies) + (bodies == 1 ? " body" : " bodies")).c_str(),
+              count(robot.joints.size(), "joint").c_str(), count(robot.gears.size(), "gear").c_str(),
+              count(robot.drives.size(), "motor").c_str(), robot.format.c_str(), arguments.file.c_str());
+  if (others + looks > 0)
+    std::printf("%s\n",
+                with_code(code::kRobotNotTaken,
+                          std::to_string(others) + " parts are not taken as they are, and " + std::to_string(looks) +
+                              " of pictures alone; the end of scene.toml lists all with their lines")
+                    .c_str());
+  const std::string self = called_as();
+  std::printf("Next: %s check %s; %s run %s\n", self.c_str(), folder.string().c_str(), self.c_str(),
+              folder.string().c_str());
+  return kExitDone;
+}
+
+}  // namespace footfall

@@ -1,0 +1,50 @@
+#pragma once
+// The XML of an MJCF file as MuJoCo gets it: files that it includes in their places, without what only later versions read, what
+// no scene has a use for, and meshes that are not there. Every element keeps the line that it comes from.
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "mbd_solver/import/xml_source.h"
+
+namespace footfall {
+
+class MjcfSource {
+ public:
+  // What it leaves out goes to robot.not_taken. Throws InputError.
+  MjcfSource(const std::string& file, const ImportOptions& options, Robot& robot);
+
+  // The text for the library.
+  std::string text();
+  // After the library has refused the text: takes out the attribute or element that its message names, and lists it. Throws
+  // InputError where the message is about something else.
+  void take_out(const std::string& message);
+
+  Origin origin(const pugi::xml_node& node) const;
+  // In the order of the compiled model. `section`: of the root, such as "actuator"; all of the same name follow each other.
+  std::vector<pugi::xml_node> children_of(const char* section) const;
+  std::vector<pugi::xml_node> bodies() const;  // depth first; the first is the worldbody
+  pugi::xml_node root() const { return merged_.document_element(); }
+
+ private:
+  void copy(pugi::xml_node into, const pugi::xml_node& node, const XmlSource& xml, int depth);
+  void add_children(pugi::xml_node into, const pugi::xml_node& of, const XmlSource& xml, int depth);
+  void leave_out(const pugi::xml_node& node, const std::string& why, bool looks = false);
+  void take_what_is_for_looks();
+  void take_option();
+  void name_meshes();
+  void without_meshes(const std::vector<std::string>& missing);
+  void rewrite_actuators();
+  pugi::xml_node at_printed_line(int line) const;
+
+  const ImportOptions& options_;
+  Robot& robot_;
+  std::string folder_;
+  std::vector<std::unique_ptr<XmlSource>> sources_;
+  pugi::xml_document merged_;
+  std::unordered_map<std::size_t, Origin> origins_;  // by hash of the node
+  int taken_out_ = 0;
+};
+
+}  // namespace footfall

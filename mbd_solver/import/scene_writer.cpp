@@ -1,0 +1,521 @@
+// Writes a robot as a scene: one entry per link, joint, gear and motor, with the line it comes from; meshes beside it. Numbers
+// have as many digits as they need to be read back as they are.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/import/codes.h"
+#include "mbd_solver/import/robot.h"
+#include "mbd_solver/scene/shipped_files.h"
+
+namespace footfall {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Stops are as stiff as makes what they hold swing at this frequency [Hz].
+constexpr double kStopFrequency = 50.0;
+// A motor of --hold: its loop swings at this frequency [Hz] with this damping ratio.
+constexpr double kHoldFrequency = 5.0, kHoldDamping = 0.7;
+constexpr double kGrains = 6000.0;        // of the bed of --ground, about
+constexpr double kDepthInRadii = 10.0;    // of this bed
+constexpr std::size_t kMostPairs = 1500;  // entries of bodies that do not touch each other
+constexpr std::size_t kManyTriangles = 20000;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+std::string number(double value) {
+  if (value == 0.0) return "0";
+  char text[40];
+  const std::to_chars_result result = std::to_chars(text, text + sizeof text, value);
+  return std::string(text, result.ptr);
+}
+
+template <class Vector>
+std::string list(const Vector& values) {
+  std::string text = "[";
+  for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(values.size()); ++k)
+    text += (k > 0 ? ", " : "") + number(values[static_cast<int>(k)]);
+  return text + "]";
+}
+
+std::string toml_text(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    const auto code = static_cast<unsigned char>(c);
+    result += code < 32 || code == 127 ? ' ' : c;
+  }
+  return result + "\"";
+}
+
+// For a comment: one line.
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
+  return text;
+}
+
+std::string orientation(const Eigen::Matrix3d& R) {
+  const Eigen::Quaterniond q(R);
+  return "{ quaternion = " + list(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())) + " }";
+}
+bool is_identity(const Eigen::Matrix3d& R) { return R == Eigen::Matrix3d::Identity(); }
+
+// The edges of a box along the axes of L, if it lies along them.
+std::optional<Eigen::Vector3d> aligned_size(const RobotGeometry& box) {
+  const Eigen::Matrix3d R = box.X_LG.R.cwiseAbs();
+  Eigen::Vector3d size;
+  for (int r = 0; r < 3; ++r) {
+    Eigen::Index largest = 0;
+    if (R.row(r).maxCoeff(&largest) < 1.0 - 1e-12) return std::nullopt;
+    size[r] = box.size[largest];
+  }
+  return size;
+}
+
+std::string obj_text(const TriangleMesh& mesh, const std::string& what) {
+  std::string text = "# " + what + "\n";
+  char line[128];
+  for (const Eigen::Vector3d& x : mesh.vertices) {
+    std::snprintf(line, sizeof line, "v %.9g %.9g %.9g\n", x[0], x[1], x[2]);
+    text += line;
+  }
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    std::snprintf(line, sizeof line, "f %d %d %d\n", t[0] + 1, t[1] + 1, t[2] + 1);
+    text += line;
+  }
+  return text;
+}
+
+class Writer {
+ public:
+  Writer(Robot& robot, const ImportOptions& options) : robot_(robot), options_(options) {
+    for (const RobotDrive& drive : robot_.drives) driven_.insert({drive.joint, drive.coordinate});
+    for (const RobotGear& gear : robot_.gears)
+      if (!gear.joints.empty()) driven_.insert({gear.joints[0], gear.coordinates[0]});
+  }
+
+  std::vector<SceneFile> write() {
+    for (std::size_t k = 0; k < robot_.links.size(); ++k) add_body(static_cast<int>(k));
+    for (std::size_t k = 0; k < robot_.joints.size(); ++k) add_joint(static_cast<int>(k));
+    for (const RobotGear& gear : robot_.gears) add_gear(gear);
+    add_drives();
+    add_ground();
+    add_start();
+    std::vector<SceneFile> files = {
+        {"scene.toml", head() + bodies_ + joints_ + gears_ + drives_ + boundaries_ + contacts() + rest_ + not_taken()}};
+    for (auto& [name, content] : meshes_) files.push_back({name, std::move(content)});
+    return files;
+  }
+
+ private:
+  std::string from(const Origin& origin, const std::string& what) const {
+    return "  # " +
+           one_line(fs::path(origin.file).filename().string() + ":" + std::to_string(origin.line) + " " + what) + "\n";
+  }
+
+  std::string head() const {
+    std::ostringstream text;
+    text << "# " << one_line(robot_.name) << ", a " << robot_.format << " robot of "
+         << one_line(fs::path(robot_.file).filename().string())
+         << ", as `footfall import` reads it. Edit it as any scene; FILE:LINE is where a part comes from.\n"
+         << "# Bodies have the axes of their links. Coordinates are zero as drawn"
+         << (robot_.format == "MJCF" ? " (qpos0)" : "") << ".\n"
+         << "title = " << toml_text(robot_.name.empty() ? "robot" : robot_.name) << "\n"
+         << "end_time = 1.0                        # s\n"
+         << "gravity = " << list(robot_.gravity) << "\n";
+    return text.str();
+  }
+
+  // --- Bodies, and what of them touches something.
+
+  void add_body(int index) {
+    const RobotLink& link = robot_.links[at(index)];
+    const Eigen::Matrix3d& I = link.inertia;
+    std::ostringstream text;
+    text << "\n[[bodies]]"
+         << from(link.origin, "link " + toml_text(link.label) + (link.remark.empty() ? "" : ": " + link.remark))
+         << "name = " << toml_text(link.name) << "\nmass = " << number(link.mass)
+         << "\ninertia = " << list(std::vector<double>{I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(1, 2), I(2, 0)})
+         << "\nposition = " << list(Eigen::Vector3d(link.X_DL * link.centre)) << "\n";
+    if (!is_identity(link.X_DL.R)) text << "orientation = " << orientation(link.X_DL.R) << "\n";
+    std::vector<RobotGeometry> parts = options_.bare ? std::vector<RobotGeometry>() : with_files(link, link.collisions);
+    const bool touches = !parts.empty();
+    if (!touches && link.visuals.size() == 1 && link.visuals[0].kind != GeometryKind::kMesh) parts = link.visuals;
+    const std::string shape = parts.size() == 1 ? shape_of(link, parts[0]) : "";
+    if (!shape.empty())
+      text << "shape = " << shape << (touches ? "" : from(parts[0].origin, "for pictures"))
+           << (touches ? from(parts[0].origin, "collision") : "");
+    bodies_ += text.str();
+    if (touches) add_boundary(link, parts, !shape.empty());
+  }
+
+  // Without meshes that are not there, or cannot be read; each gets its triangles.
+  std::vector<RobotGeometry> with_files(const RobotLink& link, const std::vector<RobotGeometry>& all) {
+    std::vector<RobotGeometry> usable;
+    for (RobotGeometry g : all) {
+      const std::string what =
+          "collision mesh " + toml_text(g.name.empty() ? g.file : g.name) + " of link " + toml_text(link.label);
+      if (g.kind == GeometryKind::kMesh && g.file.empty() && g.mesh.triangles.empty()) {
+        robot_.leave_out(g.origin, what, "there is no such file; give its folder with --package");
+        continue;
+      }
+      usable.push_back(std::move(g));
+    }
+    return usable;
+  }
+
+  std::string shape_of(const RobotLink& link, const RobotGeometry& g) const {
+    const Placement X = link.X_DL * g.X_LG;
+    const Eigen::Vector3d half = X.R.col(2) * (0.5 * g.length);
+    switch (g.kind) {
+      case GeometryKind::kBox: {
+        const std::optional<Eigen::Vector3d> size = aligned_size(g);
+        if (!size) return "";
+        return "{ kind = \"box\", size = " + list(*size) + ", centre = " + list(X.p) + " }";
+      }
+      case GeometryKind::kSphere:
+        return "{ kind = \"sphere\", radius = " + number(g.radius) + ", centre = " + list(X.p) + " }";
+      case GeometryKind::kCylinder:
+        return "{ kind = \"cylinder\", radius = " + number(g.radius) + ", length = " + number(g.length) +
+               ", centre = " + list(X.p) + ", axis = " + list(Eigen::Vector3d(X.R.col(2))) + " }";
+      case GeometryKind::kCapsule:
+        return "{ kind = \"capsule\", from = " + list(Eigen::Vector3d(X.p - half)) +
+               ", to = " + list(Eigen::Vector3d(X.p + half)) + ", diameter = " + number(2.0 * g.radius) + " }";
+      case GeometryKind::kMesh: break;
+    }
+    return "";
+  }
+
+  // Its triangles in L, of all parts that can be read; the box of the robot grows by them.
+  TriangleMesh joined_parts(const RobotLink& link, const std::vector<RobotGeometry>& parts) {
+    TriangleMesh all;
+    for (const RobotGeometry& g : parts) {
+      TriangleMesh mesh;
+      try {
+        mesh = geometry_mesh(g);
+      } catch (const InputError& error) {
+        robot_.leave_out(g.origin, "collision mesh of link " + toml_text(link.label), error.what());
+        continue;
+      }
+      const auto first = static_cast<int>(all.vertices.size());
+      for (const Eigen::Vector3d& x : mesh.vertices) {
+        all.vertices.push_back(g.X_LG * x);
+        box_.extend(link.X_DL * all.vertices.back());
+      }
+      for (const Eigen::Vector3i& t : mesh.triangles) all.triangles.emplace_back(t.array() + first);
+      for (const std::string& note : mesh.notes)
+        robot_.leave_out(g.origin, "collision mesh of link " + toml_text(link.label) + ": " + note, "are left out");
+    }
+    return all;
+  }
+
+  void add_boundary(const RobotLink& link, const std::vector<RobotGeometry>& parts, bool shaped) {
+    const std::size_t before = robot_.not_taken.size();
+    const TriangleMesh mesh = joined_parts(link, parts);
+    if (mesh.triangles.empty()) return;
+    const std::string remark =
+        from(parts[0].origin, parts.size() == 1 ? "collision" : std::to_string(parts.size()) + " collisions");
+    bounded_.push_back(static_cast<int>(&link - robot_.links.data()));
+    boundaries_ += "\n[[boundaries]]" + remark + "body = " + toml_text(link.name) + "\n";
+    if (shaped) {
+      boundaries_ += "surface = {}\n";
+      return;
+    }
+    if (mesh.triangles.size() > kManyTriangles)
+      robot_.leave_out(parts[0].origin, "collision meshes of link " + toml_text(link.label),
+                       "are taken, but have " + std::to_string(mesh.triangles.size()) +
+                           " triangles; a coarser mesh makes runs faster");
+    const RobotGeometry& g = parts[0];
+    const bool whole = robot_.not_taken.size() == before && g.mesh.triangles.empty();
+    const std::string ending = fs::path(g.file).extension().string();
+    const bool even = g.scale[0] > 0.0 && g.scale[0] == g.scale[1] && g.scale[0] == g.scale[2];
+    if (parts.size() == 1 && g.kind == GeometryKind::kMesh && whole && even &&
+        (ending == ".stl" || ending == ".obj" || ending == ".ply")) {
+      const Placement X = link.X_DL * g.X_LG;
+      add_surface(copied(g.file), g.scale[0], X);
+      return;
+    }
+    const std::string name = "meshes/" + link.name + ".obj";
+    meshes_[name] = obj_text(mesh, "surface of " + link.name + " in the axes of the link, in m");
+    add_surface(name, 1.0, link.X_DL);
+  }
+
+  void add_surface(const std::string& file, double scale, const Placement& X) {
+    boundaries_ += "[boundaries.surface]\nfile = " + toml_text(file) + "\n";
+    if (scale != 1.0) boundaries_ += "scale = " + number(scale) + "\n";
+    if (!X.p.isZero(0.0)) boundaries_ += "position = " + list(X.p) + "\n";
+    if (!is_identity(X.R)) boundaries_ += "orientation = " + orientation(X.R) + "\n";
+  }
+
+  // A copy in the folder of meshes, made once.
+  std::string copied(const std::string& file) {
+    const auto known = copies_.find(file);
+    if (known != copies_.end()) return known->second;
+    std::string stem;
+    for (const char c : fs::path(file).stem().string().substr(0, 80))
+      stem += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+    const std::string ending = fs::path(file).extension().string();
+    std::string name = "meshes/" + stem + ending;
+    for (int k = 2; meshes_.count(name) > 0; ++k) name = "meshes/" + stem + "_" + std::to_string(k) + ending;
+    meshes_[name] = read_whole_file(file).value_or("");
+    return copies_[file] = name;
+  }
+
+  // --- Joints.
+
+  void add_joint(int index) {
+    const RobotJoint& joint = robot_.joints[at(index)];
+    const auto body = [&](int link) { return link < 0 ? std::string("ground") : robot_.links[at(link)].name; };
+    const char* type = "fixed";
+    switch (joint.kind) {
+      case RobotJointKind::kFixed: break;
+      case RobotJointKind::kRevolute: type = "revolute"; break;
+      case RobotJointKind::kPrismatic: type = "prismatic"; break;
+      case RobotJointKind::kCylindrical: type = "cylindrical"; break;
+      case RobotJointKind::kPlanar: type = "planar"; break;
+      case RobotJointKind::kSpherical: type = "spherical"; break;
+      case RobotJointKind::kUniversal: type = "universal"; break;
+    }
+    std::ostringstream text;
+    text << "\n[[joints]]"
+         << from(joint.origin, "joint " + toml_text(joint.label) + (joint.remark.empty() ? "" : ": " + joint.remark))
+         << "name = " << toml_text(joint.name) << "\ntype = \"" << type << "\"\nbodies = ["
+         << toml_text(body(joint.parent)) << ", " << toml_text(body(joint.child)) << "]\npoint = " << list(joint.point)
+         << "\n";
+    if (joint.kind != RobotJointKind::kFixed && joint.kind != RobotJointKind::kSpherical)
+      text << "axis = " << list(joint.axis) << "\n";
+    if (joint.kind == RobotJointKind::kPlanar || joint.kind == RobotJointKind::kUniversal)
+      text << "axis2 = " << list(joint.axis2) << "\n";
+    for (const RobotCoordinate& q : joint.coordinates) {
+      const std::string laws = laws_of(joint, q);
+      if (!laws.empty()) text << "[joints." << q.name << "]\n" << laws;
+    }
+    joints_ += text.str();
+  }
+
+  double inertia_of(const RobotJoint& joint, const RobotCoordinate& q) const {
+    return std::max(1e-9, moved_inertia(robot_, joint, q.name != "angle") + q.armature);
+  }
+
+  std::string laws_of(const RobotJoint& joint, const RobotCoordinate& q) const {
+    std::string text;
+    if (q.lower || q.upper) {
+      const double omega = 2.0 * kPi * kStopFrequency;
+      const double stiffness = std::max(inertia_of(joint, q) * omega * omega, 100.0 * q.effort);
+      text += "stops = {";
+      if (q.lower) text += " min = " + number(*q.lower - q.zero) + ",";
+      if (q.upper) text += " max = " + number(*q.upper - q.zero) + ",";
+      text += " stiffness = " + number_text(stiffness, 3) + " }\n";
+    }
+    if (q.friction > 0.0) {
+      text += "friction = { coulomb = " + number(q.friction);
+      if (q.damping > 0.0) text += ", viscous = " + number(q.damping);
+      text += " }\n";
+    }
+    const bool damper = q.damping > 0.0 && !(q.friction > 0.0);
+    if (q.stiffness > 0.0 || damper) {
+      text += "spring = {";
+      if (q.stiffness > 0.0) text += " stiffness = " + number(q.stiffness) + ", rest = " + number(q.rest - q.zero);
+      if (damper) text += std::string(q.stiffness > 0.0 ? "," : "") + " damping = " + number(q.damping);
+      text += " }\n";
+    }
+    return text;
+  }
+
+  void add_gear(const RobotGear& gear) {
+    std::ostringstream text;
+    text << "\n[[gears]]" << from(gear.origin, toml_text(gear.label)) << "name = " << toml_text(gear.name)
+         << "\njoints = [";
+    for (std::size_t k = 0; k < gear.joints.size(); ++k)
+      text << (k > 0 ? ", " : "") << toml_text(robot_.joints[at(gear.joints[k])].name);
+    text << "]\ncoordinates = [";
+    for (std::size_t k = 0; k < gear.coordinates.size(); ++k)
+      text << (k > 0 ? ", " : "") << toml_text(gear.coordinates[k]);
+    text << "]\nfactors = " << list(gear.factors) << "\n";
+    if (!gear.curve.empty()) {
+      text << "curve = [";
+      for (std::size_t k = 0; k < gear.curve.size(); ++k) text << (k > 0 ? ", " : "") << list(gear.curve[k]);
+      text << "]\n";
+    }
+    gears_ += text.str();
+  }
+
+  // --- Motors.
+
+  const RobotCoordinate* coordinate(int joint, const std::string& name) const {
+    for (const RobotCoordinate& q : robot_.joints[at(joint)].coordinates)
+      if (q.name == name) return &q;
+    return nullptr;
+  }
+
+  void add_drives() {
+    std::set<std::pair<int, std::string>> with_rotor;
+    for (RobotDrive& drive : robot_.drives) {
+      const RobotCoordinate* q = coordinate(drive.joint, drive.coordinate);
+      if (q == nullptr) continue;
+      if (with_rotor.insert({drive.joint, drive.coordinate}).second) drive.rotor_inertia += q->armature;
+      if (drive.kind == RobotDriveKind::kPosition) drive.command -= q->zero;
+      add_drive(drive, "motor " + toml_text(drive.label) + (drive.remark.empty() ? "" : ": " + drive.remark));
+    }
+    for (std::size_t k = 0; k < robot_.joints.size(); ++k)
+      for (const RobotCoordinate& q : robot_.joints[k].coordinates) {
+        const int joint = static_cast<int>(k);
+        const bool held = options_.hold && driven_.count({joint, q.name}) == 0;
+        const bool rotor = q.armature > 0.0 && with_rotor.count({joint, q.name}) == 0;
+        if (!held && !rotor) continue;
+        RobotDrive drive;
+        drive.origin = robot_.joints[k].origin;
+        drive.name = robot_.joints[k].name + (held ? "_hold" : "_rotor") +
+                     (robot_.joints[k].coordinates.size() > 1 ? "_" + q.name : "");
+        drive.joint = joint;
+        drive.coordinate = q.name;
+        drive.rotor_inertia = q.armature;
+        if (held) {
+          const double omega = 2.0 * kPi * kHoldFrequency, moved = inertia_of(robot_.joints[k], q);
+          drive.kind = RobotDriveKind::kPosition;
+          drive.command = q.start.value_or(q.zero) - q.zero;
+          drive.kp = std::stod(number_text(std::max(moved * omega * omega, 20.0 * q.effort), 3));
+          drive.kd = std::stod(number_text(2.0 * kHoldDamping * std::sqrt(drive.kp * moved), 3));
+          if (q.effort > 0.0) drive.max_torque = q.effort;
+        }
+        add_drive(drive, held ? "held where it starts: gains assumed by --hold" : "armature of the joint");
+      }
+  }
+
+  void add_drive(const RobotDrive& drive, const std::string& remark) {
+    constexpr const char* kNames[] = {"torque", "speed", "position"};
+    std::ostringstream text;
+    text << "\n[[drives]]" << from(drive.origin, remark) << "name = " << toml_text(drive.name) << "\nkind = \""
+         << kNames[static_cast<int>(drive.kind)] << "\"\njoint = " << toml_text(robot_.joints[at(drive.joint)].name)
+         << "\n";
+    if (robot_.joints[at(drive.joint)].coordinates.size() > 1)
+      text << "coordinate = " << toml_text(drive.coordinate) << "\n";
+    text << "command = { polynomial = [" << number(drive.command) << "] }\n";
+    if (drive.kp > 0.0) text << "kp = " << number(drive.kp) << "\n";
+    if (drive.kd > 0.0) text << "kd = " << number(drive.kd) << "\n";
+    if (drive.max_torque) text << "max_torque = " << number(*drive.max_torque) << "\n";
+    if (drive.max_speed > 0.0 && drive.max_torque) text << "max_speed = " << number(drive.max_speed) << "\n";
+    if (drive.rotor_inertia > 0.0) text << "rotor_inertia = " << number(drive.rotor_inertia) << "\n";
+    drives_ += text.str();
+  }
+
+  // --- Pairs of bodies that pass through each other.
+
+  std::string contacts() {
+    std::set<std::pair<int, int>> jointed, apart;
+    for (const RobotJoint& joint : robot_.joints) jointed.insert(std::minmax(joint.parent, joint.child));
+    for (const auto& [a, b] : robot_.apart) apart.insert(std::minmax(a, b));
+    std::string text;
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < bounded_.size(); ++i)
+      for (std::size_t k = i + 1; k < bounded_.size(); ++k) {
+        const std::pair<int, int> pair = std::minmax(bounded_[i], bounded_[k]);
+        if (jointed.count(pair) > 0 || (robot_.touches_itself && apart.count(pair) == 0)) continue;
+        if (++pairs <= kMostPairs)
+          text += "\n[[contacts]]\nbetween = [" + toml_text(robot_.links[at(pair.first)].name) + ", " +
+                  toml_text(robot_.links[at(pair.second)].name) + "]\nignore = true\n";
+      }
+    if (pairs > kMostPairs) {
+      robot_.leave_out({robot_.file, 1}, std::to_string(pairs) + " pairs of links that do not touch each other",
+                       "are too many for a scene: the first " + std::to_string(kMostPairs) + " are there");
+    }
+    return text.empty() ? "" : "\n# Links that pass through each other" + text;
+  }
+
+  // --- Ground and start.
+
+  void add_ground() {
+    std::ostringstream text;
+    std::string kind = options_.ground;
+    if (kind.empty() && robot_.plane && !bounded_.empty()) kind = "plane";
+    if (kind.empty()) return;
+    if (bounded_.empty())
+      throw InputError(code::kRobotGround, robot_.file +
+                                               ":1: nothing of the robot can touch a ground: it has no collision "
+                                               "geometry that can be read; import it without --ground");
+    const bool of_file = options_.ground.empty();
+    if (kind == "plane") {
+      double friction = robot_.plane_friction.value_or(0.0);
+      if (!robot_.plane_friction)
+        for (const RobotLink& link : robot_.links) friction = std::max(friction, link.friction.value_or(0.0));
+      text << "\n[ground]\nkind = \"plane\"\n[ground.plane]\n";
+      if (of_file && robot_.plane_height != 0.0) text << "point = [0, 0, " << number(robot_.plane_height) << "]\n";
+      text << "young_MPa = 10                        # assumed\nrestitution = 0.3                     # assumed\n"
+              "impact_speed = 1.0                    # m/s, assumed\n";
+      if (friction > 0.0) text << "friction = " << number(friction) << "\n";
+    } else {
+      const Eigen::Vector3d extent = box_.sizes(), centre = box_.center();
+      const double longer = std::max({extent[0], extent[1], 0.3 * extent[2]});
+      const double x = 1.3 * std::max(extent[0], 0.4 * longer), y = 1.3 * std::max(extent[1], 0.4 * longer);
+      const double radius = std::sqrt(0.6 * kDepthInRadii * x * y / (4.0 / 3.0 * kPi * kGrains));
+      text << "\n[ground]\nkind = \"particles\"\n";
+      if (kind != "grains") text << "[particles]\nsoil = " << toml_text(kind) << "\n";
+      text << "[particles.box]                       # below the robot, of about " << number_text(kGrains)
+           << " grains: choose size and radius for the part that touches it\nsize = [" << number_text(x, 3) << ", "
+           << number_text(y, 3) << "]\ndepth = " << number_text(kDepthInRadii * radius, 3)
+           << "\nradius = " << number_text(radius, 3) << "\ncentre = [" << number_text(centre[0], 3) << ", "
+           << number_text(centre[1], 3) << "]\nheadroom = " << number_text(1.5 * extent[2] + 0.5 * longer, 3)
+           << "\nmargin = " << number_text(0.5 * longer, 3) << "\nframes = 0.05\n";
+    }
+    rest_ += text.str();
+    if (!of_file) initial_ += "clearance = " + number_text(1e-3 * box_.sizes().maxCoeff(), 2) + "\n";
+  }
+
+  void add_start() {
+    if (!robot_.velocity.isZero(0.0)) initial_ += "velocity = " + list(robot_.velocity) + "\n";
+    if (!robot_.angular_velocity.isZero(0.0)) initial_ += "angular_velocity = " + list(robot_.angular_velocity) + "\n";
+    std::string joints;
+    for (const RobotJoint& joint : robot_.joints) {
+      std::string values;
+      for (const RobotCoordinate& q : joint.coordinates)
+        if (q.start && *q.start != q.zero) values += q.name + " = " + number(*q.start - q.zero) + "\n";
+      if (!values.empty()) joints += "[initial.joints." + joint.name + "]\n" + values;
+    }
+    if (!initial_.empty() || !joints.empty()) rest_ += "\n[initial]\n" + initial_ + joints;
+  }
+
+  std::string not_taken() const {
+    if (robot_.not_taken.empty()) return "";
+    std::string text = "\n# Not in this scene, or otherwise than in the file:\n";
+    for (const NotTaken& one : robot_.not_taken)
+      text += "#   " +
+              one_line(fs::path(one.origin.file).filename().string() + ":" + std::to_string(one.origin.line) + ": " +
+                       one.what + ": " + one.why) +
+              "\n";
+    return text;
+  }
+
+  Robot& robot_;
+  const ImportOptions& options_;
+  std::set<std::pair<int, std::string>> driven_;  // coordinates that a motor or gear moves
+  std::string bodies_, joints_, gears_, drives_, boundaries_, rest_, initial_;
+  std::vector<int> bounded_;  // links with a boundary
+  Eigen::AlignedBox3d box_;   // of all surfaces in D
+  std::map<std::string, std::string> meshes_, copies_;
+};
+
+}  // namespace
+
+std::vector<SceneFile> write_robot_scene(Robot& robot, const ImportOptions& options) {
+  if (!options.ground.empty() && options.ground != "plane" && options.ground != "grains") {
+    std::vector<std::string> soils = {"plane", "grains"};
+    for (const auto& entry : fs::directory_iterator(shipped_file("inputs/soils")))
+      soils.push_back(entry.path().stem().string());
+    std::sort(soils.begin(), soils.end());
+    if (std::find(soils.begin(), soils.end(), options.ground) == soils.end())
+      throw InputError(code::kRobotGround, "--ground " + options.ground + ": expected a plane, grains or a soil." +
+                                               known_names("grounds", options.ground, soils));
+  }
+  return Writer(robot, options).write();
+}
+
+}  // namespace footfall

@@ -1,0 +1,52 @@
+#pragma once
+// The XML of a robot's file: where each element stands, and which elements and attributes a reader does not know. The one
+// door to pugixml of this folder.
+
+#include <map>
+#include <memory>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/import/robot.h"
+
+namespace footfall {
+
+class XmlSource {
+ public:
+  // Reads the file. Throws InputError: no file, or no well-formed XML, with line and column.
+  explicit XmlSource(const std::string& file);
+  XmlSource(const std::string& file, std::string text);
+
+  pugi::xml_node root() const { return document_.document_element(); }
+  const std::string& file() const { return file_; }
+  Origin origin(const pugi::xml_node& node) const;
+  // Throws InputError "file:line: <element "name">: what".
+  [[noreturn]] void fail(const MessageCode& code, const pugi::xml_node& node, const std::string& what) const;
+
+  // Numbers of an attribute. Throws InputError unless there are `count` finite ones; `otherwise` where it is missing (empty:
+  // required).
+  std::vector<double> numbers(const pugi::xml_node& node, const char* attribute, std::size_t count,
+                              const std::vector<double>& otherwise = {}) const;
+
+ private:
+  std::string file_;
+  std::string text_;
+  std::vector<std::size_t> line_starts_;
+  pugi::xml_document document_;
+};
+
+// What a reader knows of an element: its attributes, its children, and of the children those that are of pictures alone.
+struct KnownElement {
+  std::vector<std::string> attributes, children, looks;
+};
+// Adds what is not known to robot.not_taken. `known`: by name, or by "parent/name" where names are used twice.
+void list_unread(const XmlSource& xml, const std::map<std::string, KnownElement>& known, Robot& robot);
+
+// "link "wheel"", or "link" without a name.
+std::string title_of(const pugi::xml_node& node);
+// Numbers of a text; nothing where one of its words is none, or is not finite.
+std::optional<std::vector<double>> numbers_of(const std::string& text);
+
+}  // namespace footfall

@@ -1,0 +1,127 @@
+// Bad files end with file, line and a code, and nothing is written.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "mbd_solver/import/import_command.h"
+#include "tests/support/refused.h"
+#include "tests/support/temporary_folder.h"
+
+namespace footfall {
+namespace {
+
+class BadRobots : public ::testing::Test, public TemporaryFolder {
+ protected:
+  // The message about a file of this name and text.
+  std::string message(const std::string& name, const std::string& content, const ImportOptions& options = {}) {
+    ImportArguments a;
+    a.file = write(name, content);
+    a.out = file("out");
+    a.options = options;
+    const std::string text = test::error_of([&] { import_command(a); });
+    EXPECT_FALSE(std::filesystem::exists(a.out));
+    return text;
+  }
+};
+
+const char* const kMassOfOne =
+    "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial>";
+
+TEST_F(BadRobots, NoRobot) {
+  EXPECT_TRUE(test::names(message("r.urdf", "<house/>\n"), {"r.urdf:1", "E0700"}));
+  EXPECT_TRUE(test::names(message("r.urdf", ""), {"r.urdf:1", "E0701"}));
+  EXPECT_TRUE(test::names(message("r.urdf", "<robot name='a'>\n<link name='b'>\n</robot>"), {"r.urdf:3", "E0701"}));
+  EXPECT_TRUE(test::names(message("r.urdf", std::string("<robot>\n\0</robot>", 18)), {"r.urdf:2", "E0701"}));
+  EXPECT_TRUE(test::names(message("r.xacro", "<robot xmlns:xacro='x'>\n<xacro:macro name='m'/></robot>"),
+                          {"r.xacro:2", "E0702"}));
+  std::string deep = "<robot>";
+  for (int k = 0; k < 100000; ++k) deep += "<a>";
+  for (int k = 0; k < 100000; ++k) deep += "</a>";
+  EXPECT_TRUE(test::names(message("r.urdf", deep + "</robot>"), {"E0701"}));
+}
+
+TEST_F(BadRobots, Urdf) {
+  const std::string a = std::string("<link name='a'>") + kMassOfOne + "</link>\n",
+                    b = std::string("<link name='b'>") + kMassOfOne + "</link>\n";
+  const auto robot = [](const std::string& inside) { return "<robot name='r'>\n" + inside + "</robot>\n"; };
+  const std::string ab = "<parent link='a'/><child link='b'/>";
+  EXPECT_TRUE(test::names(message("r.urdf", robot(a + a)), {"r.urdf:3", "E0703"}));
+  EXPECT_TRUE(test::names(message("r.urdf", robot("")), {"r.urdf:1", "E0711"}));
+  EXPECT_TRUE(test::names(message("r.urdf", robot(a + b)), {"E0705"}));
+  EXPECT_TRUE(test::names(
+      message("r.urdf", robot(a + "<joint name='j' type='fixed'><parent link='a'/><child link='x'/></joint>")),
+      {"r.urdf:3", "E0703"}));
+  EXPECT_TRUE(test::names(message("r.urdf", robot(a + b + "<joint name='j' type='hinge'>" + ab + "</joint>")),
+                          {"r.urdf:4", "E0711"}));
+  EXPECT_TRUE(test::names(message("r.urdf", robot(a + b + "<joint name='j' type='revolute'>" + ab + "</joint>")),
+                          {"r.urdf:4", "E0711"}));
+  EXPECT_TRUE(test::names(
+      message("r.urdf", robot(a + b + "<joint name='j' type='continuous'>" + ab + "<axis xyz='0 0'/></joint>")),
+      {"r.urdf:4", "E0704"}));
+  EXPECT_TRUE(test::names(
+      message("r.urdf", robot(a + b + "<joint name='j' type='continuous'>" + ab + "<axis xyz='0 0 nan'/></joint>")),
+      {"r.urdf:4", "E0704"}));
+  EXPECT_TRUE(test::names(
+      message("r.urdf", robot(a + b + "<joint name='j' type='continuous'>" + ab + "<axis xyz='0 0 0'/></joint>")),
+      {"r.urdf:4", "E0704"}));
+  EXPECT_TRUE(test::names(message("r.urdf", robot(a + b + "<joint name='j' type='fixed'>" + ab +
+                                                  "</joint>\n<joint name='k' type='fixed'>" + ab + "</joint>")),
+                          {"r.urdf:5", "E0705"}));
+  EXPECT_TRUE(test::names(
+      message("r.urdf", robot(a + b + "<joint name='j' type='fixed'>" + ab +
+                              "</joint>\n<joint name='k' type='fixed'><parent link='b'/><child link='a'/></joint>")),
+      {"E0705"}));
+  EXPECT_TRUE(test::names(
+      message(
+          "r.urdf",
+          robot("<link name='a'>\n<inertial><mass value='-1'/><inertia ixx='1' iyy='1' izz='1'/></inertial></link>")),
+      {"r.urdf:3", "E0706"}));
+  EXPECT_TRUE(test::names(
+      message(
+          "r.urdf",
+          robot("<link name='a'><inertial><mass value='1'/>\n<inertia ixx='-1' iyy='1' izz='1'/></inertial></link>")),
+      {"r.urdf:2", "E0706"}));
+  EXPECT_TRUE(test::names(
+      message("r.urdf",
+              robot("<link name='a'>\n<collision><geometry><box size='1 1 0'/></geometry></collision></link>")),
+      {"r.urdf:3", "E0704"}));
+  EXPECT_TRUE(test::names(
+      message("r.urdf", robot(a + b + "<joint name='j' type='continuous'>" + ab + "<mimic joint='x'/></joint>")),
+      {"r.urdf:4", "E0703"}));
+}
+
+TEST_F(BadRobots, Mjcf) {
+  EXPECT_TRUE(
+      test::names(message("r.xml", "<mujoco>\n<worldbody>\n<body>\n<joint/></body></worldbody></mujoco>"), {"E0707"}));
+  EXPECT_TRUE(test::names(
+      message("r.xml", "<mujoco>\n<worldbody>\n<body pos='0 0'>\n<geom size='1'/></body></worldbody></mujoco>"),
+      {"r.xml:3", "E0707"}));
+  EXPECT_TRUE(
+      test::names(message("r.xml", "<mujoco>\n<worldbody>\n<thing/></worldbody></mujoco>"), {"r.xml:3", "E0707"}));
+  EXPECT_TRUE(test::names(message("r.xml", "<mujoco>\n<include file='none.xml'/></mujoco>"), {"r.xml:2", "E0703"}));
+  EXPECT_TRUE(test::names(message("r.xml", "<mujoco>\n<include file='r.xml'/></mujoco>"), {"r.xml:2", "E0705"}));
+  EXPECT_TRUE(test::names(message("r.xml",
+                                  "<mujoco><worldbody><body name='a'><geom size='1'/></body><body name='a'><geom "
+                                  "size='1'/></body></worldbody></mujoco>"),
+                          {"r.xml:1", "E0707"}));
+}
+
+TEST_F(BadRobots, Options) {
+  const std::string robot = std::string("<robot name='r'><link name='a'>") + kMassOfOne + "</link></robot>";
+  ImportOptions options;
+  options.ground = "mud";
+  EXPECT_TRUE(test::names(message("r.urdf", robot, options), {"mud", "E0710"}));
+  options.ground = "plane";
+  EXPECT_TRUE(test::names(message("r.urdf", robot, options), {"E0710"}));
+  std::filesystem::create_directory(file("there"));
+  ImportArguments a;
+  a.file = file("r.urdf");
+  a.out = file("there");
+  EXPECT_TRUE(test::names(test::error_of([&] { import_command(a); }), {"E0709"}));
+  a.file = file("none.urdf");
+  a.out = file("out");
+  EXPECT_TRUE(test::names(test::error_of([&] { import_command(a); }), {"none.urdf"}));
+}
+
+}  // namespace
+}  // namespace footfall

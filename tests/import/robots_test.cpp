@@ -1,0 +1,349 @@
+// Robots of a few links, each with one feature, become scenes; the scenes are read back and hold what the file says, in the
+// inertial frame. Tolerance of placements and inertias: 1e-12 of their size, some rotations in double precision.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <filesystem>
+
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/import/import_command.h"
+#include "mbd_solver/scene/scene_reader.h"
+#include "tests/support/refused.h"
+#include "tests/support/temporary_folder.h"
+
+namespace footfall {
+namespace {
+
+constexpr double kExact = 1e-12;
+
+Eigen::Matrix3d rz(double a) { return Eigen::AngleAxisd(a, Eigen::Vector3d::UnitZ()).toRotationMatrix(); }
+Eigen::Matrix3d ry(double a) { return Eigen::AngleAxisd(a, Eigen::Vector3d::UnitY()).toRotationMatrix(); }
+Eigen::Matrix3d rx(double a) { return Eigen::AngleAxisd(a, Eigen::Vector3d::UnitX()).toRotationMatrix(); }
+
+class Robots : public ::testing::Test, public TemporaryFolder {
+ protected:
+  // The scene of a file with this text.
+  Scene imported(const std::string& name, const std::string& content, ImportArguments a = {}) {
+    a.file = write(name, content);
+    a.out = file("scene" + std::to_string(++count_));
+    a.quiet = true;
+    ::testing::internal::CaptureStdout();
+    ::testing::internal::CaptureStderr();
+    EXPECT_EQ(import_command(a), 0);
+    ::testing::internal::GetCapturedStdout();
+    ::testing::internal::GetCapturedStderr();
+    scene_text_ = text("scene" + std::to_string(count_) + "/scene.toml");
+    return read_scene(a.out);
+  }
+
+  // I about the mass centre in axes of D.
+  static Eigen::Matrix3d inertia_in_D(const BodySpec& body) {
+    const Eigen::Matrix3d R = body.orientation.toRotationMatrix();
+    return R * body.inertia * R.transpose();
+  }
+  static Eigen::Matrix3d axes(const BodySpec& body) { return body.orientation.toRotationMatrix(); }
+
+  std::string scene_text_;
+
+ private:
+  int count_ = 0;
+};
+
+const Eigen::Matrix3d kInertia =
+    (Eigen::Matrix3d() << 0.03, 0.002, -0.003, 0.002, 0.04, 0.004, -0.003, 0.004, 0.05).finished();
+const char* const kInertial =
+    "<inertial><origin xyz='0.1 0.2 0.3' rpy='0.4 -0.5 0.6'/><mass value='2'/>"
+    "<inertia ixx='0.03' ixy='0.002' ixz='-0.003' iyy='0.04' iyz='0.004' izz='0.05'/></inertial>";
+const char* const kBall =
+    "<inertial><mass value='1'/><inertia ixx='0.01' iyy='0.01' izz='0.01' ixy='0' ixz='0' iyz='0'/></inertial>";
+
+std::string link(const std::string& name, const std::string& inside = kBall) {
+  return "<link name='" + name + "'>" + inside + "</link>\n";
+}
+std::string joint(const std::string& type, const std::string& inside, const std::string& parent = "a",
+                  const std::string& child = "b", const std::string& name = "j") {
+  return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent + "'/><child link='" + child + "'/>" +
+         inside + "</joint>\n";
+}
+std::string urdf(const std::string& inside) { return "<robot name='test'>\n" + inside + "</robot>\n"; }
+
+TEST_F(Robots, UrdfTurnedInertialFrameAndProducts) {
+  const Scene s = imported("r.urdf", urdf(link("a", kInertial) + link("b", kInertial) +
+                                          joint("revolute",
+                                                "<origin xyz='1 2 3' rpy='0.3 0.2 -0.7'/><axis xyz='0 3 4'/>"
+                                                "<limit lower='-1' upper='2' effort='5' velocity='6'/>")));
+  const Eigen::Matrix3d R_LI = rz(0.6) * ry(-0.5) * rx(0.4), R = rz(-0.7) * ry(0.2) * rx(0.3);
+  const BodySpec &a = *s.body("a"), &b = *s.body("b");
+  EXPECT_EQ(a.mass, 2.0);
+  EXPECT_LT((inertia_in_D(a) - R_LI * kInertia * R_LI.transpose()).norm(), kExact);
+  EXPECT_LT((axes(b) - R).norm(), kExact);
+  EXPECT_LT((b.position - (Eigen::Vector3d(1, 2, 3) + R * Eigen::Vector3d(0.1, 0.2, 0.3))).norm(), kExact);
+  EXPECT_LT((inertia_in_D(b) - R * R_LI * kInertia * (R * R_LI).transpose()).norm(), kExact);
+  const JointSpec& j = *s.joint("j");
+  EXPECT_EQ(j.type, JointType::kRevolute);
+  EXPECT_LT((j.axis - R * Eigen::Vector3d(0, 0.6, 0.8)).norm(), kExact);
+  EXPECT_LT((j.point_a - Eigen::Vector3d(1, 2, 3)).norm(), kExact);
+  ASSERT_TRUE(j.angle && j.angle->stops);
+  EXPECT_EQ(j.angle->stops->smallest_stroke.value(), -1.0);
+  EXPECT_EQ(j.angle->stops->largest_stroke.value(), 2.0);
+}
+
+TEST_F(Robots, UrdfQuaternionIsTheSameTurnAsRpy) {
+  const Eigen::Quaterniond q(rz(-0.7) * ry(0.2) * rx(0.3));
+  const std::string words =
+      std::to_string(q.x()) + " " + std::to_string(q.y()) + " " + std::to_string(q.z()) + " " + std::to_string(q.w());
+  const Scene s =
+      imported("r.urdf", urdf(link("a") + link("b") + joint("fixed", "<origin quat_xyzw='" + words + "'/>")));
+  EXPECT_LT((axes(*s.body("b")) - q.toRotationMatrix()).norm(), 1e-5);  // six digits in the file
+}
+
+TEST_F(Robots, UrdfKindsOfJoints) {
+  const std::string axis = "<axis xyz='0 0 1'/>";
+  std::string robot = link("a");
+  for (const char* name : {"b", "c", "d", "e", "f"}) robot += link(name);
+  robot += joint("continuous", axis + "<dynamics damping='0.3' friction='0.2'/>", "a", "b", "j1");
+  robot += joint("prismatic", axis + "<limit lower='0' upper='1' effort='5' velocity='6'/><dynamics damping='7'/>", "a",
+                 "c", "j2");
+  robot += joint("planar", axis, "a", "d", "j3");
+  robot += joint("floating", "", "a", "e", "j4");
+  robot += joint("fixed", "", "a", "f", "j5");
+  const Scene s = imported("r.urdf", urdf(robot));
+  EXPECT_EQ(s.joints.size(), 4u);
+  EXPECT_EQ(s.joint("j1")->type, JointType::kRevolute);
+  EXPECT_FALSE(s.joint("j1")->angle->stops);
+  EXPECT_EQ(s.joint("j1")->angle->friction->coulomb, 0.2);
+  EXPECT_EQ(s.joint("j1")->angle->friction->viscous, 0.3);
+  EXPECT_EQ(s.joint("j2")->type, JointType::kPrismatic);
+  EXPECT_EQ(s.joint("j2")->displacement->spring->damping, 7.0);
+  EXPECT_EQ(s.joint("j3")->type, JointType::kPlanar);
+  EXPECT_EQ(s.joint("j5")->type, JointType::kFixed);
+  EXPECT_EQ(s.body("e")->mass, 1.0);
+}
+
+TEST_F(Robots, UrdfMimicIsAGearAndIsDrawnAtItsOffset) {
+  const Scene s = imported(
+      "r.urdf", urdf(link("a") + link("b") + link("c") + joint("continuous", "<axis xyz='0 0 1'/>", "a", "b", "lead") +
+                     joint("continuous", "<axis xyz='0 0 1'/><mimic joint='lead' multiplier='-2' offset='0.5'/>", "a",
+                           "c", "follow")));
+  ASSERT_EQ(s.gears.size(), 1u);
+  EXPECT_EQ(s.gears[0].joints, (std::vector<std::string>{"follow", "lead"}));
+  EXPECT_EQ(s.gears[0].factors, (std::vector<double>{1.0, 2.0}));
+  EXPECT_LT((axes(*s.body("c")) - rz(0.5)).norm(), kExact);
+}
+
+TEST_F(Robots, MasslessLinksJoinTheirNeighbours) {
+  const Scene s =
+      imported("r.urdf", urdf("<link name='world'/><link name='foot'/><link name='tool'/>" + link("a") + link("b") +
+                              joint("fixed", "", "world", "foot", "j1") +
+                              joint("fixed", "<origin xyz='0 0 1'/>", "foot", "a", "j2") +
+                              joint("continuous", "", "a", "b", "j3") + joint("fixed", "", "b", "tool", "j4")));
+  EXPECT_EQ(s.bodies.size(), 2u);
+  EXPECT_EQ(s.joint("j2")->bodies[0], "ground");
+  EXPECT_EQ(s.body("a")->position.z(), 1.0);
+}
+
+TEST_F(Robots, MergedFixedLinksKeepMassCentreAndInertia) {
+  ImportArguments a;
+  a.options.merge_fixed = true;
+  const Scene s = imported("r.urdf", urdf(link("a") + link("b") + joint("fixed", "<origin xyz='2 0 0'/>")), a);
+  ASSERT_EQ(s.bodies.size(), 1u);
+  EXPECT_EQ(s.bodies[0].mass, 2.0);
+  EXPECT_LT((s.bodies[0].position - Eigen::Vector3d(1, 0, 0)).norm(), kExact);
+  // 0.01 each, and 1 kg at 1 m on either side.
+  EXPECT_LT((inertia_in_D(s.bodies[0]) - Eigen::Vector3d(0.02, 2.02, 2.02).asDiagonal().toDenseMatrix()).norm(),
+            kExact);
+}
+
+TEST_F(Robots, CollisionsBecomeShapesAndMeshes) {
+  const std::string ball = "<collision><origin xyz='0 0 1'/><geometry><sphere radius='0.2'/></geometry></collision>";
+  const std::string box =
+      "<collision><origin rpy='0 0 0.5'/><geometry><box size='0.1 0.2 0.3'/></geometry></collision>";
+  const std::string rod =
+      "<collision><origin rpy='0 1.5707963267948966 0'/><geometry><capsule radius='0.1' "
+      "length='0.4'/></geometry></collision>";
+  const Scene s = imported("r.urdf", urdf(link("a", kBall + ball) + link("b", kBall + box) + link("c", kBall + rod) +
+                                          link("d", kBall + ball + box) + joint("fixed", "", "a", "b", "j1") +
+                                          joint("fixed", "", "b", "c", "j2") + joint("fixed", "", "c", "d", "j3")));
+  EXPECT_EQ(s.boundaries.size(), 4u);
+  EXPECT_EQ(s.body("a")->shape->kind, ShapeKind::kSphere);
+  EXPECT_EQ(s.body("a")->shape->centre.z(), 1.0);
+  EXPECT_FALSE(s.body("b")->shape);  // a box turned against its body
+  EXPECT_TRUE(std::filesystem::exists(s.boundary_of("b")->surface->file));
+  EXPECT_EQ(s.body("c")->shape->kind, ShapeKind::kCapsule);
+  EXPECT_LT((s.body("c")->shape->to - Eigen::Vector3d(0.2, 0, 0)).norm(), kExact);
+  EXPECT_TRUE(std::filesystem::exists(s.boundary_of("d")->surface->file));
+  EXPECT_EQ(s.body("a")->mass, 1.0);  // of the file, not of the shape
+}
+
+TEST_F(Robots, WhatASceneCannotSayIsListedWithItsLine) {
+  const std::string content = urdf(link("a") + link("b") + joint("continuous", "<safety_controller k_velocity='1'/>") +
+                                   "<transmission name='t1'>\n</transmission>\n<gazebo/>\n<strange unit='x'/>\n");
+  imported("r.urdf", content);
+  EXPECT_TRUE(test::names(scene_text_, {"r.urdf:4: <safety_controller>", "r.urdf:5: <transmission \"t1\">",
+                                        "r.urdf:7: <gazebo>", "r.urdf:8: <strange>"}));
+  ImportArguments strict;
+  strict.file = file("r.urdf");
+  strict.out = file("strict");
+  strict.strict = true;
+  EXPECT_TRUE(test::names(test::error_of([&] { import_command(strict); }), {"robot-strict", "r.urdf:5"}));
+  EXPECT_FALSE(std::filesystem::exists(strict.out));
+}
+
+std::string mjcf(const std::string& world, const std::string& rest = "") {
+  return "<mujoco model='test'>\n<compiler angle='radian'/>\n<worldbody>\n" + world + "</worldbody>\n" + rest +
+         "</mujoco>\n";
+}
+const char* const kMass = "<inertial pos='0 0 0' mass='1' diaginertia='0.01 0.01 0.01'/>";
+
+TEST_F(Robots, MjcfOrientations) {
+  // The same turn by a quaternion (w first), axis and angle, Euler angles about turning and about fixed axes, and two axes.
+  const Eigen::Matrix3d R = rx(0.3) * ry(0.2) * rz(-0.7);
+  const Eigen::Quaterniond q(R);
+  const Eigen::AngleAxisd turn(R);
+  char text[200];
+  const auto body = [&](const std::string& name, const std::string& orientation) {
+    return "<body name='" + name + "' pos='0 0 1' " + orientation + ">" + kMass + "<freejoint/></body>\n";
+  };
+  std::snprintf(text, sizeof text, "quat='%.17g %.17g %.17g %.17g'", q.w(), q.x(), q.y(), q.z());
+  std::string world = body("a", text);
+  std::snprintf(text, sizeof text, "axisangle='%.17g %.17g %.17g %.17g'", turn.axis().x(), turn.axis().y(),
+                turn.axis().z(), turn.angle());
+  world += body("b", text);
+  world += body("c", "euler='0.3 0.2 -0.7'");
+  std::snprintf(text, sizeof text, "xyaxes='%.17g %.17g %.17g %.17g %.17g %.17g'", R(0, 0), R(1, 0), R(2, 0), R(0, 1),
+                R(1, 1), R(2, 1));
+  world += body("d", text);
+  const Scene s = imported("r.xml", mjcf(world));
+  for (const char* name : {"a", "b", "c", "d"}) EXPECT_LT((axes(*s.body(name)) - R).norm(), kExact) << name;
+  std::string fixed_axes = mjcf(body("e", "euler='0.3 0.2 -0.7'"));
+  fixed_axes.replace(fixed_axes.find("angle='radian'"), 14, "angle='radian' eulerseq='XYZ'");
+  EXPECT_LT((axes(*imported("e.xml", fixed_axes).body("e")) - rz(-0.7) * ry(0.2) * rx(0.3)).norm(), kExact);
+  std::string degrees = mjcf(body("f", "euler='30 0 0'"));
+  degrees.replace(degrees.find("angle='radian'"), 14, "angle='degree'");
+  EXPECT_LT((axes(*imported("f.xml", degrees).body("f")) - rx(kPi / 6.0)).norm(), kExact);
+}
+
+TEST_F(Robots, MjcfTurnedInertialFrameAndFullInertia) {
+  const Scene s = imported("r.xml", mjcf("<body name='a'><inertial pos='0.1 0.2 0.3' mass='2' fullinertia='0.03 0.04 "
+                                         "0.05 0.002 -0.003 0.004'/><freejoint/></body>"
+                                         "<body name='b' euler='0.1 0.2 0.3'><inertial pos='0 0 0' mass='2' quat='0.5 "
+                                         "0.5 0.5 0.5' diaginertia='0.03 0.04 0.05'/><freejoint/></body>"));
+  EXPECT_LT((inertia_in_D(*s.body("a")) - kInertia).norm(), kExact);
+  // The frame (0.5, 0.5, 0.5, 0.5) has its x along y, y along z, z along x.
+  const Eigen::Matrix3d R = rx(0.1) * ry(0.2) * rz(0.3);
+  EXPECT_LT((inertia_in_D(*s.body("b")) - R * Eigen::Vector3d(0.05, 0.03, 0.04).asDiagonal() * R.transpose()).norm(),
+            kExact);
+}
+
+TEST_F(Robots, MjcfInertiaOfGeomsAndDefaults) {
+  const Scene s =
+      imported("r.xml",
+               "<mujoco><default><geom density='500'/><default class='heavy'><geom "
+               "density='2000'/></default></default><worldbody>"
+               "<body name='a'><freejoint/><geom type='box' size='0.1 0.2 0.3'/></body>"
+               "<body name='b'><freejoint/><geom class='heavy' type='sphere' size='0.1'/></body></worldbody></mujoco>");
+  EXPECT_NEAR(s.body("a")->mass, 500.0 * 0.2 * 0.4 * 0.6, 1e-12 * 24.0);
+  EXPECT_NEAR(s.body("b")->mass, 2000.0 * 4.0 / 3.0 * kPi * 1e-3, 1e-12 * 8.4);
+  EXPECT_EQ(s.body("a")->shape->kind, ShapeKind::kBox);
+}
+
+TEST_F(Robots, MjcfJointsWithLawsRotorsAndMotors) {
+  const Scene s =
+      imported("r.xml", mjcf("<body name='a'>" + std::string(kMass) +
+                                 "<joint name='h' type='hinge' axis='0 1 0' range='-1 2' limited='true' damping='0.3' "
+                                 "armature='0.02' stiffness='4' springref='0.5' ref='0.1'/>"
+                                 "<body name='b' pos='0 0 1'>" +
+                                 kMass +
+                                 "<joint name='s' type='slide' axis='0 0 1' frictionloss='3' armature='0.5'/>"
+                                 "<body name='c' pos='0 0 1'>" +
+                                 kMass + "<joint type='ball' name='q'/></body></body></body>",
+                             "<actuator><position name='p' joint='h' kp='100' gear='2' ctrllimited='true' "
+                             "ctrlrange='-3 3' forcelimited='true' forcerange='-20 20'/></actuator>"
+                             "<keyframe><key qpos='0.7 0.2 1 0 0 0' ctrl='0.6'/></keyframe>"));
+  const JointSpec& h = *s.joint("h");
+  EXPECT_NEAR(h.angle->stops->smallest_stroke.value(), -1.1, kExact);  // counted from ref
+  EXPECT_NEAR(h.angle->spring->free_stroke, 0.4, kExact);
+  EXPECT_EQ(h.angle->spring->damping, 0.3);
+  EXPECT_EQ(s.joint("s")->displacement->friction->coulomb, 3.0);
+  EXPECT_EQ(s.joint("q")->type, JointType::kSpherical);
+  ASSERT_EQ(s.drives.size(), 2u);
+  const DriveSpec& p = s.drives[0];
+  EXPECT_EQ(p.motor.kind, MotorKind::kPosition);
+  EXPECT_EQ(p.motor.kp, 400.0);              // kp gear^2
+  EXPECT_EQ(*p.motor.largest_torque, 40.0);  // times gear
+  EXPECT_EQ(p.rotor_inertia, 0.02);
+  EXPECT_NEAR(p.command->polynomial[0], 0.6 / 2.0 - 0.1, kExact);  // ctrl is gear q
+  EXPECT_EQ(s.drives[1].rotor_inertia, 0.5);
+  ASSERT_EQ(s.initial.joints.size(), 2u);
+  EXPECT_NEAR(*s.initial.joints[0].angle, 0.6, kExact);
+}
+
+TEST_F(Robots, MjcfSeveralJointsOfABody) {
+  const Scene s = imported(
+      "r.xml", mjcf("<body name='flat'>" + std::string(kMass) +
+                    "<joint name='x' type='slide' axis='1 0 0'/><joint name='z' type='slide' axis='0 0 1'/><joint "
+                    "name='y' type='hinge' axis='0 1 0'/></body>"
+                    "<body name='screw'>" +
+                    kMass +
+                    "<joint name='s' type='slide' axis='0 0 1'/><joint name='t' type='hinge' axis='0 0 1'/></body>"
+                    "<body name='hip'>" +
+                    kMass +
+                    "<joint name='h1' type='hinge' axis='1 0 0'/><joint name='h2' type='hinge' axis='0 1 0' range='0 "
+                    "1' limited='true'/></body>"));
+  EXPECT_EQ(s.joint("y")->type, JointType::kPlanar);
+  EXPECT_EQ(s.joint("t")->type, JointType::kCylindrical);
+  EXPECT_EQ(s.joint("h1")->type, JointType::kRevolute);
+  EXPECT_EQ(s.joint("h2")->type, JointType::kRevolute);
+  EXPECT_EQ(s.joint("h1")->bodies[1], s.joint("h2")->bodies[0]);
+  EXPECT_LT(s.body(s.joint("h1")->bodies[1])->mass, 1e-6);
+}
+
+TEST_F(Robots, MjcfLoopsCouplingsAndPairs) {
+  const Scene s = imported(
+      "r.xml", mjcf("<geom type='plane' size='5 5 1' friction='0.7 0 0'/><body name='a'>" + std::string(kMass) +
+                        "<geom size='0.1'/><joint name='j1' axis='0 1 0'/></body>"
+                        "<body name='b' pos='1 0 0'>" +
+                        kMass +
+                        "<geom size='0.1'/><joint name='j2' axis='0 1 0'/></body>"
+                        "<body name='c' pos='2 0 0'>" +
+                        kMass + "<geom size='0.1'/><joint name='j3' axis='0 1 0'/></body>",
+                    "<contact><exclude body1='a' body2='b'/></contact><equality><connect body1='a' body2='b' "
+                    "anchor='0.5 0 0'/><weld body1='b' body2='c'/>"
+                    "<joint joint1='j1' joint2='j2' polycoef='0 2 0 0 0'/></equality>"));
+  EXPECT_EQ(s.joints.size(), 5u);
+  EXPECT_EQ(s.joints[3].type, JointType::kSpherical);
+  EXPECT_LT((s.joints[3].point_a - Eigen::Vector3d(0.5, 0, 0)).norm(), kExact);
+  EXPECT_EQ(s.joints[4].type, JointType::kFixed);
+  ASSERT_EQ(s.gears.size(), 1u);
+  EXPECT_EQ(s.gears[0].factors, (std::vector<double>{1.0, -2.0}));
+  EXPECT_EQ(s.ground.plane->friction, 0.7);
+  ASSERT_EQ(s.contacts.size(), 1u);
+  EXPECT_TRUE(s.contacts[0].ignore);
+}
+
+TEST_F(Robots, MjcfOfLaterVersionsIsReadWithoutWhatIsNew) {
+  imported("r.xml",
+           mjcf("<body name='a'>\n<inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>\n<joint name='j' "
+                "actuatorfrcrange='-1 1'/></body>",
+                "<actuator><position joint='j' kp='10' kv='3'/></actuator>\n<sensor>\n<gyro site='x'/></sensor>"));
+  EXPECT_TRUE(test::names(
+      scene_text_, {"r.xml:6: <joint \"j\"> actuatorfrcrange", "r.xml:9: <gyro> of <sensor>", "kp = 10", "kd = 3"}));
+}
+
+TEST_F(Robots, GroundOfASoilIsBelowTheRobot) {
+  ImportArguments a;
+  a.options.ground = "grc-1-dense";
+  a.options.hold = true;
+  const Scene s = imported(
+      "r.urdf",
+      urdf(link("a", kBall + std::string("<collision><geometry><sphere radius='0.2'/></geometry></collision>")) +
+           link("b") + joint("continuous", "<limit effort='5' velocity='1'/>")),
+      a);
+  EXPECT_EQ(s.ground.kind, GroundKind::kParticles);
+  EXPECT_TRUE(s.initial.clearance);
+  ASSERT_EQ(s.drives.size(), 1u);
+  EXPECT_EQ(*s.drives[0].motor.largest_torque, 5.0);
+}
+
+}  // namespace
+}  // namespace footfall
