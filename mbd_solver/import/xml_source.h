@@ -21,6 +21,7 @@ class XmlSource {
 
   pugi::xml_node root() const { return document_.document_element(); }
   const std::string& file() const { return file_; }
+  const std::string& text() const { return text_; }
   Origin origin(const pugi::xml_node& node) const;
   // Throws InputError "file:line: <element "name">: what".
   [[noreturn]] void fail(const MessageCode& code, const pugi::xml_node& node, const std::string& what) const;

@@ -138,7 +138,8 @@ TEST_F(Robots, MasslessLinksJoinTheirNeighbours) {
                               joint("fixed", "<origin xyz='0 0 1'/>", "foot", "a", "j2") +
                               joint("continuous", "", "a", "b", "j3") + joint("fixed", "", "b", "tool", "j4")));
   EXPECT_EQ(s.bodies.size(), 2u);
-  EXPECT_EQ(s.joint("j2")->bodies[0], "ground");
+  ASSERT_EQ(s.joints.size(), 2u);
+  EXPECT_EQ(s.joints[0].bodies[0], "ground");
   EXPECT_EQ(s.body("a")->position.z(), 1.0);
 }
 
@@ -228,7 +229,8 @@ TEST_F(Robots, MjcfTurnedInertialFrameAndFullInertia) {
                                          "0.05 0.002 -0.003 0.004'/><freejoint/></body>"
                                          "<body name='b' euler='0.1 0.2 0.3'><inertial pos='0 0 0' mass='2' quat='0.5 "
                                          "0.5 0.5 0.5' diaginertia='0.03 0.04 0.05'/><freejoint/></body>"));
-  EXPECT_LT((inertia_in_D(*s.body("a")) - kInertia).norm(), kExact);
+  // MuJoCo finds the principal axes of a full inertia by rotations that end below 1e-6.
+  EXPECT_LT((inertia_in_D(*s.body("a")) - kInertia).norm(), 1e-6 * kInertia.norm());
   // The frame (0.5, 0.5, 0.5, 0.5) has its x along y, y along z, z along x.
   const Eigen::Matrix3d R = rx(0.1) * ry(0.2) * rz(0.3);
   EXPECT_LT((inertia_in_D(*s.body("b")) - R * Eigen::Vector3d(0.05, 0.03, 0.04).asDiagonal() * R.transpose()).norm(),
@@ -307,7 +309,7 @@ TEST_F(Robots, MjcfLoopsCouplingsAndPairs) {
                         "<geom size='0.1'/><joint name='j2' axis='0 1 0'/></body>"
                         "<body name='c' pos='2 0 0'>" +
                         kMass + "<geom size='0.1'/><joint name='j3' axis='0 1 0'/></body>",
-                    "<contact><exclude body1='a' body2='b'/></contact><equality><connect body1='a' body2='b' "
+                    "<contact><exclude body1='a' body2='c'/></contact><equality><connect body1='a' body2='b' "
                     "anchor='0.5 0 0'/><weld body1='b' body2='c'/>"
                     "<joint joint1='j1' joint2='j2' polycoef='0 2 0 0 0'/></equality>"));
   EXPECT_EQ(s.joints.size(), 5u);

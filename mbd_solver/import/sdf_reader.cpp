@@ -1,0 +1,500 @@
+// SDF, by sdformat: it converts old versions, resolves frames (relative_to, expressed_in) and included models. Lines come from
+// the XML. The drawing shows all joints at zero.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <sdf/sdf.hh>
+
+#include "coupler/base/text.h"
+#include "mbd_solver/import/codes.h"
+#include "mbd_solver/import/xml_source.h"
+#include "mbd_solver/scene/mesh_reader.h"
+
+namespace footfall {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kNoLimit = 1e15;  // limits beyond it are none
+
+// What is read: sdformat.org/spec. Elements that a simulator of its own reads are not.
+const std::map<std::string, KnownElement>& sdf_elements() {
+  static const std::vector<std::string> pose = {"pose"};
+  static const std::map<std::string, KnownElement> known = {
+      {"sdf", {{"version"}, {"model", "world", "include"}, {"light"}}},
+      {"world",
+       {{"name"},
+        {"model", "gravity", "include", "frame"},
+        {"light", "scene", "gui", "physics", "spherical_coordinates", "magnetic_field", "atmosphere"}}},
+      {"include", {{}, {"uri", "name", "pose", "static", "placement_frame"}, {}}},
+      {"model",
+       {{"name", "canonical_link", "placement_frame"},
+        {"static", "self_collide", "pose", "link", "joint", "frame", "model", "include"},
+        {"allow_auto_disable", "enable_wind"}}},
+      {"frame", {{"name", "attached_to"}, {"pose"}, {}}},
+      {"link",
+       {{"name"},
+        {"inertial", "collision", "visual", "pose"},
+        {"light", "enable_wind", "velocity_decay", "must_be_base_link"}}},
+      {"inertial", {{}, {"mass", "pose", "inertia"}, {}}},
+      {"collision", {{"name"}, {"pose", "geometry", "surface"}, {"max_contacts", "laser_retro"}}},
+      {"visual",
+       {{"name"},
+        {"pose", "geometry"},
+        {"material", "cast_shadows", "transparency", "laser_retro", "meta", "visibility_flags"}}},
+      {"geometry", {{}, {"box", "sphere", "cylinder", "capsule", "ellipsoid", "mesh", "plane", "empty"}, {}}},
+      {"mesh", {{}, {"uri", "scale"}, {}}},
+      {"surface", {{}, {"friction"}, {}}},
+      {"friction", {{}, {"ode"}, {}}},
+      {"ode", {{}, {"mu"}, {}}},
+      {"joint",
+       {{"name", "type"},
+        {"parent", "child", "pose", "axis", "axis2", "thread_pitch", "gearbox_ratio", "gearbox_reference_body"},
+        {}}},
+      {"axis", {{}, {"xyz", "limit", "dynamics", "use_parent_model_frame"}, {}}},
+      {"axis2", {{}, {"xyz", "limit", "dynamics", "use_parent_model_frame"}, {}}},
+      {"limit", {{}, {"lower", "upper", "effort", "velocity"}, {}}},
+      {"axis/dynamics", {{}, {"damping", "friction", "spring_reference", "spring_stiffness"}, {}}},
+      {"axis2/dynamics", {{}, {"damping", "friction", "spring_reference", "spring_stiffness"}, {}}},
+  };
+  return known;
+}
+
+Eigen::Vector3d vector(const ignition::math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
+Placement placement(const ignition::math::Pose3d& pose) {
+  const ignition::math::Quaterniond& q = pose.Rot();
+  return {vector(pose.Pos()), Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).normalized().toRotationMatrix()};
+}
+
+class SdfRobot {
+ public:
+  SdfRobot(const XmlSource& xml, const ImportOptions& options) : xml_(xml), options_(options) {
+    robot_.format = "SDF";
+    robot_.file = xml.file();
+  }
+
+  Robot made() {
+    const std::string text = without_lost_includes();
+    list_unread(xml_, sdf_elements(), robot_);
+    sdf::Console::Instance()->SetQuiet(true);
+    sdf::ParserConfig config;
+    config.SetFindCallback([this](const std::string& uri) { return find_model(uri); });
+    sdf::Root root;
+    sdf::Errors errors;
+    try {
+      errors = root.LoadSdfString(text, config);
+    } catch (const std::exception& error) {
+      throw InputError(code::kRobotRefused, xml_.origin(xml_.root()).place() + ": sdformat refuses the file: " +
+                                                error.what() + "; correct it, or export it again");
+    }
+    report(errors);
+    std::vector<std::pair<const sdf::Model*, Placement>> models;
+    if (root.Model() != nullptr) models.emplace_back(root.Model(), placement(root.Model()->RawPose()));
+    for (std::uint64_t w = 0; w < root.WorldCount(); ++w) {
+      const sdf::World& world = *root.WorldByIndex(w);
+      if (w > 0) {
+        robot_.leave_out({xml_.file(), 1}, "world \"" + world.Name() + "\"",
+                         "a scene is one world: the first one counts");
+        continue;
+      }
+      robot_.gravity = vector(world.Gravity());
+      robot_.name = world.Name();
+      for (std::uint64_t k = 0; k < world.ModelCount(); ++k) {
+        const sdf::Model* model = world.ModelByIndex(k);
+        ignition::math::Pose3d pose = model->RawPose();
+        report(model->SemanticPose().Resolve(pose));
+        models.emplace_back(model, placement(pose));
+      }
+    }
+    if (models.empty()) xml_.fail(code::kRobotElement, xml_.root(), "has no <model>, expected a robot");
+    if (models.size() == 1) robot_.name = models[0].first->Name();
+    for (const auto& [model, X] : models) add_model(*model, X, models.size() > 1 ? model->Name() + "::" : "", false);
+    return std::move(robot_);
+  }
+
+ private:
+  // Throws InputError for the first error that is not about an inertia: tidy_robot() judges these.
+  void report(const sdf::Errors& errors) const {
+    for (const sdf::Error& error : errors) {
+      if (error.Code() == sdf::ErrorCode::LINK_INERTIA_INVALID) continue;
+      std::string text = error.Message();
+      std::replace(text.begin(), text.end(), '\n', ' ');
+      const std::string place = xml_.file() + ":" + std::to_string(error.LineNumber().value_or(line_of_name_in(text)));
+      throw InputError(code::kRobotRefused, place + ": sdformat refuses the file: " + trimmed(text) +
+                                                "; correct it there (sdformat.org/spec)");
+    }
+  }
+
+  // Line of the element whose name the message quotes.
+  int line_of_name_in(const std::string& message) const {
+    struct Walker : pugi::xml_tree_walker {
+      const std::string* message = nullptr;
+      pugi::xml_node found;
+      bool for_each(pugi::xml_node& node) override {
+        const std::string name = node.attribute("name").value();
+        if (!name.empty() && message->find("[" + name + "]") != std::string::npos) found = node;
+        return true;
+      }
+    } walker;
+    walker.message = &message;
+    pugi::xml_node root = xml_.root();
+    root.traverse(walker);
+    return xml_.origin(walker.found ? walker.found : root).line;
+  }
+
+  std::string find_model(const std::string& uri) const {
+    const std::size_t scheme = uri.find("://");
+    const std::string path = scheme == std::string::npos ? uri : uri.substr(scheme + 3);
+    for (const char* config : {"/model.config", "/manifest.xml"}) {
+      const std::string found = find_mesh("model://" + path + config, xml_.file(), options_);
+      if (!found.empty()) return fs::path(found).parent_path().string();
+    }
+    return find_mesh("model://" + path, xml_.file(), options_);
+  }
+
+  // The text with blanks where it includes what is not there.
+  std::string without_lost_includes() {
+    std::string text = xml_.text();
+    struct Walker : pugi::xml_tree_walker {
+      std::vector<pugi::xml_node> includes;
+      bool for_each(pugi::xml_node& node) override {
+        if (std::string(node.name()) == "include") includes.push_back(node);
+        return true;
+      }
+    } walker;
+    pugi::xml_node root = xml_.root();
+    root.traverse(walker);
+    for (const pugi::xml_node& include : walker.includes) {
+      const std::string uri = trimmed(include.child("uri").text().get());
+      const bool plane = uri.find("ground_plane") != std::string::npos;
+      const bool sun = uri.size() >= 3 && uri.compare(uri.size() - 3, 3, "sun") == 0;
+      if (!plane && !sun && !find_model(uri).empty()) continue;
+      if (plane)
+        robot_.plane = true;
+      else
+        robot_.leave_out(xml_.origin(include), "<include> of \"" + uri + "\"",
+                         sun ? "is for pictures" : "there is no such model; give its folder with --package", sun);
+      const auto from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(include.offset_debug(), 1)) - 1;
+      const std::string end = "</include>";
+      const std::size_t to = text.find(end, from);
+      if (to == std::string::npos) continue;
+      for (std::size_t k = from; k < to + end.size(); ++k)
+        if (text[k] != '\n') text[k] = ' ';
+    }
+    return text;
+  }
+
+  // The element of this kind and name; the root where it comes from an included file.
+  pugi::xml_node node_of(const char* kind, const std::string& name) const {
+    struct Walker : pugi::xml_tree_walker {
+      std::string kind, name;
+      pugi::xml_node found;
+      bool for_each(pugi::xml_node& node) override {
+        if (kind == node.name() && name == node.attribute("name").value()) found = node;
+        return !found;
+      }
+    } walker;
+    walker.kind = kind;
+    walker.name = name;
+    pugi::xml_node root = xml_.root();
+    root.traverse(walker);
+    return walker.found ? walker.found : root;
+  }
+
+  int link_index(const std::string& name) const {
+    for (std::size_t k = 0; k < robot_.links.size(); ++k)
+      if (robot_.links[k].name == name) return static_cast<int>(k);
+    return -1;
+  }
+
+  void add_model(const sdf::Model& model, const Placement& X_DM, const std::string& prefix, bool still) {
+    still = still || model.Static();
+    robot_.touches_itself = robot_.touches_itself || model.SelfCollide();
+    const std::size_t first = robot_.links.size();
+    for (std::uint64_t k = 0; k < model.LinkCount(); ++k) add_link(*model.LinkByIndex(k), X_DM, prefix, still);
+    for (std::uint64_t k = 0; k < model.ModelCount(); ++k) {
+      const sdf::Model& inner = *model.ModelByIndex(k);
+      ignition::math::Pose3d pose = inner.RawPose();
+      report(inner.SemanticPose().Resolve(pose, "__model__"));
+      add_model(inner, X_DM * placement(pose), prefix + inner.Name() + "::", still);
+    }
+    if (still) return;
+    for (std::uint64_t k = 0; k < model.JointCount(); ++k) add_joint(*model.JointByIndex(k), X_DM, prefix);
+    if (!model.SelfCollide())
+      for (std::size_t i = first; i < robot_.links.size(); ++i)
+        for (std::size_t j = i + 1; j < robot_.links.size(); ++j)
+          robot_.apart.emplace_back(static_cast<int>(i), static_cast<int>(j));
+  }
+
+  void add_link(const sdf::Link& link, const Placement& X_DM, const std::string& prefix, bool still) {
+    const pugi::xml_node node = node_of("link", link.Name());
+    ignition::math::Pose3d pose;
+    report(link.SemanticPose().Resolve(pose, "__model__"));
+    RobotLink made;
+    made.origin = xml_.origin(node);
+    made.name = prefix + link.Name();
+    made.X_DL = X_DM * placement(pose);
+    for (std::uint64_t k = 0; k < link.CollisionCount(); ++k) {
+      const sdf::Collision& of = *link.CollisionByIndex(k);
+      ignition::math::Pose3d in_link = of.RawPose();
+      report(of.SemanticPose().Resolve(in_link, link.Name()));
+      add_geometry(made, *of.Geom(), placement(in_link),
+                   node.find_child_by_attribute("collision", "name", of.Name().c_str()), true);
+      const pugi::xml_node of_node = node.find_child_by_attribute("collision", "name", of.Name().c_str());
+      if (const pugi::xml_node mu = of_node.child("surface").child("friction").child("ode").child("mu"))
+        made.friction = mu.text().as_double();
+    }
+    for (std::uint64_t k = 0; k < link.VisualCount(); ++k) {
+      const sdf::Visual& of = *link.VisualByIndex(k);
+      ignition::math::Pose3d in_link = of.RawPose();
+      report(of.SemanticPose().Resolve(in_link, link.Name()));
+      add_geometry(made, *of.Geom(), placement(in_link),
+                   node.find_child_by_attribute("visual", "name", of.Name().c_str()), false);
+    }
+    if (still) {
+      const bool plane =
+          std::any_of(made.collisions.begin(), made.collisions.end(), [](const RobotGeometry&) { return true; });
+      if (plane)
+        robot_.leave_out(made.origin, "link \"" + made.name + "\" of a static model",
+                         "stands still; the ground of a scene is one level plane, or grains");
+      return;
+    }
+    const ignition::math::Inertiald& inertial = link.Inertial();
+    const Placement X_LI = placement(inertial.Pose());
+    const ignition::math::Matrix3d I = inertial.MassMatrix().Moi();
+    Eigen::Matrix3d moments;
+    for (unsigned r = 0; r < 3; ++r)
+      for (unsigned c = 0; c < 3; ++c) moments(r, c) = I(r, c);
+    made.mass = inertial.MassMatrix().Mass();
+    made.centre = X_LI.p;
+    made.inertia = X_LI.R * moments * X_LI.R.transpose();
+    if (!link.Element()->HasElement("inertial"))
+      robot_.leave_out(made.origin, "link \"" + made.name + "\" without inertial",
+                       "has the 1 kg and 1 kg m2 that SDF gives it");
+    if (!std::isfinite(made.mass) || !made.inertia.allFinite() || !made.X_DL.p.allFinite() || !made.X_DL.R.allFinite())
+      throw InputError(code::kRobotNumber,
+                       made.origin.place() + ": link \"" + made.name + "\" has a number that is not finite");
+    robot_.links.push_back(made);
+  }
+
+  void add_geometry(RobotLink& link, const sdf::Geometry& geometry, const Placement& X_LG, const pugi::xml_node& node,
+                    bool collides) {
+    RobotGeometry made;
+    made.origin = node ? xml_.origin(node) : link.origin;
+    made.X_LG = X_LG;
+    switch (geometry.Type()) {
+      case sdf::GeometryType::BOX:
+        made.kind = GeometryKind::kBox;
+        made.size = vector(geometry.BoxShape()->Size());
+        break;
+      case sdf::GeometryType::SPHERE:
+        made.kind = GeometryKind::kSphere;
+        made.radius = geometry.SphereShape()->Radius();
+        break;
+      case sdf::GeometryType::CYLINDER:
+        made.kind = GeometryKind::kCylinder;
+        made.radius = geometry.CylinderShape()->Radius();
+        made.length = geometry.CylinderShape()->Length();
+        break;
+      case sdf::GeometryType::CAPSULE:
+        made.kind = GeometryKind::kCapsule;
+        made.radius = geometry.CapsuleShape()->Radius();
+        made.length = geometry.CapsuleShape()->Length();
+        break;
+      case sdf::GeometryType::ELLIPSOID:
+        made.kind = GeometryKind::kMesh;
+        made.mesh = sphere_mesh(1.0, 0.5);
+        for (Eigen::Vector3d& x : made.mesh.vertices) x = x.cwiseProduct(vector(geometry.EllipsoidShape()->Radii()));
+        break;
+      case sdf::GeometryType::MESH:
+        made.kind = GeometryKind::kMesh;
+        made.scale = vector(geometry.MeshShape()->Scale());
+        made.file = find_mesh(geometry.MeshShape()->Uri(), xml_.file(), options_);
+        if (made.file.empty()) made.name = geometry.MeshShape()->Uri();
+        if (!geometry.MeshShape()->Submesh().empty())
+          robot_.leave_out(made.origin, "submesh \"" + geometry.MeshShape()->Submesh() + "\"",
+                           "the whole mesh is taken");
+        break;
+      case sdf::GeometryType::PLANE:
+        if (collides) robot_.plane = true;
+        return;
+      default:
+        if (node && collides)
+          robot_.leave_out(made.origin, title_of(node), "has no surface of a kind that a scene knows");
+        return;
+    }
+    const bool sized = made.kind == GeometryKind::kMesh ||
+                       (made.kind == GeometryKind::kBox ? made.size.minCoeff() > 0.0 : made.radius > 0.0);
+    const bool long_enough =
+        (made.kind != GeometryKind::kCylinder && made.kind != GeometryKind::kCapsule) || made.length > 0.0;
+    if (!sized || !long_enough)
+      throw InputError(code::kRobotNumber, made.origin.place() + ": a geometry of link \"" + link.name +
+                                               "\" has a size that is not above zero [m]");
+    (collides ? link.collisions : link.visuals).push_back(made);
+  }
+
+  RobotCoordinate coordinate(const sdf::JointAxis& axis, const char* name) const {
+    RobotCoordinate q;
+    q.name = name;
+    if (axis.Lower() > -kNoLimit) q.lower = axis.Lower();
+    if (axis.Upper() < kNoLimit) q.upper = axis.Upper();
+    q.damping = std::max(0.0, axis.Damping());
+    q.friction = std::max(0.0, axis.Friction());
+    q.stiffness = std::max(0.0, axis.SpringStiffness());
+    q.rest = axis.SpringReference();
+    if (axis.Effort() > 0.0 && axis.Effort() < kNoLimit) q.effort = axis.Effort();
+    if (axis.MaxVelocity() > 0.0 && axis.MaxVelocity() < kNoLimit) q.speed = axis.MaxVelocity();
+    return q;
+  }
+
+  Eigen::Vector3d axis_in_D(const sdf::JointAxis& axis, const Placement& X_DM) const {
+    ignition::math::Vector3d xyz;
+    report(axis.ResolveXyz(xyz, "__model__"));
+    return (X_DM.R * vector(xyz)).normalized();
+  }
+
+  bool has_laws(const RobotCoordinate& q) const {
+    return q.lower || q.upper || q.damping > 0.0 || q.friction > 0.0 || q.stiffness > 0.0;
+  }
+
+  void add_joint(const sdf::Joint& joint, const Placement& X_DM, const std::string& prefix) {
+    const pugi::xml_node node = node_of("joint", joint.Name());
+    std::string parent, child;
+    report(joint.ResolveParentLink(parent));
+    report(joint.ResolveChildLink(child));
+    ignition::math::Pose3d pose;
+    report(joint.SemanticPose().Resolve(pose, "__model__"));
+    RobotJoint made;
+    made.origin = xml_.origin(node);
+    made.name = prefix + joint.Name();
+    made.parent = parent == "world" ? -1 : link_index(prefix + parent);
+    made.child = link_index(prefix + child);
+    made.point = X_DM * placement(pose).p;
+    if (made.child < 0 || (made.parent < 0 && parent != "world"))
+      throw InputError(code::kRobotName,
+                       made.origin.place() + ": " + title_of(node) + " names a link that moves with no model here");
+    made.loop = std::any_of(robot_.joints.begin(), robot_.joints.end(),
+                            [&](const RobotJoint& other) { return other.child == made.child; });
+    if (joint.Axis(0) != nullptr) made.axis = axis_in_D(*joint.Axis(0), X_DM);
+    switch (joint.Type()) {
+      case sdf::JointType::FIXED: break;
+      case sdf::JointType::BALL: made.kind = RobotJointKind::kSpherical; break;
+      case sdf::JointType::REVOLUTE:
+      case sdf::JointType::CONTINUOUS:
+        made.kind = RobotJointKind::kRevolute;
+        made.coordinates.push_back(coordinate(*joint.Axis(0), "angle"));
+        if (joint.Type() == sdf::JointType::CONTINUOUS) {
+          made.coordinates[0].lower.reset();
+          made.coordinates[0].upper.reset();
+        }
+        break;
+      case sdf::JointType::PRISMATIC:
+        made.kind = RobotJointKind::kPrismatic;
+        made.coordinates.push_back(coordinate(*joint.Axis(0), "displacement"));
+        break;
+      case sdf::JointType::SCREW: add_screw(made, joint); return;
+      case sdf::JointType::UNIVERSAL:
+      case sdf::JointType::REVOLUTE2: add_two_axes(made, joint, X_DM); return;
+      case sdf::JointType::GEARBOX: add_gearbox(made, joint, node, X_DM); return;
+      default: robot_.leave_out(made.origin, title_of(node), "a scene has no such joint"); return;
+    }
+    robot_.joints.push_back(made);
+  }
+
+  // angle = -thread_pitch displacement, thread_pitch in rad/m.
+  void add_screw(RobotJoint made, const sdf::Joint& joint) {
+    made.kind = RobotJointKind::kCylindrical;
+    made.coordinates.push_back(coordinate(*joint.Axis(0), "angle"));
+    made.coordinates.push_back({});
+    made.coordinates.back().name = "displacement";
+    const double pitch = joint.ThreadPitch();
+    if (!(std::abs(pitch) > 0.0 && std::isfinite(pitch)))
+      throw InputError(code::kRobotNumber,
+                       made.origin.place() + ": joint \"" + made.name + "\" has a thread_pitch of zero [rad/m]");
+    RobotGear gear;
+    gear.origin = made.origin;
+    gear.name = made.name + "_thread";
+    const int index = static_cast<int>(robot_.joints.size());
+    gear.joints = {index, index};
+    gear.coordinates = {"angle", "displacement"};
+    gear.factors = {1.0, pitch};
+    robot_.joints.push_back(made);
+    robot_.gears.push_back(gear);
+  }
+
+  // An axis in the parent, then one in the child. A universal joint has no coordinates for laws: these need a link between.
+  void add_two_axes(RobotJoint made, const sdf::Joint& joint, const Placement& X_DM) {
+    const Eigen::Vector3d axis2 = axis_in_D(*joint.Axis(1), X_DM);
+    const RobotCoordinate q1 = coordinate(*joint.Axis(0), "angle"), q2 = coordinate(*joint.Axis(1), "angle");
+    const bool right = std::abs(made.axis.dot(axis2)) < 1e-9;
+    if (right && !has_laws(q1) && !has_laws(q2)) {
+      made.kind = RobotJointKind::kUniversal;
+      made.axis2 = axis2;
+      robot_.joints.push_back(made);
+      return;
+    }
+    RobotLink between;
+    between.origin = made.origin;
+    between.name = made.name + "_between";
+    between.X_DL = robot_.links[static_cast<std::size_t>(made.child)].X_DL;
+    const int middle = static_cast<int>(robot_.links.size());
+    robot_.links.push_back(between);
+    RobotJoint first = made, second = made;
+    first.kind = second.kind = RobotJointKind::kRevolute;
+    first.child = second.parent = middle;
+    first.loop = false;
+    first.coordinates = {q1};
+    second.axis = axis2;
+    second.coordinates = {q2};
+    second.name += "_axis2";
+    robot_.joints.push_back(first);
+    robot_.joints.push_back(second);
+  }
+
+  // angle of the child = -ratio times angle of the parent, both about the reference body.
+  void add_gearbox(const RobotJoint& made, const sdf::Joint& joint, const pugi::xml_node& node, const Placement& X_DM) {
+    const std::string reference = trimmed(node.child("gearbox_reference_body").text().get());
+    const double ratio = node.child("gearbox_ratio").text().as_double(1.0);
+    const int about = link_index(reference);
+    const auto find = [&](int link, const Eigen::Vector3d& axis) -> std::pair<int, double> {
+      for (std::size_t k = 0; k < robot_.joints.size(); ++k) {
+        const RobotJoint& other = robot_.joints[k];
+        if (other.kind != RobotJointKind::kRevolute) continue;
+        const bool along = other.parent == about && other.child == link,
+                   against = other.parent == link && other.child == about;
+        if (along || against)
+          return {static_cast<int>(k), (along ? 1.0 : -1.0) * (other.axis.dot(axis) > 0.0 ? 1.0 : -1.0)};
+      }
+      return {-1, 0.0};
+    };
+    const Eigen::Vector3d axis2 = joint.Axis(1) != nullptr ? axis_in_D(*joint.Axis(1), X_DM) : made.axis;
+    const auto [first, sign1] = find(made.parent, made.axis);
+    const auto [second, sign2] = find(made.child, axis2);
+    if (about < 0 || first < 0 || second < 0 || ratio == 0.0) {
+      robot_.leave_out(made.origin, title_of(node),
+                       "its parent and child have no revolute joints at its gearbox_reference_body above it");
+      return;
+    }
+    RobotGear gear;
+    gear.origin = made.origin;
+    gear.name = made.name;
+    gear.joints = {first, second};
+    gear.coordinates = {"angle", "angle"};
+    gear.factors = {sign1 * ratio, sign2};
+    robot_.gears.push_back(gear);
+  }
+
+  const XmlSource& xml_;
+  const ImportOptions& options_;
+  Robot robot_;
+};
+
+}  // namespace
+
+Robot read_sdf(const std::string& file, const ImportOptions& options) {
+  const XmlSource xml(file);
+  return SdfRobot(xml, options).made();
+}
+
+}  // namespace footfall
