@@ -30,7 +30,8 @@ std::unique_ptr<StrutLaw> build(const GasSpringParameters& spec, const StrutSpec
 
 std::unique_ptr<StrutLaw> build(const MrSpec& spec, const StrutSpec&, double) {
   MrDamperParameters p = spec;
-  if (spec.controller.empty() && spec.signal.empty()) p.initial_voltage = spec.voltage;
+  // A constant voltage has been on before the start, unless another is given for it.
+  if (spec.controller.empty() && spec.signal.empty() && !p.initial_voltage) p.initial_voltage = spec.voltage;
   if (spec.geometry) p = mr_damper_from_geometry(*spec.geometry, p);
   return std::make_unique<MrDamper>(p);
 }

@@ -226,7 +226,8 @@ static void visit_fields(FieldVisitor& v, MrSpec& m) {
   v.field("yield_table", &m.yield_table, {Unit::kForce});
   v.field("regularisation_speed", &m.regularisation_speed, positive(Unit::kVelocity));
   v.field("coil_lag", &m.coil_lag, not_negative(Unit::kTime));
-  v.fields(share, {{"initial_voltage", &m.initial_voltage}, {"voltage", &m.voltage}});
+  v.field("initial_voltage", &m.initial_voltage, share);
+  v.field("voltage", &m.voltage, share);
   v.fields(name, {{"controller", &m.controller}, {"signal", &m.signal}});
   v.section("geometry", m.geometry);
 }

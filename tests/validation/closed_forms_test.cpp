@@ -338,7 +338,6 @@ void add_pendulums(std::vector<Case>& all) {
                    {{"b.x", s * std::cos(w * t)}, {"b.y", s * std::sin(w * t)}, {"b.z", -l * std::cos(a)}}});
   }
   {
-    // Small swings of a flywheel's axis are not small turns of a wheel: a damped pendulum by its equation.
     const double I = 0.1 + 2 * 0.49;
     const auto [x, v] = integrated(
         [&](double q, double u, double) { return -(2 * kG * 0.7 * std::sin(q) + 0.6 * u) / I; }, 2.0, 0, 2.0);
@@ -399,7 +398,6 @@ void add_struts(std::vector<Case>& all) {
       });
   add("spring_of_a_strut", 2.0, 0.4, "spring = { stiffness = 300, damping = 5, preload = 12 }\n",
       [](double x, double v) { return 300 * x + 5 * v + 12; });
-  // A piston that crushes 3 kN over 0.02 m and then 6 kN: the work is the way's, up to the toe and the step between the plateaus.
   all.push_back(
       {"sliding_friction",
        0.3,
@@ -597,12 +595,11 @@ void add_signals(std::vector<Case>& all) {
                  still + step + signal("y", "lowpass", "input = \"signal.u\"\nfrequency = 2\n"),
                  {{"signal.y", 3 * (1 - std::exp(-w * 0.21))}}});
   {
-    const auto [x, v] = oscillator(1, 2 * 0.4 * w, w * w, -3, 0, 0.21);
+    const double x = oscillator(1, 2 * 0.4 * w, w * w, -3, 0, 0.21)[0];
     all.push_back({"lowpass2_of_a_step",
                    t,
                    still + step + signal("y", "lowpass2", "input = \"signal.u\"\nfrequency = 2\ndamping = 0.4\n"),
                    {{"signal.y", 3 + x}}});
-    (void)v;
   }
   all.push_back({"integral_of_a_step",
                  t,
@@ -657,6 +654,208 @@ void add_signals(std::vector<Case>& all) {
                  {{"b.vx", 2.0}, {"b.x", 0.4 + 2 * 0.5}}});
 }
 
+// What meets another feature on the way: settled and moved starts, gears in a row, wheels by gears, motors at their limits.
+void add_combinations(std::vector<Case>& all) {
+  const auto gear = [](const std::string& name, const std::string& joints, const std::string& factors,
+                       const std::string& more = "") {
+    return "[[gears]]\nname = \"" + name + "\"\njoints = " + joints + "\nfactors = " + factors + "\n" + more;
+  };
+  const auto drive = [](const std::string& kind, const std::string& rest) {
+    return "[[drives]]\nname = \"d\"\nkind = \"" + kind + "\"\njoint = \"h\"\n" + rest;
+  };
+  const std::string settle = "[initial]\nsettle = true\n";
+  const std::string hung = kGravity + body("b", 2, "[0, 0, 0]") + rail("", "z") +
+                           strut("spring = { stiffness = 800, damping = 4 }\n", "[0, 0, 2]");
+  all.push_back({"settled_on_a_strut", 0.3, hung + settle, {{"b.z", -2 * kG / 800}, {"b.vz", 0}}});
+  {
+    const auto [x, v] = oscillator(2, 4, 800, -30.0 / 800, 0, 0.25);
+    all.push_back({"settled_and_pushed_at_a_tenth",
+                   0.35,
+                   hung + force("force = { table = [[0.1, 0], [0.1000001, 30]] }", "[0, 0, 1]") + settle,
+                   {{"b.z", -2 * kG / 800 + 30.0 / 800 + x}, {"b.vz", v}}});
+  }
+  {
+    double q = 0.4;  // k (q - 1) + m g l sin(q) = 0
+    for (int i = 0; i < 50; ++i) q -= (12 * (q - 1) + 2 * kG * 0.7 * std::sin(q)) / (12 + 2 * kG * 0.7 * std::cos(q));
+    all.push_back({"settled_from_an_initial_angle",
+                   0.2,
+                   kGravity + body("b", 2, "[0, 0, -0.7]") +
+                       hinge("angle = { spring = { stiffness = 12, damping = 1, rest = 1 } }\n") + settle +
+                       "[initial.joints]\nh = 0.4\n",
+                   {{"h.angle", q}, {"h.angle_rate", 0}}});
+  }
+  for (const double rest : {8.0, -20.0}) {
+    const auto [x, v] = oscillator(0.1, 0, 4, -rest, 0, 0.9);
+    all.push_back({rest > 0 ? "spring_wound_by_a_turn" : "spring_wound_back_by_three_turns",
+                   0.9,
+                   kNoGravity + body("b", 2, "[0, 0, 0]") +
+                       hinge(lines("angle = { spring = { stiffness = 4, rest = ", rest, " } }\n")),
+                   {{"h.angle", rest + x, 20}, {"h.angle_rate", v, 100}}});
+  }
+  {
+    const std::string wheel = kNoGravity + body("b", 2, "[0, 0, 0]") +
+                              joint("h", "planar", "ground", "b", "[0, 0, 0]", "y", "axis2 = \"x\"\n");
+    const double a = 6 / (2 + 0.1 / 0.04), t = 0.7;  // a wheel of 0.2 m by a gear
+    all.push_back({"wheel_by_a_gear",
+                   t,
+                   wheel + gear("g", "[\"h\", \"h\"]", "[1, -0.2]", "coordinates = [\"displacement_x\", \"angle\"]\n") +
+                       force("force = { polynomial = [6] }"),
+                   {{"b.x", 0.5 * a * t * t}, {"h.angle", 0.5 * a * t * t / 0.2}}});
+    const auto [x, v] = integrated([](double q, double u, double) { return (50 * (0.2 - q) - 6 * u) / 2; }, 0, 0, 0.6);
+    all.push_back(
+        {"drive_across_a_planar_joint",
+         0.6,
+         wheel +
+             drive("position", "coordinate = \"displacement_x\"\ncommand = { polynomial = [0.2] }\nkp = 50\nkd = 6\n"),
+         {{"b.x", x}, {"b.vx", v}}});
+  }
+  {
+    const std::string shafts = kNoGravity + body("b", 2, "[0, 0, 0]") + body("c", 2, "[0, 0, 1]") +
+                               body("e", 2, "[0, 0, 2]") + hinge("", "z") +
+                               joint("k", "revolute", "ground", "c", "[0, 0, 1]", "z") +
+                               joint("l", "revolute", "ground", "e", "[0, 0, 2]", "z");
+    const double t = 0.7, a = 0.4 / (0.1 + 0.1 * 4 + 0.1 * 36);
+    const std::string torque = force("torque = { polynomial = [0.4] }", "[0, 0, 1]");
+    all.push_back({"gears_in_a_row",
+                   t,
+                   shafts + gear("g", "[\"h\", \"k\"]", "[2, 1]") + gear("i", "[\"k\", \"l\"]", "[3, 1]") + torque,
+                   {{"h.angle", 0.5 * a * t * t}, {"k.angle", -a * t * t}, {"l.angle", 3 * a * t * t}}});
+    // A differential, its cage free: q_h + q_k = 2 q_l, torque on one side. With equal inertias I of all three and lambda of the gear:
+    //   I a_h = T + lambda, I a_k = lambda, I a_l = -2 lambda,  a_h + a_k = 2 a_l  ->  lambda = -T / 6
+    all.push_back({"differential",
+                   t,
+                   shafts + gear("g", "[\"h\", \"k\", \"l\"]", "[1, 1, -2]") + torque,
+                   {{"h.angle", 0.5 * 0.4 * 5 / 6 / 0.1 * t * t},
+                    {"k.angle", -0.5 * 0.4 / 6 / 0.1 * t * t},
+                    {"l.angle", 0.5 * 0.4 / 3 / 0.1 * t * t}}});
+    all.push_back(
+        {"straight_cam",
+         t,
+         shafts + gear("g", "[\"k\", \"h\"]", "[1, -1]", "curve = [[-2, -1], [0, 0], [2, 1], [4, 2]]\n") + torque,
+         {{"h.angle", 0.5 * 0.4 / 0.125 * t * t}, {"k.angle", 0.25 * 0.4 / 0.125 * t * t}}});
+    all.push_back({"gear_from_an_initial_angle",
+                   t,
+                   shafts + gear("g", "[\"h\", \"k\"]", "[2, 1]") + "[initial.joints]\nh = 0.5\n" + torque,
+                   {{"h.angle", 0.5 + 0.5 * 0.4 / 0.5 * t * t}, {"k.angle", -1 - 0.4 / 0.5 * t * t}}});
+  }
+  {
+    const std::string wheel = kNoGravity + body("b", 2, "[0, 0, 0]") + hinge();
+    const double t = 0.5;
+    all.push_back({"motor_with_a_largest_speed",
+                   t,
+                   wheel + drive("torque", "command = { polynomial = [5] }\nmax_torque = 0.3\nmax_speed = 4\n"),
+                   {{"h.angle_rate", 4 * (1 - std::exp(-t * 0.3 / (0.1 * 4)))}}});
+    all.push_back({"brake",
+                   t,
+                   wheel + drive("brake", "command = { polynomial = [0.5] }\nmax_torque = 0.6\n") +
+                       "[initial]\nangular_velocity = [0, 5, 0]\n",
+                   {{"h.angle_rate", 5 - 0.3 / 0.1 * t, 30}}});
+    const auto [q, w] =
+        integrated([](double x, double v,
+                      double u) { return (9 * (0.3 * std::sin(5 * u) - x) + 0.7 * (1.5 * std::cos(5 * u) - v)) / 0.1; },
+                   0, 0, 0.8);
+    all.push_back({"position_drive_along_a_sine",
+                   0.8,
+                   wheel + drive("position", lines("command = { amplitude = 0.3, frequency = ", 5 / (2 * kPi),
+                                                   " }\nkp = 9\nkd = 0.7\n")),
+                   {{"h.angle", q}, {"h.angle_rate", w, 3}}});
+  }
+  {
+    // A damper whose coil lags, at a constant speed.
+    const double t = 0.03, lag = 0.02;
+    all.push_back(
+        {"lag_of_a_coil",
+         t,
+         kNoGravity + body("b", 2, "[0, 0, 0]") +
+             joint("m", "prescribed", "ground", "b", "[0, 0, 0]", "z",
+                   "motion = { x = { polynomial = [0, 1] }, y = { polynomial = [0] }, z = { polynomial = [0] }, "
+                   "rotation = { polynomial = [0] }, hold_other_rotations = true }\n") +
+             strut("mr = { yield_force = 20, viscous = 6, coil_lag_ms = 20, initial_voltage = 0.1, voltage = 0.8 }\n") +
+             "[[initial.bodies]]\nbody = \"b\"\nvelocity = [1, 0, 0]\n",
+         {{"s.force", 6 + 20 * (0.8 - 0.7 * std::exp(-t / lag)), 5}}});
+  }
+  {
+    // Lifted by a prescribed turn: work is weight times height and energy of motion.
+    const double t = 0.9, q = 0.8 * t * t, w = 1.6 * t, I = 0.1 + 2 * 0.49;
+    all.push_back(
+        {"work_of_a_prescribed_turn",
+         t,
+         kGravity + body("b", 2, "[0, 0, -0.7]") +
+             joint("m", "prescribed", "ground", "b", "[0, 0, 0]", "y",
+                   "axis2 = \"z\"\nmotion = { x = { polynomial = [0] }, y = { polynomial = [0] }, z = { polynomial = "
+                   "[0] }, rotation = { polynomial = [0, 0, 0.8] }, hold_other_rotations = true }\n"),
+         {{"b.z", -0.7 * std::cos(q)}, {"work.motion", 2 * kG * 0.7 * (1 - std::cos(q)) + 0.5 * I * w * w, 20}}});
+    // And one while an angle is given.
+    all.push_back({"prescribed_motion_with_an_initial_angle",
+                   t,
+                   kNoGravity + body("a", 1, "[0, 0, 0]") + body("b", 1, "[0, 0, 0.5]") +
+                       joint("m", "prescribed", "ground", "a", "[0, 0, 0]", "z",
+                             "motion = { x = { polynomial = [0, 0.2, 0.5] }, y = { polynomial = [0] }, z = { "
+                             "polynomial = [0] }, rotation = { polynomial = [0] }, hold_other_rotations = true }\n") +
+                       joint("h", "revolute", "a", "b", "[0, 0, 0.5]", "z") +
+                       "[initial]\nvelocity = [0.2, 0, 0]\n[initial.joints]\nh = 2.5\n",
+                   {{"a.x", 0.2 * t + 0.5 * t * t}, {"b.x", 0.2 * t + 0.5 * t * t}, {"h.angle", 2.5}}});
+  }
+  {
+    // Turned before the start: what is fixed in the body turns, what is inertial stands.
+    const std::string turned = "[initial]\npitch_deg = 90\n";
+    all.push_back(
+        {"thrust_of_a_turned_body",
+         0.8,
+         kNoGravity + body("b", 2, "[0, 0, 0]") + force("force = { polynomial = [6] }", "[1, 0, 0]", "body") + turned,
+         {{"b.vz", -2.4}, {"b.vx", 0}}});
+    all.push_back({"inertial_force_on_a_turned_body",
+                   0.8,
+                   kNoGravity + body("b", 2, "[0, 0, 0]") + force("force = { polynomial = [6] }") + turned,
+                   {{"b.vx", 2.4}, {"b.vz", 0}}});
+  }
+  {
+    // Three masses on rails around z, each on its spring.
+    const auto [x, v] = oscillator(1.5, 0, 60, 0.1, 0, 0.7);
+    all.push_back({"array_of_oscillators",
+                   0.7,
+                   kNoGravity + "[arrays.k]\ncount = 3\nstart_deg = 30\nstep_deg = 120\naxis = [0, 0, 1]\n" +
+                       body("b_{k}", 1.5, "[1, 0, 0]") +
+                       "[[joints]]\nname = \"p_{k}\"\ntype = \"prismatic\"\nbodies = [\"ground\", \"b_{k}\"]\npoint = "
+                       "[1, 0, 0]\naxis = [1, 0, 0]\ndisplacement = { spring = { stiffness = 60 } "
+                       "}\n[initial.joints]\np_1 = 0.1\np_2 = 0.1\np_3 = 0.1\n",
+                   {{"p_1.displacement", x, 0.1},
+                    {"p_3.displacement_rate", v},
+                    {"b_1.x", (1 + x) * std::cos(kPi / 6)},
+                    {"b_2.y", (1 + x) * std::sin(kPi * 5 / 6)}}});
+  }
+  {
+    // A cantilever that has settled under a force at its end: F l^3 / (3 E I).
+    const double I = kPi * std::pow(0.02, 4) / 64, bend = 3.0 / (3 * 2e11 * I);
+    all.push_back({"settled_cantilever",
+                   0.05,
+                   kNoGravity +
+                       "[materials.steel]\ndensity = 7800\nyoung = 2e11\npoisson = 0.3\n[[bodies]]\nname = "
+                       "\"b\"\nmaterial = \"steel\"\nshape = { kind = \"rod\", from = [0, 0, 0], to = [1, 0, 0], "
+                       "diameter = 0.02 }\nflexible = { damping = 0.02 }\n" +
+                       joint("w", "fixed", "ground", "b", "[0, 0, 0]", "") +
+                       "[[forces]]\nname = \"f\"\nbody = \"b\"\npoint = [1, 0, 0]\nframe = \"inertial\"\ndirection = "
+                       "[0, 0, 1]\nforce = { polynomial = [3] }\n" +
+                       settle,
+                   {{"b.strain_energy", 0.5 * 3 * bend, 0.1}}});
+  }
+  {
+    const std::string balls =
+        kNoGravity +
+        "[[bodies]]\nname = \"b\"\nmass = 2\nshape = { kind = \"sphere\", centre = [0, 0, 0], radius = 0.1 "
+        "}\n[[bodies]]\nname = \"c\"\nmass = 2\nshape = { kind = \"sphere\", centre = [0.3, 0, 0], radius = 0.1 }\n"
+        "[[boundaries]]\nbody = \"b\"\nsurface = {}\n[[boundaries]]\nbody = \"c\"\nsurface = {}\n[[contacts]]\nbetween "
+        "= [\"b\", \"c\"]\nstiffness = 1e9\nfriction = 0\nimpact_speed = 2\n";
+    const std::string moving = "[[initial.bodies]]\nbody = \"b\"\nvelocity = [2, 0, 0]\n";
+    all.push_back(
+        {"central_elastic_impact", 0.2, balls + "restitution = 1\n" + moving, {{"b.vx", 0, 5}, {"c.vx", 2, 5}}});
+    all.push_back({"central_plastic_impact",
+                   0.2,
+                   balls + "restitution = 0.4\n" + moving,
+                   {{"b.vx", 0.6, 20}, {"c.vx", 1.4, 20}}});
+  }
+}
+
 std::vector<Case> cases() {
   std::vector<Case> all;
   add_points(all);
@@ -666,6 +865,7 @@ std::vector<Case> cases() {
   add_drives(all);
   add_slides(all);
   add_signals(all);
+  add_combinations(all);
   return all;
 }
 

@@ -43,12 +43,12 @@ MrDamper::MrDamper(const MrDamperParameters& parameters) : parameters_(parameter
   require_not_negative(kind(), "viscous_coefficient", parameters.viscous_coefficient, "N s/m");
   require_positive(kind(), "regularisation_speed", parameters.regularisation_speed, "m/s");
   require_not_negative(kind(), "coil_lag", parameters.coil_lag, "s");
-  require_within(kind(), "initial_voltage", parameters.initial_voltage, 0.0, 1.0, "");
+  require_within(kind(), "initial_voltage", parameters.initial_voltage.value_or(0.0), 0.0, 1.0, "");
   if (!parameters.yield_table.empty()) table_ = checked_table(parameters.yield_table);
 }
 
 Eigen::VectorXd MrDamper::initial_state() const {
-  return Eigen::VectorXd::Constant(state_count(), parameters_.initial_voltage);
+  return Eigen::VectorXd::Constant(state_count(), parameters_.initial_voltage.value_or(0.0));
 }
 
 double MrDamper::effective_voltage(const StrutInput& in) const {

@@ -23,11 +23,11 @@
 namespace footfall {
 
 struct MrDamperParameters {
-  double yield_force = 8278.72;          // F_y at U = 1, >= 0 [N] [Lin25 Table 3]; unused when yield_table is given
-  double viscous_coefficient = 3651.19;  // c >= 0 [N s/m] [Lin25 Table 3]
-  double regularisation_speed = 0.02;    // v_s > 0 [m/s]
-  double coil_lag = 0.0;                 // tau >= 0, 0 = none [s]
-  double initial_voltage = 0.0;          // U_eff at the start, in [0, 1]; used only with a coil lag [-]
+  double yield_force = 8278.72;           // F_y at U = 1, >= 0 [N] [Lin25 Table 3]; unused when yield_table is given
+  double viscous_coefficient = 3651.19;   // c >= 0 [N s/m] [Lin25 Table 3]
+  double regularisation_speed = 0.02;     // v_s > 0 [m/s]
+  double coil_lag = 0.0;                  // tau >= 0, 0 = none [s]
+  std::optional<double> initial_voltage;  // U_eff at the start, in [0, 1], with a coil lag; not given: 0 [-]
   // (U [-], F_y [N]), interpolated by a monotone cubic: U rising strictly from 0 to 1, F_y >= 0 and never falling.
   // Empty: F_y = U yield_force.
   std::vector<Eigen::Vector2d> yield_table;
