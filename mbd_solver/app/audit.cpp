@@ -20,6 +20,7 @@
 #include "mbd_solver/app/run_command.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/bed/programs.h"
+#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
@@ -417,7 +418,7 @@ int audit_command(const RunArguments& arguments, int windows) {
   if (run.out.empty()) run.out = new_run_folder("audit");
   std::printf("audit: %s to t = %g s, in %s\n", short_path(scene.file).c_str(), run.until, run.out.c_str());
   std::fflush(stdout);
-  if (const int code = run_command(run); code != kExitDone) return code;
+  if (const int code = run_command(run); code != kExitDone && code != kExitRequirements) return code;
   const fs::path out = run.out;
   const std::vector<AuditLine> lines = audit_lines((out / "audit").string());
   const std::string table = audit_table(lines);

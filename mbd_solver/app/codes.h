@@ -50,6 +50,9 @@ inline constexpr MessageCode kInterruptedEarly{"E0516", "interrupted-early"};
 // mpirun crashed after both programs had ended. The results are complete; nothing is to be done.
 inline constexpr MessageCode kLauncherCrashed{"W0500", "launcher-crashed"};
 
+// The run is done, but a requirement of its scene is missed or could not be computed. The message names them.
+inline constexpr MessageCode kRequirementsMissed{"E0517", "requirements-missed"};
+
 // --- After a run.
 
 // Files of a run are damaged. Run the scene again.

@@ -216,10 +216,38 @@ Action plot(CLI::App& command) {
                   "Columns of history.csv: cabin.az; patterns: 'leg_*_primary.stroke', 'struts.*.force'; cabin.v: all "
                   "three axes. None: list them")
       ->expected(0, -1);
-  command.add_option("--out", a->out, "File of the picture, .png or .svg (default: both, in DIR/plots)")
+  command.add_option("--out", a->out, "File of the picture, .png, .svg or .pdf (default: PNG and SVG, in DIR/plots)")
       ->type_name("FILE");
   command.add_option("--title", a->title, "Title of the picture (default: the scene's)");
-  return [a] {
+  const auto style = std::make_shared<std::string>(name_of(PlotStyle::kLight));
+  command.add_option("--style", *style, "Colours: light, dark, or print")
+      ->check(CLI::IsMember(names_of<PlotStyle>()))
+      ->capture_default_str();
+  constexpr double kQuality = 10.0;
+  const auto quality = std::make_shared<double>(kQuality), window = std::make_shared<double>(0.0);
+  CLI::Option* srs =
+      command
+          .add_option("--srs", *quality,
+                      "Draw shock response spectra for this quality Q = 1 / (2 damping ratio) (default: 10)")
+          ->expected(0, 1)
+          ->check(within(1, 1000000));
+  CLI::Option* psd =
+      command
+          .add_option("--psd", *window,
+                      "Draw power spectral densities, of windows of this length [s] (default: an eighth of "
+                      "the run)")
+          ->expected(0, 1)
+          ->check(positive())
+          ->excludes(srs);
+  command.add_option("--cfc", a->cfc, "Also draw the columns filtered by this class of SAE J211: 60, 180, 600 or 1000")
+      ->check(CLI::IsMember({60, 180, 600, 1000}))
+      ->excludes(srs)
+      ->excludes(psd);
+  return [=] {
+    for (const PlotStyle known : every<PlotStyle>())
+      if (*style == name_of(known)) a->style = known;
+    if (srs->count() > 0) a->srs = *quality > 0.0 ? *quality : kQuality;
+    if (psd->count() > 0) a->psd = *window;
     for (const std::string& line : plot_columns(*a)) std::printf("%s\n", line.c_str());
     return kExitDone;
   };

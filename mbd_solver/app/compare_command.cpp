@@ -603,7 +603,7 @@ std::string plot_script(const fs::path& folder, const std::string& name, const s
        << " with lines lw 1.5 lc rgb c[" << k % 8 + 1 << "] title columnheader(" << first + 2 * k
        << "), '' using 1:" << first + 2 * k + 1 << " with points pt 6 ps 0.5 lc rgb c[" << k % 8 + 1
        << "] title columnheader(" << first + 2 * k + 1 << ")";
-  return write_drawing(folder.string(), name, {900, 480}, kCsv, gp.str() + "\n");
+  return write_drawing(folder.string(), name, {900, 480}, csv_setup(), gp.str() + "\n");
 }
 
 int compare(const std::string& run, const std::string& other, bool trust_script, bool quiet) {

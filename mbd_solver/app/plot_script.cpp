@@ -40,18 +40,64 @@ std::vector<double> Formula::values(const History& history) const {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+struct Paper {
+  const char *ground, *ink, *grid;
+  const char* colours[kSeriesColours];
+};
+constexpr Paper kLightPaper = {"#ffffff",
+                               "#404040",
+                               "#e0e0e0",
+                               {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#7b3fa0",
+                                "#8c510a", "#4d7c0f", "#be123c", "#808080", "#3b3bc4", "#0f766e"}};
+constexpr Paper kDarkPaper = {"#14181f",
+                              "#c9d1d9",
+                              "#2d333b",
+                              {"#4aa8e0", "#ff8c42", "#2fd0a0", "#f0a6cf", "#ffc24d", "#9ddcff", "#ffffff", "#c59bf0",
+                               "#d9a066", "#a3d65c", "#ff7b93", "#a8a8a8", "#9a9cff", "#5fd3c6"}};
+
+const Paper& paper_of(PlotStyle style) { return style == PlotStyle::kDark ? kDarkPaper : kLightPaper; }
+
+// Lines of one width; of the second half dashed. On print each has a dash of its own.
+std::string line_types(PlotStyle style) {
+  const Paper& paper = paper_of(style);
+  std::ostringstream text;
+  for (int k = 0; k < kSeriesColours; ++k) {
+    const int dash = style == PlotStyle::kPrint ? 1 + k % 5 : k < 7 ? 1 : 2;
+    text << "set linetype " << k + 1 << " lw " << (style == PlotStyle::kPrint ? 1.4 : 1.8) << " dt " << dash
+         << " lc rgb \"" << paper.colours[k] << "\"\n";
+  }
+  text << "set linetype cycle " << kSeriesColours << "\n";
+  return text.str();
+}
+
+}  // namespace
+
+std::string csv_setup() {
+  return "set datafile separator ','\nset datafile columnheaders\nset encoding utf8\n" + line_types(PlotStyle::kLight);
+}
+
+std::string series_colour(int series, PlotStyle style) { return paper_of(style).colours[series % kSeriesColours]; }
+
 std::string write_drawing(const std::string& folder, const std::string& name, const PictureSize& size,
-                          const std::string& setup, const std::string& drawing) {
-  const std::string paper =
+                          const std::string& setup, const std::string& drawing, PlotStyle style, bool pdf) {
+  const std::string pixels =
       " size " + std::to_string(size.width) + "," + std::to_string(size.height) + " font \"DejaVu Sans,11\"";
+  const std::string ground = std::string(" background rgb \"") + paper_of(style).ground + "\"";
+  constexpr double kPageWidth = 17.0;  // within the margins of A4 [cm]
+  const double height = kPageWidth * size.height / size.width;
+  const std::string page = " size " + number_text(kPageWidth, 4) + "cm," + number_text(height, 4) +
+                           "cm font \"DejaVu Sans," + (size.width > 1200 ? "6" : "8") + "\"";
   const auto on = [&](const std::string& terminal, const std::string& file) {
     return "set terminal " + terminal + "\nset output " + gnuplot_text(file) + "\n" + drawing;
   };
   const std::string script = name + ".gp";
   write_whole_file((fs::path(folder) / script).string(),
-                   "# gnuplot " + gnuplot_text(script) + " draws a PNG and an SVG\n" + setup +
-                       on("pngcairo" + paper, name + ".png") +
-                       on("svg" + paper + " background rgb \"white\"", name + ".svg"));
+                   "# gnuplot " + gnuplot_text(script) + " draws a PNG and an SVG" + (pdf ? ", and a PDF" : "") + "\n" +
+                       setup + on("pngcairo" + pixels + ground, name + ".png") +
+                       on("svg" + pixels + ground, name + ".svg") +
+                       (pdf ? on("pdfcairo" + page + ground, name + ".pdf") : ""));
   return script;
 }
 
@@ -59,7 +105,7 @@ std::vector<std::string> run_gnuplot(const std::string& folder, const std::vecto
   std::vector<std::string> pictures;
   if (scripts.empty()) return pictures;
   for (const std::string& script : scripts)  // gnuplot would write through a link
-    for (const char* ending : {".png", ".svg"})
+    for (const char* ending : {".png", ".svg", ".pdf"})
       Place((fs::path(folder) / fs::path(script).replace_extension(ending)).string()).remove();
   const std::string log = "gnuplot.log";
   Command command{{"gnuplot"}, {}, log, folder};
@@ -120,29 +166,13 @@ std::vector<double> drawn_values(const std::vector<double>& values, const std::v
 
 namespace {
 
-constexpr const char* kStyle = R"(set datafile separator ","
-set datafile columnheaders
-set encoding utf8
-set border 3 lw 1 lc rgb "#404040"
-set tics nomirror out
-set grid lw 1 lc rgb "#e0e0e0"
-set xlabel "time [s]"
-set linetype 1 lw 1.8 lc rgb "#0072b2"
-set linetype 2 lw 1.8 lc rgb "#d55e00"
-set linetype 3 lw 1.8 lc rgb "#009e73"
-set linetype 4 lw 1.8 lc rgb "#cc79a7"
-set linetype 5 lw 1.8 lc rgb "#e69f00"
-set linetype 6 lw 1.8 lc rgb "#56b4e9"
-set linetype 7 lw 1.8 lc rgb "#000000"
-set linetype 8 lw 1.8 lc rgb "#999999"
-set linetype 9 lw 1.8 lc rgb "#f0e442"
-set linetype cycle 9
-)";
-
-constexpr const char* kColours[kSeriesColours] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                  "#e69f00", "#56b4e9", "#000000", "#999999"};
-
-constexpr std::size_t kBlack = 7;  // line type
+std::string style_of(PlotStyle style) {
+  const Paper& paper = paper_of(style);
+  const std::string ink = std::string("rgb \"") + paper.ink + "\"", grid = std::string("rgb \"") + paper.grid + "\"";
+  return "set datafile separator \",\"\nset datafile columnheaders\nset encoding utf8\nset border 3 lw 1 lc " + ink +
+         "\nset tics nomirror out tc " + ink + "\nset grid lw 1 lc " + grid + "\nset title tc " + ink +
+         "\nset xlabel tc " + ink + "\nset ylabel tc " + ink + "\nset key tc " + ink + "\n" + line_types(style);
+}
 
 constexpr std::size_t kBlockCurves = 13;  // per data block: `using` takes 14 columns, and the first is the time
 
@@ -156,7 +186,7 @@ std::string data_blocks(const std::vector<Figure>& figures) {
     for (std::size_t i = 0; i < figure.curves.size(); ++i) {
       if (i % kBlockCurves == 0)
         text << "set table " << block_name(figure, i) << " separator tab\nplot " << gnuplot_text(figure.file)
-             << " using (column(\"time\"))";
+             << " using (column(" << gnuplot_text(figure.x) << "))";
       text << ":" << figure.curves[i].formula.gnuplot();
       if (i % kBlockCurves == kBlockCurves - 1 || i + 1 == figure.curves.size()) text << " with table\nunset table\n";
     }
@@ -179,34 +209,72 @@ std::string bands(const Figure& figure) {
   return text;
 }
 
+// Equal margins align the panels, whatever their legends.
+std::string aligned(const std::vector<Figure>& figures) {
+  std::size_t longest = 0;
+  for (const Figure& figure : figures)
+    for (const Curve& curve : figure.curves)
+      if (figure.curves.size() > 1) longest = std::max(longest, curve.title.size());
+  return "set lmargin 11\nset rmargin " + std::to_string(longest > 0 ? longest + 7 : 3) + "\n";
+}
+
+int series_of(const Figure& figure, std::size_t i) {
+  constexpr int kBlack = 6;
+  const Curve& drawn = figure.curves[i];
+  return drawn.series >= 0 ? drawn.series : drawn.title == "total" ? kBlack : static_cast<int>(i);
+}
+
 std::string lines(const Figure& figure) {
   std::string text;
   for (std::size_t i = 0; i < figure.curves.size(); ++i) {
     const std::string& colour = figure.curves[i].colour;
-    const std::size_t style = figure.curves[i].title == "total" ? kBlack : i + 1;
     text += (i ? ", \\\n     " : "") + curve(figure, i) + " with lines " +
-            (colour.empty() ? "lt " + std::to_string(style) : "lw 1.8 lc rgb " + gnuplot_text(colour)) + " title " +
-            gnuplot_text(figure.curves[i].title);
+            (colour.empty() ? "lt " + std::to_string(series_of(figure, i) % kSeriesColours + 1)
+                            : "lw 1.8 lc rgb " + gnuplot_text(colour)) +
+            " title " + gnuplot_text(figure.curves[i].title);
   }
   return text;
 }
 
-std::string plot_command(const Figure& figure) {
+// Vertical lines with their word at the top, horizontal ones with their word above them, points with theirs beside them.
+std::string marks(const Figure& figure, PlotStyle style) {
+  const std::string ink = std::string(" tc rgb \"") + paper_of(style).ink + "\"",
+                    red = style == PlotStyle::kDark ? "#ff6b6b" : "#b91c1c";
   std::ostringstream text;
-  text << "set title " << gnuplot_text(figure.title) << " noenhanced\nset ylabel " << gnuplot_text(figure.axis)
-       << " noenhanced\n";
+  text.precision(9);
+  for (const Mark& mark : figure.times)
+    text << "set arrow from first " << mark.time << ", graph 0 to first " << mark.time
+         << ", graph 1 nohead lw 1 dt 3 lc rgb \"" << paper_of(style).ink << "\"\nset label " << gnuplot_text(mark.text)
+         << " at first " << mark.time << ", graph 1.04 left noenhanced font \",9\"" << ink << "\n";
+  for (const Mark& mark : figure.limits)
+    text << "set arrow from graph 0, first " << mark.value << " to graph 1, first " << mark.value
+         << " nohead lw 1.2 dt 2 lc rgb \"" << red << "\"\nset label " << gnuplot_text(mark.text)
+         << " at graph 0.99, first " << mark.value << " right offset 0,0.5 noenhanced font \",9\" tc rgb \"" << red
+         << "\"\n";
+  for (const Mark& mark : figure.peaks)
+    text << "set label " << gnuplot_text(mark.text) << " at first " << mark.time << ", first " << mark.value
+         << " point pt 7 ps 0.6 lc rgb \"" << paper_of(style).ink << "\" offset 0.6,"
+         << (mark.value < 0.0 ? "-0.6" : "0.6") << " noenhanced font \",9\"" << ink << "\n";
+  return text.str();
+}
+
+std::string plot_command(const Figure& figure, PlotStyle style) {
+  std::ostringstream text;
+  text << "set title " << gnuplot_text(figure.title) << " noenhanced\nset xlabel " << gnuplot_text(figure.x_axis)
+       << " noenhanced\nset ylabel " << gnuplot_text(figure.axis) << " noenhanced\n";
   text << (figure.curves.size() == 1 ? "unset key\n" : "set key outside right center samplen 1.5 noenhanced\n");
+  if (figure.logarithmic) text << "set logscale xy\nset format xy \"%g\"\n";
   const bool fixed = figure.high > figure.low;
   if (figure.stacked) text << "set yrange [0:]\n";
   if (fixed) text << "set yrange [" << figure.low << ":" << figure.high << "]\n";
+  text << "unset arrow\nunset label\n" << marks(figure, style);
   text << "plot " << (figure.stacked ? bands(figure) : lines(figure)) << "\n";
   if (figure.stacked || fixed) text << "set yrange [*:*]\n";
+  if (figure.logarithmic) text << "unset logscale\nset format\n";
   return text.str();
 }
 
 }  // namespace
-
-std::string series_colour(int series) { return kColours[series % kSeriesColours]; }
 
 void reduce_long_figures(std::vector<Figure>& figures, const History& history, const std::string& folder) {
   constexpr std::size_t kSpans = 2000;  // more than a picture has pixels
@@ -232,38 +300,38 @@ void reduce_long_figures(std::vector<Figure>& figures, const History& history, c
 }
 
 std::vector<std::string> write_plot_scripts(const std::string& folder, const std::vector<Figure>& figures,
-                                            const std::string& title) {
+                                            const std::string& title, PlotStyle style) {
   make_folder(folder);
   std::vector<std::string> names;
   std::string page;
   for (const Figure& figure : figures) {
-    names.push_back(
-        write_drawing(folder, figure.name, {900, 520}, kStyle + data_blocks({figure}), plot_command(figure)));
-    page += plot_command(figure);
+    names.push_back(write_drawing(folder, figure.name, {900, 520}, style_of(style) + data_blocks({figure}),
+                                  plot_command(figure, style), style));
+    page += plot_command(figure, style);
   }
   if (figures.empty()) return names;
   const int columns = 2, rows = (static_cast<int>(figures.size()) + columns - 1) / columns;
+  constexpr int kPageHeight = 2121;  // of A4 on a width of 1500
+  const int height = std::min(380 * rows, std::max(kPageHeight, 240 * rows));
   const std::string layout = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) +
-                             " title " + gnuplot_text(title) + " noenhanced\n";
-  names.push_back(write_drawing(folder, "overview", {1500, 380 * rows}, kStyle + data_blocks(figures),
-                                layout + page + "unset multiplot\n"));
+                             " title " + gnuplot_text(title) + " noenhanced tc rgb " +
+                             gnuplot_text(paper_of(style).ink) + "\n" + aligned(figures);
+  names.push_back(write_drawing(folder, "overview", {1500, height}, style_of(style) + data_blocks(figures),
+                                layout + page + "unset multiplot\n", style, true));
   return names;
 }
 
 std::string write_page_script(const std::string& folder, const PlotPage& page) {
   make_folder(folder);
   const int count = static_cast<int>(page.figures.size()), rows = (count + page.columns - 1) / page.columns;
-  // Equal margins align the panels, whatever their legends.
-  std::size_t longest = 0;
-  for (const Figure& figure : page.figures)
-    for (const Curve& curve : figure.curves)
-      if (figure.curves.size() > 1) longest = std::max(longest, curve.title.size());
-  std::string drawing = "set lmargin 11\nset rmargin " + std::to_string(longest > 0 ? longest + 7 : 3) + "\n";
-  for (const Figure& figure : page.figures) drawing += plot_command(figure);
+  std::string drawing = aligned(page.figures);
+  for (const Figure& figure : page.figures) drawing += plot_command(figure, page.style);
   if (count > 1)
     drawing = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(page.columns) + " title " +
-              gnuplot_text(page.title) + " noenhanced\n" + drawing + "unset multiplot\n";
-  return write_drawing(folder, page.name, {page.width, page.height}, kStyle + data_blocks(page.figures), drawing);
+              gnuplot_text(page.title) + " noenhanced tc rgb " + gnuplot_text(paper_of(page.style).ink) + "\n" +
+              drawing + "unset multiplot\n";
+  return write_drawing(folder, page.name, {page.width, page.height}, style_of(page.style) + data_blocks(page.figures),
+                       drawing, page.style, page.pdf);
 }
 
 std::string write_surface_script(const std::string& folder, const SurfacePicture& picture) {

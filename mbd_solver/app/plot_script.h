@@ -4,9 +4,11 @@
 
 #include <Eigen/Dense>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "mbd_solver/base/kinds.h"
 #include "mbd_solver/run/output/history.h"
 
 namespace footfall {
@@ -22,17 +24,22 @@ struct Formula {
   std::vector<double> values(const History& history) const;  // one per row; throws InputError for an unknown column
 };
 
-// Beginning of a script that draws columns of CSV files by their names.
-inline constexpr const char* kCsv = "set datafile separator ','\nset datafile columnheaders\nset encoding utf8\n";
+// Beginning of a script that draws columns of CSV files by their names, with fourteen line types that differ.
+std::string csv_setup();
+
+// Colours and lines of a picture: light and dark for screens, print for pages of A4: without colour the lines differ as well.
+enum class PlotStyle { kLight, kDark, kPrint };
+constexpr std::string_view name_of(PlotStyle style) { return name_in(style, "light", "dark", "print"); }
 
 struct PictureSize {
   int width, height;  // [pixels]
 };
 
-// Writes NAME.gp into `folder`, which draws NAME.png and NAME.svg: `setup` once, then `drawing` for each. Returns
-// NAME.gp.
+// Writes NAME.gp into `folder`, which draws NAME.png and NAME.svg, and NAME.pdf if wanted: `setup` once, then `drawing` for
+// each. Returns NAME.gp.
 std::string write_drawing(const std::string& folder, const std::string& name, const PictureSize& size,
-                          const std::string& setup, const std::string& drawing);
+                          const std::string& setup, const std::string& drawing, PlotStyle style = PlotStyle::kLight,
+                          bool pdf = false);
 
 // Runs the scripts in `folder`; returns the pictures NAME.png. Throws InputError when gnuplot is missing or fails.
 std::vector<std::string> run_gnuplot(const std::string& folder, const std::vector<std::string>& scripts);
@@ -45,14 +52,23 @@ std::vector<std::size_t> rows_to_draw(const std::vector<double>& time, std::size
 // Values for these rows: the lowest and the highest of each span, in the order of time.
 std::vector<double> drawn_values(const std::vector<double>& values, const std::vector<std::size_t>& rows);
 
-// Eight colours that can be distinguished with any colour vision (Okabe and Ito 2008, grey instead of yellow).
-inline constexpr int kSeriesColours = 8;
-std::string series_colour(int series);  // #rrggbb, of 0 ... kSeriesColours - 1
+// Seven colours that can be distinguished with any colour vision (Okabe and Ito 2008, without yellow), then seven others for
+// dashed lines.
+inline constexpr int kSeriesColours = 14;
+std::string series_colour(int series, PlotStyle style = PlotStyle::kLight);  // #rrggbb, of 0 ... kSeriesColours - 1
 
 struct Curve {
   std::string title;
   Formula formula;
-  std::string colour = "";  // #rrggbb; empty: the next of the cycle
+  std::string colour = "";  // #rrggbb; empty: that of the series
+  int series = -1;          // 0 ... kSeriesColours - 1; -1: its place among the curves
+};
+
+// A value at a time, as "touchdown" or the peak of a curve.
+struct Mark {
+  double time = 0.0;   // [s]
+  double value = 0.0;  // in the unit of the axis
+  std::string text;
 };
 
 struct Figure {
@@ -63,6 +79,11 @@ struct Figure {
   std::string file = "../history.csv";  // from the script's folder
   bool stacked = false;                 // each curve is the upper edge of a band, the one before its lower edge
   double low = 0.0, high = 0.0;         // range of the vertical axis; equal: from the data
+  std::vector<Mark> times = {};         // vertical lines; their values do not count
+  std::vector<Mark> peaks = {};         // points
+  std::vector<Mark> limits = {};        // horizontal lines; their times do not count
+  std::string x = "time", x_axis = "time [s]";
+  bool logarithmic = false;  // both axes
 };
 
 // For a history with more rows than a picture can show, writes reduced rows to NAME.csv in `folder` for each figure, which
@@ -72,7 +93,7 @@ void reduce_long_figures(std::vector<Figure>& figures, const History& history, c
 // One script per figure and `overview.gp` with all of them on one page, in `folder`. Returns their file names. Throws
 // InputError when the folder cannot be written.
 std::vector<std::string> write_plot_scripts(const std::string& folder, const std::vector<Figure>& figures,
-                                            const std::string& title);
+                                            const std::string& title, PlotStyle style = PlotStyle::kLight);
 
 // Several figures on one page, NAME.gp in `folder`; returns its file name. Throws as write_plot_scripts.
 struct PlotPage {
@@ -80,6 +101,8 @@ struct PlotPage {
   std::vector<Figure> figures;
   int columns = 1;
   int width = 900, height = 520;  // of the page [pixels]
+  PlotStyle style = PlotStyle::kLight;
+  bool pdf = false;
 };
 std::string write_page_script(const std::string& folder, const PlotPage& page);
 

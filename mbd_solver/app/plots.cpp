@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
@@ -15,6 +16,7 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/bed/programs.h"
+#include "mbd_solver/run/output/spectra.h"
 #include "mbd_solver/run/output/summary.h"
 
 namespace footfall {
@@ -25,6 +27,8 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr double kKilo = 1e-3;
+constexpr double kEarthGravity = 9.80665;  // [m/s2]
+constexpr std::size_t kCrowded = 8;  // more curves of one unit become small multiples, if their names have numbers
 
 // factor times one column
 Formula of(const std::string& column, double factor = 1.0) { return {{{1.0, column}}, 0.0, factor}; }
@@ -63,12 +67,12 @@ std::vector<Curve> contact_curves(const History& history) {
   std::vector<Curve> curves;
   for (const Curve& z : curves_of(history, ".contact.fz", 1.0)) {
     const std::string b = z.title + ".contact.f";
-    curves.push_back({z.title, {{{1.0, b + "x"}, {1.0, b + "y"}, {1.0, b + "z"}}, 0.0, kKilo, true}});
+    curves.push_back({z.title, {{{1.0, b + "x"}, {1.0, b + "y"}, {1.0, b + "z"}}, 0.0, 1.0, true}});
   }
   return curves;
 }
 
-// Columns that start so, in kJ; parts too small to be seen are left out.
+// Columns that start so; parts too small to be seen are left out.
 std::vector<Curve> energy_curves(const History& history, const std::string& start) {
   constexpr double kVisible = 2e-3;  // of the largest
   double scale = 0.0;
@@ -78,7 +82,7 @@ std::vector<Curve> energy_curves(const History& history, const std::string& star
   }
   for (const std::string& name : history.names) {
     if (name.rfind(start, 0) == 0 && largest(history, name) > kVisible * scale)
-      curves.push_back({words_after_dot(name), of(name, kKilo)});
+      curves.push_back({words_after_dot(name), of(name)});
   }
   return curves;
 }
@@ -86,7 +90,7 @@ std::vector<Curve> energy_curves(const History& history, const std::string& star
 std::vector<Curve> dissipation_curves(const History& history) {
   std::vector<Curve> curves = energy_curves(history, "dissipated.");
   const bool grains = history.find("coupling.energy_residual") >= 0;
-  if (grains && largest(history, "work.contact") > 0.0) curves.push_back({"to the grains", of("work.contact", -kKilo)});
+  if (grains && largest(history, "work.contact") > 0.0) curves.push_back({"to the grains", of("work.contact", -1.0)});
   return curves;
 }
 
@@ -105,7 +109,7 @@ std::string with_stars_for_numbers(const std::string& name) {
 // With more series than colours: a figure for each group whose names differ only in numbers, as the primary struts of all
 // legs.
 void add_split(const Figure& figure, std::vector<Figure>& out) {
-  if (figure.curves.size() <= kSeriesColours) {
+  if (figure.curves.size() <= kCrowded) {
     out.push_back(figure);
     return;
   }
@@ -113,7 +117,7 @@ void add_split(const Figure& figure, std::vector<Figure>& out) {
   for (const Curve& curve : figure.curves) {
     const std::string group = with_stars_for_numbers(curve.title);
     const auto at = std::find_if(groups.rbegin(), groups.rend(), [&](const auto& g) { return g.first == group; });
-    if (at == groups.rend() || at->second.size() == kSeriesColours)
+    if (at == groups.rend() || at->second.size() == kCrowded)
       groups.push_back({group, {curve}});
     else
       at->second.push_back(curve);
@@ -129,31 +133,145 @@ void add_split(const Figure& figure, std::vector<Figure>& out) {
 
 }  // namespace
 
+namespace {
+
+// The axis "words [unit]" in a unit by the size of the curves, whose formulas give it in SI.
+void fit_unit(const History& history, const std::string& words, const std::string& unit, Figure& figure) {
+  double size = 0.0;
+  for (const Curve& curve : figure.curves)
+    for (const double value : curve.formula.values(history)) size = std::max(size, std::abs(value));
+  const DrawnUnit drawn = drawn_unit(unit, size);
+  for (Curve& curve : figure.curves) curve.formula.factor *= drawn.factor;
+  figure.axis = words + " [" + drawn.name + "]";
+}
+
+}  // namespace
+
 std::vector<Figure> standard_figures(const History& history, const std::string& observed) {
   const bool known = !observed.empty() && history.find(observed + ".az") >= 0;
   const std::string body = known ? observed : first_accelerated(history);
   std::vector<Figure> figures;
+  const auto add = [&](const std::string& name, const std::string& title, const std::string& words,
+                       const std::string& unit, std::vector<Curve> curves) {
+    if (curves.empty()) return;
+    Figure figure{name, title, "", std::move(curves)};
+    fit_unit(history, words, unit, figure);
+    figures.push_back(std::move(figure));
+  };
   if (!body.empty() && !history.columns.front().empty()) {
     const double start = history.column(body + ".z").front();
-    figures.push_back({"acceleration",
-                       "Acceleration of " + body,
-                       "vertical acceleration [g]",
-                       {{body, of(body + ".az", 1.0 / 9.80665)}}});
-    figures.push_back({"velocity", "Velocity of " + body, "vertical velocity [m/s]", {{body, of(body + ".vz")}}});
-    figures.push_back({"descent", "Descent of " + body, "descent [m]", {{body, {{{-1.0, body + ".z"}}, start}}}});
+    add("acceleration", "Acceleration of " + body, "vertical acceleration, Earth's", "g",
+        {{body, of(body + ".az", 1.0 / kEarthGravity)}});
+    add("velocity", "Velocity of " + body, "vertical velocity", "m/s", {{body, of(body + ".vz")}});
+    add("descent", "Descent of " + body, "descent", "m", {{body, {{{-1.0, body + ".z"}}, start}}});
   }
-  figures.push_back({"energy", "Mechanical energy and its parts", "energy [kJ]", energy_curves(history, "energy.")});
-  figures.push_back(
-      {"dissipation", "Dissipated energy and work on the grains", "energy [kJ]", dissipation_curves(history)});
-  figures.push_back(
-      {"strokes", "Strut strokes, compression positive", "stroke [m]", curves_of(history, ".stroke", 1.0)});
-  figures.push_back(
-      {"strut_forces", "Strut forces, compression positive", "force [kN]", curves_of(history, ".force", kKilo)});
-  figures.push_back({"contact_forces", "Contact forces", "force on the body [kN]", contact_curves(history)});
+  add("energy", "Mechanical energy and its parts", "energy", "J", energy_curves(history, "energy."));
+  add("dissipation", "Dissipated energy and work on the grains", "energy", "J", dissipation_curves(history));
+  add("strokes", "Strut strokes, compression positive", "stroke", "m", curves_of(history, ".stroke", 1.0));
+  add("strut_forces", "Strut forces, compression positive", "force", "N", curves_of(history, ".force", 1.0));
+  add("contact_forces", "Contact forces", "force on the body", "N", contact_curves(history));
   std::vector<Figure> split;
-  for (const Figure& figure : figures)
-    if (!figure.curves.empty()) add_split(figure, split);
+  for (const Figure& figure : figures) add_split(figure, split);
   return split;
+}
+
+namespace {
+
+// The time at which the first body touches; none for a run that begins in contact, or never touches.
+std::optional<double> touchdown_of(const History& history, const Json& summary) {
+  if (summary.contains("landing") && summary.at("landing").contains("first_contacts")) {
+    const Json& contacts = summary.at("landing").at("first_contacts");
+    if (!contacts.empty()) return contacts.front().at("time_s").get<double>();
+  }
+  std::size_t first = history.columns.front().size();
+  for (std::size_t i = 0; i < history.names.size(); ++i) {
+    if (history.names[i].find(".contact.f") == std::string::npos) continue;
+    const std::vector<double>& force = history.columns[i];
+    const auto at = std::find_if(force.begin(), force.end(), [](double f) { return f != 0.0; });
+    first = std::min(first, static_cast<std::size_t>(at - force.begin()));
+  }
+  if (first == 0 || first == history.columns.front().size()) return std::nullopt;
+  return history.column("time")[first];
+}
+
+struct ColumnLimit {
+  std::string column, text;
+  double value;  // SI
+};
+
+// Requirements of one column, "cabin.az.max" or "cabin.az.largest / g0", and the stops of struts.
+std::vector<ColumnLimit> column_limits(const Json& scene) {
+  std::vector<ColumnLimit> limits;
+  for (const Json& r : scene.value("requirements", Json::array())) {
+    std::string text = r.value("value", "");
+    text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+    double scale = 1.0;
+    if (ends_with(text, "/g0")) scale = kEarthGravity;
+    if (ends_with(text, "/deg")) scale = std::atan(1.0) / 45.0;
+    const std::string name = text.substr(0, text.find('/'));
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string::npos || name.find_first_of("+-*()^<>?") != std::string::npos) continue;
+    const std::string reduce = name.substr(dot + 1);
+    for (const char* bound : {"least", "most"}) {
+      if (!r.contains(bound) || !r.at(bound).is_number()) continue;
+      const double value = scale * r.at(bound).get<double>();
+      limits.push_back({name.substr(0, dot), r.value("name", ""), value});
+      if (reduce == "largest") limits.push_back({name.substr(0, dot), r.value("name", ""), -value});
+    }
+  }
+  for (const Json& strut : scene.value("struts", Json::array())) {
+    if (!strut.contains("stops") || !strut.at("stops").is_object()) continue;
+    for (const char* end : {"min", "max"})
+      if (strut.at("stops").contains(end) && strut.at("stops").at(end).is_number())
+        limits.push_back({strut.value("name", "") + ".stroke", "stop", strut.at("stops").at(end).get<double>()});
+  }
+  return limits;
+}
+
+// Only limits that the curves come near to: others would flatten them.
+void add_limits(const std::vector<ColumnLimit>& limits, double low, double high, Figure& figure) {
+  for (const ColumnLimit& limit : limits) {
+    for (const Curve& curve : figure.curves) {
+      const Formula& f = curve.formula;
+      if (f.is_norm || f.columns.size() != 1 || f.columns.front().second != limit.column) continue;
+      const double value = f.factor * (f.constant + f.columns.front().first * limit.value);
+      const bool near = value <= high + 0.6 * (high - low) && value >= low - 0.6 * (high - low);
+      const bool twice = std::any_of(figure.limits.begin(), figure.limits.end(), [&](const Mark& m) {
+        return std::abs(m.value - value) <= 1e-6 * std::max(std::abs(value), high - low);
+      });
+      if (near && !twice) figure.limits.push_back({0.0, value, limit.text});
+    }
+  }
+}
+
+}  // namespace
+
+void mark_figures(const History& history, const Json& summary, std::vector<Figure>& figures) {
+  if (history.columns.empty() || history.columns.front().empty()) return;
+  const std::optional<double> touchdown = touchdown_of(history, summary);
+  const std::vector<ColumnLimit> limits = column_limits(summary.value("scene", Json::object()));
+  const std::vector<double>& time = history.column("time");
+  for (Figure& figure : figures) {
+    if (touchdown) figure.times.push_back({*touchdown, 0.0, "touchdown"});
+    double low = 0.0, high = 0.0, size = 0.0;
+    Mark peak;
+    for (const Curve& curve : figure.curves) {
+      const std::vector<double> values = curve.formula.values(history);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        low = std::min(low, values[k]);
+        high = std::max(high, values[k]);
+        if (!(std::abs(values[k]) > size)) continue;
+        size = std::abs(values[k]);
+        peak = {time[k], values[k], ""};
+      }
+    }
+    const bool is_energy = figure.axis.rfind("energy", 0) == 0;
+    if (size > 0.0 && !is_energy) {
+      peak.text = number_text(peak.value, 3) + " at " + number_text(peak.time, 3) + " s";
+      figure.peaks.push_back(peak);
+    }
+    add_limits(limits, low, high, figure);
+  }
 }
 
 Figure ledger_figure(const History& ledger) {
@@ -258,12 +376,12 @@ struct Quantity {
   const char* unit;
   const char* name;
   bool grows;    // k, M, G for large values
-  bool shrinks;  // m for small ones
+  bool shrinks;  // m, µ for small ones
 };
-constexpr Quantity kQuantities[] = {{"N", "force", true, false},    {"N m", "torque", true, false},
-                                    {"J", "energy", true, false},   {"W", "power", true, false},
+constexpr Quantity kQuantities[] = {{"N", "force", true, true},     {"N m", "torque", true, true},
+                                    {"J", "energy", true, true},    {"W", "power", true, true},
                                     {"Pa", "stress", true, false},  {"m", "length", false, true},
-                                    {"m/s", "speed", false, false}, {"m/s2", "acceleration", false, false},
+                                    {"m/s", "speed", false, true},  {"m/s2", "acceleration", false, false},
                                     {"rad", "angle", false, false}, {"rad/s", "angular velocity", false, false}};
 
 const Quantity* quantity_of(const std::string& unit) {
@@ -301,7 +419,7 @@ struct Group {
   std::vector<int> colours;
 };
 
-// By the first number in the names. Empty if that does not give groups of at most eight.
+// By the first number in the names. Empty if that does not give groups of fewer series than colours.
 std::vector<Group> by_number(const Names& columns) {
   std::vector<Group> groups;
   Names roles;
@@ -320,7 +438,7 @@ std::vector<Group> by_number(const Names& columns) {
   return fit ? groups : std::vector<Group>{};
 }
 
-std::vector<Group> by_eights(const Names& columns, const std::string& title) {
+std::vector<Group> by_colours(const Names& columns, const std::string& title) {
   std::vector<Group> groups;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (i % kSeriesColours == 0) groups.push_back({title, {}, {}, {}});
@@ -361,7 +479,10 @@ DrawnUnit drawn_unit(const std::string& unit, double largest) {
     if (largest >= 1e6) return {1e-6, "M" + unit};
     if (largest >= 1e3) return {1e-3, "k" + unit};
   }
-  if (quantity && quantity->shrinks && largest > 0.0 && largest < 0.1) return {1e3, "m" + unit};
+  if (quantity && quantity->shrinks && largest > 0.0) {
+    if (largest < 1e-4) return {1e6, "µ" + unit};
+    if (largest < 0.1) return {1e3, "m" + unit};
+  }
   return {1.0, unit};
 }
 
@@ -388,8 +509,8 @@ Panels panels_of(const History& history, const Names& columns) {
     const bool is_word = ending.size() > 3;  // "force", "angle_rate", but not "az"
     const std::string what = is_word ? ending : quantity ? quantity->name : ending;
     std::vector<Group> groups;
-    if (names.size() > kSeriesColours) groups = by_number(names);
-    if (groups.empty()) groups = by_eights(names, names.size() == 1 ? names.front() : "");
+    if (names.size() > kCrowded) groups = by_number(names);
+    if (groups.empty()) groups = by_colours(names, names.size() == 1 ? names.front() : "");
     panels.multiples = panels.multiples || groups.size() > 1;
     for (Group& group : groups) {
       if (group.columns.size() > 1) shorten(group.labels, ending);
@@ -398,7 +519,7 @@ Panels panels_of(const History& history, const Names& columns) {
       figure.axis = (what.empty() ? "" : what + " ") + "[" + drawn.name + "]";
       for (std::size_t i = 0; i < group.columns.size(); ++i)
         figure.curves.push_back(
-            {group.labels[i], {{{1.0, group.columns[i]}}, 0.0, drawn.factor}, series_colour(group.colours[i])});
+            {group.labels[i], {{{1.0, group.columns[i]}}, 0.0, drawn.factor}, "", group.colours[i]});
       if (groups.size() > 1 && high > low) {
         const double margin = 0.05 * (high - low);
         figure.low = drawn.factor * (low < 0.0 ? low - margin : 0.0);
@@ -435,8 +556,9 @@ Json summary_of(const fs::path& run) {
 
 void require_picture_ending(const std::string& out) {
   const std::string ending = fs::path(out).extension().string();
-  if (!out.empty() && ending != ".png" && ending != ".svg")
-    throw InputError(code::kWrongOption, "--out " + out + ": ends with \"" + ending + "\", expected .png or .svg");
+  if (!out.empty() && ending != ".png" && ending != ".svg" && ending != ".pdf")
+    throw InputError(code::kWrongOption,
+                     "--out " + out + ": ends with \"" + ending + "\", expected .png, .svg or .pdf");
 }
 
 PlotPage page_of(const std::string& name, const std::string& title, Panels panels) {
@@ -464,24 +586,123 @@ std::vector<std::string> column_list(const History& history) {
 
 }  // namespace
 
+namespace {
+
+// The unit in which a spectrum of this column is drawn: g for accelerations.
+std::pair<double, std::string> spectrum_unit(const std::string& unit) {
+  return unit == "m/s2" ? std::pair(1.0 / kEarthGravity, std::string("g, Earth's 9.81 m/s2")) : std::pair(1.0, unit);
+}
+
+// Writes the spectra of the columns to FOLDER/NAME.csv in SI, and returns their figure.
+Figure spectrum_figure(const ColumnPlot& plot, const History& history, const Names& columns, const std::string& file,
+                       const std::string& folder, const std::string& name) {
+  const EvenTimes times = even_times(history.column("time"), file);
+  const bool shock = plot.srs > 0.0;
+  History table{{"frequency"}, {"Hz"}, {}};
+  Figure figure;
+  figure.name = name;
+  std::string unit;
+  for (const std::string& column : columns) {
+    std::vector<double> x = history.column(column);
+    x.resize(times.rows);
+    const auto window =
+        plot.psd > 0.0 ? static_cast<std::size_t>(std::lround(plot.psd / times.step)) : default_window(times.rows);
+    if (!shock && (window < 4 || window > times.rows))
+      throw InputError(code::kOutOfData, "--psd: a window of " + number_text(plot.psd, 6) +
+                                             " s, expected at least four rows and at most the run, from " +
+                                             number_text(4.0 * times.step, 4) + " to " +
+                                             number_text(times.step * static_cast<double>(times.rows), 4) + " s");
+    Spectrum spectrum = shock ? shock_response(x, times.step, plot.srs, shock_frequencies(times.step, times.rows))
+                              : power_density(x, times.step, window);
+    if (!shock) {  // the mean has no place on a logarithmic axis
+      spectrum.frequency.erase(spectrum.frequency.begin());
+      spectrum.value.erase(spectrum.value.begin());
+    }
+    const std::string own = history.units[static_cast<std::size_t>(history.find(column))];
+    if (!unit.empty() && own != unit)
+      throw InputError(code::kWrongOption, "columns in " + unit + " and in " + own +
+                                               " have no common axis of spectra; draw one kind at a time");
+    unit = own;
+    if (table.columns.empty()) table.columns.push_back(spectrum.frequency);
+    table.names.push_back(column);
+    table.units.push_back(shock ? own : "(" + own + ")2/Hz");
+    table.columns.push_back(std::move(spectrum.value));
+    const double factor = spectrum_unit(own).first;
+    figure.curves.push_back({column, of(column, shock ? factor : factor * factor)});
+  }
+  const std::string drawn = spectrum_unit(unit).second;
+  figure.axis = shock ? "largest response [" + drawn + "]" : "power density [(" + drawn + ")²/Hz]";
+  figure.title = shock ? "Shock response spectrum, Q = " + number_text(plot.srs, 4) : "Power spectral density";
+  figure.x = "frequency";
+  figure.x_axis = "frequency [Hz]";
+  figure.logarithmic = true;
+  figure.file = name + ".csv";
+  make_folder(folder);
+  write_history((fs::path(folder) / figure.file).string(), table);
+  return figure;
+}
+
+constexpr const char* kFilteredMark = "_CFC";  // of a filtered column
+
+// The history with the filtered columns added; columns: they and the measured ones.
+History with_filtered(const History& history, const ColumnPlot& plot, const std::string& file, Names& columns) {
+  const History filtered = filtered_history(history, columns, plot.cfc, file);
+  History both{{"time"}, {"s"}, {filtered.columns.front()}};
+  Names names;
+  for (std::size_t i = 1; i < filtered.names.size(); ++i) {
+    std::vector<double> measured = history.column(filtered.names[i]);
+    measured.resize(both.columns.front().size());
+    for (const bool is_filtered : {false, true}) {
+      names.push_back(filtered.names[i] + (is_filtered ? kFilteredMark + std::to_string(plot.cfc) : ""));
+      both.names.push_back(names.back());
+      both.units.push_back(filtered.units[i]);
+      both.columns.push_back(is_filtered ? filtered.columns[i] : measured);
+    }
+  }
+  columns = names;
+  return both;
+}
+
+}  // namespace
+
 std::vector<std::string> plot_columns(const ColumnPlot& plot) {
   const fs::path run(plot.run);
-  if (!fs::exists(run / "history.csv"))
-    throw InputError(code::kNoRun, plot.run + ": no history.csv; expected the folder of a run");
+  const std::string file = (run / "history.csv").string();
+  if (!fs::exists(file)) throw InputError(code::kNoRun, plot.run + ": no history.csv; expected the folder of a run");
   require_picture_ending(plot.out);
   guard_folder(plot.run);
-  const History history = read_history((run / "history.csv").string());
+  History history = read_history(file);
   if (plot.columns.empty()) return column_list(history);
   if (history.columns.front().size() < 2)
-    throw InputError(code::kNoRun, plot.run + "/history.csv: fewer than two rows, nothing to draw yet");
+    throw InputError(code::kNoRun, file + ": fewer than two rows, nothing to draw yet");
   const Json summary = summary_of(run);
   const Json scene = summary.value("scene", Json::object());
-  const std::vector<std::string> columns = chosen_columns(history, scene, plot.columns);
+  Names columns = chosen_columns(history, scene, plot.columns);
 
-  const std::string title = plot.title.empty() ? scene.value("title", "") : plot.title;
-  PlotPage page = page_of(file_name(plot.columns), title, panels_of(history, columns));
   const fs::path plots = run / "plots";
-  reduce_long_figures(page.figures, history, plots.string());
+  const std::string title = plot.title.empty() ? scene.value("title", "") : plot.title;
+  std::string name = file_name(plot.columns);
+  PlotPage page;
+  if (plot.srs > 0.0 || plot.psd >= 0.0) {
+    name += plot.srs > 0.0 ? "_srs" : "_psd";
+    Panels panels;
+    panels.figures = {spectrum_figure(plot, history, columns, file, plots.string(), name)};
+    page = page_of(name, title, std::move(panels));
+  } else {
+    if (plot.cfc > 0) {
+      history = with_filtered(history, plot, file, columns);
+      name += kFilteredMark + std::to_string(plot.cfc);
+      make_folder(plots.string());
+      write_history((plots / (name + ".csv")).string(), history);
+    }
+    page = page_of(name, title, panels_of(history, columns));
+    if (plot.cfc > 0)
+      for (Figure& figure : page.figures) figure.file = name + ".csv";
+    mark_figures(history, summary, page.figures);
+    reduce_long_figures(page.figures, history, plots.string());
+  }
+  page.style = plot.style;
+  page.pdf = fs::path(plot.out).extension() == ".pdf";
   const std::string script = write_page_script(plots.string(), page);
   const std::string picture = run_gnuplot(plots.string(), {script}).front();
   if (plot.out.empty()) return {short_path(picture), short_path(fs::path(picture).replace_extension(".svg").string())};

@@ -15,6 +15,10 @@ namespace footfall {
 // monitored body; empty: the first one with an acceleration.
 std::vector<Figure> standard_figures(const History& history, const std::string& observed);
 
+// Marks touchdown, the peak of each figure, and limits near the curves: requirements of one column, and stops of struts. summary:
+// of the run; may be empty.
+void mark_figures(const History& history, const nlohmann::ordered_json& summary, std::vector<Figure>& figures);
+
 // The energy balance by part, as bands whose sum is constant; parts too small to be seen are left out. `ledger`: as
 // energy_ledger returns it.
 Figure ledger_figure(const History& ledger);
@@ -29,10 +33,9 @@ Figure ledger_figure(const History& ledger);
 std::vector<std::string> chosen_columns(const History& history, const nlohmann::ordered_json& scene,
                                         const std::vector<std::string>& words);
 
-// One unit and at most eight series per panel. More than eight series of one unit become small multiples with one scale: by
-// the first number in their names (leg_1, leg_2, ...), with the same colour for the same rest of the name; otherwise eight
-// per panel. Large forces, torques, energies, powers and stresses are drawn in kN ... GPa, small lengths in mm. The panels
-// read ../history.csv.
+// One unit and at most fourteen series per panel. More than eight series of one unit become small multiples with one scale: by
+// the first number in their names (leg_1, leg_2, ...), with the same colour for the same rest of the name; otherwise fourteen
+// per panel. Units are chosen by size (kN ... GPa, mm, µJ). The panels read ../history.csv.
 struct Panels {
   std::vector<Figure> figures;
   bool multiples = false;  // some of them are small multiples
@@ -49,8 +52,12 @@ DrawnUnit drawn_unit(const std::string& unit, double largest);
 struct ColumnPlot {
   std::string run;                   // folder of a run
   std::vector<std::string> columns;  // words for chosen_columns; none: list the columns
-  std::string out;                   // .png or .svg; empty: both, in DIR/plots, named by the words
+  std::string out;                   // .png, .svg or .pdf; empty: the first two, in DIR/plots, named by the words
   std::string title;                 // empty: that of the scene
+  double srs = 0.0;                  // quality Q: shock response spectra instead; 0: none
+  double psd = -1.0;                 // window [s]: power densities instead; 0: an eighth of the run; below: none
+  int cfc = 0;                       // channel frequency class: filtered columns as well; 0: none
+  PlotStyle style = PlotStyle::kLight;
 };
 
 // footfall plot: draws columns and returns the pictures, or without columns the names of all. Throws InputError when the

@@ -36,7 +36,11 @@ constexpr const char* kSheet =
     "pre{background:#f6f6f4;padding:.8em;overflow-x:auto;font-size:12.5px;line-height:1.4}mark{background:#ffe9a8}"
     "figure{margin:1.2em 0}figure img{max-width:100%}figcaption{color:#666}.warning{background:#fff0e0;border-left:4px "
     "solid #d55e00;padding:.4em .8em}"
-    "nav a{margin-right:1em}summary{cursor:pointer}";
+    "nav a{margin-right:1em}summary{cursor:pointer}h3{margin:1.4em 0 .2em}"
+    "tr.missed td{background:#fbdcd8;color:#8c1209;font-weight:600}tr.open td{background:#fff0e0}"
+    "tr.met td:last-child{color:#136b2b}"
+    "@media print{body{max-width:none;margin:0;font-size:10pt}nav,details{display:none}h2{break-after:avoid}"
+    "table,figure{break-inside:avoid}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}}";
 
 // Begins with a number, as "12.5" and "3.2 %".
 bool is_number(const std::string& text) {
@@ -66,6 +70,8 @@ void HtmlPage::section(const std::string& heading) {
   body_ += "<h2 id=\"" + id + "\">" + html_text(heading) + "</h2>\n";
 }
 
+void HtmlPage::subsection(const std::string& heading) { body_ += "<h3>" + html_text(heading) + "</h3>\n"; }
+
 void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + html_text(text) + "</p>\n"; }
 
 void HtmlPage::warning(const std::string& text) { body_ += "<p class=\"warning\">" + html_text(text) + "</p>\n"; }
@@ -76,11 +82,12 @@ void HtmlPage::link(const std::string& file, const std::string& label, const std
 
 void HtmlPage::plots(const std::string& elements) { body_ += "<div id=\"footfall-plots\"></div>\n" + elements; }
 
-void HtmlPage::table(const std::vector<std::vector<std::string>>& rows, bool head) {
+void HtmlPage::table(const std::vector<std::vector<std::string>>& rows, bool head,
+                     const std::vector<std::string>& classes) {
   body_ += "<table>\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string cell = head && i == 0 ? "th" : "td";
-    body_ += "<tr>";
+    body_ += i < classes.size() && !classes[i].empty() ? "<tr class=\"" + classes[i] + "\">" : "<tr>";
     for (const std::string& text : rows[i])
       body_ += "<" + cell + (cell == "td" && is_number(text) ? " class=\"n\"" : "") + ">" + html_text(text) + "</" +
                cell + ">";
@@ -262,11 +269,11 @@ void show_summary(const Json& summary, HtmlPage& page) {
                     descent = "Largest distance below its start, " + monitored + ".";
   Rows rows = {{"metric", "value", "unit", "meaning"}};
   add_metric(summary, "simulated time", "end_time_s", 1.0, "s", rows, "End time of the run.");
-  add_metric(summary, "peak acceleration", "peak_acceleration_g", 1.0, "g", rows, peak.c_str());
+  add_metric(summary, "peak acceleration", "peak_acceleration_g", 1.0, "g (Earth's, 9.80665 m/s2)", rows, peak.c_str());
   add_metric(summary, "largest descent", "max_descent_m", 1.0, "m", rows, descent.c_str());
   add_metric(summary, "largest depth below the ground", "max_penetration_m", 1.0, "m", rows,
              "Of the lowest point of a coupled surface.");
-  add_metric(summary, "largest contact force on one body", "max_contact_force_N", 1e-3, "kN", rows,
+  add_metric(summary, "largest contact force on one body", "max_contact_force_N", 1.0, "N", rows,
              "Sum over all grains, mean over a window; on a plane at one instant.");
   add_metric(summary, "grains", "particles", 1.0, "", rows, "In the bed at the end.");
   add_metric(summary, "steps of the mechanism", "steps", 1.0, "", rows, "Accepted steps of the time integration.");
@@ -369,6 +376,7 @@ std::string run_page(const std::string& run) {
   const std::string title = summary.contains("scene") ? summary.at("scene").value("title", "") : "";
   HtmlPage page(title.empty() ? folder.filename().string() : title);
   page.paragraph("Run " + folder.string());
+  show_sheet(run, summary, page);
   show_warnings(summary, page);
   show_view(folder, page);
   show_summary(summary, page);
@@ -398,6 +406,18 @@ Rows csv_rows(const fs::path& file) {
 std::string sweep_page(const fs::path& folder) {
   HtmlPage page("Sweep " + folder.filename().string());
   page.paragraph("Sweep " + folder.string());
+  NamedSummaries judged;
+  std::vector<fs::path> runs;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().filename() == "summary.json") runs.push_back(entry.path().parent_path());
+  std::sort(runs.begin(), runs.end());
+  for (const fs::path& run : runs) {
+    try {
+      judged.emplace_back(fs::relative(run, folder).string(), read_summary((run / "summary.json").string()));
+    } catch (const InputError&) {  // told in the table of runs
+    }
+  }
+  show_worst_cases(judged, page);
   for (const auto& [name, heading] :
        {std::pair<const char*, const char*>{"cases.csv", "Cases: means over ensembles"}, {"runs.csv", "Runs"}}) {
     if (!fs::exists(folder / name)) continue;
@@ -408,10 +428,6 @@ std::string sweep_page(const fs::path& folder) {
   show_pictures((folder / "plots").string(), "Plots", page);
   Rows rows = {
       {"run", "status", "energy balance [%]", "interface [%]", "largest overlap [% of radius]", "wall time [s]"}};
-  std::vector<fs::path> runs;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (entry.path().filename() == "summary.json") runs.push_back(entry.path().parent_path());
-  std::sort(runs.begin(), runs.end());
   Json last;
   for (const fs::path& run : runs) {
     try {

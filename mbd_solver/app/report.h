@@ -2,7 +2,9 @@
 // footfall report: one HTML page about a run or a sweep, which needs neither network nor other files; and the page itself,
 // for others that write one.
 
+#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace footfall {
@@ -14,13 +16,15 @@ class HtmlPage {
 
   // Texts are plain; characters with a meaning in HTML are escaped here.
   void section(const std::string& heading);  // also an entry of the contents
+  void subsection(const std::string& heading);
   void paragraph(const std::string& text);
   void warning(const std::string& text);
   void link(const std::string& file, const std::string& label, const std::string& text);  // "label: text"
   // Interactive plots: PageParts::elements, and the place that their script fills.
   void plots(const std::string& elements);
-  // `head`: the first row is the head. Numbers are aligned to the right.
-  void table(const std::vector<std::vector<std::string>>& rows, bool head = true);
+  // `head`: the first row is the head. Numbers are aligned to the right. classes, one per row or none: met, missed, open.
+  void table(const std::vector<std::vector<std::string>>& rows, bool head = true,
+             const std::vector<std::string>& classes = {});
   void preformatted(const std::string& text);
   // Folded until clicked. Lines that contain one of `marks` are marked.
   void folded(const std::string& label, const std::string& text, const std::vector<std::string>& marks = {});
@@ -38,6 +42,24 @@ class HtmlPage {
 };
 
 std::string base64(const std::string& bytes);
+
+// ---- the sheet of a design review (review_sheet.cpp): printed after a run, and first on the page ----
+
+// All requirements of this summary.json are met; also without any.
+bool requirements_met(const nlohmann::ordered_json& summary);
+
+// One line per requirement: "name: 3.2 g, at most 5 g: met, margin 1.8 g (36 %)".
+std::vector<std::string> requirement_lines(const nlohmann::ordered_json& summary);
+
+// A number with its unit, of a size that can be read: 1234.5, "N" -> "1.234 kN".
+std::string readable(double value, const std::string& unit);
+
+// The sections of the sheet for the run in `folder`.
+void show_sheet(const std::string& folder, const nlohmann::ordered_json& summary, HtmlPage& page);
+
+// Of many runs, by name: per requirement the worst case, and how many runs meet it.
+using NamedSummaries = std::vector<std::pair<std::string, nlohmann::ordered_json>>;
+void show_worst_cases(const NamedSummaries& runs, HtmlPage& page);
 
 // Writes DIR/report.html and returns its path; makes ledger.csv, plots and view.html where the run lacks them. Throws
 // InputError for a folder that is neither a run nor a sweep, or damaged files.

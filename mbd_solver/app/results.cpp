@@ -1,9 +1,12 @@
 // The balance sums columns of history.csv and grains_energy.txt at common times; the rest prints and plots what is there.
 #include "mbd_solver/app/results.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -13,6 +16,7 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/plots.h"
+#include "mbd_solver/app/report.h"
 #include "mbd_solver/model/laws/strut_law.h"
 #include "mbd_solver/run/output/summary.h"
 
@@ -161,6 +165,11 @@ void row(const Json& summary, const char* label, const char* key, double factor,
   std::printf("\n");
 }
 
+void row_by_size(const Json& summary, const char* label, const char* key, const std::string& unit) {
+  if (!summary.contains(key) || !summary[key].is_number()) return;
+  std::printf("  %-38s %s\n", label, readable(summary[key].get<double>(), unit).c_str());
+}
+
 bool touches_ground(const Json& summary) {
   for (const Json& part : summary.value("active", Json::array())) {
     if (part == "plane" || part == "particles") return true;
@@ -181,6 +190,17 @@ void print_times(const Json& summary) {
   std::printf("\n");
 }
 
+// Red where they are missed, on a terminal.
+void print_requirements(const Json& summary) {
+  if (!summary.contains("requirements")) return;
+  const bool colours = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
+  const std::vector<std::string> lines = requirement_lines(summary);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool red = colours && summary.at("requirements").at(i).value("verdict", "") != "met";
+    std::printf("  requirement %s%s%s\n", red ? "\033[1;31m" : "", lines[i].c_str(), red ? "\033[0m" : "");
+  }
+}
+
 }  // namespace
 
 void warn_missing_file(const std::string& file, const std::exception& error) {
@@ -195,18 +215,18 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
   if (summary.contains("reason")) std::printf(": %s", summary.at("reason").get<std::string>().c_str());
   std::printf("\n");
   row(summary, "simulated time", "end_time_s", 1.0, "%.4g s");
-  row(summary, "peak acceleration", "peak_acceleration_g", 1.0, "%.2f g");
-  row(summary, "largest descent", "max_descent_m", 1.0, "%.3f m");
+  row(summary, "peak acceleration", "peak_acceleration_g", 1.0, "%.4g g (Earth's, 9.80665 m/s2)");
+  row_by_size(summary, "largest descent", "max_descent_m", "m");
   if (touches_ground(summary)) {
-    row(summary, "largest depth below the ground", "max_penetration_m", 1.0, "%.3f m");
-    row(summary, "largest contact force on one body", "max_contact_force_N", 1e-3, "%.2f kN");
+    row_by_size(summary, "largest depth below the ground", "max_penetration_m", "m");
+    row_by_size(summary, "largest contact force on one body", "max_contact_force_N", "N");
   }
   row(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "%.4f %% of the energy exchanged");
   row(summary, "energy error of the interface", "coupling_energy_residual_relative", 100.0,
       "%.3f %% of the energy exchanged");
   if (summary.contains("ledger")) {
-    row(summary.at("ledger"), "energy given to the grains", "energy_to_grains_J", 1e-3, "%.3f kJ");
-    row(summary.at("ledger"), "dissipated by the grains", "grains_dissipated_J", 1e-3, "%.3f kJ");
+    row_by_size(summary.at("ledger"), "energy given to the grains", "energy_to_grains_J", "J");
+    row_by_size(summary.at("ledger"), "dissipated by the grains", "grains_dissipated_J", "J");
   }
   row(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "%.2f %% of its radius");
   row(summary, "grains", "particles", 1.0, "%.0f");
@@ -217,6 +237,7 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
   row(summary, "steps", "steps", 1.0, "%.0f");
   row(summary, "windows", "windows", 1.0, "%.0f");
   print_times(summary);
+  print_requirements(summary);
   if (summary.contains("warnings")) {
     for (const Json& warning : summary.at("warnings"))
       std::printf("  warning: %s\n", warning.get<std::string>().c_str());
@@ -269,6 +290,7 @@ std::vector<std::string> make_pictures(const std::string& out) {
     const std::string title = summary.contains("scene") ? summary.at("scene").value("title", "") : "";
     const History history = read_history((fs::path(out) / "history.csv").string());
     std::vector<Figure> figures = standard_figures(history, summary.value("observed_body", ""));
+    mark_figures(history, summary, figures);
     reduce_long_figures(figures, history, plots.string());
     const fs::path ledger = fs::path(out) / "ledger.csv";
     if (fs::exists(ledger)) {

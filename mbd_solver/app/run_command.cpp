@@ -20,6 +20,7 @@
 #include "mbd_solver/app/check_command.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/paraview_files.h"
+#include "mbd_solver/app/report.h"
 #include "mbd_solver/app/results.h"
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_frames.h"
@@ -96,6 +97,19 @@ void correct_summary(const std::string& out, const std::string& status, int code
   write_summary(file, summary);
 }
 
+// The exit code of a run that is done; names the requirements that are not met.
+int judge_requirements(const std::string& out) {
+  const nlohmann::ordered_json summary =
+      with_summary_of(out, [&] { return read_summary((fs::path(out) / "summary.json").string()); });
+  if (requirements_met(summary)) return kExitDone;
+  const std::vector<std::string> lines = requirement_lines(summary);
+  std::string missed;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (summary.at("requirements").at(i).value("verdict", "") != "met") missed += "\n  " + lines[i];
+  print_error(code::kRequirementsMissed, out + ": the run is done, and not all requirements are met:" + missed);
+  return kExitRequirements;
+}
+
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
@@ -160,7 +174,8 @@ int run_command(const RunArguments& arguments) {
   if (!status.empty() && scene.output.plots) pictures = make_pictures(out);
   if (!status.empty() && !arguments.quiet) print_results(out, pictures);
   signals.ignore();
-  return code;
+  if (code != kExitDone) return code;
+  return judge_requirements(out);
 }
 
 namespace {

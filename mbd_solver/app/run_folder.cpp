@@ -42,7 +42,7 @@ constexpr const char* kOfPictures[] = {"pictures", "plots"};
 // NAME.png directly in the folder.
 bool is_picture_in(const std::string& folder, const std::string& name) {
   if (!begins(name, folder + "/") || name.find('/', folder.size() + 1) != std::string::npos) return false;
-  for (const char* ending : {".dat", ".gp", ".png", ".rgb", ".svg"})
+  for (const char* ending : {".dat", ".gp", ".pdf", ".png", ".rgb", ".svg"})
     if (ends_with(name, ending)) return true;
   return false;
 }

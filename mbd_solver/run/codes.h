@@ -30,6 +30,12 @@ inline constexpr MessageCode kNoValidCheckpoint{"E0669", "no-valid-checkpoint"};
 // Events of two states follow each other faster than the motion changes. Give their conditions a hysteresis or a period.
 inline constexpr MessageCode kEventChatter{"E0670", "event-chatter"};
 
+// The pads of [landing] span no area between which the lander could stand. Name at least three bodies or points.
+inline constexpr MessageCode kLandingPads{"E0671", "landing-pads"};
+
+// A requirement reads a name that no run of the scene has. Use a key of summary.json, or a recorded column with .max ... .final.
+inline constexpr MessageCode kRequirementName{"E0672", "requirement-name"};
+
 // Two surfaces overlap at the start; collisions between them are not detected. Move them apart if this is not intended.
 inline constexpr MessageCode kOverlapAtStart{"W0660", "overlap-at-start"};
 // The mechanism was settled into static equilibrium before the run. Check the distance that is reported.
@@ -62,5 +68,8 @@ inline constexpr MessageCode kSummaryDamaged{"E0684", "summary-damaged"};
 inline constexpr MessageCode kPictureDamaged{"E0685", "picture-damaged"};
 // An expression reads a name that does not exist. Use a column of history.csv, signal.NAME, state.NAME or time.
 inline constexpr MessageCode kNoSuchQuantity{"E0686", "no-such-quantity"};
+
+// The rows of a history are uneven in time, too few or too rare for a spectrum or a filter. Run again with another output.interval.
+inline constexpr MessageCode kRowsForSpectrum{"E0687", "rows-for-spectrum"};
 
 }  // namespace footfall::code

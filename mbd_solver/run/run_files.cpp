@@ -30,6 +30,7 @@ RunFiles::RunFiles(const Simulation& simulation, const std::string& folder, Begi
       observation_(simulation.subject()),
       history_(folder_ + "history.csv", observation_.names(), observation_.units(), beginning),
       peaks_(observation_.names(), observation_.units()),
+      requirements_(simulation.scene(), observation_.names()),
       pictures_(folder, "bodies"),
       row_clock_(simulation.scene().output.interval, 0.0),
       picture_clock_(picture_interval(simulation.scene()), 0.0) {
@@ -63,16 +64,29 @@ void RunFiles::write_row(const Sample& sample) {
   with_file_error([&] { write_due_row(sample); });
 }
 
+const std::vector<double>& RunFiles::see_row(const Sample& sample) {
+  const std::vector<double>& row = observation_.row(sample);
+  peaks_.see(row);
+  requirements_.see(row);
+  return row;
+}
+
 void RunFiles::observe(const Sample& sample) {
-  if (sample.coupling == nullptr || observation_.flexible().count() == 0) peaks_.see(observation_.row(sample));
+  if (sample.coupling == nullptr || observation_.flexible().count() == 0) {
+    see_row(sample);
+  } else {
+    observation_.watch(sample);
+  }
 }
 
 void RunFiles::write_due_row(const Sample& sample) {
   const bool due = row_clock_.take_turn(sample.state.time) || sample.last;
   // With grains, stresses of every window would delay the grains.
-  if (!due && sample.coupling != nullptr && observation_.flexible().count() > 0) return;
-  const std::vector<double>& row = observation_.row(sample);
-  peaks_.see(row);
+  if (!due && sample.coupling != nullptr && observation_.flexible().count() > 0) {
+    observation_.watch(sample);
+    return;
+  }
+  const std::vector<double>& row = see_row(sample);
   if (due) history_.write(row);
 }
 
@@ -95,6 +109,7 @@ void RunFiles::visit(Archive& archive) {
   archive("picture_clock", picture_clock_);
   archive("observation", observation_);
   archive("peaks", peaks_);
+  archive("requirements", requirements_);
   long position = archive.restores() ? 0 : history_.position();
   archive("history", position);
   if (archive.restores()) history_.resume_at(position);

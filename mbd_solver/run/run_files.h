@@ -8,6 +8,7 @@
 #include "mbd_solver/run/observe/drawing.h"
 #include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/observe/records.h"
+#include "mbd_solver/run/observe/requirements.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/peaks.h"
 #include "mbd_solver/run/output/vtk_writer.h"
@@ -27,8 +28,10 @@ class RunFiles {
   void flush();                          // writes the peaks so far; throws InputError when a file is not complete
   void visit(Archive& archive);
   const Observation& observation() const { return observation_; }
+  const Requirements& requirements() const { return requirements_; }
 
  private:
+  const std::vector<double>& see_row(const Sample& sample);  // for peaks and requirements
   void write_due(const Sample& sample);
   void write_due_row(const Sample& sample);
 
@@ -36,6 +39,7 @@ class RunFiles {
   Observation observation_;
   HistoryWriter history_;
   Peaks peaks_;
+  Requirements requirements_;
   std::optional<MotionRecord> motion_;   // none without grains
   std::optional<MomentumRecord> audit_;  // only if the environment requires it (coupler/programs.h)
   std::optional<Drawing> drawing_;       // none without output.vtk, or when no body can be drawn

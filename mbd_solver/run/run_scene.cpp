@@ -190,6 +190,7 @@ class RunSession {
     as_file_error([&] {
       auto summary = run_summary(simulation_, metrics_, files_.observation(), status, reason, options_.mpi_version);
       if (trial_.active()) summary["trial"] = trial_.marks();
+      files_.requirements().judge(summary);
       write_summary(options_.out + "/summary.json", summary);
     });
   }

@@ -46,6 +46,33 @@ void add_flexible_bodies(const FlexibleBodies& flexible, Json& json) {
   }
 }
 
+void add_landing(const LandingWatch& landing, const std::vector<LandingPointSpec>& points, Json& json) {
+  json["stability_distance_m"] = landing.least_distance().value;
+  json["stability_distance_time_s"] = landing.least_distance().time;
+  json["tip_energy_margin_J"] = landing.least_margin().value;
+  json["tip_energy_margin_time_s"] = landing.least_margin().time;
+  json["tipped"] = landing.tipped() ? 1 : 0;
+  json["max_tilt_rad"] = landing.largest_tilt().value;
+  json["max_tilt_time_s"] = landing.largest_tilt().time;
+  json["final_tilt_rad"] = landing.now().tilt;
+  json["slid_distance_m"] = landing.now().slid;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    json["clearance_" + points[k].name + "_m"] = landing.least_clearance(k).value;
+    json["clearance_" + points[k].name + "_time_s"] = landing.least_clearance(k).time;
+  }
+  const std::vector<LandingWatch::First> contacts = landing.first_contacts(), stops = landing.struts_at_stops();
+  json["pads_touched"] = contacts.size();
+  json["struts_at_stops"] = stops.size();
+  Json& told = json["landing"];
+  told["base"] = landing.base();
+  told["pads"] = landing.pads();
+  for (const auto& [key, firsts] : {std::pair{"first_contacts", &contacts}, std::pair{"struts_at_stops", &stops}}) {
+    told[key] = Json::array();
+    for (const LandingWatch::First& first : *firsts)
+      told[key].push_back({{"name", first.name}, {"time_s", first.time}});
+  }
+}
+
 void add_coupling(const CoupledRun& coupled, double energy_flow, Json& json) {
   const CouplingWatch& watch = coupled.watch();
   json["coupling_energy_residual_relative"] = energy_flow > 0.0 ? watch.largest_energy_residual() / energy_flow : 0.0;
@@ -129,6 +156,8 @@ Json run_summary(const Simulation& simulation, const MetricRecorder& recorder, c
   json["max_contact_force_N"] = metrics.max_contact_force.value;
   json["max_contact_force_time_s"] = metrics.max_contact_force.time;
   add_creep(simulation.scene(), json);
+  if (const LandingWatch* const landing = observation.landing())
+    add_landing(*landing, simulation.scene().landing->points, json);
   json["reference_energy_J"] = metrics.reference_energy;
   json["energy_flow_J"] = metrics.energy_flow;
   json["energy_balance_relative"] = metrics.energy_balance_relative();

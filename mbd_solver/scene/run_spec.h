@@ -34,6 +34,11 @@ struct InitialJointSpec {
   const std::optional<double>& value(Coordinate coordinate) const;
 };
 
+// Which bodies [initial] places and moves; the others are in W as they are drawn, at rest: rocks, ramps.
+struct InitialGroupsSpec {
+  std::vector<std::string> moving, still;  // one of the two; the other bodies are in the other group
+};
+
 // Places the frame D in W: turned about the total mass centre by R_WD = Rz(yaw) Ry(pitch) Rx(roll), moved by
 // position, then up or down to the clearance. Points fixed to the ground by joints, struts or springs are given in D and
 // placed with it.
@@ -46,8 +51,9 @@ struct InitialSpec {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // about it [rad/s]
   std::vector<BodyVelocitySpec> bodies;
   std::vector<InitialJointSpec> joints;
-  bool settle = false;        // the run starts from the equilibrium under its loads; not with grains
-  double largest_gap = 1e-6;  // between the points of a joint, closed before the start [m]
+  std::optional<InitialGroupsSpec> groups;  // none: all bodies move
+  bool settle = false;                      // the run starts from the equilibrium under its loads; not with grains
+  double largest_gap = 1e-6;                // between the points of a joint, closed before the start [m]
 };
 
 enum class ControllerKind { kConstant, kFuzzy, kSkyhook, kPid };
@@ -127,6 +133,38 @@ struct OutputSpec {
   double vtk_interval = 0.0;         // [s]; 0: a hundredth of the scene's time
   bool plots = true;                 // gnuplot pictures at the end of `footfall run`
   double checkpoint_interval = 0.0;  // [s]; 0: only when interrupted
+};
+
+// A point whose clearance is told, and that may be a pad.
+struct LandingPointSpec {
+  Source source;
+  std::string name;
+  std::string body;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // in D [m]
+};
+
+// What is told of a landing: stability, slid distance, clearances (run/observe/landing.h).
+struct LandingSpec {
+  Source source;
+  std::string base;               // whose tilt is told; empty: the heaviest body
+  std::vector<std::string> pads;  // bodies with a boundary, or points; empty: all such bodies joined to the base
+  std::optional<Eigen::Vector3d>
+      axis;  // of the base, upwards, in D; not given: the coordinate axis nearest to the vertical
+  std::vector<LandingPointSpec> points;
+};
+
+// How a requirement gets one number from an expression that has a value at each instant.
+enum class Reduce { kMax, kMin, kLargest, kFinal };
+constexpr std::string_view name_of(Reduce kind) { return name_in(kind, "max", "min", "largest", "final"); }
+
+// A bound that the results of a run must keep (run/observe/requirements.h).
+struct RequirementSpec {
+  Source source;
+  std::string name;
+  std::string value;                  // expression of keys of summary.json and columns of history.csv
+  std::optional<Reduce> reduce;       // over all instants; not given: columns are read as COLUMN.max, COLUMN.final ...
+  std::string unit;                   // of the value: a label, nothing is converted
+  std::optional<double> least, most;  // [unit]; at least one
 };
 
 // Signals, states and events of a scene: what is measured and computed during a run.

@@ -60,6 +60,8 @@ struct Scene {
   SolverSpec solver;
   CouplingSpec coupling;
   OutputSpec output;
+  std::vector<RequirementSpec> requirements;
+  std::optional<LandingSpec> landing;  // none: columns and figures of landings are not computed
 
   // By name; null where there is none.
   const BodySpec* body(const std::string& name) const;

@@ -7,6 +7,7 @@
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/control/signal_chain.h"
 #include "mbd_solver/model/laws/curves.h"
 #include "mbd_solver/scene/scene_check.h"
 
@@ -166,9 +167,50 @@ void check_scene(const Scene& scene, Findings& findings) {
   check_springs(scene, findings);
   check_forces(scene, findings);
   check_contact(scene, findings);
+  check_landing(scene, findings);
+  check_requirements(scene, findings);
   check_limits(scene, findings);
   if (!findings.has_errors()) check_plausible(scene, findings);
   if (scene.particles && scene.touches_particles()) check_script(scene, findings);
+}
+
+void check_landing(const Scene& scene, Findings& findings) {
+  if (!scene.landing) return;
+  const LandingSpec& landing = *scene.landing;
+  const EntryFindings at(findings, landing.source);
+  check_unique_names(landing.points, "point", findings);
+  for (const LandingPointSpec& point : landing.points)
+    check_body_name(scene, {findings, point.source}, "body", point.body);
+  check_body_name(scene, at, "base", landing.base);
+  const std::vector<std::string> points = names_in(landing.points), bodies = boundary_names(scene);
+  std::vector<std::string> known = points;
+  known.insert(known.end(), bodies.begin(), bodies.end());
+  std::unordered_set<std::string> seen;
+  for (const std::string& pad : landing.pads) {
+    at.error_if(!is_in(known, pad), kUnknownBody, "pads",
+                "\"" + pad + "\" is neither a body with a boundary nor a point of [[landing.points]]." +
+                    known_names("pads", pad, known));
+    at.error_if(!seen.insert(pad).second, kListedTwice, "pads", "names \"" + pad + "\" twice; name each pad once");
+  }
+  at.error_if(scene.ground.kind == GroundKind::kNone, kNeedsOtherKey, "",
+              "tells of heights above a ground, which this scene does not have; add [ground], or remove [landing]");
+  at.error_if(scene.gravity.isZero(0.0), kNeedsOtherKey, "",
+              "tells of tipping over, which needs gravity; give gravity, or remove [landing]");
+}
+
+void check_requirements(const Scene& scene, Findings& findings) {
+  check_unique_names(scene.requirements, "requirement", findings);
+  for (const RequirementSpec& r : scene.requirements) {
+    const EntryFindings at(findings, r.source);
+    at.missing_if(!r.least && !r.most, "most", "a requirement needs least, most, or both");
+    at.error_if(r.least && r.most && *r.least > *r.most, kOutOfRange, "least",
+                "is " + number_text(*r.least) + ", more than most = " + number_text(*r.most) + "; no value is between");
+    try {
+      Expression::names_in(r.value);
+    } catch (const InputError& error) {
+      findings.coded_error(r.source, "value", error.what());
+    }
+  }
 }
 
 // Sizes and counts that would need memory or time beyond reason: mostly mistakes in a unit, reported before they cost it.

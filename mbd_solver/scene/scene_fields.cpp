@@ -45,6 +45,8 @@ void visit_fields(FieldVisitor& v, Scene& s) {
   v.section("solver", s.solver);
   v.section("coupling", s.coupling);
   v.section("output", s.output);
+  v.section("landing", s.landing);
+  v.list("requirements", s.requirements);
 }
 
 // The keys of materials and bodies.
@@ -521,6 +523,28 @@ static void visit_fields(FieldVisitor& v, CouplingSpec& c) {
   v.field("max_energy_residual", &c.max_energy_residual, positive());
   v.field("stop_on_chatter", &c.stop_on_chatter, plain);
   v.field("timeout", &c.timeout, positive(Unit::kTime));
+}
+
+static void visit_fields(FieldVisitor& v, LandingPointSpec& p) {
+  v.entry(p.source, p.name);
+  v.field("body", &p.body, required(name));
+  v.field("point", &p.point, required(point));
+}
+
+static void visit_fields(FieldVisitor& v, LandingSpec& l) {
+  v.field("", &l.source, {});
+  v.fields(name, {{"base", &l.base}, {"pads", &l.pads}});
+  v.field("axis", &l.axis, direction);
+  v.list("points", l.points);
+}
+
+static void visit_fields(FieldVisitor& v, RequirementSpec& r) {
+  v.field("", &r.source, {});
+  v.field("name", &r.name, required());
+  v.field("value", &r.value, required());
+  v.choice("reduce", r.reduce, "none");
+  v.field("unit", &r.unit, plain);
+  v.fields(plain, {{"least", &r.least}, {"most", &r.most}});
 }
 
 static void visit_fields(FieldVisitor& v, OutputSpec& o) {

@@ -383,7 +383,7 @@ Row draw_calibration(const CalibrationSpec& spec, const CalibrationOutcome& outc
                  num(distance(outcome.best->targets[t])), num(distance(outcome.confirmed->targets[t]))});
   const auto drawn = [&](const std::string& name, const Table& table, int height, const std::string& drawing) {
     write_whole_file((fs::path(folder) / (name + ".csv")).string(), table.csv());
-    return write_drawing(folder, name, {1000, height}, kCsv,
+    return write_drawing(folder, name, {1000, height}, csv_setup(),
                          "unset logscale\nset autoscale\nunset ylabel\nset ytics noenhanced\nset grid\n" + drawing);
   };
   const auto rows = [](std::size_t count) {

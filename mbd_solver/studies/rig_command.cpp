@@ -126,7 +126,8 @@ std::string draw_curves(const Rig& rig, const RigVariant& own, const std::string
                               gnuplot_text(rig.x_label) + " noenhanced\nset ylabel " + gnuplot_text(rig.y_label) +
                               " noenhanced\nset key outside below noenhanced\nplot " + joined(lines, ", ") + "\n";
   try {
-    return joined(run_gnuplot(folder, {write_drawing(folder, rig.name, {900, 620}, kCsv, drawing)}), "\n") + "\n";
+    return joined(run_gnuplot(folder, {write_drawing(folder, rig.name, {900, 620}, csv_setup(), drawing)}), "\n") +
+           "\n";
   } catch (const InputError& e) {
     warn_missing_file("picture", e);
     return "";

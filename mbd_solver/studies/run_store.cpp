@@ -254,7 +254,9 @@ bool RunStore::carry_out(const std::vector<std::size_t>& runs, int jobs,
       commands.push_back({words_of(runs_[run].request, folder(run), resumes), {}, folder(run) + ".log", ""});
     }
     std::vector<std::size_t> again;
-    const bool interrupted = run_pool(commands, jobs, [&](int task, int code, double cpu) {
+    const bool interrupted = run_pool(commands, jobs, [&](int task, int ended_with, double cpu) {
+      const int code =
+          ended_with == kExitRequirements ? kExitDone : ended_with;  // the page of the sweep tells of those
       const std::size_t run = round[static_cast<std::size_t>(task)];
       record_end(runs_[run], code, cpu, k == 1);
       if (code == kExitDone && k < runs_[run].request.repeats)

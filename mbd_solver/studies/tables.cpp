@@ -386,7 +386,7 @@ std::vector<std::string> draw_plots(const SweepSpec& spec, const Results& result
     }
     if (lines.empty()) continue;
     const std::string label = plot.label.empty() ? plot.column : plot.label;
-    scripts.push_back(write_drawing(folder, plot.name, {1000, 560}, kCsv,
+    scripts.push_back(write_drawing(folder, plot.name, {1000, 560}, csv_setup(),
                                     "set grid\nset title " + gnuplot_text(plot.title) +
                                         " noenhanced\nset xlabel 'time [s]'\nset ylabel " + gnuplot_text(label) +
                                         " noenhanced\nset key outside right top noenhanced\nplot " +
@@ -412,8 +412,8 @@ std::vector<std::string> draw_errors(const SweepSpec& spec, const Results& resul
                  (lines.empty() ? "set multiplot next\n" : "plot " + lines + "\n");
     }
   }
-  return run_gnuplot(folder,
-                     {write_drawing(folder, name, {1300, 490 * rows + 60}, kCsv, drawing + "unset multiplot\n")});
+  return run_gnuplot(
+      folder, {write_drawing(folder, name, {1300, 490 * rows + 60}, csv_setup(), drawing + "unset multiplot\n")});
 }
 
 }  // namespace footfall

@@ -79,6 +79,15 @@ constexpr Entry<double> kSignal[] = {{"signal.<signal>", "-", itself}};
 constexpr Entry<double> kState[] = {{"state.<state>", "-", itself}};
 constexpr Entry<double> kStateSince[] = {{"state.since", "s", itself}};
 
+constexpr Entry<LandingValues> kLanding[] = {
+    {"landing.stability_distance", "m", [](const LandingValues& l) { return l.stability_distance; }},
+    {"landing.tip_energy_margin", "J", [](const LandingValues& l) { return l.tip_energy_margin; }},
+    {"landing.tilt", "rad", [](const LandingValues& l) { return l.tilt; }},
+    {"landing.slid", "m", [](const LandingValues& l) { return l.slid; }},
+    {"landing.pads_touching", "-", [](const LandingValues& l) { return static_cast<double>(l.pads_touching); }},
+    {"landing.struts_at_stops", "-", [](const LandingValues& l) { return static_cast<double>(l.struts_at_stops); }}};
+constexpr Entry<double> kClearance[] = {{"landing.clearance.<point>", "m", itself}};
+
 constexpr Entry<double> kStored[] = {{"energy.<form>", "J", itself}};
 constexpr Entry<StoredEnergy> kEnergyTotal[] = {{"energy.total", "J", [](const StoredEnergy& E) { return E.total(); }}};
 
@@ -104,7 +113,8 @@ void for_each_table(Visit visit) {
   visit(kTime), visit(kBodyEntries), visit(kAttitudeEntries), visit(kFlexible), visit(kContact), visit(kModalForce),
       visit(kAngle), visit(kDisplacement), visit(kDisplacementX), visit(kDisplacementY), visit(kReaction),
       visit(kDriveTorque), visit(kDriveForce), visit(kDrivePower), visit(kGearTorque), visit(kGearForce), visit(kStrut),
-      visit(kControllerOutput), visit(kSignal), visit(kState), visit(kStateSince), visit(kStored), visit(kEnergyTotal);
+      visit(kControllerOutput), visit(kSignal), visit(kState), visit(kStateSince), visit(kLanding), visit(kClearance);
+  visit(kStored), visit(kEnergyTotal);
   visit(kDissipated), visit(kWork), visit(kSupplied), visit(kCoupling), visit(kChosenWindows), visit(kOmegaH);
 }
 
@@ -200,8 +210,8 @@ void add_joints(const Subject& subject, const JointObserver& joints, Columns& ou
 
 }  // namespace
 
-std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies& flexible,
-                                    const JointObserver& joints) {
+std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies& flexible, const JointObserver& joints,
+                                    const LandingWatch* landing) {
   const Mechanism& mechanism = subject.mechanism;
   Columns out;
   out.add(kTime, {}, [](const Sample& s) -> const Sample& { return s; });
@@ -241,6 +251,14 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
     out.add(kState, {state.name}, [i = state.place](const Sample& s) { return s.values(i); });
   if (mechanism.state_since >= 0)
     out.add(kStateSince, {}, [i = mechanism.state_since](const Sample& s) { return s.state.time - s.values(i); });
+  if (landing != nullptr) {
+    const auto values = [landing](const Sample&) -> const LandingValues& { return landing->now(); };
+    out.add(kLanding, {}, values, Column::Reads::kLanding);
+    for (std::size_t k = 0; k < subject.scene.landing->points.size(); ++k)
+      out.add(
+          kClearance, {subject.scene.landing->points[k].name},
+          [landing, k](const Sample&) { return landing->now().clearance[k]; }, Column::Reads::kLanding);
+  }
   for (int k = 0; k < count_of<Stored>(); ++k) {
     const auto form = static_cast<Stored>(k);
     out.add(kStored, {std::string(name_of(form))}, [form](const Sample& s) { return s.energy.stored[form]; });

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/run/observe/landing.h"
 #include "mbd_solver/run/observe/metrics.h"
 #include "mbd_solver/run/observe/sampler.h"
 
@@ -15,14 +16,14 @@ struct Column {
   std::string unit;     // SI; "-" for a plain number
   std::string pattern;  // its name in the registry: `<body>.x`
   std::function<double(const Sample&)> value;
-  enum class Reads { kSample, kFlexible, kJoints };
-  Reads reads = Reads::kSample;  // in addition to the sample: flexible or joints, updated with it
+  enum class Reads { kSample, kFlexible, kJoints, kLanding };
+  Reads reads = Reads::kSample;  // in addition to the sample: what is updated with it
 };
 
-// The columns of this scene, in the order of the file. flexible and joints are updated with the sample before a value is
-// read; they and the subject's parts must outlive the columns.
-std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies& flexible,
-                                    const JointObserver& joints);
+// The columns of this scene, in the order of the file. flexible, joints and landing are updated with the sample before a value
+// is read; they and the subject's parts must outlive the columns. landing: null where the scene has none.
+std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies& flexible, const JointObserver& joints,
+                                    const LandingWatch* landing = nullptr);
 
 // The whole registry, for all scenes.
 struct ColumnPattern {

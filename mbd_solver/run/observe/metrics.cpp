@@ -11,6 +11,7 @@
 #include "mbd_solver/model/modal_body.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/run/codes.h"
+#include "mbd_solver/run/observe/landing.h"
 
 namespace footfall {
 
@@ -140,16 +141,10 @@ inline constexpr auto kFields<Metrics> = std::tuple{
     Field{"contact_work", &Metrics::contact_work},           Field{"contact_force", &Metrics::contact_force}};
 
 MetricRecorder::MetricRecorder(const Subject& subject)
-    : subject_(subject),
-      flow_(subject.mechanism.model),
-      up_(up_direction(subject.scene.gravity)),
-      normal_(up_),
-      ground_(subject.mechanism.placement.ground_height) {
-  const GroundSpec& ground = subject.scene.ground;
-  if (ground.kind == GroundKind::kPlane) {
-    normal_ = ground.plane->normal;
-    ground_ = normal_.dot(ground.plane->point);
-  }
+    : subject_(subject), flow_(subject.mechanism.model), up_(up_direction(subject.scene.gravity)) {
+  const GroundLevel ground = ground_level(subject);
+  normal_ = ground.normal;
+  ground_ = ground.height;
   const Model& model = subject.mechanism.model;
   for (int i = 1; i < model.body_count(); ++i)
     if (model.body(i).mass() > model.body(body_).mass()) body_ = i;

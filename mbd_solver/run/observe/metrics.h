@@ -140,7 +140,7 @@ class MetricRecorder {
   Metrics metrics_;
   EnergyFlow flow_;
   Eigen::Vector3d up_, normal_;  // against gravity; out of the ground
-  double ground_;                // height of the ground along its normal [m]
+  double ground_ = 0.0;          // height of the ground along its normal [m]
   int body_ = 0;
   double start_height_ = 0.0;  // [m]
   double start_energy_ = 0.0;  // [J]

@@ -19,15 +19,22 @@ Scene recording_everything(Scene scene) {
   return scene;
 }
 
+std::optional<LandingWatch> landing_of(const Subject& subject) {
+  return subject.scene.landing ? std::optional<LandingWatch>(subject) : std::nullopt;
+}
+
+const LandingWatch* pointer_to(const std::optional<LandingWatch>& landing) { return landing ? &*landing : nullptr; }
+
 }  // namespace
 
 Readings::Readings(const std::vector<std::string>& names, const Subject& subject)
     : scene_(recording_everything(subject.scene)),
       subject_{scene_, subject.mechanism, subject.layout},
       flexible_(subject_),
-      joints_(subject_) {
+      joints_(subject_),
+      landing_(landing_of(subject_)) {
   const Mechanism& mechanism = subject.mechanism;
-  const std::vector<Column> columns = history_columns(subject_, flexible_, joints_);
+  const std::vector<Column> columns = history_columns(subject_, flexible_, joints_, pointer_to(landing_));
   const NameIndex index;
   std::set<int> continuous;  // places of continuous signals
   if (const ContinuousSignals* const signals = mechanism.model.signals())
@@ -55,6 +62,7 @@ Readings::Readings(const std::vector<std::string>& names, const Subject& subject
     }
     reading.column = columns[*column].value;
     uses_flexible_ = uses_flexible_ || columns[*column].reads == Column::Reads::kFlexible;
+    uses_landing_ = uses_landing_ || columns[*column].reads == Column::Reads::kLanding;
     uses_joints_ = uses_joints_ || columns[*column].reads == Column::Reads::kJoints;
     readings_.push_back(std::move(reading));
   }
@@ -64,6 +72,7 @@ Readings::Readings(const std::vector<std::string>& names, const Subject& subject
 void Readings::update(const Sample& sample) {
   if (uses_flexible_) flexible_.update(sample);
   if (uses_joints_) joints_.update(sample);
+  if (uses_landing_) landing_->update(sample);
 }
 
 double Readings::value(std::size_t k, const Sample& sample, const Eigen::VectorXd& values) const {
@@ -82,7 +91,8 @@ double Readings::value(std::size_t k, const Sample& sample, const Eigen::VectorX
 Observation::Observation(const Subject& subject)
     : flexible_(subject),
       joints_(subject),
-      columns_(history_columns(subject, flexible_, joints_)),
+      landing_(landing_of(subject)),
+      columns_(history_columns(subject, flexible_, joints_, pointer_to(landing_))),
       row_(columns_.size()) {}
 
 std::vector<std::string> Observation::names() const {
@@ -100,8 +110,13 @@ std::vector<std::string> Observation::units() const {
 const std::vector<double>& Observation::row(const Sample& sample) {
   flexible_.update(sample);
   joints_.update(sample);
+  watch(sample);
   for (std::size_t i = 0; i < columns_.size(); ++i) row_[i] = columns_[i].value(sample);
   return row_;
+}
+
+void Observation::watch(const Sample& sample) {
+  if (landing_) landing_->update(sample);
 }
 
 }  // namespace footfall

@@ -1,6 +1,7 @@
 #pragma once
 // What is read from samples: values for expressions (Readings), and the rows of history.csv (Observation).
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ class Readings {
   void visit(Archive& archive) {
     archive("flexible", flexible_);
     archive("joints", joints_);
+    if (landing_) archive("landing", *landing_);
   }
 
  private:
@@ -39,7 +41,8 @@ class Readings {
   Subject subject_;
   FlexibleBodies flexible_;
   JointObserver joints_;
-  bool uses_flexible_ = false, uses_joints_ = false;
+  std::optional<LandingWatch> landing_;
+  bool uses_flexible_ = false, uses_joints_ = false, uses_landing_ = false;
   std::vector<Reading> readings_;
 };
 
@@ -54,17 +57,22 @@ class Observation {
   std::vector<std::string> units() const;
   // One row, in the order of the names. The reference is valid until the next call.
   const std::vector<double>& row(const Sample& sample);
+  // What is kept of a landing, at a sample for which no row is computed.
+  void watch(const Sample& sample);
   // Of all flexible bodies, over the rows so far.
   const FlexibleBodies& flexible() const { return flexible_; }
   void visit(Archive& archive) {
     archive("flexible", flexible_);
     archive("joints", joints_);
+    if (landing_) archive("landing", *landing_);
   }
   const JointObserver& joints() const { return joints_; }
+  const LandingWatch* landing() const { return landing_ ? &*landing_ : nullptr; }  // null where the scene has none
 
  private:
   FlexibleBodies flexible_;
   JointObserver joints_;
+  std::optional<LandingWatch> landing_;
   std::vector<Column> columns_;
   std::vector<double> row_;
 };

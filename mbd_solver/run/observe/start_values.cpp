@@ -9,6 +9,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/run/observe/observation.h"
+#include "mbd_solver/run/observe/requirements.h"
 #include "mbd_solver/run/observe/sampler.h"
 
 namespace footfall {
@@ -161,8 +162,10 @@ AssemblyOptions assembly_options(const Scene& scene) {
 }
 
 void require_values_at_start(const Scene& scene, bool is_placed, Mechanism& mechanism) {
-  if (scene.signals.empty() && scene.events.empty()) return;
   const Layout layout(mechanism.model);
+  if (scene.landing) LandingWatch({scene, mechanism, layout});
+  if (!scene.requirements.empty()) Requirements(scene, Observation({scene, mechanism, layout}).names());
+  if (scene.signals.empty() && scene.events.empty()) return;
   const SignalChain sampled = chain_of_signals(scene, std::move(mechanism.sampled));
   const SignalChain conditions(conditions_of(scene));
   std::vector<std::string> names = sampled.names();

@@ -9,7 +9,7 @@ namespace footfall {
 // How the scene wants its mechanism to be assembled.
 AssemblyOptions assembly_options(const Scene& scene);
 
-// Throws InputError for an unknown name, and for an expression without a value at the start, as far as that is known
+// Throws InputError for pads of a landing that span no area, for an unknown name, and for an expression without a value at the start, as far as that is known
 // without a run. is_placed: bodies are where the run places them. Moves the sampled signals out of the mechanism.
 void require_values_at_start(const Scene& scene, bool is_placed, Mechanism& mechanism);
 

@@ -7,6 +7,9 @@
 
 namespace footfall {
 
+// Exit code of `footfall run` for a run that is done, but misses a requirement of its scene, or could not compute one.
+inline constexpr int kExitRequirements = 4;
+
 // "GCC 12.2.0", of the compiler of this program.
 std::string compiler_version();
 // Processor, cores, system, as far as known. No names of the machine or its user.
@@ -34,7 +37,7 @@ struct RunStart {
 };
 
 // Layout of checkpoints: raised whenever what a run stores changes.
-inline constexpr int kCheckpointFormat = 3;
+inline constexpr int kCheckpointFormat = 4;
 
 // folder: of the checkpoint. Both throw InputError for a file that cannot be written or read, or that another version of
 // footfall or of the layout wrote.

@@ -336,6 +336,10 @@ TEST(ColumnChoice, UnitsFollowTheData) {
   EXPECT_EQ(drawn_unit("m", 0.02).name, "mm");
   EXPECT_DOUBLE_EQ(drawn_unit("m", 0.02).factor, 1e3);
   EXPECT_EQ(drawn_unit("m", 3.0).name, "m");
+  EXPECT_EQ(drawn_unit("m", 2e-5).name, "µm");
+  EXPECT_EQ(drawn_unit("J", 2e-5).name, "µJ");
+  EXPECT_EQ(drawn_unit("N", 0.02).name, "mN");
+  EXPECT_EQ(drawn_unit("N", 0.0).name, "N");
   EXPECT_EQ(drawn_unit("rad", 1e-4).name, "rad");
   EXPECT_EQ(drawn_unit("-", 1e6).name, "-");
 }
@@ -349,7 +353,7 @@ TEST(ColumnChoice, MoreThanEightSeriesBecomeLegsOfOneScaleWithAColourPerRole) {
     ASSERT_EQ(figure.curves.size(), 3u);
     EXPECT_EQ(figure.axis, "force [kN]");
     EXPECT_EQ(figure.curves[0].title, "primary");
-    EXPECT_EQ(figure.curves[0].colour, panels.figures[0].curves[0].colour);
+    EXPECT_EQ(figure.curves[0].series, panels.figures[0].curves[0].series);
     EXPECT_EQ(figure.high, panels.figures[0].high);
     EXPECT_GE(figure.high, 5.0);  // kN, as the curves
   }
@@ -365,13 +369,13 @@ TEST(ColumnChoice, NoPanelHasTwoSeriesOfOneColourOrTwoUnits) {
   std::size_t curves = 0;
   for (const Figure& figure : panels.figures) {
     std::set<std::string> colours;
-    for (const Curve& curve : figure.curves) colours.insert(curve.colour);
+    for (const Curve& curve : figure.curves) colours.insert(series_colour(curve.series));
     EXPECT_EQ(colours.size(), figure.curves.size());
-    EXPECT_LE(figure.curves.size(), 8u);
+    EXPECT_LE(figure.curves.size(), 14u);
     curves += figure.curves.size();
   }
   EXPECT_EQ(curves, 22u);
-  EXPECT_EQ(panels.figures.size(), 4u);  // 8 + 8 + 5 of one unit, one of the other
+  EXPECT_EQ(panels.figures.size(), 3u);  // 14 + 7 of one unit, one of the other
 }
 
 // The ledger: what the grains dissipated is the rest of the work they received.
@@ -529,6 +533,62 @@ TEST(Figures, ShowTheEnergyThatGoesToTheGrains) {
     for (const auto& curve : figure.curves)
       if (curve.title == "to the grains") to_grains = curve.formula.values(h);
   EXPECT_EQ(to_grains, (std::vector<double>{0.0, 3.0}));
+}
+
+// Small numbers are told in small units: no "0.00 kN".
+TEST(Figures, ChooseUnitsBySize) {
+  History h = plotted_history();
+  for (std::vector<double>& column : h.columns)
+    for (double& value : column) value *= 0.01;
+  for (const Figure& figure : standard_figures(h, "")) {
+    double largest = 0.0;
+    for (const double value : figure.curves[0].formula.values(h)) largest = std::max(largest, std::abs(value));
+    EXPECT_TRUE(largest == 0.0 || largest >= 0.001) << figure.name;
+    if (figure.name == "contact_forces") EXPECT_NE(figure.axis.find("[mN]"), std::string::npos) << figure.axis;
+    if (figure.name == "energy") EXPECT_NE(figure.axis.find("[mJ]"), std::string::npos) << figure.axis;
+  }
+}
+
+TEST(Figures, MarkTouchdownPeaksAndLimits) {
+  History h{{"time", "cabin.z", "cabin.vz", "cabin.az", "leg.stroke"}, {"s", "m", "m/s", "m/s2", "m"}, {}};
+  h.columns = {{0.0, 0.1, 0.2, 0.3}, {1, 1, 1, 1}, {0, 0, 0, 0}, {-1.6, -1.6, 19.6133, 5}, {0, 0, 0.2, 0.1}};
+  for (const std::string axis : {"x", "y", "z"}) {
+    h.names.push_back("pad.contact.f" + axis);
+    h.units.emplace_back("N");
+    h.columns.push_back(axis == "z" ? std::vector<double>{0, 0, 90, 50} : std::vector<double>(4, 0.0));
+  }
+  const nlohmann::ordered_json summary = {
+      {"scene",
+       {{"requirements",
+         {{{"name", "payload"}, {"value", "cabin.az.largest / g0"}, {"most", 3.0}},
+          {{"name", "sum"}, {"value", "cabin.az.max + cabin.az.min"}, {"most", 1.0}}}},
+        {"struts", {{{"name", "leg"}, {"stops", {{"min", nullptr}, {"max", 0.25}}}}}}}}};
+  std::vector<Figure> figures = standard_figures(h, "cabin");
+  mark_figures(h, summary, figures);
+  for (const Figure& figure : figures) {
+    ASSERT_EQ(figure.times.size(), 1u);
+    EXPECT_EQ(figure.times[0].time, 0.2);  // the first row with a force
+    if (figure.name == "acceleration") {
+      ASSERT_EQ(figure.peaks.size(), 1u);
+      EXPECT_NEAR(figure.peaks[0].value, 2.0, 1e-12);
+      EXPECT_EQ(figure.peaks[0].time, 0.2);
+      ASSERT_EQ(figure.limits.size(), 1u);  // 3 g; -3 g is far from the curve
+      EXPECT_NEAR(figure.limits[0].value, 3.0, 1e-12);
+      EXPECT_EQ(figure.limits[0].text, "payload");
+    }
+    if (figure.name == "strokes") {
+      ASSERT_EQ(figure.limits.size(), 1u);
+      EXPECT_NEAR(figure.limits[0].value, 0.25, 1e-12);
+    }
+  }
+}
+
+TEST(Figures, FourteenSeriesHaveColoursOfTheirOwnInEveryStyle) {
+  for (const PlotStyle style : every<PlotStyle>()) {
+    std::set<std::string> colours;
+    for (int k = 0; k < kSeriesColours; ++k) colours.insert(series_colour(k, style));
+    EXPECT_EQ(colours.size(), 14u);
+  }
 }
 
 TEST(Figures, HaveNoMoreSeriesThanColours) {

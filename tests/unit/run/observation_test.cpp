@@ -98,6 +98,31 @@ gears = [{ name = "mesh", joints = ["axle", "guide"], factors = [1, -2] },
   return more;
 }
 
+// A plate that lands on three points of itself.
+std::vector<Column> columns_of_a_landing() {
+  const Scene scene = SceneText().read(R"(end_time = 1.0
+bodies = [{ name = "plate", mass = 1, inertia = [1, 1, 1], position = [0, 0, 1] }]
+boundaries = [{ body = "plate", beams = { radius = 0.1, points = [[0, 0, 1], [1, 0, 1]] } }]
+[ground]
+kind = "plane"
+plane = { stiffness = 1e6, damping = 1 }
+[landing]
+pads = ["a", "b", "c"]
+points = [{ name = "a", body = "plate", point = [1, 0, 0] }, { name = "b", body = "plate", point = [0, 1, 0] },
+          { name = "c", body = "plate", point = [-1, -1, 0] }]
+)");
+  const Mechanism mechanism = build_mechanism(scene);
+  const Layout layout(mechanism.model);
+  const Subject subject{scene, mechanism, layout, nullptr};
+  const FlexibleBodies flexible(subject);
+  const JointObserver joints(subject);
+  const LandingWatch landing(subject);
+  std::vector<Column> more;
+  for (const Column& column : history_columns(subject, flexible, joints, &landing))
+    if (column.pattern.rfind("landing.", 0) == 0) more.push_back(column);
+  return more;
+}
+
 TEST_F(HistoryColumns, HaveANameOfTheirOwnAUnitAndAFiniteValue) {
   const Sample& sample = bench.take(1, &coupling);
   flexible.update(sample);
@@ -119,6 +144,7 @@ TEST_F(HistoryColumns, OfASceneWithEverythingAreTheWholeRegistry) {
   }
   for (const Column& column : columns) seen[column.pattern] = column.unit;
   for (const Column& column : columns_of_more_joints()) seen[column.pattern] = column.unit;
+  for (const Column& column : columns_of_a_landing()) seen[column.pattern] = column.unit;
   bench.scene.output.modal_forces = true;
   for (const Column& column : history_columns(bench.subject(), flexible, joints)) seen[column.pattern] = column.unit;
   EXPECT_EQ(registry, seen);

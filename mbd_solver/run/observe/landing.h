@@ -1,0 +1,109 @@
+#pragma once
+// What [landing] of a scene asks for: how far a lander is from tipping over, how far it slid, what came near the ground.
+//
+// Pads p_i are bodies with a boundary, or named points; neighbours are those of their convex hull in the reference
+// configuration, seen along the axis of the base. Vertical is gravity's direction, c the mass centre of all bodies that
+// joints, struts and springs connect to the base, m their mass.
+//   stability distance   d = min_i n_i . (c - p_i), n_i = up x e_i / |up x e_i|, e_i = p_i+1 - p_i: of the mass centre from
+//                        the nearest vertical plane through two neighbouring pads, negative beyond it
+//   energy margin        E = min_i m g (R_i |up - u_i u_i . up| - rho_i . up) - L_i^2 / (2 I_i): the energy that lifts the mass
+//                        centre over the edge i [Messuri and Klein, IEEE J. Robot. Autom. 1 (1985) 132], minus the kinetic
+//                        energy that a turn about this edge would keep; u_i = e_i / |e_i|, rho_i the arm of c from the edge,
+//                        R_i its length, L_i and I_i angular momentum and inertia about the edge; L_i counts where it turns
+//                        outwards. Beyond the edge the first part is negative, and a turn back adds.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coupler/archive.h"
+#include "mbd_solver/run/observe/sampler.h"
+
+namespace footfall {
+
+// The ground of heights: the plane, or the highest grain under the boundaries at the start.
+struct GroundLevel {
+  Eigen::Vector3d normal;  // out of the ground, in W
+  double height;           // along it [m]
+};
+GroundLevel ground_level(const Subject& subject);
+
+struct LandingValues {
+  double stability_distance = 0.0;  // d [m]
+  double tip_energy_margin = 0.0;   // E [J]
+  double tilt = 0.0;                // of the base's axis from the vertical [rad]
+  double slid = 0.0;                // largest way of a pad along the ground from where it first touched [m]
+  int pads_touching = 0;
+  int struts_at_stops = 0;        // beyond an end stop, or with a honeycomb crushed to its end
+  std::vector<double> clearance;  // of each point above the ground [m]
+};
+
+class LandingWatch {
+ public:
+  // The scene has [landing]. Throws InputError for pads that span no area. What the subject views must outlive this.
+  explicit LandingWatch(const Subject& subject);
+
+  void update(const Sample& sample);
+  void visit(Archive& archive);
+
+  const LandingValues& now() const { return now_; }
+  const std::string& base() const;
+  const std::vector<std::string>& pads() const { return pad_names_; }
+
+  // Since the first contact of a pad; before any, since the start.
+  struct Extreme {
+    double value = 0.0, time = 0.0;  // [s]
+  };
+  const Extreme& least_distance() const { return least_distance_; }
+  const Extreme& least_margin() const { return least_margin_; }
+  const Extreme& largest_tilt() const { return largest_tilt_; }
+  // Since the start.
+  const Extreme& least_clearance(std::size_t point) const { return least_clearance_[point]; }
+  // The mass centre is beyond the plane of two neighbouring pads, also of a lander that lies on its back.
+  bool tipped() const { return now_.stability_distance < 0.0; }
+
+  struct First {
+    std::string name;
+    double time = 0.0;  // [s]
+  };
+  std::vector<First> first_contacts() const;   // of pads, in their order
+  std::vector<First> struts_at_stops() const;  // that ever were, in the order of their times
+
+ private:
+  struct Place {
+    int body = 0;                            // of the model
+    Eigen::Vector3d p_B = {0.0, 0.0, 0.0};   // from Bo in B [m]
+    const BodyBoundary* boundary = nullptr;  // of a pad: its lowest place along the vertical is the height
+  };
+  Place place_of_point(const LandingPointSpec& point) const;
+  void choose_base();
+  void choose_bodies();
+  void choose_pads();
+  void choose_edges();
+  Eigen::Vector3d place_of(const Place& place, const Sample& sample) const;
+  bool touches(const Place& pad, const Eigen::Vector3d& p_W, const Sample& sample) const;
+  bool at_stop(std::size_t strut, const Sample& sample) const;
+  void measure_edges(const Sample& sample);
+  void see_pads(const Sample& sample);
+
+  Subject subject_;
+  Eigen::Vector3d up_;
+  GroundLevel ground_;
+  int base_ = 0;
+  Eigen::Vector3d axis_B_;   // upwards, in the axes of the base
+  std::vector<int> bodies_;  // of the lander
+  double mass_ = 0.0;        // [kg]
+  std::vector<std::string> pad_names_;
+  std::vector<Place> pads_, points_;
+  std::vector<std::size_t> edges_;  // pads in their order around the axis
+
+  LandingValues now_;
+  std::vector<Eigen::Vector3d> pad_places_;               // of the sample, in W [m]
+  std::vector<std::optional<double>> touched_, stopped_;  // first times of pads and struts [s]
+  std::vector<Eigen::Vector3d> touched_at_;
+  bool any_contact_ = false, started_ = false;
+  Extreme least_distance_, least_margin_, largest_tilt_;
+  std::vector<Extreme> least_clearance_;
+};
+
+}  // namespace footfall

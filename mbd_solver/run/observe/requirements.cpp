@@ -1,0 +1,274 @@
+// Names are resolved once, at the start. At each step columns are reduced; at the end expressions of the rest are evaluated.
+
+#include "mbd_solver/run/observe/requirements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/run/codes.h"
+
+namespace footfall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kEarthGravity = 9.80665;  // [m/s2]
+
+std::optional<double> constant_of(const std::string& name) {
+  if (name == "g0") return kEarthGravity;
+  if (name == "deg") return kPi / 180.0;
+  return std::nullopt;
+}
+
+// Tables of summary.json, whose keys are names of the scene.
+constexpr const char* kTables[] = {"max_omega_h.", "flexible_bodies.", "clearance_"};
+
+bool may_be_figure(const std::string& name) {
+  const std::vector<std::string>& known = summary_figures();
+  return std::find(known.begin(), known.end(), name) != known.end() ||
+         std::any_of(std::begin(kTables), std::end(kTables),
+                     [&](const char* table) { return name.rfind(table, 0) == 0; });
+}
+
+// KEY or KEY.NAME.KEY; nothing where there is no number.
+std::optional<double> figure_of(const Json& summary, const std::string& name) {
+  if (summary.contains(name) && summary.at(name).is_number()) return summary.at(name).get<double>();
+  for (std::size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1)) {
+    const std::string key = name.substr(0, dot);
+    if (!summary.contains(key) || !summary.at(key).is_object()) continue;
+    if (const std::optional<double> found = figure_of(summary.at(key), name.substr(dot + 1))) return found;
+  }
+  return std::nullopt;
+}
+
+// "cabin.az.max" -> "cabin.az" and kMax.
+std::optional<std::pair<std::string, Reduce>> reduced_name(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string::npos) return std::nullopt;
+  for (const Reduce reduce : every<Reduce>())
+    if (name.substr(dot + 1) == name_of(reduce)) return std::pair(name.substr(0, dot), reduce);
+  return std::nullopt;
+}
+
+}  // namespace
+
+const std::vector<std::string>& summary_figures() {
+  static const std::vector<std::string> names = {"end_time_s",
+                                                 "peak_acceleration_g",
+                                                 "peak_acceleration_time_s",
+                                                 "max_descent_m",
+                                                 "max_descent_time_s",
+                                                 "max_penetration_m",
+                                                 "max_penetration_time_s",
+                                                 "max_contact_force_N",
+                                                 "max_contact_force_time_s",
+                                                 "creep_speed_m_s",
+                                                 "stability_distance_m",
+                                                 "stability_distance_time_s",
+                                                 "tip_energy_margin_J",
+                                                 "tip_energy_margin_time_s",
+                                                 "tipped",
+                                                 "max_tilt_rad",
+                                                 "max_tilt_time_s",
+                                                 "final_tilt_rad",
+                                                 "slid_distance_m",
+                                                 "pads_touched",
+                                                 "struts_at_stops",
+                                                 "reference_energy_J",
+                                                 "energy_flow_J",
+                                                 "energy_balance_relative",
+                                                 "drift_position",
+                                                 "drift_velocity",
+                                                 "drift_removed_position",
+                                                 "drift_removed_velocity",
+                                                 "coupling_energy_residual_relative",
+                                                 "max_overlap_over_radius",
+                                                 "particles",
+                                                 "grains_lost",
+                                                 "grains_lost_kg",
+                                                 "dt_dem_s",
+                                                 "steps",
+                                                 "windows",
+                                                 "rejected_steps",
+                                                 "newton_failures",
+                                                 "residuals",
+                                                 "jacobians",
+                                                 "factorizations",
+                                                 "wall_s",
+                                                 "dem_wall_s",
+                                                 "waited_wall_s",
+                                                 "mbd_wall_s",
+                                                 "mbd_beside_wall_s",
+                                                 "control_wall_s",
+                                                 "checkpoint_wall_s",
+                                                 "exchange_wall_s"};
+  return names;
+}
+
+void Requirements::Range::see(double value) {
+  least = seen ? std::min(least, value) : value;
+  largest = seen ? std::max(largest, value) : value;
+  last = value;
+  seen = true;
+}
+
+double Requirements::Range::reduced(Reduce reduce) const {
+  switch (reduce) {
+    case Reduce::kMax: return largest;
+    case Reduce::kMin: return least;
+    case Reduce::kLargest: return std::max(std::abs(least), std::abs(largest));
+    case Reduce::kFinal: return last;
+  }
+  FOOTFALL_DEMAND(false);
+  return 0.0;
+}
+
+void Requirements::Range::visit(Archive& archive) {
+  archive("least", least);
+  archive("largest", largest);
+  archive("last", last);
+  archive("seen", seen);
+}
+
+Requirements::Requirements(const Scene& scene, std::vector<std::string> columns)
+    : scene_(scene), names_(std::move(columns)) {
+  std::string faults;
+  for (const RequirementSpec& spec : scene_.requirements) entries_.push_back(entry_of(spec, faults));
+  if (!faults.empty()) throw InputError(code::kRequirementName, faults);
+  for (Entry& entry : entries_) {
+    for (auto& [place, name, reduce, column] : entry.reduced) {
+      const auto at = std::find(watched_.begin(), watched_.end(), column);
+      const auto k = static_cast<std::size_t>(at - watched_.begin());
+      if (at == watched_.end()) watched_.push_back(column);
+      column = k;
+    }
+  }
+  ranges_.resize(watched_.size());
+}
+
+Requirements::Entry Requirements::entry_of(const RequirementSpec& spec, std::string& faults) const {
+  const std::string place = place_of(scene_.file, spec.source, "value");
+  auto values = std::make_unique<NamedValues>();
+  for (const std::string& name : Expression::names_in(spec.value)) (*values)[name] = 0.0;
+  Expression expression(spec.value, *values);
+  Entry entry{std::move(values), std::move(expression), {}, {}, {}, {}};
+  const auto column_of = [&](const std::string& name) -> std::optional<std::size_t> {
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    if (found == names_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - names_.begin());
+  };
+  const auto fault = [&](const std::string& what) { faults += (faults.empty() ? "" : "\n") + place + what; };
+  for (auto& [name, value] : *entry.values) {
+    const auto split = reduced_name(name);
+    if (const auto constant = constant_of(name)) {
+      value = *constant;
+    } else if (const auto column = column_of(name)) {
+      if (spec.reduce) {
+        entry.columns.emplace_back(&value, *column);
+      } else {
+        fault("reads the column \"" + name + "\", which has a value at each instant; write " + name +
+              ".max, .min, "
+              ".largest or .final, or give reduce");
+      }
+    } else if (const auto reduced = split ? column_of(split->first) : std::nullopt; reduced && !spec.reduce) {
+      entry.reduced.emplace_back(&value, name, split->second, *reduced);
+    } else if (may_be_figure(name) && !spec.reduce) {
+      entry.keys.emplace_back(&value, name);
+    } else if (name.rfind("coupling.", 0) == 0 && scene_.touches_particles()) {
+      entry.keys.emplace_back(&value, name);  // a column that only a run with grains has
+    } else if (spec.reduce && (may_be_figure(name) || reduced)) {
+      fault("reads \"" + name + "\", which is one number of the run; leave reduce out, or read columns");
+    } else {
+      std::vector<std::string> known = names_;
+      const std::vector<std::string>& figures = summary_figures();
+      known.insert(known.end(), figures.begin(), figures.end());
+      fault("unknown name \"" + name + "\"; expected a key of summary.json, or a recorded column of history.csv" +
+            (spec.reduce ? "." : " with .max, .min, .largest or .final.") +
+            known_names("names", split ? split->first : name, known));
+    }
+  }
+  return entry;
+}
+
+void Requirements::see(const std::vector<double>& row) {
+  for (std::size_t k = 0; k < watched_.size(); ++k) ranges_[k].see(row[watched_[k]]);
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    Entry& entry = entries_[i];
+    if (!scene_.requirements[i].reduce) continue;
+    for (const auto& [place, column] : entry.columns) *place = row[column];
+    const double value = entry.expression.value_or_nan();
+    if (std::isfinite(value)) {
+      entry.range.see(value);
+    } else if (entry.undefined_at < 0.0) {
+      entry.undefined_at = row.front();
+    }
+  }
+}
+
+// Throws NumericalError with the reason why there is none.
+double Requirements::value_of(Entry& entry, const RequirementSpec& spec, const Json& summary) const {
+  if (spec.reduce) {
+    if (entry.undefined_at >= 0.0)
+      throw NumericalError("\"" + spec.value + "\" has no value at t = " + number_text(entry.undefined_at, 6) + " s");
+    if (!entry.range.seen) throw NumericalError("the run has no step");
+    return entry.range.reduced(*spec.reduce);
+  }
+  for (const auto& [place, name] : entry.keys) {
+    const std::optional<double> figure = figure_of(summary, name);
+    if (!figure) throw NumericalError("this run has no figure \"" + name + "\"");
+    *place = *figure;
+  }
+  for (const auto& [place, name, reduce, column] : entry.reduced) {
+    if (!ranges_[column].seen) throw NumericalError("the run has no step");
+    *place = ranges_[column].reduced(reduce);
+  }
+  return entry.expression.value();
+}
+
+void Requirements::judge(Json& summary) const {
+  if (entries_.empty()) return;
+  int missed = 0;
+  Json list = Json::array();
+  const bool complete = summary.value("status", "") == "done";
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const RequirementSpec& spec = scene_.requirements[i];
+    Json told{{"name", spec.name}};
+    std::string verdict = "not computed", why = "the run is not complete";
+    if (complete) {
+      try {
+        const double value = value_of(entries_[i], spec, summary);
+        const double above = spec.least ? value - *spec.least : std::numeric_limits<double>::infinity();
+        const double margin = std::min(above, spec.most ? *spec.most - value : above);
+        told["value"] = value;
+        told["margin"] = margin;
+        verdict = margin >= 0.0 ? "met" : "missed";
+        why.clear();
+      } catch (const NumericalError& error) {
+        why = error.what();
+      }
+    }
+    if (spec.least) told["least"] = *spec.least;
+    if (spec.most) told["most"] = *spec.most;
+    told["unit"] = spec.unit;
+    told["verdict"] = verdict;
+    if (!why.empty()) told["why"] = why;
+    missed += verdict == "met" ? 0 : 1;
+    list.push_back(std::move(told));
+  }
+  summary["requirements"] = std::move(list);
+  summary["requirements_missed"] = missed;
+}
+
+void Requirements::visit(Archive& archive) {
+  archive("ranges", ranges_);
+  for (Entry& entry : entries_) {
+    archive("range", entry.range);
+    archive("undefined_at", entry.undefined_at);
+  }
+}
+
+}  // namespace footfall
