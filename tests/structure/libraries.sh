@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What is integrated knows nothing of MPI: no object of the given static libraries names it, no given program loads it.
+# What is integrated knows nothing of MPI: no object of the given static libraries names it, no given program loads it; and programs load the reference BLAS.
 #   libraries.sh WITH_MPI.a LIBRARY.a|PROGRAM ...
 # WITH_MPI.a does use MPI: a check that finds nothing there finds nothing anywhere.
 set -u
@@ -13,6 +13,7 @@ for file; do
     names_mpi "$file" && { echo "$file names MPI:"; nm -C "$file" 2> /dev/null | grep -E '\b(MPI_|ompi_)' | sort -u | head -5; failed=1; }
   else
     ldd "$file" | grep -E 'libmpi|libopen-(rte|pal)' && { echo "$file loads MPI"; failed=1; }
+    ldd "$file" | grep 'libblas' | grep -v '/blas/libblas' && { echo "$file does not load the reference BLAS: its digits depend on the machine"; failed=1; }
   fi
 done
 exit $failed
