@@ -1,5 +1,5 @@
 // MJCF, by the compiled model of MuJoCo: its defaults, classes, compiler flags and inertias of geoms are applied there. The
-// drawing is qpos0, with free and ball joints where the first keyframe has them. Equations: mujoco.readthedocs.io, Computation.
+// drawing is qpos0, with free joints where the first keyframe has them; with ball joints it is this keyframe. Equations: mujoco.readthedocs.io, Computation.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -111,17 +111,21 @@ class MjcfRobot {
 
   void draw() {
     mju_copy(d_->qpos, m_.qpos0, m_.nq);
+    // What hangs on a ball joint would not follow [initial.joints] as it does in the keyframe: all is drawn as it starts.
+    const bool balls =
+        std::find(m_.jnt_type, m_.jnt_type + m_.njnt, static_cast<int>(mjJNT_BALL)) != m_.jnt_type + m_.njnt;
+    robot_.drawn = m_.nkey > 0 && balls ? "the first keyframe" : "qpos0";
+    if (m_.nkey > 0 && balls) mju_copy(d_->qpos, m_.key_qpos, m_.nq);
     if (m_.nkey > 0)
       for (int j = 0; j < m_.njnt; ++j) {
         const int from = m_.jnt_qposadr[j];
         if (m_.jnt_type[j] == mjJNT_FREE) mju_copy(d_->qpos + from, m_.key_qpos + from, 7);
-        if (m_.jnt_type[j] == mjJNT_BALL) mju_copy(d_->qpos + from, m_.key_qpos + from, 4);
       }
     mj_normalizeQuat(&m_, d_->qpos);
     mj_kinematics(&m_, d_.get());
   }
 
-  Placement placed(int body) const { return {vector(d_->xpos + 3 * body), rotation(d_->xquat + 4 * body)}; }
+  RigidFrame placed(int body) const { return {vector(d_->xpos + 3 * body), rotation(d_->xquat + 4 * body)}; }
 
   // Link of a body: bodies count from 1, the world is the ground.
   int link_of(int body) const { return body == 0 ? -1 : links_.at(body); }
@@ -170,7 +174,7 @@ class MjcfRobot {
     const int q = m_.jnt_qposadr[j], v = m_.jnt_dofadr[j];
     RobotCoordinate c;
     c.name = name;
-    c.zero = m_.qpos0[q];
+    c.zero = d_->qpos[q];
     if (m_.jnt_limited[j] != 0) {
       c.lower = m_.jnt_range[2 * j];
       c.upper = m_.jnt_range[2 * j + 1];
@@ -415,7 +419,7 @@ class MjcfRobot {
       if (m_.eq_type[e] == mjEQ_CONNECT || m_.eq_type[e] == mjEQ_WELD) {
         const int a = m_.eq_obj1id[e], b = m_.eq_obj2id[e];
         const bool connect = m_.eq_type[e] == mjEQ_CONNECT;
-        const Placement X_a = placed(a), X_b = placed(b);
+        const RigidFrame X_a = placed(a), X_b = placed(b);
         const Eigen::Vector3d anchor = vector(data);
         loop.kind = connect ? RobotJointKind::kSpherical : RobotJointKind::kFixed;
         loop.parent = link_of(a);
@@ -449,6 +453,12 @@ class MjcfRobot {
       return;
     }
     const auto [second, coordinate2] = joints_of_[at(j2)];
+    const auto polynomial = [&](double q) { return q * (a[1] + q * (a[2] + q * (a[3] + q * a[4]))); };
+    const auto drawn = [&](int j) { return d_->qpos[m_.jnt_qposadr[j]] - m_.qpos0[m_.jnt_qposadr[j]]; };
+    if (std::abs(drawn(j1) - polynomial(drawn(j2))) > 1e-6) {
+      leave_out(node, "does not hold where the robot is drawn");
+      return;
+    }
     RobotGear gear;
     gear.origin = source_.origin(node);
     gear.name = name;
@@ -462,7 +472,7 @@ class MjcfRobot {
                    to = limited ? m_.jnt_range[2 * j2 + 1] - zero : kPi;
       for (int k = 0; k < kCamPoints; ++k) {
         const double q = from + (to - from) * k / (kCamPoints - 1);
-        gear.curve.emplace_back(q, q * (a[1] + q * (a[2] + q * (a[3] + q * a[4]))));
+        gear.curve.emplace_back(q - drawn(j2), polynomial(q));
       }
       gear.factors = {1.0, -1.0};
     } else if (a[1] == 0.0) {

@@ -199,12 +199,18 @@ void MjcfSource::name_meshes() {
   pugi::xml_node mujoco = merged_.document_element();
   std::string folder;
   bool strip = false;
-  for (pugi::xml_node compiler : mujoco.children("compiler")) {
+  for (pugi::xml_node one : mujoco.children("compiler")) {
     for (const char* name : {"assetdir", "meshdir"})
-      if (const pugi::xml_attribute a = compiler.attribute(name)) folder = a.value();
-    strip = strip || std::string(compiler.attribute("strippath").value()) == "true";
-    for (const char* name : {"assetdir", "meshdir", "texturedir", "strippath"}) compiler.remove_attribute(name);
+      if (const pugi::xml_attribute a = one.attribute(name)) folder = a.value();
+    strip = strip || std::string(one.attribute("strippath").value()) == "true";
+    for (const char* name : {"assetdir", "meshdir", "texturedir", "strippath"}) one.remove_attribute(name);
   }
+  // A range alone is a limit, as in all later versions; earlier ones required `limited` beside it.
+  pugi::xml_node compiler = mujoco.child("compiler");
+  if (!compiler) compiler = mujoco.prepend_child("compiler");
+  bool said = false;
+  for (const pugi::xml_node& one : mujoco.children("compiler")) said = said || one.attribute("autolimits");
+  if (!said) compiler.append_attribute("autolimits") = "true";
   std::vector<std::string> missing;
   for (pugi::xml_node asset : mujoco.children("asset"))
     for (pugi::xml_node mesh = asset.child("mesh"); mesh;) {
@@ -292,8 +298,9 @@ pugi::xml_node MjcfSource::at_printed_line(int line) const {
 }
 
 void MjcfSource::take_out(const std::string& message) {
-  const std::size_t at = message.find("line ");
-  const int line = at == std::string::npos ? 0 : std::atoi(message.c_str() + at + 5);
+  const std::size_t at = message.find("line ");  // "line 12, column 3", "line = 12, column = -1"
+  const std::size_t digit = at == std::string::npos ? at : message.find_first_not_of(" =", at + 5);
+  const int line = digit == std::string::npos ? 0 : std::atoi(message.c_str() + digit);
   pugi::xml_node node = line > 0 ? at_printed_line(line) : pugi::xml_node();
   std::string plain = message;
   std::replace(plain.begin(), plain.end(), '\n', ' ');

@@ -28,12 +28,12 @@ struct NotTaken {
 };
 
 // A rotation and a displacement: x_A = R_AB x_B + p_AB.
-struct Placement {
+struct RigidFrame {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();      // [m]
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // [-]
-  Placement operator*(const Placement& other) const { return {p + R * other.p, R * other.R}; }
+  RigidFrame operator*(const RigidFrame& other) const { return {p + R * other.p, R * other.R}; }
   Eigen::Vector3d operator*(const Eigen::Vector3d& x) const { return p + R * x; }
-  Placement inverse() const { return {-(R.transpose() * p), R.transpose()}; }
+  RigidFrame inverse() const { return {-(R.transpose() * p), R.transpose()}; }
 };
 
 enum class GeometryKind { kBox, kSphere, kCylinder, kCapsule, kMesh };
@@ -48,7 +48,7 @@ struct RobotGeometry {
   std::string file;                                 // mesh: where it is on this machine
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();  // mesh: m per unit of the file [m]
   TriangleMesh mesh;                                // mesh: in G; empty: that of the file
-  Placement X_LG;
+  RigidFrame X_LG;
 };
 
 struct RobotLink {
@@ -57,7 +57,7 @@ struct RobotLink {
   double mass = 0.0;                                  // [kg]; 0: not given
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();   // mass centre in L [m]
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the mass centre, in axes of L [kg m2]
-  Placement X_DL;                                     // in the drawing
+  RigidFrame X_DL;                                    // in the drawing
   std::vector<RobotGeometry> collisions, visuals;
   std::optional<double> friction;  // of its surface [-]
   std::string remark;              // for the scene: what was merged into it
@@ -120,6 +120,7 @@ struct RobotDrive {
 
 struct Robot {
   std::string name, format, file;
+  std::string drawn;                                           // at which coordinates; empty: zero
   Eigen::Vector3d gravity = Eigen::Vector3d(0.0, 0.0, -9.81);  // [m/s2]
   std::vector<RobotLink> links;
   std::vector<RobotJoint> joints;

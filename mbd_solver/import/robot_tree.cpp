@@ -29,7 +29,7 @@ Eigen::Matrix3d steiner(double mass, const Eigen::Vector3d& d) {
 // Mass, centre and inertia of `from`, at rest relative to `into`, are added to those of `into`.
 void add_mass(RobotLink& into, const RobotLink& from) {
   if (!(from.mass > 0.0)) return;
-  const Placement X = into.X_DL.inverse() * from.X_DL;
+  const RigidFrame X = into.X_DL.inverse() * from.X_DL;
   const Eigen::Vector3d centre = X * from.centre;
   const Eigen::Matrix3d inertia = X.R * from.inertia * X.R.transpose();
   if (!(into.mass > 0.0)) {
@@ -104,7 +104,7 @@ class Tidy {
     const bool up = joint.parent < 0 || child_empty || link(joint.parent).mass > 0.0;
     const int from = up ? joint.child : joint.parent, into = up ? joint.parent : joint.child;
     if (into >= 0) {
-      const Placement X = link(into).X_DL.inverse() * link(from).X_DL;
+      const RigidFrame X = link(into).X_DL.inverse() * link(from).X_DL;
       add_mass(link(into), link(from));
       for (auto list : {&RobotLink::collisions, &RobotLink::visuals})
         for (RobotGeometry geometry : link(from).*list) {

@@ -128,7 +128,7 @@ class Writer {
          << one_line(fs::path(robot_.file).filename().string())
          << ", as `footfall import` reads it. Edit it as any scene; FILE:LINE is where a part comes from.\n"
          << "# Bodies have the axes of their links. Coordinates are zero as drawn"
-         << (robot_.format == "MJCF" ? " (qpos0)" : "") << ".\n"
+         << (robot_.drawn.empty() ? "" : " (" + robot_.drawn + ")") << ".\n"
          << "title = " << toml_text(robot_.name.empty() ? "robot" : robot_.name) << "\n"
          << "end_time = 1.0                        # s\n"
          << "gravity = " << list(robot_.gravity) << "\n";
@@ -174,7 +174,7 @@ class Writer {
   }
 
   std::string shape_of(const RobotLink& link, const RobotGeometry& g) const {
-    const Placement X = link.X_DL * g.X_LG;
+    const RigidFrame X = link.X_DL * g.X_LG;
     const Eigen::Vector3d half = X.R.col(2) * (0.5 * g.length);
     switch (g.kind) {
       case GeometryKind::kBox: {
@@ -240,7 +240,7 @@ class Writer {
     const bool even = g.scale[0] > 0.0 && g.scale[0] == g.scale[1] && g.scale[0] == g.scale[2];
     if (parts.size() == 1 && g.kind == GeometryKind::kMesh && whole && even &&
         (ending == ".stl" || ending == ".obj" || ending == ".ply")) {
-      const Placement X = link.X_DL * g.X_LG;
+      const RigidFrame X = link.X_DL * g.X_LG;
       add_surface(copied(g.file), g.scale[0], X);
       return;
     }
@@ -249,7 +249,7 @@ class Writer {
     add_surface(name, 1.0, link.X_DL);
   }
 
-  void add_surface(const std::string& file, double scale, const Placement& X) {
+  void add_surface(const std::string& file, double scale, const RigidFrame& X) {
     boundaries_ += "[boundaries.surface]\nfile = " + toml_text(file) + "\n";
     if (scale != 1.0) boundaries_ += "scale = " + number(scale) + "\n";
     if (!X.p.isZero(0.0)) boundaries_ += "position = " + list(X.p) + "\n";

@@ -62,7 +62,7 @@ const std::map<std::string, KnownElement>& sdf_elements() {
 }
 
 Eigen::Vector3d vector(const ignition::math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
-Placement placement(const ignition::math::Pose3d& pose) {
+RigidFrame placement(const ignition::math::Pose3d& pose) {
   const ignition::math::Quaterniond& q = pose.Rot();
   return {vector(pose.Pos()), Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).normalized().toRotationMatrix()};
 }
@@ -89,7 +89,7 @@ class SdfRobot {
                                                 error.what() + "; correct it, or export it again");
     }
     report(errors);
-    std::vector<std::pair<const sdf::Model*, Placement>> models;
+    std::vector<std::pair<const sdf::Model*, RigidFrame>> models;
     if (root.Model() != nullptr) models.emplace_back(root.Model(), placement(root.Model()->RawPose()));
     for (std::uint64_t w = 0; w < root.WorldCount(); ++w) {
       const sdf::World& world = *root.WorldByIndex(w);
@@ -208,7 +208,7 @@ class SdfRobot {
     return -1;
   }
 
-  void add_model(const sdf::Model& model, const Placement& X_DM, const std::string& prefix, bool still) {
+  void add_model(const sdf::Model& model, const RigidFrame& X_DM, const std::string& prefix, bool still) {
     still = still || model.Static();
     robot_.touches_itself = robot_.touches_itself || model.SelfCollide();
     const std::size_t first = robot_.links.size();
@@ -227,7 +227,7 @@ class SdfRobot {
           robot_.apart.emplace_back(static_cast<int>(i), static_cast<int>(j));
   }
 
-  void add_link(const sdf::Link& link, const Placement& X_DM, const std::string& prefix, bool still) {
+  void add_link(const sdf::Link& link, const RigidFrame& X_DM, const std::string& prefix, bool still) {
     const pugi::xml_node node = node_of("link", link.Name());
     ignition::math::Pose3d pose;
     report(link.SemanticPose().Resolve(pose, "__model__"));
@@ -261,7 +261,7 @@ class SdfRobot {
       return;
     }
     const ignition::math::Inertiald& inertial = link.Inertial();
-    const Placement X_LI = placement(inertial.Pose());
+    const RigidFrame X_LI = placement(inertial.Pose());
     const ignition::math::Matrix3d I = inertial.MassMatrix().Moi();
     Eigen::Matrix3d moments;
     for (unsigned r = 0; r < 3; ++r)
@@ -278,7 +278,7 @@ class SdfRobot {
     robot_.links.push_back(made);
   }
 
-  void add_geometry(RobotLink& link, const sdf::Geometry& geometry, const Placement& X_LG, const pugi::xml_node& node,
+  void add_geometry(RobotLink& link, const sdf::Geometry& geometry, const RigidFrame& X_LG, const pugi::xml_node& node,
                     bool collides) {
     RobotGeometry made;
     made.origin = node ? xml_.origin(node) : link.origin;
@@ -348,7 +348,7 @@ class SdfRobot {
     return q;
   }
 
-  Eigen::Vector3d axis_in_D(const sdf::JointAxis& axis, const Placement& X_DM) const {
+  Eigen::Vector3d axis_in_D(const sdf::JointAxis& axis, const RigidFrame& X_DM) const {
     ignition::math::Vector3d xyz;
     report(axis.ResolveXyz(xyz, "__model__"));
     return (X_DM.R * vector(xyz)).normalized();
@@ -358,7 +358,7 @@ class SdfRobot {
     return q.lower || q.upper || q.damping > 0.0 || q.friction > 0.0 || q.stiffness > 0.0;
   }
 
-  void add_joint(const sdf::Joint& joint, const Placement& X_DM, const std::string& prefix) {
+  void add_joint(const sdf::Joint& joint, const RigidFrame& X_DM, const std::string& prefix) {
     const pugi::xml_node node = node_of("joint", joint.Name());
     std::string parent, child;
     report(joint.ResolveParentLink(parent));
@@ -424,7 +424,7 @@ class SdfRobot {
   }
 
   // An axis in the parent, then one in the child. A universal joint has no coordinates for laws: these need a link between.
-  void add_two_axes(RobotJoint made, const sdf::Joint& joint, const Placement& X_DM) {
+  void add_two_axes(RobotJoint made, const sdf::Joint& joint, const RigidFrame& X_DM) {
     const Eigen::Vector3d axis2 = axis_in_D(*joint.Axis(1), X_DM);
     const RobotCoordinate q1 = coordinate(*joint.Axis(0), "angle"), q2 = coordinate(*joint.Axis(1), "angle");
     const bool right = std::abs(made.axis.dot(axis2)) < 1e-9;
@@ -453,7 +453,8 @@ class SdfRobot {
   }
 
   // angle of the child = -ratio times angle of the parent, both about the reference body.
-  void add_gearbox(const RobotJoint& made, const sdf::Joint& joint, const pugi::xml_node& node, const Placement& X_DM) {
+  void add_gearbox(const RobotJoint& made, const sdf::Joint& joint, const pugi::xml_node& node,
+                   const RigidFrame& X_DM) {
     const std::string reference = trimmed(node.child("gearbox_reference_body").text().get());
     const double ratio = node.child("gearbox_ratio").text().as_double(1.0);
     const int about = link_index(reference);

@@ -183,7 +183,7 @@ void check_tree(const XmlSource& xml, const NodesByName& links, const NodesByNam
   }
 }
 
-Placement placement(const urdf::Pose& pose) {
+RigidFrame placement(const urdf::Pose& pose) {
   Eigen::Quaterniond q(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
   return {{pose.position.x, pose.position.y, pose.position.z}, q.normalized().toRotationMatrix()};
 }
@@ -274,7 +274,7 @@ class UrdfRobot {
   }
 
  private:
-  void add_link(const urdf::Link& link, int parent, const Placement& X_DL) {
+  void add_link(const urdf::Link& link, int parent, const RigidFrame& X_DL) {
     const pugi::xml_node node = link_nodes_.at(link.name);
     const int index = static_cast<int>(robot_.links.size());
     RobotLink& made = robot_.links.emplace_back();
@@ -283,7 +283,7 @@ class UrdfRobot {
     made.X_DL = X_DL;
     if (link.inertial) {
       const urdf::Inertial& i = *link.inertial;
-      const Placement X_LI = placement(i.origin);
+      const RigidFrame X_LI = placement(i.origin);
       Eigen::Matrix3d I;
       I << i.ixx, i.ixy, i.ixz, i.ixy, i.iyy, i.iyz, i.ixz, i.iyz, i.izz;
       made.mass = i.mass;
@@ -300,7 +300,7 @@ class UrdfRobot {
   }
 
   // In the order of the file, not of names.
-  void add_children(const urdf::Link& link, int index, const Placement& X_DL) {
+  void add_children(const urdf::Link& link, int index, const RigidFrame& X_DL) {
     std::vector<urdf::LinkSharedPtr> children = link.child_links;
     std::sort(children.begin(), children.end(), [&](const auto& a, const auto& b) {
       return joint_nodes_.at(a->parent_joint->name).offset_debug() <
@@ -308,7 +308,7 @@ class UrdfRobot {
     });
     for (const auto& child : children) {
       const urdf::Joint& joint = *child->parent_joint;
-      Placement X = X_DL * placement(joint.parent_to_joint_origin_transform);
+      RigidFrame X = X_DL * placement(joint.parent_to_joint_origin_transform);
       if (joint.mimic) X = X * displaced(joint, joint.mimic->offset);
       add_link(*child, index, X);
     }
@@ -318,7 +318,7 @@ class UrdfRobot {
     return Eigen::Vector3d(joint.axis.x, joint.axis.y, joint.axis.z).normalized();
   }
 
-  static Placement displaced(const urdf::Joint& joint, double by) {
+  static RigidFrame displaced(const urdf::Joint& joint, double by) {
     if (joint.type == urdf::Joint::PRISMATIC) return {by * axis_of(joint), Eigen::Matrix3d::Identity()};
     if (joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS)
       return {Eigen::Vector3d::Zero(), Eigen::AngleAxisd(by, axis_of(joint)).toRotationMatrix()};
@@ -336,7 +336,7 @@ class UrdfRobot {
     made.name = joint.name;
     made.parent = parent;
     made.child = child;
-    const Placement& X_DL = robot_.links[static_cast<std::size_t>(child)].X_DL;
+    const RigidFrame& X_DL = robot_.links[static_cast<std::size_t>(child)].X_DL;
     made.point = X_DL.p;
     if (joint.type != urdf::Joint::FIXED) made.axis = X_DL.R * axis_of(joint);
     switch (joint.type) {

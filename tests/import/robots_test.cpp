@@ -263,8 +263,8 @@ TEST_F(Robots, MjcfJointsWithLawsRotorsAndMotors) {
                              "ctrlrange='-3 3' forcelimited='true' forcerange='-20 20'/></actuator>"
                              "<keyframe><key qpos='0.7 0.2 1 0 0 0' ctrl='0.6'/></keyframe>"));
   const JointSpec& h = *s.joint("h");
-  EXPECT_NEAR(h.angle->stops->smallest_stroke.value(), -1.1, kExact);  // counted from ref
-  EXPECT_NEAR(h.angle->spring->free_stroke, 0.4, kExact);
+  EXPECT_NEAR(h.angle->stops->smallest_stroke.value(), -1.7, kExact);  // counted from the keyframe, for the ball joint
+  EXPECT_NEAR(h.angle->spring->free_stroke, -0.2, kExact);
   EXPECT_EQ(h.angle->spring->damping, 0.3);
   EXPECT_EQ(s.joint("s")->displacement->friction->coulomb, 3.0);
   EXPECT_EQ(s.joint("q")->type, JointType::kSpherical);
@@ -274,10 +274,16 @@ TEST_F(Robots, MjcfJointsWithLawsRotorsAndMotors) {
   EXPECT_EQ(p.motor.kp, 400.0);              // kp gear^2
   EXPECT_EQ(*p.motor.largest_torque, 40.0);  // times gear
   EXPECT_EQ(p.rotor_inertia, 0.02);
-  EXPECT_NEAR(p.command->polynomial[0], 0.6 / 2.0 - 0.1, kExact);  // ctrl is gear q
+  EXPECT_NEAR(p.command->polynomial[0], 0.6 / 2.0 - 0.7, kExact);  // ctrl is gear q
   EXPECT_EQ(s.drives[1].rotor_inertia, 0.5);
-  ASSERT_EQ(s.initial.joints.size(), 2u);
-  EXPECT_NEAR(*s.initial.joints[0].angle, 0.6, kExact);
+  EXPECT_TRUE(s.initial.joints.empty());
+  // Without ball joint: drawn at qpos0, that is at ref.
+  const Scene t =
+      imported("t.xml", mjcf("<body name='a'>" + std::string(kMass) + "<joint name='h' range='-1 2' ref='0.1'/></body>",
+                             "<keyframe><key qpos='0.7'/></keyframe>"));
+  EXPECT_NEAR(t.joint("h")->angle->stops->smallest_stroke.value(), -1.1, kExact);
+  ASSERT_EQ(t.initial.joints.size(), 1u);
+  EXPECT_NEAR(*t.initial.joints[0].angle, 0.6, kExact);
 }
 
 TEST_F(Robots, MjcfSeveralJointsOfABody) {
