@@ -1,14 +1,20 @@
 // mbd_solver: the multibody side of footfall. Alone it runs scenes without grains:
 //   mbd_solver scene.toml --out DIR
-// and with LIGGGHTS under one mpirun scenes with grains:
+// with LIGGGHTS under one mpirun scenes with grains:
 //   mpirun -np 2 liggghts_mbd -in in.script : -np 1 mbd_solver scene.toml --out DIR
+// and as a worker of a sweep with drawn runs one scene after another (mbd_solver/studies/campaign/worker_pool.h):
+//   mbd_solver --serve
 
 #include <mpi.h>
+
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
@@ -119,18 +125,52 @@ int run_with(const Arguments& given, Transport& transport) {
   }
 }
 
-int guarded(const std::function<int()>& work) {
+int guarded(const std::function<int()>& work, const std::function<int(const std::exception&, int)>& told = report) {
   try {
     return work();
   } catch (const InputError& error) {
-    return report(error, kExitBadInput);
+    return told(error, kExitBadInput);
   } catch (const ProtocolError& error) {
-    return report(error, kExitBadInput);
+    return told(error, kExitBadInput);
   } catch (const Interrupted& error) {
-    return report(error, kExitInterrupted);
+    return told(error, kExitInterrupted);
   } catch (const std::exception& error) {
-    return report(error, kExitFailed);
+    return told(error, kExitFailed);
   }
+}
+
+// Each line of standard input is a run without grains: {"scene", "settings", "until", "out"}. The answer is a line "CODE MESSAGE".
+int serve() {
+  const int answers = ::dup(STDOUT_FILENO);
+  ::dup2(STDERR_FILENO, STDOUT_FILENO);  // whatever else is printed
+  std::string line;
+  while (std::getline(std::cin, line)) {
+    std::string message;
+    const int code = guarded(
+        [&] {
+          const auto task = nlohmann::json::parse(line);
+          RunOptions options;
+          options.out = task.at("out").get<std::string>();
+          options.until = task.at("until").get<double>();
+          options.quiet = true;
+          options.keep_every = 0.0;
+          const Scene scene =
+              read_scene(task.at("scene").get<std::string>(), task.at("settings").get<std::vector<std::string>>());
+          if (scene.touches_particles())
+            throw InputError(code::kWrongPrograms, scene.file + ": a run on grains needs LIGGGHTS: use `footfall run`");
+          return run_scene(scene, options, nullptr, interrupted());
+        },
+        [&](const std::exception& error, int failed) {
+          message = error.what();
+          return failed;
+        });
+    for (char& c : message)
+      if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+    const std::string answer = std::to_string(code) + " " + message + "\n";
+    if (::write(answers, answer.data(), answer.size()) != static_cast<ssize_t>(answer.size())) return kExitFailed;
+    if (code == kExitInterrupted) return code;
+  }
+  return kExitDone;
 }
 
 int run_coupled(const Arguments& arguments, const Communicator& communicator) {
@@ -154,6 +194,11 @@ int run_coupled(const Arguments& arguments, const Communicator& communicator) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc == 2 && std::string(argv[1]) == "--serve") {
+    std::signal(SIGXFSZ, SIG_IGN);
+    end_on_signals("mbd_solver");
+    return serve();
+  }
   CLI::App app{"mbd_solver: flexible multibody mechanisms, alone or on grains of LIGGGHTS"};
   Arguments arguments;
   try {

@@ -1,5 +1,6 @@
-# What `cmake --install` puts where. Two components:
+# What `cmake --install` puts where. Three components:
 #   runtime      programs, inputs, man pages, completion, docs               package footfall
+#   campaign     sweeps with drawn runs                                     package footfall-campaign
 #   development  headers and libraries: find_package(footfall)               package footfall-dev
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -7,6 +8,10 @@ include(CMakePackageConfigHelpers)
 install(TARGETS footfall footfall_studies mbd_solver liggghts_mbd RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
 if(FOOTFALL_IMPORT)  # where it has been built, by the first `footfall import`
   install(TARGETS footfall_import RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT import OPTIONAL)
+endif()
+
+if(TARGET footfall_campaign)  # of a package of its own: nothing else needs OpenTURNS
+  install(TARGETS footfall_campaign RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT campaign)
 endif()
 
 # Programs find these from their own place: ../share/footfall (mbd_solver/scene/shipped_files.h).

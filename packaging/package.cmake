@@ -7,6 +7,15 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL runtime development)
+if(TARGET footfall_campaign)
+  list(APPEND CPACK_COMPONENTS_ALL campaign)
+  set(CPACK_DEBIAN_CAMPAIGN_PACKAGE_NAME footfall-campaign)
+  set(CPACK_DEBIAN_CAMPAIGN_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_CAMPAIGN_PACKAGE_DEPENDS "footfall (= ${PROJECT_VERSION})")
+  set(CPACK_DEBIAN_CAMPAIGN_DESCRIPTION "sweeps of footfall with drawn runs
+Probabilities of outcomes with intervals, envelopes and sensitivities from
+runs whose quantities are drawn from distributions.")
+endif()
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
@@ -22,7 +31,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS
   "libliggghts3 (>= ${liggghts}), libliggghts3 (<< ${liggghts_series}${liggghts_next}~), openmpi-bin, gnuplot-nox | gnuplot, fonts-dejavu-core")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "liggghts")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "footfall-dev, paraview")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "footfall-campaign, footfall-dev, paraview")
 set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "flexible multibody mechanisms against beds of grains
 footfall computes what happens when a mechanism touches a bed of grains:
 LIGGGHTS moves the grains, a multibody solver moves the mechanism with its

@@ -97,17 +97,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kFormulaMark = "{=";
-
 bool holds(const std::vector<std::string>& texts, const std::string& mark) {
   return std::any_of(texts.begin(), texts.end(),
                      [&](const std::string& text) { return text.find(mark) != std::string::npos; });
-}
-
-bool is_formula_name(const std::string& name) {
-  return !name.empty() && !std::isdigit(static_cast<unsigned char>(name.front())) &&
-         std::all_of(name.begin(), name.end(),
-                     [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; });
 }
 
 // Fills what follows from other keys, and finds contradictions.
@@ -369,19 +361,7 @@ std::vector<std::string> with_formulas(std::vector<std::string> texts, const Cal
   NamedValues values;
   for (std::size_t i = 0; i < point.size(); ++i)
     values[spec.parameters[i].name] = std::stod(spec.parameters[i].text(point[i]));
-  for (std::string& text : texts)
-    for (std::size_t at = text.find(kFormulaMark); at != std::string::npos; at = text.find(kFormulaMark)) {
-      const std::size_t end = text.find('}', at);
-      if (end == std::string::npos)
-        throw InputError(code::kStudyFormula, "\"" + text + "\": a formula begins with {= and lacks the closing }");
-      const std::string formula = trimmed(text.substr(at + 2, end - at - 2));
-      for (const std::string& name : Expression::names_in(formula))
-        if (values.find(name) == values.end())
-          throw InputError(code::kStudyFormula, "\"" + formula + "\": unknown parameter \"" + name + "\"." +
-                                                    known_names("parameters", name, names_in(spec.parameters)));
-      text.replace(at, end + 1 - at, number_text(Expression(formula, values).value(), 10));
-    }
-  return texts;
+  return with_formulas(std::move(texts), values);
 }
 
 double violation_of(const CalibrationSpec& spec, const UnitPoint& point) {

@@ -69,4 +69,18 @@ inline constexpr MessageCode kRigGravity{"E0613", "rig-gravity"};
 // A check of the rig is not possible with this scene. Run it without --checks.
 inline constexpr MessageCode kRigCheck{"E0614", "rig-check"};
 
+// --- Campaigns: sweeps with drawn runs.
+
+// No process can be started that carries out the runs. The message has the reason.
+inline constexpr MessageCode kNoWorker{"E0620", "no-worker"};
+// The program for drawn runs is missing: it needs OpenTURNS. ./footfall builds it; or install its package.
+inline constexpr MessageCode kNoCampaignProgram{"E0621", "no-campaign-program"};
+// A repeated run has other numbers than its row in the table. Programs or files have changed since: start again in another folder.
+inline constexpr MessageCode kRowDiffers{"E0622", "row-differs"};
+// Rows of the table are not done yet. Carry out the remaining elements of the job array.
+inline constexpr MessageCode kRowsMissing{"E0623", "rows-missing"};
+
+// The command does not carry out such a file. Use the one that the message names.
+inline constexpr MessageCode kWrongSweep{"E0624", "wrong-sweep"};
+
 }  // namespace footfall::code

@@ -14,7 +14,6 @@
 namespace footfall {
 namespace {
 
-constexpr double kMostRuns = 1e5;
 constexpr std::size_t kLongest = 200;  // characters of a folder's name: the system allows 255, with ".done.json"
 
 // As a part of a folder's name, without blanks, at which LIGGGHTS splits paths.
@@ -36,6 +35,7 @@ struct Combination {
 std::vector<Combination> combinations_of(const std::vector<ParameterSpec>& parameters, bool short_form) {
   std::vector<Combination> all = {{}};
   for (const ParameterSpec& parameter : parameters) {
+    if (parameter.is_drawn()) continue;
     std::vector<Combination> longer;
     for (const Combination& combination : all) {
       for (const ChoiceSpec& choice : short_form ? parameter.short_choices : parameter.choices) {
@@ -65,7 +65,8 @@ std::vector<std::string> settings_of(const CurveSpec& curve, std::vector<std::st
 const SweepSpec& with_limited_size(const SweepSpec& spec, bool short_form) {
   double combinations = 1.0, values = spec.curves.empty() ? 1.0 : 0.0;
   for (const ParameterSpec& parameter : spec.parameters)
-    combinations *= static_cast<double>((short_form ? parameter.short_choices : parameter.choices).size());
+    if (!parameter.is_drawn())
+      combinations *= static_cast<double>((short_form ? parameter.short_choices : parameter.choices).size());
   for (const CurveSpec& curve : spec.curves)
     values += static_cast<double>((short_form ? curve.short_values : curve.values).size());
   if (combinations * values > kMostRuns)

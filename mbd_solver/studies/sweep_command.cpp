@@ -1,6 +1,8 @@
 // Makes the beds first, then carries out the runs in a pool, then writes tables and pictures.
 #include "mbd_solver/studies/sweep_command.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -220,10 +222,45 @@ void print_end(const RunStore& store, std::size_t run, const std::string& count,
   std::fflush(stdout);
 }
 
+// The program for drawn runs with the words of the user; it needs OpenTURNS, which other sweeps do not.
+int start_campaign(const SweepArguments& a) {
+  if (a.command != "sweep" || !a.again.empty() || !a.of_case.empty())
+    throw InputError(code::kWrongSweep,
+                     a.file + ": has drawn runs (key runs), expected `footfall sweep` without --case");
+  std::vector<std::string> words;
+  try {
+    words = {built_program("footfall_campaign"), "sweep", a.file};
+  } catch (const InputError&) {
+    throw InputError(code::kNoCampaignProgram,
+                     a.file +
+                         ": has drawn runs, which need the program footfall_campaign: `./footfall sweep` in the "
+                         "checkout builds it, or install the package footfall-campaign");
+  }
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) words.insert(words.end(), {option, value});
+  };
+  add("--out", a.out);
+  add("--table", a.table);
+  add("--jobs", a.jobs > 0 ? std::to_string(a.jobs) : "");
+  add("--only", a.only >= 0 ? std::to_string(a.only) : "");
+  add("--row", a.row >= 0 ? std::to_string(a.row) : "");
+  for (const auto& [flag, given] :
+       {std::pair{"--short", a.short_form}, {"--list", a.list}, {"--merge", a.merge}, {"--slurm", a.slurm}})
+    if (given) words.push_back(flag);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  ::execv(arguments[0], arguments.data());
+  throw InputError(code::kNoCampaignProgram, "the program footfall_campaign cannot be started; install it again");
+}
+
 }  // namespace
 
 int sweep_command(const SweepArguments& a) {
   SweepSpec spec = read_sweep_file(a.file);
+  if (spec.is_campaign()) return start_campaign(a);
+  if (a.row >= 0)
+    throw InputError(code::kWrongSweep, a.file + ": has no drawn runs, expected --only RUN instead of --row");
   if (a.change) a.change(spec);
   if (!a.of_case.empty()) spec = with_curve(spec, a.of_case);
   if (a.short_form && spec.growth && !spec.growth->short_omega_h.empty())

@@ -18,6 +18,7 @@ struct SweepArguments {
   std::string of_case;      // only this curve; empty: all
   std::string table;        // also write the table to this file, as Markdown; empty: no
   int jobs = 0;             // runs at once; 0: as many as the cores allow
+  long row = -1;            // of a campaign: repeat this row with all its files, and stop
   int only = -1;            // only this run, without tables: one element of a job array
   bool resume = false;      // finished runs are not repeated
   bool short_form = false;  // the short form, as in tests

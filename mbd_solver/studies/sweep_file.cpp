@@ -2,12 +2,16 @@
 #include "mbd_solver/studies/sweep_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/named_file.h"
+#include "mbd_solver/model/control/signal_chain.h"
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/field_visitor.h"
@@ -29,6 +33,40 @@ static void visit_fields(FieldVisitor& v, ParameterSpec& p) {
   v.fields(rule::required(kWords), {{"name", &p.name}});
   v.fields(kWords, {{"settings", &p.settings}, {"values", &p.values}, {"short", &p.short_values}});
   v.list("choices", p.choices);
+  DistributionSpec& d = p.distribution;
+  v.choice("distribution", d.kind, "none");
+  v.fields(rule::plain, {{"mean", &d.mean}, {"least", &d.least}, {"most", &d.most}, {"likely", &d.likely}});
+  v.fields(rule::plain, {{"deviation", &d.deviation}, {"shape", &d.shape}, {"scale", &d.scale}});
+  v.fields(rule::not_negative(), {{"weights", &d.weights}});
+  v.fields(rule::plain, {{"measured", &d.file}});
+  v.fields(kWords, {{"column", &d.column}});
+}
+
+static void visit_fields(FieldVisitor& v, CorrelationSpec& c) {
+  v.fields(rule::plain, {{"", &c.source}});
+  v.fields(rule::required(kWords), {{"between", &c.between}});
+  v.fields(rule::required(), {{"rank", &c.rank}});
+}
+
+static void visit_fields(FieldVisitor& v, OutcomeSpec& o) {
+  v.fields(rule::plain, {{"", &o.source}});
+  v.fields(rule::required(kWords), {{"name", &o.name}});
+  v.fields(rule::required(), {{"when", &o.when}});
+}
+
+static void visit_fields(FieldVisitor& v, EnvelopeSpec& e) {
+  v.fields(rule::plain, {{"", &e.source}, {"y", &e.y}, {"outcome", &e.outcome}});
+  v.fields(rule::required(rule::name), {{"name", &e.name}});
+  v.fields(rule::required(), {{"x", &e.x}});
+  v.fields(rule::share, {{"level", &e.level}});
+}
+
+static void visit_fields(FieldVisitor& v, GroundCheckSpec& c) {
+  v.fields(rule::plain, {{"", &c.source}, {"scene", &c.scene}, {"outcome", &c.outcome}});
+  v.fields(kWords, {{"settings", &c.settings}});
+  v.fields(rule::positive(), {{"runs", &c.runs}});
+  v.fields(rule::share, {{"far", &c.far}});
+  v.fields(rule::not_negative(), {{"until", &c.until}});
 }
 
 static void visit_fields(FieldVisitor& v, CurveSpec& c) {
@@ -124,6 +162,13 @@ void visit_fields(FieldVisitor& v, SweepSpec& s) {
   v.list("expect", s.expected);
   v.list("plots", s.plots);
   v.list("fits", s.fits);
+  v.fields(rule::not_negative(), {{"runs", &s.runs}, {"seed", &s.seed}, {"keep", &s.keep}});
+  v.fields(rule::share, {{"until_width", &s.until_width}});
+  v.choice("design", s.design);
+  v.list("correlations", s.correlations);
+  v.list("outcomes", s.outcomes);
+  v.list("envelopes", s.envelopes);
+  v.section("check", s.ground_check);
 }
 
 std::string sweep_schema() {
@@ -155,6 +200,7 @@ class Checker {
   }
 
   void check() {
+    check_kind();
     check_runs();
     check_metrics();
     for (const FitSpec& fit : spec_.fits) check(fit);
@@ -170,10 +216,12 @@ class Checker {
   }
 
   void complete(ParameterSpec& p) {
+    if (p.is_drawn()) complete_drawn(p);
+    if (p.is_drawn() && p.distribution.kind != DistributionKind::kDiscrete) return;
     if (p.values.empty() == p.choices.empty())
       wrong(code::kConflictingKeys, p.source, "values",
             "expected either values with settings that contain {value}, or choices");
-    if (!p.values.empty() && p.settings.empty())
+    if (!p.values.empty() && p.settings.empty() && !p.is_drawn())
       wrong(code::kMissingKey, p.source, "settings",
             "are missing, expected settings that contain {value}, such as \"initial.velocity=[0,0,{value}]\"");
     for (const std::string& value : p.values) p.choices.push_back({value, "", filled(p.settings, value)});
@@ -185,6 +233,105 @@ class Checker {
         p.short_choices.push_back(p.choices[static_cast<std::size_t>(k)]);
     }
     if (p.short_choices.empty() && !p.choices.empty()) p.short_choices = {p.choices.front()};
+  }
+
+  // Its keys are those of its kind; reads measured values.
+  void complete_drawn(ParameterSpec& p) {
+    DistributionSpec& d = p.distribution;
+    const DistributionKind kind = *d.kind;
+    const std::string name(name_of(kind));
+    const auto is = [&](std::initializer_list<DistributionKind> kinds) {
+      return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+    };
+    using K = DistributionKind;
+    const auto number = [&](const char* key, const std::optional<double>& value, bool required, bool allowed) {
+      if (required && !value) wrong(code::kMissingKey, p.source, key, "is missing for the distribution " + name);
+      if (value && !allowed)
+        wrong(code::kKeyWithoutEffect, p.source, key, "has no effect on the distribution " + name + "; remove it");
+    };
+    const bool bounded = is({K::kUniform, K::kTriangular});
+    number("mean", d.mean, is({K::kNormal}), is({K::kNormal}));
+    number("deviation", d.deviation, is({K::kNormal}), is({K::kNormal}));
+    number("least", d.least, bounded, bounded || is({K::kNormal, K::kWeibull}));
+    number("most", d.most, bounded, bounded || is({K::kNormal, K::kWeibull}));
+    number("likely", d.likely, is({K::kTriangular}), is({K::kTriangular}));
+    number("shape", d.shape, is({K::kWeibull}), is({K::kWeibull}));
+    number("scale", d.scale, is({K::kWeibull}), is({K::kWeibull}));
+    for (const auto& [key, value] : {std::pair{"deviation", d.deviation}, {"shape", d.shape}, {"scale", d.scale}})
+      if (value && !(*value > 0.0)) wrong(code::kOutOfRange, p.source, key, "expected a number above 0");
+    const double low = d.least.value_or(kind == K::kWeibull ? 0.0 : -HUGE_VAL), high = d.most.value_or(HUGE_VAL);
+    if (!(low < high))
+      wrong(code::kRangeReversed, p.source, "most", "is not above least, expected an interval");
+    else if (d.likely && !(*d.likely >= low && *d.likely <= high))
+      wrong(code::kOutOfRange, p.source, "likely", "expected a value between least and most");
+    // A truncation far out in the tails leaves nothing to draw from.
+    if (kind == K::kNormal && d.mean && d.deviation && *d.deviation > 0.0 &&
+        (low > *d.mean + 8.0 * *d.deviation || high < *d.mean - 8.0 * *d.deviation))
+      wrong(code::kOutOfRange, p.source, "least",
+            "and most are more than 8 deviations from the mean, where there is nothing to draw");
+    if (p.ensemble)
+      wrong(code::kConflictingKeys, p.source, "ensemble", "is true, expected false: the parameter is drawn");
+    if (!is_formula_name(p.name))
+      wrong(code::kBadName, p.source, "name",
+            "is \"" + p.name + "\", expected letters, digits and _, without a leading digit, for formulas");
+    if (p.name == "row" || p.name == "seed")
+      wrong(code::kReservedName, p.source, "name", "is \"" + p.name + "\", which formulas have of every run");
+    check_lists(p, kind);
+  }
+
+  void check_lists(ParameterSpec& p, DistributionKind kind) {
+    DistributionSpec& d = p.distribution;
+    const bool discrete = kind == DistributionKind::kDiscrete;
+    const std::string name(name_of(kind));
+    const auto without = [&](const char* key, bool given) {
+      if (given)
+        wrong(code::kKeyWithoutEffect, p.source, key, "has no effect on the distribution " + name + "; remove it");
+    };
+    if (!discrete) without("values", !p.values.empty()), without("choices", !p.choices.empty());
+    if (!discrete) without("weights", !d.weights.empty());
+    const std::size_t choices = std::max(p.values.size(), p.choices.size());
+    if (discrete && !d.weights.empty() && d.weights.size() != choices)
+      wrong(code::kWrongCount, p.source, "weights",
+            "has " + std::to_string(d.weights.size()) + " numbers, expected one for each of the " +
+                std::to_string(choices) + " values");
+    if (discrete && !d.weights.empty() && !(*std::max_element(d.weights.begin(), d.weights.end()) > 0.0))
+      wrong(code::kOutOfRange, p.source, "weights", "are all 0");
+    if (kind != DistributionKind::kMeasured) {
+      without("measured", !d.file.empty());
+      without("column", !d.column.empty());
+    } else if (d.file.empty()) {
+      wrong(code::kMissingKey, p.source, "measured", "is missing, expected a CSV file of measured values");
+    } else {
+      read_measured(p);
+    }
+  }
+
+  void read_measured(ParameterSpec& p) {
+    DistributionSpec& d = p.distribution;
+    d.file = (fs::path(spec_.folder) / d.file).lexically_normal().string();
+    try {
+      CsvReader csv(d.file, "a table of measured values, a row per measurement");
+      std::size_t column = 0;
+      if (!d.column.empty()) {
+        std::vector<std::string> head;
+        if (csv.next()) head.assign(csv.cells().begin(), csv.cells().end());
+        const auto found = std::find(head.begin(), head.end(), d.column);
+        column = static_cast<std::size_t>(found - head.begin());
+        if (found == head.end())
+          return wrong(code::kUnknownChoice, p.source, "column",
+                       "\"" + d.column + "\" is not in the first line of " + d.file + "." +
+                           known_names("columns", d.column, head));
+      }
+      while (csv.next()) {
+        if (csv.cells().size() <= column) csv.require_width(column + 1);
+        d.measured.push_back(csv.number(column));
+      }
+      if (d.measured.size() < 2)
+        wrong(code::kWrongCount, p.source, "measured",
+              "has " + std::to_string(d.measured.size()) + " values, expected at least 2");
+    } catch (const InputError& e) {
+      findings_.coded_error(p.source, "measured", e.what());
+    }
   }
 
   void complete(CurveSpec& c) {
@@ -246,6 +393,172 @@ class Checker {
     for (ParameterSpec& parameter : spec_.parameters)
       for (auto* choices : {&parameter.choices, &parameter.short_choices})
         for (ChoiceSpec& choice : *choices) find(choice.scene);
+    if (spec_.ground_check) find(spec_.ground_check->scene);
+  }
+
+  // What a campaign has and other sweeps do not, and the reverse.
+  void check_kind() {
+    const auto only = [&](const char* key, bool given) {
+      if (!given) return;
+      wrong(spec_.is_campaign() ? code::kConflictingKeys : code::kNeedsOtherKey, spec_.source, key,
+            spec_.is_campaign() ? "cannot be combined with runs, expected drawn parameters and outcomes; remove it"
+                                : "has an effect on drawn runs only, expected runs = NUMBER as well");
+    };
+    if (!spec_.is_campaign()) {
+      for (const ParameterSpec& p : spec_.parameters)
+        if (p.is_drawn())
+          return wrong(code::kMissingKey, spec_.source, "runs",
+                       "is missing, expected the number of runs to draw (parameter \"" + p.name +
+                           "\" has a distribution), such as runs = 1000");
+      only("correlations", !spec_.correlations.empty());
+      only("outcomes", !spec_.outcomes.empty());
+      only("envelopes", !spec_.envelopes.empty());
+      only("check", spec_.ground_check.has_value());
+      for (const char* key : {"until_width", "design", "keep", "seed"}) only(key, spec_.source.given(key));
+      return;
+    }
+    only("curves", !spec_.curves.empty());
+    only("growth", spec_.growth.has_value());
+    only("reference", spec_.reference.has_value());
+    only("limits", !spec_.limits.empty());
+    only("printed", !spec_.published_values.empty());
+    only("statements", !spec_.checks.empty());
+    only("plots", !spec_.plots.empty());
+    only("fits", !spec_.fits.empty());
+    only("minimise", !spec_.minimise.empty());
+    only("repeats", spec_.repeats != 1);
+    findings_.throw_if_errors();
+    check_campaign();
+  }
+
+  void check_campaign() {
+    double cases = 1.0;
+    std::set<std::string> drawn;
+    for (const ParameterSpec& p : spec_.parameters) {
+      if (p.ensemble)
+        wrong(code::kConflictingKeys, p.source, "ensemble",
+              "is true, expected distribution = \"discrete\" in a file with runs");
+      if (p.is_drawn() && !drawn.insert(p.name).second)
+        wrong(code::kDuplicateName, p.source, "name", "\"" + p.name + "\" is taken by another parameter");
+      if (!p.is_drawn()) cases *= static_cast<double>(p.choices.size());
+    }
+    if (drawn.empty())
+      wrong(code::kNeedsOtherKey, spec_.source, "runs",
+            "draws runs, expected at least one of [[parameters]] with a distribution");
+    if (spec_.runs * cases > kMostRuns)
+      wrong(code::kTooManyRuns, spec_.source, "runs",
+            "makes " + number_text(spec_.runs * cases, 3) + " runs of all cases, expected at most " +
+                number_text(kMostRuns));
+    if (spec_.metrics.empty()) wrong(code::kMissingKey, spec_.source, "figures", "are missing");
+    for (const MetricSpec& m : spec_.metrics) {
+      if (!is_formula_name(formula_name(m.name)))
+        wrong(code::kBadName, m.source, "name",
+              "is \"" + m.name + "\", expected letters, digits and blanks, for formulas, before a unit in brackets");
+      if (m.compares_curves())
+        wrong(code::kConflictingKeys, m.source, "error", "compares with a reference, which drawn runs do not have");
+    }
+    check_formulas(drawn);
+    for (const CorrelationSpec& c : spec_.correlations) {
+      if (c.between.size() != 2 || c.between[0] == c.between[1])
+        wrong(code::kWrongCount, c.source, "between", "expected the names of two drawn parameters");
+      for (const std::string& name : c.between) require_drawn(c.source, "between", name, drawn);
+      if (!(std::abs(c.rank) < 1.0))
+        wrong(code::kOutOfRange, c.source, "rank", "expected a number between -1 and 1, without the ends");
+    }
+    for (const EnvelopeSpec& e : spec_.envelopes) {
+      require_drawn(e.source, "x", e.x, drawn);
+      if (!e.y.empty()) require_drawn(e.source, "y", e.y, drawn);
+      if (e.x == e.y) wrong(code::kListedTwice, e.source, "y", "is the same parameter as x");
+      if (!(e.level > 0.0 && e.level < 1.0))
+        wrong(code::kOutOfRange, e.source, "level", "expected a probability between 0 and 1, without the ends");
+      require_outcome(e.source, e.outcome);
+    }
+    if (!spec_.ground_check) return;
+    require_outcome(spec_.ground_check->source, spec_.ground_check->outcome);
+    if (spec_.ground_check->settings.empty() && spec_.ground_check->scene.empty())
+      wrong(code::kMissingKey, spec_.ground_check->source, "settings",
+            "are missing, expected what differs in the runs of the check, such as \"ground.kind=particles\"");
+    if (spec_.ground_check->runs < 2)
+      wrong(code::kOutOfRange, spec_.ground_check->source, "runs", "expected at least 2");
+  }
+
+  void check_formulas(const std::set<std::string>& drawn) {
+    std::map<std::string, double> values = {{"row", 1.0}, {"seed", 1.0}};
+    for (const std::string& name : drawn) values[name] = 1.0;
+    std::set<std::string> used;
+    const auto check_texts = [&](const Source& at, const std::string& key, const std::vector<std::string>& texts) {
+      for (const std::string& text : texts) {
+        for (std::size_t k = text.find(kFormulaMark); k != std::string::npos; k = text.find(kFormulaMark, k + 1)) {
+          try {
+            for (const std::string& name : Expression::names_in(text.substr(k + 2, text.find('}', k) - k - 2)))
+              used.insert(name);
+          } catch (const InputError&) {  // reported below
+          }
+        }
+        try {
+          with_formulas({text}, values);
+        } catch (const InputError& e) {
+          findings_.coded_error(at, key, e.what());
+        } catch (const NumericalError&) {  // has no value here; the first row is tried before all
+        }
+      }
+    };
+    check_texts(spec_.source, "settings", spec_.settings);
+    if (spec_.ground_check) check_texts(spec_.ground_check->source, "settings", spec_.ground_check->settings);
+    for (const ParameterSpec& p : spec_.parameters) {
+      check_texts(p.source, "settings", p.settings);
+      for (const ChoiceSpec& choice : p.choices) check_texts(p.source, "settings", choice.settings);
+    }
+    for (const ParameterSpec& p : spec_.parameters)
+      if (p.is_drawn() && used.count(p.name) == 0 && p.settings.empty() &&
+          std::all_of(p.choices.begin(), p.choices.end(),
+                      [](const ChoiceSpec& c) { return c.settings.empty() && c.scene.empty(); }))
+        wrong(code::kMissingKey, p.source, "settings",
+              "are missing, and no {= formula} uses \"" + p.name + "\", which has no effect");
+    for (const MetricSpec& m : spec_.metrics)
+      if (!values.emplace(formula_name(m.name), 1.0).second)
+        wrong(code::kDuplicateName, m.source, "name",
+              "\"" + formula_name(m.name) + "\" in formulas is taken by another figure or parameter");
+    std::set<std::string> outcomes;
+    for (const OutcomeSpec& o : spec_.outcomes) {
+      if (!outcomes.insert(o.name).second)
+        wrong(code::kDuplicateName, o.source, "name", "\"" + o.name + "\" is taken by another outcome");
+      try {
+        std::vector<std::string> known;
+        for (const auto& [name, value] : values) known.push_back(name);
+        bool good = true;
+        for (const std::string& name : Expression::names_in(o.when)) {
+          if (values.count(name) > 0) continue;
+          good = false;
+          wrong(code::kUnknownMetric, o.source, "when",
+                "\"" + name + "\" is neither a figure nor a drawn parameter." + known_names("names", name, known));
+        }
+        if (good) Expression(o.when, values);
+      } catch (const InputError& e) {
+        findings_.coded_error(o.source, "when", e.what());
+      }
+    }
+  }
+
+  // Drawn, with numbers as values.
+  void require_drawn(const Source& at, const std::string& key, const std::string& name,
+                     const std::set<std::string>& drawn) {
+    if (drawn.count(name) == 0)
+      return wrong(code::kUnknownParameter, at, key,
+                   "\"" + name + "\" is not one of [[parameters]] with a distribution." +
+                       known_names("parameters", name, {drawn.begin(), drawn.end()}));
+    const ParameterSpec& p = spec_.parameters[static_cast<std::size_t>(index_of(spec_.parameters, name))];
+    for (const ChoiceSpec& choice : p.choices)
+      if (!number_in(choice.name))
+        return wrong(code::kWrongType, at, key,
+                     "parameter \"" + name + "\" has the value \"" + choice.name + "\", expected numbers");
+  }
+
+  void require_outcome(const Source& at, const std::string& name) {
+    if (spec_.outcomes.empty()) return wrong(code::kNeedsOtherKey, at, "outcome", "needs [[outcomes]]");
+    if (!name.empty() && index_of(spec_.outcomes, name) < 0)
+      wrong(code::kUnknownMetric, at, "outcome",
+            "\"" + name + "\" is not one of [[outcomes]]." + known_names("outcomes", name, names_in(spec_.outcomes)));
   }
 
   void check_runs() {
@@ -350,6 +663,38 @@ class Checker {
 
 }  // namespace
 
+bool is_formula_name(const std::string& name) {
+  return !name.empty() && !std::isdigit(static_cast<unsigned char>(name.front())) &&
+         std::all_of(name.begin(), name.end(),
+                     [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; });
+}
+
+std::string formula_name(const std::string& name) {
+  std::string text = trimmed(name.substr(0, name.find('[')));
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == ' ' || c == '-' || c == '.'; }, '_');
+  return text;
+}
+
+std::vector<std::string> with_formulas(std::vector<std::string> texts, std::map<std::string, double>& values,
+                                       int digits) {
+  std::vector<std::string> known;
+  for (const auto& [name, value] : values) known.push_back(name);
+  for (std::string& text : texts)
+    for (std::size_t at = text.find(kFormulaMark); at != std::string::npos; at = text.find(kFormulaMark)) {
+      const std::size_t end = text.find('}', at);
+      if (end == std::string::npos)
+        throw InputError(code::kStudyFormula, "\"" + text + "\": a formula begins with {= and lacks the closing }");
+      const std::string formula = trimmed(text.substr(at + 2, end - at - 2));
+      for (const std::string& name : Expression::names_in(formula))
+        if (values.find(name) == values.end())
+          throw InputError(code::kStudyFormula, "\"" + formula + "\": unknown parameter \"" + name + "\"." +
+                                                    known_names("parameters", name, known));
+      text.replace(at, end + 1 - at, number_text(Expression(formula, values).value(), digits));
+    }
+  return texts;
+}
+
 SweepSpec read_sweep_file(const std::string& file) {
   require_file(file, "a sweep file (TOML), as in inputs/sweeps and inputs/accuracy");
   const ConfigNode root = parse_toml_file(file);
@@ -366,8 +711,8 @@ SweepSpec read_sweep_file(const std::string& file) {
   read_fields(
       root, s.folder, [&](FieldVisitor& reader) { visit_fields(reader, s); }, findings);
   findings.throw_if_errors();
-  // A default that the file may override.
-  s.settings.insert(s.settings.begin(), "output.vtk=false");
+  // Defaults that the file may override.
+  s.settings.insert(s.settings.begin(), {"output.vtk=false", "output.plots=false"});
   for (CheckSpec& check_spec : s.expected) {
     check_spec.must = true;
     s.checks.push_back(check_spec);

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mbd_solver/scene/field_visitor.h"
@@ -14,6 +15,39 @@
 #include "mbd_solver/studies/metrics.h"
 
 namespace footfall {
+
+// How the runs of a campaign are placed in the unit cube, before the distributions.
+enum class Design { kRandom, kLatinHypercube, kSobol };
+constexpr std::string_view name_of(Design design) {
+  switch (design) {
+    case Design::kRandom: return "random";                   // each row from its own seed
+    case Design::kLatinHypercube: return "latin_hypercube";  // one row in each of `runs` slices of every quantity
+    case Design::kSobol: return "sobol";                     // Sobol' sequence, shifted at random
+  }
+  return "";
+}
+
+enum class DistributionKind { kNormal, kUniform, kTriangular, kWeibull, kDiscrete, kMeasured };
+constexpr std::string_view name_of(DistributionKind kind) {
+  switch (kind) {
+    case DistributionKind::kNormal: return "normal";
+    case DistributionKind::kUniform: return "uniform";
+    case DistributionKind::kTriangular: return "triangular";
+    case DistributionKind::kWeibull: return "weibull";    // P(X > least + x) = exp(-(x / scale)^shape)
+    case DistributionKind::kDiscrete: return "discrete";  // values or choices, with weights
+    case DistributionKind::kMeasured: return "measured";  // the numbers of a CSV file, each as likely as the others
+  }
+  return "";
+}
+
+// Of a parameter that is drawn. A normal or Weibull distribution with bounds is truncated there.
+struct DistributionSpec {
+  std::optional<DistributionKind> kind;                                      // none: the parameter is not drawn
+  std::optional<double> mean, deviation, least, most, likely, shape, scale;  // units of the parameter, shape [-]
+  std::vector<double> weights;                                               // of the values or choices; empty: alike
+  std::string file, column;      // of measured values; column: name in the first line, else the first column
+  std::vector<double> measured;  // from that file
+};
 
 struct ChoiceSpec {
   std::string name, scene;  // scene empty: the sweep's
@@ -26,7 +60,10 @@ struct ParameterSpec {
   std::vector<std::string> settings, values, short_values;  // {value} in settings is replaced by each value
   std::vector<ChoiceSpec> choices, short_choices;           // given instead of values, or one for each value
   bool ensemble = false;                                    // its values are samples of one case, as seeds are
+  DistributionSpec distribution;                            // of a campaign
   Source source;
+
+  bool is_drawn() const { return distribution.kind.has_value(); }
 };
 
 // How the runs of a stability map must end: see Verdict in results.h.
@@ -120,6 +157,36 @@ struct FitSpec {
   Source source;
 };
 
+// [[correlations]]: of two drawn parameters, by a normal copula.
+struct CorrelationSpec {
+  std::vector<std::string> between;
+  double rank = 0.0;  // Spearman's coefficient, -1 to 1
+  Source source;
+};
+
+// [[outcomes]]: what may happen in a run.
+struct OutcomeSpec {
+  std::string name, when;  // when: a formula of metrics and drawn parameters; not 0: it has happened
+  Source source;
+};
+
+// [[envelopes]]: where in one or two drawn parameters an outcome happens.
+struct EnvelopeSpec {
+  std::string name, x, y, outcome;  // y empty: over x alone; outcome empty: the first
+  double level = 0.5;               // probability on the boundary
+  Source source;
+};
+
+// [check]: drawn runs that are repeated with other settings, such as on grains.
+struct GroundCheckSpec {
+  std::string scene, outcome;         // empty: that of the run; the first
+  std::vector<std::string> settings;  // after those of the run
+  int runs = 20;                      // of each case
+  double far = 0.2;                   // share of the weights that all runs get, near the boundary or not [-]
+  double until = 0.0;                 // [s]; 0: that of the run
+  Source source;
+};
+
 struct SweepSpec {
   std::string file, folder;  // of the file
   std::string title, scene, x_name = "value";
@@ -139,8 +206,18 @@ struct SweepSpec {
   std::vector<PlotSpec> plots;
   std::vector<FitSpec> fits;
   std::optional<GrowthSpec> growth;
+  // A campaign: drawn runs.
+  int runs = 0;  // of each case; 0: not a campaign
+  Design design = Design::kRandom;
+  int seed = 1, keep = 20;   // keep: runs that are repeated with all their files
+  double until_width = 0.0;  // of the 95 % interval of every outcome, at which it stops; 0: all runs
+  std::vector<CorrelationSpec> correlations;
+  std::vector<OutcomeSpec> outcomes;
+  std::vector<EnvelopeSpec> envelopes;
+  std::optional<GroundCheckSpec> ground_check;
   Source source;
 
+  bool is_campaign() const { return runs > 0; }
   bool is_map() const { return !curves.empty() && !curves.front().end.ends.empty(); }
 };
 
@@ -152,6 +229,15 @@ void visit_fields(FieldVisitor& v, SweepSpec& spec);  // its keys
 SweepSpec read_sweep_file(const std::string& file);
 // JSON schema (draft 2020-12) of these files, from the same description of keys.
 std::string sweep_schema();
+
+inline constexpr const char* kFormulaMark = "{=";
+bool is_formula_name(const std::string& name);  // letters, digits and _, without a leading digit
+// The name of a metric or parameter in formulas: "peak acceleration [g]" is peak_acceleration.
+std::string formula_name(const std::string& name);
+// Replaces every "{= formula}" in the texts by its value. Throws InputError.
+std::vector<std::string> with_formulas(std::vector<std::string> texts, std::map<std::string, double>& values,
+                                       int digits = 10);
+inline constexpr double kMostRuns = 1e5;  // of one file
 
 // Replaces "{value}", or another mark, in every text.
 std::vector<std::string> filled(std::vector<std::string> texts, const std::string& value,

@@ -40,6 +40,7 @@ ONLY_IN = {
     r"fl/": "mbd_solver/model/control/fuzzy.cpp",
     r"fcl/": "mbd_solver/model/elements/surface_model.cpp mbd_solver/model/elements/contact_surface.cpp",
     r"nlopt": "mbd_solver/studies/search.cpp",
+    r"openturns/": "mbd_solver/studies/campaign/sampling.cpp",
     r"muParser": "mbd_solver/model/control/signal_chain.cpp",
     r"pugixml": "mbd_solver/run/output/vtk_writer.cpp mbd_solver/import/xml_source.h",
     r"(urdf_parser|console_bridge)/": "mbd_solver/import/urdf_reader.cpp",

@@ -1,0 +1,51 @@
+#pragma once
+// Probabilities with intervals: of counts, of boundaries between outcomes, and of two levels of models.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace footfall {
+
+// A probability with its 95 % interval.
+struct Probability {
+  double value = 0.0, low = 0.0, high = 1.0;
+  double width() const { return high - low; }
+};
+// Of `count` independent trials the share `share`; the trials may be an effective, broken number. Wilson 1927.
+Probability wilson(double share, double count);
+
+// P(y = 1 | x) = 1 / (1 + exp(-x b)), by Firth's penalized likelihood (Biometrika 80, 1993), which is finite where a plane
+// separates the outcomes.
+struct Logistic {
+  Eigen::VectorXd b;
+  Eigen::MatrixXd covariance;  // of b
+
+  double score(const Eigen::VectorXd& x) const { return x.dot(b); }
+  double deviation(const Eigen::VectorXd& x) const;  // of the score
+  double probability(const Eigen::VectorXd& x) const;
+};
+// A row of x for each y, which is 0 or 1; the first column of x is 1.
+Logistic fit_logistic(const Eigen::MatrixXd& x, const Eigen::VectorXd& y);
+
+// Runs that are repeated with a better model, by random groups (Rao, Hartley, Cochran, J. R. Stat. Soc. B 24, 1962): the
+// runs are dealt into as many groups, and one of each is drawn with a probability in proportion to its weight.
+struct CheckedRun {
+  std::size_t run = 0;   // its place
+  double factor = 0.0;   // of its correction: weight of the group over that of the run, over all runs
+  double group = 0.0;    // share of the weights of its group
+  double members = 0.0;  // of its group
+};
+std::vector<CheckedRun> draw_checked(const std::vector<double>& weights, int count, std::uint64_t seed);
+
+struct TwoLevels {
+  Probability cheap, corrected;  // by the model of all runs; with the correction
+  double correction = 0.0;
+  int missed = 0, false_alarms = 0;  // of the checked runs: the cheap model says no and the better one yes, and reverse
+};
+// cheap: 0 or 1 for every run; better: likewise for every checked run, or -1 where it is unknown.
+TwoLevels two_levels(const std::vector<int>& cheap, const std::vector<CheckedRun>& checked,
+                     const std::vector<int>& better);
+
+}  // namespace footfall

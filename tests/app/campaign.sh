@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# campaign.sh FOOTFALL OUT: the table of drawn runs is the same from one and from two workers and after kills at any moment; a row is made again
+# to the digit; no program of a landing loads OpenTURNS.
+set -u
+footfall=$1
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+rm -rf "$2" && mkdir -p "$2" && cd "$2" || exit 1
+RANDOM=1
+fail() { echo "campaign.sh: $*"; exit 1; }
+cat >drawn.toml <<END
+scene = "$here/../../inputs/tip_over/scene.toml"
+settings = ["end_time=6"]
+runs = 40
+keep = 2
+[[parameters]]
+name = "gravity"
+values = ["-1.62", "-9.81"]
+settings = ["gravity=[0,0,{value}]"]
+[[parameters]]
+name = "v"
+settings = ["initial.velocity=[{value},0,0]"]
+distribution = "normal"
+mean = 2.2
+deviation = 0.3
+[[figures]]
+name = "turn [rad]"
+columns = ["foot.angle"]
+[[outcomes]]
+name = "tipped"
+when = "turn > pi / 4"
+END
+"$footfall" sweep drawn.toml --jobs 1 --out one >one.txt 2>&1 || { cat one.txt; fail "one worker"; }
+"$footfall" sweep drawn.toml --jobs 2 --out two >two.txt 2>&1 || { cat two.txt; fail "two workers"; }
+cmp one/runs.csv two/runs.csv || fail "two workers have another table than one"
+(($(wc -l <one/runs.csv) == 81)) || fail "expected 80 rows and a head"
+[[ ! -e one/work ]] || fail "the folders of the workers are left"
+for k in 1 2 3 4 5 6; do
+  "$footfall" sweep drawn.toml --jobs 2 --out killed >killed.txt 2>&1 &
+  sleep 0.$((RANDOM % 9 + 1))
+  kill -KILL $! 2>/dev/null
+  wait $! 2>/dev/null
+done
+# A kill in the middle of a line.
+[[ -f killed/rows.journal ]] && printf '7\t0\t0.12' >>killed/rows.journal
+"$footfall" sweep drawn.toml --jobs 2 --out killed >killed.txt 2>&1 || { cat killed.txt; fail "after kills"; }
+cmp one/runs.csv killed/runs.csv || fail "after kills the table is another"
+"$footfall" sweep drawn.toml --slurm --out array >/dev/null || fail "--slurm"
+last=$(sed -n 's/^#SBATCH --array=0-//p' array/sweep.sbatch)
+for ((k = 0; k <= last; ++k)); do "$footfall" sweep drawn.toml --out array --only $k >array.txt 2>&1 || { cat array.txt; fail "--only $k"; }; done
+"$footfall" sweep drawn.toml --out array --merge >array.txt 2>&1 || { cat array.txt; fail "--merge"; }
+cmp one/runs.csv array/runs.csv || fail "a job array has another table"
+"$footfall" sweep drawn.toml --out one --row 17 >row.txt 2>&1 || { cat row.txt; fail "--row"; }
+[[ -f one/kept/row_000017/history.csv ]] || fail "--row left no run"
+"$footfall" accuracy drawn.toml --out no >no.txt 2>&1
+(($? == 2)) && grep -q E0624 no.txt && [[ ! -e no ]] || { cat no.txt; fail "accuracy carries out drawn runs"; }
+sed 's/x,0,0/0,0,0/; s/initial.velocity/initial.speed/' drawn.toml >bad.toml
+"$footfall" sweep bad.toml --out bad >bad.txt 2>&1
+(($? == 2)) && [[ ! -e bad ]] || { cat bad.txt; fail "a wrong setting is not refused before all runs"; }
+for program in footfall footfall_studies mbd_solver liggghts_mbd; do
+  ! ldd "$(dirname "$footfall")/$program" | grep -q libOT || fail "$program loads OpenTURNS"
+done
+echo "campaign.sh: done"
