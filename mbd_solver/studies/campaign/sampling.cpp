@@ -200,7 +200,7 @@ OT::Sample rows_of(const std::vector<std::vector<double>>& x, std::size_t first,
 
 OT::FunctionalChaosResult chaos_of(const OT::Sample& x, const OT::Sample& y) {
   constexpr double kNorm = 0.75;           // of the degrees: interactions of high degree are left out
-  constexpr std::size_t kMostTerms = 500;  // time grows with their square
+  constexpr std::size_t kMostTerms = 250;  // time grows with their square
   const std::size_t width = x.getDimension();
   const std::size_t terms = std::min(kMostTerms, std::max<std::size_t>(1 + width, x.getSize() / 2));
   const OT::OrthogonalProductPolynomialFactory basis(

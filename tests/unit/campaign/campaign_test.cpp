@@ -65,7 +65,7 @@ double deviation(const std::vector<double>& x) {
 }
 
 // A Latin hypercube of 2000 has the moments of a distribution to about 1 / 2000 of its width; 2 % leave room for tails.
-TEST(DrawsOf, EveryDistributionHaveItsMoments) {
+TEST(DrawnRuns, OfEveryDistributionHaveItsMoments) {
   std::vector<ParameterSpec> p = {drawn("n", DistributionKind::kNormal),
                                   drawn("t", DistributionKind::kNormal),
                                   uniform("u", 1.0, 3.0),
@@ -96,7 +96,7 @@ TEST(DrawsOf, EveryDistributionHaveItsMoments) {
   EXPECT_GE(*std::min_element(draws.values(0).begin(), draws.values(0).end()), 0.0);
 }
 
-TEST(DrawsOf, ALatinHypercubeFillEverySliceOnce) {
+TEST(DrawnRuns, OfALatinHypercubeFillEverySliceOnce) {
   const Draws draws(drawn_sweep({uniform("a", 0.0, 100.0), uniform("b", 0.0, 100.0)}, 100, Design::kLatinHypercube));
   for (const std::size_t k : {0, 1}) {
     std::set<int> slices;
@@ -105,14 +105,14 @@ TEST(DrawsOf, ALatinHypercubeFillEverySliceOnce) {
   }
 }
 
-TEST(DrawsOf, SobolHaveTheMeanOfASmoothFunctionToAThousandth) {
+TEST(DrawnRuns, OfSobolHaveTheMeanOfASmoothFunctionToAThousandth) {
   const Draws draws(drawn_sweep({uniform("a", 0.0, 1.0), uniform("b", 0.0, 1.0)}, 1024, Design::kSobol));
   double sum = 0.0;
   for (std::size_t i = 0; i < draws.count(); ++i) sum += draws.values(i)[0] * draws.values(i)[1];
   EXPECT_NEAR(sum / 1024.0, 0.25, 1e-3);  // random draws: 0.007
 }
 
-TEST(DrawsOf, ARandomDesignDoNotDependOnTheNumberOfRuns) {
+TEST(DrawnRuns, OfARandomDesignDoNotDependOnTheNumberOfRuns) {
   const std::vector<ParameterSpec> p = {uniform("a", 0.0, 1.0)};
   const Draws few(drawn_sweep(p, 10)), many(drawn_sweep(p, 1000));
   std::set<std::uint32_t> seeds;
@@ -122,7 +122,7 @@ TEST(DrawsOf, ARandomDesignDoNotDependOnTheNumberOfRuns) {
   EXPECT_NE(Draws(drawn_sweep(p, 10, Design::kRandom, 2)).values(0), few.values(0));
 }
 
-TEST(DrawsOf, CorrelatedParametersHaveTheRankAskedFor) {
+TEST(DrawnRuns, OfCorrelatedParametersHaveTheRankAskedFor) {
   SweepSpec spec = drawn_sweep({uniform("a", 0.0, 1.0), uniform("b", -4.0, 9.0)}, 4000);
   spec.correlations = {{{"b", "a"}, 0.7, {}}};
   const Draws draws(spec);
@@ -241,7 +241,7 @@ TEST(TwoLevelEstimate, IsUnbiasedAndNarrowerThanHalfOfItsGrainRunsAlone) {
     double sum = 0.0;
     for (Eigen::Index i = 0; i < kRuns; ++i) {
       const double p = fit.probability(x.row(i));
-      weights.push_back(std::sqrt(p * (1.0 - p)));
+      weights.push_back(std::pow(p * (1.0 - p), 0.25));
       sum += weights.back();
     }
     for (double& w : weights) w = 0.8 * w / sum + 0.2 / kRuns;
