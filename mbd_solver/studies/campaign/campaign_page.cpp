@@ -447,7 +447,7 @@ std::vector<std::string> draw_campaign(const Campaign& campaign, const std::stri
   if (!panels.empty()) {
     write_whole_file((fs::path(folder) / "histograms.csv").string(), "figure,case,value,percent\n" + bins.str());
     const int rows = (static_cast<int>(panels.size()) + 1) / 2;
-    scripts.push_back(write_drawing(folder, "histograms", {1100, 320 * rows + 40}, kCsv,
+    scripts.push_back(write_drawing(folder, "histograms", {1100, 320 * rows + 40}, csv_setup(),
                                     "set multiplot layout " + std::to_string(rows) +
                                         ",2\nset grid\nset ylabel 'runs [%]'\nset key noenhanced\n" +
                                         joined(panels, "") + "unset multiplot\n"));
@@ -478,7 +478,7 @@ std::vector<std::string> draw_campaign(const Campaign& campaign, const std::stri
       const std::string file = gnuplot_text(name + ".csv");
       const auto of = [&](int kind) { return file + " using ($1==" + std::to_string(kind) + "?$2:1/0):3 "; };
       scripts.push_back(write_drawing(
-          folder, name, {800, 640}, kCsv,
+          folder, name, {800, 640}, csv_setup(),
           "set grid\nset key outside top center horizontal noenhanced\nset title " +
               gnuplot_text(campaign.cases() == 1 ? spec.title : campaign.case_name(c)) + " noenhanced\nset xlabel " +
               gnuplot_text(e.x) + " noenhanced\nset ylabel " + gnuplot_text(e.y.empty() ? "outcome" : e.y) +

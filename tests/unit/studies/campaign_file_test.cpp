@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
               "distribution = \"discrete\"\nvalues = [1, 2]\nweights = [0, 0]", "E0105"},
         Fault{"distribution = \"normal\"\nmean = 1\ndeviation = 2", "distribution = \"measured\"", "E0106"},
         Fault{"distribution = \"normal\"\nmean = 1\ndeviation = 2",
-              "distribution = \"measured\"\nmeasured = \"none.csv\"", "E0101"},
+              "distribution = \"measured\"\nmeasured = \"none.csv\"", "E0250"},
         Fault{"name = \"v\"", "name = \"v x\"", "E0116"}, Fault{"name = \"v\"", "name = \"seed\"", "E0121"},
         Fault{"settings = [\"x={value}\"]", "", "E0106"},
         Fault{"settings = [\"x={value}\"]", "settings = [\"x={= w}\"]", "E0585"},
