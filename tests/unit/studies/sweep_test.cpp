@@ -56,7 +56,8 @@ TEST(ReadExperiment, AsksForNoDrawingsUnlessTheFileDoes) {
                          "[[parameters]]\nname = \"v\"\nsettings = [\"x={value}\"]\nvalues = [1]\n"
                          "[[figures]]\nname = \"m\"\nkey = \"k\"\n";
   // The last word counts.
-  EXPECT_EQ(read_sweep_file(path).settings, (std::vector<std::string>{"output.vtk=false", "output.plots=false", "output.vtk=true"}));
+  EXPECT_EQ(read_sweep_file(path).settings,
+            (std::vector<std::string>{"output.vtk=false", "output.plots=false", "output.vtk=true"}));
   std::filesystem::remove(path);
 }
 
