@@ -119,9 +119,11 @@ std::string progress_text(const Campaign& campaign, std::size_t done, std::size_
   const SweepSpec& spec = campaign.spec();
   for (std::size_t c = 0; c < std::min<std::size_t>(3, campaign.cases()) && !spec.outcomes.empty(); ++c) {
     const Probability p = probability_of(campaign, c, 0);
+    long hits = 0;
+    for (const std::size_t row : rows_of_case(campaign, c)) hits += campaign.row(row).outcomes[0] > 0 ? 1 : 0;
     text += ", " + (campaign.cases() > 1 ? campaign.case_name(c) + ": " : "") + spec.outcomes[0].name + " " +
-            number_text(100.0 * p.value, 3) + " % (" + number_text(100.0 * p.low, 3) + " to " +
-            number_text(100.0 * p.high, 3) + " %)";
+            std::to_string(hits) + " times, " + number_text(100.0 * p.value, 3) + " % (" +
+            number_text(100.0 * p.low, 3) + " to " + number_text(100.0 * p.high, 3) + " %)";
   }
   const double share = static_cast<double>(done) / static_cast<double>(all);
   const std::string left =

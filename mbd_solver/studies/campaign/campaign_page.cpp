@@ -295,7 +295,8 @@ std::string envelope_table(const Campaign& campaign) {
       }
       const std::string none = boundary.fitted() ? "none in the sampled range" : "only one side has been seen";
       table.add({e.name, campaign.case_name(c), spec.outcomes[place_of_outcome(spec, e.outcome)].name,
-                 texts.empty() ? none : joined(texts, "; "), share_text(boundary.agreement())});
+                 texts.empty() ? none : joined(texts, "; "),
+                 boundary.fitted() ? share_text(boundary.agreement()) : ""});
     }
   return table.page();
 }
