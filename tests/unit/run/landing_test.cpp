@@ -17,7 +17,7 @@
 #include "tests/unit/run/small_machine.h"
 
 namespace footfall {
-namespace {
+namespace landing {  // its constants have names of other tests
 
 using test::Bench;
 
@@ -312,5 +312,5 @@ TEST(Landing, MistakesAreTold) {
   }
 }
 
-}  // namespace
+}  // namespace landing
 }  // namespace footfall
