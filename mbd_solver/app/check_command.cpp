@@ -17,6 +17,7 @@
 #include "coupler/interrupt.h"
 #include "coupler/programs.h"
 #include "mbd_solver/app/codes.h"
+#include "mbd_solver/app/film/page_camera.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/run_command.h"
 #include "mbd_solver/base/lock.h"
@@ -141,28 +142,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// A temporary folder, removed with this object.
-class TrialFolder {
- public:
-  TrialFolder() {
-    std::string name = (fs::temp_directory_path() / "footfall_trial_XXXXXX").string();
-    if (!mkdtemp(name.data()))
-      throw InputError(code::kNoTemporaryFolder,
-                       name + ": this folder cannot be created; set TMPDIR to a folder that can be written");
-    path_ = name;
-  }
-  ~TrialFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TrialFolder(const TrialFolder&) = delete;
-  TrialFolder& operator=(const TrialFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 void print_coupling(const Json& summary) {
   std::printf("  %ld grains, time step %g s, ", summary.at("particles").get<long>(),
               summary.at("dt_dem_s").get<double>());
@@ -212,15 +191,16 @@ int trial_command(const RunArguments& given, double seconds) {
                 short_path(scene.file).c_str(), 1e-3 * scene.end_time);
     return kExitDone;
   }
-  const TrialFolder folder;
-  arguments.out = (folder.path() / "run").string();
+  const TemporaryFolder temporary("footfall_trial");
+  const fs::path folder = temporary.path();
+  arguments.out = (folder / "run").string();
   arguments.quiet = true;
   arguments.keep_every = 0.0;
   RunPlan plan = new_run(arguments);
   Command& command = plan.command;
   command.words.insert(command.words.end(), {"--try-for", number_text(seconds)});
   command.environment[kLockedFolder] = locked_name(plan.out);
-  command.output = (folder.path() / "output.txt").string();
+  command.output = (folder / "output.txt").string();
   leave_time_to_end(command);
 
   double memory = 0.0;

@@ -77,6 +77,12 @@ inline constexpr MessageCode kOutOfData{"E0528", "out-of-data"};
 inline constexpr MessageCode kPictureNotReadable{"E0529", "picture-not-readable"};
 // The files of an audit are missing or damaged. Run the scene again with --audit.
 inline constexpr MessageCode kAuditDamaged{"E0530", "audit-damaged"};
+// A program that draws pictures of pages or makes videos is not installed. Install the Debian package that the message names.
+inline constexpr MessageCode kProgramMissing{"E0540", "program-missing"};
+// The browser drew no picture of the page. The message says why; open the page in a browser with a screen instead.
+inline constexpr MessageCode kPageFailed{"E0541", "page-failed"};
+// ffmpeg wrote no video. The message has its words.
+inline constexpr MessageCode kVideoFailed{"E0542", "video-failed"};
 // Energies, plots, or files for ParaView could not be made. The results of the run itself are complete.
 inline constexpr MessageCode kNoExtraFiles{"W0501", "no-extra-files"};
 

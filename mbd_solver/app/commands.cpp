@@ -10,6 +10,7 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/command_line.h"
 #include "mbd_solver/app/compare_command.h"
+#include "mbd_solver/app/film/film.h"
 #include "mbd_solver/app/follow.h"
 #include "mbd_solver/app/grain_pictures.h"
 #include "mbd_solver/app/new_case.h"
@@ -21,6 +22,7 @@
 #include "mbd_solver/app/view_page.h"
 #include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/programs.h"
+#include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/shipped_files.h"
 
 namespace footfall {
@@ -112,8 +114,15 @@ Action check(CLI::App& command) {
                                           "Also draw the control surfaces of the scene's fuzzy controllers into this "
                                           "folder (default: runs/surfaces)")
                               ->expected(0, 1);
+  const auto picture = std::make_shared<std::string>();
+  command
+      .add_option("--picture", *picture,
+                  "Also draw the mechanism in its reference configuration, with the axes of its joints: FILE.png, or "
+                  "FILE.html to turn it")
+      ->type_name("FILE");
   return [=] {
     int code = check_command(a->scene, a->settings);
+    if (code == kExitDone && !picture->empty()) code = draw_reference(read_scene(a->scene, a->settings), *picture);
     if (code == kExitDone && time->count() > 0) code = trial_command(*a, *seconds > 0.0 ? *seconds : kTrial);
     if (code == kExitDone && surfaces->count() > 0)
       code = draw_control_surfaces(a->scene, a->settings, folder->empty() ? "runs/surfaces" : *folder);
@@ -149,11 +158,24 @@ Action new_case(CLI::App& command) {
   };
 }
 
+// azimuth, elevation; of the page also zoom and the point in the middle.
+void require_camera(const std::vector<double>& camera, bool films, bool draws) {
+  if (camera.empty()) return;
+  if (!films && !draws) throw InputError(code::kWrongOption, "--camera belongs to --png, --video and --pictures");
+  const std::size_t n = camera.size();
+  if (n == 2 || (films && (n == 3 || n == 6) && camera[2] > 0.0)) return;
+  throw InputError(code::kWrongOption,
+                   "--camera: has " + std::to_string(n) + " numbers, expected azimuth,elevation" +
+                       (films ? ", or also a zoom above 0, or also x,y,z of the point in the middle" : ""));
+}
+
 Action view(CLI::App& command) {
   struct Arguments {
     ViewArguments page;
     PicturesArguments pictures;
     FollowArguments follow;
+    FilmArguments film;
+    std::string png, video;
     bool draw = false, watch = false;
   };
   const auto a = std::make_shared<Arguments>();
@@ -167,10 +189,48 @@ Action view(CLI::App& command) {
       ->delimiter(',')
       ->capture_default_str()
       ->needs(draw);
-  command.add_option("--camera", p.camera, "Camera: azimuth,elevation [deg] (default: -65,28; with a cut: -90,12)")
+  FilmArguments& v = a->film;
+  CLI::Option* png =
+      command
+          .add_option("--png", a->png, "Draw what the page shows at one time instead, by Chromium: the name of a .png")
+          ->type_name("FILE")
+          ->excludes(draw);
+  CLI::Option* video =
+      command
+          .add_option("--video", a->video,
+                      "Make a video of the page instead, by Chromium and ffmpeg: the name of a .mp4 or .webm")
+          ->type_name("FILE")
+          ->excludes(draw)
+          ->excludes(png);
+  command.add_option("--at", v.at, "Time of --png [s] (default: the middle of the run)")
+      ->check(not_negative())
+      ->needs(png);
+  command.add_option("--from", v.from, "Start of the video [s]")
+      ->check(not_negative())
+      ->capture_default_str()
+      ->needs(video);
+  command.add_option("--to", v.to, "End of the video [s] (default: that of the run)")->check(positive())->needs(video);
+  command.add_option("--fps", v.rate, "Pictures in a second of the video")
+      ->check(within(1, 120))
+      ->capture_default_str()
+      ->needs(video);
+  command
+      .add_option("--slow", v.slow,
+                  "Seconds of the video per second of the run; 1: real time (default: the video lasts 5 to 12 s)")
+      ->check(positive())
+      ->needs(video);
+  command.add_option("--size", v.size, "Size of --png or --video: width,height [pixels] (default: 1280,720)")
       ->delimiter(',')
-      ->expected(2)
-      ->needs(draw);
+      ->expected(2);
+  command.add_option("--show", v.show,
+                     "What else --png or --video shows, as in the address of a page: grains=force&track=cabin&names=1");
+  command
+      .add_option(
+          "--camera", p.camera,
+          "Camera: azimuth,elevation [deg] (default: -65,28; with a cut: -90,12); --png, --video: also ,zoom and "
+          ",x,y,z of the point in the middle [m]")
+      ->delimiter(',')
+      ->expected(2, 6);
   command.add_flag("--cut", p.cut, "Leave out grains in front of the foremost coupled surface, to show its crater")
       ->needs(draw);
   command.add_option("--cut-at", p.cut_at, "Leave out grains with y below this [m]")->expected(1)->needs(draw);
@@ -181,8 +241,10 @@ Action view(CLI::App& command) {
       ->check(within(100, 20000))
       ->capture_default_str()
       ->needs(draw);
-  CLI::Option* follow =
-      command.add_flag("--follow", a->watch, "Follow a run in progress instead, in the terminal")->excludes(draw);
+  CLI::Option* follow = command.add_flag("--follow", a->watch, "Follow a run in progress instead, in the terminal")
+                            ->excludes(draw)
+                            ->excludes(png)
+                            ->excludes(video);
   FollowArguments& f = a->follow;
   command.add_flag("--page", f.page, "Also update DIR/watch.html, a page that reloads itself")->needs(follow);
   command.add_flag("--once", f.once, "Print the progress once, and stop")->needs(follow);
@@ -191,7 +253,17 @@ Action view(CLI::App& command) {
       ->capture_default_str()
       ->needs(follow);
   return [a] {
-    a->pictures.run = a->follow.run = a->page.run;
+    a->pictures.run = a->follow.run = a->film.run = a->page.run;
+    const bool films = !a->png.empty() || !a->video.empty();
+    require_camera(a->pictures.camera, films, a->draw);
+    if (!films && (!a->film.size.empty() || !a->film.show.empty()))
+      throw InputError(code::kWrongOption, "--size and --show belong to --png and --video");
+    a->film.camera = a->pictures.camera;
+    a->film.frames = a->page.frames;
+    if (films) {
+      a->film.file = a->png.empty() ? a->video : a->png;
+      return a->png.empty() ? make_video(a->film) : draw_page_picture(a->film);
+    }
     if (a->draw) return draw_grain_pictures(a->pictures);
     if (a->watch) return follow_run(a->follow);
     std::printf("%s\n", short_path(write_view(a->page)).c_str());
@@ -292,7 +364,7 @@ constexpr Subcommand kSubcommands[] = {
     {"check", "Check a scene: report every fault with file, line and key", check},
     {"new", "Create a folder with a scene to edit, from an example", new_case},
     {"import", "Make a scene of a robot: URDF, SDF or MJCF", nullptr},
-    {"view", "Write a page that plays a run in 3D; or draw pictures; or follow a run in progress", view},
+    {"view", "Write a page that plays a run in 3D; or draw pictures, or a video; or follow a run in progress", view},
     {"report", "Write one page about a run or a sweep: DIR/report.html", report},
     {"plot", "Plot columns of a run's history", plot},
     {"compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run", compare},

@@ -113,6 +113,97 @@ double colour_range(const std::vector<const BedFrame*>& beds) {
   return 10.0 * below;
 }
 
+namespace {
+
+// The point of a triangle that is nearest to p: inside, or on its nearest edge.
+Eigen::Vector3d nearest_on_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                                    const Eigen::Vector3d& p) {
+  const Eigen::Vector3d n = (b - a).cross(c - a);
+  const Eigen::Vector3d flat = n.squaredNorm() > 0.0 ? Eigen::Vector3d(p - n * (n.dot(p - a) / n.squaredNorm())) : a;
+  const auto inside = [&](const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
+    return n.dot((v - u).cross(flat - u)) >= 0.0;
+  };
+  if (n.squaredNorm() > 0.0 && inside(a, b) && inside(b, c) && inside(c, a)) return flat;
+  const auto on_edge = [&](const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
+    const double l = (v - u).squaredNorm();
+    return Eigen::Vector3d(u + (l > 0.0 ? std::clamp((v - u).dot(p - u) / l, 0.0, 1.0) : 0.0) * (v - u));
+  };
+  Eigen::Vector3d best = on_edge(a, b);
+  for (const Eigen::Vector3d& x : {on_edge(b, c), on_edge(c, a)})
+    if ((x - p).norm() < (best - p).norm()) best = x;
+  return best;
+}
+
+const std::vector<std::string>* texts_of(const VtkFrame& frame, const char* name) {
+  for (const auto& [key, texts] : frame.texts)
+    if (key == name) return &texts;
+  return nullptr;
+}
+
+// The point of the drawing of a body that is nearest to p; p itself for a body without one.
+Eigen::Vector3d nearest_drawn(const VtkFrame& frame, int number, const Eigen::Vector3d& p) {
+  Eigen::VectorXd body;
+  for (const auto& [key, values] : frame.cell_numbers)
+    if (key == "body") body = values;
+  const auto corner = [&](int j) { return Eigen::Vector3d(frame.points.col(j)); };
+  const auto is_of_body = [&](std::size_t cell) {
+    return static_cast<Eigen::Index>(cell) < body.size() &&
+           static_cast<int>(body(static_cast<Eigen::Index>(cell))) == number;
+  };
+  Eigen::Vector3d best = p;
+  double least = std::numeric_limits<double>::infinity();
+  const auto offer = [&](const Eigen::Vector3d& x) {
+    if ((x - p).norm() < least) {
+      best = x;
+      least = (x - p).norm();
+    }
+  };
+  for (std::size_t k = 0; k < frame.triangles.size(); ++k)
+    if (const Eigen::Vector3i& t = frame.triangles[k]; is_of_body(k))
+      offer(nearest_on_triangle(corner(t(0)), corner(t(1)), corner(t(2)), p));
+  for (std::size_t k = 0; k < frame.lines.size(); ++k)
+    if (const Eigen::Vector2i& l = frame.lines[k]; is_of_body(frame.triangles.size() + k))
+      offer(nearest_on_triangle(corner(l(0)), corner(l(1)), corner(l(1)), p));
+  return best;
+}
+
+}  // namespace
+
+void draw_marks(const VtkFrame& frame, DepthImage& image) {
+  constexpr Colour kStrut{224, 138, 30}, kJoint{31, 78, 121}, kBracket{110, 118, 128};
+  const std::vector<std::string>* const names = texts_of(frame, "mark_names");
+  const std::vector<std::string>* const bodies = texts_of(frame, "body_names");
+  if (names == nullptr || bodies == nullptr || frame.field_vectors.empty()) return;
+  const Eigen::Matrix3Xd& marks = frame.field_vectors.front().second;
+  if (marks.cols() != 4 * static_cast<Eigen::Index>(names->size())) return;
+  const auto vector = [&](std::size_t i, int k) {
+    return Eigen::Vector3d(marks.col(4 * static_cast<Eigen::Index>(i) + k));
+  };
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300), high = Eigen::Vector3d::Constant(-1e300);
+  for (std::size_t i = 0; i < names->size(); ++i) {
+    low = low.cwiseMin(vector(i, 0));
+    high = high.cwiseMax(vector(i, 0));
+  }
+  const double unit = 0.006 * (high - low).norm();  // half the width of a strut [m]
+  for (std::size_t i = 0; i < names->size(); ++i) {
+    const std::vector<std::string> words = split((*names)[i], '\t');
+    if (words.size() != 5 || (words[0] != "joint" && words[0] != "strut")) continue;
+    for (int end = 0; end < 2; ++end) {
+      const auto body = std::find(bodies->begin(), bodies->end(), words[static_cast<std::size_t>(3 + end)]);
+      if (body == bodies->end()) continue;
+      const Eigen::Vector3d x = nearest_drawn(frame, static_cast<int>(body - bodies->begin()), vector(i, end));
+      if ((x - vector(i, end)).norm() > 2.0 * unit) image.capsule(vector(i, end), x, 0.8 * unit, kBracket);
+    }
+    if (words[0] == "strut") {
+      image.capsule(vector(i, 0), vector(i, 1), unit, kStrut);
+    } else {
+      image.sphere(vector(i, 0), 2.0 * unit, kJoint);
+      image.capsule(vector(i, 0) - 6.0 * unit * vector(i, 2), vector(i, 0) + 6.0 * unit * vector(i, 2), 0.45 * unit,
+                    kJoint);
+    }
+  }
+}
+
 std::string write_grain_picture(const std::string& folder, const std::string& name, const std::string& title,
                                 const BedFrame& bed, const MechanismShape& shape, const GrainView& view) {
   DepthImage image(view.eye, view.width);
@@ -125,6 +216,7 @@ std::string write_grain_picture(const std::string& folder, const std::string& na
     image.triangle(point(t(0)), point(t(1)), point(t(2)), kPlates, lift);
   for (std::size_t k = 0; k < shape.frame.lines.size(); ++k)
     image.capsule(point(shape.frame.lines[k](0)), point(shape.frame.lines[k](1)), shape.line_radius[k], kTubes);
+  draw_marks(shape.frame, image);
 
   namespace fs = std::filesystem;
   make_folder(folder);

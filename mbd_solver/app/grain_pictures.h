@@ -31,6 +31,10 @@ double colour_range(const std::vector<const BedFrame*>& beds);
 std::string write_grain_picture(const std::string& folder, const std::string& name, const std::string& title,
                                 const BedFrame& bed, const MechanismShape& shape, const GrainView& view);
 
+// Struts, joints with their axes, and brackets from a joint or strut to its body where that is drawn elsewhere: of the marks
+// of a drawing (run/observe/marks.h). Nothing for a drawing without marks.
+void draw_marks(const VtkFrame& frame, DepthImage& image);
+
 struct PicturesArguments {
   std::string run;                                        // folder of a run that dumped its grains
   std::vector<double> times = {0.05, 0.1, 0.25, 0.5, 1};  // [s]; the nearest dump is drawn

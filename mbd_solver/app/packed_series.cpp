@@ -1,13 +1,13 @@
 // Differences, zigzag and planes of bytes before zlib.
 #include "mbd_solver/app/packed_series.h"
 
-#include <zlib.h>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/app/report.h"
+#include "mbd_solver/base/packed_bytes.h"
 
 namespace footfall {
 namespace {
@@ -27,15 +27,7 @@ std::string in_planes(const std::vector<Number>& numbers) {
 
 }  // namespace
 
-std::string packed_bytes(const std::string& bytes) {
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  std::string packed(size, '\0');
-  const int code = compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-                             reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()), 6);
-  FOOTFALL_DEMAND(code == Z_OK);
-  packed.resize(size);
-  return base64(packed);
-}
+std::string packed_bytes(const std::string& bytes) { return base64(deflated(bytes)); }
 
 std::string packed_numbers(const std::vector<float>& numbers) { return packed_bytes(in_planes(numbers)); }
 std::string packed_numbers(const std::vector<std::uint32_t>& numbers) { return packed_bytes(in_planes(numbers)); }

@@ -77,12 +77,30 @@ std::string grain_polydata(const BedFrame& frame) {
       std::to_string(frame.count()) +
       "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<PointData>\n";
   text += data_array("Int32", "id", 1, std::vector<std::int32_t>(frame.id.begin(), frame.id.end()));
+  if (!frame.type.empty())
+    text += data_array("Int32", "type", 1, std::vector<std::int32_t>(frame.type.begin(), frame.type.end()));
   text += data_array("Float32", "radius", 1, std::vector<float>(frame.radius.begin(), frame.radius.end()));
   if (frame.v.cols() > 0) text += data_array("Float32", "velocity", 3, singles(frame.v));
   if (frame.f.cols() > 0) text += data_array("Float32", "force", 3, singles(frame.f));
   text += "</PointData>\n<Points>\n" + data_array("Float32", "Points", 3, singles(frame.x));
   return text + "</Points>\n</Piece>\n</PolyData>\n</VTKFile>\n";
 }
+
+namespace {
+
+// A dump in VTK's text format with no columns but those of its .vtp, which takes a third of the room. Text dumps stay: scripts of
+// users read them.
+bool holds_all_of(const std::string& dump) {
+  if (fs::path(dump).extension() != ".vtk") return false;
+  const std::vector<std::string> columns = dumped_columns(dump);
+  return std::all_of(columns.begin(), columns.end(), [](const std::string& name) {
+    for (const char* known : {"id", "type", "radius", "x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz"})
+      if (name == known) return true;
+    return false;
+  });
+}
+
+}  // namespace
 
 void write_grain_series(const std::string& out) {
   try {
@@ -96,16 +114,21 @@ void write_grain_series(const std::string& out) {
       for (const auto& [time, file] : read_vtk_series(pvd.string())) drawn.push_back(time);
     const std::vector<double> windows = windows_before(out, drawn, dt, summary);
     std::vector<std::pair<double, std::string>> list;
+    std::vector<std::string> replaced;
     for (const auto& [step, file] : dumps) {
       double time = static_cast<double>(step) * dt;
       if (!drawn.empty())
         if (const std::size_t k = nearest(drawn, time); std::abs(drawn[k] - time) < 1.001 * windows[k]) time = drawn[k];
       const fs::path made = fs::path(file).replace_extension(".vtp");
-      write_whole_file(made.string(), grain_polydata(read_bed_frame(file)), kDiskAdvice);
       list.emplace_back(time, made.filename().string());
+      if (made == file) continue;  // of the part of the run before it was resumed
+      write_whole_file(made.string(), grain_polydata(read_bed_frame(file)), kDiskAdvice);
+      if (holds_all_of(file)) replaced.push_back(file);
     }
     const std::string stem = fs::path(dumps.begin()->second).stem().string();
     write_vtk_list((fs::path(out) / (stem.substr(0, stem.rfind('_')) + ".pvd")).string(), list);
+    std::error_code ignored;
+    for (const std::string& file : replaced) fs::remove(file, ignored);
   } catch (const std::exception& e) {
     warn_missing_file("list of the dumps of grains", e);
   }

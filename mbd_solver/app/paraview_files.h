@@ -1,7 +1,8 @@
 #pragma once
 // Files for ParaView: NAME.pvd lists the dumps of grains with their times, as bodies.pvd does for the bodies. A .pvd lists
-// XML files only and LIGGGHTS dumps legacy files or text, so each dump is written again next to it, as NAME_STEP.vtp:
-// compressed, with id, radius [m], velocity [m/s] and force [N] where the dump has them. And paraview.py, which opens both.
+// XML files only and LIGGGHTS dumps legacy files or text, so each dump is written anew as NAME_STEP.vtp: compressed, with id,
+// type, radius [m], velocity [m/s] and force [N] where the dump has them. A legacy file that holds nothing else is removed then:
+// every reader of footfall reads the .vtp. And paraview.py, which opens both.
 
 #include <string>
 

@@ -11,13 +11,13 @@
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
-#include "mbd_solver/app/mechanism_shape.h"
 #include "mbd_solver/app/packed_series.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/viewer_scripts.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/scene/force_spec.h"
 
 namespace footfall {
 
@@ -133,6 +133,39 @@ std::set<int> stressed_bodies(const std::vector<MechanismShape>& frames) {
   return stressed;
 }
 
+// Four columns per mark (run/observe/marks.h); none in a drawing without them.
+Eigen::Matrix3Xd marks_of(const VtkFrame& frame) {
+  for (const auto& [name, vectors] : frame.field_vectors)
+    if (name == "marks") return vectors;
+  return Eigen::Matrix3Xd(3, 0);
+}
+
+// run.marks: times, list of {kind, type, name, bodies}, view; and the chunk marks: frame by frame, 12 numbers per mark.
+void add_marks(const std::vector<double>& times, const std::vector<MechanismShape>& frames, PageParts& parts) {
+  const VtkFrame& first = frames.front().frame;
+  Json list = Json::array();
+  for (const auto& [name, texts] : first.texts)
+    if (name == "mark_names")
+      for (const std::string& text : texts) {
+        const std::vector<std::string> words = split(text, '\t');
+        if (words.size() != 5) return;
+        list.push_back({{"kind", words[0]}, {"type", words[1]}, {"name", words[2]}, {"bodies", {words[3], words[4]}}});
+      }
+  if (list.empty() || marks_of(first).cols() != 4 * static_cast<Eigen::Index>(list.size())) return;
+  std::vector<float> numbers;
+  Box box;
+  for (const MechanismShape& shape : frames) {
+    const Eigen::Matrix3Xd vectors = marks_of(shape.frame);
+    numbers.insert(numbers.end(), vectors.data(), vectors.data() + vectors.size());
+    if (&shape == &frames.front())
+      for (Eigen::Index j = 0; j < vectors.cols(); ++j)
+        if (j % 4 < 2) box.include(vectors.col(j));
+  }
+  parts.run["marks"] = {{"times", times}, {"list", list}};
+  add_box(box, box, parts.run["marks"]);
+  parts.chunks.emplace_back("marks", packed_numbers(numbers));
+}
+
 void add_cells(const MechanismShape& first, PageParts& parts) {
   std::vector<std::uint32_t> triangles, lines, bodies;
   for (const Eigen::Vector3i& t : first.frame.triangles)
@@ -152,7 +185,7 @@ void add_cells(const MechanismShape& first, PageParts& parts) {
 }  // namespace
 
 void add_bodies(const std::string& run, const Json& summary, FrameLimits& limits, PageParts& parts) {
-  parts.run["bodies"] = nullptr;
+  parts.run["bodies"] = parts.run["marks"] = nullptr;
   const MechanismShapes shapes(run, summary);
   parts.run["bodyNames"] = shapes.body_names();
   if (shapes.empty()) return;
@@ -163,20 +196,29 @@ void add_bodies(const std::string& run, const Json& summary, FrameLimits& limits
         "see all.");
   const std::vector<double> times = moments_of(shapes, limits.moments);
   std::vector<MechanismShape> frames;
-  Box box;
-  double stress = 0.0;  // largest of all frames [Pa]
   for (const double t : times) {
     frames.push_back(shapes.near(t));
     const VtkFrame& frame = frames.back().frame;
     const VtkFrame& first = frames.front().frame;
     if (frame.points.cols() != first.points.cols() || frame.triangles.size() != first.triangles.size() ||
-        frame.lines.size() != first.lines.size())
+        frame.lines.size() != first.lines.size() || marks_of(frame).cols() != marks_of(first).cols())
       throw InputError(code::kRunDamaged,
                        run +
                            ": drawings of the bodies with different numbers of points; the folder may "
                            "hold files of two runs");
-    if (!frame.points.allFinite())
+    if (!frame.points.allFinite() || !marks_of(frame).allFinite())
       throw InputError(code::kRunDamaged, run + ": a drawing of the bodies has a point that is not finite");
+  }
+  add_shapes(times, frames, parts);
+}
+
+void add_shapes(const std::vector<double>& times, const std::vector<MechanismShape>& frames, PageParts& parts) {
+  parts.run["bodies"] = parts.run["marks"] = nullptr;
+  add_marks(times, frames, parts);
+  Box box;
+  double stress = 0.0;  // largest of all frames [Pa]
+  for (const MechanismShape& shape : frames) {
+    const VtkFrame& frame = shape.frame;
     for (Eigen::Index j = 0; j < frame.points.cols(); ++j) box.include(frame.points.col(j));
     if (const Eigen::VectorXd* values = cell_numbers(frame, "von_mises_Pa"); values != nullptr && values->size() > 0)
       stress = std::max(stress, values->maxCoeff());
@@ -402,39 +444,58 @@ std::vector<std::string> missing_of(const Json& summary, const PageParts& parts)
         "The run has no dumps of grains, so none are shown. Run it with --set particles.variables.frames=0.01 if its "
         "script has this variable; otherwise add a dump of id x y z vx vy vz radius to the script.");
   if (parts.run.at("bodies").is_null())
-    missing.push_back(
-        "There are no drawings of bodies: output.vtk was false, or no body of the scene has a shape or a boundary.");
+    missing.push_back(parts.run.at("marks").is_null()
+                          ? "There are no drawings of bodies: output.vtk was false, or no body of the scene has a "
+                            "shape or a boundary."
+                          : "No body of the scene has a shape or a boundary: only symbols are shown.");
   return missing;
 }
 
-void add_plane(const Json& summary, PageParts& parts) {
-  const Json scene = summary.value("scene", Json::object());
-  if (!scene.contains("ground") || scene.at("ground").value("kind", "") != "plane") return;
-  const Json& plane = scene.at("ground").value("plane", Json::object());
-  parts.run["plane"] = {{"point", plane.value("point", std::vector<double>{0, 0, 0})},
-                        {"normal", plane.value("normal", std::vector<double>{0, 0, 1})}};
+}  // namespace
+
+void add_surroundings(const Json& scene, PageParts& parts) {
+  parts.run["gravity"] = scene.value("gravity", std::vector<double>{0, 0, 0});
+  Json& planes = parts.run["planes"] = Json::array();
+  const auto add = [&](const Json& plane) {
+    planes.push_back({{"point", plane.value("point", std::vector<double>{0, 0, 0})},
+                      {"normal", plane.value("normal", std::vector<double>{0, 0, 1})}});
+  };
+  const Json ground = scene.value("ground", Json::object());
+  if (ground.value("kind", "") == "plane") add(ground.value("plane", Json::object()));
+  for (const Json& contact : scene.value("contacts", Json::array()))
+    if (const Json between = contact.value("between", Json::array()); between.size() == 2 && between[1] == kPlaneWord)
+      add(contact);
 }
 
-std::string page_text(const std::string& title, const std::string& folder, const Json& summary,
+std::string page_text(const std::string& title, const std::string& place, const Json& summary,
                       const std::vector<std::string>& notes, const PageParts& parts) {
   std::string head, missing;
+  std::vector<std::string> warnings;
   if (const std::string status = summary.value("status", "unknown"); status != "done")
-    head += "<p class=\"warning\">" + html_text("This run is not complete: " + status) + "</p>";
-  for (const Json& text : summary.value("warnings", Json::array()))
-    head += "<p class=\"warning\">" + html_text(text.get<std::string>()) + "</p>";
+    warnings.push_back("This run is not complete: " + status);
+  for (const Json& text : summary.value("warnings", Json::array())) warnings.push_back(text.get<std::string>());
+  if (!warnings.empty()) {
+    head += "<details class=\"warning\"><summary>" + std::to_string(warnings.size()) +
+            (warnings.size() == 1 ? " warning: " : " warnings: ") + html_text(warnings.front()) + "</summary>";
+    for (const std::string& text : warnings) head += "<p>" + html_text(text) + "</p>";
+    head += "</details>";
+  }
   for (const std::string& note : notes) missing += "<p>" + html_text(note) + "</p>";
   return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
          "charset=\"utf-8\"/>\n<meta http-equiv=\"Content-Security-Policy\" content=\"" +
          std::string(kPolicy) + "\"/>\n<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>" +
          html_text(title) + "</title>\n<link rel=\"icon\" href=\"data:,\"/>\n</head>\n<body>\n<header><h1>" +
-         html_text(title) + "</h1><span>" + html_text(folder) + "</span>" + head +
-         "</header>\n<div id=\"footfall-stage\"><div id=\"footfall-panel\"></div><div id=\"footfall-loading\" "
+         html_text(title) + "</h1><span>" + html_text(place) + "</span>" + head +
+         "</header>\n<div id=\"footfall-stage\"><div id=\"footfall-panel\"></div><div "
+         "id=\"footfall-caption\"></div><div id=\"footfall-loading\" "
          "hidden=\"\"></div><div id=\"footfall-missing\"" +
          (missing.empty() ? " hidden=\"\"" : "") + ">" + missing +
          "</div></div>\n<div id=\"footfall-plots\"></div>\n<div id=\"footfall-bar\"></div>\n<div id=\"footfall-fault\" "
          "hidden=\"\"></div>\n" +
          parts.elements(kViewScript) + "</body>\n</html>\n";
 }
+
+namespace {
 
 std::string view_of(const ViewArguments& a, const fs::path& folder) {
   const Json summary = read_summary((folder / "summary.json").string());
@@ -445,7 +506,7 @@ std::string view_of(const ViewArguments& a, const fs::path& folder) {
   parts.run["grains"] = nullptr;
   if (dt > 0.0) add_grains(folder.string(), dt, limits, parts);
   add_bodies(folder.string(), summary, limits, parts);
-  add_plane(summary, parts);
+  add_surroundings(summary.value("scene", Json::object()), parts);
   const History history = read_history((folder / "history.csv").string());
   if (history.column("time").empty())
     throw InputError(code::kNoRun, (folder / "history.csv").string() + ": no rows; the run ended before the first one");
@@ -453,9 +514,10 @@ std::string view_of(const ViewArguments& a, const fs::path& folder) {
   std::vector<std::string> notes = missing_of(summary, parts);
   notes.insert(notes.end(), limits.notes.begin(), limits.notes.end());
   for (const std::string& note : notes) std::fprintf(stderr, "footfall: %s\n", note.c_str());
-  const std::string title = summary.value("scene", Json::object()).value("title", "");
-  return page_text(title.empty() ? folder.filename().string() : title, folder.filename().string(), summary, notes,
-                   parts);
+  const std::string given = summary.value("scene", Json::object()).value("title", "");
+  const std::string shown = given.empty() ? folder.filename().string() : given;
+  parts.run["title"] = shown;
+  return page_text(shown, folder.filename().string(), summary, notes, parts);
 }
 
 }  // namespace
@@ -465,7 +527,7 @@ std::string write_view(const ViewArguments& arguments) {
   if (!fs::exists(folder / "summary.json") || !fs::exists(folder / "history.csv"))
     throw InputError(code::kNoRun, arguments.run + ": no summary.json and history.csv; expected the folder of a run");
   const std::string text = with_summary_of(arguments.run, [&] { return view_of(arguments, folder); });
-  const std::string file = (folder / "view.html").string();
+  const std::string file = arguments.file.empty() ? (folder / "view.html").string() : arguments.file;
   write_whole_file(file, text, "is the disk full?");
   return file;
 }

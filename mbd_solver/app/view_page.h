@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "mbd_solver/app/mechanism_shape.h"
 #include "mbd_solver/run/output/history.h"
 
 namespace footfall {
@@ -47,15 +48,28 @@ struct FrameLimits {
 void add_grains(const std::string& run, double dt, FrameLimits& limits, PageParts& parts);
 
 // The mechanism (MechanismShapes): run.bodies (points, cells, times, box, view, stress) and run.bodyNames, and chunks
-// bodies-triangles, -lines, -cells, -radius, bodies-K; run.bodies is null without a shape.
+// bodies-triangles, -lines, -cells, -radius, bodies-K; run.marks (times, list, box, view) and the chunk marks. Each is null where
+// nothing was drawn.
 void add_bodies(const std::string& run, const nlohmann::ordered_json& summary, FrameLimits& limits, PageParts& parts);
 
+// The same for frames of equal size at these times [s].
+void add_shapes(const std::vector<double>& times, const std::vector<MechanismShape>& frames, PageParts& parts);
+
+// run.gravity [m/s2], and run.planes: {point [m], normal} of the ground and of contacts with planes. scene: as in summary.json.
+void add_surroundings(const nlohmann::ordered_json& scene, PageParts& parts);
+
+// The page of these parts. place: the folder or file that it shows. notes: what it lacks. Status and warnings are those of the
+// summary.
+std::string page_text(const std::string& title, const std::string& place, const nlohmann::ordered_json& summary,
+                      const std::vector<std::string>& notes, const PageParts& parts);
+
 struct ViewArguments {
-  std::string run;  // folder of a run
-  int frames = 0;   // dumps of grains, at most; 0: as many as fit into about 100 MB
+  std::string run;        // folder of a run
+  int frames = 0;         // dumps of grains, at most; 0: as many as fit into about 100 MB
+  std::string file = "";  // of the page; empty: DIR/view.html
 };
 
-// Writes DIR/view.html and returns its path. Throws InputError for a folder without a run, or damaged files.
+// Writes the page and returns its path. Throws InputError for a folder without a run, or damaged files.
 std::string write_view(const ViewArguments& arguments);
 
 // True when there are grains or bodies to be played.

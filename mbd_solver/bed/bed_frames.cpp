@@ -1,10 +1,12 @@
-// Reads LIGGGHTS dumps into columns by name, then into matrices sorted by the grains' ids.
+// Reads dumps into columns by name, then into matrices sorted by the grains' ids.
 #include "mbd_solver/bed/bed_frames.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
@@ -14,6 +16,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/input_file.h"
+#include "mbd_solver/base/packed_bytes.h"
 #include "mbd_solver/bed/codes.h"
 
 namespace footfall {
@@ -117,29 +120,118 @@ Columns read_vtk(std::ifstream& file, const std::string& path) {
   return columns;
 }
 
+// One array of a .vtp of ours: VTK's header (blocks, bytes of a block, of a smaller last one, compressed bytes), then one block of
+// zlib, both in base64.
+std::string unpacked_array(std::string_view text, std::size_t most, const std::string& path) {
+  constexpr std::size_t kHeader = 16, kWholeHeader = 24;  // characters of three numbers, of four
+  const InputError damaged(code::kDumpNotReadable, path + ": an array is incomplete; was the file cut off?");
+  const auto number = [](const std::string& bytes, std::size_t k) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, bytes.data() + 4 * k, 4);
+    return value;
+  };
+  const std::optional<std::string> start = bytes_of_base64(text.substr(0, kHeader));
+  if (!start || start->size() < 12) throw damaged;
+  if (number(*start, 0) == 0) return "";
+  if (number(*start, 0) != 1 || text.size() < kWholeHeader)
+    throw InputError(code::kDumpNotReadable, path + ": is no file that footfall has written");
+  const std::size_t size = number(*start, 1);
+  const std::optional<std::string> packed = bytes_of_base64(text.substr(kWholeHeader));
+  if (size > most || !packed) throw damaged;
+  const std::optional<std::string> bytes = inflated(*packed, size);
+  if (!bytes) throw damaged;
+  return *bytes;
+}
+
+std::string_view attribute(std::string_view element, const std::string& name) {
+  const std::size_t at = element.find(name + "=\"");
+  if (at == std::string_view::npos) return {};
+  const std::size_t from = at + name.size() + 2, to = element.find('"', from);
+  return to == std::string_view::npos ? std::string_view() : element.substr(from, to - from);
+}
+
+// What grain_polydata of app/paraview_files.h writes.
+Columns read_vtp(const std::string& path) {
+  const std::string text = read_whole_file(path).value_or("");
+  Columns columns;
+  const std::size_t piece = text.find("<Piece ");
+  double number = -1.0;
+  if (piece == std::string::npos ||
+      !is_number(std::string(attribute(std::string_view(text).substr(piece, 200), "NumberOfPoints")), number) ||
+      number < 0.0 || number > 1e3 * static_cast<double>(text.size()))
+    throw InputError(code::kDumpNotReadable, path + ": is no VTK file of points; was it cut off?");
+  const auto n = static_cast<std::size_t>(number);
+  columns.without_grains = n == 0;
+  for (std::size_t at = piece; (at = text.find("<DataArray ", at)) != std::string::npos;) {
+    const std::size_t start = text.find('>', at), end = text.find("</DataArray>", at);
+    if (start == std::string::npos || end == std::string::npos || end < start)
+      throw InputError(code::kDumpNotReadable, path + ": ends in the middle of an array");
+    const std::string_view element(text.data() + at, start - at);
+    std::string name(attribute(element, "Name"));
+    const bool whole = attribute(element, "type") == "Int32";
+    const std::size_t components = attribute(element, "NumberOfComponents") == "3" ? 3 : 1;
+    const std::string bytes =
+        unpacked_array(std::string_view(text).substr(start + 1, end - start - 1), 4 * components * n, path);
+    at = end;
+    if (bytes.size() != 4 * components * n)
+      throw InputError(code::kDumpNotReadable, path + ": \"" + name + "\" has the wrong length");
+    if (name == "Points") name = "";
+    if (name == "velocity") name = "v";
+    if (name == "force") name = "f";
+    for (std::size_t c = 0; c < components; ++c) {
+      std::vector<double>& column = columns.of[components == 3 ? name + "xyz"[c] : name];
+      for (std::size_t i = 0; i < n; ++i) {
+        float real = 0.0f;
+        std::int32_t integer = 0;
+        std::memcpy(whole ? static_cast<void*>(&integer) : &real, bytes.data() + 4 * (components * i + c), 4);
+        column.push_back(whole ? static_cast<double>(integer) : static_cast<double>(real));
+        if (!std::isfinite(column.back()))
+          throw InputError(code::kDumpNotReadable, path + ": \"" + name + "\" has a number that is not finite");
+      }
+    }
+  }
+  return columns;
+}
+
 // PREFIX_STEP.vtk -> PREFIX, STEP; false for other names.
 bool parts_of(const fs::path& file, std::string& prefix, long& step) {
   const std::string end = file.extension().string(), stem = file.stem().string();
   const std::size_t line = stem.rfind('_');
-  if ((end != ".vtk" && end != ".txt") || line == std::string::npos || line + 1 == stem.size()) return false;
+  if ((end != ".vtk" && end != ".txt" && end != ".vtp") || line == std::string::npos || line + 1 == stem.size())
+    return false;
   const std::string digits = stem.substr(line + 1);
   if (digits.find_first_not_of("0123456789") != std::string::npos || digits.size() > 12) return false;
-  prefix = stem.substr(0, line) + end;
+  prefix = stem.substr(0, line);
   step = std::stol(digits);
   return true;
 }
 
 }  // namespace
 
-BedFrame read_bed_frame(const std::string& path) {
+namespace {
+
+Columns read_columns(const std::string& path) {
   require_regular_file(path);
   std::ifstream file(path);
   if (!file) throw InputError(code::kDumpNotReadable, path + ": cannot be read");
+  if (fs::path(path).extension() == ".vtp") return read_vtp(path);
   std::string first;
   std::getline(file, first);
   const bool vtk = first.rfind("# vtk", 0) == 0;
   if (!vtk) file.seekg(0);
-  const Columns columns = vtk ? read_vtk(file, path) : read_text(file, path);
+  return vtk ? read_vtk(file, path) : read_text(file, path);
+}
+
+}  // namespace
+
+std::vector<std::string> dumped_columns(const std::string& path) {
+  std::vector<std::string> names;
+  for (const auto& [name, values] : read_columns(path).of) names.push_back(name);
+  return names;
+}
+
+BedFrame read_bed_frame(const std::string& path) {
+  const Columns columns = read_columns(path);
   if (columns.without_grains) {
     BedFrame empty;
     std::string ignored;
@@ -167,6 +259,8 @@ BedFrame read_bed_frame(const std::string& path) {
   if (columns.of.count("vx") > 0) frame.v = matrix("vx", "vy", "vz");
   if (columns.of.count("fx") > 0) frame.f = matrix("fx", "fy", "fz");
   const std::vector<double>& radius = columns.get(path, "radius");
+  if (const auto type = columns.of.find("type"); type != columns.of.end() && type->second.size() == id.size())
+    for (const std::size_t i : order) frame.type.push_back(static_cast<int>(type->second[i]));
   for (const std::size_t i : order) {
     frame.id.push_back(static_cast<int>(id[i]));
     frame.radius.push_back(radius.at(i));
@@ -180,7 +274,9 @@ std::map<long, std::string> find_bed_frames(const std::string& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
     std::string prefix;
     long step = 0;
-    if (parts_of(entry.path(), prefix, step)) by_prefix[prefix][step] = entry.path().string();
+    if (!parts_of(entry.path(), prefix, step)) continue;
+    std::string& file = by_prefix[prefix][step];
+    if (file.empty() || entry.path().extension() != ".vtp") file = entry.path().string();
   }
   std::map<long, std::string> best;
   for (const auto& [prefix, frames] : by_prefix) {

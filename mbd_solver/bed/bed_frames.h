@@ -1,6 +1,6 @@
 #pragma once
-// Dumps of grains by LIGGGHTS, one file per time: PREFIX_STEP.vtk (dump custom/vtk, ASCII) or PREFIX_STEP.txt (dump
-// custom); and grains_energy.txt of a resumed run.
+// Dumps of grains, one file per time: PREFIX_STEP.vtk (LIGGGHTS' dump custom/vtk, ASCII), PREFIX_STEP.txt (dump custom), or
+// PREFIX_STEP.vtp (VTK XML: a run writes its dumps anew in this form); and grains_energy.txt of a resumed run.
 
 #include <Eigen/Dense>
 #include <map>
@@ -12,6 +12,7 @@ namespace footfall {
 struct BedFrame {
   long step = 0;
   std::vector<int> id;         // ascending
+  std::vector<int> type;       // of the material; empty if not dumped
   Eigen::Matrix3Xd x, v;       // of the grains, in this order [m], [m/s]; v is empty if not dumped
   Eigen::Matrix3Xd f;          // force on each [N]; empty if not dumped
   std::vector<double> radius;  // [m]
@@ -21,8 +22,11 @@ struct BedFrame {
 // Reads one dump, with id, x y z and radius at least; it may have no grains. Throws InputError.
 BedFrame read_bed_frame(const std::string& path);
 
+// The names of a dump's columns, as read_bed_frame knows them: id, x, vx, radius ... Throws InputError.
+std::vector<std::string> dumped_columns(const std::string& path);
+
 // The dumps of grains in a folder, by step: files that read_bed_frame accepts, at least one of them with grains; of several
-// prefixes the one with the most steps.
+// prefixes the one with the most steps. Where a step has several files LIGGGHTS' own goes before a .vtp.
 std::map<long, std::string> find_bed_frames(const std::string& folder);
 
 // grains_energy.txt of a resumed run: LIGGGHTS begins the file again, so the rows before the checkpoint are moved to

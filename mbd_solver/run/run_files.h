@@ -42,7 +42,7 @@ class RunFiles {
   Requirements requirements_;
   std::optional<MotionRecord> motion_;   // none without grains
   std::optional<MomentumRecord> audit_;  // only if the environment requires it (coupler/programs.h)
-  std::optional<Drawing> drawing_;       // none without output.vtk, or when no body can be drawn
+  std::optional<Drawing> drawing_;       // none without output.vtk, or without bodies
   VtkSeries pictures_;
   IntervalClock row_clock_, picture_clock_;
 };

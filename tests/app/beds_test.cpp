@@ -195,7 +195,7 @@ plots = false
                     "particles.box.bodies.cohesion=0"});
   kind("moon", {"gravity=[0,0,-1.62]", "particles.box.centre=[0.02,-0.02]", "particles.box.radius=[0.007,0.01]",
                 "particles.box.shares=[0.7,0.3]", "particles.box.frames=0.01"});
-  EXPECT_EQ(folder.command("ls moon/grains_*.vtk moon/meshes_*.vtk", 10).exit_code, 0) << "dumps";
+  EXPECT_EQ(folder.command("ls moon/grains_*.vtp", 10).exit_code, 0) << "dumps";
 }
 
 // Clumps are bodies: whole in the bed, with energies and momenta of rigid bodies; stock LIGGGHTS replays them.

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # browser.sh FOOTFALL OUT RUNS: pages of the runs RUNS/plate and RUNS/plane in a browser without network: they get ready, draw, and the browser complains of nothing;
-# grains that the page paints itself, where no graphics card draws, are those of its shader. Where node is installed, what the page holds is read back.
+# grains that the page paints itself, where no graphics card draws, are those of its shader; an address opens a time, a camera and a track; pictures and,
+# with ffmpeg, videos are made of a page. Where node is installed, what the page holds is read back.
 # Exit code 77 where Chromium and node are missing.
 set -euo pipefail
 footfall=$1 out=$2 runs=$3 here=$(cd "$(dirname "$0")" && pwd)
@@ -59,3 +60,42 @@ value() { sed -n "s/.* data-$1=\"\([^\"]*\)\".*/\1/p" <<<"$body"; }
 [[ $(value paints) == true ]] || die "the page does not paint its grains: $body"
 (($(value grains) > 1000)) || die "too few pixels show grains: $body"
 (($(value differ) * 50 < $(value grains))) || die "the painted grains are not the shaded ones: $body"
+
+# An address opens a time and a camera; symbols are drawn where they are switched on, and a track where a point is chosen.
+cp "$out/plane/view.html" "$out/linked.html"
+cat >>"$out/linked.html" <<'JS'
+<script>
+(async () => {
+  while (document.body.dataset.state !== "ready") await new Promise((resolve) => setTimeout(resolve, 50));
+  const { stage, player, controls, picture } = window.footfall, eye = stage.eye();
+  document.body.dataset.opened = [player.time, eye.azimuth, eye.elevation, eye.zoom].map((x) => x.toFixed(3)).join();
+  const { tubes, balls } = stage.symbols.solids, drawn = () => tubes.count + balls.count;
+  picture(0.02);
+  document.body.dataset.symbols = drawn();
+  document.body.dataset.track = stage.symbols.tracks.tubes.count;
+  document.body.dataset.brackets = stage.symbols.brackets.length;
+  controls.follow({ hide: "symbols" });
+  picture(0.02);
+  document.body.dataset.hidden = drawn();
+  controls.writeLink();
+  document.body.dataset.link = location.hash;
+})();
+</script>
+JS
+opened "$out/linked.html#t=0.01&camera=-40,30,2&track=body:cabin"
+body=$(grep -o '<body[^>]*>' "$profile/dom")
+[[ $(value opened) == 0.010,-40.000,30.000,2.000 ]] || die "the address does not open its time and camera: $body"
+(($(value symbols) > 200)) || die "too few symbols of 36 joints, 12 struts and 4 springs: $body"
+(($(value brackets) >= 8)) || die "the auxiliary struts end in mid-air: $body"
+(($(value track) > 0 && $(value hidden) == 0)) || die "track or switch of the symbols: $body"
+[[ $(value link) == "#t=0.02&amp;camera=-40,30,2"* ]] || die "the address that the page writes: $body"
+
+cd "$out"
+"$footfall" view plane --png plane.png --at 0.02 --size 640,360 --camera=-65,18 >/dev/null
+"$footfall" check "$here/../../inputs/rigid_plane" --picture reference.png >/dev/null
+for picture in plane.png reference.png; do [[ $(head -c 4 "$picture" | tail -c 3) == PNG ]] || die "$picture is no picture"; done
+command -v ffprobe >/dev/null || exit 0
+for film in plane.mp4 plane.webm; do
+  "$footfall" view plane --video "$film" --slow 20 --fps 10 --size 320,180 >/dev/null
+  [[ $(ffprobe -v error -count_frames -select_streams v -show_entries stream=width,height,nb_read_frames -of csv=p=0 "$film") == 320,180,7 ]] || die "$film: not 7 pictures of 0.03 s"
+done

@@ -2,12 +2,15 @@
 // (a plate on grains, dumped) and `plane` (the lander on the rigid plane).
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
 
+#include "coupler/base/text.h"
 #include "mbd_solver/run/output/history.h"
+#include "mbd_solver/run/output/vtk_writer.h"
 #include "tests/app/programs.h"
 
 namespace footfall {
@@ -89,6 +92,12 @@ TEST_F(Pictures, OfCutsAndOfBodiesThatWereNotDrawn) {
   EXPECT_FALSE(folder.has("blind/pictures"));
 }
 
+// Distance of the ends of a strut of the lander in its design position [m]: inputs/landing_mr/scene.toml.
+double undeformed_length(const std::string& strut) {
+  if (holds(strut, "primary")) return Eigen::Vector3d(0.75, 0, -1.27).norm();
+  return Eigen::Vector3d(0.5568, -0.55, 0.11115).norm();
+}
+
 // A page loads nothing: no source, no address but the name of XHTML, and the browser is told to refuse any.
 void expect_alone(const app::Folder& folder, const std::string& page) {
   const std::string sources = "grep -cE '<(script|img|iframe|link)[^>]* (src|href)=\"[^dv]|@import' " + page;
@@ -124,6 +133,90 @@ TEST_F(Pictures, InThePageOfARun) {
   const test::Outcome damaged = folder.footfall("view plane");
   EXPECT_EQ(damaged.exit_code, 2);
   EXPECT_TRUE(holds(damaged.text, fs::path(last).filename().string())) << damaged.text;
+}
+
+// Each drawing has the places of joints, struts and bodies and the loads of the ground. They are those of history.csv at the same time:
+// nine digits in one file, all in the other; lengths are of the order of metres, loads of 10 kN.
+TEST_F(Pictures, HoldTheMarksOfAllPartsWhereTheHistoryHasThem) {
+  const std::string run = app::shared_run("plane");
+  const History history = read_history(run + "/history.csv");
+  const std::vector<double>& time = history.column("time");
+  int compared = 0;
+  for (const auto& [t, file] : read_vtk_series(run + "/bodies.pvd")) {
+    std::size_t row = 0;
+    while (row + 1 < time.size() && std::abs(time[row] - t) > 1e-12) ++row;
+    if (std::abs(time[row] - t) > 1e-12) continue;
+    const VtkFrame frame = read_vtk_frame(run + "/" + file);
+    std::vector<std::string> texts;
+    for (const auto& [name, found] : frame.texts)
+      if (name == "mark_names") texts = found;
+    ASSERT_EQ(frame.field_vectors.size(), 1u);
+    const Eigen::Matrix3Xd& vectors = frame.field_vectors[0].second;
+    ASSERT_EQ(vectors.cols(), 4 * static_cast<Eigen::Index>(texts.size()));
+    const auto column = [&](const std::string& name) { return history.column(name)[row]; };
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      const std::vector<std::string> words = split(texts[i], '\t');
+      ASSERT_EQ(words.size(), 5u) << texts[i];
+      const std::string &kind = words[0], &type = words[1], &name = words[2];
+      const auto vector = [&](int k) { return Eigen::Vector3d(vectors.col(4 * static_cast<Eigen::Index>(i) + k)); };
+      const double length = (vector(1) - vector(0)).norm();
+      if (kind == "strut") {
+        EXPECT_NEAR(length + column(name + ".stroke"), undeformed_length(name), 1e-7) << name;
+        EXPECT_NEAR(vector(2).norm(), std::abs(column(name + ".force")), 1e-4) << name;
+        ++compared;
+      }
+      if (kind == "joint" && type != "prismatic") {
+        EXPECT_LT(length, 1e-6) << name << ": one point on both bodies, to the largest gap of the joints";
+        EXPECT_NEAR(vector(2).norm(), 1.0, 1e-3)
+            << name << ": axes of flexible bodies turn to first order, by up to 0.02 rad";
+      }
+      if (kind == "body" && history.find(name + ".contact.fz") >= 0) {
+        for (int k = 0; k < 3; ++k) {
+          EXPECT_NEAR(vector(0)(k), column(name + "." + "xyz"[k]), 1e-7) << name;
+          EXPECT_NEAR(vector(2)(k), column(name + ".contact.f" + "xyz"[k]), 1e-4) << name;
+        }
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GE(compared, 2 * (12 + 4)) << "twelve struts and four pads in at least two drawings";
+}
+
+// What is drawn by other programs says which of them is missing, before anything is written.
+TEST_F(Pictures, OfThePageNeedABrowser) {
+  const std::string run = copy_of("plane");
+  const auto without_programs = [&](const std::string& line) {
+    return folder.shell("PATH=/nowhere " + app::quoted(app::Folder::program("footfall")) + " " + line);
+  };
+  const test::Outcome png = without_programs("view " + run + " --png a.png"),
+                      video = without_programs("view " + run + " --video a.mp4");
+  for (const test::Outcome& outcome : {png, video}) {
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(holds(outcome.text, "[E0540 ") && holds(outcome.text, "apt install chromium")) << outcome.text;
+  }
+  EXPECT_TRUE(holds(video.text, "ffmpeg"));
+  folder.refused("view " + run + " --png a.gif", "E0500");
+  folder.refused("view " + run + " --video a.avi", "E0500");
+  folder.refused("view " + run + " --video missing/a.mp4", "E0500");
+  folder.refused("view " + run + " --video a.mp4 --size 641,480", "E0500");
+  folder.refused("view " + run + " --camera=-65,20", "E0500");
+  EXPECT_FALSE(folder.has("a.png") || folder.has("a.mp4"));
+}
+
+TEST_F(Pictures, OfTheReferenceConfiguration) {
+  const std::string check = "check " + app::kInputs + "/rigid_plane --picture ";
+  folder.done(check + "lander.html");
+  const std::string page = folder.read("lander.html");
+  expect_alone(folder, "lander.html");
+  EXPECT_TRUE(holds(page, "\"kind\":\"joint\",\"type\":\"universal\",\"name\":\"leg_1_hip\"")) << "joints";
+  EXPECT_TRUE(holds(page, "id=\"footfall-marks\"") && holds(page, "id=\"footfall-bodies-0\""));
+  // Without a browser gnuplot draws; browser.sh draws with one.
+  folder.shell("mkdir only && ln -s $(command -v gnuplot) only/");
+  EXPECT_EQ(folder.shell("PATH=$PWD/only " + app::quoted(app::Folder::program("footfall")) + " " + check + "lander.png")
+                .exit_code,
+            0);
+  EXPECT_EQ(folder.read("lander.png").substr(1, 3), "PNG");
+  folder.refused(check + "lander.pdf", "E0500");
 }
 
 TEST_F(Pictures, InAReport) {

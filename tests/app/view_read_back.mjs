@@ -44,6 +44,14 @@ for (let k = 0; k < files.length; ++k) {
   points.forEach((x, i) => near(bodies.box.low[i % 3] + (bodies.box.size[i % 3] * values[(i % 3) * bodies.points + Math.floor(i / 3)]) / 65534, x, half(bodies.box, i % 3), files[k][2]));
 }
 
+// Marks: four vectors each, in single precision.
+const marks = joinPlanes(await chunk("marks"), Float32Array);
+if (marks.length !== 12 * run.marks.list.length * files.length) throw new Error(`${marks.length} numbers of marks`);
+files.forEach(([, , name], k) => {
+  const vectors = /type="Float64" Name="marks"[^>]*>([^<]*)</.exec(readFileSync(`${folder}/${name}`, "utf8"))[1].trim().split(/\s+/).map(Number);
+  vectors.forEach((x, i) => near(marks[k * vectors.length + i], x, 1e-7 * Math.abs(x) + 1e-38, `${name}, marks`));
+});
+
 const lines = readFileSync(`${folder}/history.csv`, "utf8").trim().split("\n").filter((l) => !l.startsWith("#"));
 const names = lines[0].split(",");
 const rows = lines.slice(1).map((l) => l.split(",").map(Number));

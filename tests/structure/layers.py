@@ -46,7 +46,7 @@ ONLY_IN = {
     r"(urdf_parser|console_bridge)/": "mbd_solver/import/urdf_reader.cpp",
     r"mujoco/": "mbd_solver/import/mjcf_reader.cpp",
     r"(sdf|ignition)/": "mbd_solver/import/sdf_reader.cpp",
-    r"zlib": "mbd_solver/app/packed_series.cpp",
+    r"zlib": "mbd_solver/base/packed_bytes.cpp",
     r"mpi\.h": MPI_FILES + " liggghts_fix/replaced/comm_world.h liggghts_fix/replaced/mpi_abort.cpp liggghts_fix/liggghts_access.cpp",
     r"coupler/(communicator|polling_wait|abort_guard|transport_mpi)\.h": MPI_FILES + " liggghts_fix/replaced/popen.cpp liggghts_fix/replaced/fopen.cpp",
     r"(lammps|fix|fix_[a-z_]*|mesh_module|atom|modify|neighbor|comm|domain|update|error|input|tri_mesh|signal_handling)\.h":

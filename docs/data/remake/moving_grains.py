@@ -5,32 +5,33 @@
 A line per dump: time [s]; grains that are 1 cm or more from where they started, and the radius [m] of a half sphere that holds a pad's share of them
 (solid fraction 0.6, four pads); grains faster than 0.05 m/s, their mean speed and the 0.99 quantile of speed [m/s].
 """
+import base64
 import math
 import pathlib
+import struct
 import sys
+import xml.etree.ElementTree as xml
+import zlib
 
 MOVED, MOVING = 0.01, 0.05  # m, m/s
 PADS, SOLID = 4, 0.6
 
 
 def grains(path):
-    """id -> (position [m], speed [m/s], radius [m]) of an ASCII legacy file."""
-    words = path.read_text().split()
-    count = int(words[words.index("POINTS") + 1])
-    fields = words.index("FIELD")
-
-    def rows(at, n):
-        return [[float(w) for w in words[at + n * i:at + n * i + n]] for i in range(count)]
-
-    places = rows(words.index("POINTS") + 3, 3)
-    ids, velocities, radii = (rows(words.index(name, fields) + 4, n) for name, n in (("id", 1), ("v", 3), ("radius", 1)))
-    return {int(i[0]): (x, math.hypot(*v), r[0]) for i, x, v, r in zip(ids, places, velocities, radii)}
+    """id -> (position [m], speed [m/s], radius [m]) of a .vtp of a run: an array is VTK's header of it and a block of zlib, both in base64."""
+    found = {}
+    for array in xml.parse(path).iter("DataArray"):
+        numbers = zlib.decompress(base64.b64decode(array.text.strip()[24:]))
+        kind = {"Int32": "i", "Float32": "f"}[array.get("type")]
+        found[array.get("Name")] = struct.unpack(f"<{len(numbers) // 4}{kind}", numbers)
+    three = lambda name, i: found[name][3 * i:3 * i + 3]
+    return {k: (three("Points", i), math.hypot(*three("velocity", i)), found["radius"][i]) for i, k in enumerate(found["id"])}
 
 
 folder, step = pathlib.Path(sys.argv[1]), float(sys.argv[2]) if len(sys.argv) > 2 else 1e-4
 start = None
 print("| time [s] | moved grains | radius [m] | moving grains | mean speed [m/s] | 0.99 quantile [m/s] |\n|---|---|---|---|---|---|")
-for path in sorted(folder.glob("grains_[0-9]*.vtk"), key=lambda p: int(p.stem.split("_")[1])):
+for path in sorted(folder.glob("grains_[0-9]*.vtp"), key=lambda p: int(p.stem.split("_")[1])):
     now = grains(path)
     start = start or now
     moved = [r for i, (x, _, r) in now.items() if i in start and math.dist(x, start[i][0]) > MOVED]

@@ -51,7 +51,7 @@ if [[ $what != identified ]]; then
   landing inputs/landing_mr "$runs/landing"
   for name in "${sweeps[@]}"; do sweep "inputs/sweeps/$name.toml" "$runs/$name"; done
 fi
-[[ ! -f $runs/landing/grains_0.vtk ]] || python3 docs/data/remake/moving_grains.py "$runs/landing" >"$data/figure10.txt"
+[[ ! -f $runs/landing/grains_0.vtp ]] || python3 docs/data/remake/moving_grains.py "$runs/landing" >"$data/figure10.txt"
 landing inputs/paper_identified "$runs/identified/landing"
 for name in "${identified[@]}"; do sweep "$(identified_sweep "$name")" "$runs/identified/$name"; done
 

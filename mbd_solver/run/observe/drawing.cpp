@@ -49,7 +49,7 @@ std::optional<ModalBoundary> from_shape(const BodySpec& body) {
 
 }  // namespace
 
-Drawing::Drawing(const Subject& subject) : model_(subject.mechanism.model) {
+Drawing::Drawing(const Subject& subject) : model_(subject.mechanism.model), layout_(subject.layout), marks_(subject) {
   const Mechanism& mechanism = subject.mechanism;
   int points = 0;
   for (int i = 0; i < model_.body_count(); ++i) {
@@ -75,16 +75,33 @@ Drawing::Drawing(const Subject& subject) : model_(subject.mechanism.model) {
   frame_.cell_numbers = {{"von_mises_Pa", Eigen::VectorXd::Zero(cells)}, {"body", Eigen::VectorXd::Zero(cells)}};
   std::vector<std::string> names;
   for (int i = 0; i < model_.body_count(); ++i) names.push_back(model_.body(i).name());
-  frame_.texts = {{"body_names", names}};  // indexed by "body" of the cells
+  frame_.texts = {{"body_names", names}, {"mark_names", marks_.texts()}};  // body_names: indexed by "body" of the cells
+  frame_.field_vectors.resize(1);
 }
 
-const VtkFrame& Drawing::frame(const Sample& sample) {
+const VtkFrame& Drawing::reference_frame() {
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(layout_.q_size), v = Eigen::VectorXd::Zero(layout_.v_size);
+  for (int i = 0; i < model_.body_count(); ++i) {
+    const BodyState& state = model_.initial(i);
+    const int first = layout_.body_q[static_cast<std::size_t>(i)];
+    q.segment<3>(first) = state.r;
+    q.segment<4>(first + 3) = state.L;
+    q.segment(first + 7, state.a.size()) = state.a;
+  }
+  Kinematics kinematics(model_);
+  kinematics.load(layout_, q, v, Eigen::VectorXd());
+  return frame(kinematics, nullptr);
+}
+
+const VtkFrame& Drawing::frame(const Kinematics& kinematics, const Sample* sample) {
+  frame_.field_vectors[0] = {"marks", marks_.vectors(kinematics, sample)};
+
   auto triangle = Eigen::Index{0};
   auto line = static_cast<Eigen::Index>(frame_.triangles.size());
   for (const Part& part : parts_) {
     const Eigen::Index s = part.shape.mode_count();
     BodyMotion motion(static_cast<int>(s));
-    fill_motion(sample.kinematics.of(part.body), motion);
+    fill_motion(kinematics.of(part.body), motion);
     Eigen::Matrix3Xd x(3, part.shape.node_count());
     part.shape.node_positions(motion, x);
     frame_.points.middleCols(part.first_point, x.cols()) = x;

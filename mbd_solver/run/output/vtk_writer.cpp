@@ -7,6 +7,8 @@
 #include <iterator>
 #include <pugixml.hpp>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
@@ -60,8 +62,8 @@ std::string each_cell(const VtkFrame& frame, Append append) {
 }
 
 // A text is its character codes followed by zero.
-void add_texts(pugi::xml_node grid, const VtkFrame& frame) {
-  if (frame.texts.empty()) return;
+void add_field_data(pugi::xml_node grid, const VtkFrame& frame) {
+  if (frame.texts.empty() && frame.field_vectors.empty()) return;
   pugi::xml_node field = grid.append_child("FieldData");
   for (const auto& [name, texts] : frame.texts) {
     std::string bytes;
@@ -72,6 +74,11 @@ void add_texts(pugi::xml_node grid, const VtkFrame& frame) {
     pugi::xml_node array = data_array(field, "String", name, 1);
     array.append_attribute("NumberOfTuples") = static_cast<int>(texts.size());
     array.text() = bytes.c_str();
+  }
+  for (const auto& [name, values] : frame.field_vectors) {
+    pugi::xml_node array = data_array(field, "Float64", name, 3);
+    array.append_attribute("NumberOfTuples") = static_cast<int>(values.cols());
+    array.text() = numbers(values).c_str();
   }
 }
 
@@ -95,6 +102,23 @@ pugi::xml_node loaded(pugi::xml_document& document, const std::string& path, con
 std::vector<double> numbers_in(pugi::xml_node parent, const char* name) {
   std::istringstream text(parent.find_child_by_attribute("DataArray", "Name", name).text().get());
   return {std::istream_iterator<double>(text), {}};
+}
+
+Eigen::Matrix3Xd vectors_in(pugi::xml_node parent, const char* name) {
+  const std::vector<double> x = numbers_in(parent, name);
+  return Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, static_cast<Eigen::Index>(x.size() / 3));
+}
+
+std::vector<std::string> texts_in(pugi::xml_node parent, const char* name) {
+  std::vector<std::string> texts;
+  std::string text;
+  for (const double code : numbers_in(parent, name)) {
+    if (code == 0.0)
+      texts.push_back(std::exchange(text, {}));
+    else
+      text += static_cast<char>(static_cast<unsigned char>(code));
+  }
+  return texts;
 }
 
 }  // namespace
@@ -125,8 +149,15 @@ VtkFrame read_vtk_frame(const std::string& vtu) {
   pugi::xml_document document;
   const pugi::xml_node piece = loaded(document, vtu, "UnstructuredGrid").child("Piece");
   VtkFrame frame;
-  const std::vector<double> x = numbers_in(piece.child("Points"), "Points");
-  frame.points = Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, static_cast<Eigen::Index>(x.size() / 3));
+  frame.points = vectors_in(piece.child("Points"), "Points");
+  const pugi::xml_node field = piece.parent().child("FieldData");
+  for (const pugi::xml_node array : field.children("DataArray")) {
+    const char* const name = array.attribute("Name").as_string();
+    if (std::string_view(array.attribute("type").as_string()) == "String")
+      frame.texts.emplace_back(name, texts_in(field, name));
+    else
+      frame.field_vectors.emplace_back(name, vectors_in(field, name));
+  }
   const std::vector<double> links = numbers_in(piece.child("Cells"), "connectivity");
   std::size_t first = 0;
   for (const double end : numbers_in(piece.child("Cells"), "offsets")) {
@@ -193,7 +224,7 @@ void VtkSeries::write(double time, const VtkFrame& frame) {
                          "t = " + std::to_string(time) + " s: geometry of " + name_ + " is not finite");
   pugi::xml_document document;
   pugi::xml_node grid = vtk_file(document, "UnstructuredGrid").append_child("UnstructuredGrid");
-  add_texts(grid, frame);
+  add_field_data(grid, frame);
   pugi::xml_node piece = grid.append_child("Piece");
   piece.append_attribute("NumberOfPoints") = static_cast<int>(frame.points.cols());
   piece.append_attribute("NumberOfCells") = static_cast<int>(frame.triangles.size() + frame.lines.size());

@@ -15,8 +15,9 @@ struct VtkFrame {
   // Arrays by name: vectors of points, 3 x N; numbers of cells, triangles first, then lines.
   std::vector<std::pair<std::string, Eigen::Matrix3Xd>> point_vectors;
   std::vector<std::pair<std::string, Eigen::VectorXd>> cell_numbers;
-  // Texts of the whole frame, by name: field data in ParaView.
+  // Texts and vectors of the whole frame, by name: field data in ParaView.
   std::vector<std::pair<std::string, std::vector<std::string>>> texts;
+  std::vector<std::pair<std::string, Eigen::Matrix3Xd>> field_vectors;
 };
 
 class VtkSeries {
@@ -49,8 +50,8 @@ class VtkSeries {
 // A .pvd: times [s] and names of files in its folder. Throws InputError when it cannot be written.
 void write_vtk_list(const std::string& pvd, const std::vector<std::pair<double, std::string>>& frames);
 
-// Read what VtkSeries wrote: times and file names of a .pvd; one frame, without vectors of points and texts. Throw
-// InputError naming the file.
+// Read what VtkSeries wrote: times and file names of a .pvd; one frame, without vectors of points. Throw InputError naming
+// the file.
 std::vector<std::pair<double, std::string>> read_vtk_series(const std::string& pvd);
 VtkFrame read_vtk_frame(const std::string& vtu);
 

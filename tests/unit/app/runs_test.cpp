@@ -85,6 +85,43 @@ TEST(GrainSeries, StepsTogetherWithTheDrawingsWhereTheRunChoseItsWindows) {
   fs::remove_all(folder);
 }
 
+// Single precision holds more than the six digits of a dump: the .vtp is the same bed, and takes its place. A dump with columns that a .vtp
+// does not hold stays, and so does a text, which scripts of users read.
+TEST(GrainSeries, TakeThePlaceOfDumpsThatTheyHoldWhole) {
+  const std::string folder = run_folder();
+  const std::string head =
+      "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n1.25 -2.5 3.12345 4 5 6\n\nPOINT_DATA "
+      "2\n";
+  const std::string columns =
+      "id 1 2 int\n9 7\ntype 1 2 int\n1 2\nv 3 2 double\n0 0.001234 1 0 0 -2\nradius 1 2 double\n0.1 0.2\n";
+  std::ofstream(folder + "/grains_0.vtk") << head << "FIELD FieldData 4\n" << columns;
+  std::ofstream(folder + "/grains_10.vtk") << head << "FIELD FieldData 5\n" << columns << "heat 1 2 double\n3 4\n";
+  write_summary(folder + "/summary.json", {{"dt_dem_s", 1e-4}, {"substeps_per_window", 3}});
+  const BedFrame dumped = read_bed_frame(folder + "/grains_0.vtk");
+  write_grain_series(folder);
+  EXPECT_FALSE(fs::exists(folder + "/grains_0.vtk"));
+  EXPECT_TRUE(fs::exists(folder + "/grains_10.vtk")) << "its column \"heat\" is nowhere else";
+  const std::map<long, std::string> frames = find_bed_frames(folder);
+  ASSERT_EQ(frames.size(), 2u);
+  EXPECT_EQ(frames.at(0), folder + "/grains_0.vtp");
+  EXPECT_EQ(frames.at(10), folder + "/grains_10.vtk");
+  const BedFrame kept = read_bed_frame(frames.at(0));
+  EXPECT_EQ(kept.id, dumped.id);
+  EXPECT_EQ(kept.type, dumped.type);
+  EXPECT_LT((kept.x - dumped.x).cwiseAbs().maxCoeff(), 6.0 * 6e-8) << "half a step of single precision";
+  EXPECT_LT((kept.v - dumped.v).cwiseAbs().maxCoeff(), 2.0 * 6e-8);
+  EXPECT_NEAR(kept.radius[1], dumped.radius[1], 6e-8);
+  write_grain_series(folder);  // as after a run that was resumed
+  EXPECT_EQ(read_vtk_series(folder + "/grains.pvd").size(), 2u);
+  // Damaged: named, not read.
+  const std::string whole = read_whole_file(folder + "/grains_0.vtp").value_or("");
+  for (const std::size_t size : {whole.size() / 2, whole.size() / 3, std::size_t{200}, std::size_t{0}}) {
+    std::ofstream(folder + "/cut_0.vtp") << whole.substr(0, size);
+    EXPECT_THROW(read_bed_frame(folder + "/cut_0.vtp"), InputError) << size;
+  }
+  fs::remove_all(folder);
+}
+
 TEST(GrainSeries, ARunWithoutGrainsGetsNone) {
   const std::string folder = run_folder();
   write_summary(folder + "/summary.json", {{"status", "done"}});

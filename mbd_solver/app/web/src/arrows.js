@@ -1,49 +1,50 @@
-// The force of the ground on each body, as the history has it, drawn over everything at the body.
+// The force of the ground on each body, from the history or else from the drawings, drawn over everything where its line of action is
+// nearest to the body's origin: p = x + F x M / F^2. Lengths go with the root of the force, so that small ones are seen beside a first peak.
 import * as three from "three";
 import { valueAt } from "./page.js";
+import { Solids, cross, dot, length, plus, unit } from "./solids.js";
 
-const kColour = 0xc2006b;
-const kLength = 0.28;  // of the picture's size, for the largest force of the run
-const kShown = 0.004;  // of the largest force
+const kColour = "#c2006b";
+const kLength = 0.22;  // of the picture's size, for the largest force of the run
+const kShown = 1e-4;   // of the largest force
 
 export class Arrows {
-  // `names`: of the bodies, by their number. `size`: of what is drawn [m].
-  constructor(history, names, size) {
-    this.history = history;
-    this.object = new three.Group();
+  // `names`: of the bodies, by their number; marks: of marks.js, or none. `size`: of what is drawn [m].
+  constructor(history, names, size, marks) {
+    Object.assign(this, { history, marks });
+    this.solids = new Solids({ above: true });
+    this.object = new three.Group().add(this.solids.object);
     this.entries = [];
     let largest = 0;
     names.forEach((name, body) => {
-      const force = ["fx", "fy", "fz"].map((c) => history.columns.get(`${name}.contact.${c}`)?.values);
-      if (!force.every(Boolean)) return;
-      for (let k = 0; k < history.time.length; ++k) largest = Math.max(largest, Math.hypot(force[0][k], force[1][k], force[2][k]));
-      const arrow = new three.ArrowHelper(new three.Vector3(0, 0, 1), new three.Vector3(), 1, kColour);
-      for (const part of [arrow.line, arrow.cone]) {
-        part.material.depthTest = false;
-        part.material.toneMapped = false;
-        part.renderOrder = 10;
-      }
-      this.object.add(arrow);
-      this.entries.push({ body, force, arrow, place: ["x", "y", "z"].map((c) => history.columns.get(`${name}.${c}`)?.values) });
+      const columns = (list) => list.map((c) => history.columns.get(`${name}.${c}`)?.values), mark = marks?.index("body", name) ?? -1;
+      const force = columns(["contact.fx", "contact.fy", "contact.fz"]), moment = columns(["contact.mx", "contact.my", "contact.mz"]);
+      if (force.every(Boolean)) {
+        for (let k = 0; k < history.time.length; ++k) largest = Math.max(largest, Math.hypot(force[0][k], force[1][k], force[2][k]));
+      } else if (mark >= 0) {
+        for (let k = 0; k < marks.times.length; ++k) largest = Math.max(largest, length(marks.vector(mark, 2, { k, next: k, mix: 0 })));
+      } else return;
+      this.entries.push({ body, mark, force, moment, place: columns(["x", "y", "z"]) });
     });
     this.largest = largest;
-    this.perNewton = largest > 0 ? (kLength * size) / largest : 0;
-    this.head = 0.02 * size;
+    this.longest = kLength * size;
+    this.width = 0.017 * size;
   }
 
-  // `centre(body)`: where a body is whose place the history does not hold.
-  show(t, centre) {
-    if (!this.object.visible) return;
-    for (const { body, force, arrow, place } of this.entries) {
-      const f = new three.Vector3(...force.map((column) => valueAt(this.history, column, t)));
-      const x = place.every(Boolean) ? place.map((column) => valueAt(this.history, column, t)) : centre(body);
-      const size = f.length();
-      arrow.visible = x !== null && this.perNewton > 0 && size > kShown * this.largest;
-      if (!arrow.visible) continue;
-      const length = this.perNewton * size;
-      arrow.position.set(...x);
-      arrow.setDirection(f.divideScalar(size));
-      arrow.setLength(length, Math.min(this.head, 0.4 * length), Math.min(0.6 * this.head, 0.25 * length));
-    }
+  // `centre(body)`: where a body is whose place nothing else holds.
+  show(t, centre, smooth = true) {
+    this.solids.begin();
+    if (this.object.visible)
+      for (const { body, mark, force, moment, place } of this.entries) {
+        const at = (columns) => columns.map((column) => valueAt(this.history, column, t)), now = this.marks?.moment(t, smooth);
+        const f = force.every(Boolean) ? at(force) : this.marks.vector(mark, 2, now), size = length(f);
+        if (!(size > kShown * this.largest)) continue;
+        const x = mark >= 0 ? this.marks.vector(mark, 0, now) : place.every(Boolean) ? at(place) : centre(body);
+        if (x === null) continue;
+        const m = force.every(Boolean) ? (moment.every(Boolean) ? at(moment) : null) : this.marks.vector(mark, 3, now);
+        const from = m ? plus(x, cross(f, m), 1 / dot(f, f)) : x;
+        this.solids.arrow(from, plus(from, unit(f), this.longest * Math.sqrt(size / this.largest)), this.width, kColour);
+      }
+    this.solids.finish();
   }
 }

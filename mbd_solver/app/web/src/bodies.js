@@ -2,7 +2,7 @@
 import * as three from "three";
 import { SeriesDecoder, joinPlanes } from "./decode.js";
 import { indexBefore, takeChunk } from "./page.js";
-import { kBodies, kMaps } from "./colours.js";
+import { bodyColours, kMaps } from "./colours.js";
 import { kBox, kClip, kLight, kScale, boxUniforms, scaleUniforms } from "./shading.js";
 
 const kColour = /* glsl */ `
@@ -66,9 +66,30 @@ const kTube = (() => {
   return { points, corners, ends };
 })();
 
+// Weights of the corners of a triangle, or of the ends of a line, at the point that is nearest to p (Ericson, Real-Time Collision Detection 5.1.5).
+function weightsOfNearest(corners, p) {
+  const from = (a, b) => b.map((x, k) => x - a[k]), dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  const share = (a, b) => Math.min(1, Math.max(0, dot(from(a, b), from(a, p)) / (dot(from(a, b), from(a, b)) || 1)));
+  const [a, b, c] = corners;
+  if (corners.length === 2) return [1 - share(a, b), share(a, b)];
+  const ab = from(a, b), ac = from(a, c), ap = from(a, p), bp = from(b, p), cp = from(c, p);
+  const d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp), d6 = dot(ac, cp);
+  const va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2, sum = va + vb + vc;
+  if (va > 0 && vb > 0 && vc > 0) return [va / sum, vb / sum, vc / sum];
+  const edges = [[0, 1], [1, 2], [2, 0]].map(([i, j]) => {
+    const s = share(corners[i], corners[j]), x = corners[i].map((v, k) => v + s * (corners[j][k] - v));
+    return { i, j, s, distance: Math.hypot(x[0] - p[0], x[1] - p[1], x[2] - p[2]) };
+  });
+  const { i, j, s } = edges.reduce((least, edge) => (edge.distance < least.distance ? edge : least)), weights = [0, 0, 0];
+  weights[i] += 1 - s;
+  weights[j] += s;
+  return weights;
+}
+
 export class Bodies {
-  constructor(spec) {
+  constructor(spec, names) {
     this.spec = spec;
+    this.colours = bodyColours(names);
     this.times = spec.times;
     this.frames = [];
     this.uniforms = {
@@ -86,18 +107,19 @@ export class Bodies {
   }
 
   async loadFirst() {
+    this.radius = null;
     const static32 = async (name, Kind) => joinPlanes(await takeChunk(`bodies-${name}`), Kind);
     this.triangles = await static32("triangles", Uint32Array);  // three points each
     this.lines = await static32("lines", Uint32Array);          // two points each
     this.cellBody = await static32("cells", Uint32Array);       // body of each triangle, then of each line
-    const radius = await static32("radius", Float32Array);
+    const radius = (this.radius = await static32("radius", Float32Array));
     this.decoder = new SeriesDecoder(3 * this.spec.points + (this.spec.stress > 0 ? this.spec.cells : 0));
     const triangles = this.triangles.length / 3, lines = this.lines.length / 2;
     const tints = (cells, times) => {
       const colour = new three.Color(), all = new Float32Array(4 * times * cells.length);
       cells.forEach((cell, i) => {
         const body = this.cellBody[cell];
-        colour.set(kBodies[body % kBodies.length]).convertLinearToSRGB();
+        colour.set(this.colours[body % this.colours.length] ?? "#8fa6bd").convertLinearToSRGB();
         for (let k = 0; k < times; ++k) all.set([colour.r, colour.g, colour.b, this.spec.stressed.includes(body) ? 1 : 0], 4 * (times * i + k));
       });
       return all;
@@ -187,6 +209,47 @@ export class Bodies {
     if (this.shown[1] !== next) this.fill("b", next);
     this.shown = [k, next];
     return k;
+  }
+
+  // ---- the surface of a body, for what is attached to it
+  has(body) {
+    this.cellsOf ??= this.cellsByBody();
+    return this.cellsOf.has(body);
+  }
+  cellsByBody() {
+    const cells = new Map();
+    this.cellBody.forEach((body, cell) => (cells.has(body) ? cells.get(body).push(cell) : cells.set(body, [cell])));
+    return cells;
+  }
+  cornersOf(cell) {
+    const triangles = this.triangles.length / 3;
+    return cell < triangles ? [0, 1, 2].map((k) => this.triangles[3 * cell + k]) : [0, 1].map((k) => this.lines[2 * (cell - triangles) + k]);
+  }
+  pointOf(values, p) {
+    const { low, size } = this.spec.box, n = this.spec.points;
+    return [0, 1, 2].map((axis) => low[axis] + (size[axis] * values[axis * n + p]) / 65534);
+  }
+  // The point of the body's first drawing that is nearest to p: its corners with their weights, and the gap [m]. Null without a drawing.
+  nearest(body, p) {
+    if (!this.has(body)) return null;
+    const triangles = this.triangles.length / 3;
+    let best = null;
+    for (const cell of this.cellsOf.get(body)) {
+      const corners = this.cornersOf(cell), weights = weightsOfNearest(corners.map((c) => this.pointOf(this.frames[0], c)), p);
+      const x = [0, 1, 2].map((axis) => corners.reduce((sum, c, k) => sum + weights[k] * this.pointOf(this.frames[0], c)[axis], 0));
+      const gap = Math.max(0, Math.hypot(x[0] - p[0], x[1] - p[1], x[2] - p[2]) - (cell < triangles ? 0 : this.radius[cell - triangles]));
+      if (!best || gap < best.gap) best = { corners, weights, gap };
+    }
+    return best;
+  }
+  // Where such a point is now.
+  place({ corners, weights }) {
+    const mix = this.uniforms.uMix.value, [from, to] = this.shown.map((k) => this.frames[k]), x = [0, 0, 0];
+    corners.forEach((c, k) => {
+      const a = this.pointOf(from, c), b = this.pointOf(to, c);
+      for (let axis = 0; axis < 3; ++axis) x[axis] += weights[k] * (a[axis] + mix * (b[axis] - a[axis]));
+    });
+    return x;
   }
 
   // Mean of the points of a body at the time shown [m]; null when it is not drawn.

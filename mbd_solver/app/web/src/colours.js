@@ -5,9 +5,15 @@ export const kSeries = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "
 
 export const kBodies = ["#8fa6bd", "#c98b5f", "#7fb09a", "#c79bb5", "#d9b668", "#93c4dd", "#9a9a9a", "#b7b08f"];
 
+// One colour per body. Bodies that differ in their numbers only have the same part: leg_1_rod, leg_2_rod.
+export function bodyColours(names) {
+  const parts = names.map((name) => name.replace(/\d+/g, "#")), order = [...new Set(parts)];
+  return parts.map((part) => kBodies[order.indexOf(part) % kBodies.length]);
+}
+
 // Each with five stops: share of the scale, and red, green, blue in 0 ... 255.
 export const kMaps = {
-  // Sand at rest, as `footfall pictures` draws it.
+  // Sand at rest, as `footfall view --pictures` draws it.
   sand: { shares: [0, 0.1, 0.3, 0.65, 1], stops: [[233, 223, 199], [214, 178, 104], [127, 174, 138], [31, 111, 168], [46, 20, 90]] },
   // cividis
   stress: { shares: [0, 0.25, 0.5, 0.75, 1], stops: [[0, 34, 78], [65, 77, 107], [124, 123, 120], [188, 175, 111], [254, 232, 56]] },

@@ -1,5 +1,6 @@
 // Buttons, slider, keys: what the user can do.
 import { cssGradient, kMaps } from "./colours.js";
+import { linkOf, numbersIn } from "./link.js";
 import { short, withUnit } from "./units.js";
 
 const kKeys = [
@@ -10,10 +11,13 @@ const kKeys = [
   ["c", "clip plane across x, y, z, none"],
   ["[ ]", "move the clip plane"],
   ["f", "forces of the ground"],
+  ["j", "symbols of joints, struts, drives, forces"],
+  ["n", "names"],
+  ["l", "this moment and camera into the address of the page"],
   ["g", "next colour of the grains"],
   ["b", "next colour of the bodies"],
   ["s", "smooth, or frame by frame"],
-  ["1 2 3 4", "from the front, the side, above, all"],
+  ["1 2 3 4 5", "from the front, the side, above, all, the mechanism"],
   ["?", "this list"],
 ];
 
@@ -82,7 +86,7 @@ export class Controls {
     }
     if (stage.bodies) {
       const options = [{ value: "body", text: "by body" }];
-      if (run.bodies.stress > 0) options.unshift({ value: "stress", text: "stress" });
+      if (run.bodies.stress > 0) options.push({ value: "stress", text: "stress" });
       const found = choice("bodies", options, options[0].value, () => this.colourBodies());
       this.bodyColour = found.select;
       rows.push(found.row);
@@ -97,21 +101,105 @@ export class Controls {
       this.check("other side", false, (on) => this.setClip({ flip: on })), this.check("bodies too", false, (on) => this.setClip({ bodies: on })));
     rows.push(clip.row, this.clipMore);
     if (stage.arrows?.largest > 0)
-      rows.push((this.forces = this.check(`forces of the ground, the longest ${withUnit(stage.arrows.largest, "N")}`, true, (on) => {
+      rows.push((this.forces = this.check(`forces of the ground, as their roots, to ${withUnit(stage.arrows.largest, "N")}`, true, (on) => {
         stage.arrows.object.visible = on;
         stage.setTime(stage.time);
       })));
+    if (stage.symbols) this.symbolRows(rows);
     rows.push((this.smooth = this.check("smooth between frames", true, (on) => {
       stage.smooth = on;
       stage.setTime(stage.time);
     })));
     const views = [["front", -90, 4], ["side", 0, 4], ["above", -90, 89.9], ["all", -65, 24]];
     this.views = views.map(([name, azimuth, elevation]) => make("button", { onclick: () => stage.look(azimuth, elevation) }, name));
-    rows.push(make("div", { class: "views" }, ...this.views), this.legend,
-      make("div", { class: "note" }, `grid: squares of ${withUnit(stage.square, "m")}`));
+    if (stage.mechanism) this.views.push(make("button", { onclick: () => stage.lookAtMechanism(-65, 18) }, "mechanism"));
+    const notes = [`grid: squares of ${short(stage.square)} m`];
+    if (stage.slope > 1e-3) notes.push(`slope: ${short((stage.slope * 180) / Math.PI, 3)}\u00b0`);
+    if (stage.grains) notes.push(`grains at rest: layers of ${short(stage.grains.layer)} m`);
+    this.notes = notes;
+    rows.push(make("div", { class: "views" }, ...this.views, make("button", { onclick: () => this.writeLink(), title: "this moment and camera into the address of the page" }, "link")), this.legend,
+      ...notes.map((text) => make("div", { class: "note" }, text)));
     document.getElementById("footfall-panel").append(make("details", innerWidth > 700 ? { open: "" } : {}, make("summary", {}, "show"), ...rows));
     this.colourGrains();
     this.colourBodies();
+  }
+
+  // Switches of the symbols, and the point whose track is drawn.
+  symbolRows(rows) {
+    const { stage } = this, redraw = () => stage.setTime(stage.time);
+    const all = (this.symbols = this.check("symbols", true, (on) => {
+      stage.symbols.object.visible = on;
+      redraw();
+    }));
+    this.layers = new Map(stage.symbols.layers().map((layer) => [layer.name, this.check(layer.text, layer.on, (on) => {
+      stage.symbols.on[layer.name] = on;
+      redraw();
+    })]));
+    this.named = this.check("names", false, (on) => {
+      stage.overlay.named = on;
+      stage.wish();
+    });
+    rows.push(all, make("div", { class: "layers" }, ...this.layers.values(), this.named));
+    const points = stage.marks.list.filter((mark) => mark.kind === "body" || mark.kind === "joint").map((mark) => `${mark.kind}:${mark.name}`);
+    const track = choice("track of", [{ value: "", text: "no point" }, ...points.map((value) => ({ value, text: value.replace(":", " ") }))], "", (value) => {
+      stage.symbols.setTrack(value);
+      redraw();
+    });
+    this.track = track.select;
+    rows.push(track.row);
+  }
+
+  // ---- links: what the page shows, as its address
+  writeLink() {
+    const { stage, player } = this, entries = { t: Number(player.time.toPrecision(6)) };
+    if (stage.scene) {
+      const eye = stage.eye(), text = (x) => String(Number(x.toFixed(3)));
+      entries.camera = [eye.azimuth, eye.elevation, eye.zoom, ...eye.at].map(text).join(",");
+      entries.grains = this.grainColour?.value;
+      entries.bodies = this.bodyColour?.value;
+      const off = [...(this.layers ?? [])].filter(([, label]) => !label.querySelector("input").checked).map(([name]) => name);
+      if (this.symbols && !this.symbols.querySelector("input").checked) off.push("symbols");
+      if (this.forces && !this.forces.querySelector("input").checked) off.push("arrows");
+      entries.hide = off.join(",");
+      entries.track = this.track?.value;
+      entries.names = stage.overlay.named ? "1" : "";
+      if (stage.clip.axis) entries.clip = [stage.clip.axis, Number(stage.clip.share.toFixed(3))].join(",");
+    }
+    history.replaceState(null, "", linkOf(entries));
+  }
+  follow(link) {
+    const { stage, player } = this;
+    const set = (label, on) => label && label.querySelector("input").checked !== on && Controls.flip(label);
+    const pick = (select, value) => {
+      if (!select || ![...select.options].some((option) => option.value === value)) return;
+      select.value = value;
+      select.dispatchEvent(new Event("change"));
+    };
+    const [t] = numbersIn(link.t);
+    if (t !== undefined) player.seek(t);
+    if (!stage.scene) return;
+    const camera = numbersIn(link.camera);
+    if (camera.length >= 2) stage.look(camera[0], camera[1], camera[2] > 0 ? camera[2] : 1, camera.length >= 6 ? camera.slice(3, 6) : null);
+    else if (link.camera === "mechanism") stage.lookAtMechanism(-65, 18);
+    pick(this.grainColour, link.grains);
+    pick(this.bodyColour, link.bodies);
+    if (link.track !== undefined) pick(this.track, link.track.includes(":") || link.track === "" ? link.track : `body:${link.track}`);
+    if (link.hide !== undefined) {
+      const off = link.hide.split(",");
+      for (const [name, label] of this.layers ?? []) set(label, !off.includes(name));
+      set(this.symbols, !off.includes("symbols"));
+      set(this.forces, !off.includes("arrows"));
+      if (stage.grains) stage.grains.object.visible = !off.includes("grains");
+      if (stage.bodies) stage.bodies.object.visible = !off.includes("bodies");
+    }
+    if (link.names !== undefined) set(this.named, link.names === "1");
+    if (link.clip !== undefined && this.clip) {
+      const [axis, share] = link.clip.split(",");
+      pick(this.clip, axis);
+      this.setClip({ share: Number(share) >= 0 ? Number(share) : 0.5 });
+      this.clipPlace.value = String(stage.clip.share);
+    }
+    stage.wish();
   }
 
   check(label, on, change) {
@@ -157,6 +245,15 @@ export class Controls {
     this.slider.value = String(Math.round((10000 * (t - player.start)) / (player.end - player.start || 1)));
     this.clock.textContent = `${t.toFixed(4)} s`;
     if (player.playing && ++this.frames % 2 === 0) stage.suitRate(player.rate(), true);
+  }
+  // Of a picture: title, time, legend and notes, in the picture itself. slow: so many seconds of it show one of the run.
+  showCaption(t, slow = 0) {
+    const { run } = this, place = document.getElementById("footfall-caption");
+    if (!place) return;
+    const words = [run.title, run.history ? `t = ${t.toFixed(run.digits ?? 3)} s` : "reference configuration", slow > 1.01 ? `slowed ${short(slow, 3)} times` : slow > 0 && slow < 0.99 ? `${short(1 / slow, 3)} times as fast` : ""];
+    const arrows = this.stage.arrows?.largest > 0 && this.stage.arrows.object.visible ? [`forces of the ground, as their roots, to ${withUnit(this.stage.arrows.largest, "N")}`] : [];
+    place.replaceChildren(make("div", {}, words.filter(Boolean).join("   ")), ...[...(this.notes ?? []), ...arrows].map((text) => make("div", { class: "note" }, text)));
+    if (this.legend && this.legend.parentElement !== place.parentElement) place.parentElement.append(this.legend);
   }
   showLoaded() {
     const share = this.stage.loaded();
@@ -209,6 +306,10 @@ export class Controls {
       2: () => this.views?.[1].click(),
       3: () => this.views?.[2].click(),
       4: () => this.views?.[3].click(),
+      5: () => this.views?.[4]?.click(),
+      j: () => Controls.flip(this.symbols),
+      n: () => Controls.flip(this.named),
+      l: () => this.writeLink(),
       "?": () => (this.keys.hidden = !this.keys.hidden),
       Escape: () => (this.keys.hidden = true),
     };

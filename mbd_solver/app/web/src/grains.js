@@ -4,7 +4,7 @@ import { SeriesDecoder, joinPlanes } from "./decode.js";
 import { indexBefore, takeChunk } from "./page.js";
 import { kMaps } from "./colours.js";
 import { GrainPainter } from "./painter.js";
-import { kBox, kClip, kLight, kScale, boxUniforms, lightOn, scaleUniforms } from "./shading.js";
+import { kBox, kClip, kLayerShade, kLight, kMoving, kScale, boxUniforms, lightOn, scaleUniforms } from "./shading.js";
 
 const kVertex = /* glsl */ `
 ${kScale}${kBox}${kClip}
@@ -14,6 +14,7 @@ uniform float uPixels;       // height of the picture [pixels]
 uniform int uColour;         // 0 plain, 1 the frame's number, 2 displacement since the first frame
 uniform float uLargest;      // displacement at the end of the colours [m]
 uniform float uUpper;        // share of the largest number at the end of the colours
+uniform float uLayers;       // in the box
 flat out vec3 vColour;
 void main() {
   bool lastKnown = b.x >= 1.0;
@@ -24,6 +25,7 @@ void main() {
   if (uColour == 1) share = value * value / uUpper;
   if (uColour == 2) share = start.x >= 1.0 ? 0.0 : length(x - (uLow + uSize * (65535.0 / 65534.0) * start.xyz)) / uLargest;
   vColour = colourOf(share);
+  if (start.x < 1.0 && fract(0.5 * floor(start.z * uLayers)) > 0.25) vColour *= mix(${kLayerShade.toFixed(3)}, 1.0, min(1.0, share / ${kMoving.toFixed(3)}));
   vec4 eye = modelViewMatrix * vec4(x, 1.0);
   gl_Position = projectionMatrix * eye;
   gl_PointSize = max(1.0, radius * projectionMatrix[1][1] * uPixels / gl_Position.w);
@@ -58,6 +60,7 @@ export class Grains {
         uColour: { value: 0 },
         uLargest: { value: 1 },
         uUpper: { value: 1 },
+        uLayers: { value: 1 },
       },
     });
     this.all = new three.Points(this.geometry, this.material);
@@ -72,8 +75,19 @@ export class Grains {
     this.decoder = new SeriesDecoder(this.spec.count * (3 + this.spec.numbers.length));
     await this.loadNext();
     this.geometry.setAttribute("start", this.frames[0].positions);
+    this.findLayers();
     this.setNumber(0);
     this.show(this.times[0], true);
+  }
+
+  // Layers of 1, 2 or 5 times a power of ten, about six in the bed at the start, no thinner than grains.
+  findLayers() {
+    const { low, high } = this.spec.view, depth = high[2] - low[2], start = this.frames[0].positions.array, n = this.spec.count;
+    const thick = Math.max(depth / 6, 3 * this.radius.reduce((sum, r) => sum + r, 0) / Math.max(1, n)) || 1, power = 10 ** Math.floor(Math.log10(thick));
+    this.layer = [1, 2, 5, 10].map((k) => k * power).find((s) => s >= 0.99 * thick) ?? 10 * power;
+    const layers = (this.spec.box.size[2] || this.layer) / this.layer;
+    this.material.uniforms.uLayers.value = layers;
+    this.odd = Uint8Array.from({ length: n }, (_, i) => (start[4 * i] === 65535 ? 0 : Math.floor((start[4 * i + 2] / 65535) * layers) & 1));
   }
 
   // False when all frames are there.
@@ -150,7 +164,7 @@ export class Grains {
     const uniforms = this.material.uniforms;
     const [a, b] = this.shown.map((frame) => frame.positions.array);
     const view = { a, b, mix: uniforms.uMix.value, box: this.spec.box, radius: this.radius, camera, clip: uniforms.uClip.value, width, height };
-    this.painter.paint({ ...view, share: this.shareOfColours(a, b) });
+    this.painter.paint({ ...view, share: this.shareOfColours(a, b), odd: this.odd });
   }
 
   // What kVertex computes: the share of the colours of a grain that stands at mix between frames a and b.

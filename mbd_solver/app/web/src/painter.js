@@ -2,6 +2,7 @@
 // once, and one rectangle brings the picture to the screen with the depth of each pixel. A software renderer would shade
 // every disc for itself. What is seen is what the shader of grains.js draws.
 import * as three from "three";
+import { kLayerShade, kMoving } from "./shading.js";
 
 const kDepths = 16383;  // steps from the nearest to the farthest grain; 0 is nothing
 const kLights = 64, kColours = 128, kCells = 64;  // entries of the tables
@@ -49,16 +50,16 @@ export class GrainPainter {
         const share = (lightOn(x, y, z) - dark) / (bright - dark);
         this.light[v * kCells + u] = Math.round((kLights - 1) * Math.min(1, Math.max(0, share)));
       }
-    this.palette = new Int32Array(kColours * kLights);
-    for (let c = 0; c < kColours; ++c) {
-      const share = c / (kColours - 1);
+    this.palette = new Int32Array(2 * kColours * kLights);  // of the grains of even layers, then of odd ones
+    for (let c = 0; c < 2 * kColours; ++c) {
+      const share = (c % kColours) / (kColours - 1), shade = c < kColours ? 1 : kLayerShade + (1 - kLayerShade) * Math.min(1, share / kMoving);
       let k = 1;
       while (k < map.shares.length - 1 && share > map.shares[k]) ++k;
       const m = (share - map.shares[k - 1]) / (map.shares[k] - map.shares[k - 1]);
       for (let l = 0; l < kLights; ++l)
         for (let rgb = 0; rgb < 3; ++rgb) {
           const colour = map.stops[k - 1][rgb] + m * (map.stops[k][rgb] - map.stops[k - 1][rgb]);
-          const six = Math.min(63, Math.round((colour * (dark + ((bright - dark) * l) / (kLights - 1)) * 63) / 255));
+          const six = Math.min(63, Math.round((shade * colour * (dark + ((bright - dark) * l) / (kLights - 1)) * 63) / 255));
           this.palette[c * kLights + l] |= six << (26 - 6 * rgb);
         }
     }
@@ -80,8 +81,8 @@ export class GrainPainter {
   }
 
   // a, b: frames of four 16-bit numbers; mix between them; box { low, size }; radius [m]; clip: normal, distance; share(i, mix): of
-  // the colours, of a grain; width, height of the picture [pixels]. Returns how many grains are in the picture.
-  paint({ a, b, mix, box, radius, camera, clip, width, height, share }) {
+  // the colours, of a grain; odd: 1 for grains of odd layers; width, height of the picture [pixels]. Returns how many grains are in the picture.
+  paint({ a, b, mix, box, radius, camera, clip, width, height, share, odd }) {
     this.resize(width, height);
     const { nearest, step, count } = this.place({ a, b, mix, box, radius, camera, clip, width, height });
     this.sort(count, nearest, step);
@@ -91,7 +92,7 @@ export class GrainPainter {
       const d = this.order[j];
       if (this.covered(d)) continue;
       const i = this.grain[d];
-      this.disc(d, share, i, b[4 * i] === 65535 ? 0 : mix);
+      this.disc(d, share, odd, i, b[4 * i] === 65535 ? 0 : mix);
     }
     this.uniforms.uNear.value = nearest;
     this.uniforms.uStep.value = step;
@@ -162,7 +163,7 @@ export class GrainPainter {
   }
 
   // Pixels whose centres lie in the disc and on which nothing nearer stands.
-  disc(d, share, i, mix) {
+  disc(d, share, odd, i, mix) {
     const { width, height, pixels, light, palette, free, columns, discs } = this;
     const x = discs[4 * d], y = discs[4 * d + 1], r = discs[4 * d + 2], rr = r * r, depth = this.steps[d];
     const toCell = (0.5 * kCells - 0.01) / r, middle = 0.5 * kCells;
@@ -174,7 +175,7 @@ export class GrainPainter {
       const lights = kCells * ((dy * toCell + middle) | 0), tiles = (v >> kTile) * columns;
       for (let u = first, k = v * width + first; u <= last; ++u, ++k) {
         if (pixels[k] !== 0) continue;
-        if (colour < 0) colour = kLights * Math.round((kColours - 1) * Math.min(1, Math.max(0, share(i, mix))));
+        if (colour < 0) colour = kLights * (odd[i] * kColours + Math.round((kColours - 1) * Math.min(1, Math.max(0, share(i, mix)))));
         pixels[k] = palette[colour + light[lights + (((u + 0.5 - x) * toCell + middle) | 0)]] | depth;
         --free[tiles + (u >> kTile)];
       }

@@ -9,6 +9,9 @@ vec3 colourOf(float share) {
   return c;
 }`;
 
+// At rest the grains show the layers in which they lay at the start: every other one is darker.
+export const kLayerShade = 0.8, kMoving = 0.12;  // share of the colours at which the layers have faded
+
 export const kBox = /* glsl */ `
 uniform vec3 uLow, uSize;  // of the box [m]
 uniform float uMix;        // 0: at frame a, 1: at frame b

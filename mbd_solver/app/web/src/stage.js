@@ -1,12 +1,17 @@
-// The picture: camera, grains, bodies, arrows, ground, clip plane.
+// The picture: camera, grains, bodies, symbols, arrows, ground, clip plane.
 import * as three from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Arrows } from "./arrows.js";
 import { Bodies } from "./bodies.js";
 import { Grains } from "./grains.js";
+import { Marks } from "./marks.js";
+import { Overlay } from "./overlay.js";
+import { cross, dot, plus, unit } from "./solids.js";
+import { Symbols } from "./symbols.js";
 
 const kAxes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 const kLowest = 0.5;    // pixels of the picture per pixel of the page
+const kFar = 0.47;       // half of what the eye sees, at zoom 1, of the size of all
 const kWanted = 30;     // pictures in a second
 const kPaintedAtMost = 3e5;  // grains: of more, to place and sort them takes longer than to draw them
 
@@ -17,7 +22,7 @@ export class Stage {
     this.smooth = true;
     this.time = 0;
     this.controls = null;
-    if (!run.grains && !run.bodies) return;
+    if (!run.grains && !run.bodies && !run.marks) return;
     // Opaque, which three.js never asks for: the browser then lays nothing under the picture and blends nothing, which
     // costs much where it draws in software.
     const canvas = document.createElement("canvas");
@@ -29,22 +34,27 @@ export class Stage {
     this.paints = this.drawsInSoftware() && run.grains?.count < kPaintedAtMost;
     this.scene = new three.Scene();
     this.camera = new three.PerspectiveCamera(35, 1, 0.01, 1000);
-    this.camera.up.set(0, 0, 1);
+    // Up is against gravity: where it is tilted, the bed is a slope.
+    this.up = unit((run.gravity ?? [0, 0, 0]).map((g) => -g));
+    this.camera.up.set(...this.up);
     this.scene.add(new three.AmbientLight(0xffffff, 1));
     if (run.grains) this.grains = new Grains(run.grains);
-    if (run.bodies) this.bodies = new Bodies(run.bodies);
+    if (run.bodies) this.bodies = new Bodies(run.bodies, run.bodyNames);
+    if (run.marks) this.marks = new Marks(run.marks);
     for (const part of this.parts()) this.scene.add(part.object);
     this.box = new three.Box3();
-    for (const spec of [run.grains, run.bodies]) {
+    for (const spec of [run.grains, run.bodies, run.marks]) {
       if (!spec) continue;
       this.box.expandByPoint(new three.Vector3(...spec.view.low));
       this.box.expandByPoint(new three.Vector3(...spec.view.high));
     }
     this.size = this.box.getSize(new three.Vector3()).length() || 1;
+    this.overlay = new Overlay(place, this);
     this.addGround();
     this.orbit = new OrbitControls(this.camera, this.renderer.domElement);
     this.orbit.addEventListener("change", () => this.wish());
     this.look(-65, 24);
+    this.overlay.show();
     this.clip = { axis: "", share: 0.5, flip: false };
     new ResizeObserver(() => this.resize()).observe(place);
     this.resize();
@@ -63,6 +73,14 @@ export class Stage {
 
   async loadFirst() {
     for (const part of this.parts()) await part.loadFirst();
+    await this.marks?.load();
+    if (this.marks) {
+      const own = new three.Box3();
+      for (const spec of [this.run.bodies, this.run.marks]) if (spec) for (const end of ["low", "high"]) own.expandByPoint(new three.Vector3(...spec.view[end]));
+      this.mechanism = own;
+      this.symbols = new Symbols(this.marks, this.bodies, this.run.bodyNames, own.getSize(new three.Vector3()).length() || this.size, this.up);
+      this.scene.add(this.symbols.object);
+    }
     this.hasFrames = true;
   }
   // One more frame of each; false when all are there.
@@ -78,7 +96,7 @@ export class Stage {
 
   addForces(history) {
     if (!this.scene) return;
-    this.arrows = new Arrows(history, this.run.bodyNames, this.size);
+    this.arrows = new Arrows(history, this.run.bodyNames, this.size, this.marks);
     this.scene.add(this.arrows.object);
   }
 
@@ -87,35 +105,79 @@ export class Stage {
     const power = 10 ** Math.floor(Math.log10(this.size / 8));
     this.square = [1, 2, 5, 10].map((k) => k * power).find((s) => this.size / s < 16) ?? 10 * power;
     const cells = 2 * Math.ceil(this.size / this.square / 2);
-    const grid = new three.GridHelper(cells * this.square, cells, 0x8896a3, 0xc5ccd3).rotateX(Math.PI / 2);
     const centre = this.box.getCenter(new three.Vector3());
     const snap = (v) => Math.round(v / this.square) * this.square;
-    const plane = this.run.plane;
-    if (plane) {
-      const normal = new three.Vector3(...plane.normal), point = new three.Vector3(...plane.point);
-      const turn = new three.Quaternion().setFromUnitVectors(new three.Vector3(0, 0, 1), normal);
-      grid.applyQuaternion(turn);
-      grid.position.copy(centre.addScaledVector(normal, -normal.dot(centre.clone().sub(point))));
-    } else {
-      grid.position.set(snap(centre.x), snap(centre.y), this.box.min.z);
-    }
-    this.scene.add(grid);
+    const grid = (lines = 0xc5ccd3) => new three.GridHelper(cells * this.square, cells, 0x8896a3, lines).rotateX(Math.PI / 2);
+    const planes = this.run.planes ?? [];
+    this.slope = 0;
+    planes.forEach(({ point, normal }, i) => {
+      const n = new three.Vector3(...normal), lines = grid(0xa39a80), at = centre.clone().addScaledVector(n, -n.dot(centre.clone().sub(new three.Vector3(...point))));
+      const turn = new three.Quaternion().setFromUnitVectors(new three.Vector3(0, 0, 1), n), plane = new three.Group().add(lines, this.ground(0.5 * cells * this.square, turn));
+      plane.applyQuaternion(turn);
+      plane.position.copy(at);
+      this.scene.add(plane);
+      if (i === 0) this.slope = Math.acos(Math.min(1, Math.abs(dot(unit(normal), this.up))));
+    });
+    if (planes.length > 0) return;
+    this.slope = Math.acos(Math.min(1, this.up[2]));
+    const lines = grid();
+    lines.position.set(snap(centre.x), snap(centre.y), this.box.min.z);
+    this.scene.add(lines);
+  }
+  // The sheet under the lines of a plane; a slope stands on a wedge with a level foot. turn: from z to the plane's normal.
+  ground(half, turn) {
+    const h = half, up = new three.Vector3(...this.up).applyQuaternion(turn.clone().invert()).toArray();
+    const corners = [[-h, -h, 0], [h, -h, 0], [h, h, 0], [-h, h, 0]], heights = corners.map((c) => dot(c, up)), lowest = Math.min(...heights);
+    const feet = corners.map((c, k) => plus(c, up, lowest - heights[k])), group = new three.Group();
+    const add = (points, color) => {
+      const geometry = new three.BufferGeometry();
+      geometry.setAttribute("position", new three.Float32BufferAttribute(points.flat(), 3));
+      const sheet = new three.Mesh(geometry, new three.MeshBasicMaterial({ color, side: three.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
+      sheet.renderOrder = -1;
+      group.add(sheet);
+    };
+    add([0, 1, 2, 0, 2, 3].map((k) => corners[k]), 0xd9cfb4);
+    // A wall beyond the horizontal is no ground to stand on.
+    if (Math.max(...heights) - lowest > 1e-3 * h && up[2] > 0.1)
+      corners.forEach((c, k) => add([c, corners[(k + 1) % 4], feet[(k + 1) % 4], c, feet[(k + 1) % 4], feet[k]], k % 2 ? 0xb5a988 : 0xc4b896));
+    return group;
   }
 
-  // The eye at this azimuth and elevation [deg], so that all is seen.
-  look(azimuth, elevation) {
+  // Level axes: x as near to that of W as it can be, and up.
+  level() {
+    const x = unit(plus([1, 0, 0], this.up, -this.up[0]), [0, 1, 0]);
+    return { x, y: cross(this.up, x), z: this.up };
+  }
+  // The eye at this azimuth and elevation [deg], so that all is seen; `zoom`: so many times nearer; `at`: the point that is looked at [m].
+  look(azimuth, elevation, zoom = 1, at = null) {
     if (!this.scene) return;
-    const a = (azimuth * Math.PI) / 180, e = (elevation * Math.PI) / 180;
-    const from = new three.Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e));
-    const centre = this.box.getCenter(new three.Vector3());
+    const a = (azimuth * Math.PI) / 180, e = (elevation * Math.PI) / 180, { x, y, z } = this.level();
+    const from = [0, 1, 2].map((k) => Math.cos(e) * Math.cos(a) * x[k] + Math.cos(e) * Math.sin(a) * y[k] + Math.sin(e) * z[k]);
+    const centre = at ? new three.Vector3(...at) : this.box.getCenter(new three.Vector3());
     const half = Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(1, this.camera.aspect);
-    this.camera.position.copy(centre).addScaledVector(from, (0.52 * this.size) / half);
-    this.camera.near = this.size / 500;
+    this.camera.position.copy(centre).addScaledVector(new three.Vector3(...from), (kFar * this.size) / half / zoom);
+    this.camera.near = this.size / 500 / Math.max(1, zoom);
     this.camera.far = this.size * 20;
     this.camera.updateProjectionMatrix();
     this.orbit.target.copy(centre);
     this.orbit.update();
     this.wish();
+  }
+  // Nearer, so that the mechanism fills the picture.
+  lookAtMechanism(azimuth, elevation) {
+    const box = this.mechanism ?? this.box;
+    this.look(azimuth, elevation, this.size / (box.getSize(new three.Vector3()).length() || this.size), box.getCenter(new three.Vector3()).toArray());
+  }
+  // Azimuth, elevation [deg], zoom and target of the eye as it is: what look() takes.
+  eye() {
+    const way = this.camera.position.clone().sub(this.orbit.target), { x, y, z } = this.level(), d = way.toArray(), far = way.length();
+    const half = Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(1, this.camera.aspect);
+    return {
+      azimuth: (Math.atan2(dot(d, y), dot(d, x)) * 180) / Math.PI,
+      elevation: (Math.asin(Math.min(1, Math.max(-1, dot(d, z) / far))) * 180) / Math.PI,
+      zoom: (kFar * this.size) / half / far,
+      at: this.orbit.target.toArray(),
+    };
   }
 
   // Leaves out what lies before the plane across `axis` at this share of the box; axis "": nothing.
@@ -137,13 +199,14 @@ export class Stage {
     if (!this.scene) return;
     this.grainFrame = this.grains?.show(t, this.smooth);
     this.bodies?.show(t, this.smooth);
-    this.arrows?.show(t, (body) => this.bodies?.centre(body) ?? null);
+    this.symbols?.show(t, this.smooth);
+    this.arrows?.show(t, (body) => this.bodies?.centre(body) ?? null, this.smooth);
     this.wish();
   }
 
   resize() {
     const { clientWidth: width, clientHeight: height } = this.place;
-    if (!(width > 0 && height > 0)) return;
+    if (!this.scene || !(width > 0 && height > 0)) return;
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.renderer.setPixelRatio(this.ratio);
@@ -176,5 +239,6 @@ export class Stage {
     const { width, height } = this.renderer.domElement;
     this.grains?.paint(this.paints, this.camera, width, height);
     this.renderer.render(this.scene, this.camera);
+    this.overlay.show();
   }
 }

@@ -4,6 +4,7 @@ import ownPlotStyle from "./plots.css";
 import style from "./view.css";
 import { runOfPage, takeHistory } from "./page.js";
 import { Controls } from "./controls.js";
+import { readLink } from "./link.js";
 import { Player } from "./player.js";
 import { Plots } from "./plots.js";
 import { Stage } from "./stage.js";
@@ -30,16 +31,16 @@ async function start() {
   const run = runOfPage();
   const stage = new Stage(document.getElementById("footfall-stage"), run);
   await stage.loadFirst();
-  const history = await takeHistory(run);
+  const history = run.history ? await takeHistory(run) : { time: new Float64Array(), columns: new Map() };
   stage.addForces(history);
 
-  const times = [history.time, run.grains?.times ?? [], run.bodies?.times ?? []].filter((t) => t.length > 0);
+  const times = [history.time, run.grains?.times ?? [], run.bodies?.times ?? [], run.marks?.times ?? []].filter((t) => t.length > 0);
   const player = new Player({
     start: Math.min(...times.map((t) => t[0])),
     end: Math.max(...times.map((t) => t[t.length - 1])),
-    marks: run.grains?.times ?? run.bodies?.times ?? history.time,
+    marks: run.grains?.times ?? run.bodies?.times ?? run.marks?.times ?? history.time,
   });
-  const plots = new Plots(document.getElementById("footfall-plots"), history, run.shown, (t) => player.seek(t));
+  const plots = run.history ? new Plots(document.getElementById("footfall-plots"), history, run.shown, (t) => player.seek(t)) : null;
   const controls = new Controls(run, stage, player);
   stage.controls = controls;
   let told = -Infinity;
@@ -48,11 +49,17 @@ async function start() {
     const now = performance.now();
     if (player.playing && now - told < kTold) return;
     told = now;
-    plots.showTime(t);
+    plots?.showTime(t);
     controls.showTime(t);
   };
   player.onStopped = () => player.seek(player.time);
   player.seek(player.start);
+  const link = readLink();
+  document.body.classList.toggle("picture", link.picture === "1");
+  document.body.classList.toggle("still", !run.history);
+  stage.resize();
+  controls.follow(link);
+  window.addEventListener("hashchange", () => controls.follow(readLink()));
   stage.draw();
   document.body.dataset.firstFrame = Math.round(performance.now());  // since the browser began with the page [ms]
   document.body.dataset.state = "loading";
@@ -61,10 +68,18 @@ async function start() {
     controls.showLoaded();
     await breath();
   }
-  player.seek(player.time);
+  player.seek(link.t !== undefined ? Number(link.t) || player.start : player.time);
   document.body.dataset.loaded = Math.round(performance.now());
   document.body.dataset.state = "ready";
-  window.footfall = { run, stage, player, plots };
+  // picture(t): draws this time at once, for what photographs the page.
+  const picture = (t) => {
+    player.seek(t);
+    controls.showCaption(player.time, window.footfall.slow);
+    stage.draw();
+    return player.time;
+  };
+  window.footfall = { run, stage, player, plots, controls, picture };
+  if (link.picture === "1") picture(player.time);
 }
 
 window.addEventListener("error", (event) => fail(event.error ?? new Error(event.message)));

@@ -1,0 +1,174 @@
+// Tubes, cones and balls that are drawn anew for every picture: solids of revolution between two points, all in one mesh.
+import * as three from "three";
+import { kLight } from "./shading.js";
+
+const kSides = 10;
+
+// Rows of a profile: place along the axis (0 ... 1), share of the radius. Rings of points, and triangles between them.
+function solid(rows) {
+  const points = [], corners = [];
+  for (const [z, radius] of rows)
+    for (let k = 0; k < kSides; ++k) points.push([radius * Math.cos((2 * Math.PI * k) / kSides), radius * Math.sin((2 * Math.PI * k) / kSides), z]);
+  for (let row = 0; row + 1 < rows.length; ++row)
+    for (let k = 0; k < kSides; ++k) {
+      const a = row * kSides + k, b = row * kSides + ((k + 1) % kSides);
+      if (rows[row][1] > 0) corners.push(a, b, a + kSides);
+      if (rows[row + 1][1] > 0) corners.push(b, b + kSides, a + kSides);
+    }
+  return { points, corners };
+}
+const kShapes = {
+  tube: solid([[0, 0], [0, 1], [1, 1], [1, 0]]),
+  ball: solid([0, 1, 2, 3, 4, 5, 6].map((k) => [(1 - Math.cos((Math.PI * k) / 6)) / 2, Math.sin((Math.PI * k) / 6)])),
+};
+
+const kVertex = /* glsl */ `
+attribute vec3 from, to, tint;
+attribute vec2 radii;  // at both ends [m]
+varying vec3 vColour, vEye;
+void main() {
+  vec3 axis = normalize(to - from + vec3(0.0, 0.0, 1e-12));
+  vec3 side = normalize(cross(axis, abs(axis.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
+  vec3 x = mix(from, to, position.z) + mix(radii.x, radii.y, position.z) * (position.x * side + position.y * cross(axis, side));
+  vColour = tint;
+  vec4 eye = modelViewMatrix * vec4(x, 1.0);
+  vEye = eye.xyz;
+  gl_Position = projectionMatrix * eye;
+}`;
+const kFragment = /* glsl */ `
+${kLight}
+uniform float uOpacity;
+varying vec3 vColour, vEye;
+void main() {
+  vec3 n = normalize(cross(dFdx(vEye), dFdy(vEye)));
+  gl_FragColor = vec4(vColour * lightOn(n.z < 0.0 ? -n : n), uOpacity);
+}`;
+
+const kGreaterDepth = 6;  // of three.js
+
+function material(options, opacity) {
+  return new three.ShaderMaterial({ vertexShader: kVertex, fragmentShader: kFragment, side: three.DoubleSide, uniforms: { uOpacity: { value: opacity } }, transparent: opacity < 1, ...options });
+}
+
+class Kind {
+  constructor(shape) {
+    this.shape = shape;
+    this.geometry = new three.BufferGeometry();
+    this.room = 0;
+    this.count = 0;
+  }
+  grow() {
+    const { points, corners } = this.shape, old = this.arrays, room = Math.max(64, 2 * this.room);
+    const per = points.length, positions = new Float32Array(3 * per * room), index = new Uint32Array(corners.length * room);
+    for (let i = 0; i < room; ++i) {
+      points.forEach((p, k) => positions.set(p, 3 * (per * i + k)));
+      corners.forEach((c, k) => (index[corners.length * i + k] = per * i + c));
+    }
+    this.geometry.dispose();
+    this.arrays = { from: new Float32Array(3 * per * room), to: new Float32Array(3 * per * room), tint: new Float32Array(3 * per * room), radii: new Float32Array(2 * per * room) };
+    this.geometry.setIndex(new three.BufferAttribute(index, 1));
+    this.geometry.setAttribute("position", new three.BufferAttribute(positions, 3));
+    for (const [name, array] of Object.entries(this.arrays)) {
+      if (old) array.set(old[name]);
+      this.geometry.setAttribute(name, new three.BufferAttribute(array, name === "radii" ? 2 : 3));
+    }
+    this.room = room;
+  }
+  add(from, to, r0, r1, tint) {
+    if (this.count === this.room) this.grow();
+    const per = this.shape.points.length, { arrays } = this;
+    for (let k = 0, j = per * this.count; k < per; ++k, ++j) {
+      arrays.from[3 * j] = from[0];
+      arrays.from[3 * j + 1] = from[1];
+      arrays.from[3 * j + 2] = from[2];
+      arrays.to[3 * j] = to[0];
+      arrays.to[3 * j + 1] = to[1];
+      arrays.to[3 * j + 2] = to[2];
+      arrays.tint[3 * j] = tint[0];
+      arrays.tint[3 * j + 1] = tint[1];
+      arrays.tint[3 * j + 2] = tint[2];
+      arrays.radii[2 * j] = r0;
+      arrays.radii[2 * j + 1] = r1;
+    }
+    ++this.count;
+  }
+  finish() {
+    if (this.room === 0) return;
+    this.geometry.setDrawRange(0, this.shape.corners.length * this.count);
+    for (const name of Object.keys(this.arrays)) this.geometry.attributes[name].needsUpdate = true;
+  }
+}
+
+const kTints = new Map();
+export function tintOf(colour) {
+  if (!kTints.has(colour)) kTints.set(colour, [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16) / 255));
+  return kTints.get(colour);
+}
+
+export const plus = (a, b, s = 1) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];
+export const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+export const length = (a) => Math.hypot(a[0], a[1], a[2]);
+export const unit = (a, otherwise = [0, 0, 1]) => {
+  const l = length(a);
+  return l > 1e-12 ? [a[0] / l, a[1] / l, a[2] / l] : otherwise;
+};
+export const between = (a, b, s) => [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), a[2] + s * (b[2] - a[2])];
+export const across = (a) => unit(cross(a, Math.abs(a[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0]));
+
+// begin(), then what is to be seen, then finish(). `ghost`: what other things hide shows faintly through them. `above`: it is drawn over all.
+export class Solids {
+  constructor({ ghost = 0, above = false } = {}) {
+    this.tubes = new Kind(kShapes.tube);
+    this.balls = new Kind(kShapes.ball);
+    this.object = new three.Group();
+    for (const { geometry } of [this.tubes, this.balls]) {
+      const layers = [[above ? { depthTest: false, depthWrite: false } : {}, 1, above ? 10 : 1]];
+      if (ghost > 0) layers.push([{ depthFunc: kGreaterDepth, depthWrite: false }, ghost, 2]);
+      for (const [options, opacity, order] of layers) {
+        const mesh = new three.Mesh(geometry, material(options, opacity));
+        mesh.frustumCulled = false;
+        mesh.renderOrder = order;
+        this.object.add(mesh);
+      }
+    }
+  }
+  begin() {
+    this.tubes.count = this.balls.count = 0;
+  }
+  tube(a, b, radius, colour) {
+    this.tubes.add(a, b, radius, radius, tintOf(colour));
+  }
+  cone(a, b, r0, r1, colour) {
+    this.tubes.add(a, b, r0, r1, tintOf(colour));
+  }
+  ball(c, radius, colour) {
+    this.balls.add([c[0], c[1], c[2] - radius], [c[0], c[1], c[2] + radius], radius, radius, tintOf(colour));
+  }
+  line(points, radius, colour) {
+    for (let k = 0; k + 1 < points.length; ++k) this.tube(points[k], points[k + 1], radius, colour);
+  }
+  // `width`: of the head.
+  arrow(from, to, width, colour) {
+    const way = minus(to, from), size = length(way);
+    if (!(size > 0)) return;
+    const head = Math.min(2.4 * width, 0.6 * size), neck = between(from, to, 1 - head / size), r = (0.5 * width * head) / (2.4 * width);
+    this.tube(from, neck, 0.36 * r, colour);
+    this.cone(neck, to, r, 0, colour);
+  }
+  // Part of a circle about an axis, from the direction `x`, with a head. turns: of a whole circle, signed.
+  arc(centre, axis, radius, turns, width, colour, headed = true) {
+    const x = across(axis), y = cross(axis, x), n = 14, points = [];
+    for (let k = 0; k <= n; ++k) {
+      const angle = (2 * Math.PI * turns * k) / n;
+      points.push(plus(plus(centre, x, radius * Math.cos(angle)), y, radius * Math.sin(angle)));
+    }
+    this.line(headed ? points.slice(0, n - 1) : points, 0.3 * width, colour);
+    if (headed) this.cone(points[n - 2], points[n], width, 0, colour);
+  }
+  finish() {
+    this.tubes.finish();
+    this.balls.finish();
+  }
+}

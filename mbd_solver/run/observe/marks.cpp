@@ -1,0 +1,179 @@
+// Markers are made anew from the scene's points, as the builder makes them; loads come from the force elements.
+
+#include "mbd_solver/run/observe/marks.h"
+
+#include "mbd_solver/model/elements/forces.h"
+#include "mbd_solver/model/elements/strut.h"
+#include "mbd_solver/model/rotation.h"
+
+namespace footfall {
+namespace {
+
+std::string laws_of_strut(const StrutSpec& spec) {
+  std::string names;
+  each_law(spec, [&](const char* name, const auto& law) {
+    if (law) names += (names.empty() ? "" : "+") + std::string(name);
+  });
+  return names;
+}
+
+}  // namespace
+
+Marks::Marks(const Subject& subject) : subject_(subject) {
+  const Model& model = subject_.mechanism.model;
+  for (int i = 0; i < model.body_count(); ++i) {
+    const BodySpec& spec = subject_.scene.bodies[static_cast<std::size_t>(i)];
+    const Marker origin = model.marker_at(i, model.initial(i).r);
+    Mark mark{origin, origin, {}, Load::kGround, i};
+    mark.m1.s0.setZero();  // Bo itself, whatever node is nearest
+    mark.m1.S.setZero();
+    mark.m2 = mark.m1;
+    add("body", spec.shape ? std::string(name_of(spec.shape->kind)) : "none", spec.name, mark);
+  }
+  add_joints();
+  add_elements();
+  vectors_ = Eigen::Matrix3Xd::Zero(3, 4 * static_cast<Eigen::Index>(marks_.size()));
+}
+
+void Marks::add(const std::string& kind, const std::string& type, const std::string& name, Mark mark) {
+  const auto body = [&](int i) { return i == kGround ? "ground" : subject_.mechanism.model.body(i).name(); };
+  texts_.push_back(kind + "\t" + type + "\t" + name + "\t" + body(mark.m1.body) + "\t" + body(mark.m2.body));
+  marks_.push_back(std::move(mark));
+}
+
+void Marks::add_joints() {
+  const Scene& scene = subject_.scene;
+  const Model& model = subject_.mechanism.model;
+  const auto joint_mark = [&](int joint) { return Mark{model.joint(joint).m1, model.joint(joint).m2, {}}; };
+  for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+    const JointSpec& spec = scene.joints[i];
+    Mark mark = joint_mark(static_cast<int>(i));
+    mark.axes[1] = {0, 0, 1.0};
+    if (spec.type == JointType::kUniversal) {  // x of a and y of b lie along its two axes
+      mark.axes[0] = {0, 0, 1.0};
+      mark.axes[1] = {1, 1, 1.0};
+    }
+    if (spec.type == JointType::kConstantVelocity) mark.axes[1] = {1, 2, 1.0};
+    if (spec.type == JointType::kRolling) mark.axes[1] = {1, 2, *spec.radius};
+    const bool ball = spec.type == JointType::kRolling && !spec.source.given("axis2");
+    add("joint", ball ? "rolling_ball" : std::string(name_of(spec.type)), spec.name, mark);
+  }
+  for (const GearSpec& spec : scene.gears)
+    for (std::size_t i = 0; i < spec.joints.size(); ++i) {
+      const Coordinate coordinate = scene.coordinate_of(spec, i);
+      Mark mark = joint_mark(scene.joint_index(spec.joints[i]));
+      mark.m2 = joint_mark(scene.joint_index(spec.joints[(i + 1) % spec.joints.size()])).m2;
+      mark.axes[0].k = axis_of(coordinate);
+      mark.has_numbers = true;
+      mark.numbers = {spec.factors[i], coordinate == Coordinate::kAngle ? 1.0 : 0.0, 0.0};
+      add("gear", spec.curve.empty() ? "gear" : "cam", spec.name, mark);
+    }
+  for (std::size_t i = 0; i < scene.drives.size(); ++i) {
+    const DriveSpec& spec = scene.drives[i];
+    const Coordinate coordinate = scene.coordinate_of(spec);
+    Mark mark = joint_mark(scene.joint_index(spec.joint));
+    mark.axes[0].k = mark.axes[1].k = axis_of(coordinate);
+    mark.load = Load::kDrive;
+    mark.element = subject_.mechanism.drives[i].force;
+    add("drive", coordinate == Coordinate::kAngle ? "turns" : "slides", spec.name, mark);
+  }
+}
+
+void Marks::add_elements() {
+  const Scene& scene = subject_.scene;
+  const Mechanism& mechanism = subject_.mechanism;
+  const Model& model = mechanism.model;
+  const auto marker = [&](const std::string& body, const Eigen::Vector3d& p_W, const Eigen::Matrix3d& axes_W) {
+    return model.marker_at(scene.body_index(body), p_W, axes_W);
+  };
+  const Eigen::Matrix3d I = Eigen::Matrix3d::Identity();
+  for (std::size_t i = 0; i < scene.struts.size(); ++i) {
+    const StrutSpec& spec = scene.struts[i];
+    Mark mark{marker(spec.bodies[0], mechanism.placement.point(spec.points[0]), I),
+              marker(spec.bodies[1], mechanism.placement.point(spec.points[1]), I),
+              {},
+              Load::kStrut,
+              mechanism.struts[i].force};
+    add("strut", laws_of_strut(spec), spec.name, mark);
+  }
+  for (const SpringSpec& spec : scene.springs) {
+    const Eigen::Matrix3d axes = mechanism.placement.R_WD * axes_with_z(spec.axis, spec.axis2);
+    const int b = scene.body_index(spec.bodies[1]);
+    const bool at_point = spec.kind != SpringKind::kCentring || b == kGround || spec.source.given("point");
+    const Eigen::Vector3d p_W = at_point ? mechanism.placement.point(spec.point) : model.initial(b).r;
+    Mark mark{marker(spec.bodies[0], p_W, axes), marker(spec.bodies[1], p_W, axes), {}};
+    mark.axes[1] = {0, 0, 1.0};
+    add("spring", std::string(name_of(spec.kind)), spec.name, mark);
+  }
+  for (const ForceSpec& spec : scene.forces) {
+    const int body = scene.body_index(spec.body);
+    const Eigen::Vector3d p_W = spec.point ? mechanism.placement.point(*spec.point) : model.initial(body).r;
+    Mark mark{model.marker_at(body, p_W), model.marker_at(body, p_W), {}, Load::kForce};
+    for (int i = 0; i < model.force_count(); ++i)
+      if (model.force(i).name() == "force/" + spec.name) mark.element = i;
+    add("force", spec.torque && !spec.force ? "torque" : "force", spec.name, mark);
+  }
+}
+
+const Eigen::Matrix3Xd& Marks::vectors(const Kinematics& kinematics, const Sample* sample) {
+  for (std::size_t i = 0; i < marks_.size(); ++i) {
+    const Mark& mark = marks_[i];
+    const PairMotion pair = kinematics.pair(mark.m1.body, mark.m2.body);
+    const auto column = 4 * static_cast<Eigen::Index>(i);
+    vectors_.col(column) = KinematicVector::point(pair, 0, mark.m1).value();
+    vectors_.col(column + 1) = KinematicVector::point(pair, 1, mark.m2).value();
+    for (Eigen::Index k = 0; k < 2; ++k) {
+      const Axis& axis = mark.axes[k];
+      const Marker& on = axis.on == 0 ? mark.m1 : mark.m2;
+      vectors_.col(column + 2 + k) = axis.length * KinematicVector::axis(pair, axis.on, on, axis.k).value();
+    }
+    if (mark.has_numbers) vectors_.col(column + 3) = mark.numbers;
+    if (mark.load == Load::kNone) continue;
+    if (sample == nullptr) {
+      vectors_.col(column + 2).setZero();
+      if (mark.load != Load::kDrive) vectors_.col(column + 3).setZero();
+    } else {
+      put_load(mark, *sample, column);
+    }
+  }
+  return vectors_;
+}
+
+void Marks::put_load(const Mark& mark, const Sample& sample, Eigen::Index column) {
+  Eigen::Ref<Eigen::Vector3d> first = vectors_.col(column + 2), second = vectors_.col(column + 3);
+  const Model& model = subject_.mechanism.model;
+  switch (mark.load) {
+    case Load::kNone: return;
+    case Load::kGround: {
+      const GeneralizedForce& contact = sample.contact[static_cast<std::size_t>(mark.element)];
+      first = contact.F_W;
+      second = contact.T_W;
+      return;
+    }
+    case Load::kStrut: {
+      const auto& strut = static_cast<const Strut&>(model.force(mark.element));
+      const Eigen::Vector3d d = vectors_.col(column + 1) - vectors_.col(column);
+      first = strut.sample(element_input(subject_, sample, mark.element)).force * d.normalized();
+      second.setZero();
+      return;
+    }
+    case Load::kDrive: {
+      const auto& drive = static_cast<const JointForce&>(model.force(mark.element));
+      first *= drive.sample(element_input(subject_, sample, mark.element)).force;
+      return;
+    }
+    case Load::kForce: {
+      const ForceElement& force = model.force(mark.element);
+      const ElementInput in = element_input(subject_, sample, mark.element);
+      Eigen::VectorXd Q = Eigen::VectorXd::Zero(in.pair.size()), dz = Eigen::VectorXd::Zero(force.state_count());
+      force.add_force(in, Q, dz);
+      const int slot = force.bodies()[0] == mark.m1.body ? 0 : 1;
+      const Eigen::Vector3d arm = vectors_.col(column) - in.pair.body[slot]->r;
+      first = Q.segment<3>(in.pair.offset(slot));
+      second = Q.segment<3>(in.pair.offset(slot) + 3) - arm.cross(first);
+      return;
+    }
+  }
+}
+
+}  // namespace footfall
