@@ -191,7 +191,7 @@ int trial_command(const RunArguments& given, double seconds) {
                 short_path(scene.file).c_str(), 1e-3 * scene.end_time);
     return kExitDone;
   }
-  const TemporaryFolder temporary("footfall_trial");
+  const ScratchFolder temporary("footfall_trial");
   const fs::path folder = temporary.path();
   arguments.out = (folder / "run").string();
   arguments.quiet = true;

@@ -83,7 +83,7 @@ std::string link_of(const FilmArguments& a) {
 
 // The page of a run in a folder of its own, with the first and the last time that it shows [s].
 struct FilmPage {
-  TemporaryFolder folder{"footfall_film"};
+  ScratchFolder folder{"footfall_film"};
   std::string file = folder.path() + "/view.html";
 };
 
@@ -224,7 +224,7 @@ class Encoder {
                         (log.empty() ? "; is the disk full?" : ": " + log.substr(0, log.find('\n'))));
   }
 
-  TemporaryFolder folder_{"footfall_ffmpeg"};
+  ScratchFolder folder_{"footfall_ffmpeg"};
   std::string log_ = folder_.path() + "/log", part_, file_;
   pid_t pid_ = -1;
   int to_ = -1;
@@ -360,7 +360,7 @@ void draw_plainly(const Scene& scene, const std::string& file) {
   for (std::size_t k = 0; k < frame.lines.size(); ++k)
     image.capsule(point(frame.lines[k](0)), point(frame.lines[k](1)), reference.shape.line_radius[k], kTube);
   draw_marks(frame, image);
-  const TemporaryFolder folder("footfall_picture");
+  const ScratchFolder folder("footfall_picture");
   image.write(folder.path() + "/reference.rgb");
   const std::string width = std::to_string(image.width()), height = std::to_string(image.height());
   write_whole_file(folder.path() + "/reference.gp",

@@ -41,14 +41,14 @@ std::string chromium_program() {
   return program_in_path({"chromium", "chromium-browser", "google-chrome", "google-chrome-stable"});
 }
 
-TemporaryFolder::TemporaryFolder(const std::string& name)
+ScratchFolder::ScratchFolder(const std::string& name)
     : path_((fs::temp_directory_path() / (name + "_XXXXXX")).string()) {
   if (!mkdtemp(path_.data()))
     throw InputError(code::kNoTemporaryFolder,
                      path_ + ": this folder cannot be created; set TMPDIR to a folder that can be written");
 }
 
-TemporaryFolder::~TemporaryFolder() {
+ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
 }

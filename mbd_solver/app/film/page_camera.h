@@ -19,12 +19,12 @@ struct PageSize {
 };
 
 // A temporary folder, removed with this object.
-class TemporaryFolder {
+class ScratchFolder {
  public:
-  explicit TemporaryFolder(const std::string& name);  // Throws InputError when it cannot be created
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  explicit ScratchFolder(const std::string& name);  // Throws InputError when it cannot be created
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
   const std::string& path() const { return path_; }
 
  private:
@@ -58,7 +58,7 @@ class PageCamera {
   [[noreturn]] void fail(const std::string& what) const;
   void end();
 
-  TemporaryFolder folder_{"footfall_page"};
+  ScratchFolder folder_{"footfall_page"};
   pid_t pid_ = -1;
   int to_ = -1, from_ = -1;  // ends of the pipes
   int last_id_ = 0;
