@@ -220,15 +220,18 @@ Words commands_within(const Words& w) {
   return commands;
 }
 
-// The commands of the scripts as they are written, with those within them.
-std::vector<Words> written_commands(const std::vector<ScriptText>& texts) {
+// The commands of the scripts as they are written, with those within them; or the latter alone.
+std::vector<Words> written_commands(const std::vector<ScriptText>& texts, bool only_within = false) {
   std::vector<Words> all;
   for (const ScriptText& text : texts)
     for (const ScriptCommand& command : text.commands())
       if (!command.conditional) all.push_back(script_words(command.text));
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (const std::string& within : commands_within(Words(all[i]))) all.push_back(script_words(within));
   all.erase(std::remove_if(all.begin(), all.end(), [](const Words& w) { return w.empty(); }), all.end());
+  const auto outer = static_cast<std::ptrdiff_t>(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const std::string& within : commands_within(Words(all[i])))
+      if (Words words = script_words(within); !words.empty()) all.push_back(std::move(words));
+  if (only_within) all.erase(all.begin(), all.begin() + outer);
   return all;
 }
 
@@ -322,9 +325,11 @@ std::vector<ScriptText> with_includes(const std::string& script, const Variables
   given["here"] = std::filesystem::path(script).parent_path().string();
   std::set<std::string> read;
   for (std::size_t k = 0; k < texts.size(); ++k) {
-    const std::vector<Words> commands = written_commands(texts);
+    const std::vector<Words> commands = written_commands(texts), within = written_commands(texts, true);
     for (const Words& w : commands) {
-      if (w[0] != "include" || w.size() < 2 || is_plain(w[1], {"here"})) continue;  // those have been read
+      if (w[0] != "include" || w.size() < 2) continue;
+      const bool has_been_read = is_plain(w[1], {"here"}) && std::find(within.begin(), within.end(), w) == within.end();
+      if (has_been_read) continue;
       const std::set<std::string> files = possible_texts(w[1], commands, given);
       if (files.empty()) findings += script + ": includes " + w[1] + ", a name that only LIGGGHTS can compute\n";
       for (const std::string& file : files)

@@ -83,5 +83,16 @@ TEST_F(Uncertain, IsWhatOnlyLiggghtsCanCompute) {
     EXPECT_NE(lines(script), "") << script;
 }
 
+// A file that is included by a command within another one is read as well.
+TEST_F(Uncertain, IsAFileThatIsIncludedWithinACommand) {
+  write("harmless.in", "print x\n");
+  write("harmful.in", "print x file /tmp/a\n");
+  for (const std::string within : {"run 1 every 1 ", "if \"1==1\" then "}) {
+    EXPECT_EQ(lines(within + "\"include ${here}/harmless.in\"\n"), "");
+    EXPECT_NE(lines(within + "\"include ${here}/harmful.in\"\n"), "");
+    EXPECT_NE(lines(within + "\"include ${here}/none.in\"\n"), "");
+  }
+}
+
 }  // namespace
 }  // namespace footfall
