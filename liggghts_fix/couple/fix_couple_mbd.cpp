@@ -238,7 +238,10 @@ void FixCoupleMbd::write_checkpoint(const std::string& folder) {
   link_.restore_opening_forces(comm->me == 0);
 }
 
-void FixCoupleMbd::set_up_done() { return_held_forces(lmp); }
+void FixCoupleMbd::set_up_done() {
+  return_held_forces(lmp);
+  link_.count_changes();
+}
 
 // When a restart file is read, the grains get another order, and lists and contacts are created anew. Here the same is
 // done, as by `write_restart` between two `run`, so that this run and the resumed one continue alike.

@@ -162,6 +162,11 @@ void WallCrossings::check(const std::string& wall_id, PrimitiveWall& wall, footf
   const Eigen::Matrix3Xd& x = now_[static_cast<std::size_t>(body)];
   const auto [place, is_new] = pairs_.try_emplace({wall_id, body});
   Pair& pair = place->second;
+  if (const Eigen::Vector3d* const side =
+          is_new ? link.body(body).passed_side(wall_id) : nullptr) {  // before a checkpoint
+    pair.exempt = true;
+    pair.side = *side;
+  }
   if (!pair.side.isZero(0.0) && (pair.side.transpose() * to_wall(wall, x)).maxCoeff() <= 0.0)
     link.body(body).set_off_bed();
   if (pair.exempt) return;
@@ -200,7 +205,7 @@ bool WallCrossings::report(const std::string& wall_id, const Eigen::Vector3d& to
     link.warn(footfall::with_code(code::kBodyThroughWall, what));
     return false;
   }
-  record.set_beside_bed();
+  record.set_beside_bed(wall_id, to_wall);
   link.warn(footfall::with_code(
       code::kBodyLeavesBed,
       what + ". This wall is a side of the bed: from here on the body has no grains below it, and "

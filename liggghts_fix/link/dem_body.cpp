@@ -27,10 +27,21 @@ DemBody::DemBody(const CoupledBody& scene_body, const Scheme& scheme, double gra
   load_ = share_;
 }
 
+void DemBody::PassedSide::visit(Archive& archive) {
+  archive("wall", wall);
+  archive("to_side", to_side);
+}
+
+const Eigen::Vector3d* DemBody::passed_side(const std::string& wall) const {
+  for (const PassedSide& side : passed_sides_)
+    if (side.wall == wall) return &side.to_side;
+  return nullptr;
+}
+
 void DemBody::visit(Archive& archive) {
   archive("path", path_);
   archive("load", load_);
-  archive("beside_bed", beside_bed_);
+  archive("passed_sides", passed_sides_);
   archive("off_bed", off_bed_);
 }
 

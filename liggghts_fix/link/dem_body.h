@@ -2,6 +2,7 @@
 // One coupled body on the DEM side: the path of its boundary, and the load of this rank's grains on it.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "coupler/load_average.h"
@@ -79,9 +80,13 @@ class DemBody {
   // Mean moment about Bo in W at the end of the window [N m].
   Eigen::Vector3d mean_moment_W() const { return pose().rotation() * load_.mean.T_B; }
   // A part of the body has passed through a side wall of the bed; all of it has.
-  bool beside_bed() const { return beside_bed_; }
+  bool beside_bed() const { return !passed_sides_.empty(); }
   bool off_bed() const { return off_bed_; }
-  void set_beside_bed() { beside_bed_ = true; }
+  // It has passed a side of the bed, the wall of a fix. to_side: from the bed.
+  void set_beside_bed(const std::string& wall, const Eigen::Vector3d& to_side) {
+    passed_sides_.push_back({wall, to_side});
+  }
+  const Eigen::Vector3d* passed_side(const std::string& wall) const;  // null: not passed
   void set_off_bed() { off_bed_ = true; }
   // State between two windows, without the opening force, of which each rank has a part (DemLink::opening_forces).
   void visit(Archive& archive);
@@ -99,7 +104,13 @@ class DemBody {
   double contact_time_ = 0.0;    // integral of the contacts over the window [s]
   double time_ = 0.0;            // of the window [s]
   double inverse_mass_ = 0.0;    // [1/kg]
-  bool beside_bed_ = false, off_bed_ = false;
+  struct PassedSide {
+    std::string wall;
+    Eigen::Vector3d to_side = Eigen::Vector3d::Zero();
+    void visit(Archive& archive);
+  };
+  std::vector<PassedSide> passed_sides_;
+  bool off_bed_ = false;
   bool scheme_needs_slopes_;
   bool samples_slopes_ = false;
   int substep_ = 0, slope_stride_ = 1, slope_samples_ = 0;             // in the window

@@ -88,9 +88,10 @@ class DemLink {
   void finish_window(const std::vector<double>& rows, int ranks);
   // Grains have changed ranks: numbers of this rank before and after. Their difference, summed over the ranks, is lost.
   void grains_exchanged(std::int64_t before, std::int64_t now) { lost_here_ += static_cast<double>(before - now); }
-  // Grains of this rank have changed otherwise than by forces. Energies count from the first substep on.
+  // Grains of this rank have changed otherwise than by forces. Energies count once the first run is set up.
   void grains_changed(const GrainChanges& more);
-  bool counts_changes() const { return step_ >= 0 && !finished_; }
+  void count_changes() { counts_changes_ = started(); }
+  bool counts_changes() const { return counts_changes_ && !finished_; }
   // Of a grain of this rank; the first since the last row counts.
   void grain_fault(const GrainFault& fault) {
     if (fault_.kind == GrainFault::kNone) fault_ = fault;
@@ -178,6 +179,7 @@ class DemLink {
   // Of this rank since the last write_shares.
   double lost_here_ = 0.0;  // grains sent to other ranks minus received
   GrainChanges changes_here_;
+  bool counts_changes_ = false;
   GrainFault fault_;
 
   double window_work_ = 0.0;    // of the last complete window [J]

@@ -381,6 +381,36 @@ TEST_F(ChangedGrains, AreLinesOfTheBalance) {
   }
 }
 
+// One grain is lifted from the first step on, and becomes twice as heavy between two runs; another grows as it falls.
+TEST_F(ChangedGrains, AreLiftedGrownAndSet) {
+  const auto plate = [](const std::string& file) { return "include " + app::kPlate + "/" + file + "\n"; };
+  folder.write("in.grow", "variable gravity index 9.81\nvariable out index .\n" + plate("box.lammps") +
+                              "fix restitution all property/global coefficientRestitution peratomtypepair 2 1 1 1 1\n"
+                              "fix friction all property/global coefficientFriction peratomtypepair 2 0 0 0 0\n"
+                              "create_atoms 1 single 0.2 0.2 0.1\ncreate_atoms 1 single 0.25 -0.2 0.2\n"
+                              "set group all density 2600 diameter 0.04\ngroup lifted id 5\ngroup grows id 6\n"
+                              "group free subtract all lifted\nunfix integrate\nfix integrate free nve/sphere\n"
+                              "fix lift lifted move linear 0 0 0.5\nvariable d equal \"0.04 + 4e-6*step\"\n"
+                              "fix grow grows adapt 50 atom diameter v_d\n" +
+                              plate("couple.lammps") + "include " + app::kInputs +
+                              "/regolith/energy.lammps\nrun 1000\nset group lifted density 5200\nrun 100000\n");
+  for (const int ranks : {1, 2}) {
+    folder.done("run " + app::kPlate + " --set particles.script='\"in.grow\"' --set particles.variables.dt=2e-5" +
+                " --set particles.variables.every=1 --set output.interval=1e-4 --set output.vtk=false" +
+                " --set particles.variables.energy_every=5e-4 --quiet --force --out run --ranks " +
+                std::to_string(ranks));
+    const History ledger = read_history(folder.file("run/ledger.csv"));
+    const double volume = 2600 * 4.0 / 3.0 * M_PI, m = volume * 8e-6, g = 9.81, half_v2 = 0.5 * 0.25;
+    const double lifted = m * (half_v2 + g * 0.5 * 0.02) + 2 * m * g * 0.5 * 0.03;  // from rest, to 0.02 s, to 0.05 s
+    const double set = m * (half_v2 + g * 0.11);
+    // v^2/2 + g z keeps its value in free fall, whatever the mass.
+    const double grown = volume * (std::pow(0.02 + 2e-6 * 2500, 3) - 8e-6) * g * 0.2;
+    // It grows in the middle of a step: half a step's gain of its fall is missing, at most 0.09 kg g^2 0.05 s dt / 2.
+    EXPECT_NEAR(ledger.column("grains.changed").back(), lifted + set + grown, 0.09 * g * g * 0.05 * 1e-5);
+    EXPECT_LT(std::abs(ledger.column("grains.dissipated").back()), 3e-5);  // as above
+  }
+}
+
 TEST_F(EnergyBalance, HasNoGrainsOnAPlane) {
   const nlohmann::json summary = nlohmann::json::parse(std::ifstream(app::shared_run("plane") + "/summary.json"));
   EXPECT_LT(summary["ledger"]["closing_error_relative"].get<double>(), 1e-4);

@@ -110,6 +110,10 @@ INSTANTIATE_TEST_SUITE_P(
         Resumed{"ida",
                 app::kInputs + "/rigid_plane --until 0.014 --integrator ida --set output.checkpoint_interval=0.005"},
         Resumed{"contacts", app::kSource + "/tests/app/stack.toml --set output.checkpoint_interval=0.12"},
+        // A checkpoint at 12 ms: the plate is partly beside the bed, and leaves the box of the grains at 21 ms.
+        Resumed{"beside_the_bed", app::kPlate + " --until 0.03 --set output.checkpoint_interval=0.012 --set " +
+                                      "initial.velocity=[12,0,0.4] --set particles.script='\"" + app::kPlate +
+                                      "/beside.in\"' --set particles.bed.script='\"" + app::kPlate + "/bed.in\"'"},
         Resumed{"grains", kSphere}, Resumed{"two_ranks", kSphere + " --ranks 2"},
         Resumed{"tangent", kSphere + " --scheme tangent"},
         Resumed{"chosen_windows",

@@ -180,6 +180,7 @@ std::vector<Load> loads_of(const std::vector<Census>& census, double max_lost, s
   const double after_start = wall_clock();
   double before_end = 0.0;
   pair.dem.expect_set_up();
+  pair.dem.count_changes();
   try {
     int step = 0;
     for (const Census& now : census) {
