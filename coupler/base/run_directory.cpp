@@ -43,6 +43,23 @@ int open_step(int parent, const std::string& name) {
 
 std::string path_of_descriptor(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
 
+// A file with a second name, which may be outside, becomes one of its own: as it is, or not at all if it is to be emptied.
+// 0 or errno.
+int separate(int parent, const std::string& name, bool emptied) {
+  struct stat status {};
+  if (fstatat(parent, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 || !S_ISREG(status.st_mode) ||
+      status.st_nlink < 2)
+    return 0;
+  if (emptied) return unlinkat(parent, name.c_str(), 0) == 0 ? 0 : errno;
+  const std::string copy = name + ".part";
+  unlinkat(parent, copy.c_str(), 0);  // perhaps a link
+  const fs::path folder = path_of_descriptor(parent);
+  std::error_code error;
+  fs::copy_file(folder / name, folder / copy, error);
+  if (error) return error.value();
+  return renameat(parent, copy.c_str(), parent, name.c_str()) == 0 ? 0 : errno;
+}
+
 }  // namespace
 
 void guard_folder(const std::string& folder) {
@@ -88,6 +105,10 @@ Place::~Place() {
 int Place::open(int flags, mode_t mode) const {
   errno = problem_;
   if (problem_ != 0) return -1;
+  if (guarded_ && (flags & O_PATH) == 0 && (flags & O_ACCMODE) != O_RDONLY) {
+    errno = separate(parent_, name_, (flags & O_TRUNC) != 0);
+    if (errno != 0) return -1;
+  }
   // A pipe without a reader would wait for ever.
   const int file = openat(parent_, name_.c_str(), flags | O_CLOEXEC | O_NONBLOCK | (guarded_ ? O_NOFOLLOW : 0), mode);
   if (file < 0 && errno == ENOTDIR && guarded_) errno = is_link(parent_, name_) ? ELOOP : ENOTDIR;

@@ -3,6 +3,7 @@
 
 #include "liggghts_fix/couple/grain_audit.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
@@ -51,6 +52,7 @@ std::string kind_of(Fix& fix) {
 GrainAudit::GrainAudit(LAMMPS* lmp_, footfall::DemLink& link, const std::string& file) : Pointers(lmp_), link_(link) {
   footfall::set_listener<footfall::ForceListener>(lmp, this);
   if (comm->me != 0) return;
+  std::remove(file.c_str());  // perhaps a link, in a folder of someone else
   file_.open(file);
   if (!file_) throw footfall::InputError(footfall::code::kAuditNotWritten, file + ": cannot be written");
   file_.precision(17);

@@ -1,6 +1,9 @@
 // fopen, by which LIGGGHTS writes: a file that the kernel refuses to the script of a scene (kMayWrite) ends the run with a
 // message. LIGGGHTS does not check all of its files.
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -15,6 +18,11 @@
 
 extern "C" FILE* fopen(const char* path, const char* mode) {
   static const auto library_fopen = footfall::next_definition<FILE* (*)(const char*, const char*)>("fopen");
+  // A hard link is another name of a file that may be elsewhere, which the kernel's rules of paths do not see.
+  struct stat status {};
+  if (*mode == 'w' && footfall::script_is_confined() && lstat(path, &status) == 0 && S_ISREG(status.st_mode) &&
+      status.st_nlink > 1)
+    unlink(path);
   FILE* const file = library_fopen(path, mode);
   const bool refused = file == nullptr && errno == EACCES && std::strpbrk(mode, "wa+") != nullptr;
   if (!refused || !footfall::script_is_confined()) return file;

@@ -172,9 +172,9 @@ int run_command_line(int argc, char** argv, const std::vector<Subcommand>& comma
     const std::string text = e.what(), library = "[json.exception.";
     if (text.rfind(library, 0) == 0) {
       std::fprintf(stderr, "footfall: %s\n",
-                   with_code(code::kRunDamaged, "a JSON file that was read is incomplete (" +
-                                                    text.substr(std::min(text.size(), text.find("] ") + 2)) +
-                                                    "): it was cut off or edited; repeat the run that wrote it")
+                   with_code(code::kRunDamaged,
+                             "a JSON file that was read is incomplete: it was cut off or edited; repeat the run that "
+                             "wrote it")
                        .c_str());
       return kExitBadInput;
     }

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -53,6 +54,19 @@ void print_error(const MessageCode& code, const std::string& text) {
   std::fprintf(stderr, "footfall: %s\n", with_code(code, text).c_str());
 }
 
+// Of a full temporary folder MPI tells in words of its own only.
+void report_full_folder() {
+  constexpr std::uintmax_t kLeast = 4 << 20;  // [bytes]: MPI needs somewhat less
+  std::error_code unknown;
+  const fs::path folder = fs::temp_directory_path(unknown);
+  const fs::space_info space = fs::space(folder, unknown);
+  if (unknown || space.available >= kLeast) return;
+  print_error(code::kProgramsGone, "the programs of the run could not start: the temporary folder " + folder.string() +
+                                       " has " + std::to_string(space.available >> 10) +
+                                       " kB left, and MPI needs some MB there; free space, or name another folder in "
+                                       "the variable TMPDIR");
+}
+
 // The exit code of the run, from that of its command; reports what no program of the run can report itself. An mpirun
 // that was asked to end also gives the code of a failure: then both programs had begun, and neither has noted a failure.
 int exit_code(const ChildEnd& end, const std::string& status, bool begun, bool noted) {
@@ -73,6 +87,7 @@ int exit_code(const ChildEnd& end, const std::string& status, bool begun, bool n
     std::fprintf(stderr, "footfall: %s\n", end.given_up.c_str());
     return kExitFailed;
   }
+  if (end.code == kExitFailed && status.empty() && !noted) report_full_folder();
   if (end.code <= kExitInterrupted) return end.code;
   if (end.code > 128) {
     print_error(code::kProgramKilled, "a program of the run was killed by signal " + std::to_string(end.code - 128) +

@@ -9,6 +9,7 @@
 #                                to them, as it does when it ends a job: the run goes on, and still ends in order when asked to
 #   full motion|pictures|restart|state   a file may not grow, or finds the disk full
 #   disks                        runs into disks of 16 kB to 1 MB (a tmpfs; exit code 77 where none can be mounted)
+#   temporary_folder             the folder in which MPI keeps its files is full (likewise)
 #   launcher                     mpirun crashes when both programs have ended, which is no failure; or before them, which is one
 set -u
 self=$(realpath "$0") footfall=$(realpath "$1")
@@ -192,6 +193,20 @@ disks() {
     echo "$what: exit code $code"
     umount disk
   done
+}
+
+# MPI keeps files in the temporary folder: full, it starts no program.
+temporary_folder() {
+  rm -rf "$out" && mkdir -p "$out/disk" && cd "$out" && out=$PWD || exit 1
+  trap 'cd /; umount "$out/disk" 2>/dev/null' EXIT
+  mount -t tmpfs -o size=256k tmpfs disk 2>/dev/null || exit 77
+  head -c 1M /dev/zero >disk/full 2>/dev/null
+  TMPDIR=$PWD/disk "$footfall" run "$here/plate" --quiet --out run >said.txt 2>&1 &
+  run=$!
+  wait_for_end 60 || die "still there"
+  [[ $code == 1 ]] || die "exit code $code, expected 1"
+  grep -q E0568 said.txt || die "no message names the folder: $(cat said.txt)"
+  summary_says failed
 }
 
 launcher_crash() {

@@ -44,6 +44,24 @@ nlohmann::ordered_json machine() {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+// What the library says of a damaged file, such as "[json.exception.parse_error.101] parse error at line 3, column 5: ...",
+// in plain words.
+std::string json_fault(const std::string& what) {
+  const auto between = [&](const std::string& begin, const std::string& end) -> std::string {
+    const std::size_t from = what.find(begin);
+    if (from == std::string::npos) return "";
+    const std::size_t start = from + begin.size(), stop = what.find(end, start);
+    return stop == std::string::npos ? "" : what.substr(start, stop - start);
+  };
+  if (const std::string place = between("parse error at ", ":"); !place.empty()) return "no JSON at " + place;
+  if (const std::string key = between("key '", "'"); !key.empty()) return "\"" + key + "\" is missing";
+  return "an entry has another type than expected";
+}
+
+}  // namespace
+
 void write_run_note(const std::string& folder, const RunNote& note) {
   const Json json = {{"footfall", FOOTFALL_VERSION},
                      {"title", note.title},
@@ -58,7 +76,9 @@ RunNote read_run_note(const std::string& folder) {
   try {
     return {json.at("title"), json.at("scene_file"), json.at("end_time_s")};
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(code::kSummaryDamaged, file + ": is not the " + kRunNote + " of a run: " + error.what());
+    throw InputError(code::kSummaryDamaged, file + ": is not the " + kRunNote +
+                                                " of a run: " + json_fault(error.what()) +
+                                                "; it was cut off or edited, repeat the run");
   }
 }
 
@@ -92,7 +112,9 @@ RunStart read_run_start(const std::string& folder) {
                            "): resume the run with the program that began it, or start it again");
     return {json.at("scene_file"), json.at("settings"), json.at("until"), json.at("ranks"), json.at("scene").dump()};
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(code::kSummaryDamaged, file_in(folder) + ": is not the start.json of a run: " + error.what());
+    throw InputError(code::kSummaryDamaged, file_in(folder) +
+                                                ": is not the start.json of a run: " + json_fault(error.what()) +
+                                                "; it was cut off or edited, repeat the run");
   }
 }
 
@@ -105,12 +127,6 @@ void require_finite(const nlohmann::ordered_json& value, const std::string& path
   for (const auto& [key, inner] : value.items()) require_finite(inner, path.empty() ? key : path + "." + key);
 }
 
-// Without the library's "[json.exception.parse_error.101] ".
-std::string plain_json_text(const std::string& what) {
-  const std::size_t end = what.rfind("[json.exception", 0) == 0 ? what.find("] ") : std::string::npos;
-  return end == std::string::npos ? what : what.substr(end + 2);
-}
-
 }  // namespace
 
 void write_summary(const std::string& path, const nlohmann::ordered_json& summary) {
@@ -119,7 +135,7 @@ void write_summary(const std::string& path, const nlohmann::ordered_json& summar
 }
 
 void throw_incomplete_summary(const std::string& folder, const std::string& what) {
-  throw InputError(code::kSummaryDamaged, folder + "/summary.json: is incomplete (" + plain_json_text(what) +
+  throw InputError(code::kSummaryDamaged, folder + "/summary.json: is incomplete (" + json_fault(what) +
                                               "): it was cut off or edited; repeat the run");
 }
 
@@ -134,7 +150,7 @@ nlohmann::ordered_json read_summary(const std::string& path) {
       throw InputError(code::kSummaryDamaged, path + ": is not the summary of a run: no object { ... }");
     return summary;
   } catch (const nlohmann::json::exception& e) {
-    throw InputError(code::kSummaryDamaged, path + ": is not the summary of a run: " + plain_json_text(e.what()) +
+    throw InputError(code::kSummaryDamaged, path + ": is not the summary of a run: " + json_fault(e.what()) +
                                                 "; it was cut off or edited, repeat the run");
   }
 }

@@ -128,6 +128,22 @@ TEST_F(ForeignFiles, LinksBelowAGuardedFolderAreNotFollowed) {
   EXPECT_EQ(std::distance(fs::directory_iterator(file("outside")), fs::directory_iterator()), 1);
 }
 
+// A hard link is a second name of a file: writing to one of them would change the other.
+TEST_F(ForeignFiles, HardLinksBelowAGuardedFolderAreSeparated) {
+  const std::string names[] = {"run/history.csv", "run/motion.csv"};
+  for (const std::string& name : names) fs::create_hard_link(file("outside/kept"), file(name));
+  guard_folder(file("run"));
+  std::ofstream stream;
+  ASSERT_TRUE(open_file(stream, file(names[0]), FileStart::kEnd));
+  stream << "more\n" << std::flush;
+  EXPECT_EQ(text(names[0]), "as it was\nmore\n");
+  std::ofstream anew;
+  ASSERT_TRUE(open_file(anew, file(names[1]), FileStart::kNew));
+  anew << "new\n" << std::flush;
+  EXPECT_EQ(text(names[1]), "new\n");
+  EXPECT_EQ(text("outside/kept"), "as it was\n");
+}
+
 TEST_F(ForeignFiles, ALockIsNoLinkAndNoPipe) {
   link("run/.footfall.lock", "outside/kept");
   EXPECT_THROW(lock_folder(file("run")), InputError);

@@ -92,6 +92,27 @@ TEST_F(OutputTest, SummaryIsWholeOrAbsent) {
   EXPECT_FALSE(std::filesystem::exists(file("t.json")));
 }
 
+// A note of a run that was cut off, lacks an entry or has one of another kind: said in our words, with the place.
+TEST_F(OutputTest, DamagedNotesAreToldInPlainWords) {
+  const std::pair<const char*, const char*> damaged[] = {
+      {"{\"title\": \"x\",\n \"scene_fi", "line 2"},
+      {"{\"title\": \"x\", \"end_time_s\": 1}", "\"scene_file\" is missing"},
+      {"{\"title\": \"x\", \"scene_file\": \"y\", \"end_time_s\": \"z\"}", "type"},
+      {"", "line 1"}};
+  for (const auto& [text, said] : damaged) {
+    std::ofstream(file("run.json")) << text;
+    try {
+      read_run_note(folder_.string());
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      const std::string what = error.what();
+      EXPECT_NE(what.find(said), std::string::npos) << what;
+      for (const char* word : {"json.exception", "parse error", "parse_error", "[json", "while parsing"})
+        EXPECT_EQ(what.find(word), std::string::npos) << what;
+    }
+  }
+}
+
 TEST_F(OutputTest, SummaryThatCannotBeWrittenIsNamed) {
   EXPECT_TRUE(test::names(input_error([] {
                             write_summary("/nowhere/s.json", {{"status", "done"}});
