@@ -143,15 +143,19 @@ void CoupledRun::visit(Archive& archive) {
   archive("overlapped_seconds", overlapped_seconds_);
 }
 
+int CoupledRun::wanted_substeps() const {
+  if (!chooses_windows()) return agreement_.substeps;
+  return restarts_ ? 1 : choice_->substeps();
+}
+
 double CoupledRun::exchange(const State& state, const Kinematics& kinematics, double stop,
                             const std::function<CheckpointRequest(double t_end)>& checkpoint_at,
                             const std::function<void()>& meanwhile, Inputs& inputs) {
   const double dt = agreement_.dt;
   const double left = std::round((t_end_ - state.time) / dt);  // DEM steps, possibly more than an integer holds
   motion_.time = state.time;
-  const int wanted = !chooses_windows() ? agreement_.substeps : restarts_ ? 1 : choice_->substeps();
+  const int most = scheme_->substeps(wanted_substeps(), motion_.window), before = motion_.n;
   restarts_ = false;
-  const int most = scheme_->substeps(wanted, motion_.window), before = motion_.n;
   const double until = std::min(left, std::ceil((stop - state.time) / dt - kSameTime));
   motion_.n = until < most ? std::max(1, static_cast<int>(until)) : most;
   motion_.last_window = left <= motion_.n;

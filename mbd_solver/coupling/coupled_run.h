@@ -51,6 +51,8 @@ class CoupledRun {
   // Something has changed abruptly at the start of the next window: chosen windows begin with the shortest.
   void restart() { restarts_ = true; }
   bool chooses_windows() const { return agreement_.substeps == 0; }
+  // The latest end of a window that starts at `time` [s].
+  double longest_window_end(double time) const { return time + wanted_substeps() * agreement_.dt; }
   // The mechanism has reached the window's end in `state`. A body whose motion was known to the grains has received their
   // work on its path; its prescribed motions have supplied the difference from that of the mean load.
   void settle_work(State& state) const;
@@ -98,6 +100,7 @@ class CoupledRun {
     int mass_age = 0;  // windows of contact since contact_mass was computed
   };
 
+  int wanted_substeps() const;  // in the next window, unless the scheme or an end cuts it
   void prepare_masses(const State& state);
   void choose_window();  // after a window: its force error, and n of the next one
   void receive(const Load& load, Inputs& inputs);

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "coupler/base/clock.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/run/codes.h"
+#include "mbd_solver/run/observe/attached_damping.h"
 #include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/run/settle.h"
 
@@ -62,6 +64,10 @@ inline constexpr auto kFields<RunTimes> = std::tuple{
 
 namespace {
 
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr int kQuickToJudge = 200;  // velocities: the damping of held bodies takes some milliseconds
+constexpr double kForeseen = 0.1;   // of a DEM step: how exactly events are foreseen
+
 Baumgarte baumgarte(const SolverSpec& spec) {
   if (spec.drift == DriftKind::kProjection) return {};
   return {spec.baumgarte_velocity, spec.baumgarte_position};
@@ -112,6 +118,8 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       control_(mechanism_, {scene_, mechanism_, equations_.layout()}),
       sampler_({scene_, mechanism_, equations_.layout()}, equations_, state_, rates_, inputs_),
       checkpoints_(scene.output.checkpoint_interval, scene.output.checkpoint_interval) {
+  for (std::string& warning : damping_warnings(scene, mechanism_, kQuickToJudge))
+    mechanism_.warnings.push_back(std::move(warning));
   inputs_.values = mechanism_.inputs;
   inputs_change_ = std::isfinite(control_.next_sample());  // otherwise nothing is sampled, and rows do not end a window
   const Kinematics reference = kinematics();
@@ -283,7 +291,8 @@ void Simulation::run_coupled(Loop& loop) {
     const double corner = corners_.next_time(state_.time, inputs_.values);
     double t_end = state_.time;
     try {
-      const double stop = std::min(next_window_end(), corner);
+      double stop = std::min(control_.next_sample(), corner);
+      stop = std::min(stop, foreseen_event(stop));
       t_end = coupled_->exchange(state_, kinematics, stop, checkpoint_at, meanwhile, inputs_);
     } catch (...) {
       observe_sample(loop);  // the last row of a run whose partner is gone
@@ -397,16 +406,52 @@ double Simulation::next_row(double t) const {
 
 double Simulation::next_stop(double t) const { return std::min({next_row(t), control_.next_sample(), t_end_}); }
 
-// A controller acts on dampers alone, through the lag of their coils: its samples end chosen windows only, not those whose
-// length the user has fixed.
-double Simulation::next_window_end() const {
-  if (coupled_->chooses_windows()) return control_.next_sample();
-  const SignalLoop* const signals = control_.signals();
-  return signals ? signals->next_sample() : std::numeric_limits<double>::infinity();
+// The grains move before their load is known, so an event cannot cut the window in which it happens. A second integrator goes
+// on under the mean loads of the last window instead, to see where the window that comes must end. An event that the loads of
+// the window bring about takes effect at its end.
+double Simulation::foreseen_event(double before) {
+  SignalLoop* const signals = control_.signals();
+  const double dt = coupled_->agreement().dt, end = std::min(coupled_->longest_window_end(state_.time), before);
+  if (!signals || !signals->has_unsampled_events() || end < state_.time + 1.5 * dt) return kNever;
+  if (!foresight_) {
+    foresight_equations_ = std::make_unique<Equations>(mechanism_.model, assembly_, baumgarte(scene_.solver));
+    foresight_ = make_integrator("one_step", *foresight_equations_, integrator_options(scene_.solver, true));
+  }
+  const State now = state_;
+  const Eigen::VectorXd rates_now = rates_;
+  Inputs inputs = inputs_;
+  for (ExternalLoad& load : inputs.loads) load.tangent.reset();  // of another path
+  double event = kNever;
+  const auto holds_at = [&](StepView& step, double time) {
+    step.at(time, state_, rates_);
+    update_sample();
+    return signals->triggered(sampler_.sample(), inputs_.values).event >= 0;
+  };
+  Rows rows;
+  rows.on_step = [&](StepView& step) {
+    double early = step.begin(), late = step.end();
+    if (!holds_at(step, late)) return true;
+    while (late - early > kForeseen * dt) {
+      const double middle = 0.5 * (early + late);
+      (holds_at(step, middle) ? late : early) = middle;
+    }
+    event = late;
+    return false;
+  };
+  try {
+    State state = now;
+    foresight_->forget();  // the result depends on the state alone
+    foresight_->advance(state, end, inputs, rows);
+  } catch (const NumericalError&) {  // these loads need not be those of the window
+  }
+  state_ = now;
+  rates_ = rates_now;
+  update_sample();
+  return event;
 }
 
 void Simulation::sample_before_window(Loop& loop) {
-  if (next_window_end() > state_.time + 1e-6 * coupled_->agreement().dt) return;
+  if (control_.next_sample() > state_.time + 1e-6 * coupled_->agreement().dt) return;
   observe_sample(loop);
   const Eigen::VectorXd before = inputs_.values;
   sample_controllers();

@@ -96,8 +96,9 @@ class Simulation {
   double row_tolerance() const;                              // two times of a row are one [s]
   double next_row(double t) const;                           // after t [s]
   double next_stop(double t) const;                          // next output row or sample, or the end [s]
-  // With grains: the next sample at which a window must end [s].
-  double next_window_end() const;
+  // With grains: the time of an event without a period in the window that comes, as far as it can be foreseen; infinity: none
+  // until `before` [s].
+  double foreseen_event(double before);
   void sample_before_window(Loop& loop);  // what is due now, and ended the last window for this reason
   // Steps end at corners of given functions.
   void advance(State from, double time, const Rows& rows = {});
@@ -121,6 +122,8 @@ class Simulation {
   Equations equations_;
   Corners corners_;  // of what the scene gives as functions of time
   std::unique_ptr<Integrator> integrator_;
+  std::unique_ptr<Equations> foresight_equations_;  // null until an event must be foreseen
+  std::unique_ptr<Integrator> foresight_;           // likewise
   State state_;
   Inputs inputs_;          // of the window
   Eigen::VectorXd rates_;  // [dq; dv; dz; lambda] at state_.time

@@ -17,7 +17,6 @@
 namespace footfall {
 namespace {
 
-constexpr int kMost = 1000;        // velocities; the effort grows with the third power
 constexpr double kOther = 0.2;     // relative difference of ratios that is told
 constexpr double kElastic = 1e-6;  // of the largest eigenvalue: rigid motions are below
 
@@ -47,14 +46,14 @@ Eigen::MatrixXd free_motions(const Model& model, const Layout& layout, const Kin
 
 }  // namespace
 
-std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanism& mechanism) {
+std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanism& mechanism, int most) {
   const Model& model = mechanism.model;
   const Layout layout(model);
   std::vector<AttachedDamping> out;
   std::vector<int> bodies;
   for (int i = 0; i < model.body_count(); ++i)
     if (model.body(i).mode_count() > 0 && model.body(i).modal()->damping.maxCoeff() > 0.0) bodies.push_back(i);
-  if (bodies.empty() || layout.v_size > kMost) return out;
+  if (bodies.empty() || layout.v_size > most) return out;
 
   const Assembly assembly = assemble(model, assembly_options(scene));
   Kinematics kinematics(model);
@@ -92,9 +91,9 @@ std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanis
   return out;
 }
 
-std::vector<std::string> damping_warnings(const Scene& scene, const Mechanism& mechanism) {
+std::vector<std::string> damping_warnings(const Scene& scene, const Mechanism& mechanism, int most) {
   std::vector<std::string> out;
-  for (const AttachedDamping& at : attached_damping(scene, mechanism))
+  for (const AttachedDamping& at : attached_damping(scene, mechanism, most))
     out.push_back(
         with_code(code::kAttachedDamping,
                   "bodies." + mechanism.model.body(at.body).name() + ".flexible.damping: " + number_text(at.given, 3) +

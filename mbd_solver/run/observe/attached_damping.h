@@ -18,9 +18,10 @@ struct AttachedDamping {
 
 // One per flexible body with damping whose ratio differs from the given one by more than a fifth; at the start, joints closed,
 // without struts and springs.
-std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanism& mechanism);
+// most: velocities of the mechanism beyond which nothing is computed; the effort grows with their third power.
+std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanism& mechanism, int most = 1000);
 
-// The warnings of `check`.
-std::vector<std::string> damping_warnings(const Scene& scene, const Mechanism& mechanism);
+// The warnings of `check`, and of a run.
+std::vector<std::string> damping_warnings(const Scene& scene, const Mechanism& mechanism, int most = 1000);
 
 }  // namespace footfall

@@ -292,6 +292,35 @@ TEST(Simulation, WithEveryAutoFliesInLongWindows) {
   EXPECT_EQ(grains.motions()[0].n, 50);
 }
 
+// Windows of 0.4 ms, samples every 0.7 ms, and an event at 3.333 ms, after which the ball is pushed: both end their windows,
+// the event with the DEM step in which it happens.
+TEST(Simulation, EndsWindowsAtSamplesAndForeseenEvents) {
+  const std::string controller =
+      "[[controllers]]\nname = \"hold\"\nkind = \"pid\"\nbody = \"ball\"\noutputs = [\"U1\"]\nperiod_ms = 0.7\n";
+  const std::string event =
+      "[[states]]\nname = \"waits\"\n[[states]]\nname = \"pushed\"\n[[events]]\nname = \"fast\"\nto = \"pushed\"\n"
+      "when = \"ball.vz < -1.005\"\n[[signals]]\nname = \"push\"\nkind = \"expression\"\ninput = \"100 * "
+      "state.pushed\"\n[[forces]]\nname = \"engine\"\nbody = \"ball\"\ndirection = [0, 0, 1]\nforce = { signal = "
+      "\"push\" }\n";
+  const GrainScene folder;
+  const auto run = [&](const std::string& more) {
+    const Scene scene = folder.folder.read(kBallOnGrains + more);
+    LoopbackGrains grains(start(), pushes({0.0, 0.0, 0.0}));
+    Simulation simulation(scene, 0.01, &grains.transport());
+    const double vz = rows_of(simulation).back().vz;
+    EXPECT_EQ(grains.join(), "");
+    std::vector<int> starts;  // of windows [DEM steps]
+    for (const Motion& motion : grains.motions()) starts.push_back(static_cast<int>(std::lround(motion.time / kDt)));
+    return std::pair(starts, vz);
+  };
+  const auto [samples, unused] = run(controller);
+  for (int k = 7; k < 100; k += 7) EXPECT_TRUE(std::count(samples.begin(), samples.end(), k)) << k;
+  const auto [ends, vz] = run(event);
+  const std::vector<int> expected = {0, 4, 8, 12, 16, 20, 24, 28, 32, 34, 38};
+  EXPECT_TRUE(std::equal(expected.begin(), expected.end(), ends.begin()));
+  EXPECT_NEAR(vz, -1.0 - kGravity * 0.01 + 100.0 / kMass * (0.01 - 0.0034), 1e-9);
+}
+
 // Led along its path against an alternating force: round-off of its work, and a window's impulse, are no energy of its.
 TEST(Simulation, DoesNotJudgeABodyThatIsLed) {
   const std::string led = kBallOnGrains + R"(
