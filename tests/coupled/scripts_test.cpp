@@ -416,6 +416,8 @@ TEST(ForeignScript, AGrainThatABodyCannotStopEndsTheRun) {
                       "variable push equal 1e6*step*dt\nvariable pull equal -1e6*step*dt\nfix a above addforce 0 0 "
                       "v_pull\nfix b below addforce 0 0 v_push\n"));
   expect("until 0.1 " + still, "E0498");
+  folder.write("in", script("create_atoms 1 single 0.01 0.02 0.0002 units box\n", ""));  // it starts within the plate
+  EXPECT_EQ(folder.coupled(1, "-in in", "until 0.01 " + still).exit_code, 0);
   folder.write("in", script(above, "velocity all set 0 0 -20\n"));  // a tenth of its radius in a time step
   const Outcome bounces = folder.coupled(1, "-in in", "until 0.01 out table.csv " + still);
   EXPECT_EQ(bounces.exit_code, 0) << bounces.text;
@@ -512,6 +514,47 @@ TEST(ForeignScript, ABeltRunsOnTheBody) {
   const double back = pull("surface_vel -1. 0. 0.", "1 0 0 0 0 0")[0];
   EXPECT_LT(moves, rests - 10.0);
   EXPECT_LT(std::abs(back - rests), 0.1 * std::abs(moves - rests)) << "of " << moves - rests;  // 2 mm of way alone
+}
+
+// A round plate turns by 90 degrees in 2 ms below a grain on its axis, which its belt drags: the belt's direction turns with it.
+TEST(ForeignScript, ABeltTurnsWithItsBody) {
+  const RunFolder folder("foreign_belt_turns");
+  constexpr int kSides = 24;
+  Surface disc;
+  disc.nodes.resize(3, 2 * kSides + 2);
+  for (int i = 0; i < kSides; ++i) {
+    const double a = 2.0 * M_PI * i / kSides;
+    disc.nodes.col(i) = Eigen::Vector3d(0.1 * std::cos(a), 0.1 * std::sin(a), 0.01);
+    disc.nodes.col(kSides + i) = disc.nodes.col(i) - Eigen::Vector3d(0.0, 0.0, 0.02);
+  }
+  const int top = 2 * kSides, bottom = top + 1;
+  disc.nodes.col(top) = Eigen::Vector3d(0.0, 0.0, 0.01);
+  disc.nodes.col(bottom) = Eigen::Vector3d(0.0, 0.0, -0.01);
+  for (int i = 0; i < kSides; ++i) {
+    const int j = (i + 1) % kSides;
+    for (const Eigen::Vector3i& t : {Eigen::Vector3i(top, i, j), Eigen::Vector3i(bottom, kSides + j, kSides + i),
+                                     Eigen::Vector3i(kSides + i, kSides + j, j), Eigen::Vector3i(kSides + i, j, i)})
+      disc.triangles.push_back(t);
+  }
+  write_stl((folder.path() / "disc.stl").string(), disc);
+  folder.write("in", script_head("-0.3 0.3 -0.3 0.3 -0.1 0.3") +
+                         "create_atoms 1 single 0 0 0.02995 units box\nset group all diameter 0.04 density 2600\n"
+                         "fix hold all spring/self 1e6\nfix integr all nve/sphere\n"
+                         "fix m all mesh/surface file disc.stl type 2 surface_vel 100. 0. 0.\n" +
+                         mesh_wall() + "fix mbd all couple/mbd every 5 mesh m disc\nrun 40\n");
+  const double spin = 785.398;  // [rad/s]
+  const Outcome outcome =
+      folder.coupled(1, "-in in", "until 0.002 out table.csv body disc disc.stl 0 0 0 prescribed 0 0 0 0 0 785.398");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
+  const Table table(folder.path() / "table.csv");
+  ASSERT_EQ(table.rows(), 8U);
+  for (std::size_t k = 1; k < table.rows(); ++k) {  // the first contact has the damping of its impact
+    const Eigen::Vector3d F = table.vector(k, "fx", "fy", "fz");
+    const double middle = spin * 2.5e-4 * (static_cast<double>(k) + 0.5);
+    // Coulomb's friction against the belt; a window's mean is half a time step, 0.02 rad, late.
+    EXPECT_NEAR(F.head<2>().norm(), 0.3 * std::abs(F.z()), 0.02 * std::abs(F.z())) << k;
+    EXPECT_NEAR(std::atan2(-F.y(), -F.x()), middle, 0.06) << k;
+  }
 }
 
 TEST(ForeignScript, SeveralMeshesMayMakeUpABody) {

@@ -133,5 +133,90 @@ TEST(Events, InLongWindowsCreateNoEnergy) {
   EXPECT_NEAR(ran.summary["max_contact_force_N"].get<double>(), force, 0.02 * force);
 }
 
+// A plate rests on grains until a body beside it, which falls, is fast enough: that state lets 300 N push. The window that comes
+// ends there, and 1 ms of windows before it is no place to catch up in two DEM steps.
+TEST(Events, OfStatesInLongWindowsCreateNoEnergy) {
+  const std::string slide = "\"\ntype = \"prismatic\"\npoint = [0, 0, 0.1]\naxis = \"z\"\nbodies = ";
+  const std::string scene =
+      "end_time = 0.03\n" + plate(0.0459, 1.0) +
+      "[[bodies]]\nname = \"weight\"\nmass = 20\ninertia = [1, 1, 1]\nposition = [0, 0, 0.3]\n[[joints]]\nname = "
+      "\"rail" +
+      slide + "[\"ground\", \"weight\"]\n[[joints]]\nname = \"leg" + slide +
+      "[\"ground\", \"plate\"]\n[[drives]]\nname = \"motor\"\nkind = \"torque\"\njoint = \"leg\"\n"
+      "command = { signal = \"push\" }\n[[signals]]\nname = \"push\"\nkind = \"expression\"\n"
+      "input = \"state.pushes * -300\"\n[[states]]\nname = \"waits\"\n[[states]]\nname = \"pushes\"\n"
+      "[[events]]\nname = \"fast\"\nto = \"pushes\"\nwhen = \"weight.vz < -0.1021\"\n";
+  const Ran ran = run("state_auto", grains(0.0, "auto", "plate"), scene);
+  const Ran single = run("state_1", grains(0.0, "1", "plate"), scene);
+  EXPECT_FALSE(warns(ran, "W0651"));
+  EXPECT_LT(ran.summary["coupling_energy_residual_relative"].get<double>(), 0.01);
+  const double force = single.summary["max_contact_force_N"];
+  EXPECT_NEAR(ran.summary["max_contact_force_N"].get<double>(), force, 0.02 * force);
+}
+
+// Grains rest on the gate of a shaft until it opens: no step of their contacts with it is taken for energy of the coupling.
+TEST(Gate, OpensUnderItsGrains) {
+  const std::string sides = [] {
+    std::ostringstream s;
+    s << "solid sides\n";
+    const double corners[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    const auto vertex = [&s](const double* c, double z) {
+      s << "vertex " << 0.027 * c[0] << " " << 0.027 * c[1] << " " << z << "\n";
+    };
+    for (int i = 0; i < 8; ++i) {
+      const double *a = corners[i / 2], *b = corners[(i / 2 + 1) % 4];
+      s << "facet normal 0 0 0\nouter loop\n";
+      vertex(a, 0.0005);
+      vertex(b, i % 2 ? 0.15 : 0.0005);
+      vertex(i % 2 ? a : b, 0.15);
+      s << "endloop\nendfacet\n";
+    }
+    s << "endsolid sides\n";
+    return s.str();
+  }();
+  std::ostringstream script;
+  script << "atom_style granular\natom_modify map array\nboundary f f f\nnewton off\ncommunicate single vel yes\nunits "
+            "si\n"
+            "region box block -0.3 0.3 -0.1 0.1 -0.3 0.2 units box\ncreate_box 2 box\nneighbor 0.003 bin\n"
+            "neigh_modify delay 0\nfix m1 all property/global youngsModulus peratomtype 5e6 5e6\n"
+            "fix m2 all property/global poissonsRatio peratomtype 0.3 0.3\n"
+            "fix m3 all property/global coefficientRestitution peratomtypepair 2 0.5 0.5 0.5 0.5\n"
+            "fix m4 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
+            "pair_style gran model hertz tangential history\npair_coeff * *\ntimestep 2e-5\n";
+  for (int k = 0; k < 48; ++k)
+    script << "create_atoms 1 single " << 0.0121 * (k % 4 - 1.5) + 0.0004 * (k % 5 - 2) << " "
+           << 0.0121 * (k / 4 % 4 - 1.5) + 0.0004 * (k % 3 - 1) << " " << 0.00601 + 0.0123 * (k / 16) << " units box\n";
+  script << "set group all diameter 0.012 density 2600\nfix g all gravity 9.81 vector 0 0 -1\nfix i all nve/sphere\n"
+            "fix sides all mesh/surface file sides.stl type 2\nfix geo all couple/mbd/geometry body gate\n"
+            "fix gate all mesh/surface fix geo type 2\n"
+            "fix w all wall/gran model hertz tangential history mesh n_meshes 2 meshes sides gate\n";
+  const std::string gate =
+      "end_time = 0.15\ngravity = [0, 0, -9.81]\nground = { kind = \"particles\" }\nparticles = { script = "
+      "\"in.coupled\" }\n[output]\nplots = false\nvtk = false\n[[bodies]]\nname = \"gate\"\nmass = 0.1\nshape = { kind "
+      "= "
+      "\"box\", size = [0.08, 0.08, 0.004], centre = [0, 0, -0.002] }\n[[boundaries]]\nbody = \"gate\"\nsurface = {}\n";
+  const std::string slides =
+      "[[joints]]\nname = \"rail\"\ntype = \"prismatic\"\nbodies = [\"ground\", \"gate\"]\npoint = [0, 0, 0]\naxis = "
+      "\"x\"\n[[drives]]\nname = \"motor\"\nkind = \"torque\"\njoint = \"rail\"\ncommand = { table = [[0, 0], [0.06, "
+      "0], "
+      "[0.0601, 5], [1, 5]] }\n";
+  const std::string flap =
+      "[[joints]]\nname = \"hinge\"\ntype = \"revolute\"\nbodies = [\"ground\", \"gate\"]\npoint = [-0.04, 0, -0.002]\n"
+      "axis = \"y\"\n[[drives]]\nname = \"latch\"\nkind = \"torque\"\njoint = \"hinge\"\ncommand = { signal = \"hold\" "
+      "}\n"
+      "[[signals]]\nname = \"hold\"\nkind = \"expression\"\n"
+      "input = \"time < 0.06 ? -100 * hinge.angle - 0.2 * gate.wy : 0\"\n";
+  for (const std::string& opens : {slides, flap})
+    for (const std::string every : {"10", "auto"}) {
+      const BeamRun folder("gate");
+      folder.write("sides.stl", sides);
+      const Outcome outcome = folder.scene(
+          script.str() + "fix mbd all couple/mbd every " + every + " mesh gate gate\nthermo 100000\nrun 1000000\n",
+          gate + opens);
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
+      EXPECT_EQ(outcome.text.find("W065"), std::string::npos) << outcome.text;
+    }
+}
+
 }  // namespace
 }  // namespace footfall::test
