@@ -65,8 +65,7 @@ inline constexpr auto kFields<RunTimes> = std::tuple{
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr int kQuickToJudge = 200;  // velocities: the damping of held bodies takes some milliseconds
-constexpr double kForeseen = 0.1;   // of a DEM step: how exactly events are foreseen
+constexpr double kForeseen = 0.1;  // of a DEM step: how exactly events are foreseen
 
 Baumgarte baumgarte(const SolverSpec& spec) {
   if (spec.drift == DriftKind::kProjection) return {};
@@ -118,7 +117,7 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       control_(mechanism_, {scene_, mechanism_, equations_.layout()}),
       sampler_({scene_, mechanism_, equations_.layout()}, equations_, state_, rates_, inputs_),
       checkpoints_(scene.output.checkpoint_interval, scene.output.checkpoint_interval) {
-  for (std::string& warning : damping_warnings(scene, mechanism_, kQuickToJudge))
+  for (std::string& warning : damping_warnings_of_run(scene, mechanism_))
     mechanism_.warnings.push_back(std::move(warning));
   inputs_.values = mechanism_.inputs;
   inputs_change_ = std::isfinite(control_.next_sample());  // otherwise nothing is sampled, and rows do not end a window

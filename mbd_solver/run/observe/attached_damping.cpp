@@ -91,16 +91,30 @@ std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanis
   return out;
 }
 
-std::vector<std::string> damping_warnings(const Scene& scene, const Mechanism& mechanism, int most) {
+namespace {
+
+std::string warning_of(const AttachedDamping& at, const Mechanism& mechanism) {
+  return with_code(code::kAttachedDamping,
+                   "bodies." + mechanism.model.body(at.body).name() + ".flexible.damping: " + number_text(at.given, 3) +
+                       " is the damping ratio of the modes of the free body; as its joints hold it, its lowest mode (" +
+                       number_text(at.frequency, 4) + " Hz) has " + number_text(at.ratio, 3) + ". For " +
+                       number_text(at.given, 3) +
+                       " in that mode give damping = " + number_text(at.given * at.given / at.ratio, 3));
+}
+
+}  // namespace
+
+std::vector<std::string> damping_warnings(const Scene& scene, const Mechanism& mechanism) {
   std::vector<std::string> out;
-  for (const AttachedDamping& at : attached_damping(scene, mechanism, most))
-    out.push_back(
-        with_code(code::kAttachedDamping,
-                  "bodies." + mechanism.model.body(at.body).name() + ".flexible.damping: " + number_text(at.given, 3) +
-                      " is the damping ratio of the modes of the free body; as its joints hold it, its lowest mode (" +
-                      number_text(at.frequency, 4) + " Hz) has " + number_text(at.ratio, 3) + ". For " +
-                      number_text(at.given, 3) +
-                      " in that mode give damping = " + number_text(at.given * at.given / at.ratio, 3)));
+  for (const AttachedDamping& at : attached_damping(scene, mechanism)) out.push_back(warning_of(at, mechanism));
+  return out;
+}
+
+std::vector<std::string> damping_warnings_of_run(const Scene& scene, const Mechanism& mechanism) {
+  constexpr int kQuick = 200;  // velocities: some milliseconds
+  std::vector<std::string> out;
+  for (const AttachedDamping& at : attached_damping(scene, mechanism, kQuick))
+    if (std::abs(at.given - kDefaultDampingRatio) > 1e-9) out.push_back(warning_of(at, mechanism));
   return out;
 }
 

@@ -21,7 +21,9 @@ struct AttachedDamping {
 // most: velocities of the mechanism beyond which nothing is computed; the effort grows with their third power.
 std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanism& mechanism, int most = 1000);
 
-// The warnings of `check`, and of a run.
-std::vector<std::string> damping_warnings(const Scene& scene, const Mechanism& mechanism, int most = 1000);
+// The warnings of `check`.
+std::vector<std::string> damping_warnings(const Scene& scene, const Mechanism& mechanism);
+// Those of a run: of few velocities, and of damping that is not the default.
+std::vector<std::string> damping_warnings_of_run(const Scene& scene, const Mechanism& mechanism);
 
 }  // namespace footfall
