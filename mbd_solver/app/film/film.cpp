@@ -176,7 +176,7 @@ class Encoder {
 
   void add(const std::string& picture) {
     for (std::size_t sent = 0; sent < picture.size();) {
-      const ssize_t n = write(to_, picture.data() + sent, picture.size() - sent);
+      const ssize_t n = ::write(to_, picture.data() + sent, picture.size() - sent);
       if (n < 0 && errno == EINTR && interrupted() == 0) continue;
       if (n <= 0) fail();
       sent += static_cast<std::size_t>(n);

@@ -199,7 +199,7 @@ std::string PageCamera::answer_to(const std::string& method, const Json& paramet
   std::string text = message.dump();
   text += '\0';
   for (std::size_t sent = 0; sent < text.size();) {
-    const ssize_t n = write(to_, text.data() + sent, text.size() - sent);
+    const ssize_t n = ::write(to_, text.data() + sent, text.size() - sent);
     if (n < 0 && errno == EINTR && interrupted() == 0) continue;
     if (n <= 0) fail("the browser has ended");
     sent += static_cast<std::size_t>(n);
@@ -224,7 +224,7 @@ std::string PageCamera::next_message() {
     if (interrupted() != 0) throw Interrupted(code::kPageFailed, "interrupted; no picture was written");
     pollfd ready{from_, POLLIN, 0};
     if (poll(&ready, 1, 200) > 0) {
-      const ssize_t n = read(from_, buffer.data(), buffer.size());
+      const ssize_t n = ::read(from_, buffer.data(), buffer.size());
       if (n > 0)
         received_.append(buffer.data(), static_cast<std::size_t>(n));
       else if (n == 0 || errno != EINTR)
