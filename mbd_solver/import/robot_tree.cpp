@@ -50,6 +50,7 @@ class Tidy {
   Tidy(Robot& robot, const ImportOptions& options) : robot_(robot), options_(options) {}
 
   void carry_out() {
+    for (std::size_t k = 0; k < robot_.joints.size(); ++k) hold_without_range(static_cast<int>(k));
     if (options_.fix_base) fix_base();
     for (int joint = fixed_to_join(); joint >= 0; joint = fixed_to_join()) join(joint);
     give_masses();
@@ -64,6 +65,18 @@ class Tidy {
     for (std::size_t k = 0; k < robot_.joints.size(); ++k)
       if (robot_.joints[k].parent == of || robot_.joints[k].child == of) result.push_back(static_cast<int>(k));
     return result;
+  }
+
+  // Limits that leave no room.
+  void hold_without_range(int index) {
+    RobotJoint& joint = robot_.joints[at(index)];
+    if (joint.coordinates.size() != 1) return;
+    const RobotCoordinate& q = joint.coordinates[0];
+    if (!q.lower || !q.upper || *q.upper - *q.lower > 1e-9) return;
+    robot_.leave_out(joint.origin, "joint \"" + joint.name + "\"",
+                     "its limits are both " + number_text(*q.lower) + ": it is held where it is drawn");
+    joint.kind = RobotJointKind::kFixed;
+    drop_uses(index);
   }
 
   void fix_base() {

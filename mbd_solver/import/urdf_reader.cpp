@@ -352,7 +352,12 @@ class UrdfRobot {
     if (made.kind == RobotJointKind::kRevolute || made.kind == RobotJointKind::kPrismatic) {
       RobotCoordinate q;
       q.name = made.kind == RobotJointKind::kRevolute ? "angle" : "displacement";
-      if (joint.limits && joint.type != urdf::Joint::CONTINUOUS) {
+      const pugi::xml_node limit = node.child("limit");
+      const bool bounded = limit.attribute("lower") || limit.attribute("upper");
+      if (joint.type != urdf::Joint::CONTINUOUS && !bounded)
+        robot_.leave_out(xml_.origin(limit), "<limit> of " + title_of(node),
+                         "has neither lower nor upper: the joint has no stops");
+      if (joint.limits && bounded && joint.type != urdf::Joint::CONTINUOUS) {
         q.lower = joint.limits->lower;
         q.upper = joint.limits->upper;
       }

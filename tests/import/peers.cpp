@@ -441,7 +441,8 @@ int carry_out(const std::string& file) {
   } catch (const std::exception& e) {
     problem = e.what();
   }
-  const bool good = read <= kRead && swing <= kMotion && fall <= kMotion && problem.empty();
+  const bool good = links > 0 && std::max(swing, fall) >= 0.0 && read <= kRead && swing <= kMotion && fall <= kMotion &&
+                    problem.empty();
   std::printf("| %s | %s | %zu of %zu | %zu | %.1e | %.1e | %.1e | %zu | %s |\n", file.c_str(), robot.format.c_str(),
               links, robot.links.size(), robot.joints.size(), read, swing, fall, parts,
               good ? "yes" : ("no " + problem).c_str());
