@@ -15,6 +15,7 @@
 #include "mbd_solver/build/grain_dump.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/fe/fe_model.h"
+#include "mbd_solver/fe/foreign_model.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/fe/modal_body_file.h"
@@ -155,13 +156,21 @@ FeModel plate(const BodySpec& body, const FlexibleSpec& spec, const Material& ma
                      "body \"" + body.name + "\"");
 }
 
-// A model of another code has a mass of its own, which shows wrong units such as grams or tonnes.
-void check_mass(const BodySpec& body, double mass, const std::string& file) {
+// A model of another code has a mass of its own, which shows wrong units: those with which it would be right are named.
+void check_mass(const BodySpec& body, double mass, const std::string& file, UnitSystem units) {
   if (std::abs(mass - body.mass) <= kSameMass * body.mass) return;
-  throw InputError(code::kModelMass,
-                   "the model in " + file + " weighs " + number_text(mass) + " kg, the scene states " +
-                       number_text(body.mass) +
-                       " kg, expected the same to 1 %; check that the units of the model are m, kg and N");
+  const bool spec_has_units = !body.flexible->stiffness_matrix.empty();
+  std::string remedy = "; check that the units of the model are " + std::string(name_of(units));
+  for (const UnitSystem other :
+       {UnitSystem::kMetre, UnitSystem::kMillimetreTonne, UnitSystem::kMillimetreMillisecond, UnitSystem::kInchPound}) {
+    const double in_other = mass * mass_unit(other) / mass_unit(units);
+    if (spec_has_units && other != units && std::abs(in_other - body.mass) <= kSameMass * body.mass)
+      remedy +=
+          std::string(", or write units = \"") + std::string(name_of(other)) + "\", with which it would weigh the same";
+  }
+  throw InputError(code::kModelMass, "the model in " + file + " weighs " + number_text(mass) +
+                                         " kg, the scene states " + number_text(body.mass) +
+                                         " kg, expected the same to 1 %" + remedy);
 }
 
 std::string list(const Eigen::Vector3d& x) {
@@ -251,13 +260,13 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, const std::vector<A
     for (const Attachment& a : attached)
       joint_node(reduced.body, a.point - reduced.p_DBo, reach(reduced.body.rho0), a.turns);
     const double size = reach(reduced.body.rho0);
-    check_mass(body, reduced.body.node_mass.sum(), spec.file);
+    check_mass(body, reduced.body.node_mass.sum(), spec.file, spec.units);
     const Body model(body.name, std::make_shared<const ModalBody>(reduced.body));
     check_centre_and_inertia(body, {model.mass(), reduced.p_DBo, model.rigid_inertia()}, size, spec.file);
   } else if (!spec.stiffness_matrix.empty()) {
-    FeModel model = read_matrix_market(spec.stiffness_matrix, spec.mass_matrix, spec.node_file);
+    FeModel model = read_foreign_model(foreign_files(spec));
     const MassProperties given = mass_properties(model);
-    check_mass(body, given.mass, spec.mass_matrix);
+    check_mass(body, given.mass, spec.mass_matrix, spec.units);
     check_centre_and_inertia(body, given, reach(model.nodes), spec.mass_matrix + " and " + spec.node_file);
     set_interface(model, attached, options);
     reduced = reductions.reduce(body, std::move(model), options);

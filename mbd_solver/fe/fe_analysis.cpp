@@ -34,7 +34,7 @@ std::vector<int> active_dofs(const FeModel& model) {
   std::vector<int> dofs;
   const VectorXd stiffness = model.stiffness.diagonal();
   const VectorXd mass = mass_matrix(model).diagonal();
-  for (int i = 0; i < 6 * model.node_count(); ++i)
+  for (int i = 0; i < stiffness.size(); ++i)
     if (stiffness(i) != 0.0 || mass(i) != 0.0) dofs.push_back(i);
   return dofs;
 }
@@ -74,7 +74,9 @@ MatrixXd scattered(const MatrixXd& x, const std::vector<int>& rows, Index size) 
 }
 
 MatrixXd rigid_motions(const FeModel& model, const Vector3d& centre) {
-  return rigid_motions(model.nodes.colwise() - centre, model.rotations);
+  MatrixXd R = MatrixXd::Zero(model.stiffness.rows(), 6);
+  R.topRows(6 * model.nodes.cols()) = rigid_motions(model.nodes.colwise() - centre, model.rotations);
+  return R;
 }
 
 // A first bound from fields u = e_i x_k x_l, with the rotation of their curl, theta = 1/2 grad(x_k x_l) x e_i. It can be far
@@ -94,7 +96,7 @@ double elastic_scale(const FeModel& model) {
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k)
       for (int l = k; l < 3; ++l) {
-        VectorXd field = VectorXd::Zero(6 * model.node_count());
+        VectorXd field = VectorXd::Zero(model.stiffness.rows());
         for (int j = 0; j < model.node_count(); ++j) {
           const Vector3d x = model.nodes.col(j) - body.centre;
           const Vector3d gradient = Vector3d::Unit(k) * x(l) + Vector3d::Unit(l) * x(k);
@@ -133,7 +135,7 @@ double elastic_scale(const FeModel& model) {
 }
 
 VectorXd pressure_load(const FeModel& model, double pressure) {
-  VectorXd load = VectorXd::Zero(6 * model.node_count());
+  VectorXd load = VectorXd::Zero(model.stiffness.rows());
   for (const Eigen::Vector3i& corner : model.triangles) {
     const Vector3d p = model.nodes.col(corner(0));
     const Vector3d twice_area =
@@ -144,7 +146,7 @@ VectorXd pressure_load(const FeModel& model, double pressure) {
 }
 
 VectorXd static_solution(const FeModel& model, const std::vector<int>& fixed, const VectorXd& load) {
-  FOOTFALL_DEMAND(load.size() == 6 * model.node_count());
+  FOOTFALL_DEMAND(load.size() == model.stiffness.rows());
   const std::vector<int> free = other_dofs(active_dofs(model), fixed);
   const Eigen::SparseMatrix<double> K = selected(model.stiffness, free, free);
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(K);

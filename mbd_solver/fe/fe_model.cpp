@@ -221,7 +221,8 @@ Eigen::SparseMatrix<double> mass_matrix(const FeModel& model) {
         if (J(i, k) != 0.0) entries.emplace_back(6 * j + 3 + i, 6 * j + 3 + k, J(i, k));
     }
   }
-  return assembled(6 * model.node_count(), 6 * model.node_count(), entries);
+  const int size = 6 * model.node_count() + model.extra;
+  return assembled(size, size, entries);
 }
 
 FeModel with_mass(FeModel model, double mass) {
@@ -244,7 +245,8 @@ int nearest(const Eigen::Matrix3Xd& nodes, const Vector3d& p) {
   return static_cast<int>(best);
 }
 
-int joint_node(const Eigen::Matrix3Xd& nodes, bool rotations, const Vector3d& p, double tolerance,
+// turns: nodes with rotations; empty: all.
+int joint_node(const Eigen::Matrix3Xd& nodes, const std::vector<bool>& turns, const Vector3d& p, double tolerance,
                bool needs_rotation) {
   const int node = nearest(nodes, p);
   const double distance = (nodes.col(node) - p).norm();
@@ -255,9 +257,11 @@ int joint_node(const Eigen::Matrix3Xd& nodes, bool rotations, const Vector3d& p,
             << " m. Move the joint to a node, or add a node there.";
     throw InputError(code::kNoSuchNode, message.str());
   }
-  if (needs_rotation && !rotations) {
-    message << "no joint that holds an orientation can attach to node " << node
-            << ": the model has no rotations. Use a spherical joint, or a model with rotations.";
+  if (needs_rotation && !turns.empty() && !turns[static_cast<std::size_t>(node)]) {
+    message
+        << "no joint that holds an orientation can attach to node " << node << ", at (" << nodes.col(node).transpose()
+        << ") m, which has no rotations. Give flexible.interfaces with a set of nodes there, use a spherical joint, "
+           "or a model with rotations.";
     throw InputError(code::kNodeWithoutRotation, message.str());
   }
   return node;
@@ -270,12 +274,30 @@ int nearest_node(const FeModel& model, const Vector3d& p_D) { return nearest(mod
 int nearest_node(const ModalBody& body, const Vector3d& p_B) { return nearest(body.rho0, p_B); }
 
 int joint_node(const FeModel& model, const Vector3d& p_D, double tolerance, bool needs_rotation) {
-  return joint_node(model.nodes, model.rotations, p_D, tolerance, needs_rotation);
+  const int node = joint_node(model.nodes, turning_nodes(model), p_D, tolerance, needs_rotation);
+  for (const Spider& spider : model.spiders)
+    if (spider.kind == SpiderKind::kRigid && std::binary_search(spider.nodes.begin(), spider.nodes.end(), node))
+      return spider.node;
+  return node;
+}
+
+std::vector<bool> turning_nodes(const FeModel& model) {
+  const auto n = static_cast<std::size_t>(model.node_count());
+  std::vector<bool> turns(n, false);
+  const Eigen::VectorXd stiffness = model.stiffness.diagonal();
+  for (std::size_t j = 0; j < n; ++j) turns[j] = !stiffness.segment<3>(6 * static_cast<Index>(j) + 3).isZero(0.0);
+  for (const Spider& spider : model.spiders) {
+    turns[static_cast<std::size_t>(spider.node)] = true;
+    if (spider.kind == SpiderKind::kRigid)
+      for (const int j : spider.nodes) turns[static_cast<std::size_t>(j)] = true;
+  }
+  return turns;
 }
 
 int joint_node(const ModalBody& body, const Vector3d& p_B, double tolerance, bool needs_rotation) {
   const bool rotations = body.mode_count() == 0 || !body.Psi.isZero(0.0);
-  return joint_node(body.rho0, rotations, p_B, tolerance, needs_rotation);
+  const std::vector<bool> turns(rotations ? 0 : static_cast<std::size_t>(body.node_count()), false);
+  return joint_node(body.rho0, turns, p_B, tolerance, needs_rotation);
 }
 
 namespace {
@@ -315,8 +337,8 @@ void check_mass_matrix(const FeModel& model, const std::string& who) {
   Triplets shift;
   for (int i = 0; i < scale.size(); ++i) shift.emplace_back(i, i, scale(i) > 0.0 ? kSymmetric : 1.0);
   const Sparse unit = scale.asDiagonal() * M * scale.asDiagonal();
-  const Eigen::SimplicialLDLT<Sparse> factor(
-      Sparse(unit + assembled(6 * model.node_count(), 6 * model.node_count(), shift)));
+  const auto size_of_M = static_cast<int>(M.rows());
+  const Eigen::SimplicialLDLT<Sparse> factor(Sparse(unit + assembled(size_of_M, size_of_M, shift)));
   if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0.0))
     throw InputError(code::kFeModel, who + ": mass matrix is not positive: some motion has negative kinetic energy.");
 }
@@ -346,26 +368,41 @@ void check_mass(const FeModel& model, const std::string& who) {
             "with rotary inertia.");
 }
 
-// Nodes coupled by the stiffness form one piece.
+bool has_own_motion(const FeModel& model, Index row) {
+  return model.follows.empty() || !model.follows[static_cast<std::size_t>(row)];
+}
+
+// All displacements of the node follow from others.
+bool is_led(const FeModel& model, int node) {
+  for (int i = 0; i < 3; ++i)
+    if (has_own_motion(model, 6 * node + i)) return false;
+  return true;
+}
+
+// Nodes coupled by the stiffness form one piece, directly or by coordinates of modes.
 void check_connected(const FeModel& model, const std::string& who) {
-  std::vector<bool> reached(static_cast<std::size_t>(model.node_count()), false);
-  std::vector<int> todo = {0};
-  reached[0] = true;
+  const int n = model.node_count();
+  int first = 0;
+  while (first + 1 < n && is_led(model, first)) ++first;
+  std::vector<bool> reached(static_cast<std::size_t>(n + model.extra), false);
+  std::vector<int> todo = {first};
+  reached[static_cast<std::size_t>(first)] = true;
   while (!todo.empty()) {
     const int node = todo.back();
     todo.pop_back();
-    for (int i = 0; i < 6; ++i)
-      for (Sparse::InnerIterator it(model.stiffness, 6 * node + i); it; ++it) {
-        const int other = static_cast<int>(it.row() / 6);
+    for (int i = 0; i < (node < n ? 6 : 1); ++i)
+      for (Sparse::InnerIterator it(model.stiffness, node < n ? 6 * node + i : 5 * n + node); it; ++it) {
+        const int other = static_cast<int>(it.row() < 6 * n ? it.row() / 6 : it.row() - 5 * n);
         if (it.value() == 0.0 || reached[static_cast<std::size_t>(other)]) continue;
         reached[static_cast<std::size_t>(other)] = true;
         todo.push_back(other);
       }
   }
-  const auto missing = std::find(reached.begin(), reached.end(), false);
-  if (missing != reached.end())
-    throw InputError(code::kFeModel, who + ": disconnected pieces: no stiffness leads from node 0 to node " +
-                                         std::to_string(missing - reached.begin()) + ", expected a body of one piece.");
+  for (int j = 0; j < n; ++j)
+    if (!reached[static_cast<std::size_t>(j)] && !is_led(model, j))
+      throw InputError(code::kFeModel, who + ": disconnected pieces: no stiffness leads from node " +
+                                           std::to_string(first) + " to node " + std::to_string(j) +
+                                           ", expected a body of one piece.");
 }
 
 void check_free(const FeModel& model, const std::string& who) {
@@ -375,11 +412,11 @@ void check_free(const FeModel& model, const std::string& who) {
     const double force = (model.stiffness * R.col(k)).norm();
     const double parts = (magnitude * R.col(k).cwiseAbs()).norm();
     if (!(force <= kUnsupported * parts))
-      throw InputError(code::kFeModel,
-                       who + ": the stiffness matrix resists " + (k < 3 ? "translation along " : "rotation about ") +
-                           std::string(1, "xyz"[k % 3]) + " of the whole body (relative force " +
-                           std::to_string(force / parts) +
-                           "), expected a free body. Remove its supports; joints are given in the scene.");
+      throw InputError(
+          code::kFeModel,
+          who + ": the stiffness matrix resists " + (k < 3 ? "translation along " : "rotation about ") +
+              std::string(1, "xyz"[k % 3]) + " of the whole body (relative force " + std::to_string(force / parts) +
+              "), expected a free body. Remove its supports; joints are given in the scene." + model.remark);
   }
 }
 
@@ -388,17 +425,19 @@ void check_free(const FeModel& model, const std::string& who) {
 void check_model(const FeModel& model, const std::string& who) {
   const Index n = model.node_count();
   FOOTFALL_DEMAND(model.node_mass.size() == n && static_cast<Index>(model.node_inertia.size()) == n);
-  FOOTFALL_DEMAND(model.stiffness.rows() == 6 * n && model.stiffness.cols() == 6 * n);
-  FOOTFALL_DEMAND(model.mass.size() == 0 || (model.mass.rows() == 6 * n && model.mass.cols() == 6 * n));
+  const Index size = 6 * n + model.extra;
+  FOOTFALL_DEMAND(model.stiffness.rows() == size && model.stiffness.cols() == size);
+  FOOTFALL_DEMAND(model.mass.size() == 0 || (model.mass.rows() == size && model.mass.cols() == size));
   if (n == 0) throw InputError(code::kFeModel, who + ": the model has no nodes.");
   check_mass(model, who);
   const VectorXd diagonal = model.stiffness.diagonal();
   for (int j = 0; j < n; ++j)
-    if (!(diagonal.segment<3>(6 * j).minCoeff() > 0.0))
-      throw InputError(code::kFeModel,
-                       who + ": node " + std::to_string(j) +
-                           " has no stiffness against some displacement: it belongs to no element, so no joint "
-                           "can attach to it.");
+    for (int i = 0; i < 3; ++i)
+      if (has_own_motion(model, 6 * j + i) && !(diagonal(6 * j + i) > 0.0))
+        throw InputError(code::kFeModel,
+                         who + ": node " + std::to_string(j) +
+                             " has no stiffness against some displacement: it belongs to no element, so no joint "
+                             "can attach to it.");
   const Sparse skewed = model.stiffness - Sparse(model.stiffness.transpose());
   if (!(skewed.norm() <= kSymmetric * model.stiffness.norm()))
     throw InputError(code::kFeModel, who + ": the stiffness matrix is not symmetric.");

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/base/kinds.h"
 #include "mbd_solver/fe/material.h"
 #include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/model/mass_properties.h"
@@ -14,11 +15,21 @@
 
 namespace footfall {
 
+// A node that moves with a set of others. rigid: they move as one body with it. averaged: it moves as they do in the mean,
+// and loads at it spread over them; they are free to deform.
+enum class SpiderKind { kRigid, kAveraged };
+constexpr std::string_view name_of(SpiderKind kind) { return name_in(kind, "rigid", "averaged"); }
+struct Spider {
+  int node = 0;
+  std::vector<int> nodes;  // ascending
+  SpiderKind kind = SpiderKind::kRigid;
+};
+
 // Degree of freedom 6 j + i: displacement i = 0..2 [m] or rotation i - 3 = 0..2 [rad] of node j, along the axes of the
 // reference configuration D.
 struct FeModel {
   Eigen::Matrix3Xd nodes;                     // 3 x N, in D [m]
-  Eigen::SparseMatrix<double> stiffness;      // 6N x 6N, symmetric, both triangles stored
+  Eigen::SparseMatrix<double> stiffness;      // 6N x 6N (6N + extra), symmetric, both triangles stored
   Eigen::VectorXd node_mass;                  // N [kg]
   std::vector<Eigen::Matrix3d> node_inertia;  // N rotary inertias, in D [kg m2]
   Eigen::SparseMatrix<double> mass;           // 6N x 6N, if masses are not lumped; node_mass then only weighs the nodes
@@ -26,6 +37,13 @@ struct FeModel {
   std::vector<Eigen::Vector3i> triangles;     // points 2 t (top), 2 t + 1 (bottom) belong to triangle t
   std::vector<Eigen::Vector2i> segments;      // points 8 e ... 8 e + 7 belong to segment e
   bool rotations = true;                      // false: a solid model of another code, without rotations
+  // Of models of other codes:
+  int extra = 0;  // coordinates of modes behind the 6N rows of K and M, which have no place
+  std::vector<Spider> spiders;
+  std::vector<bool> follows;       // rows that have no motion of their own (spider.h); empty: none
+  Eigen::MatrixXd known_shapes;    // (6N + extra) x k: displacements whose stresses are known [m]
+  Eigen::MatrixXd known_stresses;  // 6N x k: those at the nodes [Pa]
+  std::string remark;              // for messages about rigid motion
 
   int node_count() const { return static_cast<int>(nodes.cols()); }
 };
@@ -62,11 +80,14 @@ FeModel with_mass(FeModel model, double mass);
 
 // --- Nodes at points of the reference configuration.
 
+// Nodes with rotations of their own, or those of a rigid set.
+std::vector<bool> turning_nodes(const FeModel& model);
+
 // Index of the node nearest to the point: in D for a model, in B (relative to Bo) for a body. Of equal ones the lowest.
 int nearest_node(const FeModel& model, const Eigen::Vector3d& p_D);
 int nearest_node(const ModalBody& body, const Eigen::Vector3d& p_B);
 
-// The node to which a joint at this point attaches. Throws InputError, with the nearest node and its distance, if none is
+// The node to which a joint at this point attaches; of a rigid set, that of the set. Throws InputError, with the nearest node and its distance, if none is
 // within tolerance [m], or if the joint requires the rotation of a node that has none (solid models of other codes).
 int joint_node(const FeModel& model, const Eigen::Vector3d& p_D, double tolerance, bool needs_rotation);
 int joint_node(const ModalBody& body, const Eigen::Vector3d& p_B, double tolerance, bool needs_rotation);

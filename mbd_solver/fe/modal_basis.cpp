@@ -4,6 +4,7 @@
 #include "mbd_solver/fe/modal_basis.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,9 +15,11 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/codes.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/fe/codes.h"
 #include "mbd_solver/fe/eigen_solver.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/fe_model.h"
+#include "mbd_solver/fe/spider.h"
 #include "mbd_solver/fe/static_error.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/mass_properties.h"
@@ -30,7 +33,8 @@ using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kTwoPi = 2.0 * kPi;
-constexpr int kFirstGuess = 16;  // modes in the first attempt if only a frequency limit is known
+constexpr double kRigidMode = 1e-2;  // of the elastic scale: files print modes with six digits
+constexpr int kFirstGuess = 16;      // modes in the first attempt if only a frequency limit is known
 
 double lambda_of(double frequency) { return std::pow(kTwoPi * frequency, 2); }
 
@@ -107,7 +111,7 @@ std::vector<int> interface_dofs(const Problem& problem, const BasisOptions& opti
   for (int node : options.pinned_nodes) held[static_cast<std::size_t>(node)] = 3;
   for (int node : options.interface_nodes) held[static_cast<std::size_t>(node)] = 6;
   std::vector<int> result;
-  for (std::size_t i = 0; i < problem.active.size(); ++i)
+  for (std::size_t i = 0; i < problem.active.size() && problem.active[i] < 6 * problem.model.node_count(); ++i)
     if (problem.active[i] % 6 < held[static_cast<std::size_t>(problem.active[i] / 6)])
       result.push_back(static_cast<int>(i));
   return result;
@@ -170,11 +174,84 @@ void check_options(const BasisOptions& options, const std::string& name) {
                        name + ": damping ratio is " + std::to_string(zeta) + ", expected 0 or more.");
 }
 
+// The model before its spiders: their nodes have no stiffness of their own, and are not asked for any.
+FeModel without_spiders(FeModel model) {
+  model.follows.assign(static_cast<std::size_t>(model.stiffness.rows()), false);
+  for (const Spider& spider : model.spiders)
+    for (int i = 0; i < 6; ++i) model.follows[static_cast<std::size_t>(6 * spider.node + i)] = true;
+  return model;
+}
+
+constexpr double kSameShape = 1e-2;  // strain energy that known shapes do not have, of that of a mode; a word beyond it
+
+// Shapes whose coordinates without a place follow the nodes statically: modes within elements do, in all slow motions.
+MatrixXd with_extra(const FeModel& model, MatrixXd shapes) {
+  if (model.extra == 0) return shapes;
+  std::vector<int> placed(static_cast<std::size_t>(6 * model.node_count())),
+      extra(static_cast<std::size_t>(model.extra));
+  std::iota(placed.begin(), placed.end(), 0);
+  std::iota(extra.begin(), extra.end(), 6 * model.node_count());
+  const Eigen::SimplicialLDLT<Sparse> factor(selected(model.stiffness, extra, extra));
+  if (factor.info() == Eigen::Success)
+    shapes.bottomRows(model.extra) =
+        -factor.solve(selected(model.stiffness, extra, placed) * shapes.topRows(6 * model.node_count()));
+  return shapes;
+}
+
+// Stresses at the nodes, 6N x s: those of the known shapes F (modes of another code), combined to the given shapes X with the
+// least strain energy of the rest, X - F C: C = (F^T K F)^-1 F^T K X. Shapes without strain have no part.
+MatrixXd stresses_of(const FeModel& model, const MatrixXd& shapes, const std::string& name, std::string& word) {
+  const MatrixXd F = with_extra(model, model.known_shapes);
+  const double rigid = kRigidMode * elastic_scale(model);
+  const VectorXd energy = F.cwiseProduct(model.stiffness * F).colwise().sum().transpose(),
+                 mass = F.cwiseProduct(mass_matrix(model) * F).colwise().sum().transpose();
+  std::vector<Index> elastic;
+  for (Index k = 0; k < F.cols(); ++k)
+    if (energy(k) > rigid * mass(k)) elastic.push_back(k);
+  if (elastic.empty())
+    throw InputError(code::kFeModel, name + ": the modes with stresses are rigid motions, expected elastic modes.");
+  const MatrixXd elastic_F = F(Eigen::all, elastic), KX = model.stiffness * shapes;
+  const VectorXd size = energy(elastic).cwiseSqrt().cwiseInverse();
+  const MatrixXd unit = elastic_F * size.asDiagonal();
+  const MatrixXd gram = unit.transpose() * (model.stiffness * unit);
+  const MatrixXd C = gram.ldlt().solve(unit.transpose() * KX);
+  const MatrixXd rest = shapes - unit * C;
+  const VectorXd all = shapes.cwiseProduct(KX).colwise().sum().transpose(),
+                 missing = rest.cwiseProduct(model.stiffness * rest).colwise().sum().transpose();
+  Index worst = 0;
+  const double share = missing.cwiseQuotient(all).maxCoeff(&worst);
+  if (share > kSameShape) {
+    std::ostringstream text;
+    text.precision(2);
+    text << name << ": the " << elastic.size() << " elastic modes of stress_file hold " << 100.0 * (1.0 - share)
+         << " % of the strain energy of the body's mode " << worst
+         << ", so that its stresses are too low. Write more modes there, or use basis = \"free_free\".";
+    word = with_code(code::kStressModes, text.str());
+  }
+  return model.known_stresses(Eigen::all, elastic) * (size.asDiagonal() * C);
+}
+
+ReducedBody reduce(const FeModel& given, const FeModel& model, const Sparse* T, const BasisOptions& options,
+                   const std::string& given_name);
+
 }  // namespace
 
-ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std::string& given_name) {
+ReducedBody reduce(const FeModel& given, const BasisOptions& options, const std::string& given_name) {
   const std::string name = "body \"" + given_name + "\"";
   check_options(options, name);
+  if (!given.spiders.empty()) {
+    check_model(without_spiders(given), name);
+    const Constrained independent = constrained(given);
+    return reduce(given, independent.model, &independent.T, options, given_name);
+  }
+  return reduce(given, given, nullptr, options, given_name);
+}
+
+namespace {
+
+ReducedBody reduce(const FeModel& given, const FeModel& model, const Sparse* T, const BasisOptions& options,
+                   const std::string& given_name) {
+  const std::string name = "body \"" + given_name + "\"";
   check_model(model, name);
   const std::vector<int> active = active_dofs(model);
   const Sparse M = mass_matrix(model);
@@ -210,30 +287,42 @@ ReducedBody reduce(const FeModel& model, const BasisOptions& options, const std:
     throw NumericalError(name + ": " + error.what());
   }
   shapes = scattered(shapes, active, M.rows());
+  if (T != nullptr) shapes = (*T * shapes).eval();
 
   ModalBody raw;
   raw.name = given_name;
   raw.rho0 = model.nodes;
-  raw.node_mass = model.node_mass;
-  raw.node_inertia = model.node_inertia;
-  raw.mass = model.mass;
+  raw.node_mass = given.node_mass;
+  raw.node_inertia = given.node_inertia;
+  raw.mass = given.mass;
+
   raw.Phi.resize(3 * model.node_count(), shapes.cols());
-  raw.Psi.resize(3 * model.node_count(), shapes.cols());
+  raw.Psi.resize(3 * model.node_count() + model.extra, shapes.cols());
+  raw.Psi.bottomRows(model.extra) = shapes.bottomRows(model.extra);
   for (int j = 0; j < model.node_count(); ++j) {
     raw.Phi.middleRows(3 * j, 3) = shapes.middleRows(6 * j, 3);
     raw.Psi.middleRows(3 * j, 3) = shapes.middleRows(6 * j + 3, 3);
   }
-  raw.stress_modes = model.stress * shapes;
+  raw.stress_modes = given.stress * shapes;
+  std::string stress_word;
+  if (given.known_shapes.cols() > 0 && shapes.cols() > 0) {
+    raw.stress_modes = stresses_of(given, shapes, name, stress_word);
+  }
   raw.triangles = model.triangles;
   raw.segments = model.segments;
   raw.static_error = error_of_statics;
   BasisOptions all_of_them = options;  // the shapes are already selected
   all_of_them.max_frequency.reset();
   if (shapes.cols() > 0) all_of_them.mode_count.reset();
-  ReducedBody reduced = orthonormalised(std::move(raw), shapes.transpose() * (model.stiffness * shapes), all_of_them);
+  const std::vector<bool> turning = turning_nodes(given);
+  ReducedBody reduced =
+      orthonormalised(std::move(raw), shapes.transpose() * (given.stiffness * shapes), all_of_them, &turning);
+  if (!stress_word.empty()) reduced.warnings.push_back(stress_word);
   if (error_at_attachments > kStaticTolerance) reduced.warnings.push_back(static_warning(name, error_at_attachments));
   return reduced;
 }
+
+}  // namespace
 
 VectorXd frequencies(const ModalBody& body) { return body.stiffness.cwiseSqrt() / kTwoPi; }
 
@@ -247,39 +336,47 @@ using Eigen::Vector3d;
 constexpr double kRigidShape = 1e-6;  // a shape is a rigid motion if less than this fraction of its norm remains
 constexpr double kDependent = 1e-12;  // smallest eigenvalue of the Gram matrix of unit shapes
 
-// Rows 6 j + i of displacements and rotations.
+// Rows 6 j + i of displacements and rotations, then those of Psi that have no place.
 MatrixXd stacked(const MatrixXd& Phi, const MatrixXd& Psi) {
-  MatrixXd U(2 * Phi.rows(), Phi.cols());
+  MatrixXd U(Phi.rows() + Psi.rows(), Phi.cols());
+  U.bottomRows(Psi.rows() - Phi.rows()) = Psi.bottomRows(Psi.rows() - Phi.rows());
   for (Index i = 0; i < Phi.rows(); i += 3) U.middleRows(2 * i, 6) << Phi.middleRows(i, 3), Psi.middleRows(i, 3);
   return U;
 }
 
-// M-weighted inner products of two sets of shapes, [Phi; Psi] each.
-MatrixXd inner(const ModalBody& body, const MatrixXd& Phi1, const MatrixXd& Psi1, const MatrixXd& Phi2,
-               const MatrixXd& Psi2) {
-  if (body.mass.size() > 0) return stacked(Phi1, Psi1).transpose() * (body.mass * stacked(Phi2, Psi2));
-  MatrixXd MPhi = Phi2, JPsi = Psi2;
+struct Shapes {
+  const MatrixXd& Phi;
+  const MatrixXd& Psi;
+};
+
+// M-weighted inner products of two sets of shapes.
+MatrixXd inner(const ModalBody& body, const Shapes& one, const Shapes& two) {
+  if (body.mass.size() > 0) return stacked(one.Phi, one.Psi).transpose() * (body.mass * stacked(two.Phi, two.Psi));
+  MatrixXd MPhi = two.Phi, JPsi = two.Psi;
   for (Index j = 0; j < body.node_count(); ++j) {
     MPhi.middleRows(3 * j, 3) *= body.node_mass(j);
-    JPsi.middleRows(3 * j, 3) = (body.node_inertia[static_cast<std::size_t>(j)] * Psi2.middleRows(3 * j, 3)).eval();
+    JPsi.middleRows(3 * j, 3) = (body.node_inertia[static_cast<std::size_t>(j)] * two.Psi.middleRows(3 * j, 3)).eval();
   }
-  return Phi1.transpose() * MPhi + Psi1.transpose() * JPsi;
+  return one.Phi.transpose() * MPhi + one.Psi.transpose() * JPsi;
 }
 
-MatrixXd gram(const ModalBody& body) { return inner(body, body.Phi, body.Psi, body.Phi, body.Psi); }
+Shapes shapes_of(const ModalBody& body) { return {body.Phi, body.Psi}; }
+
+MatrixXd gram(const ModalBody& body) { return inner(body, shapes_of(body), shapes_of(body)); }
 
 // Removes the rigid-body content of the shapes: x - R (R^T M R)^-1 R^T M x, R = translations and rotations about Bo (the mass
-// centre). rotations: the model has rotations of nodes.
-void remove_rigid_motion(ModalBody& body, bool rotations) {
+// centre). turns: nodes that have rotations.
+void remove_rigid_motion(ModalBody& body, const std::vector<bool>& turns) {
   const Index n = body.node_count();
-  MatrixXd R_Phi = MatrixXd::Zero(3 * n, 6), R_Psi = MatrixXd::Zero(3 * n, 6);
+  MatrixXd R_Phi = MatrixXd::Zero(3 * n, 6), R_Psi = MatrixXd::Zero(body.Psi.rows(), 6);
+  const Shapes R{R_Phi, R_Psi};
   for (Index j = 0; j < n; ++j) {
     R_Phi.block<3, 3>(3 * j, 0).setIdentity();
     for (int i = 0; i < 3; ++i) R_Phi.block<3, 1>(3 * j, 3 + i) = Vector3d::Unit(i).cross(Vector3d(body.rho0.col(j)));
-    if (rotations) R_Psi.block<3, 3>(3 * j, 3).setIdentity();
+    if (turns[static_cast<std::size_t>(j)]) R_Psi.block<3, 3>(3 * j, 3).setIdentity();
   }
-  const MatrixXd rigid_mass = inner(body, R_Phi, R_Psi, R_Phi, R_Psi);
-  const MatrixXd content = rigid_mass.ldlt().solve(inner(body, R_Phi, R_Psi, body.Phi, body.Psi));
+  const MatrixXd rigid_mass = inner(body, R, R);
+  const MatrixXd content = rigid_mass.ldlt().solve(inner(body, R, shapes_of(body)));
   body.Phi -= R_Phi * content;
   body.Psi -= R_Psi * content;
 }
@@ -339,7 +436,8 @@ std::string frequency_warning(const ModalBody& body) {
 
 }  // namespace
 
-ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const BasisOptions& options) {
+ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const BasisOptions& options,
+                            const std::vector<bool>* turning) {
   const std::string who = "body \"" + body.name + "\"";
   const Index s = stiffness.cols();
   FOOTFALL_DEMAND(body.Phi.cols() == s && body.Psi.cols() == s && stiffness.rows() == s);
@@ -350,12 +448,14 @@ ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const Bas
   result.p_DBo = body.mass.size() > 0 ? mass_properties(body.rho0, body.mass).centre
                                       : Vector3d(body.rho0 * body.node_mass / body.node_mass.sum());
   body.rho0.colwise() -= result.p_DBo;
-  const bool rotations = s > 0 && !body.Psi.isZero(0.0);
+  const bool rotations = s > 0 && !body.Psi.topRows(3 * body.node_count()).isZero(0.0);
+  std::vector<bool> turns(static_cast<std::size_t>(body.node_count()), rotations);
+  if (rotations && turning != nullptr) turns = *turning;
 
   MatrixXd K = stiffness;
   if (s > 0) {
     const VectorXd before = gram(body).diagonal().cwiseSqrt();
-    remove_rigid_motion(body, rotations);
+    remove_rigid_motion(body, turns);
     const VectorXd norm = gram(body).diagonal().cwiseSqrt();
     for (Index k = 0; k < s; ++k)
       if (!(norm(k) > kRigidShape * before(k)))
@@ -385,7 +485,7 @@ ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const Bas
     transform(body, eigen.eigenvectors().leftCols(count));
     body.stiffness = eigen.eigenvalues().head(count);
     // Once more, because of round-off: the first pass may have cancelled large rigid motions.
-    remove_rigid_motion(body, rotations);
+    remove_rigid_motion(body, turns);
     if (count > 0) {
       const Eigen::LLT<MatrixXd> cholesky(gram(body));
       transform(body, cholesky.matrixU().solve(MatrixXd::Identity(count, count)));
@@ -429,7 +529,8 @@ Eigen::SparseMatrix<double> axis_weights(const FeModel& model) {
   for (int j = 0; j < model.node_count(); ++j)
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) entries.emplace_back(6 * j + a, 6 * j + b, model.node_mass(j) * weight(a, b));
-  Eigen::SparseMatrix<double> W(6 * model.node_count(), 6 * model.node_count());
+  const Index size = 6 * model.node_count() + model.extra;
+  Eigen::SparseMatrix<double> W(size, size);
   W.setFromTriplets(entries.begin(), entries.end());
   return W;
 }

@@ -64,8 +64,10 @@ Eigen::VectorXd frequencies(const ModalBody& body);
 
 // From shapes with any rigid-body content, not orthonormal, relative to the origin of D, and their s x s stiffness: the body
 // with origin in the mass centre, rigid motion removed, shapes orthonormal and stiffness diagonal. Throws InputError if shapes
-// are dependent or one is a rigid motion. Only count, frequency and damping of the options are used.
-ReducedBody orthonormalised(ModalBody raw, const Eigen::MatrixXd& stiffness, const BasisOptions& options);
+// are dependent or one is a rigid motion. Only count, frequency and damping of the options are used. turning: nodes that
+// have rotations; null: all or none.
+ReducedBody orthonormalised(ModalBody raw, const Eigen::MatrixXd& stiffness, const BasisOptions& options,
+                            const std::vector<bool>* turning = nullptr);
 
 constexpr double kOneFrequency = 1e-9;  // relative difference of equal lambdas
 

@@ -1,4 +1,4 @@
-// Both formats are read record by record; errors name file and line.
+// The file is read record by record; errors name file and line.
 
 #include "mbd_solver/fe/modal_body_file.h"
 
@@ -99,7 +99,6 @@ using Eigen::VectorXd;
 
 constexpr const char* kFormat = "footfall-modal-body";
 constexpr int kVersion = 1;
-constexpr double kSameMass = 1e-9;  // of a node along x, y and z, relative
 constexpr int kMaxCount = 1000000;  // larger numbers of nodes, modes or triangles indicate a damaged file
 
 // Reads `keyword N`, returns N.
@@ -294,156 +293,6 @@ void write_modal_body(const std::string& path, const ModalBody& body, const Vect
   if (!file)
     throw InputError(code::kModelFileNotWritten,
                      path + ": the file cannot be written. Check the folder and the free space.");
-}
-
-// --- MatrixMarket.
-
-namespace {
-
-using Sparse = Eigen::SparseMatrix<double>;
-
-constexpr int kMaxSize = 100000000;
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-// `%%MatrixMarket matrix coordinate real symmetric`, comments with %, `rows columns entries`, then `i j
-// value` from 1.
-Sparse read_matrix(const std::string& path) {
-  const std::string expected = "\"%%MatrixMarket matrix coordinate real symmetric\" (or general, or integer)";
-  TextRecords header(path, '\0');
-  header.require_next(expected);
-  const std::vector<std::string>& w = header.words();
-  if (w.size() != 5 || lower(w[0]) != "%%matrixmarket" || lower(w[1]) != "matrix" || lower(w[2]) != "coordinate" ||
-      (lower(w[3]) != "real" && lower(w[3]) != "integer") || (lower(w[4]) != "symmetric" && lower(w[4]) != "general"))
-    header.fail("unsupported matrix, expected " + expected + ".");
-  const bool symmetric = lower(w[4]) == "symmetric";
-
-  TextRecords file(path, '%');
-  file.require_next("rows, columns and entries");
-  if (file.size() != 3) file.fail("expected three numbers: rows, columns and entries.");
-  const int rows = file.integer(0, 1, kMaxSize);
-  const int columns = file.integer(1, 1, kMaxSize);
-  const int entries = file.integer(2, 1, kMaxSize);
-  if (rows != columns) file.fail("expected a square matrix.");
-  std::vector<Eigen::Triplet<double>> triplets;
-  bool below = false, above = false;  // of the diagonal
-  for (int e = 0; e < entries; ++e) {
-    file.require_next("entry " + std::to_string(e + 1) + " of " + std::to_string(entries));
-    if (file.size() != 3) file.fail("expected three numbers: row, column and value.");
-    const int i = file.integer(0, 1, rows) - 1;
-    const int j = file.integer(1, 1, columns) - 1;
-    const double value = file.number(2);
-    triplets.emplace_back(i, j, value);
-    below = below || i > j;
-    above = above || i < j;
-    if (symmetric && below && above)
-      file.fail(
-          "an entry on the other side of the diagonal, expected one triangle of a symmetric matrix. Leave the other "
-          "out, or call the matrix general.");
-    if (symmetric && i != j) triplets.emplace_back(j, i, value);
-  }
-  if (file.next()) file.fail("more entries than the " + std::to_string(entries) + " announced.");
-  Sparse matrix(rows, columns);
-  matrix.setFromTriplets(triplets.begin(), triplets.end());
-  return matrix;
-}
-
-// From per_node rows per node to six.
-Sparse six_per_node(const Sparse& matrix, int per_node) {
-  std::vector<Eigen::Triplet<double>> triplets;
-  const auto dof = [per_node](Index i) { return static_cast<int>(6 * (i / per_node) + i % per_node); };
-  for (Index j = 0; j < matrix.cols(); ++j)
-    for (Sparse::InnerIterator it(matrix, j); it; ++it) triplets.emplace_back(dof(it.row()), dof(j), it.value());
-  const Index size = 6 * matrix.rows() / per_node;
-  Sparse result(size, size);
-  result.setFromTriplets(triplets.begin(), triplets.end());
-  return result;
-}
-
-// M couples different nodes, displacements with rotations, or displacements with different masses.
-bool is_lumped(const Sparse& M) {
-  for (Index j = 0; j < M.cols(); ++j)
-    for (Sparse::InnerIterator it(M, j); it; ++it) {
-      const bool node = it.row() / 6 == j / 6, rotations = it.row() % 6 >= 3 && j % 6 >= 3;
-      if (it.value() != 0.0 && it.row() != j && !(node && rotations)) return false;
-    }
-  const Eigen::VectorXd m = M.diagonal();
-  for (Index j = 0; j < M.cols(); j += 6)
-    if ((m.segment<3>(j).array() - m(j)).abs().maxCoeff() > kSameMass * std::abs(m(j))) return false;
-  return true;
-}
-
-// The total mass is the same along x, y and z. Masses that are lumped go to their nodes, else the matrix is kept, and
-// nodes are weighed by its diagonal terms, scaled to the total mass.
-void set_mass(const Sparse& M, const std::string& path, FeModel& model) {
-  const int n = model.node_count();
-  Vector3d total, diagonal;
-  for (int i = 0; i < 3; ++i) {
-    Eigen::VectorXd unit = Eigen::VectorXd::Zero(6 * n);
-    for (int j = 0; j < n; ++j) unit(6 * j + i) = 1.0;
-    total(i) = unit.dot(M * unit);
-    diagonal(i) = unit.dot(M.diagonal());
-  }
-  const double mass = total.mean();
-  if (!(diagonal.minCoeff() > 0.0 && total.minCoeff() > 0.0))
-    throw InputError(code::kModelFile,
-                     path + ": mass matrix is not positive: the total mass is " + std::to_string(mass) + " kg.");
-  if (!((total.array() - mass).abs().maxCoeff() <= 1e-6 * mass))
-    throw InputError(code::kModelFile,
-                     path + ": the total mass differs along x, y and z (" + std::to_string(total.x()) + ", " +
-                         std::to_string(total.y()) + ", " + std::to_string(total.z()) +
-                         " kg); expected the same. Check that the rows are ordered node by node, x y z first.");
-  const bool lumped = is_lumped(M);
-  const double factor = mass / diagonal.mean();
-  model.node_mass.resize(n);
-  for (int j = 0; j < n; ++j) {
-    Matrix3d J;
-    double m = 0.0;
-    for (int i = 0; i < 3; ++i) {
-      m += M.coeff(6 * j + i, 6 * j + i) / 3.0;
-      for (int k = 0; k < 3; ++k) J(i, k) = factor * M.coeff(6 * j + 3 + i, 6 * j + 3 + k);
-    }
-    model.node_mass(j) = factor * m;
-    model.node_inertia.push_back(lumped ? Matrix3d(0.5 * (J + J.transpose())) : Matrix3d(Matrix3d::Zero()));
-  }
-  if (!lumped) model.mass = M;
-}
-
-}  // namespace
-
-FeModel read_matrix_market(const std::string& stiffness_path, const std::string& mass_path,
-                           const std::string& nodes_path) {
-  TextRecords file(nodes_path, '#');
-  std::vector<Vector3d> nodes;
-  while (file.next()) {
-    if (file.size() != 3) file.fail(std::to_string(file.size()) + " numbers, expected three: x y z.");
-    nodes.emplace_back(file.number(0), file.number(1), file.number(2));
-  }
-  if (nodes.empty()) throw InputError(code::kModelFile, nodes_path + ": no nodes, expected one \"x y z\" per line.");
-  const Sparse K = read_matrix(stiffness_path);
-  const Sparse M = read_matrix(mass_path);
-  const auto n = static_cast<Index>(nodes.size());
-  if (K.rows() != 3 * n && K.rows() != 6 * n)
-    throw InputError(code::kModelFile, stiffness_path + ": " + std::to_string(K.rows()) + " rows for the " +
-                                           std::to_string(n) + " nodes of " + nodes_path +
-                                           ", expected 3 or 6 per node: " + std::to_string(3 * n) + " or " +
-                                           std::to_string(6 * n) + ".");
-  if (M.rows() != K.rows())
-    throw InputError(code::kModelFile, mass_path + ": " + std::to_string(M.rows()) + " rows, expected " +
-                                           std::to_string(K.rows()) + " as in " + stiffness_path + ".");
-  const int per_node = static_cast<int>(K.rows() / n);
-  FeModel model;
-  model.rotations = per_node == 6;
-  model.nodes.resize(3, n);
-  for (Index j = 0; j < n; ++j) model.nodes.col(j) = nodes[static_cast<std::size_t>(j)];
-  model.stiffness = six_per_node(K, per_node);
-  set_mass(six_per_node(M, per_node), mass_path, model);
-  model.stress.resize(0, 6 * n);
-  return model;
 }
 
 }  // namespace footfall

@@ -23,14 +23,9 @@
 // The modes need be neither orthonormal nor free of rigid motion, but elastic: footfall removes rigid motion
 // (mean axes), moves the origin to the mass centre and orthonormalises, so that files of fixed-interface and static modes can
 // be used unchanged. The rotation columns (J and psi) are optional; joints that hold an orientation require them.
-//
-// MatrixMarket: `coordinate real general|symmetric` files of K and M, rows in the order of the nodes, six
-// (displacement, rotation) or three (displacement) per node, and a file of nodes, one `x y z` per line. The
-// mass matrix is used as it is: lumped, consistent or of a static reduction (Guyan). Reduce the model with reduce().
 
 #include <string>
 
-#include "mbd_solver/fe/fe_model.h"
 #include "mbd_solver/fe/modal_basis.h"
 
 namespace footfall {
@@ -41,9 +36,5 @@ ReducedBody read_modal_body(const std::string& path, const BasisOptions& options
 
 // Writes the body with its origin at p_DBo; reading it returns the same body to round-off.
 void write_modal_body(const std::string& path, const ModalBody& body, const Eigen::Vector3d& p_DBo);
-
-// A free body from K, M and nodes. Throws InputError with path:line.
-FeModel read_matrix_market(const std::string& stiffness_path, const std::string& mass_path,
-                           const std::string& nodes_path);
 
 }  // namespace footfall

@@ -154,12 +154,13 @@ std::vector<std::string> mesh_findings(const TriangleMesh& mesh, const MeshDeman
                          " triangles; the next consists of " + triangles(found[1]) +
                          ". If they should touch, weld their common vertices.");
   }
-  // An edge is open if only one triangle has it, and crowded if more than two have.
+  // An edge is open if only one triangle has it, and crowded if more than two have, unless as many run one way as the other.
   std::vector<int> open, crowded, turned;
   for (const auto& [edge, users] : forward) {
     const auto opposite = forward.find({edge.second, edge.first});
     const std::size_t others = opposite == forward.end() ? 0 : opposite->second.size();
     if (users.size() == 1 && others == 0) open.push_back(users[0]);
+    if (users.size() == others) continue;  // also where two shells touch
     if (users.size() + others > 2) crowded.insert(crowded.end(), users.begin(), users.end());
     if (users.size() > 1) turned.insert(turned.end(), users.begin(), users.end());
   }

@@ -48,6 +48,8 @@ VectorXd some_deflection(Index size, double start) {
 }  // namespace
 
 std::optional<Eigen::Vector3d> place_of_copy(const FeModel& model, const FeModel& copy, const Eigen::Matrix3d& R) {
+  const auto special = [](const FeModel& m) { return m.extra > 0 || !m.spiders.empty() || m.known_shapes.size() > 0; };
+  if (special(model) || special(copy)) return std::nullopt;
   if (model.node_count() != copy.node_count() || model.rotations != copy.rotations ||
       model.stress.rows() != copy.stress.rows() || model.node_inertia.size() != copy.node_inertia.size() ||
       model.triangles != copy.triangles || model.segments != copy.segments)

@@ -131,7 +131,9 @@ Eigen::MatrixXd rigid_motions(const Eigen::Matrix3Xd& x, bool rotations) {
 }
 
 MassProperties mass_properties(const Eigen::Matrix3Xd& x, const Eigen::SparseMatrix<double>& M) {
-  const Eigen::MatrixXd R = rigid_motions(x), rigid = R.transpose() * (M * R);
+  Eigen::MatrixXd R = Eigen::MatrixXd::Zero(M.rows(), 6);
+  R.topRows(6 * x.cols()) = rigid_motions(x);
+  const Eigen::MatrixXd rigid = R.transpose() * (M * R);
   const Matrix3d S = 0.5 * (rigid.block<3, 3>(3, 0) - rigid.block<3, 3>(3, 0).transpose());  // m c~
   MassProperties out;
   out.mass = rigid.topLeftCorner<3, 3>().trace() / 3.0;

@@ -40,6 +40,13 @@ VectorXd von_mises_of_cells(const ModalBody& body, const VectorXd& a) {
   const Index per_triangle = 2, per_segment = 8;
   const auto triangles = static_cast<Index>(body.triangles.size());
   const auto segments = static_cast<Index>(body.segments.size());
+  if (points.size() == body.node_count() && points.size() != per_triangle * triangles + per_segment * segments) {
+    VectorXd result(triangles + segments);
+    for (Index t = 0; t < triangles; ++t) result(t) = points(body.triangles[static_cast<std::size_t>(t)]).maxCoeff();
+    for (Index e = 0; e < segments; ++e)
+      result(triangles + e) = points(body.segments[static_cast<std::size_t>(e)]).maxCoeff();
+    return result;
+  }
   if (points.size() == 0 || points.size() != per_triangle * triangles + per_segment * segments) return VectorXd(0);
   VectorXd result(triangles + segments);
   for (Index t = 0; t < triangles; ++t) result(t) = points.segment(per_triangle * t, per_triangle).maxCoeff();

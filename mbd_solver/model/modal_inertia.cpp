@@ -57,7 +57,8 @@ ModalInertia::ModalInertia(const ModalBody& body)
   FOOTFALL_DEMAND(body.node_mass.size() == nodes);
   FOOTFALL_DEMAND(static_cast<Index>(body.node_inertia.size()) == nodes);
   FOOTFALL_DEMAND(body.Phi.rows() == 3 * nodes && body.Phi.cols() == s);
-  FOOTFALL_DEMAND(body.Psi.rows() == 3 * nodes && body.Psi.cols() == s);
+  FOOTFALL_DEMAND(body.Psi.cols() == s);
+  FOOTFALL_DEMAND(body.Psi.rows() == 3 * nodes + std::max<Index>(0, body.mass.rows() - 6 * nodes));
   FOOTFALL_DEMAND(body.damping.size() == s);
   if (s > 0) axes_ = principal_axes(body);
   turned_ = !axes_.isIdentity(0.0);
@@ -129,10 +130,12 @@ namespace {
 
 using Rows3 = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-// Every vector of three in x, rotated.
-Eigen::MatrixXd turned(const Eigen::MatrixXd& x, const Matrix3d& R) {
+// Every vector of three in x, rotated; the last `extra` rows are no vectors.
+Eigen::MatrixXd turned(const Eigen::MatrixXd& x, const Matrix3d& R, Index extra) {
   Eigen::MatrixXd out(x.rows(), x.cols());
-  for (Index i = 0; i + 2 < x.rows(); i += 3) out.middleRows(i, 3) = R * x.middleRows(i, 3);
+  const Index vectors = x.rows() - extra;
+  for (Index i = 0; i + 2 < vectors; i += 3) out.middleRows(i, 3) = R * x.middleRows(i, 3);
+  out.bottomRows(extra) = x.bottomRows(extra);
   return out;
 }
 
@@ -153,17 +156,21 @@ struct NodeShape {
 // at a = 0, so that the mass is constant.
 void ModalInertia::sum_over_mass_matrix(const ModalBody& body) {
   const Index s = modes_, nodes = body.node_count();
-  FOOTFALL_DEMAND(body.mass.rows() == 6 * nodes && body.mass.cols() == 6 * nodes);
+  const Index extra = body.Psi.rows() - 3 * nodes;
+  FOOTFALL_DEMAND(body.mass.rows() == 6 * nodes + extra && body.mass.cols() == 6 * nodes + extra);
   const Eigen::Matrix3Xd rho0 = axes_.transpose() * body.rho0;
-  Eigen::MatrixXd U(6 * nodes, s);
+  Eigen::MatrixXd U(6 * nodes + extra, s);
+  U.bottomRows(extra) = body.Psi.bottomRows(extra);
   for (Index j = 0; j < nodes; ++j) {
     U.middleRows(6 * j, 3) = axes_.transpose() * body.Phi.middleRows(3 * j, 3);
     U.middleRows(6 * j + 3, 3) = axes_.transpose() * body.Psi.middleRows(3 * j, 3);
   }
   const auto times_mass = [&](const Eigen::MatrixXd& x) {
-    return turned(body.mass * turned(x, axes_), axes_.transpose());
+    return turned(body.mass * turned(x, axes_, extra), axes_.transpose(), extra);
   };
-  const Eigen::MatrixXd R = rigid_motions(rho0), MR = times_mass(R), MU = times_mass(U);
+  Eigen::MatrixXd R = Eigen::MatrixXd::Zero(6 * nodes + extra, 6);
+  R.topRows(6 * nodes) = rigid_motions(rho0);
+  const Eigen::MatrixXd MR = times_mass(R), MU = times_mass(U);
   const Eigen::MatrixXd rigid = R.transpose() * MR;
   const Matrix3d S = 0.5 * (rigid.block<3, 3>(3, 0) - rigid.block<3, 3>(3, 0).transpose());
   mass_ = rigid.topLeftCorner<3, 3>().trace() / 3.0;
@@ -173,8 +180,8 @@ void ModalInertia::sum_over_mass_matrix(const ModalBody& body) {
   C0_ = MR.rightCols<3>().transpose() * U;
   Mff_ = U.transpose() * MU;
   const Rows3 MRw = MR.rightCols<3>();
-  const bool turns = !body.Psi.isZero(0.0);
-  Rows3 P(6 * nodes, 3);
+  const bool turns = !body.Psi.topRows(3 * nodes).isZero(0.0);
+  Rows3 P = Rows3::Zero(6 * nodes + extra, 3);
   for (Index k = 0; k < s; ++k) {
     for (Index j = 0; j < nodes; ++j) {
       const NodeShape of_k(U, j, k);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mbd_solver/base/kinds.h"
+#include "mbd_solver/fe/foreign_model.h"
 #include "mbd_solver/fe/material.h"
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/scene/findings.h"
@@ -78,14 +79,22 @@ struct FlexibleSpec {
   std::string mesh;                       // triangle mesh of a plate, instead of the shape (STL, OBJ, PLY)
   double mesh_scale = 1.0;                // metres per unit of the mesh file [-]
   double thickness = 0.0;                 // of a plate on a mesh [m]; 0: that of the shape
-  std::string file;              // reduced model of another code (modal_body_file.h), instead of shape and mesh
-  std::string stiffness_matrix;  // full model of another code: K and M as MatrixMarket files, and their nodes,
-  std::string mass_matrix;       // one "x y z" per line, in D
-  std::string node_file;
-  std::vector<Eigen::Vector3d> nodes;  // 3D frame of beams: nodes in D [m]
-  std::vector<MemberSpec> members;     // 3D frame: members between nodes
+  std::string file;  // reduced model of another code (modal_body_file.h), instead of shape and mesh
+  // Full or reduced model of another code (foreign_model.h): K, M, their nodes in D, and the order of their rows
+  std::string stiffness_matrix, mass_matrix, node_file, dof_file;
+  std::string stress_file;                // .frd with stresses of modes
+  UnitSystem units = UnitSystem::kMetre;  // of those files
+  std::vector<InterfaceSpec> interfaces;  // sets of nodes at which joints act
+  std::vector<Eigen::Vector3d> nodes;     // 3D frame of beams: nodes in D [m]
+  std::vector<MemberSpec> members;        // 3D frame: members between nodes
   std::vector<SectionSpec> sections;
 };
+
+// A model in matrices.
+inline ForeignFiles foreign_files(const FlexibleSpec& spec) {
+  return {spec.stiffness_matrix, spec.mass_matrix, spec.node_file, spec.dof_file,
+          spec.stress_file,      spec.units,       spec.interfaces};
+}
 
 struct BodySpec {
   Source source;

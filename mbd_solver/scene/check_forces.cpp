@@ -6,6 +6,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/control/signal_chain.h"
+#include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
@@ -205,7 +206,8 @@ namespace {
 bool is_flexible(const BodySpec& body) { return body.flexible && body.flexible->enabled; }
 
 void check_surface(const BodySpec& body, const SurfaceSpec& surface, const EntryFindings& at) {
-  const bool own_mesh = is_flexible(body) && (!body.flexible->mesh.empty() || !body.flexible->file.empty());
+  const bool own_mesh =
+      has_model_mesh(body) || (is_flexible(body) && (!body.flexible->mesh.empty() || !body.flexible->file.empty()));
   const bool from_file = !surface.file.empty();
   at.error_if(
       !from_file && !own_mesh && (!body.shape || body.shape->kind == ShapeKind::kPoints), kNoSurface, "surface",

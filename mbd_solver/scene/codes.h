@@ -205,7 +205,7 @@ inline constexpr MessageCode kMeshOutsideBox{"E0210", "mesh-outside-box"};
 
 // ---- mesh files and the installation ----
 
-// The file is not an STL, OBJ or PLY mesh, or its reader refuses it. Convert it.
+// The file is no mesh of a known format, or its reader refuses it. Convert it.
 inline constexpr MessageCode kMeshFormat{"E0220", "mesh-format"};
 // The mesh file is damaged. Export it again.
 inline constexpr MessageCode kMeshDamaged{"E0221", "mesh-damaged"};

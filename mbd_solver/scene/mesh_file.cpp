@@ -13,6 +13,8 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/fe/fe_mesh.h"
+#include "mbd_solver/fe/mesh_skin.h"
 #include "mbd_solver/scene/codes.h"
 
 namespace footfall {
@@ -562,10 +564,100 @@ MeshFile ply(const std::string& bytes, const std::string& file) {
   return result;
 }
 
+// --- OFF: counts, vertices, faces, each in a line of its own; colours behind them are left out.
+
+MeshFile off(const std::string& bytes, const std::string& file) {
+  MeshText words(bytes, file);
+  MeshFile result;
+  TriangleMesh& mesh = result.mesh;
+  Digits digits;
+  const auto fail = [&](const std::string& what) { words.fail(what); };
+  // The first word of the next line that is no comment.
+  const auto begin = [&](const std::string& expected) {
+    for (;;) {
+      const std::string word = words.require(expected);
+      if (word[0] != '#') return word;
+      words.next_line();
+    }
+  };
+  const auto in_line = [&](const std::string& expected) {
+    std::string word;
+    if (!words.in_line(word)) fail("the line ends, expected " + expected + kAgain);
+    return word;
+  };
+  std::string word = begin("\"OFF\" and the numbers of vertices and faces");
+  const std::string head = lower(word);
+  if (head.size() >= 3 && head.compare(head.size() - 3, 3, "off") == 0) {
+    if (head.find('4') != std::string::npos || head[0] == 'n')
+      if (head != "noff") fail("is " + in_quotes(word) + ", expected vertices of three coordinates" + kAgain);
+    std::string more;
+    if (words.in_line(more) && lower(more) == "binary") fail("is binary, expected text" + std::string(kAgain));
+    word = more.empty() || more[0] == '#' ? (words.next_line(), begin("the numbers of vertices and faces")) : more;
+  }
+  const long vertices = words.whole(word), faces = words.whole(in_line("the number of faces"));
+  if (vertices < 0 || faces < 0 || static_cast<std::size_t>(vertices) > bytes.size() ||
+      static_cast<std::size_t>(faces) > bytes.size())
+    fail("announces " + std::to_string(vertices) + " vertices and " + std::to_string(faces) + " faces in a file of " +
+         std::to_string(bytes.size()) + " bytes" + kAgain);
+  words.next_line();
+  for (long v = 0; v < vertices; ++v) {
+    Vector3d& x = mesh.vertices.emplace_back();
+    for (int i = 0; i < 3; ++i) {
+      const std::string coordinate = i == 0 ? begin("a vertex") : in_line("three coordinates");
+      x(i) = words.number(coordinate);
+      digits.add(i, coordinate, x(i));
+    }
+    words.next_line();
+  }
+  for (long f = 0; f < faces; ++f) {
+    const long corners = words.whole(begin("a face"));
+    if (corners < 0 || static_cast<std::size_t>(corners) > bytes.size())
+      fail("a face has " + std::to_string(corners) + " corners" + kAgain);
+    std::vector<int> face;
+    for (long i = 0; i < corners; ++i) {
+      const long n = words.whole(in_line("the corners of a face"));
+      if (n < 0 || n >= vertices)
+        fail("a face has corner " + std::to_string(n) + " (from 0) of " + std::to_string(vertices) + " vertices" +
+             kAgain);
+      face.push_back(static_cast<int>(n));
+    }
+    if (corners >= 3) add_face(face, mesh, fail);  // points and lines are no surface
+    words.next_line();
+  }
+  while (words.next(word)) {
+    if (word[0] != '#') fail("more elements than the head announces" + std::string(kAgain));
+    words.next_line();
+  }
+  result.spacing = digits.spacing(mesh);
+  return result;
+}
+
+// --- Meshes of finite-element codes.
+
+MeshFile fe_mesh(const std::string& bytes, const std::string& file) {
+  const FeMesh mesh = parse_fe_mesh(bytes, file);
+  MeshFile result;
+  result.mesh.vertices = mesh.points;
+  result.mesh.triangles = skin_of(mesh);
+  return result;
+}
+
+std::string end_of(const std::string& file) {
+  const std::size_t dot = file.find_last_of("./");
+  return dot == std::string::npos || file[dot] == '/' ? "" : lower(file.substr(dot));
+}
+
 }  // namespace
 
+bool is_mesh_name(const std::string& file) {
+  const std::string end = end_of(file);
+  return end == ".stl" || end == ".obj" || end == ".ply" || end == ".off" || is_fe_mesh_name(file);
+}
+
 MeshFile parse_mesh(const std::string& bytes, const std::string& file) {
-  const std::string end = lower(file.substr(file.size() - std::min<std::size_t>(4, file.size())));
+  const std::string end = end_of(file);
+  if (is_fe_mesh_name(file)) return fe_mesh(bytes, file);
+  if (end == ".off") return off(bytes, file);
   if (end == ".obj") return obj(bytes, file);
   if (end == ".ply") return ply(bytes, file);
   return is_text_stl(bytes) ? text_stl(bytes, file) : binary_stl(bytes, file);

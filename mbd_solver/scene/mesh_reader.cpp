@@ -24,6 +24,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/fe/fe_mesh.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/model/rotation.h"
@@ -44,18 +45,10 @@ constexpr double kCoarse = 1e-5, kLost = 1e-2;
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
 constexpr std::size_t kMostTriangles = 100000;
 
-// With its dot, in lower case.
-std::string extension_of(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 void check_format(const std::string& file) {
-  const std::string extension = extension_of(file);
-  if (extension != ".stl" && extension != ".obj" && extension != ".ply")
-    throw InputError(kMeshFormat, file + ": ends in \"" + extension + "\", expected .stl, .obj or .ply");
+  if (!is_mesh_name(file))
+    throw InputError(kMeshFormat, file + ": ends in \"" + std::filesystem::path(file).extension().string() +
+                                      "\", expected " + kMeshEnds);
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored))
     throw InputError(kNoFile, file + ": this mesh file does not exist");
@@ -338,11 +331,18 @@ TriangleMesh sphere_mesh(double radius, double edge) {
   return mesh;
 }
 
+bool has_model_mesh(const BodySpec& body) {
+  return body.flexible && !body.flexible->node_file.empty() && is_fe_mesh_name(body.flexible->node_file);
+}
+
 TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary) {
   if (!boundary.surface) return {};
   const SurfaceSpec& surface = *boundary.surface;
   const BodySpec& body = scene.bodies[static_cast<std::size_t>(scene.body_index(boundary.body))];
   const bool from_file = !surface.file.empty();
+  if (!from_file && !body.shape && !has_model_mesh(body))
+    throw InputError(kNoSurface, "body \"" + body.name + "\": its model has no triangles; give surface.file");
+  if (!from_file && !body.shape) return read_mesh(body.flexible->node_file, length_unit(body.flexible->units));
   const TriangleMesh mesh = from_file ? moved(read_mesh(surface.file, surface.scale),
                                               surface.orientation.toRotationMatrix(), surface.position)
                                       : shape_surface(body, surface);

@@ -39,4 +39,7 @@ TriangleMesh mesh_of_shape(const ShapeSpec& shape);
 TriangleMesh cylinder_mesh(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double diameter, double edge);
 TriangleMesh sphere_mesh(double radius, double edge);
 
+// The nodes of a model in matrices come with elements (fe/fe_mesh.h), whose skin is the body's surface.
+bool has_model_mesh(const BodySpec& body);
+
 }  // namespace footfall

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/fe/foreign_model.h"
+#include "mbd_solver/fe/modal_body_file.h"
 #include "mbd_solver/fe/triangle_mesh.h"
+#include "mbd_solver/model/body.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/box_bed.h"
@@ -197,10 +201,39 @@ MassProperties shape_properties(const BodySpec& body, double density, std::vecto
   return point_properties(s.points);
 }
 
+// Mass, mass centre and inertia of a model of another code, where the scene does not state them. False: refused.
+bool resolve_by_model(BodySpec& body, Findings& findings) {
+  const EntryFindings at(findings, body.source);
+  const FlexibleSpec& spec = *body.flexible;
+  MassProperties p;
+  try {
+    if (spec.file.empty()) {
+      p = mass_properties(read_foreign_model(foreign_files(spec)));
+    } else {
+      const ReducedBody reduced = read_modal_body(spec.file, BasisOptions(), body.name);
+      const Body model(body.name, std::make_shared<const ModalBody>(reduced.body));
+      p = {model.mass(), reduced.p_DBo, model.rigid_inertia()};
+    }
+  } catch (const InputError& e) {
+    findings.coded_error(body.source, "flexible", e.what());
+    return false;
+  }
+  if (!at.given("mass")) body.mass = p.mass;
+  if (!at.given("position")) body.position = p.centre;
+  const Eigen::Matrix3d R = body.orientation.toRotationMatrix();
+  if (!at.given("inertia")) body.inertia = R.transpose() * p.inertia * R;
+  return true;
+}
+
 // The body's numbers; where the mass is not known yet, those of mass 1. False: unknown, which is reported.
 bool resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
   const EntryFindings at(findings, body.source);
   const bool mass_given = at.given("mass"), inertia_given = at.given("inertia");
+  const bool of_model = body.flexible && (!body.flexible->file.empty() ||
+                                          (!body.flexible->stiffness_matrix.empty() &&
+                                           !body.flexible->mass_matrix.empty() && !body.flexible->node_file.empty()));
+  if (!body.shape && of_model && !body.mass_is_remainder && !(mass_given && inertia_given && at.given("position")))
+    return !findings.has_errors() && resolve_by_model(body, findings);
   if (!body.shape) {
     for (const char* key : {"mass", "inertia", "position"})
       at.missing_if(!at.given(key), key, "give it, or give a shape (with a material, or with the mass)");

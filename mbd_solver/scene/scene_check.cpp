@@ -54,6 +54,11 @@ void check_flexible(const Scene& scene, const BodySpec& body, const EntryFinding
   const int matrices = !f.stiffness_matrix.empty() + !f.mass_matrix.empty() + !f.node_file.empty();
   at.error_if(matrices == 1 || matrices == 2, kNeedsOtherKey, "flexible",
               "has only a part of stiffness_matrix, mass_matrix and node_file; a model in matrices needs all three");
+  const bool of_matrices =
+      !f.dof_file.empty() || !f.stress_file.empty() || !f.interfaces.empty() || f.units != UnitSystem::kMetre;
+  at.error_if(of_matrices && matrices == 0, kNeedsOtherKey, "flexible",
+              "has keys of a model in matrices (dof_file, stress_file, interfaces, units), which has stiffness_matrix, "
+              "mass_matrix and node_file");
   const int models = !f.file.empty() + !f.mesh.empty() + !f.nodes.empty() + (matrices > 0);
   at.error_if(models > 1, kElasticModel, "flexible", "has more than one of file, mesh, nodes and matrices; keep one");
   if (models == 0 && !(body.shape && !body.source.good("shape.kind"))) {

@@ -90,6 +90,12 @@ static void visit_fields(FieldVisitor& v, MemberSpec& m) {
   v.field("elements", &m.elements, positive());
 }
 
+static void visit_fields(FieldVisitor& v, InterfaceSpec& i) {
+  v.field("node_set", &i.node_set, required());
+  v.choice("kind", i.kind);
+  v.field("point", &i.point, point);
+}
+
 static void visit_fields(FieldVisitor& v, FlexibleSpec& f) {
   v.field("enabled", &f.enabled, plain);
   v.choice("basis", f.basis);
@@ -104,7 +110,11 @@ static void visit_fields(FieldVisitor& v, FlexibleSpec& f) {
   v.fields(path, {{"file", &f.file},
                   {"stiffness_matrix", &f.stiffness_matrix},
                   {"mass_matrix", &f.mass_matrix},
-                  {"node_file", &f.node_file}});
+                  {"node_file", &f.node_file},
+                  {"dof_file", &f.dof_file},
+                  {"stress_file", &f.stress_file}});
+  v.choice("units", f.units);
+  v.list("interfaces", f.interfaces);
   v.field("nodes", &f.nodes, point);
   v.list("members", f.members);
   v.list("sections", f.sections, true);

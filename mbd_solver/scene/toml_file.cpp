@@ -52,9 +52,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kLongestChain = 8;  // bases of bases
-constexpr std::array<const char*, 10> kPathKeys = {"script",      "file",        "mesh",         "grains",
+constexpr std::array<const char*, 12> kPathKeys = {"script",      "file",        "mesh",         "grains",
                                                    "table",       "yield_table", "yield_stress", "stiffness_matrix",
-                                                   "mass_matrix", "node_file"};
+                                                   "mass_matrix", "node_file",   "dof_file",     "stress_file"};
 
 // Values of a base have no line in the file that is read, and their paths are relative to another folder.
 void move_to(ConfigNode& node, const fs::path& folder) {

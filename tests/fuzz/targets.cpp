@@ -15,6 +15,9 @@
 #include "coupler/message_fields.h"
 #include "coupler/messages.h"
 #include "mbd_solver/build/grain_dump.h"
+#include "mbd_solver/fe/fe_mesh.h"
+#include "mbd_solver/fe/foreign_model.h"
+#include "mbd_solver/fe/mesh_skin.h"
 #include "mbd_solver/fe/modal_body_file.h"
 #include "mbd_solver/model/control/fuzzy.h"
 #include "mbd_solver/run/output/history.h"
@@ -78,13 +81,28 @@ void mesh_obj(const std::string& bytes) {
 void mesh_ply(const std::string& bytes) {
   as_file("mesh.ply", bytes, [](const std::string& path) { read_mesh(path, 1.0); });
 }
-// The same bytes as stiffness, mass and, from the first line "nodes" on, as the list of nodes.
+// The same bytes as stiffness, mass and, from the first line "nodes" on, as the list of nodes. The content tells the format.
 void mtx(const std::string& bytes) {
   as_file("matrix.mtx", bytes, [&](const std::string& path) {
     const std::size_t at = bytes.find("\nnodes");
     const std::string nodes = file_of("nodes", at == std::string::npos ? "0 0 0\n" : bytes.substr(at + 6));
     read_matrix_market(path, path, nodes);
   });
+}
+// Meshes of finite-element codes, with the modes of the results.
+void fe_mesh(const std::string& bytes, const char* name) {
+  allowed([&] {
+    const FeMesh mesh = parse_fe_mesh(bytes, name);
+    skin_of(mesh);
+    if (std::string(name) == "mesh.frd") parse_frd_modes(bytes, name, mesh);
+  });
+}
+void fe_inp(const std::string& bytes) { fe_mesh(bytes, "mesh.inp"); }
+void fe_msh(const std::string& bytes) { fe_mesh(bytes, "mesh.msh"); }
+void fe_bdf(const std::string& bytes) { fe_mesh(bytes, "mesh.bdf"); }
+void fe_frd(const std::string& bytes) { fe_mesh(bytes, "mesh.frd"); }
+void mesh_off(const std::string& bytes) {
+  as_file("mesh.off", bytes, [](const std::string& path) { read_mesh(path, 1.0); });
 }
 void modal(const std::string& bytes) {
   as_file("body.modal", bytes, [](const std::string& path) { read_modal_body(path, BasisOptions(), "body"); });
@@ -164,22 +182,14 @@ void messages(const std::string& bytes) {
 }  // namespace
 
 const std::vector<Target>& targets() {
-  static const std::vector<Target> all = {{"scene", scene},
-                                          {"experiment", experiment},
-                                          {"calibration", calibration},
-                                          {"fll", fll},
-                                          {"mesh_stl", mesh_stl},
-                                          {"mesh_obj", mesh_obj},
-                                          {"mesh_ply", mesh_ply},
-                                          {"mtx", mtx},
-                                          {"modal", modal},
-                                          {"two_columns", two_columns},
-                                          {"history", history},
-                                          {"summary", summary},
-                                          {"start", start},
-                                          {"bed", bed},
-                                          {"checkpoint", checkpoint},
-                                          {"messages", messages}};
+  static const std::vector<Target> all = {
+      {"scene", scene},       {"experiment", experiment}, {"calibration", calibration},
+      {"fll", fll},           {"mesh_stl", mesh_stl},     {"mesh_obj", mesh_obj},
+      {"mesh_ply", mesh_ply}, {"mesh_off", mesh_off},     {"fe_inp", fe_inp},
+      {"fe_msh", fe_msh},     {"fe_bdf", fe_bdf},         {"fe_frd", fe_frd},
+      {"mtx", mtx},           {"modal", modal},           {"two_columns", two_columns},
+      {"history", history},   {"summary", summary},       {"start", start},
+      {"bed", bed},           {"checkpoint", checkpoint}, {"messages", messages}};
   return all;
 }
 

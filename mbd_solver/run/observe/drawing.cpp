@@ -16,7 +16,8 @@ namespace {
 ModalBoundary from_modes(const std::string& name, const ModalBody& modal) {
   std::vector<BeamSegment> segments;
   for (const Eigen::Vector2i& s : modal.segments) segments.push_back({s(0), s(1), 1e-3, 0});
-  return ModalBoundary(name, modal.rho0, modal.triangles, std::move(segments), modal.Phi, modal.Psi);
+  return ModalBoundary(name, modal.rho0, modal.triangles, std::move(segments), modal.Phi,
+                       modal.Psi.topRows(modal.Phi.rows()));
 }
 
 ModalBoundary rigid(const std::string& name, const std::vector<Eigen::Vector3d>& points_D,

@@ -359,6 +359,15 @@ TEST(Polyhedron, OverlappingShellsAreRefusedAndTouchingOnesAdded) {
   }
 }
 
+// The same with common vertices, as a welded file has them: an edge of four triangles, two each way.
+TEST(Polyhedron, ShellsThatShareAnEdgeAreAdded) {
+  const TriangleMesh box = box_mesh({1.0, 1.0, 1.0}, 2.0);
+  const TriangleMesh both = welded(joined(box, moved(box, Matrix3d::Identity(), {1.0, 1.0, 0.0})), 1e-9);
+  EXPECT_EQ(both.vertices.size(), 2 * box.vertices.size() - 2) << "the edge from bottom to top";
+  EXPECT_EQ(refusal_of(both), "");
+  EXPECT_NEAR(polyhedron_properties(both, 1.0, "").mass, 2.0, kFeRoundOff);
+}
+
 // A box whose top is pushed in, then through its bottom.
 TEST(Polyhedron, ShellThatCrossesItselfIsRefused) {
   TriangleMesh mesh = box_mesh({1.0, 1.0, 1.0}, 0.5);

@@ -11,6 +11,7 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/fe/elements.h"
 #include "mbd_solver/fe/fe_model.h"
+#include "mbd_solver/fe/foreign_model.h"
 #include "mbd_solver/fe/turned_model.h"
 #include "mbd_solver/model/body.h"
 #include "mbd_solver/model/modal_inertia.h"
@@ -490,7 +491,7 @@ TEST(MatrixMarket, NamesFileAndLineOfWhatIsWrong) {
   };
   EXPECT_EQ(read(K, M, nodes), "");
   const std::string coordinate = "%%MatrixMarket matrix coordinate real general\n";
-  EXPECT_TRUE(names(read("1 2 3\n" + K, M, nodes), {":1:"}));
+  EXPECT_TRUE(names(read("1 2 3\n" + K, M, nodes), {":2:"}));
   EXPECT_TRUE(names(read("%%MatrixMarket matrix array real general\n2 2\n1\n2\n3\n4\n", M, nodes), {":1:"}));
   EXPECT_NE(read(K + "1 1 5\n", M, nodes), "");
   EXPECT_NE(read(K.substr(0, K.size() - 30), M, nodes), "");

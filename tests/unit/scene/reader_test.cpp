@@ -35,9 +35,10 @@ std::set<std::string> difference(const std::set<std::string>& a, const std::set<
   return result;
 }
 
-// Keys that contradict another key of the same entry and so cannot stand in one good scene with it.
+// Keys that contradict another key of the same entry and so cannot stand in one good scene with it, or need a file that only
+// another code makes.
 const std::set<std::string> kAlternatives = {"ground.plane.stiffness", "ground.plane.damping",
-                                             "boundaries[].surface.from_script"};
+                                             "boundaries[].surface.from_script", "bodies[].flexible.stress_file"};
 
 // All functions of time have the same keys: those of one of them are enough.
 std::set<std::string> one_function(const std::set<std::string>& keys) {

@@ -1,0 +1,183 @@
+// Lines are cut from the bytes of the file; a Nastran card joins its lines as long as they are continuations.
+
+#include "mbd_solver/fe/model_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/input_file.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/model/codes.h"
+
+namespace footfall {
+
+std::string upper_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+std::string bytes_of_model(const std::string& path) {
+  require_regular_file(path);
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  if (file) bytes << file.rdbuf();
+  if (!file)
+    throw InputError(code::kModelFile,
+                     path + ": the file cannot be read. Check the name; it is relative to the scene file.");
+  return bytes.str();
+}
+
+ModelText::ModelText(std::string bytes, std::string name) : bytes_(std::move(bytes)), name_(std::move(name)) {}
+
+bool ModelText::next() {
+  if (again_) {
+    again_ = false;
+    return true;
+  }
+  if (at_ >= bytes_.size()) return false;
+  const std::size_t end = std::min(bytes_.find_first_of("\r\n", at_), bytes_.size());
+  line_.assign(bytes_, at_, end - at_);
+  at_ = end + (end + 1 < bytes_.size() && bytes_[end] == '\r' && bytes_[end + 1] == '\n' ? 2 : 1);
+  ++number_;
+  return true;
+}
+
+bool ModelText::blank() const { return line_.find_first_not_of(" \t") == std::string::npos; }
+
+std::vector<std::string> ModelText::words() const {
+  std::vector<std::string> words;
+  std::istringstream blanks(line_);
+  for (std::string word; blanks >> word;) words.push_back(word);
+  return words;
+}
+
+std::vector<std::string> ModelText::cells() const {
+  if (line_.find(',') == std::string::npos) return words();
+  std::vector<std::string> cells = split(line_, ',');
+  for (std::string& cell : cells) cell = trimmed(cell);
+  while (!cells.empty() && cells.back().empty()) cells.pop_back();
+  return cells;
+}
+
+double ModelText::number(const std::string& word) const {
+  char* end = nullptr;
+  double value = std::strtod(word.c_str(), &end);
+  if (end != word.c_str() && *end != '\0') {  // an exponent after D, or after its sign alone
+    std::string plain = word;
+    const std::size_t at = static_cast<std::size_t>(end - word.c_str());
+    if (plain[at] == 'D' || plain[at] == 'd') plain[at] = 'e';
+    if (plain[at] == '+' || plain[at] == '-') plain.insert(at, 1, 'e');
+    value = std::strtod(plain.c_str(), &end);
+    if (*end != '\0' || end == plain.c_str()) fail("\"" + word.substr(0, 40) + "\" is not a finite number.");
+  }
+  if (word.empty() || end == word.c_str() || !std::isfinite(value))
+    fail("\"" + word.substr(0, 40) + "\" is not a finite number.");
+  return value;
+}
+
+long ModelText::whole(const std::string& word, long low, long high) const {
+  char* end = nullptr;
+  errno = 0;
+  const long value = std::strtol(word.c_str(), &end, 10);
+  if (word.empty() || *end != '\0' || errno != 0 || value < low || value > high)
+    fail("\"" + word.substr(0, 40) + "\", expected a whole number from " + std::to_string(low) + " to " +
+         std::to_string(high) + ".");
+  return value;
+}
+
+void ModelText::fail(const std::string& what) const {
+  throw InputError(code::kModelFile, name_ + ":" + std::to_string(number_) + ": " + what);
+}
+
+namespace {
+
+constexpr std::size_t kSmallField = 8, kLargeField = 16;
+constexpr std::size_t kLongestCard = 100000;  // fields; longer ones are no cards
+
+// Fields of one line of a card: its name or mark, then the data.
+std::vector<std::string> fields_of_line(const std::string& given, bool& large) {
+  const std::string line = given.substr(0, given.find('$'));
+  std::vector<std::string> fields;
+  if (line.find(',') != std::string::npos) {
+    fields = split(line, ',');
+    for (std::string& field : fields) field = trimmed(field);
+    large = !fields[0].empty() && fields[0].back() == '*';
+    fields.resize(std::min(fields.size(), large ? std::size_t{5} : std::size_t{9}));
+    return fields;
+  }
+  std::string expanded;
+  for (const char c : line) {
+    if (c != '\t') {
+      expanded += c;
+    } else {
+      expanded.append(kSmallField - expanded.size() % kSmallField, ' ');
+    }
+  }
+  fields.push_back(trimmed(expanded.substr(0, kSmallField)));
+  large = !fields[0].empty() && (fields[0].back() == '*' || fields[0][0] == '*');
+  const std::size_t width = large ? kLargeField : kSmallField, most = large ? 4 : 8;
+  for (std::size_t i = 0; i < most && kSmallField + i * width < expanded.size(); ++i)
+    fields.push_back(trimmed(expanded.substr(kSmallField + i * width, width)));
+  return fields;
+}
+
+bool continues(const std::string& line) {
+  if (line.empty()) return false;
+  const std::size_t from = line.find_first_not_of(" \t");
+  if (from == std::string::npos) return false;
+  if (line[from] == '+' || line[from] == '*') return true;
+  if (line[from] == ',') return true;
+  return line[0] == '\t' || line.compare(0, kSmallField, std::string(kSmallField, ' ')) == 0;
+}
+
+}  // namespace
+
+bool NastranCards::next() {
+  fields_.clear();
+  while (fields_.empty()) {
+    if (!text_.next()) return false;
+    const std::string& line = text_.line();
+    const std::size_t from = line.find_first_not_of(" \t");
+    if (from == std::string::npos || line[from] == '$' || continues(line)) continue;
+    bool large = false;
+    fields_ = fields_of_line(line, large);
+    std::string& name = fields_[0];
+    name = upper_case(name.substr(0, name.find_first_of("* \t=")));
+    std::size_t filled = fields_.size() - 1, expected = large ? 4 : 8;
+    while (text_.next()) {
+      const std::string& more = text_.line();
+      if (!more.empty() && more[0] == '$') continue;
+      if (!continues(more)) {
+        text_.back();
+        break;
+      }
+      bool is_large = false;
+      const std::vector<std::string> fields = fields_of_line(more, is_large);
+      for (; filled < expected; ++filled) fields_.emplace_back();  // empty fields at the end of the line before
+      fields_.insert(fields_.end(), fields.begin() + 1, fields.end());
+      filled = fields.size() - 1;
+      expected = is_large ? 4 : 8;
+      if (fields_.size() > kLongestCard) fail("a card of more than " + std::to_string(kLongestCard) + " fields.");
+    }
+  }
+  return true;
+}
+
+double NastranCards::number(std::size_t i, double otherwise) const {
+  return given(i) ? text_.number(fields_[i]) : otherwise;
+}
+
+long NastranCards::whole(std::size_t i, long low, long high) const {
+  if (!given(i)) fail(fields_[0] + ": field " + std::to_string(i + 1) + " is empty, expected a whole number.");
+  return text_.whole(fields_[i], low, high);
+}
+
+}  // namespace footfall

@@ -1,0 +1,65 @@
+#pragma once
+// Text of another finite-element code, line by line, with places for messages; Nastran cards.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace footfall {
+
+// The whole file. Throws InputError if it is no regular file or cannot be read.
+std::string bytes_of_model(const std::string& path);
+
+class ModelText {
+ public:
+  // `name`: for messages "name:line: ...".
+  ModelText(std::string bytes, std::string name);
+
+  // Goes to the next line; false at the end. Lines end in CR, LF or both.
+  bool next();
+  // Stays before the line just read.
+  void back() { again_ = true; }
+  const std::string& line() const { return line_; }
+  bool blank() const;
+
+  // Cells between commas, without blanks at their ends; of a line without commas, its words.
+  std::vector<std::string> cells() const;
+  std::vector<std::string> words() const;
+
+  // Numbers, also as Fortran and Nastran write them: 1.5D+10, 1.5+10. Throw InputError naming the word.
+  double number(const std::string& word) const;
+  long whole(const std::string& word, long low, long high) const;
+
+  const std::string& name() const { return name_; }
+  std::size_t size() const { return bytes_.size(); }
+  [[noreturn]] void fail(const std::string& what) const;  // at this line
+
+ private:
+  std::string bytes_, name_, line_;
+  std::size_t at_ = 0;
+  int number_ = 0;
+  bool again_ = false;
+};
+
+// Fields of one bulk-data card with its continuations, in small, large or free format, without the fields of continuation
+// marks. The first is the card's name in upper case, without its star. Comments ($) are left out.
+class NastranCards {
+ public:
+  explicit NastranCards(ModelText& text) : text_(text) {}
+
+  bool next();
+  const std::vector<std::string>& fields() const { return fields_; }
+  // Field i as a number; an empty or missing one is `otherwise`.
+  double number(std::size_t i, double otherwise) const;
+  long whole(std::size_t i, long low, long high) const;
+  bool given(std::size_t i) const { return i < fields_.size() && !fields_[i].empty(); }
+  [[noreturn]] void fail(const std::string& what) const { text_.fail(what); }
+
+ private:
+  ModelText& text_;
+  std::vector<std::string> fields_;
+};
+
+std::string upper_case(std::string text);
+
+}  // namespace footfall
