@@ -69,10 +69,10 @@ cat >>"$out/linked.html" <<'JS'
   while (document.body.dataset.state !== "ready") await new Promise((resolve) => setTimeout(resolve, 50));
   const { stage, player, controls, picture } = window.footfall, eye = stage.eye();
   document.body.dataset.opened = [player.time, eye.azimuth, eye.elevation, eye.zoom].map((x) => x.toFixed(3)).join();
-  const { tubes, balls } = stage.symbols.solids, drawn = () => tubes.count + balls.count;
+  const { tubes, pipes, balls } = stage.symbols.solids, drawn = () => tubes.count + pipes.count + balls.count;
   picture(0.02);
   document.body.dataset.symbols = drawn();
-  document.body.dataset.track = stage.symbols.tracks.tubes.count;
+  document.body.dataset.track = stage.symbols.tracks.pipes.count;
   document.body.dataset.brackets = stage.symbols.brackets.length;
   controls.follow({ hide: "symbols" });
   picture(0.02);

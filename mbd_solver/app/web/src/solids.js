@@ -2,10 +2,9 @@
 import * as three from "three";
 import { kLight } from "./shading.js";
 
-const kSides = 10;
-
-// Rows of a profile: place along the axis (0 ... 1), share of the radius. Rings of points, and triangles between them.
-function solid(rows) {
+// Rows of a profile: place along the axis (0 ... 1), share of the radius. Rings of points, and triangles between them, few: a software renderer
+// takes longer over a triangle than over its pixels.
+function solid(kSides, rows) {
   const points = [], corners = [];
   for (const [z, radius] of rows)
     for (let k = 0; k < kSides; ++k) points.push([radius * Math.cos((2 * Math.PI * k) / kSides), radius * Math.sin((2 * Math.PI * k) / kSides), z]);
@@ -18,8 +17,9 @@ function solid(rows) {
   return { points, corners };
 }
 const kShapes = {
-  tube: solid([[0, 0], [0, 1], [1, 1], [1, 0]]),
-  ball: solid([0, 1, 2, 3, 4, 5, 6].map((k) => [(1 - Math.cos((Math.PI * k) / 6)) / 2, Math.sin((Math.PI * k) / 6)])),
+  tube: solid(8, [[0, 0], [0, 1], [1, 1], [1, 0]]),
+  pipe: solid(5, [[0, 1], [1, 1]]),  // open, of a line
+  ball: solid(8, [0, 1, 2, 3, 4].map((k) => [(1 - Math.cos((Math.PI * k) / 4)) / 2, k % 4 === 0 ? 0 : Math.sin((Math.PI * k) / 4)])),
 };
 
 const kVertex = /* glsl */ `
@@ -47,7 +47,7 @@ void main() {
 const kGreaterDepth = 6;  // of three.js
 
 function material(options, opacity) {
-  return new three.ShaderMaterial({ vertexShader: kVertex, fragmentShader: kFragment, side: three.DoubleSide, uniforms: { uOpacity: { value: opacity } }, transparent: opacity < 1, ...options });
+  return new three.ShaderMaterial({ vertexShader: kVertex, fragmentShader: kFragment, uniforms: { uOpacity: { value: opacity } }, transparent: opacity < 1, ...options });
 }
 
 class Kind {
@@ -121,21 +121,27 @@ export const across = (a) => unit(cross(a, Math.abs(a[2]) < 0.9 ? [0, 0, 1] : [1
 export class Solids {
   constructor({ ghost = 0, above = false } = {}) {
     this.tubes = new Kind(kShapes.tube);
+    this.pipes = new Kind(kShapes.pipe);
     this.balls = new Kind(kShapes.ball);
+    this.ghosts = [];
     this.object = new three.Group();
-    for (const { geometry } of [this.tubes, this.balls]) {
+    for (const { geometry } of [this.tubes, this.pipes, this.balls]) {
       const layers = [[above ? { depthTest: false, depthWrite: false } : {}, 1, above ? 10 : 1]];
       if (ghost > 0) layers.push([{ depthFunc: kGreaterDepth, depthWrite: false }, ghost, 2]);
       for (const [options, opacity, order] of layers) {
         const mesh = new three.Mesh(geometry, material(options, opacity));
         mesh.frustumCulled = false;
         mesh.renderOrder = order;
+        if (opacity < 1) this.ghosts.push(mesh);
         this.object.add(mesh);
       }
     }
   }
   begin() {
-    this.tubes.count = this.balls.count = 0;
+    this.tubes.count = this.pipes.count = this.balls.count = 0;
+  }
+  showGhosts(on) {
+    for (const mesh of this.ghosts) mesh.visible = on;
   }
   tube(a, b, radius, colour) {
     this.tubes.add(a, b, radius, radius, tintOf(colour));
@@ -147,7 +153,7 @@ export class Solids {
     this.balls.add([c[0], c[1], c[2] - radius], [c[0], c[1], c[2] + radius], radius, radius, tintOf(colour));
   }
   line(points, radius, colour) {
-    for (let k = 0; k + 1 < points.length; ++k) this.tube(points[k], points[k + 1], radius, colour);
+    for (let k = 0; k + 1 < points.length; ++k) this.pipes.add(points[k], points[k + 1], radius, radius, tintOf(colour));
   }
   // `width`: of the head.
   arrow(from, to, width, colour) {
@@ -159,7 +165,7 @@ export class Solids {
   }
   // Part of a circle about an axis, from the direction `x`, with a head. turns: of a whole circle, signed.
   arc(centre, axis, radius, turns, width, colour, headed = true) {
-    const x = across(axis), y = cross(axis, x), n = 14, points = [];
+    const x = across(axis), y = cross(axis, x), n = 12, points = [];
     for (let k = 0; k <= n; ++k) {
       const angle = (2 * Math.PI * turns * k) / n;
       points.push(plus(plus(centre, x, radius * Math.cos(angle)), y, radius * Math.sin(angle)));
@@ -169,6 +175,7 @@ export class Solids {
   }
   finish() {
     this.tubes.finish();
+    this.pipes.finish();
     this.balls.finish();
   }
 }

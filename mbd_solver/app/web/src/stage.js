@@ -31,7 +31,8 @@ export class Stage {
     this.renderer.setClearColor(0xeef1f4);
     this.ratio = Math.min(window.devicePixelRatio || 1, 2);
     place.append(this.renderer.domElement);
-    this.paints = this.drawsInSoftware() && run.grains?.count < kPaintedAtMost;
+    this.inSoftware = this.drawsInSoftware();
+    this.paints = this.inSoftware && run.grains?.count < kPaintedAtMost;
     this.scene = new three.Scene();
     this.camera = new three.PerspectiveCamera(35, 1, 0.01, 1000);
     // Up is against gravity: where it is tilted, the bed is a slope.
@@ -217,6 +218,7 @@ export class Stage {
   // While it plays, a slow machine draws fewer pixels; the full picture comes back when it stands.
   suitRate(rate, playing) {
     if (!this.scene) return;
+    this.symbols?.solids.showGhosts(!playing || !this.inSoftware);
     const full = Math.min(window.devicePixelRatio || 1, 2);
     let ratio = this.ratio;
     if (!playing) ratio = full;
