@@ -46,8 +46,9 @@ struct Ida::Sundials {
   // Every return code of SUNDIALS goes through here.
   void check(int flag, const char* function);
   [[noreturn]] void give_up(const MessageCode& code, const std::string& what);
-  void restart(const State& state, const Inputs& inputs, IntegratorStatistics& statistics);
-  void aim(double t_end, const Rows& rows, const State& state);  // sets the stop time of IDA and its next row
+  void restart(const State& state, double t_end, const Inputs& inputs, IntegratorStatistics& statistics);
+  double first_step(double window, const Eigen::VectorXd& later);  // [s]
+  void aim(double t_end, const Rows& rows, const State& state);    // sets the stop time of IDA and its next row
   // Moves all values of the history by the displacement of the newest to the projected `state`. False: the displacement is large,
   // a singular position is near; nothing moves, and IDA must restart.
   bool move_history(const State& state);
@@ -61,6 +62,7 @@ struct Ida::Sundials {
   void look_ahead(const State& state);  // after a step: sets passage_end if a singular position comes near
   // OneStep from state.time to passage_end or t_end, with rows; false: a row has ended the window.
   bool pass(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
+  void begin_passage(double end);
   void forget_passage();
 
   static int residual(realtype t, N_Vector y, N_Vector ydot, N_Vector F, void* self);
@@ -139,7 +141,8 @@ namespace {
 
 // Error limit of one step as a share of the tolerances: a tenth; from an rtol of 1e-9 on, where a tenth comes near the round-off
 // of multipliers, the limit falls with the root of rtol (a third at 1e-10).
-constexpr double kStepShare = 0.1, kAllFrom = 1e-11;  // [-], [rtol] at which the share is 1
+constexpr double kStepShare = 0.1, kAllFrom = 1e-11;      // [-], [rtol] at which the share is 1
+constexpr double kStartShare = 1e-3, kStartError = 1e-6;  // [windows], [tolerances of a step]
 // Gauss-Legendre with three points, exact to fifth order like IDA.
 const double kGaussNode[3] = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
 constexpr double kGaussWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
@@ -273,20 +276,41 @@ int Ida::Sundials::jacobian(realtype time, realtype c, N_Vector y, N_Vector ydot
   });
 }
 
-void Ida::Sundials::restart(const State& state, const Inputs& inputs, IntegratorStatistics& statistics) {
+void Ida::Sundials::restart(const State& state, double t_end, const Inputs& inputs, IntegratorStatistics& statistics) {
   const Layout& layout = equations.layout();
   count(statistics);
   // Consistent start by our own solve: dq, dv, dz; multipliers have no rate.
+  Eigen::VectorXd later;
+  if (inputs.loads.empty()) {  // with grains windows are short
+    State shifted = state;
+    shifted.time += kStartShare * (t_end - state.time);
+    later.setZero(rates.size());
+    equations.saddle().stage_rates(shifted, inputs, later);
+  }
   equations.saddle().stage_rates(state, inputs, rates);
   ++statistics.factorizations;
   equations.pack(state, rates.tail(layout.row_count), writable(y));
   writable(ydot) = rates;
   writable(ydot).tail(layout.row_count).setZero();
   check(IDAReInit(memory, state.time, y, ydot), "IDAReInit");
+  check(IDASetInitStep(memory, first_step(t_end - state.time, later)), "IDASetInitStep");
   std::fill(std::begin(counted), std::end(counted), 0L);
   turns.measure(state, rates, turning);
   t = state.time;
   last_error = 1.0;
+}
+
+// IDA's own choice, a thousandth of the window in which no number changes by more than half a tolerance; and the first two steps,
+// of first order, lose less of given functions of time than kStartError:
+//   error = h^2 y'' / 2,   y'' of time alone, from the rates of the same state `later`; empty: no such functions
+double Ida::Sundials::first_step(double window, const Eigen::VectorXd& later) {
+  norm.set(view(y));
+  double h = std::min(kStartShare * window, 0.5 * share / std::max(norm(rates), 1e-300));
+  if (later.size() > 0) {
+    const double bend = norm(later - rates) / (kStartShare * window);  // [tolerances / s2]
+    if (bend > 0.0) h = std::min(h, std::sqrt(2.0 * kStartError * share / bend));
+  }
+  return std::min(std::max(h, options.min_step), window);
 }
 
 void Ida::Sundials::aim(double t_end, const Rows& rows, const State& state) {
@@ -317,6 +341,7 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
   check(IDASolve(memory, t_end, &t, y, ydot, IDA_ONE_STEP), "IDASolve");
   const double error = step_error();
   statistics.reported_error += error;
+  statistics.summed_error += error;
   last_error = error / share;
   const double change = equations.has_modes() ? time_of_switch(from, t, inputs) : HUGE_VAL;
   const double end = std::min(t, change);
@@ -384,6 +409,8 @@ double Ida::Sundials::step_error() {
 // Work integrals on IDA's own interpolant, within its last step.
 void Ida::Sundials::add_work_between(double begin, double end, const Inputs& inputs, State& state) {
   const double half = 0.5 * (end - begin);
+  WorkError error;
+  error.load_work.setZero(state.load_work.size());
   const auto sample = [&](double place) -> const EnergySample& {
     const double node = begin + half * (1.0 + place);
     check(IDAGetDky(memory, node, 0, scratch), "IDAGetDky");
@@ -393,10 +420,11 @@ void Ida::Sundials::add_work_between(double begin, double end, const Inputs& inp
   for (int i = 0; i < 3; ++i) {
     const EnergySample& at = sample(kGaussNode[i]);
     add_work(at, half * kGaussWeight[i], state);
-    add_work_error(at, half * kGaussWeight[i], state.work_error);
-    state.work_error.scale += half * kGaussWeight[i] * size_of_powers(at);
+    add_work_error(at, half * kGaussWeight[i], error);
+    error.scale += half * kGaussWeight[i] * size_of_powers(at);
   }
-  for (const double place : {-kTwoNodes, kTwoNodes}) add_work_error(sample(place), -half, state.work_error);
+  for (const double place : {-kTwoNodes, kTwoNodes}) add_work_error(sample(place), -half, error);
+  add_step_error(error, state.work_error);
 }
 
 void Ida::Sundials::count(IntegratorStatistics& statistics) {
@@ -427,6 +455,8 @@ constexpr double kLeastDrift = 1e-12, kLeastSpeedDrift = 1e-11;  // [m or rad], 
 // Sum of the errors of all steps [tolerances] beyond which a run warns; the motion may amplify them ten times.
 constexpr double kReported = 10.0;
 constexpr int kRestInterval = 10;  // steps between checks of resting rows
+// Windows between corners that are nearly one are too short for IDA to start in: OneStep passes them.
+constexpr double kShortest = 10.0, kTimeRoundOff = 1e-15;  // [smallest steps], of the time
 
 bool same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) { return a.size() == b.size() && a == b; }
 
@@ -485,6 +515,7 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
   const bool continues = state.time == s.state_last.time && same(state.q, s.state_last.q) &&
                          same(state.v, s.state_last.v) && same(state.z, s.state_last.z) && same(inputs, s.inputs_last);
   if (continues) s.aim(t_end, rows, state);
+  if (t_end - state.time < kShortest * std::max(s.options.min_step, kTimeRoundOff * t_end)) s.begin_passage(t_end);
   bool starts = !continues, ended_by_row = false;
   Drift drift;
   int steps = 0;
@@ -499,7 +530,7 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
       continue;
     }
     if (starts) {
-      s.restart(state, inputs, statistics_);
+      s.restart(state, t_end, inputs, statistics_);
       s.aim(t_end, rows, state);
       starts = false;
     }
@@ -637,7 +668,11 @@ void Ida::Sundials::look_ahead(const State& state) {
   if (++looks < static_cast<int>(seen.size()) || seen.back().log_determinant > highest - kFaded) return;
   const double there = singular_time(seen);
   if (!std::isfinite(there)) return;
-  passage_end = there + (there - state.time);
+  begin_passage(there + (there - state.time));
+}
+
+void Ida::Sundials::begin_passage(double end) {
+  passage_end = end;
   if (!one_step) {
     IntegratorOptions like = options;
     like.order = kOrder;

@@ -28,6 +28,7 @@ void IntegratorStatistics::add(const IntegratorStatistics& before, const Integra
                           &IntegratorStatistics::removed_position, &IntegratorStatistics::removed_velocity})
     this->*part = std::max(this->*part, now.*part);
   reported_error += now.reported_error - before.reported_error;
+  summed_error += now.summed_error - before.summed_error;
 }
 
 void add_work(const EnergySample& at, double weight, State& state) {
@@ -44,6 +45,15 @@ void add_work_error(const EnergySample& at, double weight, WorkError& error) {
   error.load_work += weight * at.load_power;
   for (std::size_t k = 0; k < error.supplied.by_kind.size(); ++k)
     error.supplied.by_kind[k] += weight * at.supplied.by_kind[k];
+}
+
+void add_step_error(const WorkError& step, WorkError& sum) {
+  for (std::size_t k = 0; k < step.dissipated.by_kind.size(); ++k)
+    sum.dissipated.by_kind[k] += std::abs(step.dissipated.by_kind[k]);
+  for (std::size_t k = 0; k < step.supplied.by_kind.size(); ++k)
+    sum.supplied.by_kind[k] += std::abs(step.supplied.by_kind[k]);
+  sum.load_work += step.load_work.cwiseAbs();
+  sum.scale += step.scale;
 }
 
 double size_of_powers(const EnergySample& at) {

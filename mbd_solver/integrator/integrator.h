@@ -37,7 +37,25 @@ struct IntegratorStatistics {
   // The error that warning() reports, in tolerances. ida: sum of the estimated errors of all steps; one_step: the largest of a
   // step over a singular position, 0 if none exceeds the tolerance.
   double reported_error = 0.0;
+  // Sum of the estimated errors of all steps in q, v and z [tolerances]: of the state at the end, unless the motion amplifies them.
+  double summed_error = 0.0;
 
+  template <class Archive>
+  void visit(Archive& archive) {
+    archive("windows", windows);
+    archive("steps", steps);
+    archive("rejected", rejected);
+    archive("newton_failures", newton_failures);
+    archive("residuals", residuals);
+    archive("jacobians", jacobians);
+    archive("factorizations", factorizations);
+    archive("drift_position", drift_position);
+    archive("drift_velocity", drift_velocity);
+    archive("removed_position", removed_position);
+    archive("removed_velocity", removed_velocity);
+    archive("reported_error", reported_error);
+    archive("summed_error", summed_error);
+  }
   void count(const Drift& drift);  // at the end of a window
   // Adds the work of another integrator for this one, from `before` to `now`, without its windows.
   void add(const IntegratorStatistics& before, const IntegratorStatistics& now);
@@ -90,6 +108,8 @@ class Integrator {
 void add_work(const EnergySample& at, double weight, State& state);
 // The same for the errors of these integrals, weight: of the rule minus that of its embedded rule.
 void add_work_error(const EnergySample& at, double weight, WorkError& error);
+// Adds the sizes of the errors of a step to those of a run.
+void add_step_error(const WorkError& step, WorkError& sum);
 // The sum of the sizes of all powers [W].
 double size_of_powers(const EnergySample& at);
 

@@ -120,10 +120,12 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
     const double t = state.time, planned = planned_step(t, h), steps = std::ceil((t_end - t) / planned * (1.0 - 1e-9));
     const double step = steps > (planned != h ? 1.0 : kStretch) ? planned : (t_end - t) / steps;
     limit_ = planned != h && t + step > crossing_.time() ? std::max(1.0, kCrossing / options_.rtol) : 1.0;
-    tableau_ = choice_.high() ? &high_ : &usual_;
+    const bool few_stages = choice_.stiff() && high_.stages > kManyStages;
+    tableau_ = choice_.high() && !few_stages ? &high_ : &usual_;
     const Outcome outcome = try_with_newer_jacobians(t, step, inputs);
     if (outcome == Outcome::kAccepted) {
       crossing_.count_success();
+      choice_.see(newton_.turns());
       required = next_step(step);
       if (diverged && !may_be_singular_) required = std::min(required, kAfterDivergence * step);
       diverged = false;
@@ -175,7 +177,7 @@ double OneStep::next_step(double h) const {
 }
 
 OneStep::Outcome OneStep::try_with_newer_jacobians(double t, double h, const Inputs& inputs) {
-  newton_.begin_step();
+  newton_.begin_step(choice_.stiff());
   Outcome outcome = try_step(t, h, inputs);
   if (outcome == Outcome::kNoConvergence && !newton_.fresh()) {
     newton_.drop_factors();
@@ -217,7 +219,7 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
     Y_[at].head(m) = known_.head(m) + (h * tableau_->gamma) * K_[at].head(m);
     Y_[at].tail(rows) = K_[at].tail(rows);
     const double t_stage = t + tableau_->c[at] * h;
-    const bool own = at_stages_ || (i > 1 && newton_.rate() > kStale);
+    const bool own = at_stages_ || (choice_.stiff() && i > 1 && newton_.rate() > kStale);
     if (own) {
       if (!newton_.refresh(t_stage, Y_[at], K_[at], c, slow(), inputs)) return Outcome::kNoConvergence;
     } else if (newton_.needs_jacobian(c, i == 1, slow())) {
@@ -237,6 +239,7 @@ OneStep::Outcome OneStep::try_step(double t, double h, const Inputs& inputs) {
   error_ = estimated_error(t, h);
   failure_.worst = norm_.worst(F_);
   if (!std::isfinite(error_)) return Outcome::kNoConvergence;
+  state_error_ = error_;
   if (error_ <= limit_ || !options_.error_control)
     error_ = std::max(error_, std::min(work_error(t, h, inputs), kMostWorkError * error_));
   if ((error_ <= limit_ || !options_.error_control) && !close_end(t + h)) return Outcome::kTooInaccurate;
@@ -285,6 +288,7 @@ double OneStep::work_error(double t, double h, const Inputs& inputs) {
 
 bool OneStep::accept(double h, double t_new, double t_end, const Inputs& inputs, const Rows& rows, State& state) {
   ++statistics_.steps;
+  statistics_.summed_error += state_error_;
   // Work integrals with the weights of the method.
   std::swap(start_before_, start_);
   start_ = state;
@@ -292,7 +296,7 @@ bool OneStep::accept(double h, double t_new, double t_end, const Inputs& inputs,
     const double b = i < last() ? tableau_->a[last()][i] : tableau_->gamma;
     if (b != 0.0) add_work(energy_[i], h * b, state);
   }
-  state.work_error.add(step_error_);
+  add_step_error(step_error_, state.work_error);
   work_scale_ = state.work_error.scale;
   equations_.unpack(Y_[last()], state);
   state.time = t_new;
@@ -320,7 +324,7 @@ bool OneStep::accept(double h, double t_new, double t_end, const Inputs& inputs,
     interpolate(change, h);
     turns_.follow(turning_, row_rates_, row_);
     state = row_;
-    state.work_error.add(step_error_);  // at most that of the whole step
+    add_step_error(step_error_, state.work_error);  // at most that of the whole step
   } else {
     turns_.follow(turning_, K_[last()], state, &turning_next_);
   }

@@ -98,6 +98,7 @@ class OneStep : public Integrator {
   std::vector<EnergySample> energy_;                             // powers at the stages
   WorkError step_error_;                                         // of the time integrals, in this step
   double work_scale_ = 0.0;                                      // of the run so far [J]
+  double state_error_ = 0.0;                                     // of y in the step that is tried, 1 = tolerance
   Eigen::VectorXd rates_;                                        // at the end of the last window,
   Eigen::VectorXd left_;                                         // y there, without drift,
   double left_time_ = -std::numeric_limits<double>::infinity();  // and its time [s]

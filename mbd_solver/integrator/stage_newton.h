@@ -4,7 +4,8 @@
 // Positions follow from velocities in closed form, so that Newton iterates [v; z; lambda] alone, with the reduced Jacobian at
 // c. Multipliers have no rates. Newton stops when its remaining error is small relative to the error of the step. A stiff force
 // whose direction turns within a step makes later stages converge much more slowly than the one before: their first iteration
-// is judged by the slowest stage so far, and all of them more strictly, because what is left adds up over many steps.
+// is judged by the slowest stage so far, and after such a step all of them more strictly, because what is left adds up over many
+// steps.
 
 #include <string>
 
@@ -25,13 +26,17 @@ class StageNewton {
   // All must outlive this object.
   StageNewton(Equations& equations, const ErrorNorm& norm, IntegratorStatistics& statistics, StepFailure& failure);
 
-  void begin_step() {
+  void begin_step(bool stiff) {
     fresh_ = false;
+    stiff_ = stiff;
+    turns_ = false;
     slowest_before_ = slowest_;
     slowest_ = 0.0;
   }
-  bool fresh() const { return fresh_; }       // the Jacobian belongs to this step
-  double rate() const { return rate_; }       // last convergence rate
+  bool fresh() const { return fresh_; }  // the Jacobian belongs to this step
+  double rate() const { return rate_; }  // last convergence rate
+  // A stiff force turned in this step: a stage converged slowly with a Jacobian of this step.
+  bool turns() const { return turns_; }
   void drop_factors() { factored_c_ = 0.0; }  // the next stage requires a new Jacobian
   void forget();
 
@@ -53,8 +58,9 @@ class StageNewton {
   StepFailure& failure_;
   ThinLu lu_;
   double factored_c_ = 0.0;  // c of the factors; 0: none
-  bool fresh_ = false;
-  double rate_ = 1.0;                            // last convergence rate
+  bool fresh_ = false, stiff_ = false, turns_ = false;
+  double stiffness_ = 1.0;  // largest diagonal entry of a velocity over that of the body's own inertia
+  double rate_ = 1.0;       // last convergence rate
   double slowest_ = 0.0, slowest_before_ = 0.0;  // the largest rate of the stages of this step, and of the step before
   Eigen::VectorXd Ydot_, F_, change_, expected_;
 };

@@ -9,11 +9,16 @@
 
 namespace footfall {
 
-// Which of two methods is used in a window. Steps end with windows: if one step of few stages fills a window, more stages are
-// wasted; if it takes several, a step of a higher order with more stages is cheaper.
+// Which of two methods is used in a step. Steps end with windows: if one step of few stages fills a window, more stages are
+// wasted; if it takes several, a step of a higher order with more stages is cheaper. Where a stiff force turns within the step each
+// stage amplifies what Newton left in those before it, by a_ij / gamma: few stages are then more accurate, and cheaper.
 class MethodChoice {
  public:
   bool high() const { return high_; }
+  bool stiff() const { return stiff_ > 0; }
+
+  // After a step: whether a stiff force turned in it.
+  void see(bool turns) { stiff_ = turns ? kHold : std::max(stiff_ - 1, 0); }
 
   // At the start of a window [s] with a planned step h [s] of the current method: the first step.
   double begin(double window, double h) {
@@ -31,7 +36,9 @@ class MethodChoice {
   static constexpr double kLonger = 1.8;  // approximate ratio of the steps of both orders
   static constexpr double kEasily =
       2.5;  // windows that a step of the higher order fills before the lower order is used again
+  static constexpr int kHold = 50;  // steps without them until the higher order is used again
   bool high_ = false, begun_ = false;
+  int stiff_ = 0;  // steps left
 };
 
 // Detects a window that would take more than kMostSteps steps: masses that differ by many orders of magnitude, or a jammed

@@ -43,21 +43,6 @@ template <>
 inline constexpr auto kFields<Inputs> = std::tuple{Field{"loads", &Inputs::loads}, Field{"values", &Inputs::values}};
 
 template <>
-inline constexpr auto kFields<IntegratorStatistics> =
-    std::tuple{Field{"windows", &IntegratorStatistics::windows},
-               Field{"steps", &IntegratorStatistics::steps},
-               Field{"rejected", &IntegratorStatistics::rejected},
-               Field{"newton_failures", &IntegratorStatistics::newton_failures},
-               Field{"residuals", &IntegratorStatistics::residuals},
-               Field{"jacobians", &IntegratorStatistics::jacobians},
-               Field{"factorizations", &IntegratorStatistics::factorizations},
-               Field{"drift_position", &IntegratorStatistics::drift_position},
-               Field{"drift_velocity", &IntegratorStatistics::drift_velocity},
-               Field{"removed_position", &IntegratorStatistics::removed_position},
-               Field{"removed_velocity", &IntegratorStatistics::removed_velocity},
-               Field{"reported_error", &IntegratorStatistics::reported_error}};
-
-template <>
 inline constexpr auto kFields<RunTimes> = std::tuple{
     Field{"total", &RunTimes::total}, Field{"mbd", &RunTimes::mbd}, Field{"overlapped", &RunTimes::overlapped},
     Field{"control", &RunTimes::control}, Field{"checkpoint", &RunTimes::checkpoint}};
@@ -139,8 +124,8 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
 
 namespace {
 
-// The middles of steps without grains, where a peak may exceed those of the ends: rates there differ from the mean of the ends by
-// more than kBend of their largest so far.
+// The middles of steps without grains, where a peak may exceed those of the ends: a rate that comes near its largest so far is beyond
+// both of its ends, by more than kBeyond of it.
 class StepMiddles {
  public:
   bool are_peaks(StepView& step) {
@@ -149,18 +134,23 @@ class StepMiddles {
     if (largest_.size() == 0) largest_ = Eigen::VectorXd::Zero(end_.size());
     largest_ = largest_.cwiseMax(end_.cwiseAbs()).cwiseMax(rates_.cwiseAbs());
     const bool known = time_ == step.begin();
-    const bool bends = !known || ((rates_ - 0.5 * (begin_ + end_)).cwiseAbs() - kBend * largest_).maxCoeff() >
-                                     kRoundOff * largest_.maxCoeff();
+    bool peaks = !known;
+    const double round_off = kRoundOff * largest_.maxCoeff();
+    for (Eigen::Index i = 0; i < rates_.size() && !peaks; ++i) {
+      const double low = std::min(begin_[i], end_[i]), high = std::max(begin_[i], end_[i]);
+      peaks = std::max(rates_[i] - high, low - rates_[i]) > kBeyond * largest_[i] + round_off &&
+              std::abs(rates_[i]) > kNear * largest_[i];
+    }
     begin_.swap(end_);
     time_ = step.end();
-    return bends;
+    return peaks;
   }
   const State& state() const { return state_; }  // in the middle of the last step
   const Eigen::VectorXd& rates() const { return rates_; }
 
  private:
-  static constexpr double kBend = 2e-3;       // [-]
-  static constexpr double kRoundOff = 1e-10;  // of the largest rate of all [-]
+  static constexpr double kBeyond = 1e-3, kNear = 0.5;  // [-]
+  static constexpr double kRoundOff = 1e-10;            // of the largest rate of all [-]
 
   State state_;
   Eigen::VectorXd rates_, begin_, end_, largest_;
@@ -241,9 +231,9 @@ void Simulation::run_alone(Loop& loop) {
     const bool continuous_events = control_.signals() && control_.signals()->has_unsampled_events();
     if (observe_step_ || continuous_events)
       rows.on_step = [&](StepView& step) {
-        const bool bends = observe_step_ && loop.middles.are_peaks(step);
+        const bool peaks = observe_step_ && loop.middles.are_peaks(step);
         if (!watch_step(step, t_end)) return false;
-        if (!bends) return true;
+        if (!peaks) return true;
         const double middle_started = wall_clock();
         state_ = loop.middles.state();
         rates_ = loop.middles.rates();

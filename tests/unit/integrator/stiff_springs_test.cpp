@@ -29,7 +29,7 @@ double pendulum(double t_end) {
 }
 
 class StiffSpring : public ::testing::TestWithParam<double> {};
-INSTANTIATE_TEST_SUITE_P(Stiffness, StiffSpring, ::testing::Values(1e8, 1e10, 1e12, 1e14));  // [N/m]
+INSTANTIATE_TEST_SUITE_P(Stiffness, StiffSpring, ::testing::Values(1e8, 1e9, 1e10, 1e11, 1e12, 1e14));  // [N/m]
 
 // A point mass on the spring swings as a pendulum, to some ten tolerances, in steps that the motion alone requires.
 TEST_P(StiffSpring, SwingsAsAPendulum) {
@@ -50,10 +50,16 @@ TEST_P(StiffSpring, SwingsAsAPendulum) {
   options.atol = 1e-8;
   options.max_step = 1e-3;
   test::Run run(model, "one_step", options);
-  run.to(2.0);
-  const double q = pendulum(2.0), tolerance = 50.0 * options.rtol + 100.0 / GetParam();  // and the spring's stretch
-  EXPECT_NEAR(run.body(0).r.x(), std::cos(q), tolerance);
-  EXPECT_NEAR(run.body(0).r.z(), -std::sin(q), tolerance);
+  const double tolerance = 50.0 * options.rtol + 100.0 / GetParam();  // and the spring's stretch
+  Rows rows;
+  rows.next = [](double time) { return 0.05 * (std::floor(time / 0.05 + 1e-9) + 1.0); };
+  rows.on_row = [&](const State& state, const Eigen::VectorXd&) {
+    const double q = pendulum(state.time);
+    EXPECT_NEAR(state.q[0], std::cos(q), tolerance) << state.time;
+    EXPECT_NEAR(state.q[2], -std::sin(q), tolerance) << state.time;
+    return true;
+  };
+  run.integrator->advance(run.state, 2.0, run.inputs, rows);
   EXPECT_LT(run.integrator->statistics().steps, 3000);
 }
 
