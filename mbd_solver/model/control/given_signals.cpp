@@ -25,6 +25,7 @@ constexpr double kNoWidth = 1e-9;             // variation that does not count, 
 constexpr double kTiny = 1e-12;               // likewise, [unit]
 constexpr double kBend = 0.3;                 // distance from a line, of the variation, that does not count [-]
 constexpr std::size_t kMostCorners = 200000;  // of a block
+constexpr std::size_t kMostExtremes = 200;    // of arguments in a block, where a narrow bump is sought
 constexpr int kHalvings = 40;                 // points beside a corner: at cell / 2, cell / 4, ...
 constexpr double kDense = 0.25;               // turning points per point of the grid from which it is too coarse
 constexpr int kGolden = 40;                   // steps of a search for an extreme: to 1e-8 of a cell
@@ -159,6 +160,7 @@ struct GivenSignals::Scan {
   Points find_switches(double begin, double end);
   void bisect(const Point& a, const Point& b, std::size_t k, Points& found);
   bool find_touch(const Point& a, const Point& b, const Point& c, std::size_t k, Points& found);
+  void find_extreme(const Point& a, const Point& b, const Point& c, std::size_t k);
   std::vector<Corner> corners_of(const Points& points) const;
   void add_turns(const Points& points, double cell);
   void add_turns_of(std::size_t value, const Points& points, std::size_t begin, std::size_t end, double floor);
@@ -179,10 +181,11 @@ struct GivenSignals::Scan {
   std::vector<int> places;   // of the inputs that are read
   std::vector<double> held;  // their values, for which a block was scanned
   const Eigen::VectorXd* inputs = nullptr;
-  long scanned = -1;            // block; -1: none
-  std::vector<Corner> corners;  // of that block, in order
-  double asked = 0.0;           // the last time [s], and
-  Corner answer;                // the corner after it
+  long scanned = -1;             // block; -1: none
+  std::vector<Corner> corners;   // of that block, in order
+  std::vector<double> extremes;  // of the arguments of smooth switches in it [s]
+  double asked = 0.0;            // the last time [s], and
+  Corner answer;                 // the corner after it
 };
 
 GivenSignals::Scan::Scan(const std::vector<GivenEntry>& entries,
@@ -396,6 +399,20 @@ bool GivenSignals::Scan::find_touch(const Point& a, const Point& b, const Point&
   return false;
 }
 
+// Where the argument of switch k has an extreme near b without a zero: sin(t)^1e9 and exp(-1e9 (t^2 - t + 1/4)) are bumps there.
+void GivenSignals::Scan::find_extreme(const Point& a, const Point& b, const Point& c, std::size_t k) {
+  const double side = b.argument[k] > a.argument[k] ? 1.0 : -1.0;
+  if (!(side * (b.argument[k] - a.argument[k]) > 0.0 && side * (b.argument[k] - c.argument[k]) >= 0.0)) return;
+  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  double low = a.t, high = c.t;
+  for (int i = 0; i < kGolden; ++i) {
+    const double p = high - golden * (high - low), q = low + golden * (high - low);
+    const bool left = side * at(p).argument[k] > side * at(q).argument[k];
+    (left ? high : low) = left ? q : p;
+  }
+  extremes.push_back(0.5 * (low + high));
+}
+
 // The grid of a block, with all changes of classes in it.
 GivenSignals::Scan::Points GivenSignals::Scan::find_switches(double begin, double end) {
   Points points;
@@ -408,7 +425,9 @@ GivenSignals::Scan::Points GivenSignals::Scan::find_switches(double begin, doubl
         if (points[i - 1].cls[k] != points[i].cls[k]) {
           bisect(points[i - 1], points[i], k, found);
         } else if (round < 2 && k < switches.size() && switches[k].smooth && i + 1 < points.size()) {
-          find_touch(points[i - 1], points[i], points[i + 1], k, found);
+          if (!find_touch(points[i - 1], points[i], points[i + 1], k, found) && round == 0 &&
+              extremes.size() < kMostExtremes)
+            find_extreme(points[i - 1], points[i], points[i + 1], k);
         }
       }
     if (found.empty()) break;
@@ -432,8 +451,14 @@ std::vector<Corner> GivenSignals::Scan::corners_of(const Points& points) const {
 // Where values are curved: their turning points, and points between which lines represent them.
 void GivenSignals::Scan::add_turns(const Points& points, double cell) {
   Points all = points;
-  const auto halvings = std::min<std::size_t>(kHalvings, 8 * kCellsOfBlock / std::max<std::size_t>(corners.size(), 1));
-  for (const Corner& corner : corners)
+  const std::size_t places_count = std::max<std::size_t>(corners.size() + extremes.size(), 1);
+  const auto halvings = std::min<std::size_t>(kHalvings, 8 * kCellsOfBlock / places_count);
+  std::vector<Corner> centres = corners;
+  for (const double t : extremes) {
+    centres.emplace_back(t);
+    all.push_back(at(t));
+  }
+  for (const Corner& corner : centres)
     for (std::size_t i = 1; i <= halvings; ++i) {
       const double d = std::ldexp(cell, -static_cast<int>(i));
       if (corner.before - d > points.front().t) all.push_back(at(corner.before - d));
@@ -554,6 +579,7 @@ Corner GivenSignals::Scan::next(double t, const Eigen::VectorXd& values_now) {
 void GivenSignals::Scan::scan_block(long block) {
   const double length = block_length(), begin = static_cast<double>(block) * length;
   const double end = static_cast<double>(block + 1) * length;
+  extremes.clear();
   const Points points = find_switches(begin, end);
   corners = corners_of(points);
   if (curved) add_turns(points, length / kCellsOfBlock);

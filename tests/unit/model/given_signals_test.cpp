@@ -89,6 +89,18 @@ TEST(GivenSignals, FindEveryNotationOfANarrowPulse) {
   }
 }
 
+// Bumps of 1e-6 s where an argument has an extreme, but no zero.
+TEST(GivenSignals, FindNarrowBumpsAtTheExtremesOfArguments) {
+  for (const char* text :
+       {"exp(-1e12 * (time ^ 2 - 0.6 * time + 0.09))", "sin(pi * (time + 0.2)) ^ 1e12",
+        "exp(1e12 * (cos(time - 0.3) - 1))", "1 / (1 + 1e12 * (time ^ 2 - 0.6 * time + 0.09))",
+        "exp(-1e12 * (1 + (time - 0.3) ^ 2) + 1e12)", "exp(-1e6 * sqrt(1e-12 + time ^ 2 - 0.6 * time + 0.09))"}) {
+    const std::vector<double> times = times_of(text);
+    EXPECT_TRUE(has_near(times, 0.3, 1e-5)) << text;
+    EXPECT_LT(times.size(), 150u) << text;  // 64 of them are the ends of blocks
+  }
+}
+
 TEST(GivenSignals, OfTheMotionAloneHaveNone) {
   for (const char* text : {"b.x > 0.3 ? 1 : 0", "3", "2 * time + 1", "b.x * time", "time * state.on", "time > b.x"})
     EXPECT_TRUE(corners_of(text).empty()) << text;
