@@ -10,6 +10,13 @@ namespace {
 
 constexpr double kRoundOff = 1e-9;  // of the largest form: accuracy of differences of energies
 
+// A joint holds or moves it against the ground, whose frame is then the only one in which its work is counted.
+bool is_anchored(const Model& model) {
+  for (int i = 0; i < model.joint_count(); ++i)
+    if (model.joint(i).m1.body == kGround || model.joint(i).m2.body == kGround) return true;
+  return false;
+}
+
 }  // namespace
 
 void EnergyFlow::sample(const StoredEnergy& stored, const State& state, const Kinematics& kinematics) {
@@ -19,7 +26,7 @@ void EnergyFlow::sample(const StoredEnergy& stored, const State& state, const Ki
     mass += model_.body(i).mass();
     P += model_.body(i).mass() * kinematics.of(i).dr;
   }
-  if (!started_) V0_ = P / mass;
+  if (!started_ && !is_anchored(model_)) V0_ = P / mass;
   Forms now{stored, state.dissipated, state.load_work, state.supplied};
   now.stored[Stored::kKinetic] += 0.5 * mass * V0_.squaredNorm() - V0_.dot(P);
   if (started_) {

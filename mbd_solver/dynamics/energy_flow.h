@@ -3,8 +3,8 @@
 //   flow = 1/2 sum over forms of integral |dE_form|,  taken from sample to sample
 // Forms: kinetic energy, gravity, strain, gas, contact; every kind of dissipation; work of external loads on each body;
 // work of prescribed motions, forces and drives. Every transfer is counted in two forms, hence the half.
-// Kinetic energy is measured relative to the initial velocity of the mass centre, so that the flow does not depend on a common
-// velocity:
+// Kinetic energy of a mechanism without joints to the ground is measured relative to the initial velocity of the mass centre, so
+// that the flow does not depend on a common velocity:
 //   K' = K - V0 . P + 1/2 m V0^2,  P = sum m_i dr_i,  V0 = P(0) / m
 
 #include <Eigen/Dense>

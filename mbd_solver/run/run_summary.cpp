@@ -160,7 +160,11 @@ Json run_summary(const Simulation& simulation, const MetricRecorder& recorder, c
     add_landing(*landing, simulation.scene().landing->points, json);
   json["reference_energy_J"] = metrics.reference_energy;
   json["energy_flow_J"] = metrics.energy_flow;
-  json["energy_balance_relative"] = metrics.energy_balance_relative();
+  const std::vector<WorkEstimate> estimates =
+      work_estimates(metrics, statistics.summed_error * simulation.scene().solver.rtol);
+  json["energy_balance_relative"] = energy_balance_relative(metrics, estimates);
+  Json& errors = json["work_errors_J"] = Json::object();
+  for (const WorkEstimate& estimate : estimates) errors[estimate.column] = estimate.error;
   json["drift_position"] = statistics.drift_position;
   json["drift_velocity"] = statistics.drift_velocity;
   json["drift_removed_position"] = statistics.removed_position;

@@ -38,8 +38,21 @@ void freeze(std::optional<TimeFunctionSpec>& f, TableShape shape) {
   if (f) freeze(*f, shape);
 }
 
-// The scene with constant loads, those of the start, and without velocities.
-Scene frozen(Scene scene) {
+// Calls visit(name of the coordinate's forces, its friction) for all joints.
+template <class Visit>
+void for_each_friction(Scene& scene, const Visit& visit) {
+  for (JointSpec& joint : scene.joints)
+    for (const auto& [coordinate, kind] :
+         {std::pair{&joint.angle, Coordinate::kAngle}, std::pair{&joint.displacement, Coordinate::kDisplacement},
+          std::pair{&joint.displacement_x, Coordinate::kDisplacementX},
+          std::pair{&joint.displacement_y, Coordinate::kDisplacementY}})
+      if (*coordinate && (*coordinate)->friction)
+        visit("joint/" + joint.name + "/" + std::string(name_of(kind)), *(*coordinate)->friction);
+}
+
+// The scene with constant loads, those of the start, and without velocities. Friction at rest is that of the scene in
+// coordinates whose load exceeds it; in others it bears what a load takes up that is there at once.
+Scene frozen(Scene scene, const std::vector<std::string>& sliding) {
   scene.initial.velocity.setZero();
   scene.initial.angular_velocity.setZero();
   scene.initial.bodies.clear();
@@ -51,14 +64,12 @@ Scene frozen(Scene scene) {
     freeze(drive.command, command_shape(drive.motor.kind));
     drive.stick_damping = kStickDamping;
   }
+  for_each_friction(scene, [&](const std::string& name, JointFrictionParameters& friction) {
+    friction.damping_ratio = kStickDamping;
+    if (std::find(sliding.begin(), sliding.end(), name) == sliding.end())
+      friction.breakaway = kOvershoot * friction.breakaway.value_or(friction.coulomb);
+  });
   for (JointSpec& joint : scene.joints) {
-    for (std::optional<CoordinateSpec>* c :
-         {&joint.angle, &joint.displacement, &joint.displacement_x, &joint.displacement_y})
-      if (*c && (*c)->friction) {
-        JointFrictionParameters& friction = *(*c)->friction;
-        friction.damping_ratio = kStickDamping;
-        friction.breakaway = kOvershoot * friction.breakaway.value_or(friction.coulomb);
-      }
     if (!joint.motion) continue;
     for (std::optional<TimeFunctionSpec>* f :
          {&joint.motion->x, &joint.motion->y, &joint.motion->z, &joint.motion->rotation})
@@ -69,12 +80,16 @@ Scene frozen(Scene scene) {
 
 class Relaxation {
  public:
-  Relaxation(const Mechanism& mechanism, const Assembly& assembly, const IntegratorOptions& options)
+  Relaxation(const Mechanism& mechanism, const Assembly& assembly, const State& from, const IntegratorOptions& options)
       : equations_(mechanism.model, assembly), rates_(Eigen::VectorXd::Zero(equations_.layout().size())) {
     integrator_ = make_integrator("one_step", equations_, options);
     inputs_.values = mechanism.inputs;
     state_ = assembly.state;
+    state_.q = from.q;
+    state_.z = from.z;
+    state_.angles = from.angles;
     equations_.settle_signals(nullptr, inputs_, state_);
+    equations_.switch_modes(inputs_, state_);
     stop();
   }
   const State& state() const { return state_; }
@@ -124,6 +139,7 @@ class Relaxation {
       h *= 2.0;
       count = 1;  // a parabola needs equal intervals
     }
+    state_ = samples[2];
     return budget;
   }
 
@@ -151,33 +167,99 @@ class Relaxation {
   double interval_ = kFirst;
 };
 
+std::vector<std::string> frictions(Scene scene) {
+  std::vector<std::string> names;
+  for_each_friction(scene, [&](const std::string& name, const JointFrictionParameters&) { names.push_back(name); });
+  return names;
+}
+
+// The names of forces whose friction does not bear its load: these change their mode.
+std::vector<std::string> overloaded(Equations& equations, const Inputs& inputs, State state) {
+  const Eigen::VectorXd before = state.z;
+  equations.switch_modes(inputs, state);
+  std::vector<std::string> names;
+  for (int i = 0; i < equations.model().force_count(); ++i) {
+    const int first = equations.layout().force_z[static_cast<std::size_t>(i)];
+    const int count = equations.model().force(i).state_count();
+    if (state.z.segment(first, count) != before.segment(first, count))
+      names.push_back(equations.model().force(i).name());
+  }
+  return names;
+}
+
+// The names of forces whose friction slips: its states are [z, s], its mode s is not 0.
+std::vector<std::string> slipping(const Scene& scene, const Mechanism& mechanism, const State& state) {
+  const std::vector<std::string> all = frictions(scene);
+  const Layout layout(mechanism.model);
+  std::vector<std::string> names;
+  for (int i = 0; i < mechanism.model.force_count(); ++i) {
+    const ForceElement& force = mechanism.model.force(i);
+    if (std::find(all.begin(), all.end(), force.name()) != all.end() &&
+        state.z[layout.force_z[static_cast<std::size_t>(i)] + 1] != 0.0)
+      names.push_back(force.name());
+  }
+  return names;
+}
+
+// "joint/p/displacement" -> "joints.p.displacement"
+std::string key_of(std::string name) {
+  std::replace(name.begin(), name.end(), '/', '.');
+  return "\"joints" + name.substr(std::string("joint").size()) + "\"";
+}
+
+// From `out` to rest.
+void relax(const Scene& scene, const Mechanism& mechanism, const Assembly& assembly, const IntegratorOptions& tight,
+           Settled& out) {
+  Relaxation relaxation(mechanism, assembly, out.state, tight);
+  const double enough = std::max(kAtRest * std::max(relaxation.acceleration(), scene.gravity.norm()),
+                                 relaxation.round_off(mechanism.model));
+  int stops = 0;
+  while (relaxation.acceleration() > enough) {
+    out.time += relaxation.to_next_stop(kLongest - out.time);
+    if (out.time < kLongest && ++stops < kMaxStops) continue;
+    std::vector<std::string> keys;
+    for (const std::string& name : slipping(scene, mechanism, relaxation.state())) keys.push_back(key_of(name));
+    throw InputError(code::kNotSettled,
+                     scene.file + ":" + std::to_string(scene.initial.source.line_of("settle")) +
+                         ": initial.settle: the mechanism does not come to rest: after " + number_text(out.time, 3) +
+                         " s of motion its largest acceleration is " + number_text(relaxation.acceleration(), 3) +
+                         " m/s2 or rad/s2. " +
+                         (keys.empty() ? "Support every body against gravity, or remove settle."
+                                       : "The load exceeds the breakaway friction of " + joined(keys) +
+                                             ": support what slides there, increase its friction, or remove settle."));
+  }
+  out.state = relaxation.state();
+  out.acceleration = relaxation.acceleration();
+}
+
 }  // namespace
 
 Settled settle(const Scene& scene, const AssemblyOptions& options, const IntegratorOptions& integrator) {
-  const Scene still = frozen(scene);
-  const Mechanism mechanism = build_mechanism(still);
-  const Assembly assembly = assemble(mechanism.model, options);
   IntegratorOptions tight = integrator;
   tight.rtol = std::min(tight.rtol, kRtol);
   tight.atol = std::min(tight.atol, kAtol);
   tight.atol_velocity = std::min(tight.atol_velocity, kAtolVelocity);
   tight.max_step = 0.0;
-  Relaxation relaxation(mechanism, assembly, tight);
-  const double enough = std::max(kAtRest * std::max(relaxation.acceleration(), scene.gravity.norm()),
-                                 relaxation.round_off(mechanism.model));
+  const Mechanism mechanism = build_mechanism(frozen(scene, {}));
+  const Assembly assembly = assemble(mechanism.model, options);
   Settled out;
-  int stops = 0;
-  while (relaxation.acceleration() > enough) {
-    out.time += relaxation.to_next_stop(kLongest - out.time);
-    if (out.time >= kLongest || ++stops >= kMaxStops)
-      throw InputError(code::kNotSettled, scene.file + ":" + std::to_string(scene.initial.source.line_of("settle")) +
-                                              ": initial.settle: the mechanism does not come to rest: after " +
-                                              number_text(out.time, 3) + " s of motion its largest acceleration is " +
-                                              number_text(relaxation.acceleration(), 3) +
-                                              " m/s2 or rad/s2. Support every body against gravity, or remove settle.");
+  out.state = assembly.state;
+  relax(scene, mechanism, assembly, tight, out);
+  // Coordinates that their friction does not hold there slide on, until it does.
+  if (const std::vector<std::string> all = frictions(scene); !all.empty()) {
+    const Mechanism truly = build_mechanism(frozen(scene, all));
+    Equations equations(truly.model, assembly);
+    Inputs inputs;
+    inputs.values = truly.inputs;
+    std::vector<std::string> sliding;
+    for (;;) {
+      const std::size_t known = sliding.size();
+      for (const std::string& name : overloaded(equations, inputs, out.state))
+        if (std::find(sliding.begin(), sliding.end(), name) == sliding.end()) sliding.push_back(name);
+      if (sliding.size() == known) break;
+      relax(scene, build_mechanism(frozen(scene, sliding)), assembly, tight, out);
+    }
   }
-  out.state = relaxation.state();
-  out.acceleration = relaxation.acceleration();
   const Layout layout(mechanism.model);
   for (int i = 0; i < mechanism.model.body_count(); ++i) {
     const int q = layout.body_q[static_cast<std::size_t>(i)];

@@ -133,12 +133,72 @@ template <>
 inline constexpr auto kFields<Peak> = std::tuple{Field{"value", &Peak::value}, Field{"time", &Peak::time}};
 
 template <>
-inline constexpr auto kFields<Metrics> = std::tuple{
-    Field{"peak_acceleration", &Metrics::peak_acceleration}, Field{"max_descent", &Metrics::max_descent},
-    Field{"max_penetration", &Metrics::max_penetration},     Field{"max_contact_force", &Metrics::max_contact_force},
-    Field{"reference_energy", &Metrics::reference_energy},   Field{"energy_flow", &Metrics::energy_flow},
-    Field{"energy_balance", &Metrics::energy_balance},       Field{"energy_noise", &Metrics::energy_noise},
-    Field{"contact_work", &Metrics::contact_work},           Field{"contact_force", &Metrics::contact_force}};
+inline constexpr auto kFields<Metrics> = std::tuple{Field{"peak_acceleration", &Metrics::peak_acceleration},
+                                                    Field{"max_descent", &Metrics::max_descent},
+                                                    Field{"max_penetration", &Metrics::max_penetration},
+                                                    Field{"max_contact_force", &Metrics::max_contact_force},
+                                                    Field{"reference_energy", &Metrics::reference_energy},
+                                                    Field{"energy_flow", &Metrics::energy_flow},
+                                                    Field{"energy_balance", &Metrics::energy_balance},
+                                                    Field{"energy_noise", &Metrics::energy_noise},
+                                                    Field{"contact_work", &Metrics::contact_work},
+                                                    Field{"contact_force", &Metrics::contact_force},
+                                                    Field{"work_error", &Metrics::work_error},
+                                                    Field{"work_size", &Metrics::work_size}};
+
+namespace {
+
+constexpr double kSmallPart = 0.05;  // of the flow: smaller integrals are judged by the flow
+// A power is a product of a force and a velocity, each with the relative error of the state, the root mean square over all
+// coordinates: that of one of them is larger. An embedded rule sees what its own nodes show.
+constexpr double kPowerOfState = 6.0, kRule = 3.0;
+
+// The largest size of each so far.
+void raise(const WorkError& now, WorkError& largest) {
+  for (std::size_t k = 0; k < now.dissipated.by_kind.size(); ++k)
+    largest.dissipated.by_kind[k] = std::max(largest.dissipated.by_kind[k], std::abs(now.dissipated.by_kind[k]));
+  for (std::size_t k = 0; k < now.supplied.by_kind.size(); ++k)
+    largest.supplied.by_kind[k] = std::max(largest.supplied.by_kind[k], std::abs(now.supplied.by_kind[k]));
+  if (largest.load_work.size() == 0) largest.load_work.setZero(now.load_work.size());
+  largest.load_work = largest.load_work.cwiseMax(now.load_work.cwiseAbs());
+  largest.scale = std::max(largest.scale, now.scale);
+}
+
+}  // namespace
+
+// What dissipates has the sign of its power; of work only the integral of all sizes is known, and what is missing in the balance is
+// an error of work.
+std::vector<WorkEstimate> work_estimates(const Metrics& metrics, double state_error) {
+  const WorkError &error = metrics.work_error, &size = metrics.work_size;
+  std::vector<WorkEstimate> out;
+  double imbalance = 0.0;  // [J]
+  const auto add = [&](const std::string& column, double of_rule, double largest, double powers) {
+    if (powers > 0.0 && (largest > 0.0 || of_rule > 0.0))
+      out.push_back({column, of_rule, kRule * of_rule + imbalance + kPowerOfState * state_error * powers, largest});
+  };
+  double work = size.scale;
+  for (std::size_t k = 0; k < size.dissipated.by_kind.size(); ++k) {
+    const double dissipated = size.dissipated.by_kind[k];
+    add("dissipated." + std::string(name_of(static_cast<Dissipation>(k))), error.dissipated.by_kind[k], dissipated,
+        dissipated);
+    work -= dissipated;
+  }
+  imbalance = metrics.energy_balance;
+  add("work.contact", error.load_work.sum(), size.load_work.sum(), work);
+  for (std::size_t k = 0; k < size.supplied.by_kind.size(); ++k)
+    add("work." + std::string(name_of(static_cast<Supply>(k))), error.supplied.by_kind[k], size.supplied.by_kind[k],
+        work);
+  return out;
+}
+
+double energy_balance_relative(const Metrics& metrics, const std::vector<WorkEstimate>& estimates) {
+  double largest = metrics.energy_balance_relative();
+  for (const WorkEstimate& estimate : estimates)
+    largest = std::max(
+        largest,
+        estimate.rule / (estimate.largest > kSmallPart * metrics.energy_flow ? estimate.largest : metrics.energy_flow));
+  return largest;
+}
 
 MetricRecorder::MetricRecorder(const Subject& subject)
     : subject_(subject), flow_(subject.mechanism.model), up_(up_direction(subject.scene.gravity)) {
@@ -210,6 +270,9 @@ void MetricRecorder::update(const Sample& sample) {
   const double balance =
       stored.total() - start_energy_ + sample.state.dissipated.total() - f.contact_work - sample.state.supplied.total();
   f.energy_balance = std::max({f.energy_balance, std::abs(balance), sample.state.work_error.total()});
+  const State& state = sample.state;
+  raise(state.work_error, f.work_error);
+  raise({state.dissipated, state.load_work, state.supplied, state.work_error.scale}, f.work_size);
   // A mechanism at rest exchanges no energy, but its positions are known to atol only.
   const Model& model = subject_.mechanism.model;
   double forces = sample.rates.tail(subject_.layout.row_count).lpNorm<1>();

@@ -117,9 +117,23 @@ struct Metrics {
   double energy_noise = 0.0;   // error of weights and joint forces for position errors of atol [J]
   double contact_work = 0.0;   // of the grains on the mechanism so far [J]
   double contact_force = 0.0;  // on all bodies now [N]
+  WorkError work_error;        // the largest of each so far [J]
+  WorkError work_size;         // of the integrals themselves; scale: of work_error [J]
 
   double energy_balance_relative() const { return energy_flow > 0.0 ? energy_balance / energy_flow : 0.0; }
 };
+
+// Of an integral of power: the largest error that its rule of integration leaves, and with that of the state in it.
+struct WorkEstimate {
+  std::string column;    // of the history
+  double rule = 0.0;     // [J]
+  double error = 0.0;    // at most, with that of the state [J]
+  double largest = 0.0;  // of the integral [J]
+};
+// state_error: relative error of the state, IntegratorStatistics::summed_error times the relative tolerance. Of those in use.
+std::vector<WorkEstimate> work_estimates(const Metrics& metrics, double state_error);
+// The error of the balance over the flow, or that of the rule of an integral over itself if that is larger.
+double energy_balance_relative(const Metrics& metrics, const std::vector<WorkEstimate>& estimates);
 
 class MetricRecorder {
  public:

@@ -2,31 +2,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <string>
 
 #include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/peaks.h"
 #include "mbd_solver/run/output/summary.h"
-#include "mbd_solver/run/run_scene.h"
-#include "mbd_solver/run/simulation.h"
 #include "tests/support/refused.h"
-#include "tests/unit/coupling/loopback_grains.h"
-#include "tests/unit/run/never.h"
-#include "tests/unit/scene/scene_text.h"
+#include "tests/unit/run/recorded.h"
 
 namespace footfall {
 namespace {
 
-// Runs a scene; the folder of its files.
-std::string run_into_folder(const Scene& scene, Transport* transport = nullptr) {
-  RunOptions options;
-  options.out = (std::filesystem::path(scene.file).parent_path() / "out").string();
-  options.quiet = true;
-  EXPECT_EQ(run_scene(scene, options, transport, test::kNever), kExitDone);
-  return options.out;
-}
+using test::run_into_folder;
 
 // x = v / w sin w t, w = sqrt(k / m): 100 periods of 2 ms, a row per 70 ms.
 const std::string kFastOscillator = R"(end_time = 0.2
@@ -78,44 +66,15 @@ TEST(PeaksOfARun, BelongToItsStepsNotToItsRows) {
 
 // With grains: windows of 0.4 ms that fit no row. Between them a ball falls under a constant force.
 TEST(RowsOfARun, AreAtMultiplesOfTheirIntervalWithinWindows) {
-  const SceneText folder;
-  folder.write(
-      "in.grains",
-      "timestep 1e-4\nfix m all mesh/surface file m.stl type 1\nfix mbd all couple/mbd every 4 mesh m ball\nrun "
-      "1\n");
-  const Scene scene = folder.read(R"(end_time = 0.0123
-gravity = [0, 0, -1.5]
-[[bodies]]
-name = "ball"
-mass = 2.0
-inertia = [0.1, 0.1, 0.1]
-position = [0, 0, 3]
-[[boundaries]]
-body = "ball"
-[boundaries.beams]
-points = [[-0.1, 0, 3], [0.1, 0, 3]]
-radius = 0.05
-[[forces]]
+  // The force has a corner between two windows.
+  const test::GrainScene on({"initial.velocity=[0,0,-1.0]"}, test::kThrownBall + R"([[forces]]
 name = "corner"
 body = "ball"
 direction = [0, 0, 1]
 force = { table = [[0, 0], [0.003, 0], [0.0031, 0]] }
-[ground]
-kind = "particles"
-[particles]
-script = "in.grains"
-[initial]
-velocity = [0, 0, -1.0]
-[output]
-interval = 1e-3
-)");
-  Start start;
-  start.dt = 1e-4;
-  start.n = 4;
-  start.bodies = {"ball"};
-  test::LoopbackGrains grains(
-      start, [](const Motion&, Load& load) { load.bodies[0].mean.F_W = Eigen::Vector3d(0.0, 0.0, 5.0); });
-  const std::string out = run_into_folder(scene, &grains.transport());
+)" + test::kOnGrains);
+  test::LoopbackGrains grains(test::start_of_ball(), test::pushes({0.0, 0.0, 5.0}));
+  const std::string out = run_into_folder(on.scene, &grains.transport());
   EXPECT_EQ(grains.join(), "");
   const History history = read_history(out + "/history.csv");
   const std::vector<double>&time = history.column("time"), &z = history.column("ball.z");

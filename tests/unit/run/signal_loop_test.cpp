@@ -6,16 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/run/observe/metrics.h"
-#include "mbd_solver/run/observe/observation.h"
-#include "mbd_solver/run/simulation.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/support/refused.h"
-#include "tests/unit/run/never.h"
-#include "tests/unit/scene/scene_text.h"
+#include "tests/unit/run/recorded.h"
 
 namespace footfall {
 namespace {
@@ -60,39 +55,7 @@ velocity = [0, 0, -1.0]
 interval = 0.01
 )";
 
-// The rows of a run, by the names of their columns.
-struct Record {
-  explicit Record(const Scene& scene) : simulation(scene, scene.end_time, nullptr), observation(simulation.subject()) {}
-  void run(const CheckpointWriter& keep = {}) {
-    MetricRecorder figures(simulation.subject());
-    simulation.run(
-        [&](const Sample& sample) {
-          rows.push_back(observation.row(sample));
-          figures.update(sample);
-        },
-        test::kNever, keep);
-    balance = figures.metrics().energy_balance;
-  }
-  double value(std::size_t row, const std::string& name) const {
-    const std::vector<std::string> names = observation.names();
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) {
-      ADD_FAILURE() << "no column " << name;
-      return std::nan("");
-    }
-    return rows[row][static_cast<std::size_t>(found - names.begin())];
-  }
-  double last(const std::string& name) const { return value(rows.size() - 1, name); }
-  void visit(Archive& archive) {
-    archive("simulation", simulation);
-    archive("observation", observation);
-  }
-
-  Simulation simulation;
-  Observation observation;
-  std::vector<std::vector<double>> rows;
-  double balance = 0.0;
-};
+using test::Record;
 
 // x' = A x from x0.
 Eigen::VectorXd linear(const Eigen::MatrixXd& A, const Eigen::VectorXd& x0, double t) {
@@ -136,7 +99,7 @@ kd = 2
     EXPECT_NEAR(record.value(row, "signal.torque"), 20 * (1 - x[0]) + 15 * x[2] - 2 * x[1], 1e-6) << t;
     EXPECT_NEAR(record.value(row, "motor.joint_torque"), record.value(row, "signal.torque"), 1e-12) << t;
   }
-  EXPECT_LT(record.balance, 1e-7);  // of some 10 J: of the integration
+  EXPECT_LT(record.metrics.energy_balance, 1e-7);  // of some 10 J: of the integration
 }
 
 // Filters of a step, integrated with the mechanism: their step answers.
@@ -306,7 +269,7 @@ force = { signal = "thrust" }
   }
   EXPECT_NEAR(record.last("ball.z"), z, 1e-9);
   EXPECT_NEAR(record.last("ball.vz"), v, 1e-9);
-  EXPECT_LT(record.balance, 1e-9);
+  EXPECT_LT(record.metrics.energy_balance, 1e-9);
 }
 
 // Accelerations and forces are known at samples.

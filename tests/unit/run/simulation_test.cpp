@@ -3,82 +3,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
-#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "mbd_solver/coupling/codes.h"
 #include "mbd_solver/run/checkpoint.h"
-#include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/output/summary.h"
-#include "mbd_solver/run/run_scene.h"
-#include "mbd_solver/run/simulation.h"
 #include "tests/support/refused.h"
-#include "tests/unit/coupling/loopback_grains.h"
-#include "tests/unit/run/never.h"
-#include "tests/unit/scene/scene_text.h"
+#include "tests/unit/run/recorded.h"
 
 namespace footfall {
 namespace {
 
 // The loop: windows with and without grains, on one ball whose motion is known.
 
+using test::GrainScene;
+using test::kDt;
+using test::kSubsteps;
+using test::kThrownBall;
 using test::LoopbackGrains;
+using test::pushes;
 
 constexpr double kMass = 2.0, kGravity = 1.5, kEnd = 0.0123;  // [kg], [m/s2], [s]: no multiple of a window
-constexpr double kDt = 1e-4;
-constexpr int kSubsteps = 4;
-
-const std::string kThrownBall = R"(end_time = 0.0123
-gravity = [0, 0, -1.5]
-[[bodies]]
-name = "ball"
-mass = 2.0
-inertia = [0.1, 0.1, 0.1]
-position = [0, 0, 3]
-[initial]
-velocity = [0.5, 0, -1.0]
-[output]
-interval = 1e-3
-)";
-const std::string kBallOnGrains = kThrownBall + R"(
-[[boundaries]]
-body = "ball"
-[boundaries.beams]
-points = [[-0.1, 0, 3], [0.1, 0, 3]]
-radius = 0.05
-[ground]
-kind = "particles"
-[particles]
-script = "in.grains"
-)";
-
-// A scene on grains, its folder with a script that LIGGGHTS never reads.
-struct GrainScene {
-  explicit GrainScene(const std::vector<std::string>& settings = {})
-      : script(folder.write("in.grains",
-                            "timestep 1e-4\nfix m all mesh/surface file m.stl type 1\nfix mbd all couple/mbd every 4 "
-                            "mesh m ball\nrun 1\n")),
-        scene(folder.read(kBallOnGrains, settings)) {}
-  SceneText folder;
-  std::string script;
-  Scene scene;
-};
-
-Start start(int substeps = kSubsteps) {
-  Start start;
-  start.dt = kDt;
-  start.n = substeps;
-  start.bodies = {"ball"};
-  return start;
-}
-
-LoopbackGrains::Answer pushes(const Eigen::Vector3d& F) {
-  return [F](const Motion&, Load& load) { load.bodies[0].mean.F_W = F; };
-}
-
 // What one sees of a sample of the ball.
 struct Row {
   double time, x, z, vx, vz;
@@ -128,14 +75,10 @@ TEST(Simulation, CountsTurnsBetweenRows) {
                              : "[initial]\njoints = { j = 1.0 }\n"),
         {"output.interval=" + std::to_string(interval), "solver.rtol=1e-8", "solver.max_step=1",
          "solver.integrator=" + integrator});
-    Simulation simulation(scene, scene.end_time, nullptr);
-    Observation observation(simulation.subject());
-    double last = 0.0;
-    const std::vector<std::string> names = observation.names();
-    const auto column = std::find(names.begin(), names.end(), "j.angle") - names.begin();
-    simulation.run([&](const Sample& s) { last = observation.row(s)[static_cast<std::size_t>(column)]; }, test::kNever);
-    EXPECT_TRUE(observation.joints().warnings().empty());
-    return last;
+    test::Record record(scene);
+    record.run();
+    EXPECT_TRUE(record.observation.joints().warnings().empty());
+    return record.last("j.angle");
   };
   const double tolerance = 1e-5;  // rtol over some hundred steps, of 146 rad
   for (const char* integrator : {"one_step", "ida"}) {
@@ -220,7 +163,7 @@ TEST(Simulation, WithoutGrainsMakesNothingOfTheCoupling) {
 TEST(Simulation, WithGrainsGainsTheImpulseThatTheyGive) {
   const GrainScene on;
   const Eigen::Vector3d F(3.0, 0.0, 20.0);  // [N]
-  LoopbackGrains grains(start(), pushes(F));
+  LoopbackGrains grains(test::start_of_ball(), pushes(F));
   Simulation simulation(on.scene, on.scene.end_time, &grains.transport());
   const std::vector<Row> rows = rows_of(simulation);
   EXPECT_EQ(grains.join(), "");
@@ -233,7 +176,7 @@ TEST(Simulation, WithGrainsGainsTheImpulseThatTheyGive) {
 // A constant load is a change of gravity: two routes to one motion.
 TEST(Simulation, WithGrainsThatPushForEverFallsAsInOtherGravity) {
   const GrainScene on;
-  LoopbackGrains grains(start(), pushes({0.0, 0.0, 1.0}));
+  LoopbackGrains grains(test::start_of_ball(), pushes({0.0, 0.0, 1.0}));
   Simulation pushed(on.scene, on.scene.end_time, &grains.transport());
   const Row end = rows_of(pushed).back();
   const Scene other = SceneText().read(kThrownBall, {"gravity=[0,0,-1.0]"});
@@ -245,7 +188,7 @@ TEST(Simulation, WithGrainsThatPushForEverFallsAsInOtherGravity) {
 
 TEST(Simulation, SendsTheMotionOfEveryWindowsStart) {
   const GrainScene on;
-  LoopbackGrains grains(start(), pushes({0.0, 0.0, 5.0}));
+  LoopbackGrains grains(test::start_of_ball(), pushes({0.0, 0.0, 5.0}));
   Simulation simulation(on.scene, on.scene.end_time, &grains.transport());
   const std::vector<Row> rows = rows_of(simulation);
   EXPECT_EQ(grains.join(), "");
@@ -264,7 +207,7 @@ TEST(Simulation, SendsTheMotionOfEveryWindowsStart) {
 
 TEST(Simulation, SamplesWhatTheCouplingTells) {
   const GrainScene on;
-  LoopbackGrains grains(start(), [](const Motion& motion, Load& load) {
+  LoopbackGrains grains(test::start_of_ball(), [](const Motion& motion, Load& load) {
     load.bodies[0].contact_stiffness = 800.0;  // [N/m]: omega = 20 rad/s
     load.bodies[0].mean.work = 0.01 * static_cast<double>(motion.window == 0);
   });
@@ -283,7 +226,7 @@ TEST(Simulation, SamplesWhatTheCouplingTells) {
 
 TEST(Simulation, WithEveryAutoFliesInLongWindows) {
   const GrainScene on({"particles.surface_height=0", "coupling.max_substeps=50"});
-  LoopbackGrains grains(start(0), pushes({0.0, 0.0, 0.0}));
+  LoopbackGrains grains(test::start_of_ball(0), pushes({0.0, 0.0, 0.0}));
   Simulation simulation(on.scene, 0.01, &grains.transport());
   rows_of(simulation);
   EXPECT_EQ(grains.join(), "");
@@ -323,7 +266,7 @@ TEST(Simulation, EndsWindowsAtSamplesAndForeseenEvents) {
 
 // Led along its path against an alternating force: round-off of its work, and a window's impulse, are no energy of its.
 TEST(Simulation, DoesNotJudgeABodyThatIsLed) {
-  const std::string led = kBallOnGrains + R"(
+  const std::string led = kThrownBall + test::kOnGrains + R"(
 [[joints]]
 name = "drive"
 type = "prescribed"
@@ -339,16 +282,12 @@ rotation = { polynomial = [0] }
 hold_other_rotations = true
 )";
   for (const double mass : {1e3, 1.0, 1e-3}) {
-    const SceneText folder;
-    folder.write(
-        "in.grains",
-        "timestep 1e-4\nfix m all mesh/surface file m.stl type 1\nfix mbd all couple/mbd every 4 mesh m ball\nrun 1\n");
-    const Scene scene = folder.read(led, {"bodies.ball.mass=" + std::to_string(mass)});
-    LoopbackGrains grains(start(), [](const Motion& motion, Load& load) {
+    const GrainScene on({"bodies.ball.mass=" + std::to_string(mass)}, led);
+    LoopbackGrains grains(test::start_of_ball(), [](const Motion& motion, Load& load) {
       load.bodies[0].mean.F_W.z() = motion.window % 2 == 0 ? 500.0 : 0.0;
       load.bodies[0].contact_stiffness = 1e6;
     });
-    Simulation simulation(scene, scene.end_time, &grains.transport());
+    Simulation simulation(on.scene, on.scene.end_time, &grains.transport());
     EXPECT_NO_THROW(rows_of(simulation)) << mass;
     EXPECT_EQ(grains.join(), "");
     EXPECT_EQ(simulation.coupled()->watch().largest_omega_h(0), 0.0);
@@ -360,7 +299,7 @@ hold_other_rotations = true
 
 TEST(Simulation, RefusesALoadThatIsNotFinite) {
   const GrainScene on;
-  LoopbackGrains grains(start(), [](const Motion& motion, Load& load) {
+  LoopbackGrains grains(test::start_of_ball(), [](const Motion& motion, Load& load) {
     if (motion.window == 2) load.bodies[0].mean.F_W.z() = std::numeric_limits<double>::quiet_NaN();
   });
   Simulation simulation(on.scene, on.scene.end_time, &grains.transport());
@@ -371,7 +310,7 @@ TEST(Simulation, TwiceIsTheSameToTheBit) {
   std::vector<Row> runs[2];
   for (std::vector<Row>& rows : runs) {
     const GrainScene on;
-    LoopbackGrains grains(start(), [](const Motion& motion, Load& load) {
+    LoopbackGrains grains(test::start_of_ball(), [](const Motion& motion, Load& load) {
       load.bodies[0].mean.F_W.z() = 1e3 * (3.0 - motion.bodies[0].r.z());
     });
     Simulation simulation(on.scene, on.scene.end_time, &grains.transport());
@@ -387,13 +326,9 @@ TEST(Simulation, TwiceIsTheSameToTheBit) {
 TEST(RunScene, WithoutGrainsWritesNothingOfTheCoupling) {
   const SceneText folder;
   const Scene scene = folder.read(kThrownBall);
-  RunOptions options;
-  options.out = (std::filesystem::path(scene.file).parent_path() / "out").string();
-  options.quiet = true;
-  const volatile std::sig_atomic_t no_signal = 0;
-  EXPECT_EQ(run_scene(scene, options, nullptr, no_signal), kExitDone);
-  EXPECT_FALSE(std::filesystem::exists(options.out + "/motion"));
-  const nlohmann::ordered_json summary = read_summary(options.out + "/summary.json");
+  const std::string out = test::run_into_folder(scene);
+  EXPECT_FALSE(std::filesystem::exists(out + "/motion"));
+  const nlohmann::ordered_json summary = read_summary(out + "/summary.json");
   EXPECT_EQ(summary["active"], nlohmann::ordered_json({"bodies"}));
   for (const auto& [key, value] : summary.items())
     for (const char* part : {"coupling", "dt_dem", "substeps", "particles", "omega"})
@@ -437,24 +372,16 @@ type = "fixed"
 bodies = ["ground", "box"]
 point = [0, 0, 0]
 )");
-  RunOptions options;
-  options.out = (std::filesystem::path(scene.file).parent_path() / "out").string();
-  options.quiet = true;
-  const volatile std::sig_atomic_t no_signal = 0;
-  EXPECT_EQ(run_scene(scene, options, nullptr, no_signal), kExitDone);
-  EXPECT_EQ(read_summary(options.out + "/summary.json")["warnings"], nlohmann::ordered_json::array());
+  const std::string out = test::run_into_folder(scene);
+  EXPECT_EQ(read_summary(out + "/summary.json")["warnings"], nlohmann::ordered_json::array());
 }
 
 TEST(RunScene, OnGrainsTellsOfBothSides) {
   const GrainScene on;
-  LoopbackGrains grains(start(), pushes({0.0, 0.0, 5.0}));
-  RunOptions options;
-  options.out = (std::filesystem::path(on.scene.file).parent_path() / "out").string();
-  options.quiet = true;
-  const volatile std::sig_atomic_t no_signal = 0;
-  EXPECT_EQ(run_scene(on.scene, options, &grains.transport(), no_signal), kExitDone);
+  LoopbackGrains grains(test::start_of_ball(), pushes({0.0, 0.0, 5.0}));
+  const std::string out = test::run_into_folder(on.scene, &grains.transport());
   EXPECT_EQ(grains.join(), "");
-  const nlohmann::ordered_json summary = read_summary(options.out + "/summary.json");
+  const nlohmann::ordered_json summary = read_summary(out + "/summary.json");
   EXPECT_EQ(summary["status"], "done");
   EXPECT_EQ(summary["particles"], 1000);
   EXPECT_EQ(summary["substeps_per_window"], kSubsteps);
@@ -479,7 +406,7 @@ TEST(Simulation, RowsEndNoStepWhereNothingIsSampled) {
 // A run is kept where the clock says so: no trace in the run, and no set that a side could not write.
 
 // A ball on a string: nothing that the integrator takes exactly.
-const std::string kPendulum = R"(end_time = 0.05
+const std::string kBallOnAString = R"(end_time = 0.05
 gravity = [0, 0, -9.81]
 [[bodies]]
 name = "ball"
@@ -495,20 +422,6 @@ axis = [0, 1, 0]
 [output]
 interval = 1e-3
 )";
-const std::string kOnGrains = kPendulum + R"(
-[[boundaries]]
-body = "ball"
-[boundaries.beams]
-points = [[-0.1, 0, 3], [0.1, 0, 3]]
-radius = 0.05
-[ground]
-kind = "particles"
-[particles]
-script = "in.grains"
-[coupling]
-stop_on_energy_gain = false
-)";
-
 struct Counted {
   int begun = 0, finished = 0, dropped = 0;
 };
@@ -537,7 +450,7 @@ States states_of(Simulation& simulation, const CheckpointWriter& keep) {
 }
 
 TEST(KeptByTheClock, AMechanismGoesOnAsIfItWereNot) {
-  const Scene scene = SceneText().read(kPendulum);
+  const Scene scene = SceneText().read(kBallOnAString);
   Simulation plain(scene, scene.end_time, nullptr), kept(scene, scene.end_time, nullptr);
   Counted count;
   EXPECT_EQ(states_of(plain, {}), states_of(kept, always_overdue(count)));
@@ -546,20 +459,12 @@ TEST(KeptByTheClock, AMechanismGoesOnAsIfItWereNot) {
 }
 
 States coupled_states(const CheckpointWriter& keep, std::int64_t cannot_before) {
-  const SceneText folder;
-  folder.write(
-      "in.grains",
-      "timestep 1e-4\nfix m all mesh/surface file m.stl type 1\nfix mbd all couple/mbd every 4 mesh m ball\nrun 1\n");
-  const Scene scene = folder.read(kOnGrains);
-  Start start;
-  start.dt = 1e-4;
-  start.n = 4;
-  start.bodies = {"ball"};
-  LoopbackGrains grains(start, [](const Motion& motion, Load& load) {
+  const GrainScene on({"coupling.stop_on_energy_gain=false"}, kBallOnAString + test::kOnGrains);
+  LoopbackGrains grains(test::start_of_ball(), [](const Motion& motion, Load& load) {
     load.bodies[0].mean.F_W.z() = 30.0 * std::sin(500.0 * motion.time);
   });
   grains.cannot_keep_quietly_before(cannot_before);
-  Simulation simulation(scene, scene.end_time, &grains.transport());
+  Simulation simulation(on.scene, on.scene.end_time, &grains.transport());
   States states = states_of(simulation, keep);
   EXPECT_TRUE(simulation.finished());
   EXPECT_EQ(grains.join(), "");
