@@ -247,8 +247,8 @@ TEST(Simulation, EndsWindowsAtSamplesAndForeseenEvents) {
       "\"push\" }\n";
   const GrainScene folder;
   const auto run = [&](const std::string& more) {
-    const Scene scene = folder.folder.read(kBallOnGrains + more);
-    LoopbackGrains grains(start(), pushes({0.0, 0.0, 0.0}));
+    const Scene scene = folder.folder.read(kThrownBall + test::kOnGrains + more);
+    LoopbackGrains grains(test::start_of_ball(), pushes({0.0, 0.0, 0.0}));
     Simulation simulation(scene, 0.01, &grains.transport());
     const double vz = rows_of(simulation).back().vz;
     EXPECT_EQ(grains.join(), "");
