@@ -174,7 +174,7 @@ def reference():
 
 # Families of kinds: the table of docs/reference/scene.md that describes them, the section of a scene with their
 # entries, and the key that names the kind.
-kFamilies = [("Joints", "joints", "type", "explanation/theory.md#21-joints"), ("Laws of a strut", "struts", None, "explanation/theory.md#3-struts"),
+kFamilies = [("Joints", "joints", "kind", "explanation/theory.md#21-joints"), ("Laws of a strut", "struts", None, "explanation/theory.md#3-struts"),
              ("Springs", "springs", "kind", "explanation/theory.md#35-springs-between-two-markers"),
              ("Forces", "forces", "frame", "explanation/theory.md#36-forces-over-time-and-what-acts-on-a-joints-coordinate"),
              ("Drives", "drives", "kind", "explanation/theory.md#37-drives"), ("Controllers", "controllers", "kind", "explanation/theory.md#4-controllers"),

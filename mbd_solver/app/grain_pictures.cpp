@@ -236,9 +236,9 @@ std::string write_grain_picture(const std::string& folder, const std::string& na
          << "set lmargin at screen " << across(kLeft) << "\nset rmargin at screen " << across(kLeft + image.width())
          << "\nset bmargin at screen " << up(kBottom) << "\nset tmargin at screen " << up(kBottom + image.height())
          << "\n"
-         << palette() << "set cbrange [0:" << view.fastest
+         << (bed.x.cols() == 0 ? "unset colorbox\n" : "") << palette() << "set cbrange [0:" << view.fastest
          << "]\nset cbtics nomirror\nset cblabel \"speed of the grains [m/s]\"\n"
-         << "set colorbox user origin " << across(kLeft + image.width() + 15) << ","
+         << (bed.x.cols() == 0 ? "# " : "") << "set colorbox user origin " << across(kLeft + image.width() + 15) << ","
          << up(kBottom + 0.15 * image.height()) << " size " << across(22) << "," << up(0.7 * image.height()) << "\n"
          << "set xrange [0:" << image.width() << "]\nset yrange [0:" << image.height() << "]\n"
          << "set arrow from screen " << across(kLeft + 20) << "," << up(28) << " to screen "

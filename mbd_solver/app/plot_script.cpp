@@ -224,14 +224,17 @@ int series_of(const Figure& figure, std::size_t i) {
   return drawn.series >= 0 ? drawn.series : drawn.title == "total" ? kBlack : static_cast<int>(i);
 }
 
+// Later curves are thinner, so that equal ones are seen on each other.
 std::string lines(const Figure& figure) {
   std::string text;
-  for (std::size_t i = 0; i < figure.curves.size(); ++i) {
+  const std::size_t count = figure.curves.size();
+  for (std::size_t i = 0; i < count; ++i) {
     const std::string& colour = figure.curves[i].colour;
+    const double width = count == 1 ? 1.8 : 3.0 - 1.8 * static_cast<double>(i) / static_cast<double>(count - 1);
     text += (i ? ", \\\n     " : "") + curve(figure, i) + " with lines " +
             (colour.empty() ? "lt " + std::to_string(series_of(figure, i) % kSeriesColours + 1)
-                            : "lw 1.8 lc rgb " + gnuplot_text(colour)) +
-            " title " + gnuplot_text(figure.curves[i].title);
+                            : "lc rgb " + gnuplot_text(colour)) +
+            " lw " + number_text(width, 3) + " title " + gnuplot_text(figure.curves[i].title);
   }
   return text;
 }
@@ -253,8 +256,8 @@ std::string marks(const Figure& figure, PlotStyle style) {
          << "\"\n";
   for (const Mark& mark : figure.peaks)
     text << "set label " << gnuplot_text(mark.text) << " at first " << mark.time << ", first " << mark.value
-         << " point pt 7 ps 0.6 lc rgb \"" << paper_of(style).ink << "\" offset 0.6,"
-         << (mark.value < 0.0 ? "-0.6" : "0.6") << " noenhanced font \",9\"" << ink << "\n";
+         << (mark.to_the_left ? " right" : " left") << " point pt 7 ps 0.6 lc rgb \"" << paper_of(style).ink
+         << "\" offset " << (mark.to_the_left ? "-0.9" : "0.9") << ",0.2 noenhanced font \",9\"" << ink << "\n";
   return text.str();
 }
 
@@ -263,14 +266,14 @@ std::string plot_command(const Figure& figure, PlotStyle style) {
   text << "set title " << gnuplot_text(figure.title) << " noenhanced\nset xlabel " << gnuplot_text(figure.x_axis)
        << " noenhanced\nset ylabel " << gnuplot_text(figure.axis) << " noenhanced\n";
   text << (figure.curves.size() == 1 ? "unset key\n" : "set key outside right center samplen 1.5 noenhanced\n");
-  if (figure.logarithmic) text << "set logscale xy\nset format xy \"%g\"\n";
+  if (figure.logarithmic) text << "set logscale xy\nset format xy \"%g\"\nset grid mxtics mytics\n";
   const bool fixed = figure.high > figure.low;
   if (figure.stacked) text << "set yrange [0:]\n";
   if (fixed) text << "set yrange [" << figure.low << ":" << figure.high << "]\n";
   text << "unset arrow\nunset label\n" << marks(figure, style);
   text << "plot " << (figure.stacked ? bands(figure) : lines(figure)) << "\n";
   if (figure.stacked || fixed) text << "set yrange [*:*]\n";
-  if (figure.logarithmic) text << "unset logscale\nset format\n";
+  if (figure.logarithmic) text << "unset logscale\nset format\nset grid nomxtics nomytics\n";
   return text.str();
 }
 

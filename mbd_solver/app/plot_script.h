@@ -69,6 +69,7 @@ struct Mark {
   double time = 0.0;   // [s]
   double value = 0.0;  // in the unit of the axis
   std::string text;
+  bool to_the_left = false;  // of the point
 };
 
 struct Figure {

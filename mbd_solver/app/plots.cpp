@@ -268,6 +268,7 @@ void mark_figures(const History& history, const Json& summary, std::vector<Figur
     const bool is_energy = figure.axis.rfind("energy", 0) == 0;
     if (size > 0.0 && !is_energy) {
       peak.text = number_text(peak.value, 3) + " at " + number_text(peak.time, 3) + " s";
+      peak.to_the_left = peak.time - time.front() > 0.6 * (time.back() - time.front());
       figure.peaks.push_back(peak);
     }
     add_limits(limits, low, high, figure);

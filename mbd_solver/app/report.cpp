@@ -12,10 +12,13 @@
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
+#include "mbd_solver/app/grain_pictures.h"
+#include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/results.h"
 #include "mbd_solver/app/view_page.h"
 #include "mbd_solver/app/viewer_scripts.h"
 #include "mbd_solver/base/csv.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/summary.h"
@@ -367,6 +370,27 @@ void show_ledger(const fs::path& folder, HtmlPage& page) {
     page.picture((folder / "plots" / kLedgerPicture).string(), "Energy balance by part");
 }
 
+// A run without pictures gets one for the sheet, in the middle of its time, if bodies or grains were drawn.
+void draw_picture(const fs::path& folder, const Json& summary) {
+  if (!has_frames(folder.string()) || !pictures_in((folder / "pictures").string()).empty() ||
+      !pictures_in(folder.string()).empty())
+    return;
+  const double time = 0.5 * summary.value("end_time_s", 0.0);
+  try {
+    const MechanismShapes shapes(folder.string(), summary);
+    if (shapes.empty()) return;
+    const MechanismShape shape = shapes.near(time);
+    GrainView view;
+    constexpr double kAzimuth = -65.0, kElevation = 28.0;  // [deg]
+    view.eye = eye_around({}, {&shape}, view.cut, kAzimuth * kPi / 180.0, kElevation * kPi / 180.0);
+    view.fastest = 1.0;
+    const std::string pictures = (folder / "pictures").string(), name = "mechanism_" + number_text(time, 4) + "s";
+    run_gnuplot(pictures,
+                {write_grain_picture(pictures, name, "t = " + number_text(time, 4) + " s", BedFrame(), shape, view)});
+  } catch (const InputError&) {  // the sheet has no picture then
+  }
+}
+
 std::string run_page(const std::string& run) {
   const fs::path folder(run);
   // A run that footfall did not start, or without plots, has none yet.
@@ -376,6 +400,7 @@ std::string run_page(const std::string& run) {
   const std::string title = summary.contains("scene") ? summary.at("scene").value("title", "") : "";
   HtmlPage page(title.empty() ? folder.filename().string() : title);
   page.paragraph("Run " + folder.string());
+  draw_picture(folder, summary);
   show_sheet(run, summary, page);
   show_warnings(summary, page);
   show_view(folder, page);

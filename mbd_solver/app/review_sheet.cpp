@@ -4,11 +4,13 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "coupler/base/text.h"
 #include "mbd_solver/app/plots.h"
 #include "mbd_solver/app/report.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/peaks.h"
 
@@ -105,8 +107,12 @@ void show_key_numbers(const Json& summary, HtmlPage& page) {
     add("largest contact force on one body", "max_contact_force_N", "N", "max_contact_force_time_s");
   add("stability distance, least", "stability_distance_m", "m", "stability_distance_time_s");
   add("energy margin to tip-over, least", "tip_energy_margin_J", "J", "tip_energy_margin_time_s");
-  add("tilt, largest", "max_tilt_rad", "rad", "max_tilt_time_s");
-  add("tilt, final", "final_tilt_rad", "rad", "");
+  for (const auto& [label, key] :
+       {std::pair{"tilt, largest", "max_tilt_rad"}, std::pair{"tilt, final", "final_tilt_rad"}})
+    if (const std::optional<double> tilt = number_in(summary, key)) {
+      const double hundredths = std::round(1e4 * *tilt * 180.0 / kPi) / 1e4;  // of a hundredth of a degree
+      rows.push_back({label, number_text(hundredths, kDigits) + " deg", ""});
+    }
   add("slid distance", "slid_distance_m", "m", "");
   if (const std::optional<double> tipped = number_in(summary, "tipped"))
     rows.push_back({"tipped over", *tipped != 0.0 ? "yes" : "no", ""});
@@ -185,7 +191,7 @@ void show_struts(const Json& scene, const std::vector<ColumnPeaks>& peaks, HtmlP
       row.push_back(available && *available > 0.0
                         ? number_text(100.0 * used / *available, 3) + " % of " + readable(*available, "m")
                         : "no stop");
-      used_up = used_up || (available && used >= *available);
+      used_up = used_up || (available && *available > 0.0 && used >= *available);
     }
     rows.push_back(std::move(row));
     classes.push_back(used_up ? "missed" : "");
@@ -201,12 +207,18 @@ void show_peaks(const std::string& heading, const std::string& what, const Json&
   std::vector<std::string> head = {what};
   head.insert(head.end(), endings.begin(), endings.end());
   Cells rows = {head};
+  std::map<std::string, double> largest;  // of each unit: far below it is round-off
+  for (const Json& owner : owners)
+    for (const std::string& ending : endings)
+      if (const ColumnPeaks* const found = peaks_of(peaks, owner.value(name_key, "") + "." + ending))
+        largest[found->unit] = std::max({largest[found->unit], found->largest, -found->least});
+  constexpr double kRoundOff = 1e-7;
   for (const Json& owner : owners) {
     std::vector<std::string> row = {owner.value(name_key, "")};
     bool any = false;
     for (const std::string& ending : endings) {
       const ColumnPeaks* const found = peaks_of(peaks, row.front() + "." + ending);
-      const bool loaded = found && std::max(found->largest, -found->least) > 0.0;
+      const bool loaded = found && std::max(found->largest, -found->least) > kRoundOff * largest[found->unit];
       row.push_back(loaded ? peak_text(*found) : "");
       any = any || loaded;
     }

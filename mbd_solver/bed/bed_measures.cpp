@@ -220,7 +220,7 @@ BedSlope last_slope(const std::string& folder, double low, double high) {
   if (frames.empty())
     throw InputError(code::kNoDumps, folder +
                                          ": no dumps of grains, which the slope requires; set "
-                                         "particles.box.frames, or dump id x y z radius");
+                                         "particles.box.frame_interval, or dump id x y z radius");
   const BedFrame bed = read_bed_frame(frames.rbegin()->second);
   SlopeBounds bounds;
   if (bed.count() > 0) {

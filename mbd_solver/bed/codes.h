@@ -65,7 +65,7 @@ inline constexpr MessageCode kProgramSuspended{"E0566", "program-suspended"};
 inline constexpr MessageCode kDumpNotReadable{"E0570", "dump-not-readable"};
 // A dump of grains lacks a column. Dump id x y z vx vy vz radius.
 inline constexpr MessageCode kDumpColumnMissing{"E0571", "dump-column-missing"};
-// A run has no dumps of its grains. Set particles.box.frames, or dump id x y z radius in the script.
+// A run has no dumps of its grains. Set particles.box.frame_interval, or dump id x y z radius in the script.
 inline constexpr MessageCode kNoDumps{"E0572", "no-dumps"};
 // The DEM part of a checkpoint is damaged. Resume from another checkpoint.
 inline constexpr MessageCode kGrainsCheckpointDamaged{"E0573", "grains-checkpoint-damaged"};

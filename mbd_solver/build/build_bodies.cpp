@@ -551,11 +551,15 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
   // Per boundary: how far its lowest point is above the ground under it.
   double smallest = std::numeric_limits<double>::infinity();
   double highest_ground = -std::numeric_limits<double>::infinity();
+  const Placement as_drawn;
   for (const BodyBoundary& entry : boundaries) {
     const auto i = static_cast<std::size_t>(entry.body);
-    const Eigen::Matrix3d R_WB = placement.R_WD * axes_D(scene.bodies[i], flexible[i]);
-    const Eigen::Vector3d r = placement.point(origin_D(scene.bodies[i], flexible[i]));
+    const bool still = stands_still(scene, scene.bodies[i].name);
+    const Placement& placed = still ? as_drawn : placement;
+    const Eigen::Matrix3d R_WB = placed.R_WD * axes_D(scene.bodies[i], flexible[i]);
+    const Eigen::Vector3d r = placed.point(origin_D(scene.bodies[i], flexible[i]));
     const auto take = [&](double gap) {
+      if (still) return;
       if (gap < smallest) placement.lowest = static_cast<int>(&entry - boundaries.data());
       smallest = std::min(smallest, gap);
     };
@@ -578,7 +582,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
       ground = highest_under(grains, up, r, reach);
       placement.sites.push_back({highest_under(grains, up, r, (1.0 + kStray) * reach), kStray * reach, r, R_WB});
     }
-    if (!std::isfinite(ground)) continue;  // no grain under this boundary
+    if (!std::isfinite(ground) || still) continue;  // no grain under this boundary
     highest_ground = std::max(highest_ground, ground);
     take(lowest_along(up) - ground);
   }
@@ -596,7 +600,9 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
                                                : "no grain is under any boundary; check initial.position and the bed"));
     const Eigen::Vector3d lift = (*initial.clearance - smallest) * up;
     placement.p_WD += lift;
-    for (LandingSite& site : placement.sites) site.r += lift;
+    for (std::size_t k = 0; k < placement.sites.size(); ++k)
+      if (!stands_still(scene, scene.bodies[static_cast<std::size_t>(boundaries[k].body)].name))
+        placement.sites[k].r += lift;
   }
   return placement;
 }

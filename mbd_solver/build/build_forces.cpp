@@ -88,12 +88,22 @@ int voltage_place(const StrutSpec& spec, Mechanism& mechanism) {
 
 }  // namespace
 
+namespace {
+
+// That of bodies that [initial] places, or as drawn.
+Placement placement_of(const Scene& scene, const Mechanism& mechanism, const std::array<std::string, 2>& bodies) {
+  return stands_still(scene, bodies[0]) || stands_still(scene, bodies[1]) ? Placement() : mechanism.placement;
+}
+
+}  // namespace
+
 void add_struts(const Scene& scene, Mechanism& mechanism) {
   for (const StrutSpec& spec : scene.struts) {
     const int voltage = voltage_place(spec, mechanism);
     const double length = spec.length.value_or((spec.points[1] - spec.points[0]).norm());
+    const Placement placement = placement_of(scene, mechanism, spec.bodies);
     const auto marker = [&](std::size_t end) {
-      return mechanism.model.marker_at(scene.body_index(spec.bodies[end]), mechanism.placement.point(spec.points[end]));
+      return mechanism.model.marker_at(scene.body_index(spec.bodies[end]), placement.point(spec.points[end]));
     };
     try {
       auto strut = std::make_unique<Strut>(spec.name, marker(0), marker(1), laws_of(spec, length), length, voltage);
@@ -107,7 +117,7 @@ void add_struts(const Scene& scene, Mechanism& mechanism) {
 namespace {
 
 std::unique_ptr<ForceElement> build(const SpringSpec& spec, const Scene& scene, const Mechanism& mechanism) {
-  const Placement& placement = mechanism.placement;
+  const Placement placement = placement_of(scene, mechanism, spec.bodies);
   const Model& model = mechanism.model;
   const int a = scene.body_index(spec.bodies[0]), b = scene.body_index(spec.bodies[1]);
   const auto bushing = [&](const Eigen::Vector3d& p_W, const Bushing::Parameters& p) {
@@ -143,13 +153,13 @@ void add_springs(const Scene& scene, Mechanism& mechanism) {
 }
 
 void add_forces(const Scene& scene, Mechanism& mechanism) {
-  const Placement& placement = mechanism.placement;
   Model& model = mechanism.model;
   const auto magnitude = [&](const std::optional<TimeFunctionSpec>& spec) {
     return Magnitude(time_function(spec, TableShape::kLines), spec ? signal_place(mechanism, spec->signal) : -1);
   };
   for (const ForceSpec& spec : scene.forces) {
     const int body = scene.body_index(spec.body);
+    const Placement placement = placement_of(scene, mechanism, {spec.body, spec.body});
     const Eigen::Vector3d p_W = spec.point ? placement.point(*spec.point) : model.initial(body).r;
     const bool turns = spec.frame == ForceFrame::kBody;
     const Eigen::Matrix3d axes_W = turns ? Eigen::Matrix3d(placement.R_WD * axes_with_z(spec.direction))
@@ -379,7 +389,7 @@ void set_walls(const std::vector<StaticWall>& walls, Mechanism& mechanism) {
         try {
           surface->add_triangles(vertices, triangles);
         } catch (const InputError& error) {
-          throw InputError("mesh " + wall.name + " of the script: " + error.what());
+          throw InputError("wall " + wall.name + ": " + error.what());
         }
       }
     }
@@ -389,7 +399,7 @@ void set_walls(const std::vector<StaticWall>& walls, Mechanism& mechanism) {
     const std::string& name = mechanism.model.body(entry.body_1).name();
     if (across > kDepth * reach(boundary_of(mechanism, entry.body_1)))
       throw InputError(code::kAcrossWall,
-                       "contacts: body \"" + name + "\" is on both sides of a wall of the script at the start, by " +
+                       "contacts: body \"" + name + "\" is on both sides of a wall at the start, by " +
                            number_text(across) +
                            " m, so the wall cannot hold it; move it, or exclude it from the entry with walls = true "
                            "(bodies)");

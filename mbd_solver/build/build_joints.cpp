@@ -13,6 +13,7 @@
 #include "mbd_solver/model/laws/motor.h"
 #include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/rotation.h"
+#include "mbd_solver/scene/resolve.h"
 
 namespace footfall {
 namespace {
@@ -88,9 +89,11 @@ Joint build(const JointSpec& spec, const Model& model, int a, int b, const Place
 }  // namespace
 
 void add_joints(const Scene& scene, Mechanism& mechanism) {
+  const Placement as_drawn;
   for (const JointSpec& spec : scene.joints) {
+    const bool still = stands_still(scene, spec.bodies[0]) || stands_still(scene, spec.bodies[1]);
     Joint joint = build(spec, mechanism.model, scene.body_index(spec.bodies[0]), scene.body_index(spec.bodies[1]),
-                        mechanism.placement);
+                        still ? as_drawn : mechanism.placement);
     joint.counts_turns = has_coordinate(spec.type, Coordinate::kAngle);
     mechanism.model.add_joint(std::move(joint));
   }

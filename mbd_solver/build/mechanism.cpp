@@ -23,18 +23,22 @@ int add_input(Mechanism& mechanism, double value) {
 }
 
 void add_bodies(const Scene& scene, const std::vector<FlexibleBody>& flexible, Mechanism& mechanism) {
-  const Placement& placement = mechanism.placement;
-  const Eigen::Vector3d p_WC = placement.point(mass_centre(scene));
+  const Placement as_drawn;
+  const Eigen::Vector3d p_WC = mechanism.placement.point(mass_centre(scene));
   std::unordered_map<std::string, const BodyVelocitySpec*> moving;
   for (const BodyVelocitySpec& own : scene.initial.bodies) moving.emplace(own.body, &own);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const BodySpec& spec = scene.bodies[i];
+    const bool still = stands_still(scene, spec.name);
+    const Placement& placement = still ? as_drawn : mechanism.placement;
     BodyState state;
     state.r = placement.point(origin_D(spec, flexible[i]));
     const Eigen::Quaterniond L(placement.R_WD * axes_D(spec, flexible[i]));
     state.L << L.w(), L.x(), L.y(), L.z();
-    state.w = scene.initial.angular_velocity;
-    state.dr = scene.initial.velocity + state.w.cross(state.r - p_WC);
+    if (!still) {
+      state.w = scene.initial.angular_velocity;
+      state.dr = scene.initial.velocity + state.w.cross(state.r - p_WC);
+    }
     if (const auto own = moving.find(spec.name); own != moving.end()) {
       if (own->second->velocity) state.dr = *own->second->velocity;
       if (own->second->angular_velocity) state.w = *own->second->angular_velocity;

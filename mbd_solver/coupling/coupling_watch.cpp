@@ -45,7 +45,7 @@ std::string CouplingWatch::window_text(int n) const {
   const std::string number = std::to_string(n);
   switch (setting_) {
     case Setting::kScript: return "`every " + number + "`";
-    case Setting::kBox: return "particles.box.every = " + number;
+    case Setting::kBox: return "particles.box.exchange_steps = " + number;
     case Setting::kScriptAuto:
     case Setting::kBoxAuto: return "coupling.max_substeps = " + number;
   }

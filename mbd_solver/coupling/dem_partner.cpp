@@ -65,7 +65,7 @@ void DemPartner::check(const DemTerms& terms) const {
                             ": expected a positive time step, and `auto` or at least 1 DEM step");
   if (terms.max_dt > 0.0 && start_.dt > terms.max_dt * (1.0 + 1e-9))
     throw ProtocolError(code::kTimeStepTooLarge,
-                        "the LIGGGHTS script has timestep " + number_text(start_.dt) + " s, the scene allows at most " +
+                        "the grains have a time step of " + number_text(start_.dt) + " s, the scene allows at most " +
                             number_text(terms.max_dt) +
                             " s (particles.max_time_step): larger steps falsify contact forces long before they become "
                             "unstable");

@@ -288,7 +288,7 @@ class Writer {
     std::ostringstream text;
     text << "\n[[joints]]"
          << from(joint.origin, "joint " + toml_text(joint.label) + (joint.remark.empty() ? "" : ": " + joint.remark))
-         << "name = " << toml_text(joint.name) << "\ntype = \"" << type << "\"\nbodies = ["
+         << "name = " << toml_text(joint.name) << "\nkind = \"" << type << "\"\nbodies = ["
          << toml_text(body(joint.parent)) << ", " << toml_text(body(joint.child)) << "]\npoint = " << list(joint.point)
          << "\n";
     if (joint.kind != RobotJointKind::kFixed && joint.kind != RobotJointKind::kSpherical)

@@ -66,9 +66,8 @@ CollisionWatch::CollisionWatch(const Scene& scene, const Mechanism& mechanism, c
       pair.gap = gap(pair, pair.measured).distance;
       if (pair.gap <= 0.0 && pair.contact < 0) {
         const bool wall = body_1 == kGround;
-        const std::string both =
-            wall ? "body \"" + surfaces_[j].name + "\" and mesh " + surfaces_[i].name + " of the script"
-                 : "bodies \"" + surfaces_[j].name + "\" and \"" + surfaces_[i].name + "\"";
+        const std::string both = wall ? "body \"" + surfaces_[j].name + "\" and the wall " + surfaces_[i].name
+                                      : "bodies \"" + surfaces_[j].name + "\" and \"" + surfaces_[i].name + "\"";
         notes_.push_back(with_code(code::kOverlapAtStart,
                                    both + " overlap at the start: collisions between them are not detected."));
         continue;
@@ -238,8 +237,8 @@ void CollisionWatch::report(const Pair& pair, const Sample& sample, const Eigen:
   const Eigen::Vector3d p_W = frame.r + frame.A * place;
   const bool wall = first.body == kGround;
   std::string what = "t = " + number_text(sample.state.time) + " s: body \"" + second.name + "\" passes through " +
-                     (wall ? "mesh " + first.name + " of the script" : "body \"" + first.name + "\"") + " at (" +
-                     number_text(p_W[0]) + ", " + number_text(p_W[1]) + ", " + number_text(p_W[2]) + ") m";
+                     (wall ? "the wall " + first.name : "body \"" + first.name + "\"") + " at (" + number_text(p_W[0]) +
+                     ", " + number_text(p_W[1]) + ", " + number_text(p_W[2]) + ") m";
   if (pair.contact >= 0) {
     what +=
         " between the points of their contact, where edges cross or a thin part passes: refine the surfaces, or "

@@ -43,8 +43,9 @@ std::string Progress::line() const {
   const double factor = spent > 0.0 ? (time_ - from_) / spent : 0.0;  // simulated per real second
   const std::string windows = coupled_ ? " | " + std::to_string(windows_) + " windows" : "";
   char rest[120];
-  std::snprintf(rest, sizeof rest, " | %.1e x real time%s | contact %.2f kN", factor, windows.c_str(),
-                contact_force_ / 1e3);
+  const bool large = contact_force_ >= 1e3;
+  std::snprintf(rest, sizeof rest, " | %.1e x real time%s | contact %.4g %s", factor, windows.c_str(),
+                large ? contact_force_ / 1e3 : contact_force_, large ? "kN" : "N");
   return time_text(time_, t_end_, {time_ / t_end_, (time_ - from_) / t_end_, spent}) + rest;
 }
 

@@ -36,9 +36,11 @@ void check_time_step(const ScriptText& script, const ParticlesSpec& particles, F
   if (step == nullptr) return;
   const double dt = *as_number(step->words[1]);
   if (dt <= particles.max_time_step * (1.0 + 1e-9)) return;
+  const std::string whose = particles.box
+                                ? "the time step of the grains, box.time_step, is " + number_text(dt) + " s"
+                                : "the script's time step is " + number_text(dt) + " s (" + step->place() + ")";
   findings.error(kScriptTimeStep, particles.source, "max_time_step",
-                 "the script's time step is " + number_text(dt) + " s (" + step->place() + "), expected at most " +
-                     number_text(particles.max_time_step) +
+                 whose + ", expected at most " + number_text(particles.max_time_step) +
                      " s: on this kind of soil twice that runs without any message and is wrong by tens of per cent. "
                      "Reduce the time step, or set a larger max_time_step if these grains are known to allow it");
 }

@@ -252,6 +252,8 @@ inline constexpr MessageCode kAngleInDegrees{"W0167", "angle-in-degrees"};
 inline constexpr MessageCode kImplausibleSpeed{"W0168", "implausible-speed"};
 // Springs yield by more than the size of the mechanism under the weight that they carry. Check the unit of their stiffness.
 inline constexpr MessageCode kSoftSpring{"W0170", "soft-spring"};
+// A key is written in a second spelling, which is read as well. Write the one that the message names.
+inline constexpr MessageCode kSecondSpelling{"W0171", "second-spelling"};
 // The script has no fix gravity, so its grains have no weight. Add the line that the message gives.
 inline constexpr MessageCode kNoGrainGravity{"W0207", "no-grain-gravity"};
 // The mesh is far larger than the simulation box, mostly drawn in millimetres. Add "scale 0.001" to its fix.

@@ -576,6 +576,13 @@ class FieldReader final : public FieldVisitor {
     const auto set =
         std::find_if(found.begin(), found.end(), [](const Given& g) { return g.node->line == Source::kFromSet; });
     const Given& chosen = set != found.end() ? *set : found.front();
+    if (const std::string& spelt = chosen.node->spelt; !spelt.empty() && told_.insert(spelt).second) {
+      Source at;
+      at.path = frame.path;
+      at.line = chosen.node->line;
+      findings_.warning(kSecondSpelling, at, spelt,
+                        "is read as \"" + chosen.written + "\", the spelling of this key; write that");
+    }
     if (frame.source) frame.source->lines[frame.local + key] = chosen.node->line;
     if (frame.source && chosen.written != key) frame.source->in_other_units.insert(frame.local + key);
     return chosen;
@@ -594,6 +601,7 @@ class FieldReader final : public FieldVisitor {
   std::vector<Frame> frames_;
   std::vector<List> lists_;
   ConfigNode switch_table_;
+  std::set<std::string> told_;  // second spellings that have been reported
 };
 
 }  // namespace

@@ -63,10 +63,22 @@ double total_mass(const Scene& scene) {
   return sum;
 }
 
+bool stands_still(const Scene& scene, const std::string& body) {
+  if (!scene.initial.groups || body == "ground") return false;
+  const InitialGroupsSpec& groups = *scene.initial.groups;
+  const bool chosen = !groups.still.empty();  // the other group is given otherwise
+  const std::vector<std::string>& names = chosen ? groups.still : groups.moving;
+  return (std::find(names.begin(), names.end(), body) != names.end()) == chosen;
+}
+
 Eigen::Vector3d mass_centre(const Scene& scene) {
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-  for (const BodySpec& body : scene.bodies) moment += body.mass * body.position;
-  const double mass = total_mass(scene);
+  double mass = 0.0;
+  for (const BodySpec& body : scene.bodies) {
+    if (stands_still(scene, body.name)) continue;
+    moment += body.mass * body.position;
+    mass += body.mass;
+  }
   return mass > 0.0 ? Eigen::Vector3d(moment / mass) : Eigen::Vector3d::Zero();
 }
 

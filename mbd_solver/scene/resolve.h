@@ -24,7 +24,10 @@ void resolve_segments(Scene& scene, Findings& findings);
 // Mass, mass centre and inertia of every body: from numbers, or from shape and material; "remainder" last.
 void resolve_masses(Scene& scene, Findings& findings);
 
-// Mass centre of all bodies in D [m]; total mass [kg].
+// The body is one that [initial] does not place or move (InitialGroupsSpec); not "ground".
+bool stands_still(const Scene& scene, const std::string& body);
+
+// Mass centre in D of all bodies that [initial] moves [m]; total mass of all [kg].
 Eigen::Vector3d mass_centre(const Scene& scene);
 double total_mass(const Scene& scene);
 

@@ -9,6 +9,7 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/control/signal_chain.h"
 #include "mbd_solver/model/laws/curves.h"
+#include "mbd_solver/scene/resolve.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
@@ -172,11 +173,40 @@ void check_scene(const Scene& scene, Findings& findings) {
   check_springs(scene, findings);
   check_forces(scene, findings);
   check_contact(scene, findings);
+  check_groups(scene, findings);
   check_landing(scene, findings);
   check_requirements(scene, findings);
   check_limits(scene, findings);
   if (!findings.has_errors()) check_plausible(scene, findings);
   if (scene.particles && scene.touches_particles()) check_script(scene, findings);
+}
+
+void check_groups(const Scene& scene, Findings& findings) {
+  if (!scene.initial.groups) return;
+  const InitialGroupsSpec& groups = *scene.initial.groups;
+  const EntryFindings at(findings, scene.initial.source);
+  at.error_if(groups.moving.empty() && groups.still.empty(), kMissingKey, "groups",
+              "names no body; name those that stand still, or those that move");
+  for (const std::string& body : groups.still)
+    at.error_if(is_in(groups.moving, body), kListedTwice, "groups",
+                "\"" + body + "\" is both moving and still; keep one");
+  for (const std::string& body : groups.moving) check_body_name(scene, at, "groups.moving", body);
+  for (const std::string& body : groups.still) check_body_name(scene, at, "groups.still", body);
+  at.error_if(std::all_of(scene.bodies.begin(), scene.bodies.end(),
+                          [&](const BodySpec& body) { return stands_still(scene, body.name); }),
+              kConflictingKeys, "groups", "leaves no body that moves; name fewer bodies that stand still");
+  const auto check = [&](const auto& entries, const char* what) {
+    for (const auto& entry : entries) {
+      const std::string &a = entry.bodies[0], &b = entry.bodies[1];
+      if (a == "ground" || b == "ground" || stands_still(scene, a) == stands_still(scene, b)) continue;
+      findings.error(kConflictingKeys, entry.source, "bodies",
+                     "a " + std::string(what) + " joins a body of each group of initial.groups, \"" + a + "\" and \"" +
+                         b + "\", which [initial] moves apart; put both into one group");
+    }
+  };
+  check(scene.joints, "joint");
+  check(scene.struts, "strut");
+  check(scene.springs, "spring");
 }
 
 void check_landing(const Scene& scene, Findings& findings) {
@@ -531,7 +561,7 @@ void check_joints(const Scene& scene, Findings& findings) {
   check_unique_names(scene.joints, "joint", findings);
   std::map<std::pair<std::string, std::string>, std::vector<const JointSpec*>> motions;  // of each pair of bodies
   for (const JointSpec& joint : scene.joints) {
-    if (!joint.source.good("type")) {
+    if (!joint.source.good("kind")) {
       if (joint.motion) motions[std::minmax(joint.bodies[0], joint.bodies[1])].push_back(&joint);
       continue;
     }
@@ -771,9 +801,28 @@ void check_initial_joints(const Scene& scene, Findings& findings) {
                "start differs from it");
 }
 
+namespace {
+
+// max_torque [N m] of an angle, max_force [N] of a displacement.
+void check_largest_effort(const Scene& scene, const DriveSpec& drive, const EntryFindings& at) {
+  const bool torque = at.given("max_torque"), force = at.given("max_force");
+  at.error_if(torque && force, kConflictingKeys, "max_force", "is given with max_torque; keep one of the two");
+  const JointSpec* const joint = scene.joint(drive.joint);
+  if (joint == nullptr || !joint->source.good("kind")) return;
+  const std::vector<Coordinate> has = coordinates_of(joint->type);
+  if (!drive.coordinate && has.size() != 1) return;
+  const bool turns = drive.coordinate.value_or(has.front()) == Coordinate::kAngle;
+  at.error_if(force && turns, kKeyWithoutEffect, "max_force", "has no effect on an angle; write max_torque [N m]");
+  if (torque && !force && !turns)
+    at.warning(kSecondSpelling, "max_torque",
+               "is read as \"max_force\" [N], because the drive moves a displacement; write that");
+}
+
+}  // namespace
+
 void check_drives(const Scene& scene, Findings& findings) {
   for (const JointSpec& joint : scene.joints)
-    if (joint.source.good("type"))
+    if (joint.source.good("kind"))
       for (const Coordinate coordinate : every<Coordinate>())
         check_coordinate(joint, coordinate, {findings, joint.source});
   check_unique_names(scene.drives, "drive", findings);
@@ -786,8 +835,9 @@ void check_drives(const Scene& scene, Findings& findings) {
     if (drive.command) check_signal_name(scene, at, "command.signal", drive.command->signal);
     at.missing_if(!drive.command, "command", "for example command = { polynomial = [0, 0.5] }");
     check_kind_keys(at, motor.kind, "drive");
+    check_largest_effort(scene, drive, at);
     at.missing_if(motor.kind == MotorKind::kBrake && !motor.largest_torque, "max_torque",
-                  "the torque at which a brake slides [N m]");
+                  "the torque at which a brake slides [N m], or max_force on a displacement [N]");
     at.missing_if((motor.kind == MotorKind::kSpeed || motor.kind == MotorKind::kPosition) && !(motor.kp > 0.0), "kp",
                   "a drive that holds a speed or a position needs it");
     at.error_if(!(motor.efficiency > 0.0), kOutOfRange, "efficiency", "is 0, expected more than 0, at most 1");

@@ -28,6 +28,7 @@ void check_forces(const Scene& scene, Findings& findings);
 void check_controllers(const Scene& scene, Findings& findings);
 void check_signals(const Scene& scene, Findings& findings);
 void check_requirements(const Scene& scene, Findings& findings);
+void check_groups(const Scene& scene, Findings& findings);
 void check_landing(const Scene& scene, Findings& findings);
 void check_contact(const Scene& scene, Findings& findings);
 // Counts and sizes beyond reason.

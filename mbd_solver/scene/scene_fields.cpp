@@ -173,7 +173,7 @@ static void visit_fields(FieldVisitor& v, CoordinateSpec& c, Unit unit) {
 
 void visit_fields(FieldVisitor& v, JointSpec& j) {
   v.entry(j.source, j.name);
-  v.choice("type", j.type, required());
+  v.choice("kind", j.type, required());
   v.field("bodies", &j.bodies, required(name));
   v.fields(point, {{"point", &j.point}, {"point_a", &j.point_a}, {"point_b", &j.point_b}});
   v.fields(direction, {{"axis", &j.axis}, {"axis2", &j.axis2}});
@@ -204,6 +204,7 @@ void visit_fields(FieldVisitor& v, DriveSpec& d) {
             [](FieldVisitor& w, TimeFunctionSpec& function) { visit_fields(w, function, Unit::kNone); });
   v.fields(not_negative(), {{"kp", &m.kp}, {"ki", &m.ki}, {"kd", &m.kd}});
   v.field("max_torque", &m.largest_torque, positive(Unit::kTorque));
+  v.field("max_force", &m.largest_torque, positive(Unit::kForce));  // of a drive on a displacement
   v.field("max_speed", &m.no_load_speed, positive(Unit::kAngularVelocity));
   v.field("gear_ratio", &m.gear_ratio, positive());
   v.field("efficiency", &m.efficiency, share);
@@ -412,8 +413,8 @@ static void visit_fields(FieldVisitor& v, BoxSpec& b) {
   v.fields(length, {{"headroom", &b.headroom}, {"margin", &b.margin}});
   v.field("time_step", &b.time_step, positive(Unit::kTime));
   v.field("rayleigh_fraction", &b.rayleigh_fraction, share);
-  v.field("every", &b.every, positive());
-  v.field("frames", &b.frames, not_negative(Unit::kTime));
+  v.field("exchange_steps", &b.every, positive());
+  v.field("frame_interval", &b.frames, not_negative(Unit::kTime));
   v.section("material", b.material);
   v.section("bodies", b.bodies);
 }
@@ -480,6 +481,10 @@ static void visit_fields(FieldVisitor& v, InitialJointSpec& j) {
                              {"displacement_y", &j.displacement_y}});
 }
 
+static void visit_fields(FieldVisitor& v, InitialGroupsSpec& g) {
+  v.fields(name, {{"moving", &g.moving}, {"still", &g.still}});
+}
+
 static void visit_fields(FieldVisitor& v, InitialSpec& i) {
   v.field("", &i.source, {});
   v.field("position", &i.position, {Unit::kLength});
@@ -489,6 +494,7 @@ static void visit_fields(FieldVisitor& v, InitialSpec& i) {
   v.field("angular_velocity", &i.angular_velocity, {Unit::kAngularVelocity});
   v.list("bodies", i.bodies);
   v.list("joints", i.joints, true);
+  v.section("groups", i.groups);
   v.field("settle", &i.settle, plain);
   v.field("largest_gap", &i.largest_gap, positive(Unit::kLength));
 }

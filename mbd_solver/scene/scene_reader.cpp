@@ -184,6 +184,7 @@ Scene read_scene(const std::string& argument, const std::vector<std::string>& se
   Findings findings(file);
   for (const std::string& setting : settings) apply_setting(root, setting, findings);
   add_soil(root, findings);
+  rename_second_spellings(root);
   expand_initial_joints(root, findings);
 
   Scene scene;
@@ -223,7 +224,7 @@ std::optional<JointType> type_of_joint(const ConfigNode& root, const std::string
     if (joint.entry_name() == name) found = &joint;
     if (!found && may_become(joint.entry_name(), name)) found = &joint;
   }
-  const ConfigNode* type = found ? found->find("type") : nullptr;
+  const ConfigNode* type = found ? found->find("kind") : nullptr;
   if (!type) return std::nullopt;
   for (const JointType known : every<JointType>())
     if (type->text == name_of(known)) return known;

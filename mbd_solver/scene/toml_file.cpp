@@ -136,9 +136,47 @@ void require_scene(const ConfigNode& own, const std::string& file) {
           ", or give that scene");
 }
 
+// "frames_ms" with the second spelling "frames" of "frame_interval": "frame_interval_ms".
+void rename_key(ConfigNode& table, const std::string& second, const std::string& key) {
+  for (std::size_t i = 0; i < table.table.size(); ++i) {
+    auto& [written, node] = table.table[i];
+    const bool is_second = written == second || written.rfind(second + "_", 0) == 0;
+    if (!is_second) continue;
+    const std::string renamed = key + written.substr(second.size());
+    const auto same = std::find_if(table.table.begin(), table.table.end(), [&](const auto& entry) {
+      return entry.first == key || entry.first.rfind(key + "_", 0) == 0;
+    });
+    if (same != table.table.end()) {
+      if (node.line != Source::kFromSet) continue;
+      same->second = node;
+      same->first = renamed;
+      same->second.spelt = written;
+      table.table.erase(table.table.begin() + static_cast<std::ptrdiff_t>(i--));
+      continue;
+    }
+    node.spelt = written;
+    written = renamed;
+  }
+}
+
+}  // namespace
+
+void rename_second_spellings(ConfigNode& root) {
+  if (ConfigNode* const joints = root.find("joints"))
+    for (ConfigNode& joint : joints->list) rename_key(joint, "type", "kind");
+  ConfigNode* const particles = root.find("particles");
+  ConfigNode* const box = particles ? particles->find("box") : nullptr;
+  if (box == nullptr) return;
+  rename_key(*box, "every", "exchange_steps");
+  rename_key(*box, "frames", "frame_interval");
+}
+
+namespace {
+
 ConfigNode parse(const std::string& argument, int depth) {
   const std::string file = scene_file(argument);
   ConfigNode own = parse_toml_file(file);
+  rename_second_spellings(own);
   require_scene(own, file);
   const ConfigNode* base_key = own.find("base");
   if (!base_key) return own;

@@ -17,6 +17,7 @@ struct ConfigNode {
   bool flag = false;                                      // kFlag
   std::vector<std::pair<std::string, ConfigNode>> table;  // kTable, by key
   std::vector<ConfigNode> list;                           // kList
+  std::string spelt;  // the key by which the file names it, if that is an accepted spelling of another; else empty
 
   const ConfigNode* find(const std::string& key) const;
   ConfigNode* find(const std::string& key);
@@ -28,6 +29,10 @@ struct ConfigNode {
 };
 
 class Findings;
+
+// Gives keys of a scene that have a second spelling their own: `type` of joints, `every` and `frames` of [particles.box]. Where
+// both are given, that of --set counts; otherwise the second one remains and is an unknown key.
+void rename_second_spellings(ConfigNode& root);
 
 // Throws InputError "file:line: ..." if the file cannot be read or is no TOML.
 ConfigNode parse_toml_file(const std::string& file);

@@ -124,7 +124,8 @@ RigCheck half_speed(const Scene& scene) {
   RigCheck half{"half speed", {"end_time=" + number_text(2.0 * scene.end_time, kRigDigits)}};
   const bool box = scene.particles && scene.particles->box;
   if (box && scene.particles->box->frames > 0.0)
-    half.settings.push_back("particles.box.frames=" + number_text(2.0 * scene.particles->box->frames, kRigDigits));
+    half.settings.push_back("particles.box.frame_interval=" +
+                            number_text(2.0 * scene.particles->box->frames, kRigDigits));
   for (const JointSpec& joint : scene.joints) {
     if (!joint.motion) continue;
     const MotionSpec& motion = *joint.motion;

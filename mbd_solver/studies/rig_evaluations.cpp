@@ -322,7 +322,8 @@ constexpr double kLowerPart = 0.2, kUpperPart = 0.8;
 void require_repose(const Scene& scene) {
   const BoxSpec& box = box_of(scene);
   if (box.pit.empty()) throw InputError(code::kRigScene, scene.file + ": this rig requires particles.box.pit");
-  if (!(box.frames > 0.0)) throw InputError(code::kRigScene, scene.file + ": this rig requires particles.box.frames");
+  if (!(box.frames > 0.0))
+    throw InputError(code::kRigScene, scene.file + ": this rig requires particles.box.frame_interval");
 }
 
 RigSample evaluate_repose(const std::vector<RigRun>& runs) {

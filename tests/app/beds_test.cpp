@@ -55,7 +55,7 @@ class Bed : public ::testing::Test {
 TEST_F(Bed, ByNumbersIsTheOneOfItsScripts) {
   constexpr double kDepth = 0.05, kX = 0.2, kY = 0.16;  // [m]
   folder.write("box.toml", kPlateAndTine + "[particles]\nranks = 1\n[particles.box]\nsize = [0.2, 0.16]\n" +
-                               "depth = 0.05\nradius = [0.007, 0.009]\nevery = 3\n");
+                               "depth = 0.05\nradius = [0.007, 0.009]\nexchange_steps = 3\n");
   folder.done("run box.toml --quiet --out box");
   const std::string checked = folder.done("check box.toml").text;
   const std::vector<GrainPlace> grains = read_grains(bed_of(checked) + "/bed.restart.grains");
@@ -194,7 +194,7 @@ plots = false
   kind("cohesive", {"particles.box.material.cohesion=1e4", "particles.box.material.rolling_model=\"none\"",
                     "particles.box.bodies.cohesion=0"});
   kind("moon", {"gravity=[0,0,-1.62]", "particles.box.centre=[0.02,-0.02]", "particles.box.radius=[0.007,0.01]",
-                "particles.box.shares=[0.7,0.3]", "particles.box.frames=0.01"});
+                "particles.box.shares=[0.7,0.3]", "particles.box.frame_interval=0.01"});
   EXPECT_EQ(folder.command("ls moon/grains_*.vtp", 10).exit_code, 0) << "dumps";
 }
 

@@ -238,7 +238,7 @@ TEST_F(FlexibleScene, ThatSpinsTooFastForLinearModesIsWarnedOfOnce) {
 
 const char* const kClamp = R"([[joints]]
 name = "clamp"
-type = "fixed"
+kind = "fixed"
 bodies = ["ground", "rod"]
 point = [0, 0, 0]
 )";

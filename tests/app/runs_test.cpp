@@ -31,7 +31,7 @@ TEST_P(Example, IsCopiedCheckedAndRun) {
        " --set particles.bed.variables.fine_depth=0.06 --set particles.bed.variables.rest=0.05 --ranks 1 --until 0.01"},
       {"drop", app::kSmallSphere.substr(app::kSmallSphere.find(" --set")) + " --until 0.05"},
       {"flexible_rake", "--set particles.bed.variables.depth=0.06 --until 0.005"},
-      {"wheel", "--set particles.box.frames=0.01 --set output.vtk_interval=0.01 --until 0.04"}};
+      {"wheel", "--set particles.box.frame_interval=0.01 --set output.vtk_interval=0.01 --until 0.04"}};
   const app::Folder folder("example_" + name);
   folder.done("new " + name + " --from " + name);
   EXPECT_EQ(app::lines_of(folder.read(name + "/README.md")), 3);
@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
         Resumed{"chosen_windows",
                 kSphere + " --set particles.variables.every=auto --set output.checkpoint_interval=0.03"},
         Resumed{"box", app::kExamples + "/02_wheel --until 0.05 --set output.checkpoint_interval=0.02" +
-                           " --set particles.box.frames=0.01"},
+                           " --set particles.box.frame_interval=0.01"},
         Resumed{"clumps", app::kSource + "/tests/app/clumps.toml --set output.checkpoint_interval=0.02"},
         Resumed{"bent_mesh",
                 app::kSource + "/tests/app/bent_rod.toml --ranks 2 --set output.checkpoint_interval=0.09"}),

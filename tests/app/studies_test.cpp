@@ -340,7 +340,7 @@ TEST_F(Study, OfARigIsRefusedBeforeAnythingRuns) {
       {"cone --set bodies.cone.shape.file=ring.stl --list", "cone.stl"},
       {"wheel --set 'joints.hub.motion.rotation={table=[[0,0],[1,2],[9,20]]}' --list", "\"hub\""},
       {"wheel --file still.toml --list", "wheel"},
-      {"repose --set particles.box.frames=0 --list", "particles.box.frames"}};
+      {"repose --set particles.box.frame_interval=0 --list", "particles.box.frame_interval"}};
   for (const auto& [line, names] : lines) {
     const test::Outcome outcome =
         folder.footfall("rig " + std::regex_replace(std::string(line), std::regex("@"), rigs));

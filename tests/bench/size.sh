@@ -23,7 +23,7 @@ chain() {
     }
     for (i = 1; i <= n; ++i) {
       before = i == 1 ? "ground" : "rod_" (i - 1)
-      printf "[[joints]]\nname = \"joint_%d\"\ntype = \"%s\"\nbodies = [\"%s\", \"rod_%d\"]\npoint = %s\n", i, i % 2 ? "spherical" : "revolute", before, i, at(i - 1)
+      printf "[[joints]]\nname = \"joint_%d\"\nkind = \"%s\"\nbodies = [\"%s\", \"rod_%d\"]\npoint = %s\n", i, i % 2 ? "spherical" : "revolute", before, i, at(i - 1)
       if (i % 2 == 0) print "axis = \"y\""
     }
     print "[solver]\nerror_control = false\nmax_step = 5e-4\n[output]\ninterval = 1\nplots = false\nvtk = false"

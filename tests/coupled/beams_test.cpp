@@ -787,7 +787,7 @@ mass = 0.001
 shape = { kind = "sphere", centre = [0, 0, 0], radius = 0.004 }
 [[joints]]
 name = "drive"
-type = "prescribed"
+kind = "prescribed"
 bodies = ["ground", "carriage"]
 point = [0, 0, 0.3]
 axis = [0, 0, 1]
@@ -800,12 +800,12 @@ rotation = { polynomial = [0] }
 hold_other_rotations = true
 [[joints]]
 name = "clamp"
-type = "fixed"
+kind = "fixed"
 bodies = ["carriage", "tine"]
 point = [0, 0, 0.3]
 [[joints]]
 name = "end"
-type = "fixed"
+kind = "fixed"
 bodies = ["tine", "shoe"]
 point = [0, 0, 0]
 [[boundaries]]

@@ -183,7 +183,7 @@ std::string scene_of(const World& w) {
       << "] }\n[[boundaries]]\nbody = \"" << b.name << "\"\nsurface = {}\n";
     const Vector3d v = b.v * w.velocity(), turn = b.w / w.time;
     if (b.driven) {
-      s << "[[joints]]\nname = \"j_" << b.name << "\"\ntype = \"prescribed\"\nbodies = [\"ground\", \"" << b.name
+      s << "[[joints]]\nname = \"j_" << b.name << "\"\nkind = \"prescribed\"\nbodies = [\"ground\", \"" << b.name
         << "\"]\npoint = [" << words(b.centre * w.length, ", ") << "]\naxis = \"z\"\naxis2 = \"x\"\n[joints.motion]\n";
       for (int c = 0; c < 3; ++c) s << "xyz"[c] << " = { polynomial = [0, " << v[c] << "] }\n";
       s << "rotation = { polynomial = [0, " << turn.z() << "] }\nhold_other_rotations = true\n";

@@ -103,7 +103,7 @@ def prescribed(rng, m):
         where = top
     scene = head(0.03) + body("plate", rng.uniform(0.5, 20), where) + f"""[[joints]]
 name = "p"
-type = "prescribed"
+kind = "prescribed"
 bodies = ["ground", "plate"]
 point = [0, 0, 0]
 axis = "z"
@@ -125,7 +125,7 @@ def driven(rng, m):
                           "{ signal = \"on\" }"])
     scene = head(0.04) + body("plate", mass, 2 * m["radius"] + rng.uniform(0, 0.001)) + f"""[[joints]]
 name = "slide"
-type = "prismatic"
+kind = "prismatic"
 bodies = ["ground", "plate"]
 point = [0, 0, 0]
 axis = "z"
@@ -156,13 +156,13 @@ inertia = [1, 1, 1]
 position = [0, 0, 0.3]
 [[joints]]
 name = "rail"
-type = "prismatic"
+kind = "prismatic"
 bodies = ["ground", "carrier"]
 point = [0, 0, 0.3]
 axis = "z"
 [[joints]]
 name = "leg"
-type = "prismatic"
+kind = "prismatic"
 bodies = ["carrier", "foot"]
 point = [0, 0, 0.1]
 axis = "z"

@@ -47,7 +47,7 @@ std::string plate(double z, double mass) {
 }
 
 std::string moved(const std::string& z) {
-  return "[[joints]]\nname = \"p\"\ntype = \"prescribed\"\nbodies = [\"ground\", \"plate\"]\npoint = [0, 0, 0]\n"
+  return "[[joints]]\nname = \"p\"\nkind = \"prescribed\"\nbodies = [\"ground\", \"plate\"]\npoint = [0, 0, 0]\n"
          "axis = \"z\"\naxis2 = \"x\"\n[joints.motion]\nx = { polynomial = [0] }\ny = { polynomial = [0] }\nz = " +
          z + "\nrotation = { polynomial = [0] }\nhold_other_rotations = true\n";
 }
@@ -121,7 +121,7 @@ TEST(PrescribedMotion, OfLongWindowsTellsThatMeansHidePeaks) {
 // A motor of 100 N switches on at 10.5 ms: windows end at the sample, and catching up does no work.
 TEST(Events, InLongWindowsCreateNoEnergy) {
   const std::string scene = "end_time = 0.03\n" + plate(0.0451, 1.0) +
-                            "[[joints]]\nname = \"slide\"\ntype = \"prismatic\"\nbodies = [\"ground\", \"plate\"]\n"
+                            "[[joints]]\nname = \"slide\"\nkind = \"prismatic\"\nbodies = [\"ground\", \"plate\"]\n"
                             "point = [0, 0, 0]\naxis = \"z\"\n[[drives]]\nname = \"motor\"\nkind = \"torque\"\n"
                             "joint = \"slide\"\ncommand = { signal = \"push\" }\n[[signals]]\nname = \"push\"\n"
                             "kind = \"expression\"\ninput = \"time > 0.01 ? -100 : 9.81\"\nperiod = 0.0005\n";
@@ -136,7 +136,7 @@ TEST(Events, InLongWindowsCreateNoEnergy) {
 // A plate rests on grains until a body beside it, which falls, is fast enough: that state lets 300 N push. The window that comes
 // ends there, and 1 ms of windows before it is no place to catch up in two DEM steps.
 TEST(Events, OfStatesInLongWindowsCreateNoEnergy) {
-  const std::string slide = "\"\ntype = \"prismatic\"\npoint = [0, 0, 0.1]\naxis = \"z\"\nbodies = ";
+  const std::string slide = "\"\nkind = \"prismatic\"\npoint = [0, 0, 0.1]\naxis = \"z\"\nbodies = ";
   const std::string scene =
       "end_time = 0.03\n" + plate(0.0459, 1.0) +
       "[[bodies]]\nname = \"weight\"\nmass = 20\ninertia = [1, 1, 1]\nposition = [0, 0, 0.3]\n[[joints]]\nname = "
@@ -196,12 +196,12 @@ TEST(Gate, OpensUnderItsGrains) {
       "= "
       "\"box\", size = [0.08, 0.08, 0.004], centre = [0, 0, -0.002] }\n[[boundaries]]\nbody = \"gate\"\nsurface = {}\n";
   const std::string slides =
-      "[[joints]]\nname = \"rail\"\ntype = \"prismatic\"\nbodies = [\"ground\", \"gate\"]\npoint = [0, 0, 0]\naxis = "
+      "[[joints]]\nname = \"rail\"\nkind = \"prismatic\"\nbodies = [\"ground\", \"gate\"]\npoint = [0, 0, 0]\naxis = "
       "\"x\"\n[[drives]]\nname = \"motor\"\nkind = \"torque\"\njoint = \"rail\"\ncommand = { table = [[0, 0], [0.06, "
       "0], "
       "[0.0601, 5], [1, 5]] }\n";
   const std::string flap =
-      "[[joints]]\nname = \"hinge\"\ntype = \"revolute\"\nbodies = [\"ground\", \"gate\"]\npoint = [-0.04, 0, -0.002]\n"
+      "[[joints]]\nname = \"hinge\"\nkind = \"revolute\"\nbodies = [\"ground\", \"gate\"]\npoint = [-0.04, 0, -0.002]\n"
       "axis = \"y\"\n[[drives]]\nname = \"latch\"\nkind = \"torque\"\njoint = \"hinge\"\ncommand = { signal = \"hold\" "
       "}\n"
       "[[signals]]\nname = \"hold\"\nkind = \"expression\"\n"

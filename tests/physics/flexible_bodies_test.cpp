@@ -319,7 +319,7 @@ std::string clamped_rod(const std::string& spring) {
   return "end_time = 1\ngravity = [0, 0, 0]\n[materials.steel]\ndensity = 7850\nyoung_GPa = 207\n[[bodies]]\nname = "
          "\"rod\"\nmaterial = \"steel\"\nshape = { kind = \"rod\", from = [0, 0, 0], to = [1, 0, 0], diameter = 0.02 "
          "}\n"
-         "flexible = { modes = 3, elements = 8 }\n[[joints]]\nname = \"clamp\"\ntype = \"fixed\"\nbodies = "
+         "flexible = { modes = 3, elements = 8 }\n[[joints]]\nname = \"clamp\"\nkind = \"fixed\"\nbodies = "
          "[\"ground\", "
          "\"rod\"]\npoint = [0, 0, 0]\n" +
          spring;
@@ -363,7 +363,7 @@ std::string blade(double rate) {
           "\"blade\"\n"
        << "material = \"steel\"\nshape = { kind = \"rod\", from = [0, 0, 0], to = [1, 0, 0], diameter = 0.01 }\n"
        << "flexible = { segments = " << kSegments
-       << ", damping = 0 }\n[[joints]]\nname = \"hub\"\ntype = \"prescribed\"\n"
+       << ", damping = 0 }\n[[joints]]\nname = \"hub\"\nkind = \"prescribed\"\n"
        << "bodies = [\"ground\", \"blade\"]\npoint = [0, 0, 0]\naxis = \"z\"\naxis2 = \"x\"\nmotion = { x = { "
           "polynomial = [0] }, "
        << "y = { polynomial = [0] }, z = { polynomial = [0] }, rotation = { polynomial = [0, " << rate

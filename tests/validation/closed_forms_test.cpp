@@ -48,7 +48,7 @@ std::string body(const std::string& name, double mass, const std::string& positi
 }
 std::string joint(const std::string& name, const std::string& type, const std::string& a, const std::string& b,
                   const std::string& point, const std::string& axis, const std::string& more = "") {
-  return "[[joints]]\nname = \"" + name + "\"\ntype = \"" + type + "\"\nbodies = [\"" + a + "\", \"" + b +
+  return "[[joints]]\nname = \"" + name + "\"\nkind = \"" + type + "\"\nbodies = [\"" + a + "\", \"" + b +
          "\"]\npoint = " + point + (axis.empty() ? "" : "\naxis = \"" + axis + "\"") + "\n" + more;
 }
 std::string rail(const std::string& more = "", const std::string& axis = "x") {
@@ -315,7 +315,7 @@ void add_pendulums(std::vector<Case>& all) {
     all.push_back({"pendulum_on_a_string",
                    period,
                    kGravity + body("b", 2, lines("[", s, ", 0, ", c, "]")) +
-                       lines("[[joints]]\nname = \"d\"\ntype = \"distance\"\nbodies = [\"ground\", \"b\"]\npoint_a = "
+                       lines("[[joints]]\nname = \"d\"\nkind = \"distance\"\nbodies = [\"ground\", \"b\"]\npoint_a = "
                              "[0, 0, 0]\npoint_b = [",
                              s, ", 0, ", c, "]\n"),
                    {{"b.x", s}, {"b.z", c}}});
@@ -332,7 +332,7 @@ void add_pendulums(std::vector<Case>& all) {
     all.push_back({"conical_pendulum",
                    t,
                    kGravity + body("b", 2, lines("[", s, ", 0, ", -l * std::cos(a), "]")) +
-                       lines("[[joints]]\nname = \"d\"\ntype = \"distance\"\nbodies = [\"ground\", \"b\"]\npoint_a = "
+                       lines("[[joints]]\nname = \"d\"\nkind = \"distance\"\nbodies = [\"ground\", \"b\"]\npoint_a = "
                              "[0, 0, 0]\npoint_b = [",
                              s, ", 0, ", -l * std::cos(a), "]\n[initial]\nvelocity = [0, ", w * s, ", 0]\n"),
                    {{"b.x", s * std::cos(w * t)}, {"b.y", s * std::sin(w * t)}, {"b.z", -l * std::cos(a)}}});
@@ -496,9 +496,9 @@ void add_drives(std::vector<Case>& all) {
              joint("turn", "prescribed", "ground", "a", "[0, 0, 0]", "z",
                    "motion = { x = { polynomial = [0] }, y = { polynomial = [0] }, z = { polynomial = [0] }, rotation "
                    "= { polynomial = [0, 0.8] }, hold_other_rotations = true }\n") +
-             "[[joints]]\nname = \"u\"\ntype = \"" + type + "\"\nbodies = [\"a\", \"b\"]\npoint = [0, 0, 0]\n" + axes +
+             "[[joints]]\nname = \"u\"\nkind = \"" + type + "\"\nbodies = [\"a\", \"b\"]\npoint = [0, 0, 0]\n" + axes +
              lines(
-                 "[[joints]]\nname = \"out\"\ntype = \"revolute\"\nbodies = [\"ground\", \"b\"]\npoint = [0, 0, "
+                 "[[joints]]\nname = \"out\"\nkind = \"revolute\"\nbodies = [\"ground\", \"b\"]\npoint = [0, 0, "
                  "0]\naxis = [",
                  s, ", 0, ", c, "]\n[[initial.bodies]]\nbody = \"a\"\nangular_velocity = [0, 0, 0.8]\n");
     };
@@ -547,7 +547,7 @@ void add_slides(std::vector<Case>& all) {
   all.push_back({"point_on_a_slope",
                  t,
                  tilted + body("b", 2, "[0, 0, 0]") +
-                     "[[joints]]\nname = \"o\"\ntype = \"point_on_plane\"\nbodies = [\"ground\", \"b\"]\npoint_a = [0, "
+                     "[[joints]]\nname = \"o\"\nkind = \"point_on_plane\"\nbodies = [\"ground\", \"b\"]\npoint_a = [0, "
                      "0, 0]\npoint_b = [0, 0, 0]\naxis = \"z\"\n",
                  {{"b.x", 0.5 * kG * s * t * t}, {"b.z", 0}}});
   all.push_back({"planar_joint_on_a_slope",
@@ -558,13 +558,13 @@ void add_slides(std::vector<Case>& all) {
   all.push_back({"ball_rolls_down",
                  t,
                  tilted + body("b", 2, "[0, 0, 0.2]", "[0.032, 0.032, 0.032]") +
-                     "[[joints]]\nname = \"o\"\ntype = \"rolling\"\nbodies = [\"ground\", \"b\"]\npoint_a = [0, 0, "
+                     "[[joints]]\nname = \"o\"\nkind = \"rolling\"\nbodies = [\"ground\", \"b\"]\npoint_a = [0, 0, "
                      "0]\npoint_b = [0, 0, 0.2]\naxis = \"z\"\nradius = 0.2\n",
                  {{"b.x", 0.5 * kG * s / 1.4 * t * t}, {"b.wy", kG * s / 1.4 * t / 0.2, 10}}});
   all.push_back({"disc_rolls_down",
                  t,
                  tilted + body("b", 2, "[0, 0, 0.2]", "[0.02, 0.04, 0.02]") +
-                     "[[joints]]\nname = \"o\"\ntype = \"rolling\"\nbodies = [\"ground\", \"b\"]\npoint_a = [0, 0, "
+                     "[[joints]]\nname = \"o\"\nkind = \"rolling\"\nbodies = [\"ground\", \"b\"]\npoint_a = [0, 0, "
                      "0]\npoint_b = [0, 0, 0.2]\naxis = \"z\"\naxis2 = \"y\"\nradius = 0.2\n",
                  {{"b.x", 0.5 * kG * s / 1.5 * t * t}}});
   const std::string ball =
@@ -816,7 +816,7 @@ void add_combinations(std::vector<Case>& all) {
                    0.7,
                    kNoGravity + "[arrays.k]\ncount = 3\nstart_deg = 30\nstep_deg = 120\naxis = [0, 0, 1]\n" +
                        body("b_{k}", 1.5, "[1, 0, 0]") +
-                       "[[joints]]\nname = \"p_{k}\"\ntype = \"prismatic\"\nbodies = [\"ground\", \"b_{k}\"]\npoint = "
+                       "[[joints]]\nname = \"p_{k}\"\nkind = \"prismatic\"\nbodies = [\"ground\", \"b_{k}\"]\npoint = "
                        "[1, 0, 0]\naxis = [1, 0, 0]\ndisplacement = { spring = { stiffness = 60 } "
                        "}\n[initial.joints]\np_1 = 0.1\np_2 = 0.1\np_3 = 0.1\n",
                    {{"p_1.displacement", x, 0.1},

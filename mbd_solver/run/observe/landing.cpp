@@ -96,6 +96,7 @@ LandingWatch::LandingWatch(const Subject& subject)
   touched_.resize(pads_.size());
   touched_at_.resize(pads_.size(), Eigen::Vector3d::Zero());
   stopped_.resize(subject_.mechanism.struts.size());
+  rests_.resize(stopped_.size(), false);
 }
 
 LandingWatch::Place LandingWatch::place_of_point(const LandingPointSpec& point) const {
@@ -222,7 +223,7 @@ bool LandingWatch::at_stop(std::size_t strut, const Sample& sample) const {
   if (spec.stops) {
     const double stroke = element.motion(in.pair).stroke;
     if (spec.stops->largest_stroke && stroke >= *spec.stops->largest_stroke) return true;
-    if (spec.stops->smallest_stroke && stroke <= *spec.stops->smallest_stroke) return true;
+    if (spec.stops->smallest_stroke && stroke <= *spec.stops->smallest_stroke && !rests_[strut]) return true;
   }
   for (std::size_t k = 0; spec.honeycomb && k < element.laws().size(); ++k) {
     const StrutLaw& law = *element.laws()[k];
@@ -293,6 +294,7 @@ void LandingWatch::update(const Sample& sample) {
   now_.tilt = std::atan2(axis.cross(up_).norm(), axis.dot(up_));
   now_.struts_at_stops = 0;
   for (std::size_t k = 0; k < stopped_.size(); ++k) {
+    if (!started_) rests_[k] = at_stop(k, sample);
     if (!at_stop(k, sample)) continue;
     ++now_.struts_at_stops;
     stopped_[k] = std::min(time, stopped_[k].value_or(time));
@@ -321,6 +323,7 @@ void LandingWatch::visit(Archive& archive) {
   archive("touched", touched_);
   archive("touched_at", touched_at_);
   archive("stopped", stopped_);
+  archive("rests", rests_);
   archive("any_contact", any_contact_);
   archive("started", started_);
   archive("least_distance", least_distance_);

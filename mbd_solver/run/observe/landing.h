@@ -34,7 +34,7 @@ struct LandingValues {
   double tilt = 0.0;                // of the base's axis from the vertical [rad]
   double slid = 0.0;                // largest way of a pad along the ground from where it first touched [m]
   int pads_touching = 0;
-  int struts_at_stops = 0;        // beyond an end stop, or with a honeycomb crushed to its end
+  int struts_at_stops = 0;  // beyond an end stop on which they did not rest at the start, or with a crushed honeycomb
   std::vector<double> clearance;  // of each point above the ground [m]
 };
 
@@ -101,6 +101,7 @@ class LandingWatch {
   std::vector<Eigen::Vector3d> pad_places_;               // of the sample, in W [m]
   std::vector<std::optional<double>> touched_, stopped_;  // first times of pads and struts [s]
   std::vector<Eigen::Vector3d> touched_at_;
+  std::vector<bool> rests_;  // per strut: at the start on the stop of its extended end, as gas holds it there
   bool any_contact_ = false, started_ = false;
   Extreme least_distance_, least_margin_, largest_tilt_;
   std::vector<Extreme> least_clearance_;

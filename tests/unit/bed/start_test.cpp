@@ -74,7 +74,7 @@ TEST(LeavingBodies, AreForetoldByTheirMotion) {
 
 TEST(LeavingBodies, AreForetoldByPrescribedMotions) {
   const auto drag = [](const std::string& speed) {
-    return "[[joints]]\nname = \"drag\"\ntype = \"prescribed\"\nbodies = [\"ground\", \"left\"]\npoint = [-0.15, 0, "
+    return "[[joints]]\nname = \"drag\"\nkind = \"prescribed\"\nbodies = [\"ground\", \"left\"]\npoint = [-0.15, 0, "
            "0.1]\naxis = \"z\"\naxis2 = \"y\"\n[joints.motion]\nx = { polynomial = [0, " +
            speed + "] }\ny = { polynomial = [0] }\nz = { polynomial = [0] }\n";
   };

@@ -97,13 +97,13 @@ inertia = [0.07, 0.06, 0.08]
 position = [0.3, 0.8, 0.2]
 [[joints]]
 name = "hinge"
-type = "revolute"
+kind = "revolute"
 bodies = ["a", "b"]
 point = [0.5, 0.1, 0]
 axis = [1, 2, 3]
 [[joints]]
 name = "screw"
-type = "cylindrical"
+kind = "cylindrical"
 bodies = ["a", "c"]
 point = [0.2, 0.5, 0]
 axis = [0, 1, 1]
@@ -151,7 +151,7 @@ inline std::string keys_of_kind(const KeysOfKind& keys, const std::string& kind)
 }
 
 inline std::string joint_scene(const std::string& type) {
-  return kTwoBodies + "[[joints]]\nname = \"joint\"\nbodies = [\"a\", \"b\"]\ntype = \"" + type + "\"\n" +
+  return kTwoBodies + "[[joints]]\nname = \"joint\"\nbodies = [\"a\", \"b\"]\nkind = \"" + type + "\"\n" +
          keys_of_kind(kJointKeys, type) + "\n";
 }
 inline std::string law_scene(const std::string& law) {
@@ -170,7 +170,7 @@ inline std::string force_scene(const std::string& frame) {
 }
 inline std::string drive_scene(const std::string& kind) {
   return kTwoBodies +
-         "[[joints]]\nname = \"hinge\"\ntype = \"revolute\"\nbodies = [\"a\", \"b\"]\npoint = [0.5, 0.1, 0]\naxis = "
+         "[[joints]]\nname = \"hinge\"\nkind = \"revolute\"\nbodies = [\"a\", \"b\"]\npoint = [0.5, 0.1, 0]\naxis = "
          "[1, 2, "
          "3]\n"
          "[joints.angle]\nstops = { min = -0.05, max = 0.05, stiffness = 100, dissipation = 0.5, toe = 0.1 }\n"
@@ -187,7 +187,7 @@ inline std::string planar_scene() {
       "friction = { coulomb = 0.05, breakaway = 0.08, stribeck_speed = 0.5, viscous = 0.1, stick_displacement = 0.1 }\n"
       "spring = { stiffness = 5, damping = 0.1, rest = 0.1 }\n";
   return kTwoBodies +
-         "[[joints]]\nname = \"table\"\ntype = \"planar\"\nbodies = [\"a\", \"b\"]\npoint = [0.5, 0.1, 0]\n"
+         "[[joints]]\nname = \"table\"\nkind = \"planar\"\nbodies = [\"a\", \"b\"]\npoint = [0.5, 0.1, 0]\n"
          "axis = [1, 2, 3]\naxis2 = [1, -1, 0.2]\n[joints.angle]\n" +
          law + "[joints.displacement_x]\n" + law + "[joints.displacement_y]\n" + law +
          "[[drives]]\nname = \"motor\"\njoint = \"table\"\ncoordinate = \"displacement_y\"\ngear_ratio = 3\n"
@@ -203,7 +203,7 @@ inline std::string controller_scene(const std::string& kind) {
 }
 inline std::string signal_scene(const std::string& kind) {
   return kTwoBodies +
-         "[[joints]]\nname = \"hinge\"\ntype = \"revolute\"\nbodies = [\"a\", \"b\"]\npoint = [0.5, 0.1, 0]\naxis = "
+         "[[joints]]\nname = \"hinge\"\nkind = \"revolute\"\nbodies = [\"a\", \"b\"]\npoint = [0.5, 0.1, 0]\naxis = "
          "[1, 2, 3]\n"
          "[[forces]]\nname = \"push\"\nbody = \"b\"\ndirection = [1, 2, 0]\nforce = { polynomial = [1], signal = \"s\" "
          "}\n"

@@ -279,7 +279,7 @@ inertia = [0.1, 0.1, 0.1]
 position = [1, 0, 1.5]
 [[joints]]
 name = "weld"
-type = "fixed"
+kind = "fixed"
 bodies = ["top", "pad"]
 point = [1, 0, 2]
 [[boundaries]]
@@ -450,7 +450,7 @@ position = [0, 0, 0]
 const char* const kHips = R"(
 [[joints]]
 name = "hip_{leg}"
-type = "fixed"
+kind = "fixed"
 bodies = ["hub", "leg_{leg}"]
 point = [0.3, 0, 0.2]
 )";
@@ -617,6 +617,70 @@ TEST(RoundShape, EnergyClosesWhileAPlateFallsFlat) {
   EXPECT_GT(run.state.dissipated[Dissipation::kContact], 0.05);
   EXPECT_GT(run.state.dissipated[Dissipation::kFriction], 0.01);
   EXPECT_LT(std::abs(run.imbalance()), 1e-4 * run.state.dissipated.total());  // at a tolerance of 1e-9
+}
+
+// A rock and a ramp stand as they are drawn; the lander beside them is turned about its own mass centre, moved and thrown.
+const std::string kLanderAndRock = R"(end_time = 1
+[[bodies]]
+name = "lander"
+mass = 2
+inertia = [1, 1, 1]
+position = [0, 0, 2]
+[[bodies]]
+name = "rock"
+mass = 50
+inertia = [1, 1, 1]
+position = [3, 0, 0.5]
+[[joints]]
+name = "anchor"
+kind = "fixed"
+bodies = ["ground", "rock"]
+point = [3, 0, 0]
+[[boundaries]]
+body = "lander"
+[boundaries.beams]
+points = [[-1, 0, 2], [1, 0, 2]]
+radius = 0.1
+[[boundaries]]
+body = "rock"
+[boundaries.beams]
+points = [[3, 0, 0.2], [3, 0, 0.8]]
+radius = 0.1
+[ground]
+kind = "plane"
+plane = { stiffness = 1e6, damping = 1 }
+[initial]
+pitch_deg = 90
+clearance = 0.5
+velocity = [1, 0, -2]
+angular_velocity = [0, 0, 3]
+)";
+
+TEST(InitialGroups, WhatStandsStillIsAsItIsDrawn) {
+  const SceneText text;
+  for (const char* groups : {"initial.groups.still=[\"rock\"]", "initial.groups.moving=[\"lander\"]"}) {
+    const Mechanism mechanism = build_mechanism(text.read(kLanderAndRock, {groups}));
+    const BodyState &lander = mechanism.model.initial(0), &rock = mechanism.model.initial(1);
+    EXPECT_TRUE(rock.r.isApprox(Eigen::Vector3d(3.0, 0.0, 0.5), 1e-15));
+    EXPECT_EQ(rock.L, Eigen::Vector4d::UnitX());
+    EXPECT_TRUE(rock.dr.isZero(0.0) && rock.w.isZero(0.0));
+    // Upright: its beam of 1 m and 0.1 m below the mass centre, 0.5 m above the plane.
+    EXPECT_TRUE(lander.r.isApprox(Eigen::Vector3d(0.0, 0.0, 1.6), 1e-12)) << lander.r;
+    EXPECT_TRUE(lander.dr.isApprox(Eigen::Vector3d(1.0, 0.0, -2.0), 1e-15));
+    EXPECT_EQ(lander.w.z(), 3.0);
+    const Joint& anchor = mechanism.model.joint(0);
+    EXPECT_TRUE(mechanism.model.initial_position(anchor.m1).isApprox(Eigen::Vector3d(3.0, 0.0, 0.0), 1e-12));
+  }
+}
+
+TEST(InitialGroups, MistakesAreTold) {
+  const SceneText text;
+  EXPECT_TRUE(test::names(text.findings(kLanderAndRock, {"initial.groups.still=[\"stone\"]"}), {"stone", "E0123"}));
+  EXPECT_TRUE(test::names(text.findings(kLanderAndRock, {"initial.groups.still=[\"rock\",\"lander\"]"}), {"groups"}));
+  const std::string tied = kLanderAndRock +
+                           "[[springs]]\nname = \"tie\"\nkind = \"bushing\"\nbodies = [\"lander\", "
+                           "\"rock\"]\npoint = [1, 0, 1]\nstiffness = 1\n";
+  EXPECT_TRUE(test::names(text.findings(tied, {"initial.groups.still=[\"rock\"]"}), {"springs.tie", "lander", "rock"}));
 }
 
 }  // namespace

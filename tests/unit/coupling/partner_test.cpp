@@ -535,7 +535,7 @@ inertia = [0.02, 0.02, 0.02]
 position = [1, 0, 0]
 )";
 std::string joined_by(const std::string& type, const std::string& more = "") {
-  return kFree + "[[joints]]\nname = \"joint\"\ntype = \"" + type +
+  return kFree + "[[joints]]\nname = \"joint\"\nkind = \"" + type +
          "\"\nbodies = [\"ground\", \"plate\"]\npoint = [0, 0, 0]\n" + more;
 }
 

@@ -146,7 +146,7 @@ TEST(CollisionWatch, PairsThatAreJoinedOverlapOrMayPassAreLeftOut) {
   EXPECT_FALSE(overlap.watched);
   EXPECT_THAT(overlap.notes, testing::Contains(HasSubstr("overlap")));
   const Ended joined = run(two +
-                           "[[joints]]\nname = \"j\"\ntype = \"spherical\"\nbodies = [\"a\", \"b\"]\n"
+                           "[[joints]]\nname = \"j\"\nkind = \"spherical\"\nbodies = [\"a\", \"b\"]\n"
                            "point = [0.1, 0, 0]\n");
   EXPECT_THAT(joined.notes, testing::Not(testing::Contains(HasSubstr("overlap"))));
   const Ended ignored = run(kWeightless + cube("a", {0, 0, 0}) + cube("b", {0.5, 0, 0}) + moves("b", "[-1, 0, 0]") +

@@ -151,7 +151,7 @@ inertia = [1, 1, 1]
 position = [0, 0, 1]
 [[joints]]
 name = "slide"
-type = "prismatic"
+kind = "prismatic"
 bodies = ["box", "probe"]
 point = [0, 0, 1.5]
 axis = "z"
@@ -179,7 +179,7 @@ clearance = 0
     text += "[[bodies]]\nname = \"" + name +
             "\"\nmass = 0.5\nshape = { kind = \"sphere\", radius = 0.1, centre = " + at +
             " }\n[[boundaries]]\nbody = \"" + name + "\"\n[boundaries.surface]\nelement_size = 0.1\n" +
-            "[[joints]]\nname = \"weld_" + std::to_string(k) + "\"\ntype = \"fixed\"\nbodies = [\"box\", \"" + name +
+            "[[joints]]\nname = \"weld_" + std::to_string(k) + "\"\nkind = \"fixed\"\nbodies = [\"box\", \"" + name +
             "\"]\npoint = " + at + "\n";
   }
   return text;
@@ -259,6 +259,23 @@ TEST_F(BoxOnBalls, TellsOfStrutsAtTheirStops) {
   EXPECT_EQ(watch.now().struts_at_stops, 0);
   ASSERT_EQ(watch.struts_at_stops().size(), 1u);
   EXPECT_EQ(watch.struts_at_stops()[0].time, 0.2);
+}
+
+// Gas holds a strut on the stop of its extended end: only a stop that it comes to counts.
+TEST(Landing, AStrutThatRestsOnItsStopAtTheStartIsNotAtItsStop) {
+  std::string text = box_on_balls();
+  text.replace(text.find("stops = { max"), 13, "stops = { min = 0, max");
+  Bench bench(text, {"initial.clearance=1"});
+  LandingWatch watch(bench.subject());
+  const int probe = bench.equations.layout().body_q[1];
+  watch.update(bench.take());
+  EXPECT_EQ(watch.now().struts_at_stops, 0);
+  bench.state.q(probe + 2) += 0.11;
+  watch.update(bench.take());
+  EXPECT_EQ(watch.now().struts_at_stops, 1);
+  bench.state.q(probe + 2) -= 0.12;
+  watch.update(bench.take());
+  EXPECT_EQ(watch.now().struts_at_stops, 0);
 }
 
 // A box that slides to rest: v^2 / (2 mu g). It sinks into its contacts by less than 1 mm, which moves its feet by 1e-3 of the

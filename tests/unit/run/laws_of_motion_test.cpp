@@ -32,7 +32,7 @@ using Rows = test::Ran;
 // A body on rails under a force that is there at once.
 std::string pushed(double force, double mass, const std::string& more = "") {
   return "end_time = 5.0\ngravity = [" + text(force / mass) + ", 0, -9.81]\n" + body("b", mass, 0.1, "[0, 0, 0]") +
-         "[[joints]]\nname = \"p\"\ntype = \"prismatic\"\nbodies = [\"ground\", \"b\"]\npoint = [0, 0, 0]\naxis = "
+         "[[joints]]\nname = \"p\"\nkind = \"prismatic\"\nbodies = [\"ground\", \"b\"]\npoint = [0, 0, 0]\naxis = "
          "\"x\"\ndisplacement = { friction = { coulomb = 4.0, breakaway = 5.2 } }\n" +
          more;
 }
@@ -89,7 +89,7 @@ TEST_P(Belt, SticksAndSlipsWithTheClosedPeriod) {
                             body("m", m, 0.1, "[0, 0, 0.1]") +
                             R"([[joints]]
 name = "drive"
-type = "prescribed"
+kind = "prescribed"
 bodies = ["ground", "belt"]
 point = [0, 0, 0]
 axis = "z"
@@ -97,7 +97,7 @@ axis2 = "x"
 motion = { x = { polynomial = [0, 0.1] }, y = { polynomial = [0] }, z = { polynomial = [0] }, rotation = { polynomial = [0] }, hold_other_rotations = true }
 [[joints]]
 name = "p"
-type = "prismatic"
+kind = "prismatic"
 bodies = ["belt", "m"]
 point = [0, 0, 0.1]
 axis = "x"
@@ -133,13 +133,13 @@ std::string bent_shafts(const std::string& axis2) {
          body("b", 1.0, 0.1, "[0.286788218175523, 0.0, 0.409576022144496]") +
          R"([[joints]]
 name = "ja"
-type = "revolute"
+kind = "revolute"
 bodies = ["ground", "a"]
 point = [0, 0, -0.5]
 axis = "z"
 [[joints]]
 name = "u"
-type = "constant_velocity"
+kind = "constant_velocity"
 bodies = ["a", "b"]
 point = [0, 0, 0]
 axis = "z"
@@ -147,7 +147,7 @@ axis = "z"
          R"(
 [[joints]]
 name = "jb"
-type = "revolute"
+kind = "revolute"
 bodies = ["ground", "b"]
 point = [0.286788218175523, 0.0, 0.409576022144496]
 axis = [0.573576436351046, 0.0, 0.819152044288992]
@@ -186,13 +186,13 @@ TEST(OpenCam, GoesOnAlongItsTangentPastHalfATurn) {
                             body("rod", 2.0, 0.1, "[1, 0, 0]") +
                             R"([[joints]]
 name = "sa"
-type = "revolute"
+kind = "revolute"
 bodies = ["ground", "s"]
 point = [0, 0, 0]
 axis = "z"
 [[joints]]
 name = "ro"
-type = "prismatic"
+kind = "prismatic"
 bodies = ["ground", "rod"]
 point = [1, 0, 0]
 axis = "x"
@@ -225,7 +225,7 @@ TEST(Work, OfAPrescribedMotionStandsUnderTheErrorTest) {
   const std::string scene = "end_time = 2.0\ngravity = [0, 0, 0]\n" + body("a", 2.0, 0.3, "[0.5, 0, 0]") +
                             R"([[joints]]
 name = "d"
-type = "prescribed"
+kind = "prescribed"
 bodies = ["ground", "a"]
 point = [0, 0, 0]
 axis = "z"
@@ -295,7 +295,7 @@ TEST(Scales, OfALanderDoNotChangeItsAttitude) {
       const std::string place = "[" + text(L * std::cos(a)) + ", " + text(L * std::sin(a)) + ", 0]";
       scene += "[[bodies]]\nname = \"" + name + "\"\nmass = " + text(0.02 * m) +
                "\nshape = { kind = \"sphere\", centre = " + place + ", radius = " + text(0.1 * L) +
-               " }\n[[joints]]\nname = \"leg_" + std::to_string(k) + "\"\ntype = \"fixed\"\nbodies = [\"hull\", \"" +
+               " }\n[[joints]]\nname = \"leg_" + std::to_string(k) + "\"\nkind = \"fixed\"\nbodies = [\"hull\", \"" +
                name + "\"]\npoint = " + place + "\n[[boundaries]]\nbody = \"" + name + "\"\nsurface = {}\n";
     }
     scene += "[ground]\nkind = \"plane\"\n[ground.plane]\nstiffness = " + text(2e5 * m / 100.0 * std::pow(L, -1.5)) +
@@ -341,7 +341,7 @@ TEST(AttachedDamping, IsToldWithTheValueThatGivesTheRatio) {
   };
   EXPECT_TRUE(found(beam("")).empty());
   const std::string clamp =
-      "[[joints]]\nname = \"c\"\ntype = \"fixed\"\nbodies = [\"ground\", \"b\"]\npoint = [0, 0, 0]\n";
+      "[[joints]]\nname = \"c\"\nkind = \"fixed\"\nbodies = [\"ground\", \"b\"]\npoint = [0, 0, 0]\n";
   const std::vector<AttachedDamping> held = found(beam(clamp));
   ASSERT_EQ(held.size(), 1u);
   const double frequency = 1.8751 * 1.8751 / (2.0 * kPi) * std::sqrt(70e9 / 2700.0 * 0.02 * 0.02 / 16.0);

@@ -81,9 +81,9 @@ std::vector<Column> columns_of_more_joints() {
 bodies = [{ name = "pinion", mass = 1, inertia = [1, 1, 1], position = [0, 0, 0] },
           { name = "rack", mass = 1, inertia = [1, 1, 1], position = [0, 1, 0] },
           { name = "puck", mass = 1, inertia = [1, 1, 1], position = [0, 2, 0] }]
-joints = [{ name = "axle", type = "revolute", bodies = ["ground", "pinion"], point = [0, 0, 0], axis = "z" },
-          { name = "guide", type = "prismatic", bodies = ["ground", "rack"], point = [0, 1, 0], axis = "x" },
-          { name = "table", type = "planar", bodies = ["ground", "puck"], point = [0, 2, 0], axis = "z" }]
+joints = [{ name = "axle", kind = "revolute", bodies = ["ground", "pinion"], point = [0, 0, 0], axis = "z" },
+          { name = "guide", kind = "prismatic", bodies = ["ground", "rack"], point = [0, 1, 0], axis = "x" },
+          { name = "table", kind = "planar", bodies = ["ground", "puck"], point = [0, 2, 0], axis = "z" }]
 gears = [{ name = "mesh", joints = ["axle", "guide"], factors = [1, -2] },
          { name = "again", joints = ["guide", "axle"], factors = [2, -1] }]
 )");

@@ -40,7 +40,7 @@ std::vector<Pulse> random_train(std::mt19937& random, int count) {
 // A body that slides along x, and what pushes it.
 std::string scene_with(const std::string& pushed, const std::string& solver) {
   return "end_time = 1.1\ngravity = [0, 0, 0]\n[[bodies]]\nname = \"b\"\nmass = 2.0\ninertia = [0.1, 0.1, 0.1]\n"
-         "position = [0, 0, 0]\n[[joints]]\nname = \"slide\"\ntype = \"prismatic\"\nbodies = [\"ground\", \"b\"]\n"
+         "position = [0, 0, 0]\n[[joints]]\nname = \"slide\"\nkind = \"prismatic\"\nbodies = [\"ground\", \"b\"]\n"
          "point = [0, 0, 0]\naxis = \"x\"\n" +
          pushed + "[solver]\n" + solver + "[output]\ninterval = 0.25\n";
 }

@@ -26,7 +26,7 @@ inertia = [0.1, 0.1, 0.1]
 position = [0, 0, 0]
 [[joints]]
 name = "slide"
-type = "prismatic"
+kind = "prismatic"
 bodies = ["ground", "b"]
 point = [0, 0, 0]
 axis = "x"

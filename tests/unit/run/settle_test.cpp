@@ -41,11 +41,11 @@ std::string body(const std::string& name, double mass, double x, double z) {
          "\ninertia = [0.1, 0.1, 0.1]\nposition = [" + std::to_string(x) + ", 0, " + std::to_string(z) + "]\n";
 }
 std::string hinge(const std::string& name, const std::string& a, const std::string& b, double x, double z) {
-  return "[[joints]]\nname = \"" + name + "\"\ntype = \"revolute\"\nbodies = [\"" + a + "\", \"" + b +
+  return "[[joints]]\nname = \"" + name + "\"\nkind = \"revolute\"\nbodies = [\"" + a + "\", \"" + b +
          "\"]\npoint = [" + std::to_string(x) + ", 0, " + std::to_string(z) + "]\naxis = \"y\"\n";
 }
 std::string rail(const std::string& name, const std::string& a, const std::string& b, double z, double stiffness) {
-  return "[[joints]]\nname = \"" + name + "\"\ntype = \"prismatic\"\nbodies = [\"" + a + "\", \"" + b +
+  return "[[joints]]\nname = \"" + name + "\"\nkind = \"prismatic\"\nbodies = [\"" + a + "\", \"" + b +
          "\"]\npoint = [0, 0, " + std::to_string(z) +
          "]\naxis = \"z\"\n[joints.displacement]\nspring = { stiffness = " + std::to_string(stiffness) + " }\n";
 }
@@ -69,7 +69,7 @@ shape = { kind = "rod", from = [-0.3, 0, 0], to = [0.3, 0, 0], diameter = 0.01 }
 flexible = { modes = 4, elements = 6 }
 [[joints]]
 name = "table"
-type = "planar"
+kind = "planar"
 bodies = ["ground", "beam"]
 point = [0, 0, 0]
 axis = "z"
@@ -130,7 +130,7 @@ TEST(Settle, LetsAPendulumHang) {
 // Joints hold everything: it rests where it is drawn, also without gravity, and although a force pulls at a light body.
 TEST(Settle, LeavesAMechanismThatJointsHold) {
   const auto fixed = [](const std::string& a, const std::string& b, double x) {
-    return "[[joints]]\nname = \"" + a + "_" + b + "\"\ntype = \"fixed\"\nbodies = [\"" + a + "\", \"" + b +
+    return "[[joints]]\nname = \"" + a + "_" + b + "\"\nkind = \"fixed\"\nbodies = [\"" + a + "\", \"" + b +
            "\"]\npoint = [" + std::to_string(x) + ", 0, 0]\n";
   };
   const Scene scene =
@@ -205,14 +205,14 @@ TEST(InitialJoints, MoveEveryCoordinateOfAJoint) {
   const Scene scene = SceneText().read("end_time = 0.001\ngravity = [0, 0, 0]\n" + body("puck", 1.0, 0, 0) +
                                        body("drill", 1.0, 1, 0) + R"([[joints]]
 name = "table"
-type = "planar"
+kind = "planar"
 bodies = ["ground", "puck"]
 point = [0, 0, 0]
 axis = "z"
 axis2 = [1, 1, 0]
 [[joints]]
 name = "guide"
-type = "cylindrical"
+kind = "cylindrical"
 bodies = ["ground", "drill"]
 point = [1, 0, 0]
 axis = "z"
@@ -249,7 +249,7 @@ std::string flexible_loop(double coupler_end, const std::string& rest) {
          rod("crank", 0, 0, 0, 0.1, 0.02) + rod("coupler", 0, 0.1, coupler_end, 0.3, 0.008) +
          "flexible = { modes = 4, elements = 6 }\n" + rod("rocker", 0.4, 0, 0.4, 0.3, 0.02) +
          hinge("a", "ground", "crank", 0, 0) + hinge("b", "crank", "coupler", 0, 0.1) +
-         "[[joints]]\nname = \"c\"\ntype = \"spherical\"\nbodies = [\"coupler\", \"rocker\"]\npoint_a = [" +
+         "[[joints]]\nname = \"c\"\nkind = \"spherical\"\nbodies = [\"coupler\", \"rocker\"]\npoint_a = [" +
          std::to_string(coupler_end) + ", 0, 0.3]\npoint_b = [0.4, 0, 0.3]\n" + hinge("d", "ground", "rocker", 0.4, 0) +
          rest;
 }
@@ -318,17 +318,17 @@ inertia = [1e-4, 1e-4, 1e-4]
 position = [9, 0, 0]
 [[joints]]
 name = "clamp"
-type = "fixed"
+kind = "fixed"
 bodies = ["ground", "beam"]
 point = [0, 0, 0]
 [[joints]]
 name = "end"
-type = "spherical"
+kind = "spherical"
 bodies = ["beam", "tip"]
 point = [0.3, 0, 0]
 [[joints]]
 name = "rail"
-type = "prismatic"
+kind = "prismatic"
 bodies = ["ground", "tip"]
 point = [0.3, 0, 0]
 axis = "z"

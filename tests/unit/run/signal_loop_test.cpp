@@ -25,7 +25,7 @@ inertia = [0.2, 0.3, 0.5]
 position = [0, 0, 0]
 [[joints]]
 name = "axle"
-type = "revolute"
+kind = "revolute"
 bodies = ["ground", "wheel"]
 point = [0, 0, 0]
 axis = "z"

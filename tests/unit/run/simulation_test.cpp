@@ -68,7 +68,7 @@ TEST(Simulation, CountsTurnsBetweenRows) {
         "position "
         "= [0, 0, " +
             std::string(what == "wheel" ? "0" : "-1") +
-            "] }]\njoints = [{ name = \"j\", type = \"revolute\", bodies = [\"ground\", \"b\"], point = [0, 0, 0], "
+            "] }]\njoints = [{ name = \"j\", kind = \"revolute\", bodies = [\"ground\", \"b\"], point = [0, 0, 0], "
             "axis = \"y\" }]\n" +
             (what == "wheel" ? "forces = [{ name = \"f\", body = \"b\", direction = [0, 1, 0], torque = { polynomial = "
                                "[4.0] } }]\n"
@@ -269,7 +269,7 @@ TEST(Simulation, DoesNotJudgeABodyThatIsLed) {
   const std::string led = kThrownBall + test::kOnGrains + R"(
 [[joints]]
 name = "drive"
-type = "prescribed"
+kind = "prescribed"
 bodies = ["ground", "ball"]
 point = [0, 0, 3]
 axis = "z"
@@ -368,7 +368,7 @@ mass = 1.0
 shape = { kind = "box", size = [1, 1, 1], centre = [0, 0, 0] }
 [[joints]]
 name = "clamp"
-type = "fixed"
+kind = "fixed"
 bodies = ["ground", "box"]
 point = [0, 0, 0]
 )");
@@ -415,7 +415,7 @@ inertia = [0.1, 0.1, 0.1]
 position = [0.5, 0, 3]
 [[joints]]
 name = "hinge"
-type = "revolute"
+kind = "revolute"
 bodies = ["ground", "ball"]
 point = [0, 0, 3]
 axis = [0, 1, 0]

@@ -31,13 +31,13 @@ inertia = [0.1, 0.2, 0.1]
 position = [1, 0, 1.2]
 [[joints]]
 name = "axle"
-type = "revolute"
+kind = "revolute"
 bodies = ["cabin", "wheel"]
 point = [1, 0, 1.2]
 axis = "y"
 [[joints]]
 name = "slide"
-type = "prismatic"
+kind = "prismatic"
 bodies = ["cabin", "leg"]
 point = [0, 0, 0.9]
 axis = "z"

@@ -70,7 +70,7 @@ TEST(BoxBed, ItsScriptsAgreeWithTheScene) {
            {},
            {"particles.box.packing=\"dense\"", "particles.box.bodies={friction=0.9,cohesion=10}"},
            {"particles.box.periodic=true", "particles.box.radius=[0.006,0.008]"},
-           {"gravity=[0.3,0,-1.6]", "particles.box.every=3", "particles.box.material.cohesion=100"},
+           {"gravity=[0.3,0,-1.6]", "particles.box.exchange_steps=3", "particles.box.material.cohesion=100"},
            {"particles.box.clumps=[\"pair\",\"octahedron\"]", "particles.box.radius=[0.006,0.008]"}}) {
     const Scene scene = text.read(kPlate, settings);
     EXPECT_TRUE(scene.warnings.empty()) << (scene.warnings.empty() ? "" : scene.warnings[0]);
@@ -130,8 +130,9 @@ TEST(BoxBed, IsMadeAnewOnlyForWhatTheBedKnows) {
   const auto bed = [&](const std::vector<std::string>& settings) {
     return text.read(kPlate, settings).particles->bed->variables;
   };
-  EXPECT_EQ(bed({}), bed({"particles.box.bodies.friction=0.9", "particles.box.every=2", "particles.box.frames=0.1",
-                          "particles.box.time_step=1e-5", "initial.velocity=[0,0,-20]", "end_time=3"}));
+  EXPECT_EQ(bed({}), bed({"particles.box.bodies.friction=0.9", "particles.box.exchange_steps=2",
+                          "particles.box.frame_interval=0.1", "particles.box.time_step=1e-5",
+                          "initial.velocity=[0,0,-20]", "end_time=3"}));
   EXPECT_NE(bed({}), bed({"particles.box.material.density=1500"}));
   EXPECT_NE(bed({}), bed({"particles.box.seed=2"}));
 }

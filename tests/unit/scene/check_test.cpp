@@ -28,16 +28,16 @@ TEST(SceneCheck, GoodSceneHasNoFindings) {
 TEST(SceneCheck, JointsNeedWhatTheirTypeNeeds) {
   const SceneText text;
   const std::string joint = "[[joints]]\nname = \"j\"\nbodies = [\"ground\", \"bob\"]\n";
-  EXPECT_THAT(text.findings(kPendulum + joint + "type = \"prismatic\"\npoint = [0, 0, 0]\n"),
+  EXPECT_THAT(text.findings(kPendulum + joint + "kind = \"prismatic\"\npoint = [0, 0, 0]\n"),
               HasSubstr("joints.j.axis"));
-  EXPECT_NE(text.findings(kPendulum + joint + "type = \"distance\"\n"), "");
+  EXPECT_NE(text.findings(kPendulum + joint + "kind = \"distance\"\n"), "");
   EXPECT_THAT(
-      text.findings(kPendulum + joint + "type = \"distance\"\npoint_a = [0, 0, 0]\npoint_b = [1, 0, 0]\nlength = 2\n"),
+      text.findings(kPendulum + joint + "kind = \"distance\"\npoint_a = [0, 0, 0]\npoint_b = [1, 0, 0]\nlength = 2\n"),
       HasSubstr("joints.j.length"));
   EXPECT_THAT(
-      text.findings(kPendulum + joint + "type = \"universal\"\npoint = [0, 0, 0]\naxis = \"x\"\naxis2 = [1, 1, 0]\n"),
+      text.findings(kPendulum + joint + "kind = \"universal\"\npoint = [0, 0, 0]\naxis = \"x\"\naxis2 = [1, 1, 0]\n"),
       HasSubstr("45"));
-  EXPECT_THAT(text.findings(kPendulum + joint + "type = \"prescribed\"\npoint = [0, 0, 0]\n"),
+  EXPECT_THAT(text.findings(kPendulum + joint + "kind = \"prescribed\"\npoint = [0, 0, 0]\n"),
               HasSubstr("joints.j.motion"));
 }
 
@@ -74,7 +74,7 @@ TEST(SceneCheck, TellsWhereTheSplineOfAMotionLeavesItsPoints) {
             "end_time = 2.0\n[[bodies]]\nname = \"plate\"\nmass = 1.0\ninertia = [0.1, 0.1, 0.1]\nposition = [0, 0, "
             "0]\n[[joints]]\nname = "
             "\"press\"\n"
-            "type = \"prescribed\"\nbodies = [\"ground\", \"plate\"]\npoint = [0, 0, 0]\naxis = "
+            "kind = \"prescribed\"\nbodies = [\"ground\", \"plate\"]\npoint = [0, 0, 0]\naxis = "
             "\"z\"\n[joints.motion]\nz = { table = " +
             table + " }\n")
         .warnings;

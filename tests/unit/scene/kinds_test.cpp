@@ -193,7 +193,7 @@ TEST(SceneKinds, EveryKeyOfASpringBelongsToAKind) {
 }
 
 TEST(SceneKinds, EveryKeyOfADriveBelongsToAKind) {
-  Names common{"name", "kind", "joint", "coordinate", "max_torque", "gear_ratio", "rotor_inertia"};
+  Names common{"name", "kind", "joint", "coordinate", "max_torque", "max_force", "gear_ratio", "rotor_inertia"};
   for (const char* part : {"", ".polynomial", ".amplitude", ".frequency", ".phase", ".table", ".signal"})
     common.insert(std::string("command") + part);
   expect_every_key_to_belong<MotorKind>("drives", common);
@@ -229,7 +229,7 @@ Names keys_of_kinds(const std::string& family) {
 
 TEST(KindSchema, EveryKeyOfAJointBelongsToAKindOrToAll) {
   Names expected = keys_of_schema("joints");
-  for (const char* of_all : {"name", "type", "bodies", "point", "point_a", "point_b"})
+  for (const char* of_all : {"name", "kind", "bodies", "point", "point_a", "point_b"})
     EXPECT_EQ(expected.erase(of_all), 1U);
   EXPECT_EQ(keys_of_kinds("joints"), expected);
 }
@@ -257,7 +257,7 @@ void list_keys(const Json& node, const std::string& prefix, std::set<std::string
     for (const Json& way : node["anyOf"]) list_keys(way, prefix, keys);
   if (node.contains("properties") && !node.contains("maxProperties"))
     for (const auto& [key, value] : node["properties"].items()) {
-      if (key == "without" || key == "base") continue;
+      if (key == "without" || (prefix.empty() && key == "base")) continue;
       const std::string path = prefix.empty() ? key : prefix + "." + key;
       keys.insert(path);
       list_keys(value, path, keys);

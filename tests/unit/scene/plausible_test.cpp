@@ -34,7 +34,7 @@ material = "steel"
 shape = { kind = "sphere", radius = 0.05, centre = [1, 0, 0] }
 [[joints]]
 name = "hinge"
-type = "revolute"
+kind = "revolute"
 bodies = ["ground", "bob"]
 point = [0, 0, 0]
 axis = "y"
@@ -121,7 +121,7 @@ TEST(Plausible, ABodyInsideAnotherThatNothingConnects) {
   EXPECT_THAT(warnings("end_time = 1\n" + box("one", 0.0, 0.4) + box("same", 0.0, 0.4)).size(), 1u);  // drawn twice
   EXPECT_THAT(
       warnings(two +
-               "[[joints]]\nname = \"weld\"\ntype = \"fixed\"\nbodies = [\"crate\", \"stone\"]\npoint = [0, 0, 0]\n"),
+               "[[joints]]\nname = \"weld\"\nkind = \"fixed\"\nbodies = [\"crate\", \"stone\"]\npoint = [0, 0, 0]\n"),
       IsEmpty());
 }
 
@@ -132,7 +132,7 @@ std::string row_of_bodies(int n) {
     const std::string number = std::to_string(k), last = k == 0 ? "ground" : "body_of_the_row_" + std::to_string(k - 1);
     const std::string pair = "bodies = [\"" + last + "\", \"body_of_the_row_" + number + "\"]\n";
     text += "[[bodies]]\nname = \"body_of_the_row_" + number + "\"\nmass = 1\ninertia = [0.1, 0.1, 0.1]\nposition = [" +
-            number + ".5, 0, 0]\n[[joints]]\nname = \"joint_of_the_row_" + number + "\"\ntype = \"revolute\"\n" + pair +
+            number + ".5, 0, 0]\n[[joints]]\nname = \"joint_of_the_row_" + number + "\"\nkind = \"revolute\"\n" + pair +
             "point = [" + number + ", 0, 0]\naxis = \"y\"\n[[struts]]\nname = \"strut_of_the_row_" + number + "\"\n" +
             pair + "points = [[" + number + ", 0, 1], [" + number + ".5, 0, 0]]\nspring = { stiffness = 1e4 }\n" +
             "[[signals]]\nname = \"signal_of_the_row_" + number + "\"\nkind = \"lowpass\"\nfrequency = 5\ninput = \"" +

@@ -160,7 +160,7 @@ mass = 1
 shape = { kind = "rod", from = [1, 0, 0], to = [2, 0, 0], diameter = 0.1 }
 [[joints]]
 name = "hip_{leg}"
-type = "revolute"
+kind = "revolute"
 bodies = ["hub", "leg_{leg}"]
 point = [1, 0, 0]
 axis = [0, 1, 0]
@@ -329,7 +329,7 @@ std::string arm(const std::string& flexible, const std::string& more = "") {
 }
 
 const std::string kHub =
-    "[[joints]]\nname = \"hub\"\ntype = \"revolute\"\nbodies = [\"ground\", \"arm\"]\npoint = [0, 0, 1]\naxis = "
+    "[[joints]]\nname = \"hub\"\nkind = \"revolute\"\nbodies = [\"ground\", \"arm\"]\npoint = [0, 0, 1]\naxis = "
     "\"y\"\n";
 
 TEST(Segments, AreEqualPiecesJoinedInARow) {
@@ -381,7 +381,7 @@ TEST(Segments, ACutBelongsToTheEarlierOne) {
   const SceneText text;
   const Scene scene = text.read(arm(
       "segments = 4",
-      kHub + "[[joints]]\nname = \"pin\"\ntype = \"spherical\"\nbodies = [\"arm\", \"ground\"]\npoint = [1, 0, 1]\n"));
+      kHub + "[[joints]]\nname = \"pin\"\nkind = \"spherical\"\nbodies = [\"arm\", \"ground\"]\npoint = [1, 0, 1]\n"));
   EXPECT_EQ(scene.joints[1].bodies[0], "arm_2");
 }
 
@@ -429,6 +429,45 @@ TEST(Soil, WhatTheSceneSaysItselfStays) {
   EXPECT_EQ(scene.particles->box->packing, Packing::kLoose);
   EXPECT_EQ(scene.particles->box->material.friction, 0.7);
   EXPECT_EQ(scene.particles->box->material.density, 3098.0);
+}
+
+// Keys with a second spelling: read alike, with a warning that names the key's own.
+TEST(SecondSpellings, AreReadWithAWarning) {
+  const SceneText text;
+  std::string second = kPendulum;
+  second.replace(second.find("kind = \"revolute\""), 4, "type");
+  const Scene own = text.read(kPendulum), other = text.read(second);
+  EXPECT_EQ(own.joints[0].type, other.joints[0].type);
+  EXPECT_TRUE(own.warnings.empty());
+  ASSERT_EQ(other.warnings.size(), 1u);
+  EXPECT_TRUE(test::names(other.warnings[0], {"joints.hinge.type", "kind", "W0171"}));
+  EXPECT_NE(text.findings(second + "kind = \"revolute\"\n"), "");  // both
+}
+
+TEST(SecondSpellings, ASettingInEitherChangesTheScene) {
+  const SceneText text;
+  for (const char* setting : {"joints.hinge.kind=fixed", "joints.hinge.type=fixed"}) {
+    std::string plain = kPendulum;
+    plain.erase(plain.find("axis = "), std::string("axis = \"y\"\n").size());
+    EXPECT_EQ(text.read(plain, {setting}).joints[0].type, JointType::kFixed) << setting;
+  }
+}
+
+TEST(SecondSpellings, ADriveOnADisplacementHasAForce) {
+  const SceneText text;
+  const std::string slide =
+      "end_time = 1\nbodies = [{ name = \"b\", mass = 1, inertia = [1, 1, 1], position = [0, 0, 0] }]\njoints = [{ "
+      "name = "
+      "\"s\", kind = \"prismatic\", bodies = [\"ground\", \"b\"], point = [0, 0, 0], axis = \"x\" }]\ndrives = [{ name "
+      "= "
+      "\"d\", kind = \"torque\", joint = \"s\", command = { polynomial = [1] }, ";
+  const Scene force = text.read(slide + "max_force_kN = 2 }]\n"), torque = text.read(slide + "max_torque = 2000 }]\n");
+  EXPECT_EQ(force.drives[0].motor.largest_torque, 2000.0);
+  EXPECT_EQ(torque.drives[0].motor.largest_torque, 2000.0);
+  EXPECT_TRUE(force.warnings.empty());
+  ASSERT_EQ(torque.warnings.size(), 1u);
+  EXPECT_TRUE(test::names(torque.warnings[0], {"max_force", "W0171"}));
+  EXPECT_NE(text.findings(slide + "max_force = 2, max_torque = 2 }]\n"), "");
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ inertia = [0.1, 0.1, 0.2]
 position = [1.0, 0.0, 0.0]
 [[joints]]
 name = "hinge"
-type = "revolute"
+kind = "revolute"
 bodies = ["ground", "bob"]
 point = [0, 0, 0]
 axis = "y"
