@@ -144,7 +144,7 @@ struct Contacts {
   int count = 0;
 };
 
-// Theory: hertz, history and cdt of LIGGGHTS 3.8.0. A select has no effect on the bits of the side that is taken.
+// The models hertz, history and cdt of LIGGGHTS 3.8.0 (theory 5). A select has no effect on the bits of the side that is taken.
 template <bool kRolling, bool kTangentialDamping, bool kLimitForce, bool kTorsion>
 inline __attribute__((always_inline)) void compute(Contacts& c, double dt) {
   for (int k = 0; k < c.count; ++k) {

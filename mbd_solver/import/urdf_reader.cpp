@@ -14,7 +14,7 @@
 namespace footfall {
 namespace {
 
-// What is read. docs: wiki.ros.org/urdf/XML
+// What is read (wiki.ros.org/urdf/XML)
 const std::map<std::string, KnownElement>& urdf_elements() {
   static const std::map<std::string, KnownElement> known = {
       {"robot", {{"name", "version"}, {"link", "joint"}, {"material"}}},
