@@ -90,7 +90,7 @@ Scene checked_scene(const std::string& argument, const std::vector<std::string>&
 int check_command(const std::string& argument, const std::vector<std::string>& settings) {
   const Scene scene = read_scene(argument, settings);
   check_by_building(scene, true);
-  const char* grounds[] = {"no ground", "a rigid plane", "particles"};
+  const char* grounds[] = {"no ground", "a rigid plane", "particles", "a soil without grains"};
   double mass = 0.0;
   for (const BodySpec& body : scene.bodies) mass += body.mass;
   std::printf(

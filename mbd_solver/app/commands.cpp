@@ -373,6 +373,7 @@ constexpr Subcommand kSubcommands[] = {
     {"calibrate", "Find the parameters with which runs meet targets, and how well the targets determine them", nullptr},
     {"rig", "Measure a bed with an instrument: plate, cone, wheel, shear ring, shear box, slope, sphere, drawn plate",
      nullptr},
+    {"ground", "Fit a soil without grains to runs of one pad on grains", nullptr},
     {"schema", "Print the JSON schema of scenes, sweep files or calibration files, for editors", nullptr},
     {"test", "Run the tests of this build (./footfall test builds them first)", test},
 };

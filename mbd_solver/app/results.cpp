@@ -172,7 +172,7 @@ void row_by_size(const Json& summary, const char* label, const char* key, const 
 
 bool touches_ground(const Json& summary) {
   for (const Json& part : summary.value("active", Json::array())) {
-    if (part == "plane" || part == "particles") return true;
+    if (part == "plane" || part == "particles" || part == "soil") return true;
   }
   return false;
 }

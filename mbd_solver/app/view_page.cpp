@@ -462,6 +462,7 @@ void add_surroundings(const Json& scene, PageParts& parts) {
   };
   const Json ground = scene.value("ground", Json::object());
   if (ground.value("kind", "") == "plane") add(ground.value("plane", Json::object()));
+  if (ground.value("kind", "") == "soil") add(ground.value("law", Json::object()));
   for (const Json& contact : scene.value("contacts", Json::array()))
     if (const Json between = contact.value("between", Json::array()); between.size() == 2 && between[1] == kPlaneWord)
       add(contact);

@@ -442,8 +442,8 @@ bool add_round_shape(const BodySpec& body, const BoundarySpec& spec, BodyBoundar
 
 // The bodies that the plane touches; empty: all.
 std::unordered_set<std::string> bodies_on_the_plane(const GroundSpec& ground) {
-  if (ground.kind != GroundKind::kPlane) return {};
-  return {ground.plane->bodies.begin(), ground.plane->bodies.end()};
+  if (!ground.is_flat()) return {};
+  return {ground.bodies().begin(), ground.bodies().end()};
 }
 
 const BoundarySpec& spec_of(const Scene& scene, const BodyBoundary& entry) {
@@ -501,7 +501,7 @@ std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector
     const Body carrier =
         flexible[i].modal ? Body(body.name, flexible[i].modal) : Body(body.name, body.mass, body.inertia);
     BodyBoundary& entry = boundaries.back();
-    if (scene.ground.kind == GroundKind::kPlane) {
+    if (scene.ground.is_flat()) {
       add_plane_places(scene, carrier, entry);
     } else {
       entry.points = contact_points(index, carrier, entry.boundary);
@@ -539,11 +539,11 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
   placement.p_WD = centre - placement.R_WD * centre + initial.position;
 
   const Eigen::Vector3d up = up_direction(scene.gravity);
-  const bool plane = scene.ground.kind == GroundKind::kPlane;
+  const bool plane = scene.ground.is_flat();
   std::vector<GrainPlace> grains;
   const bool particles = scene.touches_particles();
   if (particles && !scene.particles->grains.empty()) grains = read_grains(scene.particles->grains);
-  if (plane) placement.ground_height = up.dot(scene.ground.plane->point);
+  if (plane) placement.ground_height = up.dot(scene.ground.point());
   if (particles && scene.particles->surface_height) placement.ground_height = *scene.particles->surface_height;
 
   placement.ground_known = plane || !grains.empty() || (particles && scene.particles->surface_height);
@@ -567,9 +567,9 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
       return n.dot(r) + lowest_place(entry, R_WB.transpose() * n, Eigen::VectorXd());
     };
     if (plane) {  // a sloping plane: the point of the boundary nearest to it counts
-      const PlaneSpec& spec = *scene.ground.plane;
-      const double gap = lowest_along(spec.normal) - spec.normal.dot(spec.point);
-      take(gap / std::max(1e-6, spec.normal.dot(up)));
+      const Eigen::Vector3d& normal = scene.ground.normal();
+      const double gap = lowest_along(normal) - normal.dot(scene.ground.point());
+      take(gap / std::max(1e-6, normal.dot(up)));
       continue;
     }
     double ground = placement.ground_height;

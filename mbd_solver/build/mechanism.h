@@ -125,6 +125,8 @@ struct Mechanism {
   std::vector<StrutEntry> struts;
   std::vector<int> planes;        // force indices of rigid-plane contacts, one per touching body
   std::vector<int> plane_bodies;  // their bodies; a body may touch several planes
+  std::vector<int> soils;         // force indices of contacts with a soil without grains, one per touching body
+  std::vector<int> soil_bodies;   // their bodies
   std::vector<ContactEntry> contacts;
   std::vector<ControllerEntry> controllers;
   std::vector<CoordinateEntry> coordinates;
@@ -175,6 +177,7 @@ void add_struts(const Scene& scene, Mechanism& mechanism);  // after add_control
 void add_springs(const Scene& scene, Mechanism& mechanism);
 void add_forces(const Scene& scene, Mechanism& mechanism);
 void add_plane(const Scene& scene, Mechanism& mechanism);
+void add_soil_contacts(const Scene& scene, Mechanism& mechanism);
 void add_contacts(const Scene& scene, Mechanism& mechanism);
 void add_controllers(const Scene& scene, Mechanism& mechanism);
 void add_signal_places(const Scene& scene, Mechanism& mechanism);  // before what they command

@@ -37,7 +37,8 @@ struct Equations::Workspace {
   Eigen::MatrixXd K, D, M;                   // local matrices of the largest pair or body
   Eigen::VectorXd empty;
   Eigen::VectorXd values, signal_rates;  // inputs with the continuous signals; rates of their states
-  std::vector<int> working_joints;       // with rows that move with time or turn a rotor: the others do no work
+  std::vector<double> memory;
+  std::vector<int> working_joints;  // with rows that move with time or turn a rotor: the others do no work
 };
 
 Equations::Workspace::Workspace(const Model& model, const Layout& layout)
@@ -82,6 +83,8 @@ Equations::Equations(const Model& model, const Assembly& assembly, const Baumgar
       saddle_(std::make_unique<SaddleSystem>(*this, assembly)) {
   for (int i = 0; i < model.force_count(); ++i)
     if (model.force(i).switches()) mode_elements_.push_back(i);
+  for (int i = 0; i < model.force_count(); ++i)
+    if (model.force(i).remembers()) memory_elements_.push_back(i);
 }
 
 Equations::~Equations() = default;
@@ -621,6 +624,24 @@ bool Equations::switch_modes(const Inputs& inputs, State& state) {
     any = element.switch_states(element_input(force, state, inputs), z) || any;
   }
   return any;
+}
+
+void Equations::recall(const State& state) const {
+  const double* memory = state.memory.size() > 0 ? state.memory.data() : nullptr;
+  for (const int force : memory_elements_) model_.force(force).recall(memory);
+}
+
+void Equations::remember(const Inputs& inputs, State& state) {
+  if (memory_elements_.empty()) return;
+  load(state);
+  bool changed = false;
+  for (const int force : memory_elements_)
+    changed = model_.force(force).remember(element_input(force, state, inputs)) || changed;
+  if (!changed) return;
+  std::vector<double>& numbers = work_->memory;
+  numbers.clear();
+  for (const int force : memory_elements_) model_.force(force).save_memory(numbers);
+  state.memory = Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
 // Central differences over each coordinate and velocity of the measured bodies, and over each state of the signals; only what

@@ -86,6 +86,12 @@ class Equations {
   double mode_value(const State& state, const Inputs& inputs);
   bool switch_modes(const Inputs& inputs, State& state);
 
+  // Memory of force elements (ForceElement::remembers): recall() before a state is evaluated that does not follow the last one,
+  // remember() at the end of a step.
+  bool has_memory() const { return !memory_elements_.empty(); }
+  void recall(const State& state) const;
+  void remember(const Inputs& inputs, State& state);
+
   // Unpacks a state for the output functions below.
   void load(const State& state);
   void load(const Eigen::Ref<const Eigen::VectorXd>& y);
@@ -122,7 +128,7 @@ class Equations {
   const Model& model_;
   Layout layout_;
   Baumgarte baumgarte_;
-  std::vector<int> mode_elements_;
+  std::vector<int> mode_elements_, memory_elements_;
   std::unique_ptr<Workspace> work_;
   std::unique_ptr<SaddleSystem> saddle_;
 };

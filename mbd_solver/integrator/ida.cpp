@@ -510,6 +510,7 @@ void Ida::resume(const IntegratorStatistics& so_far) {
 void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) {
   Sundials& s = *ida_;
   FOOTFALL_DEMAND(t_end > state.time);
+  s.equations.recall(state);
   s.equations.switch_modes(inputs, state);
   s.inputs_now = &inputs;
   const bool continues = state.time == s.state_last.time && same(state.q, s.state_last.q) &&
@@ -535,6 +536,7 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
       starts = false;
     }
     ended_by_row = !s.step(t_end, inputs, rows, state, statistics_);
+    s.equations.remember(inputs, state);
     if (++steps % kRestInterval == 0) s.equations.saddle().update_resting_rows(state);
     if (const std::string slow = watch.check(state.time); !slow.empty()) s.give_up(code::kNoProgress, slow);
     if (std::exchange(s.switched, false)) {  // a new initial value problem

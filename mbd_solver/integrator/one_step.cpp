@@ -104,6 +104,7 @@ void OneStep::forget() {
 void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) {
   const Layout& layout = equations_.layout();
   FOOTFALL_DEMAND(t_end > state.time);
+  equations_.recall(state);
   equations_.switch_modes(inputs, state);
   work_scale_ = state.work_error.scale;
   start_window(inputs, state);
@@ -131,6 +132,7 @@ void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Ro
       diverged = false;
       if (error_ > 1.0 && limit_ > 1.0) statistics_.reported_error = std::max(statistics_.reported_error, error_);
       continues = accept(step, steps > 1.0 ? t + step : t_end, t_end, inputs, rows, state);
+      equations_.remember(inputs, state);
       if (std::exchange(switched_, false)) required = std::min(required, first_step());
       if (const std::string slow = watch.check(state.time); !slow.empty()) give_up(code::kNoProgress, state.time, slow);
       if (crossing_.careful()) look_ahead(state);

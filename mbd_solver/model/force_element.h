@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "mbd_solver/model/kinematic_vector.h"
 #include "mbd_solver/model/laws/strut_law.h"
@@ -56,6 +57,13 @@ class ForceElement {
   virtual bool switches() const { return false; }
   virtual double switch_value(const ElementInput&) const { return 1.0; }
   virtual bool switch_states(const ElementInput&, Eigen::Ref<Eigen::VectorXd>) const { return false; }
+  // Memory of the past that changes between integration steps alone, for elements that remember(): save_memory() appends its
+  // numbers; recall() takes them back and moves on behind them (null: the memory of the start); remember() is called at the end
+  // of a step, true if anything changed. Forces must not jump there while the state stays.
+  virtual bool remembers() const { return false; }
+  virtual void recall(const double*&) const {}
+  virtual void save_memory(std::vector<double>&) const {}
+  virtual bool remember(const ElementInput&) const { return false; }
   // Adds the power supplied from outside.
   virtual void add_supply(const ElementInput&, Supplied&) const {}
 

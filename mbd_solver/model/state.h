@@ -56,6 +56,8 @@ struct State {
   // angle may be off by whole turns, because it turned too fast in one step.
   Eigen::VectorXd angles;
   int uncertain_angle = -1;
+  // Of force elements that remember (ForceElement::remembers); empty: that of the start.
+  Eigen::VectorXd memory;
   // Next internal step to try [s]; 0: chosen by the integrator.
   double step = 0.0;
 };

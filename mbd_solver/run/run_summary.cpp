@@ -28,6 +28,7 @@ std::vector<std::string> active_parts(const Simulation& simulation, const Flexib
   if (!mechanism.controllers.empty()) active.push_back("controllers");
   if (!mechanism.signals.empty()) active.push_back("signals");
   if (!mechanism.planes.empty()) active.push_back("plane");
+  if (!mechanism.soils.empty()) active.push_back("soil");
   if (!mechanism.contacts.empty()) active.push_back("contacts");
   if (simulation.coupled()) active.push_back("particles");
   return active;

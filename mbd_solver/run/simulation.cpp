@@ -27,6 +27,7 @@ inline constexpr auto kFields<State> = std::tuple{Field{"time", &State::time},
                                                   Field{"work_error", &State::work_error},
                                                   Field{"angles", &State::angles},
                                                   Field{"uncertain_angle", &State::uncertain_angle},
+                                                  Field{"memory", &State::memory},
                                                   Field{"step", &State::step}};
 
 template <>
@@ -549,6 +550,8 @@ void Simulation::settle_start() {
   state_.q = settled.state.q;
   state_.z = settled.state.z;
   state_.angles = settled.state.angles;
+  state_.memory = settled.state.memory;
+  equations_.recall(state_);
   equations_.saddle().project(state_);  // velocities of prescribed motions
   assembly_.notes.push_back(
       with_code(code::kSettled, "the mechanism was settled under the loads of the start: body \"" + settled.body +
@@ -584,6 +587,7 @@ void Simulation::visit(Archive& archive) {
   IntegratorStatistics statistics = integrator_->statistics();
   archive("statistics", statistics);
   if (archive.restores()) integrator_->resume(statistics);
+  if (archive.restores()) equations_.recall(state_);
   if (coupled_) archive("coupled", *coupled_);
   resumed_ = archive.restores();
 }

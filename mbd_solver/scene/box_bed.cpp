@@ -371,25 +371,20 @@ void resolve_box(Scene& scene, Findings& findings) {
 
 // Merges the table of a shipped soil under the keys of the scene.
 
-namespace {
-
-// Adds keys that are not there yet; their line is that of the key `soil`.
-void fill(ConfigNode& own, const ConfigNode& soil, int line) {
+void fill_missing(ConfigNode& own, const ConfigNode& soil, int line) {
   for (const auto& [key, value] : soil.table) {
     ConfigNode* there = own.find(key);
     if (there && there->kind == ConfigNode::Kind::kTable && value.kind == ConfigNode::Kind::kTable) {
-      fill(*there, value, line);
+      fill_missing(*there, value, line);
     } else if (!there) {
       ConfigNode fresh = value;
       fresh.table.clear();
       fresh.line = line;
-      fill(fresh, value, line);
+      fill_missing(fresh, value, line);
       own.table.emplace_back(key, fresh);
     }
   }
 }
-
-}  // namespace
 
 std::vector<std::string> known_soils() {
   std::vector<std::string> names;
@@ -419,7 +414,7 @@ void add_soil(ConfigNode& scene, Findings& findings) {
     return;
   }
   const ConfigNode file = parse_toml_file(shipped_file("inputs/soils/" + name + ".toml"));
-  if (const ConfigNode* numbers = file.find("box")) fill(*box, *numbers, line);
+  if (const ConfigNode* numbers = file.find("box")) fill_missing(*box, *numbers, line);
 }
 
 }  // namespace footfall

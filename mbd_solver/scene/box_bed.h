@@ -95,4 +95,12 @@ void add_soil(ConfigNode& scene, Findings& findings);
 // The names of inputs/soils, sorted.
 std::vector<std::string> known_soils();
 
+// Adds keys that are not there yet; their line is that of the key that named them.
+void fill_missing(ConfigNode& own, const ConfigNode& soil, int line);
+
+// The same for ground.soil, a file in `folder` or a name in inputs/grounds (ground_soil.cpp): its table [law] goes under
+// [ground.law].
+void add_ground_soil(ConfigNode& scene, const std::string& folder, Findings& findings);
+std::vector<std::string> known_grounds();
+
 }  // namespace footfall

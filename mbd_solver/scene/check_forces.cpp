@@ -341,6 +341,7 @@ void check_contact(const Scene& scene, Findings& findings) {
     check_law(scene, "plane.", *scene.ground.plane, at);
     for (const std::string& name : scene.ground.plane->bodies) check_has_boundary(scene, at, "plane.bodies", name);
   }
+  check_soil(scene, findings);
   at.error_if(kind == GroundKind::kPlane && !scene.ground.plane, kGroundIncomplete, "plane",
               "is missing; ground.kind = \"plane\" needs [ground.plane]");
   at.error_if(kind == GroundKind::kParticles && !scene.particles, kGroundIncomplete, "kind",

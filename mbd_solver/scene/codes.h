@@ -104,6 +104,8 @@ inline constexpr MessageCode kTooManyCopies{"E0145", "too-many-copies"};
 inline constexpr MessageCode kTooLarge{"E0146", "too-large"};
 // The relative tolerance is so large that results would be meaningless. Use for example 1e-6.
 inline constexpr MessageCode kTolerance{"E0147", "tolerance"};
+// The file that ground.soil names describes no soil. Name one that `footfall ground fit` has written.
+inline constexpr MessageCode kSoilFile{"E0148", "soil-file"};
 
 // ---- bodies ----
 

@@ -149,8 +149,8 @@ struct BoundarySpec {
   std::optional<BeamsSpec> beams;
 };
 
-enum class GroundKind { kNone, kPlane, kParticles };
-constexpr std::string_view name_of(GroundKind kind) { return name_in(kind, "none", "plane", "particles"); }
+enum class GroundKind { kNone, kPlane, kParticles, kSoil };
+constexpr std::string_view name_of(GroundKind kind) { return name_in(kind, "none", "plane", "particles", "soil"); }
 
 // Law of a contact point (theory 6.4): f_n = k delta^1.5 g(d delta'), friction mu f_n while it slides, a spring while it
 // sticks. With friction_speed: mu f_n v_t / sqrt(v_t^2 + friction_speed^2), without springs.
@@ -188,10 +188,43 @@ struct ContactSpec : ContactLawSpec {
   bool with_plane() const { return between.size() == 2 && between[1] == kPlaneWord; }
 };
 
+enum class SoilLawKind { kRft, kPressureSinkage };
+constexpr std::string_view name_of(SoilLawKind kind) { return name_in(kind, "rft", "pressure_sinkage"); }
+
+// A soil without grains (theory 6.7). Numbers that are not given are those of ground.soil.
+struct SoilSpec {
+  SoilLawKind kind = SoilLawKind::kRft;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    // of the undisturbed ground, in W [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // out of the ground, unit vector in W
+  std::vector<std::string> bodies;                    // whose boundaries touch it; empty: all
+  double density = 1500.0;                            // of the bulk [kg/m3] > 0
+  double inertia = 1.0;                               // of the part that grows with the square of the speed >= 0
+  double cohesion = 0.0;                              // [Pa] >= 0
+  double friction = 0.6;                              // tangent of the internal angle > 0
+  std::optional<double> surface_friction;             // of boundaries on the soil; not given: as rough as the soil
+  double rebound = 1e-3;                              // way of unloading [m] > 0
+  double damping = 3.0;                               // of the elastic ground [s/m] >= 0
+  std::optional<double> resistance;                   // rft: not given: from density, friction and gravity [Pa/m] > 0
+  std::optional<double> gravity;  // rft: at which resistance was measured; not given: that of the scene [m/s2] > 0
+  double cohesive_modulus = 0.0;  // pressure_sinkage: k_c [Pa/m^(n-1)] >= 0
+  std::optional<double> frictional_modulus;  // pressure_sinkage: k_phi [Pa/m^n] >= 0
+  double exponent = 1.0;                     // pressure_sinkage: n > 0
+  std::optional<double> width;               // pressure_sinkage: b; not given: the smaller side of the boundary [m] > 0
+  std::optional<double> shear_length;        // pressure_sinkage: K [m] > 0
+};
+
 struct GroundSpec {
   Source source;
   GroundKind kind = GroundKind::kNone;
   std::optional<PlaneSpec> plane;  // needed by kind = "plane"; ignored (but checked) otherwise
+  std::string soil;                // numbers of `law` from inputs/grounds/NAME.toml, or from a file
+  std::optional<SoilSpec> law;     // needed by kind = "soil", here or from `soil`
+
+  // A plane or a soil: the surface at the start.
+  bool is_flat() const { return kind == GroundKind::kPlane || kind == GroundKind::kSoil; }
+  const Eigen::Vector3d& point() const { return kind == GroundKind::kSoil ? law->point : plane->point; }
+  const Eigen::Vector3d& normal() const { return kind == GroundKind::kSoil ? law->normal : plane->normal; }
+  const std::vector<std::string>& bodies() const { return kind == GroundKind::kSoil ? law->bodies : plane->bodies; }
 };
 
 // The bed: made once by a script of its own, cached as a restart file.

@@ -608,6 +608,7 @@ void cut_boundaries(Scene& scene, const Cut& cut, Findings& findings) {
     if (boundary.beams) boundary.beams->segments = (boundary.beams->segments + cut.count - 1) / cut.count;
   });
   if (scene.ground.plane) replace_name(scene.ground.plane->bodies, cut);
+  if (scene.ground.law) replace_name(scene.ground.law->bodies, cut);
 }
 
 void cut_initial_velocities(Scene& scene, const Cut& cut) {

@@ -148,8 +148,9 @@ void warn_of_loose_bodies(const Scene& scene, Findings& findings) {
 }
 
 void warn_of_gravity_upwards(const Scene& scene, Findings& findings) {
-  if (scene.ground.kind != GroundKind::kPlane || !scene.ground.plane) return;
-  const double along = scene.gravity.dot(scene.ground.plane->normal);
+  const GroundSpec& ground = scene.ground;
+  if (!ground.is_flat() || (ground.kind == GroundKind::kPlane ? !ground.plane : !ground.law)) return;
+  const double along = scene.gravity.dot(ground.normal());
   if (along > 1e-9)
     findings.warning(kGravityUpwards, scene.source, "gravity",
                      "points away from the ground, " + number_text(along) +

@@ -31,6 +31,7 @@ void check_requirements(const Scene& scene, Findings& findings);
 void check_groups(const Scene& scene, Findings& findings);
 void check_landing(const Scene& scene, Findings& findings);
 void check_contact(const Scene& scene, Findings& findings);
+void check_soil(const Scene& scene, Findings& findings);
 // Counts and sizes beyond reason.
 void check_limits(const Scene& scene, Findings& findings);
 // Warnings about numbers that are possible, but mostly mistakes in a unit; of a scene without errors.

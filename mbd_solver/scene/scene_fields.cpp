@@ -369,10 +369,31 @@ void visit_fields(FieldVisitor& v, ContactSpec& c) {
   visit_law(v, c);
 }
 
+static void visit_fields(FieldVisitor& v, SoilSpec& s) {
+  v.choice("kind", s.kind);
+  v.field("point", &s.point, {Unit::kLength});
+  v.field("normal", &s.normal, direction);
+  v.field("bodies", &s.bodies, name);
+  v.field("density", &s.density, positive(Unit::kDensity));
+  v.field("inertia", &s.inertia, not_negative());
+  v.field("cohesion", &s.cohesion, not_negative(Unit::kPressure));
+  v.field("friction", &s.friction, positive());
+  v.field("surface_friction", &s.surface_friction, not_negative());
+  v.field("rebound", &s.rebound, positive(Unit::kLength));
+  v.field("damping", &s.damping, not_negative());
+  v.field("resistance", &s.resistance, positive());
+  v.field("gravity", &s.gravity, positive());
+  v.fields(not_negative(), {{"cohesive_modulus", &s.cohesive_modulus}, {"frictional_modulus", &s.frictional_modulus}});
+  v.field("exponent", &s.exponent, positive());
+  v.fields(positive(Unit::kLength), {{"width", &s.width}, {"shear_length", &s.shear_length}});
+}
+
 static void visit_fields(FieldVisitor& v, GroundSpec& g) {
   v.field("", &g.source, {});
   v.choice("kind", g.kind);
   v.section("plane", g.plane);
+  v.field("soil", &g.soil, plain);
+  v.section("law", g.law);
 }
 
 static void visit_fields(FieldVisitor& v, BedSpec& b) {

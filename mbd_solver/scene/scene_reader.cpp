@@ -185,6 +185,7 @@ Scene read_scene(const std::string& argument, const std::vector<std::string>& se
   for (const std::string& setting : settings) apply_setting(root, setting, findings);
   add_soil(root, findings);
   rename_second_spellings(root);
+  add_ground_soil(root, std::filesystem::absolute(file).parent_path().string(), findings);
   expand_initial_joints(root, findings);
 
   Scene scene;

@@ -83,4 +83,11 @@ inline constexpr MessageCode kRowsMissing{"E0623", "rows-missing"};
 // The command does not carry out such a file. Use the one that the message names.
 inline constexpr MessageCode kWrongSweep{"E0624", "wrong-sweep"};
 
+// --- Soils without grains.
+
+// The runs do not determine a soil. Give 5 to 20 runs of one pad that reach the bed.
+inline constexpr MessageCode kGroundFit{"E0628", "ground-fit"};
+// The fitted law meets the grains poorly. Try the other law, or fit the range that matters.
+inline constexpr MessageCode kPoorGroundFit{"W0628", "poor-ground-fit"};
+
 }  // namespace footfall::code

@@ -86,7 +86,7 @@ def shortened(words, block):
             return words + ["--until", kUntil]
         at = words.index("--until") + 1
         return words[:at] + [min(words[at], kUntil, key=float)] + words[at + 1:]
-    if command in ("sweep", "accuracy", "rig"):
+    if command in ("sweep", "accuracy", "rig", "ground"):
         return words + ["--short"]
     if command == "calibrate" and "short" in block.marks:
         return words + shlex.split(block.marks["short"])

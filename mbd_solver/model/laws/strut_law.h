@@ -32,7 +32,18 @@ constexpr std::string_view name_of(Stored kind) {
 }
 
 // Kinds of dissipation: dissipated.<name> of history.csv.
-enum class Dissipation { kMrViscous, kMrYield, kHoneycomb, kDamper, kStop, kModal, kFriction, kContact };
+enum class Dissipation {
+  kMrViscous,
+  kMrYield,
+  kHoneycomb,
+  kDamper,
+  kStop,
+  kModal,
+  kFriction,
+  kContact,
+  kSoil,
+  kSoilInertia
+};
 constexpr std::string_view name_of(Dissipation kind) {
   switch (kind) {
     case Dissipation::kMrViscous: return "mr_viscous";
@@ -43,6 +54,8 @@ constexpr std::string_view name_of(Dissipation kind) {
     case Dissipation::kModal: return "modal";
     case Dissipation::kFriction: return "friction";
     case Dissipation::kContact: return "contact";
+    case Dissipation::kSoil: return "soil";
+    case Dissipation::kSoilInertia: return "soil_inertia";
   }
   return {};
 }

@@ -75,7 +75,7 @@ std::vector<LandingWatch::First> in_order(const std::vector<std::string>& names,
 
 GroundLevel ground_level(const Subject& subject) {
   const GroundSpec& ground = subject.scene.ground;
-  if (ground.kind == GroundKind::kPlane) return {ground.plane->normal, ground.plane->normal.dot(ground.plane->point)};
+  if (ground.is_flat()) return {ground.normal(), ground.normal().dot(ground.point())};
   return {up_direction(subject.scene.gravity), subject.mechanism.placement.ground_height};
 }
 

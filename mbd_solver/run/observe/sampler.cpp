@@ -4,6 +4,7 @@
 #include "mbd_solver/run/observe/sampler.h"
 
 #include "mbd_solver/model/elements/rigid_plane.h"
+#include "mbd_solver/model/elements/soil_contact.h"
 
 namespace footfall {
 
@@ -56,6 +57,10 @@ void Sampler::update_contact() {
   for (std::size_t k = 0; k < mechanism.planes.size(); ++k) {
     const auto& plane = static_cast<const RigidPlane&>(mechanism.model.force(mechanism.planes[k]));
     add(mechanism.plane_bodies[k], plane.wrench(element_input(subject_, sample_, mechanism.planes[k])));
+  }
+  for (std::size_t k = 0; k < mechanism.soils.size(); ++k) {
+    const auto& soil = static_cast<const SoilContact&>(mechanism.model.force(mechanism.soils[k]));
+    add(mechanism.soil_bodies[k], soil.wrench(element_input(subject_, sample_, mechanism.soils[k])));
   }
   for (const ContactEntry& entry : mechanism.contacts) {
     const auto& contact = static_cast<const SurfaceContact&>(mechanism.model.force(entry.force));

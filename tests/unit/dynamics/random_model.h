@@ -14,6 +14,7 @@
 #include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/gear.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
+#include "mbd_solver/model/elements/soil_contact.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/elements/surface_contact.h"
 #include "mbd_solver/model/laws/springs.h"
@@ -247,6 +248,40 @@ inline std::unique_ptr<ForceElement> surface_contact(const Model& model, const s
   return std::make_unique<SurfaceContact>(name, places_on, with_surface, std::vector<SurfaceContact::Side>{side}, law);
 }
 
+// A soil under three facets of a body, deep in it.
+inline std::unique_ptr<SoilContact> soil_contact(Random& random, const Model& model, const std::string& name, int body,
+                                                 bool is_rft) {
+  std::vector<SoilFacet> facets(3);
+  for (SoilFacet& facet : facets) {
+    facet.marker = random_marker(random, model, body);
+    facet.normal = (random.vector() - Eigen::Vector3d(0.0, 0.0, 1.0)).normalized();
+    facet.area = 0.5 + random.number() * 0.1;
+  }
+  SoilContact::Place place;
+  place.normal = random.vector() + Eigen::Vector3d(0.0, 0.0, 3.0);
+  place.point = model.initial(body).r + 3.0 * place.normal.normalized();
+  // Pressed in from a print a little higher and to the side: in elastic ground.
+  for (SoilFacet& facet : facets)
+    facet.start = model.initial_position(facet.marker) + 0.2 * place.normal.normalized() + 0.05 * random.vector();
+  RftParameters rft;
+  rft.density = 2.0;
+  rft.resistance = 20.0;
+  rft.cohesion = 0.5;
+  rft.surface_friction = 0.4;
+  rft.rebound = 0.3;
+  SinkageParameters sinkage;
+  sinkage.density = 1.5;
+  sinkage.cohesion = 2.0;
+  sinkage.stiffness = 9.0;
+  sinkage.exponent = 1.3;
+  sinkage.friction = 0.5;
+  sinkage.shear_length = 0.8;
+  sinkage.rebound = 0.3;
+  std::shared_ptr<const SoilLaw> law = is_rft ? make_rft(rft, "") : make_pressure_sinkage(sinkage, "");
+  return std::make_unique<SoilContact>(name, std::move(facets), is_rft, place, std::move(law),
+                                       std::make_shared<SoilGround>(1.0), true);
+}
+
 // One of each kind of force element between the given bodies (a plane under the first of them that is a
 // body).
 inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, const Model& model, int body_1,
@@ -307,6 +342,8 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
     out.push_back(std::make_unique<JointForce>("coordinate_" + std::string(name_of(coordinate)) + tail, ends.m1,
                                                ends.m2, coordinate, coupled()));
   }
+  out.push_back(soil_contact(apart, model, "rft" + tail, standing, true));
+  out.push_back(soil_contact(apart, model, "sinkage" + tail, standing, false));
   return out;
 }
 

@@ -366,5 +366,59 @@ force = { signal = "smooth" }
   EXPECT_EQ(later.last("state.landed"), 1.0);
 }
 
+// A plate that has pressed a print into a soil and slides in it: what the ground remembers is in the checkpoint.
+TEST(SoilMemory, ResumesToTheBit) {
+  for (const char* law :
+       {"{ density = 1500, friction = 0.5, rebound = 2e-3 }",
+        "{ kind = \"pressure_sinkage\", frictional_modulus = 2e5, exponent = 0.9, shear_length = 0.02 }"}) {
+    const Scene scene = SceneText().read(R"(end_time = 0.03
+gravity = [0, 0, -1.62]
+[[bodies]]
+name = "ball"
+mass = 4.0
+inertia = [0.1, 0.1, 0.1]
+shape = { kind = "box", size = [0.3, 0.3, 0.1], centre = [0, 0, 0.05] }
+position = [0, 0, 0.05]
+[[boundaries]]
+body = "ball"
+surface = { element_size = 0.3, closed = true }
+[ground]
+kind = "soil"
+[initial]
+velocity = [0.5, 0, -1.0]
+clearance = 0.002
+[solver]
+rtol = 1e-4
+atol = 1e-6
+[output]
+interval = 0.002
+)",
+                                         {std::string("ground.law=") + law, "output.checkpoint_interval=0.01"});
+    std::string kept;
+    Record whole(scene), later(scene);
+    const auto keeper = [&](Record& record, std::string* text) {
+      CheckpointWriter keep;
+      keep.begin = [](long) { return std::string("nowhere"); };
+      keep.finish = [&record, text] {
+        if (!text || !text->empty()) return;
+        Archive archive;
+        record.visit(archive);
+        *text = archive.text();
+      };
+      return keep;
+    };
+    whole.run(keeper(whole, &kept));
+    ASSERT_FALSE(kept.empty());
+    Archive archive("kept", kept);
+    later.visit(archive);
+    later.run(keeper(later, nullptr));
+    ASSERT_LT(later.rows.size(), whole.rows.size());
+    const std::size_t offset = whole.rows.size() - later.rows.size();
+    for (std::size_t row = 0; row < later.rows.size(); ++row)
+      EXPECT_EQ(later.rows[row], whole.rows[offset + row]) << row << " " << law;
+    EXPECT_GT(whole.last("dissipated.soil"), 0.1);
+  }
+}
+
 }  // namespace
 }  // namespace footfall

@@ -1,0 +1,145 @@
+// The contacts of boundaries with a soil without grains: the facets around each node.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/model/elements/soil_contact.h"
+#include "mbd_solver/model/rotation.h"
+
+namespace footfall {
+namespace {
+
+constexpr double kOneFacet = 0.94;  // cosine of 20 degrees
+
+Eigen::Vector3d corner(const ModalBoundary& boundary, int node) { return boundary.rho0().col(node); }
+
+// Every edge is passed once in each direction.
+bool encloses(const ModalBoundary& boundary) {
+  std::map<std::array<int, 2>, int> edges;
+  for (const Eigen::Vector3i& t : boundary.triangles())
+    for (int k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+  return std::all_of(edges.begin(), edges.end(), [&](const auto& edge) {
+    const auto back = edges.find({edge.first[1], edge.first[0]});
+    return edge.second == 1 && back != edges.end() && back->second == 1;
+  });
+}
+
+double six_volumes(const ModalBoundary& boundary) {
+  double sum = 0.0;
+  for (const Eigen::Vector3i& t : boundary.triangles())
+    sum += corner(boundary, t[0]).dot(corner(boundary, t[1]).cross(corner(boundary, t[2])));
+  return sum;
+}
+
+// Facets around a node whose normals differ by less than 20 degrees are one: a third of their area, at the node. A stress that
+// is linear over a triangle has its exact mean at the corners.
+std::vector<SoilFacet> facets_of(const BodyBoundary& entry, double side, const Model& model) {
+  const ModalBoundary& boundary = entry.boundary;
+  const int modes = boundary.mode_count();
+  struct Share {
+    int node;
+    Eigen::Vector3d area;  // along the normal [m2]
+  };
+  std::vector<std::vector<Share>> around(static_cast<std::size_t>(boundary.node_count()));
+  for (const Eigen::Vector3i& t : boundary.triangles()) {
+    const Eigen::Vector3d a = corner(boundary, t[0]);
+    const Eigen::Vector3d third =
+        side / 6.0 * (corner(boundary, t[1]) - a).cross(Eigen::Vector3d(corner(boundary, t[2]) - a));
+    if (!(third.norm() > 0.0)) continue;
+    for (const int node : {t[0], t[1], t[2]}) {
+      std::vector<Share>& shares = around[static_cast<std::size_t>(node)];
+      const auto alike = std::find_if(shares.begin(), shares.end(), [&](const Share& share) {
+        return share.area.normalized().dot(third.normalized()) > kOneFacet;
+      });
+      if (alike == shares.end()) {
+        shares.push_back({node, third});
+      } else {
+        alike->area += third;
+      }
+    }
+  }
+  std::vector<SoilFacet> facets;
+  for (const std::vector<Share>& shares : around) {
+    for (const Share& share : shares) {
+      SoilFacet facet;
+      facet.marker.body = entry.body;
+      facet.marker.s0 = corner(boundary, share.node);
+      facet.marker.S = Eigen::Matrix3Xd::Zero(3, modes);
+      if (modes > 0) facet.marker.S = boundary.Phi().middleRows(3 * share.node, 3);
+      facet.marker.Psi = Eigen::Matrix3Xd::Zero(3, modes);
+      for (Eigen::Matrix3Xd& U : facet.marker.U) U = Eigen::Matrix3Xd::Zero(3, modes);
+      facet.normal = share.area.normalized();
+      facet.area = share.area.norm();
+      facet.start = model.initial_position(facet.marker);
+      facets.push_back(std::move(facet));
+    }
+  }
+  return facets;
+}
+
+// The smaller side of a boundary seen along the axis in which it is thinnest.
+double width_of(const ModalBoundary& boundary) {
+  Eigen::Vector3d sides = boundary.rho0().rowwise().maxCoeff() - boundary.rho0().rowwise().minCoeff();
+  std::sort(sides.data(), sides.data() + 3);
+  return sides[1];
+}
+
+std::shared_ptr<const SoilLaw> soil_law(const Scene& scene, const ModalBoundary& boundary) {
+  const SoilSpec& spec = *scene.ground.law;
+  const auto set_common = [&](SoilLaw::Common& c) {
+    c.density = spec.density;
+    c.inertia = spec.inertia;
+    c.cohesion = spec.cohesion;
+    c.surface_friction = spec.surface_friction.value_or(1e3);
+    c.rebound = spec.rebound;
+    c.damping = spec.damping;
+  };
+  if (spec.kind == SoilLawKind::kRft) {
+    RftParameters p;
+    set_common(p);
+    const double g = scene.gravity.norm();
+    p.friction = spec.friction;
+    p.resistance = spec.resistance ? *spec.resistance * (spec.gravity ? g / *spec.gravity : 1.0)
+                                   : rft_resistance(spec.density, spec.friction, g);
+    return make_rft(p, "ground.law: ");
+  }
+  SinkageParameters p;
+  set_common(p);
+  p.stiffness = spec.cohesive_modulus / spec.width.value_or(width_of(boundary)) + spec.frictional_modulus.value_or(0.0);
+  p.exponent = spec.exponent;
+  p.friction = spec.friction;
+  p.shear_length = spec.shear_length.value_or(0.0);
+  return make_pressure_sinkage(p, "ground.law: ");
+}
+
+}  // namespace
+
+void add_soil_contacts(const Scene& scene, Mechanism& mechanism) {
+  if (scene.ground.kind != GroundKind::kSoil) return;
+  const SoilSpec& spec = *scene.ground.law;
+  std::shared_ptr<SoilGround> ground;
+  std::vector<std::pair<const BodyBoundary*, std::vector<SoilFacet>>> touching;
+  double largest = 0.0;  // area of a facet [m2]
+  for (const BodyBoundary& entry : mechanism.boundaries) {
+    if (entry.points.empty() && entry.rims.empty()) continue;
+    const bool closed = encloses(entry.boundary);
+    std::vector<SoilFacet> facets =
+        facets_of(entry, closed && six_volumes(entry.boundary) < 0.0 ? -1.0 : 1.0, mechanism.model);
+    if (facets.empty()) continue;
+    for (const SoilFacet& facet : facets) largest = std::max(largest, facet.area);
+    touching.emplace_back(&entry, std::move(facets));
+  }
+  for (auto& [entry, facets] : touching) {
+    const bool first = ground == nullptr;
+    if (first) ground = std::make_shared<SoilGround>(std::sqrt(largest));
+    mechanism.soils.push_back(mechanism.model.add_force(std::make_unique<SoilContact>(
+        "ground/" + entry->boundary.name(), std::move(facets), !encloses(entry->boundary),
+        SoilContact::Place{spec.point, spec.normal}, soil_law(scene, entry->boundary), ground, first)));
+    mechanism.soil_bodies.push_back(entry->body);
+  }
+}
+
+}  // namespace footfall

@@ -1,0 +1,288 @@
+// Heights are tested first, so that facets above the ground cost little; then the law, in the axes of the ground.
+
+#include "mbd_solver/model/elements/soil_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/base/codes.h"
+#include "mbd_solver/model/codes.h"
+#include "mbd_solver/model/kinematic_vector.h"
+#include "mbd_solver/model/rotation.h"
+
+namespace footfall {
+namespace {
+
+constexpr double kMoved = 0.5;   // of a facet's size: beyond, it is at another place of the ground
+constexpr double kFound = 1.0;   // of a facet's size: a print nearer than this is under it
+constexpr double kJoined = 0.5;  // of a facet's size: prints nearer than this are one
+constexpr int kNumbers = 8;      // of a SoilMemory
+
+}  // namespace
+
+// ---- prints ----
+
+long SoilGround::key(double x, double y) const {
+  const long i = static_cast<long>(std::floor(x / cell_)), j = static_cast<long>(std::floor(y / cell_));
+  return i * 2000003L + j;
+}
+
+int SoilGround::nearest(const Eigen::Vector2d& place, double within) const {
+  int found = -1;
+  double least = within * within;
+  for (int i = -1; i <= 1; ++i) {
+    for (int j = -1; j <= 1; ++j) {
+      const auto cell = cells_.find(key(place.x() + i * cell_, place.y() + j * cell_));
+      if (cell == cells_.end()) continue;
+      for (const int k : cell->second) {
+        const double square = (prints_[static_cast<std::size_t>(k)].place - place).squaredNorm();
+        if (square > least || (square == least && found >= 0 && k > found)) continue;
+        least = square;
+        found = k;
+      }
+    }
+  }
+  return found;
+}
+
+void SoilGround::leave(const Eigen::Vector2d& place, double depth, double apart) {
+  if (!(depth > 0.0)) return;
+  if (const int k = nearest(place, std::min(apart, cell_)); k >= 0) {
+    double& known = prints_[static_cast<std::size_t>(k)].depth;
+    known = std::max(known, depth);
+    return;
+  }
+  cells_[key(place.x(), place.y())].push_back(static_cast<int>(prints_.size()));
+  prints_.push_back({place, depth});
+}
+
+double SoilGround::depth_at(const Eigen::Vector2d& place, double within) const {
+  if (prints_.empty()) return 0.0;
+  const int k = nearest(place, std::min(within, cell_));
+  return k < 0 ? 0.0 : prints_[static_cast<std::size_t>(k)].depth;
+}
+
+void SoilGround::restore(std::vector<Print> prints) {
+  prints_ = std::move(prints);
+  cells_.clear();
+  for (std::size_t k = 0; k < prints_.size(); ++k)
+    cells_[key(prints_[k].place.x(), prints_[k].place.y())].push_back(static_cast<int>(k));
+}
+
+// ---- contact ----
+
+struct SoilContact::Touch {
+  const SoilFacet* facet = nullptr;
+  MovingPoint p;
+  SoilPoint at;
+  SoilStress stress;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the body, in W [N]
+};
+
+SoilContact::SoilContact(std::string name, std::vector<SoilFacet> facets, bool two_sided, const Place& place,
+                         std::shared_ptr<const SoilLaw> law, std::shared_ptr<SoilGround> ground, bool keeps_ground)
+    : ForceElement(std::move(name), facets.empty() ? kGround : facets.front().marker.body, kGround),
+      facets_(std::move(facets)),
+      two_sided_(two_sided),
+      point_(place.point),
+      law_(std::move(law)),
+      ground_(std::move(ground)),
+      keeps_ground_(keeps_ground) {
+  const std::string where = "soil under \"" + this->name() + "\": ";
+  if (facets_.empty()) throw InputError(code::kNoContactPoints, where + "no facets given.");
+  if (!(place.normal.norm() > 0.0))
+    throw InputError(code::kParameterOutOfRange, where + "the normal must not be zero.");
+  const Eigen::Vector3d up = place.normal.normalized();
+  const Eigen::Matrix3d tangents = axes_with_z(up);
+  axes_.row(0) = tangents.col(0).transpose();
+  axes_.row(1) = tangents.col(1).transpose();
+  axes_.row(2) = -up.transpose();
+  for (const SoilFacet& facet : facets_) {
+    FOOTFALL_DEMAND(facet.marker.body == bodies()[0] && facet.marker.body != kGround);
+    reach_ = std::max(reach_, facet.marker.s0.norm());
+    flexible_reach_ = std::max(flexible_reach_, facet.marker.S.norm());
+    area_ += facet.area;
+  }
+  const Eigen::Index n = 6 + facets_.front().marker.S.cols();
+  X_.resize(3, n);
+  by_x_.resize(3, n);
+  const double* nothing = nullptr;
+  recall(nothing);
+}
+
+bool SoilContact::far(const BodyKinematics& body) const {
+  const double reach = body.modes == 0 ? reach_ : reach_ + flexible_reach_ * body.a.norm();
+  return axes_.row(2).dot(body.r - point_) < -reach;
+}
+
+double SoilContact::size_of(const SoilFacet& facet) const { return std::sqrt(facet.area); }
+
+SoilMemory SoilContact::memory_at(std::size_t facet, const Eigen::Vector3d& place) const {
+  SoilMemory memory = memory_[facet];
+  if (memory.touches) return memory;
+  const double size = size_of(facets_[facet]);
+  if ((place.head<2>() - memory.printed).squaredNorm() <= kMoved * kMoved * size * size) return memory;
+  memory.print = ground_->depth_at(place.head<2>(), kFound * size);
+  memory.printed = place.head<2>();
+  return memory;
+}
+
+SoilPoint SoilContact::point_of(const ElementInput& in, const SoilFacet& facet, const MovingPoint& p) const {
+  const BodyKinematics& body = *in.pair.body[0];
+  const Eigen::Vector3d normal = body.A * facet.normal;
+  return {axes_ * (p.value() - point_), axes_ * normal, axes_ * p.rate(), axes_ * body.w.cross(normal)};
+}
+
+template <class Use>
+void SoilContact::each_touch(const ElementInput& in, SoilLaw::With with, Use use) const {
+  const BodyKinematics& body = *in.pair.body[0];
+  if (far(body)) return;
+  const Eigen::Vector3d down_B = body.A.transpose() * axes_.row(2).transpose();
+  const double depth = axes_.row(2).dot(body.r - point_);
+  Touch touch;
+  for (std::size_t k = 0; k < facets_.size(); ++k) {
+    const SoilFacet& facet = facets_[k];
+    double z = depth + down_B.dot(facet.marker.s0);
+    for (Eigen::Index i = 0; i < facet.marker.S.cols(); ++i) z += down_B.dot(facet.marker.S.col(i)) * body.a[i];
+    if (!(z > 0.0)) continue;
+    if (const SoilMemory& m = memory_[k]; m.touches && !(z > m.print)) continue;
+    touch.p = MovingPoint(body, facet.marker);
+    touch.at = point_of(in, facet, touch.p);
+    const SoilMemory memory = memory_at(k, touch.at.place);
+    if (!(touch.at.place.z() > memory.print)) continue;
+    touch.facet = &facet;
+    touch.stress = law_->stress(touch.at, memory, two_sided_, with);
+    touch.force = axes_.transpose() * (facet.area * (touch.stress.traction + touch.stress.inertia));
+    use(touch);
+  }
+}
+
+void SoilContact::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd>) const {
+  each_touch(in, SoilLaw::With::kTraction, [&](const Touch& touch) { touch.p.add_transposed(touch.force, Q); });
+}
+
+bool SoilContact::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
+  // f = a R^T t(R p, R n, R p'):  df = a R^T (t_p R dp + t_n R (-n~) dtheta + t_v R dp')
+  bool any = false;
+  const BodyKinematics& body = *in.pair.body[0];
+  each_touch(in, SoilLaw::With::kSlope, [&](const Touch& touch) {
+    any = true;
+    const Eigen::Matrix3d turned = touch.facet->area * axes_.transpose();
+    const Eigen::Matrix3d by_p = turned * touch.stress.slope.leftCols<3>() * axes_;
+    const Eigen::Matrix3d by_n = turned * touch.stress.slope.middleCols<3>(3) * axes_;
+    const Eigen::Matrix3d by_v = turned * touch.stress.slope.rightCols<3>() * axes_;
+    X_.setZero();
+    by_x_.setZero();
+    const KinematicVector p = KinematicVector::point(in.pair, 0, touch.facet->marker);
+    p.add_jacobian(X_);
+    p.add_rate_jacobian(by_x_);
+    for (Eigen::Index j = 0; j < X_.cols(); ++j) {  // df/dx
+      const Eigen::Vector3d column = by_v * by_x_.col(j) + by_p * X_.col(j);
+      by_x_.col(j) = column;
+    }
+    by_x_.block<3, 3>(0, 3) -= by_n * skew(body.A * touch.facet->normal);
+    out.dQ_dx.noalias() += X_.transpose().lazyProduct(by_x_);
+    by_x_.noalias() = by_v.lazyProduct(X_);  // df/dv
+    out.dQ_dv.noalias() += X_.transpose().lazyProduct(by_x_);
+    p.add_second(touch.force, out.dQ_dx);
+  });
+  return any;
+}
+
+void SoilContact::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
+  each_touch(in, SoilLaw::With::kEnergy, [&](const Touch& touch) {
+    const double area = touch.facet->area;
+    stored[Stored::kContact] += area * touch.stress.stored;
+    power[Dissipation::kSoil] += area * (-touch.stress.traction.dot(touch.at.velocity) - touch.stress.stored_rate);
+    power[Dissipation::kSoilInertia] -= area * touch.stress.inertia.dot(touch.at.velocity);
+  });
+}
+
+// ---- memory ----
+
+void SoilContact::recall(const double*& from) const {
+  memory_.assign(facets_.size(), SoilMemory());
+  if (from == nullptr) {
+    for (std::size_t k = 0; k < facets_.size(); ++k) {
+      const Eigen::Vector3d start = axes_ * (facets_[k].start - point_);
+      memory_[k].printed = memory_[k].place = start.head<2>();
+      memory_[k].print = std::max(0.0, start.z());
+      memory_[k].touches = start.z() > 0.0;
+    }
+    if (keeps_ground_) ground_->restore({});
+    return;
+  }
+  for (SoilMemory& m : memory_) {
+    m.print = from[0];
+    m.place = {from[1], from[2]};
+    m.shear = {from[3], from[4]};
+    m.printed = {from[5], from[6]};
+    m.touches = from[7] != 0.0;
+    from += kNumbers;
+  }
+  if (!keeps_ground_) return;
+  std::vector<SoilGround::Print> prints(static_cast<std::size_t>(*from++));
+  for (SoilGround::Print& print : prints) {
+    print = {{from[0], from[1]}, from[2]};
+    from += 3;
+  }
+  ground_->restore(std::move(prints));
+}
+
+void SoilContact::save_memory(std::vector<double>& out) const {
+  for (const SoilMemory& m : memory_)
+    out.insert(out.end(), {m.print, m.place.x(), m.place.y(), m.shear.x(), m.shear.y(), m.printed.x(), m.printed.y(),
+                           m.touches ? 1.0 : 0.0});
+  if (!keeps_ground_) return;
+  out.push_back(static_cast<double>(ground_->prints().size()));
+  for (const SoilGround::Print& print : ground_->prints())
+    out.insert(out.end(), {print.place.x(), print.place.y(), print.depth});
+}
+
+bool SoilContact::remember(const ElementInput& in) const {
+  const BodyKinematics& body = *in.pair.body[0];
+  const bool away = far(body);
+  bool changed = false;
+  for (std::size_t k = 0; k < facets_.size(); ++k) {
+    SoilMemory& m = memory_[k];
+    if (away && !m.touches) continue;
+    const SoilPoint at = point_of(in, facets_[k], MovingPoint(body, facets_[k].marker));
+    const bool touched = m.touches;
+    if (!touched && !(at.place.z() > 0.0)) continue;  // above the ground: its memory can wait
+    m = memory_at(k, at.place);
+    if (!touched) m.place = at.place.head<2>();
+    law_->remember(at, m);
+    changed = true;
+    const double size = size_of(facets_[k]);
+    if (touched && !m.touches) {
+      ground_->leave(m.printed, m.print, kJoined * size);
+    } else if (m.touches && !touched) {
+      m.printed = at.place.head<2>();
+    } else if (m.touches && (at.place.head<2>() - m.printed).squaredNorm() > kMoved * kMoved * size * size) {
+      ground_->leave(m.printed, m.print, kJoined * size);  // a facet that slides carries its depth along
+      m.printed = at.place.head<2>();
+    }
+  }
+  return changed;
+}
+
+Eigen::Matrix<double, 6, 1> SoilContact::wrench(const ElementInput& in) const {
+  Eigen::Matrix<double, 6, 1> out = Eigen::Matrix<double, 6, 1>::Zero();
+  each_touch(in, SoilLaw::With::kTraction, [&](const Touch& touch) {
+    out.head<3>() += touch.force;
+    out.tail<3>() += (touch.p.value() - in.pair.body[0]->r).cross(touch.force);
+  });
+  return out;
+}
+
+double SoilContact::largest_depth(const ElementInput& in) const {
+  double largest = 0.0;
+  const BodyKinematics& body = *in.pair.body[0];
+  if (far(body)) return largest;
+  for (const SoilFacet& facet : facets_)
+    largest = std::max(largest, point_of(in, facet, MovingPoint(body, facet.marker)).place.z());
+  return largest;
+}
+
+}  // namespace footfall

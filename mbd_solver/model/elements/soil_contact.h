@@ -1,0 +1,96 @@
+#pragma once
+// The boundary of one body on a soil without grains: every facet feels the stress of a SoilLaw at its place. Theory 6.7.
+// The ground keeps what has touched it (SoilGround): where a facet has left its place, its print stays there, with its depth,
+// for any facet that comes later. The memory changes between integration steps, in remember().
+
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "mbd_solver/model/elements/soil_law.h"
+#include "mbd_solver/model/force_element.h"
+
+namespace footfall {
+
+struct SoilFacet {
+  Marker marker;                                      // on the body
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // out of the body, in B
+  double area = 0.0;                                  // [m2]
+  Eigen::Vector3d start =
+      Eigen::Vector3d::Zero();  // in W at the start [m]: in the ground it stands in its own print then
+};
+
+// Prints that facets have left, in the axes of the ground.
+class SoilGround {
+ public:
+  struct Print {
+    Eigen::Vector2d place;  // [m]
+    double depth;           // [m]
+  };
+  // cell [m]: the largest distance at which a print is found.
+  explicit SoilGround(double cell) : cell_(cell) {}
+
+  void leave(const Eigen::Vector2d& place, double depth, double apart);  // joined with one nearer than `apart` [m]
+  double depth_at(const Eigen::Vector2d& place, double within) const;    // of the nearest print [m]; 0: there is none
+  const std::vector<Print>& prints() const { return prints_; }
+  void restore(std::vector<Print> prints);
+
+ private:
+  long key(double x, double y) const;
+  int nearest(const Eigen::Vector2d& place, double within) const;  // -1: none
+
+  double cell_;
+  std::vector<Print> prints_;
+  std::unordered_map<long, std::vector<int>> cells_;
+};
+
+class SoilContact : public ForceElement {
+ public:
+  struct Place {
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();    // of the undisturbed ground, in W [m]
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // out of the ground
+  };
+  // Facets of one body, at least one. keeps_ground: this element saves the prints of the ground, for all that share it.
+  SoilContact(std::string name, std::vector<SoilFacet> facets, bool two_sided, const Place& place,
+              std::shared_ptr<const SoilLaw> law, std::shared_ptr<SoilGround> ground, bool keeps_ground);
+
+  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
+  bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
+  void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
+
+  bool remembers() const override { return true; }
+  void recall(const double*& memory) const override;
+  void save_memory(std::vector<double>& out) const override;
+  bool remember(const ElementInput& in) const override;
+
+  Eigen::Matrix<double, 6, 1> wrench(const ElementInput& in) const;  // on the body, about Bo, in W [N, N m]
+  double largest_depth(const ElementInput& in) const;                // of a middle of a facet [m], 0 above the ground
+  double area() const { return area_; }                              // of all facets [m2]
+  const std::vector<SoilFacet>& facets() const { return facets_; }
+  bool two_sided() const { return two_sided_; }
+
+ private:
+  struct Touch;
+  bool far(const BodyKinematics& body) const;
+  double size_of(const SoilFacet& facet) const;  // [m]
+  // The memory with which a facet meets the ground at `place`.
+  SoilMemory memory_at(std::size_t facet, const Eigen::Vector3d& place) const;
+  SoilPoint point_of(const ElementInput& in, const SoilFacet& facet, const MovingPoint& p) const;
+  template <class Use>
+  void each_touch(const ElementInput& in, SoilLaw::With with, Use use) const;
+
+  std::vector<SoilFacet> facets_;
+  bool two_sided_;
+  Eigen::Vector3d point_;
+  Eigen::Matrix3d axes_;  // rows: x, y and down of the ground, in W
+  std::shared_ptr<const SoilLaw> law_;
+  std::shared_ptr<SoilGround> ground_;
+  bool keeps_ground_;
+  double reach_ = 0.0;           // radius about Bo that encloses all undeformed facets [m]
+  double flexible_reach_ = 0.0;  // as RigidPlane
+  double area_ = 0.0;
+  mutable std::vector<SoilMemory> memory_;  // of the facets, at the last end of a step
+  mutable Eigen::Matrix3Xd X_, by_x_;       // scratch, 3 x n
+};
+
+}  // namespace footfall

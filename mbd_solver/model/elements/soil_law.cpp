@@ -1,0 +1,457 @@
+// Each law is written once for numbers and for numbers with derivatives (Dual), so that slopes and rates are exact.
+
+#include "mbd_solver/model/elements/soil_law.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/base/codes.h"
+#include "mbd_solver/base/pi.h"
+
+namespace footfall {
+namespace {
+
+// A number with derivatives by N others.
+template <int N>
+struct Dual {
+  double value = 0.0;
+  Eigen::Array<double, N, 1> by = Eigen::Array<double, N, 1>::Zero();
+
+  Dual() = default;
+  Dual(double v) : value(v) {}  // NOLINT: a constant is a number
+  Dual(double v, const Eigen::Array<double, N, 1>& d) : value(v), by(d) {}
+  static Dual variable(double v, int k) {
+    Dual out(v);
+    out.by[k] = 1.0;
+    return out;
+  }
+
+  Dual operator-() const { return {-value, -by}; }
+  friend Dual operator+(const Dual& a, const Dual& b) { return {a.value + b.value, a.by + b.by}; }
+  friend Dual operator-(const Dual& a, const Dual& b) { return {a.value - b.value, a.by - b.by}; }
+  friend Dual operator*(const Dual& a, const Dual& b) { return {a.value * b.value, a.by * b.value + b.by * a.value}; }
+  friend Dual operator/(const Dual& a, const Dual& b) {
+    const double q = a.value / b.value;
+    return {q, (a.by - q * b.by) / b.value};
+  }
+  friend Dual operator+(const Dual& a, double b) { return {a.value + b, a.by}; }
+  friend Dual operator*(const Dual& a, double b) { return {a.value * b, a.by * b}; }
+  friend Dual operator*(double a, const Dual& b) { return b * a; }
+};
+
+template <int N>
+Dual<N> chained(const Dual<N>& x, double value, double slope) {
+  return {value, slope * x.by};
+}
+double root(double x) { return std::sqrt(x); }
+template <int N>
+Dual<N> root(const Dual<N>& x) {
+  const double r = std::sqrt(x.value);
+  return chained(x, r, r > 0.0 ? 0.5 / r : 0.0);
+}
+double exponential(double x) { return std::exp(x); }
+template <int N>
+Dual<N> exponential(const Dual<N>& x) {
+  const double e = std::exp(x.value);
+  return chained(x, e, e);
+}
+double power(double x, double n) { return std::pow(x, n); }
+template <int N>
+Dual<N> power(const Dual<N>& x, double n) {
+  const double p = std::pow(x.value, n);
+  return chained(x, p, n * p / x.value);
+}
+double log_of(double x) { return std::log(x); }
+template <int N>
+Dual<N> log_of(const Dual<N>& x) {
+  return chained(x, std::log(x.value), 1.0 / x.value);
+}
+double number(double x) { return x; }
+template <int N>
+double number(const Dual<N>& x) {
+  return x.value;
+}
+
+template <class T>
+struct Three {
+  T x{0.0}, y{0.0}, z{0.0};
+};
+template <class T>
+Three<T> operator+(const Three<T>& a, const Three<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+Three<T> operator*(const T& s, const Three<T>& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+template <class T>
+T dot(const Three<T>& a, const Three<T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class T>
+struct Facet {
+  Three<T> p, n, v;  // place, normal, velocity
+};
+
+template <class T>
+struct Answer {
+  Three<T> traction, inertia;  // [Pa]
+  T stored{0.0};               // [J/m2]
+};
+
+Facet<double> plain_facet(const SoilPoint& at) {
+  const auto three = [](const Eigen::Vector3d& a) { return Three<double>{a.x(), a.y(), a.z()}; };
+  return {three(at.place), three(at.normal), three(at.velocity)};
+}
+
+Facet<Dual<9>> varied_facet(const SoilPoint& at) {
+  const auto three = [](const Eigen::Vector3d& a, int k) {
+    return Three<Dual<9>>{Dual<9>::variable(a.x(), k), Dual<9>::variable(a.y(), k + 1),
+                          Dual<9>::variable(a.z(), k + 2)};
+  };
+  return {three(at.place, 0), three(at.normal, 3), three(at.velocity, 6)};
+}
+
+// The share of a thing that is complete at a.
+template <class T>
+T grown(const T& x, double a) {
+  if (number(x) >= a) return T(1.0);
+  if (number(x) <= 0.0) return T(0.0);
+  return x * (1.0 / a);
+}
+
+// Of `rebound`: the first part of it carries a facet that slides at constant depth.
+constexpr double kSeat = 0.1;
+// A facet that recedes by less than this from its direction of motion still counts in part, so that stress has no jump there.
+constexpr double kRecede = 0.1;
+// Of the shear length: a way within which shear depends on the place alone.
+constexpr double kSwing = 0.05;
+
+// The share of its strength that the ground bears at an elastic displacement `size` that grows at `rate`.
+template <class T>
+T borne_share(const SoilLaw::Common& c, const T& size, const T& rate) {
+  const T share = grown(size, c.rebound);
+  const T closing = rate * c.damping;
+  if (!(number(rate) > 0.0)) return share * exponential(closing);
+  const T damped = share * (T(1.0) + closing);
+  return number(damped) < 1.0 ? damped : T(1.0);
+}
+
+// Whether the ground yields at this elastic displacement; at e itself, where a step begins, if that grows.
+template <class T>
+bool yields(const T& size, const T& rate, double e) {
+  return number(size) > e || (number(size) > (1.0 - 1e-9) * e && number(rate) > 0.0);
+}
+
+constexpr int kRftTerms = 20;
+// Of [1, x1, x2, x3, x1^2, x2^2, x3^2, x1 x2, x2 x3, x3 x1, x1^3, x2^3, x3^3, x1 x2^2, x2 x1^2, x2 x3^2, x3 x2^2, x3 x1^2,
+// x1 x3^2, x1 x2 x3] [Agarwal 2023, table of c_k].
+constexpr std::array<std::array<double, kRftTerms>, 3> kRft = {
+    {{0.00212, -0.02320, -0.20890, -0.43083, -0.00259, 0.48872, -0.00415, 0.07204, -0.02750, -0.08772,
+      0.01992, -0.45961, 0.40799,  -0.10107, -0.06576, 0.05664, -0.09269, 0.01892, 0.01033,  0.15120},
+     {-0.06796, -0.10941, 0.04725, -0.06914, -0.05835, -0.65880, -0.11985, -0.25739, -0.26834, 0.02692,
+      -0.00736, 0.63758,  0.08997, 0.21069,  0.04748,  0.20406,  0.18589,  0.04934,  0.13527,  -0.33207},
+     {-0.02634, -0.03436, 0.45256,  0.00835,  0.02553, -1.31290, -0.05532, 0.06790,  -0.16404, 0.02287,
+      0.02927,  0.95406,  -0.00131, -0.11028, 0.01487, -0.02730, 0.10911,  -0.04097, 0.07881,  -0.27519}}};
+
+template <class T>
+Three<T> generic_alpha(const Three<T>& n, const Three<T>& d) {
+  const bool flipped = number(n.z) < 0.0;
+  const Three<T> down = flipped ? T(-1.0) * n : n;
+  const T x = d.z, y = down.z, z = dot(down, d);
+  const T xx = x * x, yy = y * y, zz = z * z;
+  const std::array<T, kRftTerms> terms = {T(1.0), x,      y,      z,      xx,     yy,       zz,
+                                          x * y,  y * z,  z * x,  xx * x, yy * y, zz * z,   x * yy,
+                                          y * xx, y * zz, z * yy, z * xx, x * zz, x * y * z};
+  std::array<T, 3> f = {T(0.0), T(0.0), T(0.0)};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < kRftTerms; ++i) f[k] = f[k] + terms[i] * kRft[k][i];
+  return f[0] * down + f[1] * d + Three<T>{T(0.0), T(0.0), f[2]};
+}
+
+// The sideways displacement of a facet since its memory; on its first touch that of a straight way to its depth below s.
+template <class T>
+std::array<T, 2> slid(const Facet<T>& at, const SoilMemory& m, const T& below) {
+  if (m.touches) return {at.p.x + T(-m.place.x()), at.p.y + T(-m.place.y())};
+  if (!(number(at.v.z) > 0.0)) return {T(0.0), T(0.0)};
+  const T time = below / at.v.z;
+  return {at.v.x * time, at.v.y * time};
+}
+
+// Integral over depth of u^n (u - s) from s to z.
+template <class T>
+T pressed(const T& z, const T& s, double n) {
+  if (!(number(z) > 0.0)) return T(0.0);
+  const T low = number(s) > 0.0 ? s : T(0.0);
+  const auto at = [&](const T& u) {
+    if (!(number(u) > 0.0)) return T(0.0);
+    return power(u, n + 1.0) * (u * (1.0 / (n + 2.0)) - s * (1.0 / (n + 1.0)));
+  };
+  return at(z) - at(low);
+}
+
+template <class T>
+Three<T> inertia_of(const SoilLaw::Common& c, const Facet<T>& at, const Three<T>& n, const T& seated) {
+  const T advance = dot(at.v, n);
+  if (!(number(advance) > 0.0) || c.inertia == 0.0) return {};
+  return ((-c.inertia * c.density) * (advance * advance) * seated) * n;
+}
+
+// The three uses of a law, from its one formula `evaluate(Facet<T>, memory, two_sided, with_stored)`.
+template <class Law>
+SoilStress use(const Law& law, const SoilPoint& at, const SoilMemory& memory, bool two_sided, SoilLaw::With with) {
+  SoilStress out;
+  const auto vector = [](const auto& a) { return Eigen::Vector3d(number(a.x), number(a.y), number(a.z)); };
+  if (with == SoilLaw::With::kSlope) {
+    const auto answer = law.evaluate(varied_facet(at), memory, two_sided, false);
+    out.traction = vector(answer.traction);
+    out.inertia = vector(answer.inertia);
+    const auto sum = answer.traction + answer.inertia;
+    out.slope.row(0) = sum.x.by.matrix().transpose();
+    out.slope.row(1) = sum.y.by.matrix().transpose();
+    out.slope.row(2) = sum.z.by.matrix().transpose();
+    return out;
+  }
+  const bool energy = with == SoilLaw::With::kEnergy;
+  if (!energy) {
+    const auto answer = law.evaluate(plain_facet(at), memory, two_sided, false);
+    out.traction = vector(answer.traction);
+    out.inertia = vector(answer.inertia);
+    return out;
+  }
+  Facet<Dual<1>> moving;  // by time
+  const auto set = [](Three<Dual<1>>& to, const Eigen::Vector3d& a, const Eigen::Vector3d& rate) {
+    const auto one = [](double value, double slope) { return Dual<1>(value, Eigen::Array<double, 1, 1>(slope)); };
+    to = {one(a.x(), rate.x()), one(a.y(), rate.y()), one(a.z(), rate.z())};
+  };
+  set(moving.p, at.place, at.velocity);
+  set(moving.n, at.normal, at.turning);
+  set(moving.v, at.velocity, Eigen::Vector3d::Zero());
+  const auto answer = law.evaluate(moving, memory, two_sided, true);
+  out.traction = vector(answer.traction);
+  out.inertia = vector(answer.inertia);
+  out.stored = answer.stored.value;
+  out.stored_rate = answer.stored.by[0];
+  return out;
+}
+
+void check_common(const SoilLaw::Common& c, const std::string& where) {
+  const auto demand = [&](bool good, const char* what) {
+    if (!good) throw InputError(code::kParameterOutOfRange, where + what);
+  };
+  demand(c.density > 0.0, "the density must be positive.");
+  demand(c.inertia >= 0.0, "the factor of inertia must not be negative.");
+  demand(c.cohesion >= 0.0, "the cohesion must not be negative.");
+  demand(c.surface_friction >= 0.0, "the friction of the surface must not be negative.");
+  demand(c.rebound > 0.0, "the rebound must be positive.");
+  demand(c.damping >= 0.0, "the damping must not be negative.");
+}
+
+class RftLaw final : public SoilLaw {
+ public:
+  explicit RftLaw(const RftParameters& p) : p_(p) {
+    const double phi = std::atan(p.friction);
+    const double n_q = std::exp(kPi * p.friction) * std::pow(std::tan(0.25 * kPi + 0.5 * phi), 2);
+    bearing_ = p.cohesion * (n_q - 1.0) / p.friction;
+    upright_ = -rft_alpha(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ()).z();
+  }
+  std::string_view kind() const override { return "rft"; }
+
+  SoilStress stress(const SoilPoint& at, const SoilMemory& memory, bool two_sided, With with) const override {
+    return use(*this, at, memory, two_sided, with);
+  }
+
+  template <class T>
+  Answer<T> evaluate(const Facet<T>& at, const SoilMemory& m, bool two_sided, bool with_stored) const {
+    Answer<T> out;
+    const double e = p_.rebound;
+    const T below = at.p.z + T(-m.print);
+    if (!(number(below) > 0.0) || !(number(at.p.z) > 0.0)) return out;
+    const T seated = grown(below, kSeat * e);
+    const std::array<T, 2> h = slid_from(at, m, below);
+    const T q = number(below) > kSeat * e ? below + T(-kSeat * e) : T(0.0);
+    const T square = h[0] * h[0] + h[1] * h[1] + q * q;
+    Three<T> n = at.n;
+    if (!(number(square) > 0.0)) {
+      if (two_sided && number(n.z) < 0.0) n = T(-1.0) * n;
+      out.inertia = inertia_of(p_, at, n, seated);
+      return out;
+    }
+    const T size = root(square);
+    const Three<T> d = (T(1.0) / size) * Three<T>{h[0], h[1], q};
+    T advance = dot(n, d);
+    if (two_sided && number(advance) < 0.0) {
+      n = T(-1.0) * n;
+      advance = -advance;
+    }
+    const T share = seated * borne_share(p_, size, dot(d, at.v)) * grown(advance + kRecede, kRecede);
+    const Three<T> alpha = generic_alpha(n, d);
+    const T along = dot(alpha, n);
+    const T push = number(along) < 0.0 ? -along : T(0.0);
+    const Three<T> side = alpha + (-along) * n;
+    const T side_square = dot(side, side);
+    T held(1.0);
+    if (number(side_square) > 0.0) {
+      const T limit = p_.surface_friction * push / root(side_square);
+      if (number(limit) < 1.0) held = limit;
+    }
+    const T strength = p_.resistance * at.p.z * share;
+    out.traction = strength * ((-push) * n + held * side) + (-(bearing_ * share)) * n;
+    out.inertia = inertia_of(p_, at, n, seated);
+    if (with_stored) {
+      // What straight unloading gives back on a level facet; on a yielding one at the elastic displacement that remains.
+      const T level = number(n.z) < 0.0 ? -n.z : n.z;
+      const T kept = yields(size, dot(d, at.v), e) ? T(e) / size : T(1.0);
+      const T q_r = kept * q, h_r = kept * kept * (h[0] * h[0] + h[1] * h[1]);
+      const T s = at.p.z + (-q_r);
+      out.stored = level * (1.0 / e) *
+                   ((p_.resistance * upright_) * (pressed(at.p.z, s, 1.0) + 0.5 * at.p.z * h_r) +
+                    (0.5 * bearing_) * (q_r * q_r + h_r));
+    }
+    return out;
+  }
+
+  void remember(const SoilPoint& at, SoilMemory& m) const override {
+    const double e = p_.rebound, below = at.place.z() - m.print;
+    if (!(below > 0.0) || !(at.place.z() > 0.0)) {
+      m.touches = false;
+      m.shear.setZero();
+    } else {
+      const std::array<double, 2> h = slid_from(plain_facet(at), m, below);
+      const double q = std::max(0.0, below - kSeat * e);
+      const double size = std::sqrt(h[0] * h[0] + h[1] * h[1] + q * q);
+      const double kept = size > e ? e / size : 1.0;
+      m.shear = Eigen::Vector2d(h[0], h[1]) * kept;
+      if (q > 0.0) m.print = std::max(m.print, at.place.z() - kSeat * e - kept * q);
+      m.touches = true;
+    }
+    m.place = at.place.head<2>();
+  }
+
+ private:
+  // The elastic displacement sideways.
+  template <class T>
+  std::array<T, 2> slid_from(const Facet<T>& at, const SoilMemory& m, const T& below) const {
+    std::array<T, 2> h = slid(at, m, below);
+    h[0] = h[0] + T(m.shear.x());
+    h[1] = h[1] + T(m.shear.y());
+    return h;
+  }
+
+  RftParameters p_;
+  double bearing_;  // c N_c [Pa]
+  double upright_;  // -alpha_z of a level facet that is pressed straight down
+};
+
+class SinkageLaw final : public SoilLaw {
+ public:
+  explicit SinkageLaw(const SinkageParameters& p) : p_(p), friction_(std::min(p.friction, p.surface_friction)) {}
+  std::string_view kind() const override { return "pressure_sinkage"; }
+
+  SoilStress stress(const SoilPoint& at, const SoilMemory& memory, bool two_sided, With with) const override {
+    return use(*this, at, memory, two_sided, with);
+  }
+
+  template <class T>
+  Answer<T> evaluate(const Facet<T>& at, const SoilMemory& m, bool two_sided, bool with_stored) const {
+    Answer<T> out;
+    const double e = p_.rebound;
+    const T below = at.p.z + T(-m.print);
+    if (!(number(below) > 0.0) || !(number(at.p.z) > 0.0)) return out;
+    Three<T> n = at.n;
+    if (two_sided && number(n.z) < 0.0) n = T(-1.0) * n;
+    const T seated = grown(below, kSeat * e);
+    out.inertia = inertia_of(p_, at, n, seated);
+    if (!(number(n.z) > 0.0)) return out;
+    const T borne = borne_share(p_, below, at.v.z);
+    const T p = p_.stiffness * power(at.p.z, p_.exponent) * borne;
+    const T limit = p_.cohesion * borne + friction_ * p;
+    const std::array<T, 2> shear = sheared(at, m, below);
+    out.traction = n.z * Three<T>{-(limit * shear[0]), -(limit * shear[1]), -p};
+    if (with_stored) {
+      const T s = yields(below, at.v.z, e) ? at.p.z + T(-e) : T(m.print);
+      // Shear gives back K (|T| - ln(1 + |T|)) when the way turns round.
+      const T square = shear[0] * shear[0] + shear[1] * shear[1];
+      const T size = number(square) > 0.0 ? root(square) : T(0.0);
+      const T share = grown(below, e);
+      const T at_rest = share * (p_.cohesion + (friction_ * p_.stiffness) * power(at.p.z, p_.exponent));
+      out.stored = n.z * ((p_.stiffness / e) * pressed(at.p.z, s, p_.exponent) +
+                          p_.shear_length * at_rest * (size + (-log_of(T(1.0) + size))));
+    }
+    return out;
+  }
+
+  void remember(const SoilPoint& at, SoilMemory& m) const override {
+    const double below = at.place.z() - m.print;
+    if (!(below > 0.0) || !(at.place.z() > 0.0)) {
+      m.touches = false;
+      m.shear.setZero();
+    } else {
+      m.print = std::max(m.print, at.place.z() - p_.rebound);
+      // A facet that swings about its place stays with its memory: the law of the way slid would wear off with every swing.
+      if (m.touches && (at.place.head<2>() - m.place).norm() < kSwing * p_.shear_length) return;
+      const std::array<double, 2> shear = sheared(plain_facet(at), m, below);
+      m.shear = Eigen::Vector2d(shear[0], shear[1]);
+      if (const double size = m.shear.norm(); size > 1.0) m.shear /= size;
+      m.touches = true;
+    }
+    m.place = at.place.head<2>();
+  }
+
+ private:
+  // dT/dj = (u - T) / K along a straight way: T = T_0 exp(-j/K) + u (1 - exp(-j/K)).
+  template <class T>
+  std::array<T, 2> sheared(const Facet<T>& at, const SoilMemory& m, const T& below) const {
+    const std::array<T, 2> way = slid(at, m, below);
+    const T square = way[0] * way[0] + way[1] * way[1];
+    const double K = p_.shear_length;
+    if (!(number(square) > 1e-24 * K * K))  // too short for a direction
+      return {T(m.shear.x()) + way[0] * (1.0 / K), T(m.shear.y()) + way[1] * (1.0 / K)};
+    const T j = root(square);
+    const T left = exponential(j * (-1.0 / K));
+    const T gained = (T(1.0) + (-left)) / j;
+    return {m.shear.x() * left + gained * way[0], m.shear.y() * left + gained * way[1]};
+  }
+
+  SinkageParameters p_;
+  double friction_;
+};
+
+}  // namespace
+
+double rft_resistance(double density, double friction, double gravity) {
+  return density * gravity * friction * (89.0 + friction * (-386.0 + friction * 894.0));
+}
+
+Eigen::Vector3d rft_alpha(const Eigen::Vector3d& normal, const Eigen::Vector3d& d) {
+  const Three<double> alpha =
+      generic_alpha(Three<double>{normal.x(), normal.y(), normal.z()}, Three<double>{d.x(), d.y(), d.z()});
+  return {alpha.x, alpha.y, alpha.z};
+}
+
+std::unique_ptr<SoilLaw> make_rft(const RftParameters& p, const std::string& where) {
+  check_common(p, where);
+  if (!(p.friction > 0.0))
+    throw InputError(code::kParameterOutOfRange, where + "the internal friction must be positive.");
+  if (!(p.resistance > 0.0))
+    throw InputError(code::kParameterOutOfRange,
+                     where + "the resistance must be positive; there is no weight without gravity.");
+  return std::make_unique<RftLaw>(p);
+}
+
+std::unique_ptr<SoilLaw> make_pressure_sinkage(const SinkageParameters& p, const std::string& where) {
+  check_common(p, where);
+  const auto demand = [&](bool good, const char* what) {
+    if (!good) throw InputError(code::kParameterOutOfRange, where + what);
+  };
+  demand(p.stiffness > 0.0, "k_c / width + k_phi must be positive.");
+  demand(p.exponent > 0.0, "the exponent must be positive.");
+  demand(p.friction >= 0.0, "the internal friction must not be negative.");
+  demand(p.shear_length > 0.0, "the shear length must be positive.");
+  return std::make_unique<SinkageLaw>(p);
+}
+
+}  // namespace footfall

@@ -1,0 +1,502 @@
+// The runs are those of a sweep; the fit moves the pad of each run through the law, row by row of its history.
+
+#include "mbd_solver/studies/ground/ground_fit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/app/codes.h"
+#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/scene/shipped_files.h"
+#include "mbd_solver/studies/codes.h"
+#include "mbd_solver/studies/fits.h"
+#include "mbd_solver/studies/rig.h"
+#include "mbd_solver/studies/sweep_command.h"
+#include "mbd_solver/studies/sweep_file.h"
+#include "mbd_solver/studies/tables.h"
+
+namespace footfall {
+namespace {
+
+constexpr int kMostFitRuns = 20, kLeastFitRuns = 5;
+constexpr int kHeldBack = 5;    // every fifth run
+constexpr int kFitBins = 20;    // of time, from the first touch on
+constexpr int kRowsPerBin = 4;  // of a run that has more
+constexpr double kConfidenceOfFit = 0.95;
+constexpr double kPoorFit = 0.9;  // R^2 below this is told
+constexpr int kMostFitSteps = 40;
+constexpr double kRebound = 1e-3;  // of the law: not fitted [m]
+
+// A number that is fitted: its logarithm.
+struct Unknown {
+  const char* key;
+  const char* unit;
+  double start, least, most;
+};
+
+std::vector<Unknown> unknowns_of(const std::string& law) {
+  if (law == "rft")
+    return {{"resistance", "Pa/m", 3e5, 1e2, 1e9},
+            {"inertia", "", 1.0, 1e-3, 200.0},
+            {"cohesion", "Pa", 50.0, 1e-2, 1e6},
+            {"surface_friction", "", 0.3, 0.01, 3.0}};
+  return {{"frictional_modulus", "Pa/m^n", 3e5, 1.0, 1e10},
+          {"exponent", "", 1.0, 0.1, 3.0},
+          {"inertia", "", 1.0, 1e-3, 200.0},
+          {"friction", "", 0.4, 0.01, 3.0},
+          {"cohesion", "Pa", 50.0, 1e-2, 1e6},
+          {"shear_length", "m", 0.01, 1e-4, 1.0}};
+}
+
+constexpr double kFitFriction = 0.4;  // mu of the bearing factor N_c of the resistive law, whose resistance is given
+
+std::shared_ptr<const SoilLaw> law_of(const std::string& law, const Eigen::VectorXd& x, double density) {
+  if (law == "rft") {
+    RftParameters p;
+    p.density = density;
+    p.friction = kFitFriction;
+    p.rebound = kRebound;
+    p.resistance = x[0];
+    p.inertia = x[1];
+    p.cohesion = x[2];
+    p.surface_friction = x[3];
+    return make_rft(p, "fit: ");
+  }
+  SinkageParameters p;
+  p.density = density;
+  p.rebound = kRebound;
+  p.stiffness = x[0];
+  p.exponent = x[1];
+  p.inertia = x[2];
+  p.friction = x[3];
+  p.cohesion = x[4];
+  p.shear_length = x[5];
+  return make_pressure_sinkage(p, "fit: ");
+}
+
+std::vector<Eigen::Vector3d> forces_on(const PadRun& run, std::shared_ptr<const SoilLaw> law) {
+  std::vector<SoilFacet> facets = run.facets;
+  for (SoilFacet& facet : facets) {
+    facet.marker.body = 0;
+    facet.start = run.place.front() + run.R_WB * facet.marker.s0;
+  }
+  const SoilContact soil("fit", std::move(facets), run.two_sided,
+                         SoilContact::Place{{0.0, 0.0, run.surface}, Eigen::Vector3d::UnitZ()}, std::move(law),
+                         std::make_shared<SoilGround>(1.0), true);
+  BodyKinematics body, ground;
+  body.ground = false;
+  body.A = run.R_WB;
+  const Eigen::Quaterniond L(run.R_WB);
+  body.L << L.w(), L.x(), L.y(), L.z();
+  const Eigen::VectorXd none;
+  std::vector<Eigen::Vector3d> out;
+  for (std::size_t row = 0; row < run.place.size(); ++row) {
+    body.r = run.place[row];
+    body.dr = run.velocity[row];
+    const ElementInput in{PairMotion{{&body, &ground}}, none, none, 0.0};
+    out.push_back(soil.wrench(in).head<3>());
+    soil.remember(in);
+  }
+  return out;
+}
+
+// The first row in which a facet is in the ground.
+std::size_t first_touch(const PadRun& run) {
+  for (std::size_t row = 0; row < run.place.size(); ++row)
+    for (const SoilFacet& facet : run.facets)
+      if ((run.place[row] + run.R_WB * facet.marker.s0).z() < run.surface) return row;
+  return run.place.size();
+}
+
+struct Binned {
+  Eigen::VectorXd value;  // axes of a bin one after the other
+  std::vector<double> time_share;
+};
+
+Binned means_of(const PadRun& run, const std::vector<Eigen::Vector3d>& force) {
+  const std::size_t from = first_touch(run), rows = run.place.size();
+  const auto bins = std::min<std::size_t>(kFitBins, rows - from);
+  Binned out;
+  out.value = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * bins));
+  for (std::size_t b = 0; b < bins; ++b) {
+    const std::size_t begin = from + (rows - from) * b / bins, end = from + (rows - from) * (b + 1) / bins;
+    for (std::size_t row = begin; row < end; ++row)
+      out.value.segment<3>(static_cast<Eigen::Index>(3 * b)) += force[row] / static_cast<double>(end - begin);
+    out.time_share.push_back((static_cast<double>(b) + 0.5) / static_cast<double>(bins));
+  }
+  return out;
+}
+
+// A run as the fit sees it.
+struct Target {
+  const PadRun* run;
+  Binned measured;
+  double scale;  // largest force [N]
+};
+
+class Problem {
+ public:
+  Problem(std::string law, double density, std::vector<Target> targets)
+      : law_(std::move(law)), density_(density), unknowns_(unknowns_of(law_)), targets_(std::move(targets)) {}
+
+  Eigen::VectorXd start() const {
+    Eigen::VectorXd x(static_cast<Eigen::Index>(unknowns_.size()));
+    for (std::size_t k = 0; k < unknowns_.size(); ++k) x[static_cast<Eigen::Index>(k)] = std::log(unknowns_[k].start);
+    return x;
+  }
+  // skip: a target that is left out; -1: none.
+  Eigen::VectorXd residuals(const Eigen::VectorXd& log_x, int skip) const {
+    const std::shared_ptr<const SoilLaw> law = law_of(law_, log_x.array().exp(), density_);
+    Eigen::VectorXd out(size(skip));
+    Eigen::Index at = 0;
+    for (std::size_t k = 0; k < targets_.size(); ++k) {
+      if (static_cast<int>(k) == skip) continue;
+      const Target& target = targets_[k];
+      const Eigen::VectorXd now = means_of(*target.run, forces_on(*target.run, law)).value;
+      out.segment(at, now.size()) = (now - target.measured.value) / target.scale;
+      at += now.size();
+    }
+    return out;
+  }
+  // Levenberg and Marquardt.
+  Eigen::VectorXd solve(Eigen::VectorXd x, int skip, int most) const {
+    double damping = 1e-2;
+    Eigen::VectorXd r = residuals(x, skip);
+    for (int step = 0; step < most; ++step) {
+      Eigen::MatrixXd J(r.size(), x.size());
+      for (Eigen::Index k = 0; k < x.size(); ++k) {
+        Eigen::VectorXd moved = x;
+        moved[k] += kLogStep;
+        J.col(k) = (residuals(moved, skip) - r) / kLogStep;
+      }
+      const Eigen::MatrixXd normal = J.transpose() * J;
+      const Eigen::VectorXd down = J.transpose() * r;
+      bool better = false;
+      for (int trial = 0; trial < 8 && !better; ++trial) {
+        Eigen::MatrixXd damped = normal;
+        damped.diagonal() += damping * (normal.diagonal().array() + 1e-9 * normal.diagonal().maxCoeff()).matrix();
+        const Eigen::VectorXd next = limited(x - Eigen::VectorXd(damped.colPivHouseholderQr().solve(down)));
+        const Eigen::VectorXd at_next = residuals(next, skip);
+        better = at_next.squaredNorm() < r.squaredNorm();
+        damping *= better ? 0.3 : 4.0;
+        if (!better) continue;
+        const bool enough = (next - x).lpNorm<Eigen::Infinity>() < 1e-4;
+        x = next;
+        r = at_next;
+        if (enough) return x;
+      }
+      if (!better) break;
+    }
+    return x;
+  }
+  int count() const { return static_cast<int>(targets_.size()); }
+  const std::vector<Unknown>& unknowns() const { return unknowns_; }
+
+ private:
+  static constexpr double kLogStep = 1e-4;
+
+  Eigen::Index size(int skip) const {
+    Eigen::Index sum = 0;
+    for (std::size_t k = 0; k < targets_.size(); ++k)
+      if (static_cast<int>(k) != skip) sum += targets_[k].measured.value.size();
+    return sum;
+  }
+  Eigen::VectorXd limited(Eigen::VectorXd x) const {
+    for (std::size_t k = 0; k < unknowns_.size(); ++k) {
+      double& value = x[static_cast<Eigen::Index>(k)];
+      value = std::clamp(value, std::log(unknowns_[k].least), std::log(unknowns_[k].most));
+    }
+    return x;
+  }
+
+  std::string law_;
+  double density_;
+  std::vector<Unknown> unknowns_;
+  std::vector<Target> targets_;
+};
+
+Eigen::VectorXd values_of(const GroundFit& fit) {
+  Eigen::VectorXd x(static_cast<Eigen::Index>(fit.numbers.size()));
+  for (std::size_t k = 0; k < fit.numbers.size(); ++k) x[static_cast<Eigen::Index>(k)] = fit.numbers[k].value;
+  return x;
+}
+
+// How well the law meets these runs, R^2 and root mean square error over the largest force; and the worst bin of each.
+std::pair<double, double> quality(const std::vector<Target>& targets, const std::shared_ptr<const SoilLaw>& law,
+                                  std::vector<GroundFit::Residual>& worst) {
+  double wrong = 0.0, about_mean = 0.0, relative = 0.0, count = 0.0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  double bins = 0.0;
+  for (const Target& target : targets) {
+    for (Eigen::Index i = 0; i < target.measured.value.size(); i += 3) mean += target.measured.value.segment<3>(i);
+    bins += static_cast<double>(target.measured.value.size() / 3);
+  }
+  mean /= std::max(1.0, bins);
+  for (const Target& target : targets) {
+    const Eigen::VectorXd now = means_of(*target.run, forces_on(*target.run, law)).value;
+    GroundFit::Residual largest;
+    for (Eigen::Index i = 0; i < now.size(); ++i) {
+      const double measured = target.measured.value[i], difference = now[i] - measured;
+      wrong += difference * difference;
+      about_mean += (measured - mean[i % 3]) * (measured - mean[i % 3]);
+      relative += difference * difference / (target.scale * target.scale);
+      count += 1.0;
+      if (std::abs(difference) / target.scale <= largest.over) continue;
+      largest = {target.run->name,
+                 "xyz"[i % 3],
+                 target.measured.time_share[static_cast<std::size_t>(i / 3)],
+                 measured,
+                 now[i],
+                 std::abs(difference) / target.scale,
+                 target.run->held_back};
+    }
+    worst.push_back(largest);
+  }
+  return {about_mean > 0.0 ? 1.0 - wrong / about_mean : std::nan(""), std::sqrt(relative / std::max(1.0, count))};
+}
+
+}  // namespace
+
+GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, double density, double gravity) {
+  FOOTFALL_DEMAND(gravity >= 0.0);
+  std::vector<Target> fitted, held;
+  for (const PadRun& run : runs) {
+    if (first_touch(run) + 3 > run.place.size())
+      throw InputError(code::kGroundFit, "run " + run.name + ": the pad does not reach the bed; let it go deeper");
+    Target target{&run, means_of(run, run.force), 0.0};
+    for (Eigen::Index i = 0; i < target.measured.value.size(); i += 3)
+      target.scale = std::max(target.scale, target.measured.value.segment<3>(i).norm());
+    if (!(target.scale > 0.0))
+      throw InputError(code::kGroundFit, "run " + run.name + ": the bed exerts no force on the pad; let it go deeper");
+    (run.held_back ? held : fitted).push_back(std::move(target));
+  }
+  if (fitted.size() < 3)
+    throw InputError(code::kGroundFit, "only " + std::to_string(fitted.size()) +
+                                           " runs are fitted; a fit requires at least 3 besides those held back");
+  const Problem problem(law, density, fitted);
+  const Eigen::VectorXd best = problem.solve(problem.start(), -1, kMostFitSteps);
+  const auto n = static_cast<double>(problem.count());
+  Eigen::MatrixXd without(best.size(), problem.count());
+  for (int k = 0; k < problem.count(); ++k) without.col(k) = problem.solve(best, k, 6);
+  const Eigen::VectorXd mean = without.rowwise().mean();
+  const Eigen::VectorXd spread = ((without.colwise() - mean).rowwise().squaredNorm() * ((n - 1.0) / n)).array().sqrt();
+  const double t = student_t(kConfidenceOfFit, problem.count() - 1);
+
+  GroundFit fit;
+  fit.law = law;
+  for (std::size_t k = 0; k < problem.unknowns().size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    const Unknown& unknown = problem.unknowns()[k];
+    fit.numbers.push_back({unknown.key, unknown.unit, std::exp(best[i]), std::exp(best[i] - t * spread[i]),
+                           std::exp(best[i] + t * spread[i])});
+  }
+  const std::shared_ptr<const SoilLaw> found = law_of(law, values_of(fit), density);
+  std::tie(fit.r_squared, fit.error) = quality(fitted, found, fit.worst);
+  std::tie(fit.held_r_squared, fit.held_error) = quality(held, found, fit.worst);
+  std::sort(fit.worst.begin(), fit.worst.end(), [](const auto& a, const auto& b) { return a.over > b.over; });
+  return fit;
+}
+
+std::vector<Eigen::Vector3d> predicted_forces(const PadRun& run, const GroundFit& fit, double density) {
+  return forces_on(run, law_of(fit.law, values_of(fit), density));
+}
+
+namespace {
+
+// The scene of a run on the soil, for its facets.
+Scene on_the_soil(const RunRequest& request) {
+  std::vector<std::string> settings = request.settings;
+  for (const char* setting : {"ground.kind=soil", "ground.law.kind=rft", "ground.law.resistance=1e6"})
+    settings.push_back(setting);
+  return read_scene(request.scene, settings);
+}
+
+PadRun pad_run(const RunRequest& request, const std::string& folder) {
+  const Scene scene = on_the_soil(request);
+  const Mechanism mechanism = build_mechanism(scene);
+  if (mechanism.soils.size() != 1)
+    throw InputError(code::kGroundFit, scene.file + ": has " + std::to_string(mechanism.soils.size()) +
+                                           " boundaries on the bed; a fit requires one pad with a surface");
+  const auto& soil = static_cast<const SoilContact&>(mechanism.model.force(mechanism.soils.front()));
+  PadRun run;
+  run.name = request.name;
+  run.facets = soil.facets();
+  run.two_sided = soil.two_sided();
+  const int body = mechanism.soil_bodies.front();
+  run.R_WB = rotation_matrix(mechanism.model.initial(body).L);
+  const RigRun rig{request.name, folder, read_scene(request.scene, request.settings)};
+  run.surface = mean_surface(rig);
+  const std::string& name = mechanism.model.body(body).name();
+  const History history = history_of(rig);
+  const auto column = [&](const char* what) -> const std::vector<double>& { return history.column(name + what); };
+  const auto &x = column(".x"), &y = column(".y"), &z = column(".z"), &u = column(".vx"), &v = column(".vy"),
+             &w = column(".vz"), &fx = column(".contact.fx"), &fy = column(".contact.fy"), &fz = column(".contact.fz");
+  const std::size_t stride = std::max<std::size_t>(1, x.size() / (kFitBins * kRowsPerBin));
+  // The force of a row is a mean up to it; rows that are left out give theirs to the next.
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double count = 0.0;
+  for (std::size_t row = 0; row < x.size(); ++row) {
+    sum += Eigen::Vector3d(fx[row], fy[row], fz[row]);
+    count += 1.0;
+    if (row % stride != 0) continue;
+    run.place.emplace_back(x[row], y[row], z[row]);
+    run.velocity.emplace_back(u[row], v[row], w[row]);
+    run.force.push_back(sum / count);
+    sum.setZero();
+    count = 0.0;
+  }
+  return run;
+}
+
+std::string toml_number(double value) {
+  std::string text = number_text(value, 5);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string ground_file(const GroundFit& fit, const Scene& scene, double density, std::size_t runs, std::size_t held,
+                        const std::string& command) {
+  const BoxSpec& box = box_of(scene);
+  std::ostringstream out;
+  out << "# A soil without grains, fitted to grains by `" << command << "`.\n"
+      << "#   [ground] kind = \"soil\", soil = \"THIS FILE\"\n[law]\nkind = \"" << fit.law << "\"\n"
+      << "density = " << toml_number(density) << "  # kg/m3, of the bed\n"
+      << "rebound = " << toml_number(kRebound) << "  # m, not fitted\n";
+  if (fit.law == "rft")
+    out << "friction = " << toml_number(kFitFriction) << "  # of the factor of cohesion, not fitted\n"
+        << "gravity = " << toml_number(scene.gravity.norm()) << "  # m/s2, of the runs\n";
+  for (const FittedNumber& number : fit.numbers)
+    out << number.key << " = " << toml_number(number.value) << "  # " << number.unit
+        << (number.unit.empty() ? "" : ", ") << "95 %: " << number_text(number.low, 3) << " to "
+        << number_text(number.high, 3) << "\n";
+  out << "\n[fit]\nscene = \"" << std::filesystem::path(scene.file).filename().string() << "\"\nruns = " << runs
+      << "\nheld_back = " << held << "\nr_squared = " << toml_number(fit.r_squared)
+      << "\nheld_back_r_squared = " << toml_number(fit.held_r_squared) << "\nerror = " << toml_number(fit.error)
+      << "  # root mean square over the largest force of a run"
+      << "\nheld_back_error = " << toml_number(fit.held_error)
+      << "\ngrain_radius = " << toml_number(*std::max_element(box.radius.begin(), box.radius.end())) << "\n";
+  return out.str();
+}
+
+std::string fit_page(const GroundFit& fit, std::size_t runs, std::size_t held, const std::string& title,
+                     const std::string& command) {
+  std::string page = "## " + title + "\n\nMade by `" + command + "`: law `" + fit.law + "`, " + std::to_string(runs) +
+                     " runs, " + std::to_string(held) + " of them held back.\n\n";
+  Table numbers({"number", "unit", "value", "95 % interval"});
+  for (const FittedNumber& number : fit.numbers)
+    numbers.add({number.key, number.unit, number_text(number.value, 4),
+                 number_text(number.low, 3) + " to " + number_text(number.high, 3)});
+  page += numbers.page() + "\n";
+  Table how({"runs", "R^2", "error over the largest force"});
+  how.add({"fitted", number_text(fit.r_squared, 3), share_text(fit.error)});
+  how.add({"held back", number_text(fit.held_r_squared, 3), share_text(fit.held_error)});
+  page += how.page() + "\n";
+  Table worst({"run", "axis", "at", "measured [N]", "predicted [N]", "difference over the largest force"});
+  for (const GroundFit::Residual& r : fit.worst)
+    worst.add({r.run + (r.held_back ? " (held back)" : ""), std::string(1, r.axis),
+               share_text(r.time_share) + " of its way", number_text(r.measured, 3), number_text(r.predicted, 3),
+               share_text(r.over)});
+  page += worst.page();
+  if (!(fit.r_squared >= kPoorFit) || !(fit.held_r_squared >= kPoorFit)) {
+    const GroundFit::Residual& r = fit.worst.front();
+    page += "\n" +
+            with_code(code::kPoorGroundFit,
+                      "warning: the law meets these grains poorly: R^2 " + number_text(fit.r_squared, 3) +
+                          ", held back " + number_text(fit.held_r_squared, 3) + "; worst in run " + r.run + " along " +
+                          std::string(1, r.axis) + ", " + number_text(r.predicted, 3) + " N for " +
+                          number_text(r.measured, 3) + " N. Try the other law, or fit the range that matters alone") +
+            "\n";
+  }
+  return page;
+}
+
+bool write_fit(const GroundArguments& a, const SweepSpec& spec, const Plan& plan, const Results& results,
+               const std::string& folder, const std::string& command) {
+  std::vector<PadRun> runs;
+  std::size_t held = 0;
+  bool all = true;
+  for (std::size_t i = 0; i < plan.runs.size(); ++i) {
+    const RunEnd& end = results.runs[i].end;
+    if (!end.done()) {
+      std::printf("%s ended with exit code %d: %s; it is left out\n", plan.runs[i].name.c_str(), end.code,
+                  end.message.c_str());
+      all = false;
+      continue;
+    }
+    runs.push_back(pad_run(plan.runs[i], end.folder));
+    runs.back().held_back = i % kHeldBack == kHeldBack - 1;
+    held += runs.back().held_back ? 1 : 0;
+  }
+  if (runs.empty()) throw InputError(code::kGroundFit, folder + ": no run is done, nothing to fit");
+  const Scene scene = read_scene(plan.runs.front().scene, plan.runs.front().settings);
+  const double density = density_of_bed(box_of(scene)), gravity = scene.gravity.norm();
+  const GroundFit fit = fit_ground(runs, a.law, density, gravity);
+  const auto path = [&](const std::string& file) { return (std::filesystem::path(folder) / file).string(); };
+  const std::string page = fit_page(fit, runs.size(), held, spec.title, command);
+  Table rows({"run", "held_back", "row", "x", "y", "z", "fx", "fy", "fz", "law_fx", "law_fy", "law_fz"});
+  for (const PadRun& run : runs) {
+    const std::vector<Eigen::Vector3d> now = predicted_forces(run, fit, density);
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      std::vector<std::string> row = {run.name, run.held_back ? "1" : "0", std::to_string(k)};
+      for (const Eigen::Vector3d& three : {run.place[k], run.force[k], now[k]})
+        for (int axis = 0; axis < 3; ++axis) row.push_back(number_text(three[axis], 6));
+      rows.add(row);
+    }
+  }
+  write_whole_file(path("forces.csv"), rows.csv());
+  write_whole_file(path("ground.md"), page);
+  write_whole_file(path("ground.toml"), ground_file(fit, scene, density, runs.size(), held, command));
+  std::printf("%s\n%s\n%s\n%s\n", page.c_str(), path("ground.md").c_str(), path("forces.csv").c_str(),
+              path("ground.toml").c_str());
+  return all;
+}
+
+}  // namespace
+
+int ground_command(const GroundArguments& a) {
+  SweepArguments e;
+  e.command = "ground";
+  e.file = a.file;
+  e.out = a.out;
+  e.runs = "runs/grounds";
+  e.jobs = a.jobs;
+  e.only = a.only;
+  e.resume = true;
+  e.short_form = a.short_form;
+  e.list = a.list;
+  e.again = {"ground", "fit", a.file, "--law", a.law};
+  for (const std::string& setting : a.settings) {
+    e.again.push_back("--set");
+    e.again.push_back(setting);
+  }
+  e.change = [&](SweepSpec& spec) {
+    if (!spec.curves.empty() || spec.growth || spec.parameters.empty())
+      throw InputError(code::kGroundFit,
+                       spec.file + ": a fit requires [[parameters]], without [[curves]] and [growth]");
+    spec.settings.insert(spec.settings.end(), a.settings.begin(), a.settings.end());
+    spec.short_form.settings.insert(spec.short_form.settings.end(), a.settings.begin(), a.settings.end());
+  };
+  e.extend = [&](Plan& plan) {
+    if (plan.runs.size() > static_cast<std::size_t>(kMostFitRuns) ||
+        plan.runs.size() < static_cast<std::size_t>(kLeastFitRuns))
+      throw InputError(code::kGroundFit, a.file + ": has " + std::to_string(plan.runs.size()) + " runs, expected " +
+                                             std::to_string(kLeastFitRuns) + " to " + std::to_string(kMostFitRuns));
+    for (const RunRequest& run : plan.runs) {  // before the runs, which take minutes
+      box_of(read_scene(run.scene, run.settings));
+      on_the_soil(run);
+    }
+  };
+  e.write = [&](const SweepSpec& spec, const Plan& plan, const Results& results, const std::string& folder,
+                const std::string& command) { return write_fit(a, spec, plan, results, folder, command); };
+  return sweep_command(e);
+}
+
+}  // namespace footfall

@@ -1,0 +1,65 @@
+#pragma once
+// footfall ground fit FILE: the numbers of a soil without grains (theory 6.7) from short runs of one pad on a bed of grains.
+//
+// FILE is a sweep file. Its runs move one pad as prescribed; from the places and speeds in a run's history the law predicts the
+// force on the pad, and its numbers are those with the least sum of squares of
+//   (predicted - measured) / (largest force of the run),   means over bins of time, along the three axes,
+// by Levenberg and Marquardt on their logarithms. Every fifth run is held back. Intervals are those of the jackknife over runs
+// [Efron 1982]: the fit is repeated without each of them.
+
+#include <string>
+#include <vector>
+
+#include "mbd_solver/model/elements/soil_contact.h"
+
+namespace footfall {
+
+// Places, speeds and forces of the pad in one run.
+struct PadRun {
+  std::string name;
+  std::vector<SoilFacet> facets;  // in the axes of the body
+  bool two_sided = false;
+  Eigen::Matrix3d R_WB = Eigen::Matrix3d::Identity();   // constant
+  double surface = 0.0;                                 // height of the bed [m]
+  std::vector<Eigen::Vector3d> place, velocity, force;  // of Bo, of each row [m], [m/s], [N]
+  bool held_back = false;
+};
+
+struct FittedNumber {
+  std::string key;  // of [ground.law]
+  std::string unit;
+  double value = 0.0, low = 0.0, high = 0.0;  // with its 95 % interval
+};
+
+struct GroundFit {
+  std::string law;  // rft or pressure_sinkage
+  std::vector<FittedNumber> numbers;
+  // Of the fitted and of the held-back runs, over bins and axes: 1 - sum of squares of errors / that of forces about their mean.
+  double r_squared = 0.0, held_r_squared = 0.0;
+  double error = 0.0, held_error = 0.0;  // root mean square, over the largest force of the run
+  struct Residual {
+    std::string run;
+    char axis = 'z';
+    double time_share = 0.0, measured = 0.0, predicted = 0.0;  // [N]
+    double over = 0.0;                                         // |difference| over the largest force of the run
+    bool held_back = false;
+  };
+  std::vector<Residual> worst;  // of each run, the largest first
+};
+
+// gravity [m/s2], density of the bed [kg/m3]. Throws InputError for too few runs, or runs without contact.
+GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, double density, double gravity);
+// The forces of the law on the pad, one per row [N].
+std::vector<Eigen::Vector3d> predicted_forces(const PadRun& run, const GroundFit& fit, double density);
+
+struct GroundArguments {
+  std::string action = "fit", file, out, law = "rft";
+  std::vector<std::string> settings;  // of every run
+  int jobs = 0, only = -1;
+  bool short_form = false, list = false;
+};
+
+// Returns the exit code: 0; 1 when a run failed; 3 when interrupted. Throws InputError.
+int ground_command(const GroundArguments& arguments);
+
+}  // namespace footfall

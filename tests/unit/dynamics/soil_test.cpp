@@ -1,0 +1,303 @@
+// A soil without grains: what can be computed by hand, its memory, its energy.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/dynamics/kinematics.h"
+#include "mbd_solver/model/elements/soil_contact.h"
+#include "tests/support/refused.h"
+#include "tests/unit/dynamics/random_model.h"
+#include "tests/unit/dynamics/run.h"
+
+namespace footfall {
+namespace {
+
+constexpr double kExact = 1e-12;  // of a number that is computed by hand
+
+RftParameters sand() {
+  RftParameters p;
+  p.density = 1600.0;
+  p.inertia = 0.0;
+  p.friction = 0.5;
+  p.resistance = 8e5;
+  p.surface_friction = 10.0;
+  p.rebound = 1e-4;
+  p.damping = 0.0;
+  return p;
+}
+
+SinkageParameters loam() {
+  SinkageParameters p;
+  p.density = 1500.0;
+  p.inertia = 0.0;
+  p.cohesion = 1700.0;
+  p.stiffness = 1.5e6;
+  p.exponent = 0.7;
+  p.friction = 0.55;
+  p.shear_length = 0.02;
+  p.rebound = 1e-4;
+  p.damping = 0.0;
+  return p;
+}
+
+// A facet on the way through the ground, which remembers at the end of every piece of it.
+struct Way {
+  explicit Way(std::unique_ptr<SoilLaw> of) : law(std::move(of)) {}
+  // Straight to the place x, y, depth in `steps` pieces, at 1 m/s.
+  SoilStress to(const Eigen::Vector3d& place, int steps = 1) {
+    const Eigen::Vector3d from = at.place, way = place - from;
+    at.velocity = way.normalized();
+    for (int i = 1; i <= steps; ++i) {
+      at.place = from + way * i / steps;
+      law->remember(at, memory);
+    }
+    return now();
+  }
+  SoilStress now(SoilLaw::With with = SoilLaw::With::kEnergy) const { return law->stress(at, memory, true, with); }
+
+  std::unique_ptr<SoilLaw> law;
+  SoilPoint at{{0.0, 0.0, -0.01}, {0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}};
+  SoilMemory memory;
+};
+
+// alpha of a level plate from the printed table: all of x_k are 1 straight down, so f_k is the sum of its column.
+constexpr double kDown = 0.87504;
+// Drawn along: x_2 = 1 alone, f_k = c_1 + c_3 + c_6 + c_12.
+constexpr double kDragged = -0.04193, kLifted = 0.11029;
+
+TEST(SoilLaw, RftOfThePrintedTable) {
+  const Eigen::Vector3d down = Eigen::Vector3d::UnitZ(), along = Eigen::Vector3d::UnitX();
+  EXPECT_NEAR(rft_alpha(down, down).z(), -kDown, 5e-6);  // five printed digits
+  EXPECT_NEAR(rft_alpha(down, along).x(), kDragged, 5e-6);
+  EXPECT_NEAR(rft_alpha(down, along).z(), -kLifted, 5e-6);
+  EXPECT_GT(rft_alpha(down, -down).z(), 0.0) << "a plate that is pulled out is held back";
+  // Symmetry, of which the published fit keeps what its five digits can: an upright plate has no force sideways.
+  EXPECT_NEAR(rft_alpha(along, down).x(), 0.0, 5e-3);
+  EXPECT_NEAR(rft_alpha(along, along).y(), 0.0, kExact);
+  EXPECT_NEAR(rft_resistance(1500.0, 0.4, 9.81), 1500.0 * 9.81 * (894 * 0.064 - 386 * 0.16 + 89 * 0.4), 1e-6);
+}
+
+TEST(SoilLaw, PlatePressedFlat) {
+  // p = xi z 0.875, and k z^n; with inertia lambda rho v^2 more.
+  for (const double z : {0.005, 0.02, 0.1}) {
+    Way rft(make_rft(sand(), "")), sinkage(make_pressure_sinkage(loam(), ""));
+    EXPECT_NEAR(rft.to({0, 0, z}, 7).traction.z(), -8e5 * z * kDown, 1e-5 * 8e5 * z) << z;  // digits of kDown
+    EXPECT_NEAR(sinkage.to({0, 0, z}, 7).traction.z(), -1.5e6 * std::pow(z, 0.7), kExact * 1.5e6) << z;
+    EXPECT_EQ(sinkage.now().traction.x(), 0.0);
+    RftParameters fast = sand();
+    fast.inertia = 1.1;
+    Way quick(make_rft(fast, ""));
+    quick.to({0, 0, z});
+    quick.at.velocity = {0.0, 0.0, 3.0};
+    EXPECT_NEAR(quick.now().inertia.z(), -1.1 * 1600.0 * 9.0, kExact * 2e4);
+  }
+  // Cohesion of the resistive law is the bearing capacity of Prandtl and Reissner: N_c = 30.14 at 30 degrees.
+  RftParameters sticky = sand();
+  sticky.friction = std::tan(kPi / 6.0);
+  sticky.cohesion = 1000.0;
+  Way held(make_rft(sticky, ""));
+  EXPECT_NEAR(held.to({0, 0, 0.02}).traction.z() + 8e5 * 0.02 * kDown, -30.14e3, 5.0);
+}
+
+TEST(SoilLaw, PlateDrawnAtConstantDepth) {
+  const double z = 0.03;
+  Way rft(make_rft(sand(), ""));
+  rft.to({0, 0, z});
+  const SoilStress drawn = rft.to({0.05, 0, z}, 20);  // 500 elastic lengths: the direction has turned
+  EXPECT_NEAR(drawn.traction.x(), 8e5 * z * kDragged, 1e-5 * 8e5 * z);
+  EXPECT_NEAR(drawn.traction.z(), -8e5 * z * kLifted, 1e-5 * 8e5 * z);
+  // A smooth plate has mu_s of that.
+  RftParameters smooth = sand();
+  smooth.surface_friction = 0.1;
+  Way slides(make_rft(smooth, ""));
+  slides.to({0, 0, z});
+  const Eigen::Vector3d t = slides.to({0.05, 0, z}, 20).traction;
+  EXPECT_NEAR(t.x() / t.z(), 0.1, 1e-9);
+  // Janosi and Hanamoto, in one step as in many.
+  for (const int steps : {1, 9}) {
+    Way sinkage(make_pressure_sinkage(loam(), ""));
+    sinkage.to({0, 0, z});
+    for (const double j : {0.005, 0.02, 0.2}) {
+      const double p = 1.5e6 * std::pow(z, 0.7), tau = (1700.0 + 0.55 * p) * (1.0 - std::exp(-j / 0.02));
+      const SoilStress at = sinkage.to({0, -j, z}, steps);
+      EXPECT_NEAR(at.traction.y(), tau, 1e-9 * tau) << j << " " << steps;
+      EXPECT_NEAR(at.traction.z(), -p, kExact * p);
+    }
+  }
+}
+
+TEST(SoilLaw, PlateLiftedAndSetDownAgainStandsInItsPrint) {
+  for (const bool is_rft : {true, false}) {
+    Way way(is_rft ? make_rft(sand(), "") : make_pressure_sinkage(loam(), ""));
+    const double z = 0.03, e = 1e-4;
+    const double p = -way.to({0, 0, z}, 5).traction.z();
+    // Elastic within e below the print, on the way up as down, and nothing is dissipated there.
+    const auto virgin = [&](double depth) { return is_rft ? 8e5 * depth * kDown : 1.5e6 * std::pow(depth, 0.7); };
+    EXPECT_NEAR(-way.to({0, 0, z - 0.25 * e}).traction.z(), 0.75 * virgin(z - 0.25 * e), 2e-5 * p);
+    const SoilStress half = way.now();
+    EXPECT_NEAR(half.stored_rate, -half.traction.dot(way.at.velocity), 1e-6 * p);
+    EXPECT_NEAR(-way.to({0, 0, z - 0.999 * e}).traction.z(), 0.001 * p, 2e-4 * p);
+    way.to({0, 0, -0.1});  // lifted; it never pulls
+    way.to({0, 0, z - 1.2 * e}, 3);
+    EXPECT_EQ(way.at.place.z() > way.memory.print, false) << "it does not touch its print yet";
+    EXPECT_NEAR(-way.to({0, 0, z - 0.5 * e}).traction.z(), 0.5 * virgin(z - 0.5 * e), 2e-5 * p);
+    EXPECT_NEAR(-way.to({0, 0, z}).traction.z(), p, 1e-9 * p);
+    EXPECT_NEAR(-way.to({0, 0, z + 0.01}).traction.z(), virgin(z + 0.01), 2e-5 * p);
+  }
+}
+
+TEST(SoilLaw, ElasticGroundIsDampedAndNeverStrongerThanItIs) {
+  for (const bool is_rft : {true, false}) {
+    RftParameters a = sand();
+    SinkageParameters b = loam();
+    a.damping = b.damping = 0.5;
+    Way way(is_rft ? make_rft(a, "") : make_pressure_sinkage(b, ""));
+    const double p = -way.to({0, 0, 0.03}, 5).traction.z();
+    way.to({0, 0, 0.03 - 0.6e-4});  // bears 0.4 of its strength at rest
+    const auto at_speed = [&](double v) {
+      way.at.velocity = {0.0, 0.0, v};
+      return -way.now().traction.z() / p;
+    };
+    EXPECT_NEAR(at_speed(-2.0), 0.4 * std::exp(-1.0), 2e-3);  // the depth is 0.06 mm less: 2e-3
+    EXPECT_NEAR(at_speed(1.0), 0.4 * 1.5, 2e-3);
+    EXPECT_NEAR(at_speed(10.0), 1.0, 3e-3);
+  }
+}
+
+// A square plate of four facets, 0.2 m wide, on the ground at z = 0.
+struct Plate {
+  explicit Plate(std::shared_ptr<const SoilLaw> law, double mass = 10.0, double height = 0.0, double slope = 0.0,
+                 const Eigen::Vector3d& gravity = {0.0, 0.0, -1.62})
+      : model(gravity) {
+    BodyState start;
+    const Eigen::Vector3d up(std::sin(slope), 0.0, std::cos(slope));
+    start.L = quaternion_about(Eigen::Vector3d::UnitY(), slope);
+    start.r = height * up;
+    model.add_body(Body("plate", mass, 0.05 * mass * Eigen::Matrix3d::Identity()), start);
+    std::vector<SoilFacet> facets(4);
+    for (int k = 0; k < 4; ++k) {
+      SoilFacet& facet = facets[static_cast<std::size_t>(k)];
+      facet.marker.body = 0;
+      facet.marker.s0 = {k % 2 == 0 ? 0.05 : -0.05, k < 2 ? 0.05 : -0.05, 0.0};
+      facet.normal = -Eigen::Vector3d::UnitZ();
+      facet.area = 0.01;
+      facet.start = model.initial_position(facet.marker);
+    }
+    auto contact = std::make_unique<SoilContact>("soil", facets, false, SoilContact::Place{{0, 0, 0}, up},
+                                                 std::move(law), std::make_shared<SoilGround>(0.2), true);
+    soil = contact.get();
+    model.add_force(std::move(contact));
+  }
+  // The force along z of the plate at this place, which it is carried to straight.
+  double carried_to(const Eigen::Vector3d& place) {
+    const Layout layout(model);
+    Kinematics kinematics(model);
+    State state = test::as_given(model).state;
+    state.q.head<3>() = place;
+    state.v.head<3>() = 1e-3 * (place - last);
+    kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
+    last = place;
+    const ElementInput in{kinematics.pair(0, kGround), state.z, Eigen::VectorXd()};
+    const double force = soil->wrench(in)[2];
+    soil->remember(in);
+    return force;
+  }
+  Model model;
+  const SoilContact* soil = nullptr;
+  Eigen::Vector3d last = Eigen::Vector3d::Zero();
+};
+
+TEST(SoilContact, GroundKeepsPrintsWhereTheyAre) {
+  Plate plate(make_rft(sand(), ""));
+  const double p = 0.04 * 8e5 * 0.02 * kDown;  // [N]
+  plate.carried_to({0.0, 0.0, 0.01});
+  EXPECT_NEAR(plate.carried_to({0.0, 0.0, -0.02}), p, 1e-4 * p);
+  plate.carried_to({0.0, 0.0, 0.01});
+  plate.carried_to({0.5, 0.0, 0.01});  // beside it the ground is untouched
+  EXPECT_NEAR(plate.carried_to({0.5, 0.0, -0.01}), 0.5 * p, 1e-4 * p);
+  plate.carried_to({0.5, 0.0, 0.01});
+  plate.carried_to({0.0, 0.0, 0.01});  // back over the first print: nothing before its bottom
+  EXPECT_EQ(plate.carried_to({0.0, 0.0, -0.01}), 0.0);
+  EXPECT_NEAR(plate.carried_to({0.0, 0.0, -0.02}), p, 1e-4 * p);
+  // What it remembers is a list of numbers.
+  std::vector<double> memory, again;
+  plate.soil->save_memory(memory);
+  const double* from = memory.data();
+  plate.soil->recall(from);
+  EXPECT_EQ(from, memory.data() + memory.size());
+  plate.soil->save_memory(again);
+  EXPECT_EQ(memory, again);
+  from = nullptr;
+  plate.soil->recall(from);
+  EXPECT_NEAR(plate.carried_to({0.0, 0.0, -0.01}), 0.5 * p, 1e-4 * p) << "the ground of the start";
+}
+
+class OnTheSoil : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Integrators, OnTheSoil, ::testing::Values("one_step", "ida"));
+
+TEST_P(OnTheSoil, DroppedPlateStopsWhereItsEnergyIsSpent) {
+  // m v^2/2 + m g z = A xi 0.875 z^2 / 2, less the start of the way, where the ground is elastic: of the order of e / z.
+  RftParameters damped = sand();
+  damped.damping = 20.0;  // its last swings on the elastic ground end soon
+  Plate plate(make_rft(damped, ""), 10.0, 1e-6);
+  const double v = 1.0, k = 0.04 * 8e5 * kDown, m = 10.0, g = 1.62;
+  test::Run run(plate.model, GetParam(), test::tight(1e-8));
+  run.state.v[2] = -v;
+  run.to(0.6, 60);
+  const double depth = (m * g + std::sqrt(m * m * g * g + k * m * v * v)) / k;
+  const double back = 1e-4 * (1.0 - m * g / (k * depth));  // the elastic ground bears the weight there
+  EXPECT_NEAR(-run.body(0).r.z(), depth - back, 1e-3 * depth);
+  EXPECT_LT(run.body(0).dr.norm(), 1e-3);
+  // All is in the ledger: what the soil took is what was lost.
+  const double lost = 0.5 * m * v * v + m * g * depth;
+  EXPECT_NEAR(run.state.dissipated[Dissipation::kSoil], lost, 2e-3 * lost);
+  EXPECT_LT(std::abs(run.imbalance() - 0.5 * m * v * v), 1e-4 * lost);
+}
+
+TEST_P(OnTheSoil, InertiaOfTheSoilHasItsOwnName) {
+  RftParameters heavy = sand();
+  heavy.inertia = 1.0;
+  heavy.resistance = 1.0;  // nearly nothing else
+  Plate plate(make_rft(heavy, ""), 10.0, 1e-6, 0.0, Eigen::Vector3d::Zero());
+  test::Run run(plate.model, GetParam(), test::tight(1e-8));
+  run.state.v[2] = -2.0;
+  run.to(0.05, 5);
+  // m v' = -A rho v^2: v = v_0 / (1 + A rho v_0 t / m). At first it acts over a tenth of the rebound.
+  const double v = 2.0 / (1.0 + 0.04 * 1600.0 * 2.0 * 0.05 / 10.0);
+  EXPECT_NEAR(-run.body(0).dr.z(), v, 1e-3 * v);
+  EXPECT_NEAR(run.state.dissipated[Dissipation::kSoilInertia], 5.0 * (4.0 - v * v), 0.05);
+}
+
+TEST_P(OnTheSoil, PlateOnASlopeStands) {
+  // 10 degrees ask for 0.176 of its weight: it slides until its print is deep enough, and stands.
+  for (const bool is_rft : {true, false}) {
+    RftParameters a = sand();
+    SinkageParameters b = loam();
+    a.damping = b.damping = 20.0;
+    b.shear_length = 5e-4;  // it sways in this by what bears the slope, 5e-5 m
+    Plate plate(is_rft ? make_rft(a, "") : make_pressure_sinkage(b, ""), 10.0, 1e-6, 10.0 * kPi / 180.0);
+    test::Run run(plate.model, GetParam());
+    run.to(1.5, 10);
+    const Eigen::Vector3d place = run.body(0).r;
+    run.to(2.0, 10);
+    EXPECT_LT((run.body(0).r - place).norm(), 3e-4) << is_rft;  // it sways by a few lengths of the rebound, 1e-4 m
+    EXPECT_LT(run.body(0).r.norm(), 5e-3) << is_rft;
+  }
+}
+
+TEST(SoilLaw, RefusesImpossibleNumbers) {
+  RftParameters none = sand();
+  none.resistance = 0.0;
+  EXPECT_THROW(make_rft(none, ""), InputError);
+  none = sand();
+  none.rebound = 0.0;
+  EXPECT_THROW(make_rft(none, ""), InputError);
+  SinkageParameters soft = loam();
+  soft.shear_length = 0.0;
+  EXPECT_THROW(make_pressure_sinkage(soft, ""), InputError);
+}
+
+}  // namespace
+}  // namespace footfall
