@@ -23,7 +23,7 @@ constexpr double kLongMotion = 0.1;
 // From this distance on that of the spheres suffices [of the smaller radius].
 constexpr double kFarApart = 0.1;
 
-bool joined(const Model& model, int body_1, int body_2) {
+bool are_joined(const Model& model, int body_1, int body_2) {
   for (int i = 0; i < model.joint_count(); ++i) {
     const int a = model.joint(i).m1.body, b = model.joint(i).m2.body;
     if ((a == body_1 && b == body_2) || (a == body_2 && b == body_1)) return true;
@@ -59,7 +59,7 @@ CollisionWatch::CollisionWatch(const Scene& scene, const Mechanism& mechanism, c
       pair.first = i;
       pair.second = j;
       const int body_1 = surfaces_[i].body, body_2 = surfaces_[j].body;
-      if (body_1 != kGround && (joined(mechanism.model, body_1, body_2) || allowed(body_1, body_2))) continue;
+      if (body_1 != kGround && (are_joined(mechanism.model, body_1, body_2) || allowed(body_1, body_2))) continue;
       for (const ContactEntry& entry : mechanism.contacts)
         if (entry.holds(body_1, body_2)) pair.contact = entry.force;
       pair.measured = pair.last = place(pair, start);
