@@ -77,10 +77,10 @@ double nearest_distance(const UnitPoint& u, const std::vector<UnitPoint>& sets) 
 }
 
 // The model of Phi: a group of surfaces for all numbers that the same parameters affect.
-class Model {
+class KrigingModel {
  public:
-  Model(const SurrogateQueries& queries, const std::vector<UnitPoint>& sets,
-        const std::vector<std::vector<double>>& numbers)
+  KrigingModel(const SurrogateQueries& queries, const std::vector<UnitPoint>& sets,
+               const std::vector<std::vector<double>>& numbers)
       : queries_(queries) {
     std::map<std::vector<std::size_t>, std::vector<std::size_t>> numbers_moved_by;
     for (std::size_t k = 0; k < queries.moved_by.size(); ++k) numbers_moved_by[queries.moved_by[k]].push_back(k);
@@ -187,7 +187,7 @@ UnitPoint SurrogateSearch::latin(std::size_t row) {
 UnitPoint SurrogateSearch::next() {
   if (known_.size() < start_.size() + 2 && designed_ < start_.size() + 2) return latin(designed_++);
   if (known_.empty()) return latin(modelled_++ % (start_.size() + 2));
-  const Model model(queries_, known_, known_numbers_);
+  const KrigingModel model(queries_, known_, known_numbers_);
   std::vector<UnitPoint> candidates;
   for (std::size_t drawn = 0; candidates.size() < kCandidates && drawn < kMostDrawn; ++drawn) {
     UnitPoint u = best_;
