@@ -320,10 +320,11 @@ void Simulation::observe_sample(Loop& loop) {
   loop.observe(sampler_.sample());
 }
 
-bool Simulation::save_checkpoint(const Loop& loop, bool undisturbed) {
+bool Simulation::save_checkpoint(Loop& loop, bool undisturbed) {
   if (!undisturbed) {
     checkpoints_.take_turn(state_.time);
     integrator_->forget();
+    loop.middles = {};  // as a resumed run begins
   }
   const double started = wall_clock();
   times_.total = started - loop.started;

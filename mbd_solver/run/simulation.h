@@ -92,7 +92,7 @@ class Simulation {
   void run_alone(Loop& loop);
   void run_coupled(Loop& loop);
   void observe_sample(Loop& loop);                           // unless it has been observed
-  bool save_checkpoint(const Loop& loop, bool undisturbed);  // false when the DEM side could not
+  bool save_checkpoint(Loop& loop, bool undisturbed);  // false when the DEM side could not
   double row_tolerance() const;                              // two times of a row are one [s]
   double next_row(double t) const;                           // after t [s]
   double next_stop(double t) const;                          // next output row or sample, or the end [s]
