@@ -91,11 +91,11 @@ class Simulation {
   void begin(Loop& loop);
   void run_alone(Loop& loop);
   void run_coupled(Loop& loop);
-  void observe_sample(Loop& loop);                           // unless it has been observed
+  void observe_sample(Loop& loop);                     // unless it has been observed
   bool save_checkpoint(Loop& loop, bool undisturbed);  // false when the DEM side could not
-  double row_tolerance() const;                              // two times of a row are one [s]
-  double next_row(double t) const;                           // after t [s]
-  double next_stop(double t) const;                          // next output row or sample, or the end [s]
+  double row_tolerance() const;                        // two times of a row are one [s]
+  double next_row(double t) const;                     // after t [s]
+  double next_stop(double t) const;                    // next output row or sample, or the end [s]
   // With grains: the time of an event without a period in the window that comes, as far as it can be foreseen; infinity: none
   // until `before` [s].
   double foreseen_event(double before);
