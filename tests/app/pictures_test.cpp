@@ -359,7 +359,8 @@ TEST_F(ChangedGrains, AreLinesOfTheBalance) {
           "/regolith/energy.lammps\nthermo_modify lost ignore\nrun 1000\nvelocity lone set 2 0 0\n"
           "displace_atoms lone move 0 0 0.05 units box\nrun 600\ndelete_atoms group lone\nrun 100000\n");
   for (const int ranks : {1, 2}) {
-    folder.done("run " + app::kPlate + " --set particles.script='\"in.rain\"' --set particles.variables.dt=2e-5" +
+    folder.done("run " + app::kPlate + " --set particles.script='\"" + folder.file("in.rain") +
+                "\"' --set particles.variables.dt=2e-5" +
                 " --set particles.variables.every=1 --set output.interval=1e-4 --set output.vtk=false" +
                 " --set particles.variables.energy_every=5e-4 --quiet --force --out run --ranks " +
                 std::to_string(ranks));
@@ -395,7 +396,8 @@ TEST_F(ChangedGrains, AreLiftedGrownAndSet) {
                               plate("couple.lammps") + "include " + app::kInputs +
                               "/regolith/energy.lammps\nrun 1000\nset group lifted density 5200\nrun 100000\n");
   for (const int ranks : {1, 2}) {
-    folder.done("run " + app::kPlate + " --set particles.script='\"in.grow\"' --set particles.variables.dt=2e-5" +
+    folder.done("run " + app::kPlate + " --set particles.script='\"" + folder.file("in.grow") +
+                "\"' --set particles.variables.dt=2e-5" +
                 " --set particles.variables.every=1 --set output.interval=1e-4 --set output.vtk=false" +
                 " --set particles.variables.energy_every=5e-4 --quiet --force --out run --ranks " +
                 std::to_string(ranks));
