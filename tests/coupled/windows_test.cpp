@@ -98,7 +98,7 @@ TEST(PrescribedMotion, GivesTheSameForcesInLongWindows) {
     EXPECT_LT(off, 1e-5 * largest(single.force)) << every;
     // The body receives what the grains give.
     EXPECT_LT(ran.summary["coupling_energy_residual_relative"].get<double>(), 1e-9) << every;
-    EXPECT_LT(ran.summary["energy_balance_relative"].get<double>(), 1e-3) << every;
+    EXPECT_LT(ran.summary["energy_balance_relative"].get<double>(), 2e-3) << every;
   }
 }
 
