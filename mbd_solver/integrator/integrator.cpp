@@ -31,21 +31,21 @@ void IntegratorStatistics::add(const IntegratorStatistics& before, const Integra
   summed_error += now.summed_error - before.summed_error;
 }
 
-void add_work(const EnergySample& at, double weight, State& state) {
-  for (std::size_t k = 0; k < state.dissipated.by_kind.size(); ++k)
-    state.dissipated.by_kind[k] += weight * at.power.by_kind[k];
-  state.load_work += weight * at.load_power;
-  for (std::size_t k = 0; k < state.supplied.by_kind.size(); ++k)
-    state.supplied.by_kind[k] += weight * at.supplied.by_kind[k];
+namespace {
+
+template <class Sums>  // State or WorkError
+void add_powers(const EnergySample& at, double weight, Sums& sums) {
+  for (std::size_t k = 0; k < sums.dissipated.by_kind.size(); ++k)
+    sums.dissipated.by_kind[k] += weight * at.power.by_kind[k];
+  sums.load_work += weight * at.load_power;
+  for (std::size_t k = 0; k < sums.supplied.by_kind.size(); ++k)
+    sums.supplied.by_kind[k] += weight * at.supplied.by_kind[k];
 }
 
-void add_work_error(const EnergySample& at, double weight, WorkError& error) {
-  for (std::size_t k = 0; k < error.dissipated.by_kind.size(); ++k)
-    error.dissipated.by_kind[k] += weight * at.power.by_kind[k];
-  error.load_work += weight * at.load_power;
-  for (std::size_t k = 0; k < error.supplied.by_kind.size(); ++k)
-    error.supplied.by_kind[k] += weight * at.supplied.by_kind[k];
-}
+}  // namespace
+
+void add_work(const EnergySample& at, double weight, State& state) { add_powers(at, weight, state); }
+void add_work_error(const EnergySample& at, double weight, WorkError& error) { add_powers(at, weight, error); }
 
 void add_step_error(const WorkError& step, WorkError& sum) {
   for (std::size_t k = 0; k < step.dissipated.by_kind.size(); ++k)

@@ -87,21 +87,32 @@ struct FilmPage {
   std::string file = folder.path() + "/view.html";
 };
 
-void write_page_of(const FilmArguments& a, const FilmPage& page) {
-  ViewArguments view;
-  view.run = a.run;
-  view.frames = a.frames;
-  view.file = page.file;
-  write_view(view);
-}
+struct RunPage : FilmPage {
+  explicit RunPage(const FilmArguments& a) {
+    ViewArguments view;
+    view.run = a.run;
+    view.frames = a.frames;
+    view.file = file;
+    write_view(view);
+  }
+};
 
 struct Span {
   double start, end;  // [s]
 };
-Span film_span(PageCamera& camera) {
-  const Json times = camera.evaluate("[footfall.player.start, footfall.player.end]");
-  return {times.at(0).get<double>(), times.at(1).get<double>()};
-}
+
+// The page of a run before the camera, and the times that it shows.
+struct ShownRun {
+  ShownRun(const FilmArguments& a, const PageSize& size)
+      : page(a),
+        camera(page.file, link_of(a), size),
+        times(camera.evaluate("[footfall.player.start, footfall.player.end]")),
+        span{times.at(0).get<double>(), times.at(1).get<double>()} {}
+  RunPage page;
+  PageCamera camera;
+  const Json times;
+  const Span span;
+};
 
 double within_run(const char* option, double t, const Span& span) {
   const double tiny = 1e-9 * (span.end - span.start);
@@ -135,13 +146,11 @@ int draw_page_picture(const FilmArguments& a) {
                      "without it");
   end_on_signals("footfall");
   work_is_under_way();
-  const FilmPage page;
-  write_page_of(a, page);
-  PageCamera camera(page.file, link_of(a), size);
-  const Span span = film_span(camera);
+  ShownRun shown(a, size);
+  const Span& span = shown.span;
   const double t = a.at < 0.0 ? 0.5 * (span.start + span.end) : within_run("--at", a.at, span);
-  camera.evaluate("footfall.picture(" + number_text(t, 12) + ")");
-  write_picture(a.file, camera.picture("png"));
+  shown.camera.evaluate("footfall.picture(" + number_text(t, 12) + ")");
+  write_picture(a.file, shown.camera.picture("png"));
   return kExitDone;
 }
 
@@ -260,10 +269,8 @@ int make_video(const FilmArguments& a) {
                      "--video needs Chromium, which draws the page, and ffmpeg; missing: apt install " + missing);
   end_on_signals("footfall");
   work_is_under_way();
-  const FilmPage page;
-  write_page_of(a, page);
-  PageCamera camera(page.file, link_of(a), size);
-  const Span span = film_span(camera);
+  ShownRun shown(a, size);
+  const Span& span = shown.span;
   const double from = within_run("--from", std::max(a.from, a.from == 0.0 ? span.start : a.from), span);
   const double to = a.to < 0.0 ? span.end : within_run("--to", a.to, span);
   if (!(to > from))
@@ -276,11 +283,11 @@ int make_video(const FilmArguments& a) {
                                            number_text(kMostPictures) + "; choose other values");
   Encoder encoder(ffmpeg, a.file, a.rate);
   LiveLine line(false, isatty(STDOUT_FILENO) == 1);
-  camera.evaluate("footfall.slow = " + number_text(slow, 12));
+  shown.camera.evaluate("footfall.slow = " + number_text(slow, 12));
   const double begun = wall_clock();
   for (double k = 0.0; k < count; ++k) {
-    camera.evaluate("footfall.picture(" + number_text(std::min(to, from + k / (slow * a.rate)), 12) + ")");
-    encoder.add(camera.picture("jpeg"));
+    shown.camera.evaluate("footfall.picture(" + number_text(std::min(to, from + k / (slow * a.rate)), 12) + ")");
+    encoder.add(shown.camera.picture("jpeg"));
     const Pace pace{(k + 1.0) / count, (k + 1.0) / count, wall_clock() - begun};
     if (isatty(STDOUT_FILENO) == 1 && line.due(pace.share))
       line.show("picture " + number_text(k + 1.0) + " of " + number_text(count) + ", " + time_left(pace));

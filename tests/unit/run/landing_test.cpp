@@ -13,7 +13,7 @@
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/run_scene.h"
 #include "tests/support/refused.h"
-#include "tests/unit/run/never.h"
+#include "tests/unit/run/recorded.h"
 #include "tests/unit/run/small_machine.h"
 
 namespace footfall {
@@ -283,11 +283,7 @@ TEST(Landing, AStrutThatRestsOnItsStopAtTheStartIsNotAtItsStop) {
 TEST(Landing, ARunTellsHowFarItSlid) {
   const SceneText folder;
   const Scene scene = folder.read(box_on_balls(), {"initial.velocity=[0.3,0,0]", "output.vtk=false"});
-  RunOptions options;
-  options.out = (std::filesystem::path(scene.file).parent_path() / "out").string();
-  options.quiet = true;
-  ASSERT_EQ(run_scene(scene, options, nullptr, test::kNever), kExitDone);
-  const nlohmann::ordered_json summary = read_summary(options.out + "/summary.json");
+  const nlohmann::ordered_json summary = read_summary(test::run_into_folder(scene) + "/summary.json");
   const double way = 0.3 * 0.3 / (2.0 * 0.1 * kGravity);
   EXPECT_NEAR(summary["slid_distance_m"].get<double>(), way, 0.02 * way);
   EXPECT_EQ(summary["tipped"], 0);

@@ -25,6 +25,12 @@ std::string body(const std::string& name, double mass, double inertia, const std
          text(inertia) + ", " + text(inertia) + "]\nposition = " + position + "\n";
 }
 
+std::string joint(const std::string& name, const std::string& kind, const std::string& bodies, const std::string& point,
+                  const std::string& axis) {
+  return "[[joints]]\nname = \"" + name + "\"\nkind = \"" + kind + "\"\nbodies = [" + bodies + "]\npoint = " + point +
+         "\naxis = " + axis + "\n";
+}
+
 using Rows = test::Ran;
 
 // --- Dry friction (theory 3.6).
@@ -32,9 +38,8 @@ using Rows = test::Ran;
 // A body on rails under a force that is there at once.
 std::string pushed(double force, double mass, const std::string& more = "") {
   return "end_time = 5.0\ngravity = [" + text(force / mass) + ", 0, -9.81]\n" + body("b", mass, 0.1, "[0, 0, 0]") +
-         "[[joints]]\nname = \"p\"\nkind = \"prismatic\"\nbodies = [\"ground\", \"b\"]\npoint = [0, 0, 0]\naxis = "
-         "\"x\"\ndisplacement = { friction = { coulomb = 4.0, breakaway = 5.2 } }\n" +
-         more;
+         joint("p", "prismatic", R"("ground", "b")", "[0, 0, 0]", "\"x\"") +
+         "displacement = { friction = { coulomb = 4.0, breakaway = 5.2 } }\n" + more;
 }
 
 TEST(DryFriction, HoldsWhatIsBelowBreakawayHoweverFastItComes) {
@@ -87,21 +92,11 @@ TEST_P(Belt, SticksAndSlipsWithTheClosedPeriod) {
   const double v = 0.1, k = 100.0, m = 1.0, F_c = 4.0, F_b = 5.2;
   const std::string scene = "end_time = 4.0\ngravity = [0, 0, -9.81]\n" + body("belt", 5.0, 0.1, "[0, 0, 0]") +
                             body("m", m, 0.1, "[0, 0, 0.1]") +
-                            R"([[joints]]
-name = "drive"
-kind = "prescribed"
-bodies = ["ground", "belt"]
-point = [0, 0, 0]
-axis = "z"
-axis2 = "x"
+                            joint("drive", "prescribed", R"("ground", "belt")", "[0, 0, 0]", "\"z\"") +
+                            R"(axis2 = "x"
 motion = { x = { polynomial = [0, 0.1] }, y = { polynomial = [0] }, z = { polynomial = [0] }, rotation = { polynomial = [0] }, hold_other_rotations = true }
-[[joints]]
-name = "p"
-kind = "prismatic"
-bodies = ["belt", "m"]
-point = [0, 0, 0.1]
-axis = "x"
-displacement = { friction = { coulomb = 4.0, breakaway = 5.2 } }
+)" + joint("p", "prismatic", R"("belt", "m")", "[0, 0, 0.1]", "\"x\"") +
+                            R"(displacement = { friction = { coulomb = 4.0, breakaway = 5.2 } }
 [[struts]]
 name = "s"
 bodies = ["ground", "m"]
@@ -131,27 +126,11 @@ INSTANTIATE_TEST_SUITE_P(Integrators, Belt, ::testing::Values("one_step", "ida")
 std::string bent_shafts(const std::string& axis2) {
   return "end_time = 2.0\ngravity = [0, 0, 0]\n" + body("a", 1.0, 0.1, "[0, 0, -0.5]") +
          body("b", 1.0, 0.1, "[0.286788218175523, 0.0, 0.409576022144496]") +
-         R"([[joints]]
-name = "ja"
-kind = "revolute"
-bodies = ["ground", "a"]
-point = [0, 0, -0.5]
-axis = "z"
-[[joints]]
-name = "u"
-kind = "constant_velocity"
-bodies = ["a", "b"]
-point = [0, 0, 0]
-axis = "z"
-)" + axis2 +
-         R"(
-[[joints]]
-name = "jb"
-kind = "revolute"
-bodies = ["ground", "b"]
-point = [0.286788218175523, 0.0, 0.409576022144496]
-axis = [0.573576436351046, 0.0, 0.819152044288992]
-[[forces]]
+         joint("ja", "revolute", R"("ground", "a")", "[0, 0, -0.5]", "\"z\"") +
+         joint("u", "constant_velocity", R"("a", "b")", "[0, 0, 0]", "\"z\"") + axis2 + "\n" +
+         joint("jb", "revolute", R"("ground", "b")", "[0.286788218175523, 0.0, 0.409576022144496]",
+               "[0.573576436351046, 0.0, 0.819152044288992]") +
+         R"([[forces]]
 name = "f"
 body = "a"
 direction = [0, 0, 1]
@@ -184,19 +163,9 @@ TEST(ConstantVelocity, IsRefusedWhereOneAxisCannotBeThatOfBothShafts) {
 TEST(OpenCam, GoesOnAlongItsTangentPastHalfATurn) {
   const std::string scene = "end_time = 1.0\ngravity = [0, 0, 0]\n" + body("s", 1.0, 0.1, "[0, 0, 0]") +
                             body("rod", 2.0, 0.1, "[1, 0, 0]") +
-                            R"([[joints]]
-name = "sa"
-kind = "revolute"
-bodies = ["ground", "s"]
-point = [0, 0, 0]
-axis = "z"
-[[joints]]
-name = "ro"
-kind = "prismatic"
-bodies = ["ground", "rod"]
-point = [1, 0, 0]
-axis = "x"
-[[gears]]
+                            joint("sa", "revolute", R"("ground", "s")", "[0, 0, 0]", "\"z\"") +
+                            joint("ro", "prismatic", R"("ground", "rod")", "[1, 0, 0]", "\"x\"") +
+                            R"([[gears]]
 name = "cam"
 joints = ["ro", "sa"]
 factors = [1, -1]
@@ -223,13 +192,8 @@ interval = 0.02
 // A body that turns at 20 rad/s is moved by 0.1 sin(2 pi t): the work of the motion is the kinetic energy of that, m x'^2 / 2.
 TEST(Work, OfAPrescribedMotionStandsUnderTheErrorTest) {
   const std::string scene = "end_time = 2.0\ngravity = [0, 0, 0]\n" + body("a", 2.0, 0.3, "[0.5, 0, 0]") +
-                            R"([[joints]]
-name = "d"
-kind = "prescribed"
-bodies = ["ground", "a"]
-point = [0, 0, 0]
-axis = "z"
-axis2 = "x"
+                            joint("d", "prescribed", R"("ground", "a")", "[0, 0, 0]", "\"z\"") +
+                            R"(axis2 = "x"
 motion = { x = { amplitude = 0.1, frequency = 1.0 }, y = { polynomial = [0] }, z = { polynomial = [0] }, rotation = { polynomial = [0, 20.0] }, hold_other_rotations = true }
 [initial]
 bodies = [{ body = "a", velocity = [0.6283185307179586, 10.0, 0], angular_velocity = [0, 0, 20.0] }]

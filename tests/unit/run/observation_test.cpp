@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <fstream>
+#include <initializer_list>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "coupler/base/errors.h"
@@ -74,10 +76,27 @@ std::map<std::string, std::pair<std::string, std::string>> documented() {
   return lines;
 }
 
+// Those of a scene whose pattern begins so.
+std::vector<Column> columns_of(const std::string& toml, std::initializer_list<std::string> beginnings) {
+  const Scene scene = SceneText().read(toml);
+  const Mechanism mechanism = build_mechanism(scene);
+  const Layout layout(mechanism.model);
+  const Subject subject{scene, mechanism, layout, nullptr};
+  const FlexibleBodies flexible(subject);
+  const JointObserver joints(subject);
+  std::optional<LandingWatch> landing;
+  if (scene.landing) landing.emplace(subject);
+  std::vector<Column> out;
+  for (const Column& column : history_columns(subject, flexible, joints, landing ? &*landing : nullptr))
+    for (const std::string& beginning : beginnings)
+      if (column.pattern.rfind(beginning, 0) == 0) out.push_back(column);
+  return out;
+}
+
 // Gears hold bodies; they stand in a scene of their own: a pinion and a rack, first by the one and then by the other. So does
 // a planar joint, which has coordinates that no other joint has.
 std::vector<Column> columns_of_more_joints() {
-  const Scene scene = SceneText().read(R"(end_time = 1.0
+  return columns_of(R"(end_time = 1.0
 bodies = [{ name = "pinion", mass = 1, inertia = [1, 1, 1], position = [0, 0, 0] },
           { name = "rack", mass = 1, inertia = [1, 1, 1], position = [0, 1, 0] },
           { name = "puck", mass = 1, inertia = [1, 1, 1], position = [0, 2, 0] }]
@@ -86,21 +105,13 @@ joints = [{ name = "axle", kind = "revolute", bodies = ["ground", "pinion"], poi
           { name = "table", kind = "planar", bodies = ["ground", "puck"], point = [0, 2, 0], axis = "z" }]
 gears = [{ name = "mesh", joints = ["axle", "guide"], factors = [1, -2] },
          { name = "again", joints = ["guide", "axle"], factors = [2, -1] }]
-)");
-  const Mechanism mechanism = build_mechanism(scene);
-  const Layout layout(mechanism.model);
-  const Subject subject{scene, mechanism, layout, nullptr};
-  const FlexibleBodies flexible(subject);
-  const JointObserver joints(subject);
-  std::vector<Column> more;
-  for (const Column& column : history_columns(subject, flexible, joints))
-    if (column.pattern.rfind("<gear>", 0) == 0 || column.pattern.rfind("<joint>", 0) == 0) more.push_back(column);
-  return more;
+)",
+                    {"<gear>", "<joint>"});
 }
 
 // A plate that lands on three points of itself.
 std::vector<Column> columns_of_a_landing() {
-  const Scene scene = SceneText().read(R"(end_time = 1.0
+  return columns_of(R"(end_time = 1.0
 bodies = [{ name = "plate", mass = 1, inertia = [1, 1, 1], position = [0, 0, 1] }]
 boundaries = [{ body = "plate", beams = { radius = 0.1, points = [[0, 0, 1], [1, 0, 1]] } }]
 [ground]
@@ -110,17 +121,8 @@ plane = { stiffness = 1e6, damping = 1 }
 pads = ["a", "b", "c"]
 points = [{ name = "a", body = "plate", point = [1, 0, 0] }, { name = "b", body = "plate", point = [0, 1, 0] },
           { name = "c", body = "plate", point = [-1, -1, 0] }]
-)");
-  const Mechanism mechanism = build_mechanism(scene);
-  const Layout layout(mechanism.model);
-  const Subject subject{scene, mechanism, layout, nullptr};
-  const FlexibleBodies flexible(subject);
-  const JointObserver joints(subject);
-  const LandingWatch landing(subject);
-  std::vector<Column> more;
-  for (const Column& column : history_columns(subject, flexible, joints, &landing))
-    if (column.pattern.rfind("landing.", 0) == 0) more.push_back(column);
-  return more;
+)",
+                    {"landing."});
 }
 
 TEST_F(HistoryColumns, HaveANameOfTheirOwnAUnitAndAFiniteValue) {

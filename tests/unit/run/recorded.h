@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -75,12 +76,38 @@ struct Ran : Record {
   }
 };
 
+// Resumed from its first checkpoint (output.checkpoint_interval), a run without grains writes the rows of the run that went on.
+// The one that went on.
+inline std::unique_ptr<Record> expect_resumed_to_the_bit(const Scene& scene) {
+  auto whole = std::make_unique<Record>(scene);
+  std::string kept;
+  CheckpointWriter first, none;
+  first.begin = none.begin = [](long) { return std::string("nowhere"); };
+  first.finish = [&] {
+    if (!kept.empty()) return;
+    Archive archive;
+    whole->visit(archive);
+    kept = archive.text();
+  };
+  none.finish = [] {};
+  whole->run(first);
+  Record later(scene);
+  Archive archive("kept", kept);
+  later.visit(archive);
+  later.run(none);
+  EXPECT_LT(later.rows.size(), whole->rows.size());
+  const std::size_t offset = whole->rows.size() - later.rows.size();
+  for (std::size_t row = 0; row < later.rows.size(); ++row)
+    EXPECT_EQ(later.rows[row], whole->rows[offset + row]) << row;
+  return whole;
+}
+
 // Runs a scene beside its file; the folder of its results.
-inline std::string run_into_folder(const Scene& scene, Transport* transport = nullptr) {
+inline std::string run_into_folder(const Scene& scene, Transport* transport = nullptr, int code = kExitDone) {
   RunOptions options;
   options.out = (std::filesystem::path(scene.file).parent_path() / "out").string();
   options.quiet = true;
-  EXPECT_EQ(run_scene(scene, options, transport, kNever), kExitDone);
+  EXPECT_EQ(run_scene(scene, options, transport, kNever), code);
   return options.out;
 }
 

@@ -12,7 +12,7 @@
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/run_scene.h"
 #include "tests/support/refused.h"
-#include "tests/unit/run/never.h"
+#include "tests/unit/run/recorded.h"
 #include "tests/unit/run/small_machine.h"
 
 namespace footfall {
@@ -41,12 +41,7 @@ std::string requirement(const std::string& name, const std::string& value, const
 
 Json judged(const std::string& entries, int code = kExitDone) {
   const SceneText folder;
-  const Scene scene = folder.read(kThrown + entries);
-  RunOptions options;
-  options.out = (std::filesystem::path(scene.file).parent_path() / "out").string();
-  options.quiet = true;
-  EXPECT_EQ(run_scene(scene, options, nullptr, test::kNever), code);
-  return read_summary(options.out + "/summary.json");
+  return read_summary(test::run_into_folder(folder.read(kThrown + entries), nullptr, code) + "/summary.json");
 }
 
 // Ends of steps and their middles are nearer than 1 ms to the top, which is 10 / 2 (1e-3)^2 = 5e-6 m higher.

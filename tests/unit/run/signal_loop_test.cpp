@@ -342,28 +342,7 @@ direction = "z"
 force = { signal = "smooth" }
 )",
                                        {"output.checkpoint_interval=0.3"});
-  std::string kept;
-  Record whole(scene), later(scene);
-  const auto keeper = [&](Record& record, std::string* text) {
-    CheckpointWriter keep;
-    keep.begin = [](long) { return std::string("nowhere"); };
-    keep.finish = [&record, text] {
-      if (!text || !text->empty()) return;
-      Archive archive;
-      record.visit(archive);
-      *text = archive.text();
-    };
-    return keep;
-  };
-  whole.run(keeper(whole, &kept));
-  ASSERT_FALSE(kept.empty());
-  Archive archive("kept", kept);
-  later.visit(archive);
-  later.run(keeper(later, nullptr));
-  ASSERT_LT(later.rows.size(), whole.rows.size());
-  const std::size_t offset = whole.rows.size() - later.rows.size();
-  for (std::size_t row = 0; row < later.rows.size(); ++row) EXPECT_EQ(later.rows[row], whole.rows[offset + row]) << row;
-  EXPECT_EQ(later.last("state.landed"), 1.0);
+  EXPECT_EQ(test::expect_resumed_to_the_bit(scene)->last("state.landed"), 1.0);
 }
 
 // A plate that has pressed a print into a soil and slides in it: what the ground remembers is in the checkpoint.
@@ -394,29 +373,8 @@ atol = 1e-6
 interval = 0.002
 )",
                                          {std::string("ground.law=") + law, "output.checkpoint_interval=0.01"});
-    std::string kept;
-    Record whole(scene), later(scene);
-    const auto keeper = [&](Record& record, std::string* text) {
-      CheckpointWriter keep;
-      keep.begin = [](long) { return std::string("nowhere"); };
-      keep.finish = [&record, text] {
-        if (!text || !text->empty()) return;
-        Archive archive;
-        record.visit(archive);
-        *text = archive.text();
-      };
-      return keep;
-    };
-    whole.run(keeper(whole, &kept));
-    ASSERT_FALSE(kept.empty());
-    Archive archive("kept", kept);
-    later.visit(archive);
-    later.run(keeper(later, nullptr));
-    ASSERT_LT(later.rows.size(), whole.rows.size());
-    const std::size_t offset = whole.rows.size() - later.rows.size();
-    for (std::size_t row = 0; row < later.rows.size(); ++row)
-      EXPECT_EQ(later.rows[row], whole.rows[offset + row]) << row << " " << law;
-    EXPECT_GT(whole.last("dissipated.soil"), 0.1);
+    SCOPED_TRACE(law);
+    EXPECT_GT(test::expect_resumed_to_the_bit(scene)->last("dissipated.soil"), 0.1);
   }
 }
 

@@ -22,6 +22,7 @@
 #include "mbd_solver/studies/surrogate.h"
 #include "tests/support/refused.h"
 #include "tests/unit/studies/search_stage.h"
+#include "tests/unit/studies/text_file.h"
 
 namespace footfall {
 namespace {
@@ -36,13 +37,7 @@ const std::string kRest =
     "[[stages]]\nmethod = \"sbplx\"\nevaluations = 10\n";
 
 CalibrationSpec read_text(const std::string& text) {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("footfall_calibration_" + std::to_string(::getpid()) + ".toml"))
-          .string();
-  std::ofstream(path) << "scene = \"scene.toml\"\n" << text;
-  const std::unique_ptr<const std::string, void (*)(const std::string*)> gone(
-      &path, [](const std::string* file) { std::filesystem::remove(*file); });
-  return read_calibration(path);
+  return read_calibration(test::TextFile("scene = \"scene.toml\"\n" + text).path);
 }
 
 std::string calibration_complaint(const std::string& text) {

@@ -1,12 +1,7 @@
 // What a sweep file with drawn runs must hold.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-
-#include "coupler/base/errors.h"
-#include "mbd_solver/studies/sweep_file.h"
+#include "tests/unit/studies/text_file.h"
 
 namespace footfall {
 namespace {
@@ -27,27 +22,13 @@ name = "hard"
 when = "peak_acceleration > 5"
 )";
 
-std::string said_of(const std::string& text) {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("footfall_campaign_" + std::to_string(::getpid()) + ".toml")).string();
-  std::ofstream(path) << text;
-  std::string what;
-  try {
-    read_sweep_file(path);
-  } catch (const InputError& error) {
-    what = error.what();
-  }
-  std::filesystem::remove(path);
-  return what;
-}
-
 std::string with(std::string text, const std::string& old, const std::string& now) {
   const std::size_t at = text.find(old);
   EXPECT_NE(at, std::string::npos) << old;
   return text.replace(at, old.size(), now);
 }
 
-TEST(ReadCampaign, AcceptsWhatIsRight) { EXPECT_EQ(said_of(kGood), ""); }
+TEST(ReadCampaign, AcceptsWhatIsRight) { EXPECT_EQ(test::sweep_complaint(kGood), ""); }
 
 struct Fault {
   const char *old, *now, *code;
@@ -57,7 +38,7 @@ class ReadCampaignFault : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(ReadCampaignFault, IsNamed) {
   const Fault& f = GetParam();
-  const std::string said = said_of(with(kGood, f.old, f.now));
+  const std::string said = test::sweep_complaint(with(kGood, f.old, f.now));
   EXPECT_NE(said.find(f.code), std::string::npos) << f.now << "\n" << said;
 }
 

@@ -54,13 +54,18 @@ std::vector<PadRun> runs_of(const GroundFit& truth) {
   return runs;
 }
 
+GroundFit resistive_ground(double inertia, double cohesion) {
+  GroundFit ground;
+  ground.law = "rft";
+  ground.numbers = {{"resistance", "", 6e5, 0, 0},
+                    {"inertia", "", inertia, 0, 0},
+                    {"cohesion", "", cohesion, 0, 0},
+                    {"surface_friction", "", 0.25, 0, 0}};
+  return ground;
+}
+
 TEST(GroundFit, FindsTheNumbersOfALawItself) {
-  GroundFit rft;
-  rft.law = "rft";
-  rft.numbers = {{"resistance", "", 6e5, 0, 0},
-                 {"inertia", "", 1.3, 0, 0},
-                 {"cohesion", "", 120.0, 0, 0},
-                 {"surface_friction", "", 0.25, 0, 0}};
+  const GroundFit rft = resistive_ground(1.3, 120.0);
   GroundFit sinkage;
   sinkage.law = "pressure_sinkage";
   sinkage.numbers = {
@@ -82,13 +87,7 @@ TEST(GroundFit, FindsTheNumbersOfALawItself) {
 }
 
 TEST(GroundFit, TellsWhereTheLawIsWrong) {
-  GroundFit truth;
-  truth.law = "rft";
-  truth.numbers = {{"resistance", "", 6e5, 0, 0},
-                   {"inertia", "", 1.0, 0, 0},
-                   {"cohesion", "", 1.0, 0, 0},
-                   {"surface_friction", "", 0.25, 0, 0}};
-  std::vector<PadRun> runs = runs_of(truth);
+  std::vector<PadRun> runs = runs_of(resistive_ground(1.0, 1.0));
   for (Eigen::Vector3d& force : runs[1].force) force.y() += 0.5 * runs[1].force.back().z();  // from the side
   const GroundFit found = fit_ground(runs, "rft", kDensity, kGravity);
   EXPECT_EQ(found.worst.front().run, "run 1");
@@ -97,16 +96,10 @@ TEST(GroundFit, TellsWhereTheLawIsWrong) {
 }
 
 TEST(GroundFit, RefusesRunsThatTellNothing) {
-  GroundFit truth;
-  truth.law = "rft";
-  truth.numbers = {{"resistance", "", 6e5, 0, 0},
-                   {"inertia", "", 1.0, 0, 0},
-                   {"cohesion", "", 1.0, 0, 0},
-                   {"surface_friction", "", 0.25, 0, 0}};
-  std::vector<PadRun> runs = runs_of(truth);
+  std::vector<PadRun> runs = runs_of(resistive_ground(1.0, 1.0));
   for (Eigen::Vector3d& place : runs[0].place) place.z() += 1.0;
   EXPECT_THROW(fit_ground(runs, "rft", kDensity, kGravity), InputError);
-  runs = runs_of(truth);
+  runs = runs_of(resistive_ground(1.0, 1.0));
   runs.resize(2);
   EXPECT_THROW(fit_ground(runs, "rft", kDensity, kGravity), InputError);
 }

@@ -24,6 +24,7 @@
 #include "mbd_solver/studies/sweep_file.h"
 #include "mbd_solver/studies/tables.h"
 #include "mbd_solver/studies/window_growth.h"
+#include "tests/unit/studies/text_file.h"
 
 namespace footfall {
 namespace {
@@ -33,32 +34,16 @@ namespace {
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
-// What read_sweep_file says of a file with this text; empty when nothing is wrong.
-std::string complaint(const std::string& text) {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("footfall_experiment_" + std::to_string(::getpid()) + ".toml"))
-          .string();
-  std::ofstream(path) << "scene = \"scene.toml\"\n" << text;
-  std::string what;
-  try {
-    read_sweep_file(path);
-  } catch (const InputError& error) {
-    what = error.what();
-  }
-  std::filesystem::remove(path);
-  return what;
-}
+// Of a sweep with these lines.
+std::string complaint(const std::string& lines) { return test::sweep_complaint("scene = \"scene.toml\"\n" + lines); }
 
 TEST(ReadExperiment, AsksForNoDrawingsUnlessTheFileDoes) {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("footfall_drawings_" + std::to_string(::getpid()) + ".toml")).string();
-  std::ofstream(path) << "scene = \"scene.toml\"\nsettings = [\"output.vtk=true\"]\n"
-                         "[[parameters]]\nname = \"v\"\nsettings = [\"x={value}\"]\nvalues = [1]\n"
-                         "[[figures]]\nname = \"m\"\nkey = \"k\"\n";
+  const SweepSpec sweep = test::sweep_of(
+      "scene = \"scene.toml\"\nsettings = [\"output.vtk=true\"]\n"
+      "[[parameters]]\nname = \"v\"\nsettings = [\"x={value}\"]\nvalues = [1]\n"
+      "[[figures]]\nname = \"m\"\nkey = \"k\"\n");
   // The last word counts.
-  EXPECT_EQ(read_sweep_file(path).settings,
-            (std::vector<std::string>{"output.vtk=false", "output.plots=false", "output.vtk=true"}));
-  std::filesystem::remove(path);
+  EXPECT_EQ(sweep.settings, (std::vector<std::string>{"output.vtk=false", "output.plots=false", "output.vtk=true"}));
 }
 
 TEST(ReadExperiment, TheShortFormOfACurveIsItsFirstValueUnlessTheFileSaysOtherwise) {
