@@ -283,7 +283,8 @@ TEST(Landing, AStrutThatRestsOnItsStopAtTheStartIsNotAtItsStop) {
 TEST(Landing, ARunTellsHowFarItSlid) {
   const SceneText folder;
   const Scene scene = folder.read(box_on_balls(), {"initial.velocity=[0.3,0,0]", "output.vtk=false"});
-  const nlohmann::ordered_json summary = read_summary(test::run_into_folder(scene) + "/summary.json");
+  const std::string results = test::run_into_folder(scene);
+  const nlohmann::ordered_json summary = read_summary(results + "/summary.json");
   const double way = 0.3 * 0.3 / (2.0 * 0.1 * kGravity);
   EXPECT_NEAR(summary["slid_distance_m"].get<double>(), way, 0.02 * way);
   EXPECT_EQ(summary["tipped"], 0);
@@ -291,7 +292,7 @@ TEST(Landing, ARunTellsHowFarItSlid) {
   EXPECT_EQ(summary["landing"]["first_contacts"].size(), 4u);
   EXPECT_NEAR(summary["clearance_nozzle_m"].get<double>(), 0.4, 2e-3);
   EXPECT_LT(summary["final_tilt_rad"].get<double>(), 1e-3);
-  const History history = read_history(options.out + "/history.csv");
+  const History history = read_history(results + "/history.csv");
   EXPECT_NEAR(history.column("landing.slid").back(), way, 0.02 * way);
 }
 
