@@ -35,7 +35,7 @@ constexpr const char* kSheet =
     "body{font:15px/1.5 sans-serif;color:#222;max-width:1000px;margin:2em auto;padding:0 1em}"
     "h1{font-size:1.7em}h2{margin-top:2em;border-bottom:1px solid #ccc}table{border-collapse:collapse;margin:1em 0}"
     "td,th{padding:.2em .8em;border-bottom:1px solid "
-    "#e4e4e4;text-align:left}td.n{text-align:right;font-variant-numeric:tabular-nums}"
+    "#e4e4e4;text-align:left}.n{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}"
     "pre{background:#f6f6f4;padding:.8em;overflow-x:auto;font-size:12.5px;line-height:1.4}mark{background:#ffe9a8}"
     "figure{margin:1.2em 0}figure img{max-width:100%}figcaption{color:#666}.warning{background:#fff0e0;border-left:4px "
     "solid #d55e00;padding:.4em .8em}"
@@ -91,9 +91,12 @@ void HtmlPage::table(const std::vector<std::vector<std::string>>& rows, bool hea
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string cell = head && i == 0 ? "th" : "td";
     body_ += i < classes.size() && !classes[i].empty() ? "<tr class=\"" + classes[i] + "\">" : "<tr>";
-    for (const std::string& text : rows[i])
-      body_ += "<" + cell + (cell == "td" && is_number(text) ? " class=\"n\"" : "") + ">" + html_text(text) + "</" +
-               cell + ">";
+    for (std::size_t k = 0; k < rows[i].size(); ++k) {
+      // A heading stands as the first number under it.
+      const std::size_t judged = head && i == 0 ? 1 : i;
+      const bool number = judged < rows.size() && k < rows[judged].size() && is_number(rows[judged][k]);
+      body_ += "<" + cell + (number ? " class=\"n\"" : "") + ">" + html_text(rows[i][k]) + "</" + cell + ">";
+    }
     body_ += "</tr>\n";
   }
   body_ += "</table>\n";
@@ -198,9 +201,10 @@ std::vector<std::string> pictures_in(const std::string& folder) {
   return pictures;
 }
 
-void show_pictures(const std::string& folder, const std::string& heading, HtmlPage& page) {
+// more_than: so many pictures stand on the page already.
+void show_pictures(const std::string& folder, const std::string& heading, HtmlPage& page, std::size_t more_than = 0) {
   const std::vector<std::string> pictures = pictures_in(folder);
-  if (pictures.empty()) return;
+  if (pictures.size() <= more_than) return;
   page.section(heading);
   for (const std::string& picture : pictures) page.picture(picture);
 }
@@ -405,7 +409,7 @@ std::string run_page(const std::string& run) {
   show_warnings(summary, page);
   show_view(folder, page);
   show_summary(summary, page);
-  show_pictures((folder / "pictures").string(), "Grains and mechanism", page);
+  show_pictures((folder / "pictures").string(), "Grains and mechanism", page, 1);
   show_pictures(folder.string(), "Pictures", page);
   show_history(folder, summary, page);
   show_quality(summary, page);

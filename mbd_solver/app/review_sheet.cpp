@@ -173,6 +173,11 @@ void show_struts(const Json& scene, const std::vector<ColumnPeaks>& peaks, HtmlP
   Cells rows = {{"strut", "largest compression", "at", "largest tension", "at", "stroke in", "of available",
                  "stroke out", "of available"}};
   std::vector<std::string> classes = {""};
+  double longest = 0.0;  // stroke [m]
+  for (const Json& strut : list_in(scene, "struts"))
+    if (const ColumnPeaks* const stroke = peaks_of(peaks, strut.value("name", "") + ".stroke"))
+      longest = std::max({longest, stroke->largest, -stroke->least});
+  constexpr double kNoStroke = 1e-4;  // of it: elastic, or round-off
   for (const Json& strut : list_in(scene, "struts")) {
     const std::string name = strut.value("name", "");
     const ColumnPeaks *force = peaks_of(peaks, name + ".force"), *stroke = peaks_of(peaks, name + ".stroke");
@@ -185,7 +190,8 @@ void show_struts(const Json& scene, const std::vector<ColumnPeaks>& peaks, HtmlP
     }
     bool used_up = false;
     for (const int sign : {1, -1}) {
-      const double used = sign > 0 ? std::max(0.0, stroke->largest) : std::max(0.0, -stroke->least);
+      double used = sign > 0 ? stroke->largest : -stroke->least;
+      if (used < kNoStroke * longest) used = 0.0;
       const std::optional<double> available = available_stroke(strut, sign);
       row.push_back(readable(used, "m"));
       row.push_back(available && *available > 0.0
