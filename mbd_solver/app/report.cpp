@@ -42,8 +42,8 @@ constexpr const char* kSheet =
     "nav a{margin-right:1em}summary{cursor:pointer}h3{margin:1.4em 0 .2em}"
     "tr.missed td{background:#fbdcd8;color:#8c1209;font-weight:600}tr.open td{background:#fff0e0}"
     "tr.met td:last-child{color:#136b2b}"
-    "@media print{body{max-width:none;margin:0;font-size:10pt}nav,details{display:none}h2{break-after:avoid}"
-    "table,figure{break-inside:avoid}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}}";
+    "@media print{body{max-width:none;margin:0;font-size:10pt}nav,details{display:none}h2,h3{break-after:avoid}"
+    "table,figure,.warning{break-inside:avoid}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}}";
 
 // Begins with a number, as "12.5" and "3.2 %".
 bool is_number(const std::string& text) {
@@ -360,8 +360,9 @@ void show_ledger(const fs::path& folder, HtmlPage& page) {
     std::string words = ledger.names[k];
     std::replace(words.begin(), words.end(), '.', ' ');
     std::replace(words.begin(), words.end(), '_', ' ');
-    rows.push_back(
-        {words, short_text(column.front()), short_text(column.back()), short_text(column.back() - column.front())});
+    // + 0.0: never "-0".
+    rows.push_back({words, short_text(column.front() + 0.0), short_text(column.back() + 0.0),
+                    short_text(column.back() - column.front())});
   }
   page.section("Energy balance by part");
   page.paragraph(
