@@ -131,7 +131,7 @@ SoilMemory SoilContact::memory_at(std::size_t facet, const Eigen::Vector3d& plac
 SoilPoint SoilContact::point_of(const ElementInput& in, const SoilFacet& facet, const MovingPoint& p) const {
   const BodyKinematics& body = *in.pair.body[0];
   const Eigen::Vector3d normal = body.A * facet.normal;
-  return {axes_ * (p.value() - point_), axes_ * normal, axes_ * p.rate(), axes_ * body.w.cross(normal)};
+  return {axes_ * (p.value() - point_), axes_ * normal, axes_ * p.rate()};
 }
 
 template <class Use>
@@ -190,11 +190,12 @@ bool SoilContact::add_derivatives(const ElementInput& in, ElementDerivatives& ou
   return any;
 }
 
-void SoilContact::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
-  each_touch(in, SoilLaw::With::kEnergy, [&](const Touch& touch) {
+// All work on the ground counts as dissipated, also what its elastic part gives back within the rebound: its power has no jump where
+// the ground yields, as that of the rest would have, so that its integral is as accurate as the motion.
+void SoilContact::add_energy(const ElementInput& in, StoredEnergy&, Dissipated& power) const {
+  each_touch(in, SoilLaw::With::kTraction, [&](const Touch& touch) {
     const double area = touch.facet->area;
-    stored[Stored::kContact] += area * touch.stress.stored;
-    power[Dissipation::kSoil] += area * (-touch.stress.traction.dot(touch.at.velocity) - touch.stress.stored_rate);
+    power[Dissipation::kSoil] -= area * touch.stress.traction.dot(touch.at.velocity);
     power[Dissipation::kSoilInertia] -= area * touch.stress.inertia.dot(touch.at.velocity);
   });
 }

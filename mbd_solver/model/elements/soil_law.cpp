@@ -1,4 +1,4 @@
-// Each law is written once for numbers and for numbers with derivatives (Dual), so that slopes and rates are exact.
+// Each law is written once for numbers and for numbers with derivatives (Dual), so that slopes are exact.
 
 #include "mbd_solver/model/elements/soil_law.h"
 
@@ -63,11 +63,6 @@ Dual<N> power(const Dual<N>& x, double n) {
   const double p = std::pow(x.value, n);
   return chained(x, p, n * p / x.value);
 }
-double log_of(double x) { return std::log(x); }
-template <int N>
-Dual<N> log_of(const Dual<N>& x) {
-  return chained(x, std::log(x.value), 1.0 / x.value);
-}
 double number(double x) { return x; }
 template <int N>
 double number(const Dual<N>& x) {
@@ -99,7 +94,6 @@ struct Facet {
 template <class T>
 struct Answer {
   Three<T> traction, inertia;  // [Pa]
-  T stored{0.0};               // [J/m2]
 };
 
 Facet<double> plain_facet(const SoilPoint& at) {
@@ -140,12 +134,6 @@ T borne_share(const SoilLaw::Common& c, const T& size, const T& rate) {
   return number(damped) < 1.0 ? damped : T(1.0);
 }
 
-// Whether the ground yields at this elastic displacement; at e itself, where a step begins, if that grows.
-template <class T>
-bool yields(const T& size, const T& rate, double e) {
-  return number(size) > e || (number(size) > (1.0 - 1e-9) * e && number(rate) > 0.0);
-}
-
 constexpr int kRftTerms = 20;
 // Of [1, x1, x2, x3, x1^2, x2^2, x3^2, x1 x2, x2 x3, x3 x1, x1^3, x2^3, x3^3, x1 x2^2, x2 x1^2, x2 x3^2, x3 x2^2, x3 x1^2,
 // x1 x3^2, x1 x2 x3] [Agarwal 2023, table of c_k].
@@ -181,18 +169,6 @@ std::array<T, 2> slid(const Facet<T>& at, const SoilMemory& m, const T& below) {
   return {at.v.x * time, at.v.y * time};
 }
 
-// Integral over depth of u^n (u - s) from s to z.
-template <class T>
-T pressed(const T& z, const T& s, double n) {
-  if (!(number(z) > 0.0)) return T(0.0);
-  const T low = number(s) > 0.0 ? s : T(0.0);
-  const auto at = [&](const T& u) {
-    if (!(number(u) > 0.0)) return T(0.0);
-    return power(u, n + 1.0) * (u * (1.0 / (n + 2.0)) - s * (1.0 / (n + 1.0)));
-  };
-  return at(z) - at(low);
-}
-
 template <class T>
 Three<T> inertia_of(const SoilLaw::Common& c, const Facet<T>& at, const Three<T>& n, const T& seated) {
   const T advance = dot(at.v, n);
@@ -200,13 +176,13 @@ Three<T> inertia_of(const SoilLaw::Common& c, const Facet<T>& at, const Three<T>
   return ((-c.inertia * c.density) * (advance * advance) * seated) * n;
 }
 
-// The three uses of a law, from its one formula `evaluate(Facet<T>, memory, two_sided, with_stored)`.
+// Both uses of a law, from its one formula `evaluate(Facet<T>, memory, two_sided)`.
 template <class Law>
 SoilStress use(const Law& law, const SoilPoint& at, const SoilMemory& memory, bool two_sided, SoilLaw::With with) {
   SoilStress out;
   const auto vector = [](const auto& a) { return Eigen::Vector3d(number(a.x), number(a.y), number(a.z)); };
   if (with == SoilLaw::With::kSlope) {
-    const auto answer = law.evaluate(varied_facet(at), memory, two_sided, false);
+    const auto answer = law.evaluate(varied_facet(at), memory, two_sided);
     out.traction = vector(answer.traction);
     out.inertia = vector(answer.inertia);
     const auto sum = answer.traction + answer.inertia;
@@ -215,26 +191,9 @@ SoilStress use(const Law& law, const SoilPoint& at, const SoilMemory& memory, bo
     out.slope.row(2) = sum.z.by.matrix().transpose();
     return out;
   }
-  const bool energy = with == SoilLaw::With::kEnergy;
-  if (!energy) {
-    const auto answer = law.evaluate(plain_facet(at), memory, two_sided, false);
-    out.traction = vector(answer.traction);
-    out.inertia = vector(answer.inertia);
-    return out;
-  }
-  Facet<Dual<1>> moving;  // by time
-  const auto set = [](Three<Dual<1>>& to, const Eigen::Vector3d& a, const Eigen::Vector3d& rate) {
-    const auto one = [](double value, double slope) { return Dual<1>(value, Eigen::Array<double, 1, 1>(slope)); };
-    to = {one(a.x(), rate.x()), one(a.y(), rate.y()), one(a.z(), rate.z())};
-  };
-  set(moving.p, at.place, at.velocity);
-  set(moving.n, at.normal, at.turning);
-  set(moving.v, at.velocity, Eigen::Vector3d::Zero());
-  const auto answer = law.evaluate(moving, memory, two_sided, true);
+  const auto answer = law.evaluate(plain_facet(at), memory, two_sided);
   out.traction = vector(answer.traction);
   out.inertia = vector(answer.inertia);
-  out.stored = answer.stored.value;
-  out.stored_rate = answer.stored.by[0];
   return out;
 }
 
@@ -256,7 +215,6 @@ class RftLaw final : public SoilLaw {
     const double phi = std::atan(p.friction);
     const double n_q = std::exp(kPi * p.friction) * std::pow(std::tan(0.25 * kPi + 0.5 * phi), 2);
     bearing_ = p.cohesion * (n_q - 1.0) / p.friction;
-    upright_ = -rft_alpha(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ()).z();
   }
   std::string_view kind() const override { return "rft"; }
 
@@ -265,7 +223,7 @@ class RftLaw final : public SoilLaw {
   }
 
   template <class T>
-  Answer<T> evaluate(const Facet<T>& at, const SoilMemory& m, bool two_sided, bool with_stored) const {
+  Answer<T> evaluate(const Facet<T>& at, const SoilMemory& m, bool two_sided) const {
     Answer<T> out;
     const double e = p_.rebound;
     const T below = at.p.z + T(-m.print);
@@ -299,18 +257,9 @@ class RftLaw final : public SoilLaw {
       if (number(limit) < 1.0) held = limit;
     }
     const T strength = p_.resistance * at.p.z * share;
-    out.traction = strength * ((-push) * n + held * side) + (-(bearing_ * share)) * n;
+    const T pressed_in = number(advance) > 0.0 ? advance * advance : T(0.0);
+    out.traction = strength * ((-push) * n + held * side) + (-(bearing_ * share * pressed_in)) * n;
     out.inertia = inertia_of(p_, at, n, seated);
-    if (with_stored) {
-      // What straight unloading gives back on a level facet; on a yielding one at the elastic displacement that remains.
-      const T level = number(n.z) < 0.0 ? -n.z : n.z;
-      const T kept = yields(size, dot(d, at.v), e) ? T(e) / size : T(1.0);
-      const T q_r = kept * q, h_r = kept * kept * (h[0] * h[0] + h[1] * h[1]);
-      const T s = at.p.z + (-q_r);
-      out.stored = level * (1.0 / e) *
-                   ((p_.resistance * upright_) * (pressed(at.p.z, s, 1.0) + 0.5 * at.p.z * h_r) +
-                    (0.5 * bearing_) * (q_r * q_r + h_r));
-    }
     return out;
   }
 
@@ -343,7 +292,6 @@ class RftLaw final : public SoilLaw {
 
   RftParameters p_;
   double bearing_;  // c N_c [Pa]
-  double upright_;  // -alpha_z of a level facet that is pressed straight down
 };
 
 class SinkageLaw final : public SoilLaw {
@@ -356,7 +304,7 @@ class SinkageLaw final : public SoilLaw {
   }
 
   template <class T>
-  Answer<T> evaluate(const Facet<T>& at, const SoilMemory& m, bool two_sided, bool with_stored) const {
+  Answer<T> evaluate(const Facet<T>& at, const SoilMemory& m, bool two_sided) const {
     Answer<T> out;
     const double e = p_.rebound;
     const T below = at.p.z + T(-m.print);
@@ -371,16 +319,6 @@ class SinkageLaw final : public SoilLaw {
     const T limit = p_.cohesion * borne + friction_ * p;
     const std::array<T, 2> shear = sheared(at, m, below);
     out.traction = n.z * Three<T>{-(limit * shear[0]), -(limit * shear[1]), -p};
-    if (with_stored) {
-      const T s = yields(below, at.v.z, e) ? at.p.z + T(-e) : T(m.print);
-      // Shear gives back K (|T| - ln(1 + |T|)) when the way turns round.
-      const T square = shear[0] * shear[0] + shear[1] * shear[1];
-      const T size = number(square) > 0.0 ? root(square) : T(0.0);
-      const T share = grown(below, e);
-      const T at_rest = share * (p_.cohesion + (friction_ * p_.stiffness) * power(at.p.z, p_.exponent));
-      out.stored = n.z * ((p_.stiffness / e) * pressed(at.p.z, s, p_.exponent) +
-                          p_.shear_length * at_rest * (size + (-log_of(T(1.0) + size))));
-    }
     return out;
   }
 

@@ -11,7 +11,7 @@
 // Resistive force theory in three dimensions [Agarwal, Goldman and Kamrin, PNAS 120, e2214017120 (2023)]: for a displacement
 // along d, |d| = 1, with g down and n' = n or -n, whichever points down,
 //   alpha = f_1 n' + f_2 d + f_3 g,  f_k = sum c_k T,  T the 20 monomials up to x_1^a x_2^b x_3^c, a + b + c <= 3
-//   x_1 = d.g,  x_2 = n'.g,  x_3 = n'.d;   t = xi z (alpha_n + min(1, mu_s |alpha_n| / |alpha_t|) alpha_t) - c N_c n
+//   x_1 = d.g,  x_2 = n'.g,  x_3 = n'.d;   t = xi z (alpha_n + min(1, mu_s |alpha_n| / |alpha_t|) alpha_t) - c N_c max(0, n.d)^2 n
 //   xi = rho g (894 mu^3 - 386 mu^2 + 89 mu);  N_c = (N_q - 1) / mu,  N_q = exp(pi mu) tan^2(pi/4 + phi/2) [Reissner 1924]
 // Range: slow flow of dry grains around facets deep against a grain; mu of 0.1 to 0.9; facets that go down or sideways.
 //
@@ -28,10 +28,9 @@ namespace footfall {
 
 // Of one facet, in the axes of the ground.
 struct SoilPoint {
-  Eigen::Vector3d place;                              // x, y, depth z [m]
-  Eigen::Vector3d normal;                             // out of the body
-  Eigen::Vector3d velocity;                           // [m/s]
-  Eigen::Vector3d turning = Eigen::Vector3d::Zero();  // rate of the normal [1/s], for the rate of what is stored
+  Eigen::Vector3d place;     // x, y, depth z [m]
+  Eigen::Vector3d normal;    // out of the body
+  Eigen::Vector3d velocity;  // [m/s]
 };
 
 // What the ground remembers of one facet.
@@ -47,13 +46,11 @@ struct SoilStress {
   Eigen::Vector3d traction = Eigen::Vector3d::Zero();  // on the facet, without inertia [Pa]
   Eigen::Vector3d inertia = Eigen::Vector3d::Zero();   // [Pa]
   Eigen::Matrix<double, 3, 9> slope;  // d(traction + inertia) / d(place, normal, velocity), where it is asked for
-  double stored = 0.0;                // elastic [J/m2]
-  double stored_rate = 0.0;           // [W/m2]
 };
 
 class SoilLaw {
  public:
-  enum class With { kTraction, kSlope, kEnergy };
+  enum class With { kTraction, kSlope };
 
   // Of both laws.
   struct Common {

@@ -13,12 +13,13 @@
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
+#include "mbd_solver/bed/bed.h"
+#include "mbd_solver/bed/bed_measures.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/shipped_files.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/fits.h"
-#include "mbd_solver/studies/rig.h"
 #include "mbd_solver/studies/sweep_command.h"
 #include "mbd_solver/studies/sweep_file.h"
 #include "mbd_solver/studies/tables.h"
@@ -33,7 +34,8 @@ constexpr int kRowsPerBin = 4;  // of a run that has more
 constexpr double kConfidenceOfFit = 0.95;
 constexpr double kPoorFit = 0.9;  // R^2 below this is told
 constexpr int kMostFitSteps = 40;
-constexpr double kRebound = 1e-3;  // of the law: not fitted [m]
+constexpr double kRebound = 1e-3;                // of the law: not fitted [m]
+constexpr double kAssumedGrainDensity = 2600.0;  // of a bed from a script, which does not tell it [kg/m3]
 
 // A number that is fitted: its logarithm.
 struct Unknown {
@@ -107,6 +109,9 @@ std::vector<Eigen::Vector3d> forces_on(const PadRun& run, std::shared_ptr<const 
   }
   return out;
 }
+
+// A run with fewer rows in the ground tells nothing.
+constexpr std::size_t kLeastRows = 3;
 
 // The first row in which a facet is in the ground.
 std::size_t first_touch(const PadRun& run) {
@@ -265,11 +270,13 @@ std::pair<double, double> quality(const std::vector<Target>& targets, const std:
 
 }  // namespace
 
+bool reaches_the_bed(const PadRun& run) { return first_touch(run) + kLeastRows <= run.place.size(); }
+
 GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, double density, double gravity) {
   FOOTFALL_DEMAND(gravity >= 0.0);
   std::vector<Target> fitted, held;
   for (const PadRun& run : runs) {
-    if (first_touch(run) + 3 > run.place.size())
+    if (!reaches_the_bed(run))
       throw InputError(code::kGroundFit, "run " + run.name + ": the pad does not reach the bed; let it go deeper");
     Target target{&run, means_of(run, run.force), 0.0};
     for (Eigen::Index i = 0; i < target.measured.value.size(); i += 3)
@@ -319,6 +326,63 @@ Scene on_the_soil(const RunRequest& request) {
   return read_scene(request.scene, settings);
 }
 
+// The bed under the pad, from its grains.
+struct MeasuredBed {
+  double surface = 0.0;   // mean height of the grains as seen from above [m]
+  double fraction = 0.0;  // of its volume that grains fill [-]
+  double radius = 0.0;    // of its smallest grains [m]
+};
+
+MeasuredBed measured_bed(const Scene& scene, const Eigen::Vector2d& centre, double width) {
+  if (!scene.particles || !scene.particles->bed)
+    throw InputError(code::kGroundFit, scene.file + ": a fit requires a bed, by [particles.box] or particles.bed");
+  const std::string file = (std::filesystem::path(bed_folder(*scene.particles->bed)) / kBedGrains).string();
+  if (!std::filesystem::is_regular_file(file))
+    throw InputError(code::kGroundFit, scene.file + ": the script of the bed writes no " + std::string(kBedGrains) +
+                                           ", from which the height of its surface is measured; let it dump x y z "
+                                           "radius of its grains, as inputs/regolith/in.bed does");
+  const std::vector<GrainPlace> grains = read_grains(file);
+  BedFrame bed;
+  bed.x.resize(3, static_cast<Eigen::Index>(grains.size()));
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    bed.id.push_back(static_cast<int>(i));
+    bed.x.col(static_cast<Eigen::Index>(i)) = grains[i].centre;
+    bed.radius.push_back(grains[i].radius);
+  }
+  MeasuredBed out;
+  out.radius = *std::min_element(bed.radius.begin(), bed.radius.end());
+  const double column = 0.25 * out.radius, half = std::max(0.5 * width, 2.0 * out.radius);
+  const std::vector<double> height =
+      surface_profile(bed, centre, column, std::max(1, static_cast<int>(std::lround(half / column))));
+  double area = 0.0;
+  for (std::size_t k = 0; k < height.size(); ++k) {
+    if (std::isnan(height[k])) continue;
+    const double ring = 2.0 * static_cast<double>(k) + 1.0;
+    out.surface += ring * height[k];
+    area += ring;
+  }
+  if (!(area > 0.0)) throw InputError(code::kGroundFit, scene.file + ": there are no grains under the pad");
+  out.surface /= area;
+  const double depth = std::min(half, 0.5 * (out.surface - bed.x.row(2).minCoeff()));
+  out.fraction = packing_fraction(bed, {centre.x(), centre.y(), out.surface - out.radius}, half, depth);
+  return out;
+}
+
+// The middle of the facets over the ground, half-way of a run.
+Eigen::Vector2d centre_of(const PadRun& run, const std::vector<double>& x, const std::vector<double>& y) {
+  Eigen::Vector2d centre(0.5 * (x.front() + x.back()), 0.5 * (y.front() + y.back()));
+  for (const SoilFacet& facet : run.facets)
+    centre += (run.R_WB * facet.marker.s0).head<2>() / static_cast<double>(run.facets.size());
+  return centre;
+}
+
+double width_of(const PadRun& run) {
+  double reach = 0.0;
+  for (const SoilFacet& a : run.facets)
+    for (const SoilFacet& b : run.facets) reach = std::max(reach, (a.marker.s0 - b.marker.s0).norm());
+  return reach;
+}
+
 PadRun pad_run(const RunRequest& request, const std::string& folder) {
   const Scene scene = on_the_soil(request);
   const Mechanism mechanism = build_mechanism(scene);
@@ -332,13 +396,12 @@ PadRun pad_run(const RunRequest& request, const std::string& folder) {
   run.two_sided = soil.two_sided();
   const int body = mechanism.soil_bodies.front();
   run.R_WB = rotation_matrix(mechanism.model.initial(body).L);
-  const RigRun rig{request.name, folder, read_scene(request.scene, request.settings)};
-  run.surface = mean_surface(rig);
   const std::string& name = mechanism.model.body(body).name();
-  const History history = history_of(rig);
+  const History history = read_history((std::filesystem::path(folder) / "history.csv").string());
   const auto column = [&](const char* what) -> const std::vector<double>& { return history.column(name + what); };
   const auto &x = column(".x"), &y = column(".y"), &z = column(".z"), &u = column(".vx"), &v = column(".vy"),
              &w = column(".vz"), &fx = column(".contact.fx"), &fy = column(".contact.fy"), &fz = column(".contact.fz");
+  run.surface = measured_bed(read_scene(request.scene, request.settings), centre_of(run, x, y), width_of(run)).surface;
   const std::size_t stride = std::max<std::size_t>(1, x.size() / (kFitBins * kRowsPerBin));
   // The force of a row is a mean up to it; rows that are left out give theirs to the next.
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -362,13 +425,13 @@ std::string toml_number(double value) {
   return text;
 }
 
-std::string ground_file(const GroundFit& fit, const Scene& scene, double density, std::size_t runs, std::size_t held,
-                        const std::string& command) {
-  const BoxSpec& box = box_of(scene);
+std::string ground_file(const GroundFit& fit, const Scene& scene, const MeasuredBed& bed, double density,
+                        std::size_t runs, std::size_t held, const std::string& command) {
   std::ostringstream out;
   out << "# A soil without grains, fitted to grains by `" << command << "`.\n"
       << "#   [ground] kind = \"soil\", soil = \"THIS FILE\"\n[law]\nkind = \"" << fit.law << "\"\n"
-      << "density = " << toml_number(density) << "  # kg/m3, of the bed\n"
+      << "density = " << toml_number(density) << "  # kg/m3, of the bed: solid fraction "
+      << number_text(bed.fraction, 3) << (scene.particles->box ? "" : ", grains of 2600 kg/m3 assumed") << "\n"
       << "rebound = " << toml_number(kRebound) << "  # m, not fitted\n";
   if (fit.law == "rft")
     out << "friction = " << toml_number(kFitFriction) << "  # of the factor of cohesion, not fitted\n"
@@ -381,8 +444,8 @@ std::string ground_file(const GroundFit& fit, const Scene& scene, double density
       << "\nheld_back = " << held << "\nr_squared = " << toml_number(fit.r_squared)
       << "\nheld_back_r_squared = " << toml_number(fit.held_r_squared) << "\nerror = " << toml_number(fit.error)
       << "  # root mean square over the largest force of a run"
-      << "\nheld_back_error = " << toml_number(fit.held_error)
-      << "\ngrain_radius = " << toml_number(*std::max_element(box.radius.begin(), box.radius.end())) << "\n";
+      << "\nheld_back_error = " << toml_number(fit.held_error) << "\ngrain_radius = " << toml_number(bed.radius)
+      << "  # m, of the smallest grains\n";
   return out.str();
 }
 
@@ -431,13 +494,25 @@ bool write_fit(const GroundArguments& a, const SweepSpec& spec, const Plan& plan
       all = false;
       continue;
     }
-    runs.push_back(pad_run(plan.runs[i], end.folder));
-    runs.back().held_back = i % kHeldBack == kHeldBack - 1;
-    held += runs.back().held_back ? 1 : 0;
+    PadRun run = pad_run(plan.runs[i], end.folder);
+    if (!reaches_the_bed(run)) {
+      std::printf("%s: the pad does not reach the bed, or at the end of its way alone; it is left out\n",
+                  run.name.c_str());
+      continue;
+    }
+    run.held_back = i % kHeldBack == kHeldBack - 1;
+    held += run.held_back ? 1 : 0;
+    runs.push_back(std::move(run));
   }
-  if (runs.empty()) throw InputError(code::kGroundFit, folder + ": no run is done, nothing to fit");
+  if (runs.empty())
+    throw InputError(code::kGroundFit, folder + ": no run is done that reaches the bed, nothing to fit");
   const Scene scene = read_scene(plan.runs.front().scene, plan.runs.front().settings);
-  const double density = density_of_bed(box_of(scene)), gravity = scene.gravity.norm();
+  const PadRun& first = runs.front();
+  const Eigen::Vector3d& at = first.place.front();
+  const MeasuredBed bed = measured_bed(scene, centre_of(first, {at.x(), at.x()}, {at.y(), at.y()}), width_of(first));
+  const double density =
+      bed.fraction * (scene.particles->box ? scene.particles->box->material.density : kAssumedGrainDensity);
+  const double gravity = scene.gravity.norm();
   const GroundFit fit = fit_ground(runs, a.law, density, gravity);
   const auto path = [&](const std::string& file) { return (std::filesystem::path(folder) / file).string(); };
   const std::string page = fit_page(fit, runs.size(), held, spec.title, command);
@@ -453,7 +528,7 @@ bool write_fit(const GroundArguments& a, const SweepSpec& spec, const Plan& plan
   }
   write_whole_file(path("forces.csv"), rows.csv());
   write_whole_file(path("ground.md"), page);
-  write_whole_file(path("ground.toml"), ground_file(fit, scene, density, runs.size(), held, command));
+  write_whole_file(path("ground.toml"), ground_file(fit, scene, bed, density, runs.size(), held, command));
   std::printf("%s\n%s\n%s\n%s\n", page.c_str(), path("ground.md").c_str(), path("forces.csv").c_str(),
               path("ground.toml").c_str());
   return all;
@@ -490,7 +565,8 @@ int ground_command(const GroundArguments& a) {
       throw InputError(code::kGroundFit, a.file + ": has " + std::to_string(plan.runs.size()) + " runs, expected " +
                                              std::to_string(kLeastFitRuns) + " to " + std::to_string(kMostFitRuns));
     for (const RunRequest& run : plan.runs) {  // before the runs, which take minutes
-      box_of(read_scene(run.scene, run.settings));
+      if (const Scene scene = read_scene(run.scene, run.settings); !scene.particles || !scene.particles->bed)
+        throw InputError(code::kGroundFit, scene.file + ": a fit requires a bed, by [particles.box] or particles.bed");
       on_the_soil(run);
     }
   };

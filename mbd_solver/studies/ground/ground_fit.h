@@ -47,6 +47,8 @@ struct GroundFit {
   std::vector<Residual> worst;  // of each run, the largest first
 };
 
+// False where fewer than three rows have a facet in the ground.
+bool reaches_the_bed(const PadRun& run);
 // gravity [m/s2], density of the bed [kg/m3]. Throws InputError for too few runs, or runs without contact.
 GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, double density, double gravity);
 // The forces of the law on the pad, one per row [N].

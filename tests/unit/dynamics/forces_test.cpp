@@ -92,7 +92,7 @@ TEST_P(ForceElementEnergy, WhatIsTakenIsStoredOrDissipated) {
     const double given = stored_rate(*element, model, layout, state, dz, voltages) + power.total() - supplied.total();
     EXPECT_NEAR(taken, given, 1e-7 * (std::abs(taken) + std::abs(power.total()) + std::abs(supplied.total())))
         << element->name();  // error of the difference
-    // What a soil stores is that of level facets: on others a little of it comes and goes as dissipated.
+    // What elastic ground gives back within its rebound counts with what it has taken.
     const bool soil = element->name().rfind("rft", 0) == 0 || element->name().rfind("sinkage", 0) == 0;
     for (double part : power.by_kind) EXPECT_TRUE(soil || part >= 0.0) << element->name();
   }

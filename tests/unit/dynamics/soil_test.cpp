@@ -55,7 +55,7 @@ struct Way {
     }
     return now();
   }
-  SoilStress now(SoilLaw::With with = SoilLaw::With::kEnergy) const { return law->stress(at, memory, true, with); }
+  SoilStress now() const { return law->stress(at, memory, true, SoilLaw::With::kTraction); }
 
   std::unique_ptr<SoilLaw> law;
   SoilPoint at{{0.0, 0.0, -0.01}, {0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}};
@@ -66,6 +66,8 @@ struct Way {
 constexpr double kDown = 0.87504;
 // Drawn along: x_2 = 1 alone, f_k = c_1 + c_3 + c_6 + c_12.
 constexpr double kDragged = -0.04193, kLifted = 0.11029;
+// An upright plate drawn along its normal: x_3 = 1 alone, f_k = c_1 + c_4 + c_7 + c_13; f_1 + f_2 along, f_3 down.
+constexpr double kPushed = -0.19185, kHeaved = -0.07462;
 
 TEST(SoilLaw, RftOfThePrintedTable) {
   const Eigen::Vector3d down = Eigen::Vector3d::UnitZ(), along = Eigen::Vector3d::UnitX();
@@ -76,6 +78,8 @@ TEST(SoilLaw, RftOfThePrintedTable) {
   // Symmetry, of which the published fit keeps what its five digits can: an upright plate has no force sideways.
   EXPECT_NEAR(rft_alpha(along, down).x(), 0.0, 5e-3);
   EXPECT_NEAR(rft_alpha(along, along).y(), 0.0, kExact);
+  EXPECT_NEAR(rft_alpha(along, along).x(), kPushed, 5e-6);
+  EXPECT_NEAR(rft_alpha(along, along).z(), kHeaved, 5e-6);
   EXPECT_NEAR(rft_resistance(1500.0, 0.4, 9.81), 1500.0 * 9.81 * (894 * 0.064 - 386 * 0.16 + 89 * 0.4), 1e-6);
 }
 
@@ -115,6 +119,15 @@ TEST(SoilLaw, PlateDrawnAtConstantDepth) {
   slides.to({0, 0, z});
   const Eigen::Vector3d t = slides.to({0.05, 0, z}, 20).traction;
   EXPECT_NEAR(t.x() / t.z(), 0.1, 1e-9);
+  // Cohesion bears with the square of the cosine between the normal and the way: all of it straight down, nothing along.
+  RftParameters sticky = sand();
+  sticky.friction = std::tan(kPi / 6.0);  // N_c = 30.14
+  sticky.cohesion = 1000.0;
+  Way held(make_rft(sticky, ""));
+  held.to({0, 0, z});
+  EXPECT_NEAR(held.to({0.05, 0, z}, 20).traction.z(), -8e5 * z * kLifted, 1e-5 * 8e5 * z);
+  const double bare = -8e5 * (z + 0.05) * rft_alpha({0, 0, 1}, {std::sqrt(0.5), 0, std::sqrt(0.5)}).z();
+  EXPECT_NEAR(held.to({0.1, 0, z + 0.05}, 500).traction.z(), -bare - 0.5 * 30.14e3, 20.0);
   // Janosi and Hanamoto, in one step as in many.
   for (const int steps : {1, 9}) {
     Way sinkage(make_pressure_sinkage(loam(), ""));
@@ -133,11 +146,9 @@ TEST(SoilLaw, PlateLiftedAndSetDownAgainStandsInItsPrint) {
     Way way(is_rft ? make_rft(sand(), "") : make_pressure_sinkage(loam(), ""));
     const double z = 0.03, e = 1e-4;
     const double p = -way.to({0, 0, z}, 5).traction.z();
-    // Elastic within e below the print, on the way up as down, and nothing is dissipated there.
+    // Elastic within e below the print, on the way up as down: the same force at the same place.
     const auto virgin = [&](double depth) { return is_rft ? 8e5 * depth * kDown : 1.5e6 * std::pow(depth, 0.7); };
     EXPECT_NEAR(-way.to({0, 0, z - 0.25 * e}).traction.z(), 0.75 * virgin(z - 0.25 * e), 2e-5 * p);
-    const SoilStress half = way.now();
-    EXPECT_NEAR(half.stored_rate, -half.traction.dot(way.at.velocity), 1e-6 * p);
     EXPECT_NEAR(-way.to({0, 0, z - 0.999 * e}).traction.z(), 0.001 * p, 2e-4 * p);
     way.to({0, 0, -0.1});  // lifted; it never pulls
     way.to({0, 0, z - 1.2 * e}, 3);
@@ -271,7 +282,9 @@ TEST_P(OnTheSoil, InertiaOfTheSoilHasItsOwnName) {
 }
 
 TEST_P(OnTheSoil, PlateOnASlopeStands) {
-  // 10 degrees ask for 0.176 of its weight: it slides until its print is deep enough, and stands.
+  // 10 degrees ask for 0.176 of its weight: it slides until its print is deep enough, and stands. The ground bears it within the
+  // elastic displacement e = 0.1 mm, in which it swings sideways, undamped: never farther than e to either side, and without drift.
+  // Shear after Janosi and Hanamoto wears off by swings above a twentieth of K, so that law may creep, by less than K.
   for (const bool is_rft : {true, false}) {
     RftParameters a = sand();
     SinkageParameters b = loam();
@@ -281,9 +294,34 @@ TEST_P(OnTheSoil, PlateOnASlopeStands) {
     test::Run run(plate.model, GetParam());
     run.to(1.5, 10);
     const Eigen::Vector3d place = run.body(0).r;
-    run.to(2.0, 10);
-    EXPECT_LT((run.body(0).r - place).norm(), 3e-4) << is_rft;  // it sways by a few lengths of the rebound, 1e-4 m
+    for (int i = 1; i <= 10; ++i) {
+      run.to(1.5 + 0.3 * i, 6);
+      EXPECT_LT((run.body(0).r - place).norm(), is_rft ? 2.0 * a.rebound : b.shear_length)
+          << is_rft << " " << run.state.time;
+    }
     EXPECT_LT(run.body(0).r.norm(), 5e-3) << is_rft;
+  }
+}
+
+TEST_P(OnTheSoil, FirstContactOfAFastPadIsInTheLedger) {
+  // A pad of a lander, at 4 m/s and a slant onto cohesive ground: everything happens within the rebound, in 0.3 ms. The work on the soil
+  // has the accuracy of the motion, 1e-5 of the energy in each of the about twenty steps that see it begin.
+  for (const bool is_rft : {true, false}) {
+    RftParameters a = sand();
+    SinkageParameters b = loam();
+    a.rebound = b.rebound = 1e-3;
+    a.damping = b.damping = 3.0;
+    a.inertia = b.inertia = 1.0;
+    a.cohesion = 520.0;
+    a.friction = 0.9;
+    Plate plate(is_rft ? make_rft(a, "") : make_pressure_sinkage(b, ""), 300.0, 3e-3);
+    test::Run run(plate.model, GetParam());
+    run.state.v[0] = 1.0;
+    run.state.v[2] = -4.0;
+    const double energy = 0.5 * 300.0 * 17.0;
+    run.to(0.1, 100);
+    EXPECT_GT(run.state.dissipated[Dissipation::kSoil], 0.5 * energy) << is_rft;
+    EXPECT_LT(std::abs(run.imbalance() - energy), 1e-4 * energy) << is_rft;
   }
 }
 
