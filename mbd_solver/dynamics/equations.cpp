@@ -511,6 +511,18 @@ Eigen::VectorXd Equations::negligible_shares() const {
   return share;
 }
 
+std::vector<LocalUnknowns> Equations::local_states() const {
+  constexpr int kMany = 16;  // of one element: fewer cost little in the sparse matrix
+  std::vector<LocalUnknowns> out;
+  for (int i = 0; i < model_.force_count(); ++i) {
+    const ForceElement& element = model_.force(i);
+    if (element.state_count() < kMany || element.state_block() > CondensedMatrix::kLargestBlock) continue;
+    out.push_back(
+        {layout_.v_size + layout_.force_z[static_cast<std::size_t>(i)], element.state_count(), element.state_block()});
+  }
+  return out;
+}
+
 const Eigen::SparseMatrix<double>& Equations::reduced_jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                                                const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
                                                                const Inputs& inputs) {

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "mbd_solver/dynamics/assembly.h"
+#include "mbd_solver/dynamics/condensed_matrix.h"
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/dynamics/saddle_system.h"
 #include "mbd_solver/model/state.h"
@@ -62,6 +63,8 @@ class Equations {
   const Eigen::VectorXd& own_diagonal() const;
   // Per velocity, the share of that below which Newton may neglect an entry of its row (ThinLu).
   Eigen::VectorXd negligible_shares() const;
+  // Inner states of elements with many, each of which acts on few others: unknowns of the reduced Jacobian.
+  std::vector<LocalUnknowns> local_states() const;
   // out -= d[F_v; F_z; F_lambda]/dx dx, with the derivatives of the last Jacobian.
   // dx as v; out as [v; z; lambda].
   void subtract_stiffness(const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> out) const;

@@ -30,7 +30,8 @@ StageNewton::StageNewton(Equations& equations, const ErrorNorm& norm, Integrator
       norm_(norm),
       statistics_(statistics),
       failure_(failure),
-      lu_(equations.reduced_pattern(), equations.negligible_shares()) {
+      matrix_(equations.reduced_pattern(), equations.local_states()),
+      lu_(matrix_.matrix(), equations.negligible_shares()) {
   Ydot_ = F_ = change_ = Eigen::VectorXd::Zero(equations.layout().size());
 }
 
@@ -60,7 +61,7 @@ bool StageNewton::refresh(double t, const Eigen::VectorXd& y, const Eigen::Vecto
   stiffness_ = 0.0;
   for (Eigen::Index i = 0; i < equations_.own_diagonal().size(); ++i)
     stiffness_ = std::max(stiffness_, equations_.reduced_pattern().coeff(i, i) / equations_.own_diagonal()[i]);
-  factored_c_ = lu_.factor(equations_.own_diagonal()) ? c : 0.0;
+  factored_c_ = matrix_.update() && lu_.factor(equations_.own_diagonal()) ? c : 0.0;
   return factored_c_ != 0.0;
 }
 
@@ -89,7 +90,7 @@ bool StageNewton::solve(double t, double c, const Eigen::VectorXd& known, double
     ++statistics_.residuals;
     Eigen::Ref<Eigen::VectorXd> x = change_.tail(lower);
     x = F_.tail(lower);
-    lu_.solve(x);
+    apply_inverse(x);
     Y.tail(lower) -= x;
     const double size = norm_(change_);
     failure_.worst = norm_.worst(change_);

@@ -9,6 +9,7 @@
 
 #include <string>
 
+#include "mbd_solver/dynamics/condensed_matrix.h"
 #include "mbd_solver/dynamics/sparse_lu.h"
 #include "mbd_solver/integrator/error_norm.h"
 #include "mbd_solver/integrator/integrator.h"
@@ -49,13 +50,16 @@ class StageNewton {
   bool solve(double t, double c, const Eigen::VectorXd& known, double tolerance, double slow, const Inputs& inputs,
              Eigen::VectorXd& Y, Eigen::VectorXd& K);
   // x = J^-1 x, with the current factors.
-  void apply_inverse(Eigen::Ref<Eigen::VectorXd> x) const { lu_.solve(x); }
+  void apply_inverse(Eigen::Ref<Eigen::VectorXd> x) const {
+    matrix_.solve(x, [this](Eigen::Ref<Eigen::VectorXd> y) { lu_.solve(y); });
+  }
 
  private:
   Equations& equations_;
   const ErrorNorm& norm_;
   IntegratorStatistics& statistics_;
   StepFailure& failure_;
+  CondensedMatrix matrix_;  // the reduced Jacobian
   ThinLu lu_;
   double factored_c_ = 0.0;  // c of the factors; 0: none
   bool fresh_ = false, stiff_ = false, turns_ = false;

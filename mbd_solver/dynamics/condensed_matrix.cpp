@@ -1,0 +1,135 @@
+// The pattern is found once: each block adds the entries of its row by column products. Values follow without a search.
+#include "mbd_solver/dynamics/condensed_matrix.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+namespace {
+
+// Of the entry in a compressed matrix.
+int place_of(const Eigen::SparseMatrix<double>& m, int row, int column) {
+  const int* const begin = m.innerIndexPtr() + m.outerIndexPtr()[column];
+  const int* const end = m.innerIndexPtr() + m.outerIndexPtr()[column + 1];
+  const int* const found = std::lower_bound(begin, end, row);
+  return found != end && *found == row ? static_cast<int>(found - m.innerIndexPtr()) : -1;
+}
+
+}  // namespace
+
+CondensedMatrix::CondensedMatrix(const Eigen::SparseMatrix<double>& whole, const std::vector<LocalUnknowns>& local)
+    : whole_(whole) {
+  if (local.empty()) return;
+  FOOTFALL_DEMAND(whole.isCompressed() && whole.rows() == whole.cols());
+  const int n = static_cast<int>(whole.cols());
+  std::vector<int> block_of(static_cast<std::size_t>(n), -1), now(static_cast<std::size_t>(n), -1);
+  for (const LocalUnknowns& part : local) {
+    FOOTFALL_DEMAND(part.size >= 1 && part.size <= kLargestBlock && part.count % part.size == 0);
+    for (int first = part.first; first < part.first + part.count; first += part.size) {
+      Block block;
+      block.first = first;
+      block.size = part.size;
+      for (int i = 0; i < part.size; ++i) {
+        block_of[static_cast<std::size_t>(first + i)] = static_cast<int>(blocks_.size());
+        for (int j = 0; j < part.size; ++j) block.D.push_back(place_of(whole, first + i, first + j));
+      }
+      blocks_.push_back(std::move(block));
+    }
+  }
+  for (int j = 0; j < n; ++j) {
+    if (block_of[static_cast<std::size_t>(j)] >= 0) continue;
+    now[static_cast<std::size_t>(j)] = static_cast<int>(stays_.size());
+    stays_.push_back(j);
+  }
+
+  std::vector<Eigen::Triplet<double>> pattern;
+  for (int j = 0; j < n; ++j) {
+    const int of_column = block_of[static_cast<std::size_t>(j)];
+    for (int k = whole.outerIndexPtr()[j]; k < whole.outerIndexPtr()[j + 1]; ++k) {
+      const int i = whole.innerIndexPtr()[k], of_row = block_of[static_cast<std::size_t>(i)];
+      if (of_row < 0 && of_column < 0) {
+        pattern.emplace_back(now[static_cast<std::size_t>(i)], now[static_cast<std::size_t>(j)], 0.0);
+      } else if (of_row < 0) {
+        Block& block = blocks_[static_cast<std::size_t>(of_column)];
+        block.B.push_back({now[static_cast<std::size_t>(i)], j - block.first, k, 0.0});
+      } else if (of_column < 0) {
+        Block& block = blocks_[static_cast<std::size_t>(of_row)];
+        block.C.push_back({now[static_cast<std::size_t>(j)], i - block.first, k, 0.0});
+      } else {
+        FOOTFALL_DEMAND(of_row == of_column);
+      }
+    }
+  }
+  for (const Block& block : blocks_)
+    for (const Entry& b : block.B)
+      for (const Entry& c : block.C) pattern.emplace_back(b.other, c.other, 0.0);
+  const Eigen::Index size = static_cast<Eigen::Index>(stays_.size());
+  condensed_.resize(size, size);
+  condensed_.setFromTriplets(pattern.begin(), pattern.end());
+  condensed_.makeCompressed();
+  small_.resize(size);
+
+  for (int j = 0; j < n; ++j) {
+    if (block_of[static_cast<std::size_t>(j)] >= 0) continue;
+    for (int k = whole.outerIndexPtr()[j]; k < whole.outerIndexPtr()[j + 1]; ++k) {
+      const int i = whole.innerIndexPtr()[k];
+      if (block_of[static_cast<std::size_t>(i)] >= 0) continue;
+      from_.push_back(k);
+      to_.push_back(place_of(condensed_, now[static_cast<std::size_t>(i)], now[static_cast<std::size_t>(j)]));
+    }
+  }
+  for (Block& block : blocks_)
+    for (const Entry& b : block.B)
+      for (const Entry& c : block.C) block.change.push_back(place_of(condensed_, b.other, c.other));
+}
+
+bool CondensedMatrix::update() {
+  if (blocks_.empty()) return true;
+  const double* const values = whole_.valuePtr();
+  double* const out = condensed_.valuePtr();
+  std::fill(out, out + condensed_.nonZeros(), 0.0);
+  for (std::size_t k = 0; k < from_.size(); ++k) out[to_[k]] = values[from_[k]];
+  for (Block& block : blocks_) {
+    const auto entry = [&](std::size_t k) { return block.D[k] < 0 ? 0.0 : values[block.D[k]]; };
+    Eigen::Matrix2d D = Eigen::Matrix2d::Identity();
+    if (block.size == 1)
+      D(0, 0) = entry(0);
+    else
+      D << entry(0), entry(1), entry(2), entry(3);
+    const double determinant = D.determinant();
+    if (!std::isfinite(determinant) || determinant == 0.0) return false;
+    block.inverse = D.inverse();
+    bool couples[2] = {false, false};
+    for (Entry& b : block.B) couples[0] = (b.value = values[b.place]) != 0.0 || couples[0];
+    for (Entry& c : block.C) couples[1] = (c.value = values[c.place]) != 0.0 || couples[1];
+    if (!couples[0] || !couples[1]) continue;
+    std::size_t at = 0;
+    for (const Entry& b : block.B)
+      for (const Entry& c : block.C) out[block.change[at++]] -= b.value * block.inverse(b.local, c.local) * c.value;
+  }
+  return true;
+}
+
+void CondensedMatrix::solve(Eigen::Ref<Eigen::VectorXd> x,
+                            const std::function<void(Eigen::Ref<Eigen::VectorXd>)>& inner) const {
+  if (blocks_.empty()) {
+    inner(x);
+    return;
+  }
+  for (std::size_t k = 0; k < stays_.size(); ++k) small_[static_cast<Eigen::Index>(k)] = x[stays_[k]];
+  for (const Block& block : blocks_) {
+    auto z = x.segment(block.first, block.size);
+    z = (block.inverse.topLeftCorner(block.size, block.size) * z).eval();  // D^-1 g
+    for (const Entry& b : block.B) small_[b.other] -= b.value * z[b.local];
+  }
+  inner(small_);
+  for (std::size_t k = 0; k < stays_.size(); ++k) x[stays_[k]] = small_[static_cast<Eigen::Index>(k)];
+  for (const Block& block : blocks_) {
+    auto z = x.segment(block.first, block.size);
+    for (const Entry& c : block.C) z -= block.inverse.col(c.local).head(block.size) * (c.value * small_[c.other]);
+  }
+}
+
+}  // namespace footfall
