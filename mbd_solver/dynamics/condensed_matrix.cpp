@@ -5,19 +5,9 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/dynamics/sparse_blocks.h"
 
 namespace footfall {
-namespace {
-
-// Of the entry in a compressed matrix.
-int place_of(const Eigen::SparseMatrix<double>& m, int row, int column) {
-  const int* const begin = m.innerIndexPtr() + m.outerIndexPtr()[column];
-  const int* const end = m.innerIndexPtr() + m.outerIndexPtr()[column + 1];
-  const int* const found = std::lower_bound(begin, end, row);
-  return found != end && *found == row ? static_cast<int>(found - m.innerIndexPtr()) : -1;
-}
-
-}  // namespace
 
 CondensedMatrix::CondensedMatrix(const Eigen::SparseMatrix<double>& whole, const std::vector<LocalUnknowns>& local)
     : whole_(whole) {
@@ -92,7 +82,7 @@ bool CondensedMatrix::update() {
   std::fill(out, out + condensed_.nonZeros(), 0.0);
   for (std::size_t k = 0; k < from_.size(); ++k) out[to_[k]] = values[from_[k]];
   for (Block& block : blocks_) {
-    const auto entry = [&](std::size_t k) { return block.D[k] < 0 ? 0.0 : values[block.D[k]]; };
+    const auto entry = [&](std::size_t k) { return values[block.D[k]]; };
     Eigen::Matrix2d D = Eigen::Matrix2d::Identity();
     if (block.size == 1)
       D(0, 0) = entry(0);

@@ -42,7 +42,7 @@ class CondensedMatrix {
   struct Block {
     int first = 0, size = 1;  // of its unknowns
     std::vector<Entry> B, C;
-    std::vector<int> D;  // places in the values of the whole matrix, row by row; -1: no entry
+    std::vector<int> D;  // places in the values of the whole matrix, row by row
     std::vector<int>
         change;  // places in the values of the condensed matrix, of B.size() x C.size() products, row by row
     Eigen::Matrix2d inverse = Eigen::Matrix2d::Identity();  // D_k^-1; of a single unknown its first entry

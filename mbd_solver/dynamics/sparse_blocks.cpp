@@ -7,7 +7,6 @@
 #include "coupler/base/errors.h"
 
 namespace footfall {
-namespace {
 
 int place_of(const Eigen::SparseMatrix<double>& matrix, int row, int col) {
   const int* first = matrix.innerIndexPtr() + matrix.outerIndexPtr()[col];
@@ -16,8 +15,6 @@ int place_of(const Eigen::SparseMatrix<double>& matrix, int row, int col) {
   FOOTFALL_DEMAND(found != last && *found == row);
   return static_cast<int>(found - matrix.innerIndexPtr());
 }
-
-}  // namespace
 
 SparseBlock::SparseBlock(const Eigen::SparseMatrix<double>& matrix, int row0, int rows, int col0, int cols)
     : rows_(rows) {

@@ -7,6 +7,9 @@
 
 namespace footfall {
 
+// The place of an entry of the pattern in the value array.
+int place_of(const Eigen::SparseMatrix<double>& matrix, int row, int col);
+
 // First places of the columns of one dense block in the value array. Rows of a block are contiguous in every column.
 class SparseBlock {
  public:
