@@ -66,6 +66,7 @@ Arguments parse(CLI::App& app, int argc, char** argv) {
       ->check(not_negative())
       ->capture_default_str();
   app.add_flag("--quiet", arguments.run.quiet, "No progress line");
+  app.add_flag("--trust-script", arguments.run.trusted, "Programs that the scene names (FMUs) may run");
   app.add_option("--try-for", arguments.run.try_for,
                  "Trial: end after this wall-clock time [s] and report the pace in summary.json; no checkpoints")
       ->check(positive())

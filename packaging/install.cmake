@@ -10,6 +10,10 @@ if(FOOTFALL_IMPORT)  # where it has been built, by the first `footfall import`
   install(TARGETS footfall_import RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT import OPTIONAL)
 endif()
 
+if(FOOTFALL_FMI)  # where it has been built, by the first scene with an FMU
+  install(TARGETS footfall_fmu_host RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime OPTIONAL)
+endif()
+
 if(TARGET footfall_campaign)  # of a package of its own: nothing else needs OpenTURNS
   install(TARGETS footfall_campaign RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT campaign)
 endif()

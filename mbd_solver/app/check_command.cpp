@@ -34,6 +34,7 @@
 #include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/foreign/foreign_code.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -79,6 +80,16 @@ void check_by_building(Scene scene, bool judges) {
   }
 }
 
+// Where the host of FMUs is not built, their variables remain unchecked.
+void check_foreign_code(const Scene& scene) {
+  if (runs_foreign_code(scene) && fmu_host().empty()) {
+    const std::string text = scene.file + ": the FMUs of its signals are not checked: footfall_fmu_host is not built; ";
+    std::fprintf(stderr, "footfall: warning: %s\n", with_code(code::kFmuUnchecked, text + kBuildFmuHost).c_str());
+    return;
+  }
+  require_foreign_code(scene);
+}
+
 }  // namespace
 
 Scene checked_scene(const std::string& argument, const std::vector<std::string>& settings) {
@@ -90,6 +101,7 @@ Scene checked_scene(const std::string& argument, const std::vector<std::string>&
 int check_command(const std::string& argument, const std::vector<std::string>& settings) {
   const Scene scene = read_scene(argument, settings);
   check_by_building(scene, true);
+  check_foreign_code(scene);
   const char* grounds[] = {"no ground", "a rigid plane", "particles", "a soil without grains"};
   double mass = 0.0;
   for (const BodySpec& body : scene.bodies) mass += body.mass;

@@ -64,7 +64,8 @@ Action run(CLI::App& command) {
   CLI::Option* scheme = command.add_option("--scheme", a->scheme, "Coupling scheme (coupling.scheme)");
   CLI::Option* integrator = command.add_option("--integrator", a->integrator, "Integrator (solver.integrator)");
   command.add_flag("--force", a->force, "Replace the run in the folder: its files are removed first");
-  command.add_flag("--trust-script", a->trust_script, "LIGGGHTS scripts may run programs and write anywhere");
+  command.add_flag("--trust-script", a->trust_script,
+                   "LIGGGHTS scripts may run programs and write anywhere; FMUs of the scene may run");
   command
       .add_option("--keep-every", a->keep_every,
                   "Wall-clock checkpoint interval [s], unless the scene sets output.checkpoint_interval; 0: none")

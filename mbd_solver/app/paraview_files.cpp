@@ -15,6 +15,7 @@
 #include "mbd_solver/app/packed_series.h"
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/app/results.h"
+#include "mbd_solver/base/packed_bytes.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/output/vtk_writer.h"

@@ -18,6 +18,7 @@
 #include "mbd_solver/app/view_page.h"
 #include "mbd_solver/app/viewer_scripts.h"
 #include "mbd_solver/base/csv.h"
+#include "mbd_solver/base/packed_bytes.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/run/output/history.h"
@@ -52,18 +53,6 @@ bool is_number(const std::string& text) {
 }
 
 }  // namespace
-
-std::string base64(const std::string& bytes) {
-  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t block = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      block = (block << 8) | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? kDigits[(block >> (18 - 6 * k)) & 63u] : '=';
-  }
-  return out;
-}
 
 HtmlPage::HtmlPage(const std::string& title) : title_(title) {}
 

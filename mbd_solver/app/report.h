@@ -41,8 +41,6 @@ class HtmlPage {
   int sections_ = 0;
 };
 
-std::string base64(const std::string& bytes);
-
 // ---- the sheet of a design review (review_sheet.cpp): printed after a run, and first on the page ----
 
 // All requirements of this summary.json are met; also without any.

@@ -35,6 +35,7 @@
 #include "mbd_solver/bed/script_safety.h"
 #include "mbd_solver/run/output/checkpoint_folder.h"
 #include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/scene/foreign/foreign_code.h"
 #include "mbd_solver/scene/particle_script.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -231,6 +232,7 @@ void require_resumable(const ParticlesSpec& particles) {
 void append_common(std::vector<std::string>& words, const RunArguments& a) {
   if (a.keep_every != kCheckpointEvery) words.insert(words.end(), {"--keep-every", number_text(a.keep_every, 12)});
   if (a.quiet) words.push_back("--quiet");
+  if (a.trust_script) words.push_back("--trust-script");
 }
 
 std::vector<std::string> solver_words(const RunArguments& a, const std::string& out, const std::string& grains) {
@@ -322,6 +324,8 @@ RunPlan new_run(const RunArguments& a) {
   if (!a.scheme.empty()) settings.push_back("coupling.scheme=\"" + a.scheme + "\"");
   if (!a.integrator.empty()) settings.push_back("solver.integrator=\"" + a.integrator + "\"");
   const Scene scene = checked_scene(a.scene, settings);
+  require_trust(scene, a.trust_script);
+  require_foreign_code(scene);
   require_safe_scripts(scene, a);
   const std::string out = short_path(a.out.empty() ? new_run_folder(scene_name(scene.file)) : a.out);
   if (scene.touches_particles()) require_whole_words(*scene.particles, out);
@@ -354,6 +358,7 @@ RunPlan resumed_run(const RunArguments& a) {
   const RunStart start = read_run_start(checkpoint);
   const std::string log = (fs::path(out) / ("liggghts_" + fs::path(checkpoint).filename().string() + ".log")).string();
   RunPlan plan{read_scene(start.scene_file, start.settings), out, log, std::move(folder), {}, ""};
+  require_trust(plan.scene, a.trust_script);
   std::vector<std::string> solver = {built_program("mbd_solver"), "--resume", out};
   if (a.until > 0.0) solver.insert(solver.end(), {"--until", number_text(a.until, 12)});
   append_common(solver, a);

@@ -29,6 +29,18 @@ std::optional<std::string> inflated(const std::string& packed, std::size_t size)
   return bytes;
 }
 
+std::string base64(const std::string& bytes) {
+  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t block = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      block = (block << 8) | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? kDigits[(block >> (18 - 6 * k)) & 63u] : '=';
+  }
+  return out;
+}
+
 std::optional<std::string> bytes_of_base64(std::string_view text) {
   static const std::array<int, 256> kValues = [] {
     std::array<int, 256> values{};

@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "coupler/base/text.h"
+#include "mbd_solver/base/fmu_description.h"
 #include "mbd_solver/build/codes.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/model/control/continuous_signals.h"
 #include "mbd_solver/model/control/controllers.h"
+#include "mbd_solver/model/control/foreign_block.h"
 #include "mbd_solver/model/control/fuzzy_controller.h"
 #include "mbd_solver/model/control/signal_blocks.h"
 #include "mbd_solver/scene/findings.h"
@@ -124,6 +126,7 @@ std::unique_ptr<SignalBlock> build(const SignalSpec& spec) {
     }
     case SignalKind::kTable2: return build_table2(spec);
     case SignalKind::kFuzzy: return std::make_unique<FuzzyBlock>(spec.file, spec.inputs.size(), spec.output);
+    case SignalKind::kFmu: break;  // add_foreign
   }
   FOOTFALL_DEMAND(false);
 }
@@ -142,6 +145,50 @@ SignalNode node_of(const Scene& scene, const SignalSpec& spec, int place) {
   if (!spec.input2.empty()) add("input2", spec.input2);
   if (!spec.rate.empty()) add("rate", spec.rate);
   return node;
+}
+
+// ---- programs of the user ----
+
+std::vector<std::string> words_of_program(const SignalSpec& spec) {
+  std::vector<std::string> words = {fmu_host(), "run", spec.file};
+  for (const std::string& name : spec.input_names) words.insert(words.end(), {"--input", name});
+  for (const std::string& name : spec.outputs) words.insert(words.end(), {"--output", name});
+  for (const auto& [name, value] : spec.start) words.insert(words.end(), {"--start", name, value});
+  if (words[0].empty()) words[0] = "footfall_fmu_host";
+  return words;
+}
+
+// The node that leads the program, and one per output that reads it.
+void add_foreign(const Scene& scene, const SignalSpec& spec, std::size_t index, Mechanism& mechanism) {
+  ForeignProgram program;
+  program.label = "signal \"" + spec.name + "\" (" + spec.file + ")";
+  program.words = words_of_program(spec);
+  program.limit = spec.time_limit;
+  program.inputs = static_cast<int>(spec.inputs.size());
+  program.outputs = static_cast<int>(spec.outputs.size());
+  program.output_names = spec.outputs;
+  program.period = spec.period;
+  program.end = scene.end_time;
+  const auto function = std::make_shared<ForeignFunction>(std::move(program));
+  SignalNode leader{spec.name,
+                    std::make_unique<ForeignBlock>(function, false),
+                    spec.inputs,
+                    spec.states,
+                    {},
+                    spec.period,
+                    mechanism.signals[index].place};
+  leader.inputs.push_back("time");
+  leader.written_at.assign(leader.inputs.size(), place_of(scene.file, spec.source, "inputs"));
+  mechanism.sampled.push_back(std::move(leader));
+  const std::vector<std::string> names = spec.output_signals();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    mechanism.sampled.push_back({names[i],
+                                 std::make_unique<ForeignOutput>(function, static_cast<int>(i)),
+                                 {"signal." + spec.name},
+                                 spec.states,
+                                 {},
+                                 spec.period,
+                                 signal_place(mechanism, names[i])});
 }
 
 // A name of the form "OWNER.what".
@@ -302,6 +349,9 @@ std::vector<SignalNode> conditions_of(const Scene& scene) {
 
 void add_signal_places(const Scene& scene, Mechanism& mechanism) {
   for (const SignalSpec& spec : scene.signals) mechanism.signals.push_back({spec.name, add_input(mechanism, 0.0)});
+  for (const SignalSpec& spec : scene.signals)
+    for (const std::string& name : spec.output_signals())
+      mechanism.signals.push_back({name, add_input(mechanism, 0.0)});
   for (const StateSpec& spec : scene.states)
     mechanism.states.push_back({spec.name, add_input(mechanism, mechanism.states.empty() ? 1.0 : 0.0)});
   if (!scene.states.empty()) mechanism.state_since = add_input(mechanism, 0.0);
@@ -311,6 +361,10 @@ void add_signals(const Scene& scene, Mechanism& mechanism) {
   std::vector<SignalNode> continuous;
   for (std::size_t i = 0; i < scene.signals.size(); ++i) {
     const SignalSpec& spec = scene.signals[i];
+    if (spec.is_foreign()) {
+      add_foreign(scene, spec, i, mechanism);
+      continue;
+    }
     try {
       (spec.period > 0.0 ? mechanism.sampled : continuous).push_back(node_of(scene, spec, mechanism.signals[i].place));
     } catch (const InputError& error) {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "coupler/base/text.h"
 #include "coupler/interrupt.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/run/checkpoint.h"
@@ -13,6 +14,7 @@
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/run/run_files.h"
 #include "mbd_solver/run/run_summary.h"
+#include "mbd_solver/scene/foreign/foreign_code.h"
 
 namespace footfall {
 namespace {
@@ -63,6 +65,16 @@ double end_time(const Scene& scene, const RunOptions& options) {
 // Started without footfall, a run locks its folder itself.
 FileLock lock_of(const std::string& folder) { return folder_is_held_for_us(folder) ? FileLock() : lock_folder(folder); }
 
+// Warns of programs of the user without a state; true: there are some.
+bool warn_of_stateless(const Scene& scene) {
+  const std::vector<std::string> names = foreign_code_without_state(scene);
+  if (names.empty()) return false;
+  print_warning(with_code(code::kNoCheckpoints,
+                          scene.file + ": the run writes no checkpoints and cannot be resumed: the FMU of " +
+                              joined(names) + " cannot tell its state (canSerializeFMUState)"));
+  return true;
+}
+
 class RunSession {
  public:
   RunSession(const Scene& scene, const RunOptions& options, Transport* transport,
@@ -80,7 +92,8 @@ class RunSession {
         checkpoints_(options.out),
         // By default checkpoints are rare enough not to cost time. An interval given by the user is kept exactly.
         safety_(scene.output.checkpoint_interval > 0.0 ? 0.0 : options.keep_every,
-                options.keep_every == kCheckpointEvery ? kRest : 0.0) {
+                options.keep_every == kCheckpointEvery ? kRest : 0.0),
+        stateless_(warn_of_stateless(scene)) {
     if (resumed()) restore();
     simulation_.observe_within(
         [this](const Sample& sample) {
@@ -99,7 +112,8 @@ class RunSession {
     work_is_under_way();
     try {
       const auto observer = [this](const Sample& sample) { observe(sample); };
-      trial_.active() ? simulation_.run(observer, trial_ends_) : simulation_.run(observer, interrupted_, writer());
+      trial_.active() ? simulation_.run(observer, trial_ends_)
+                      : simulation_.run(observer, interrupted_, stateless_ ? CheckpointWriter() : writer());
     } catch (const std::exception& error) {
       attempt([&] { finish_files(); });
       if (!is_interruption(error)) {
@@ -221,12 +235,15 @@ class RunSession {
   CheckpointFolder checkpoints_;
   std::string checkpoint_;  // folder of the one that is being written
   SafetyClock safety_;
+  bool stateless_;  // a program of the user cannot tell its state: no checkpoints
 };
 
 }  // namespace
 
 int run_scene(const Scene& scene, const RunOptions& options, Transport* transport,
               const volatile std::sig_atomic_t& interrupted) {
+  require_trust(scene, options.trusted);
+  require_foreign_code(scene);
   return RunSession(scene, options, transport, interrupted).run();
 }
 

@@ -18,6 +18,7 @@ struct RunOptions {
   std::string checkpoint;   // folder of the checkpoint to resume from; empty: a new run
   // Wall-clock checkpoint interval where the scene has no checkpoint_interval [s]; 0: no checkpoints.
   double keep_every = kCheckpointEvery;
+  bool trusted = false;     // programs of the user that the scene names may run
   double try_for = 0.0;     // a trial (progress.h): ends after so many wall-clock seconds; 0: not a trial
   std::string mpi_version;  // of the library, for the summary; empty: not used
 };

@@ -150,6 +150,7 @@ void SignalLoop::visit(Archive& archive) {
   archive("z", z_);
   archive("readings", readings_);
   archive("condition_readings", condition_readings_);
+  for (std::size_t k = 0; k < chain_.size(); ++k) archive(chain_.node(k).name.c_str(), *chain_.node(k).block);
 }
 
 }  // namespace footfall

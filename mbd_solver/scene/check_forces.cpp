@@ -446,13 +446,16 @@ void check_signal(const Scene& scene, const SignalSpec& s, const EntryFindings& 
     if (missing && s.source.refused.count(key) == 0)
       at.error(kMissingKey, key, (at.given(key) ? "is 0; " : "is missing; ") + why);
   };
-  const bool fuzzy = s.kind == SignalKind::kFuzzy, rate_limit = s.kind == SignalKind::kRateLimit;
-  needs(!fuzzy && s.input.empty(), "input", "expected an expression such as \"0.3 - knee.angle\"");
+  const bool foreign = s.is_foreign(), fuzzy = s.kind == SignalKind::kFuzzy,
+             rate_limit = s.kind == SignalKind::kRateLimit;
+  needs(!fuzzy && !foreign && s.input.empty(), "input", "expected an expression such as \"0.3 - knee.angle\"");
   needs(is_filter(s.kind) && !(s.frequency > 0.0), "frequency", "a filter needs it (Hz), expected more than 0");
   needs(rate_limit && !(s.max_rate > 0.0), "max_rate", "expected more than 0, per second");
   needs(rate_limit && s.period == 0.0, "period", "a rate limit is sampled, for example period_ms = 1");
   needs(fuzzy && s.file.empty(), "file", "a fuzzy signal is read from an .fll file");
   needs(fuzzy && s.inputs.empty(), "inputs", "expected one expression per input variable of the file");
+  at.error_if(fuzzy && !s.input_names.empty(), kWrongType, "inputs", "is a table, expected a list of expressions");
+  if (foreign) check_foreign(scene, s, at);
 }
 
 void check_states(const Scene& scene, Findings& findings) {

@@ -244,6 +244,35 @@ inline constexpr MessageCode kBodyInside{"W0156", "body-inside"};
 inline constexpr MessageCode kSplineOvershoot{"W0160", "spline-overshoot"};
 // The motion continues beyond the end of its table at the last speed. Give more points, the last ones equal to rest.
 inline constexpr MessageCode kMotionContinues{"W0161", "motion-continues"};
+// ---- programs of the user ----
+
+// A file is no FMU, or its modelDescription.xml is missing or damaged. Export the FMU again.
+inline constexpr MessageCode kFmuFile{"E0270", "fmu-file"};
+// An FMU is of a version of FMI that is not read. Export it for FMI 3.0 or 2.0.
+inline constexpr MessageCode kFmuVersion{"E0271", "fmu-version"};
+// An FMU has no library for this machine. Export or compile it for this platform.
+inline constexpr MessageCode kFmuPlatform{"E0272", "fmu-platform"};
+// An FMU needs the program that exported it, or is not for co-simulation. Export it for co-simulation, without a tool.
+inline constexpr MessageCode kFmuTool{"E0273", "fmu-tool"};
+// An FMU has no variable of this name. Use one of those listed.
+inline constexpr MessageCode kFmuVariable{"E0274", "fmu-variable"};
+// A variable of an FMU is used as what it is not: inputs are set, outputs read, parameters given at the start.
+inline constexpr MessageCode kFmuCausality{"E0275", "fmu-causality"};
+// A variable of an FMU is an array, or an element that it does not have. Name one of its elements.
+inline constexpr MessageCode kFmuArray{"E0276", "fmu-array"};
+// A variable of an FMU is no number. Use another one.
+inline constexpr MessageCode kFmuType{"E0277", "fmu-type"};
+// The program that runs FMUs is not built. Start the run by ./footfall, or build the target footfall_fmu_host.
+inline constexpr MessageCode kFmuHost{"E0278", "fmu-host"};
+// A scene runs a program of the user. Read it, and trust it with --trust-script.
+inline constexpr MessageCode kForeignCode{"E0279", "foreign-code"};
+// Checkpoints are asked for, but an FMU cannot tell its state. Remove checkpoint_interval, or export the FMU with that ability.
+inline constexpr MessageCode kFmuState{"E0280", "fmu-state"};
+// An FMU cannot tell its state: the run has no checkpoints and cannot be resumed.
+inline constexpr MessageCode kNoCheckpoints{"W0280", "no-checkpoints"};
+// The program that runs FMUs is not built: variables of the FMU are not checked. Build the target footfall_fmu_host.
+inline constexpr MessageCode kFmuUnchecked{"W0281", "fmu-unchecked"};
+
 // A joint starts beyond its stop, which throws it back at once. Start it within, or move the stop.
 inline constexpr MessageCode kStartBeyondStop{"W0165", "start-beyond-stop"};
 // The clearance is measured before [initial.joints] moves the bodies. Check the gap to the ground.

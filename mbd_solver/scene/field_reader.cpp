@@ -290,6 +290,20 @@ static std::string read_value(const ConfigNode& node, const ValueContext& c,
   return "";
 }
 
+static std::string read_value(const ConfigNode& node, const ValueContext& c, NamedTexts& target) {
+  target.names->clear();
+  if (node.kind == Kind::kList) return read_value(node, c, *target.texts);
+  if (node.kind != Kind::kTable) return is_expected(node, "a list of texts, or a table { name = \"...\", ... }");
+  target.texts->clear();
+  for (const auto& [key, value] : node.table) {
+    if (value.kind != Kind::kText && !value.is_number())
+      return "\"" + key + "\" " + is_expected(value, "a text or number");
+    target.names->push_back(key);
+    target.texts->push_back(value.kind == Kind::kText ? value.text : number_text(value.number, 17));
+  }
+  return "";
+}
+
 static std::string read_value(const ConfigNode& node, const ValueContext&, Choice& target) {
   for (std::size_t i = 0; i < target.names.size(); ++i) {
     if (node.kind != Kind::kText || node.text != target.names[i]) continue;

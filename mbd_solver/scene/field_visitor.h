@@ -85,12 +85,18 @@ struct PerAxis {  // stiffness = 100, alike along x, y and z, or [kx, ky, kz]
   Eigen::Vector3d* values;
 };
 
+struct NamedTexts {  // inputs = ["a", "b"], or { first = "a", second = "b" }
+  std::vector<std::string>* texts;
+  std::vector<std::string>* names;  // empty: a list
+};
+
 using FieldRef =
     std::variant<double*, std::optional<double>*, int*, std::optional<int>*, bool*, std::string*,
                  std::vector<std::string>*, std::array<std::string, 2>*, Eigen::Vector3d*,
                  std::optional<Eigen::Vector3d>*, std::vector<Eigen::Vector3d>*, std::array<Eigen::Vector3d, 2>*,
                  std::vector<double>*, std::vector<int>*, std::vector<Eigen::Vector2d>*, Eigen::Quaterniond*,
-                 Eigen::Matrix3d*, std::map<std::string, std::string>*, Choice*, NumberOrWord*, PerAxis*, Source*>;
+                 Eigen::Matrix3d*, std::map<std::string, std::string>*, Choice*, NumberOrWord*, PerAxis*, NamedTexts*,
+                 Source*>;
 
 enum class Presence { kAlways, kOptional, kSwitch };  // kSwitch: key = true / false, or a table
 

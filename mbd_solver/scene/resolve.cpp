@@ -362,6 +362,7 @@ template <class Action>
 void for_each_text(const FieldRef& ref, const Action& action) {
   if (std::string* text = member<std::string>(ref)) action(*text);
   if (auto* texts = member<std::vector<std::string>>(ref)) std::for_each(texts->begin(), texts->end(), action);
+  if (auto* named = member<NamedTexts>(ref)) std::for_each(named->texts->begin(), named->texts->end(), action);
   if (auto* pair = member<std::array<std::string, 2>>(ref)) std::for_each(pair->begin(), pair->end(), action);
 }
 
@@ -414,6 +415,7 @@ void expand_names(Scene& scene, const ArraySpec& array) {
   const std::string mark = "{" + array.name + "}";
   FieldWalk walk([&](const std::string&, const FieldRef& ref, const Rule&, const FieldWalk&) {
     auto* names = member<std::vector<std::string>>(ref);
+    if (auto* named = member<NamedTexts>(ref); named && named->names->empty()) names = named->texts;
     if (!names) return;
     std::vector<std::string> result;
     for (const std::string& name : *names) {

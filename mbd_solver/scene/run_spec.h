@@ -2,6 +2,7 @@
 // Initial state, controllers, signals, states and events, solver, coupling and output of a scene.
 
 #include <Eigen/Dense>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -178,11 +179,12 @@ enum class SignalKind {
   kSaturation,
   kTable,   // over one input
   kTable2,  // over two
-  kFuzzy    // rules of a FuzzyLite file, over any inputs
+  kFuzzy,   // rules of a FuzzyLite file, over any inputs
+  kFmu      // computed by an FMU
 };
 constexpr std::string_view name_of(SignalKind kind) {
   return name_in(kind, "expression", "pid", "lowpass", "lowpass2", "notch", "rate_limit", "saturation", "table",
-                 "table2", "fuzzy");
+                 "table2", "fuzzy", "fmu");
 }
 
 // Inherited: period [s] of every kind (0: continuous); min, max of pid and saturation; the rest of pid, whose error e is the
@@ -202,9 +204,19 @@ struct SignalSpec : PidBlockParameters {
   std::string input2;                   // table2: the second input
   std::vector<double> x, x2;            // table2: where the inputs have values, rising
   std::vector<double> values;           // table2: for x[0] at all x2, then for x[1] ...
-  std::string file;                     // fuzzy: .fll
-  std::vector<std::string> inputs;      // fuzzy: expressions, in the order of the file's input variables
-  std::string output;                   // fuzzy: which output variable; not given: the only one
+  std::string file;                     // fuzzy: .fll; fmu: .fmu
+  std::vector<std::string>
+      inputs;  // fuzzy: expressions, in the order of the file's input variables; fmu: as input_names
+  std::vector<std::string> input_names;      // fmu: the variables that the inputs set
+  std::string output;                        // fuzzy: which output variable; not given: the only one
+  std::vector<std::string> outputs;          // fmu: the variables that are read
+  std::vector<std::string> output_names;     // fmu: their names as signals; empty: made of the variables
+  std::map<std::string, std::string> start;  // fmu: values of parameters and start values, by variable
+  double time_limit = 30.0;                  // fmu: for a step, by the wall clock [s]
+
+  // Another program computes it: the outputs are the signals NAME.OUTPUT, and the first is NAME as well.
+  bool is_foreign() const { return kind == SignalKind::kFmu; }
+  std::vector<std::string> output_signals() const;
 };
 
 // The scene is in one of its states at any time, in the first of them at the start.

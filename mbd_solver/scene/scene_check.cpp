@@ -37,6 +37,8 @@ void check_body_name(const Scene& scene, const EntryFindings& at, const std::str
 }
 
 void check_signal_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name) {
+  for (const SignalSpec& signal : scene.signals)
+    if (signal.is_foreign() && is_in(signal.output_signals(), name)) return;
   check_known(at, kUnknownSignal, key, "signal", "signals", name, scene.signals, scene.indices.signals);
 }
 

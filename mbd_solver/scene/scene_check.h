@@ -27,6 +27,8 @@ void check_springs(const Scene& scene, Findings& findings);
 void check_forces(const Scene& scene, Findings& findings);
 void check_controllers(const Scene& scene, Findings& findings);
 void check_signals(const Scene& scene, Findings& findings);
+// Of a signal that another program computes (foreign/check_foreign.cpp).
+void check_foreign(const Scene& scene, const SignalSpec& signal, const EntryFindings& at);
 void check_requirements(const Scene& scene, Findings& findings);
 void check_groups(const Scene& scene, Findings& findings);
 void check_landing(const Scene& scene, Findings& findings);

@@ -472,7 +472,9 @@ static void visit_fields(FieldVisitor& v, SignalSpec& s) {
   v.field("max_rate", &s.max_rate, not_negative());
   v.fields(plain, {{"points", &s.points}, {"input2", &s.input2}, {"x", &s.x}, {"x2", &s.x2}, {"values", &s.values}});
   v.field("file", &s.file, path);
-  v.fields(plain, {{"inputs", &s.inputs}, {"output", &s.output}});
+  NamedTexts inputs{&s.inputs, &s.input_names}, outputs{&s.outputs, &s.output_names};
+  v.fields(plain, {{"inputs", &inputs}, {"output", &s.output}, {"outputs", &outputs}, {"start", &s.start}});
+  v.field("time_limit", &s.time_limit, positive(Unit::kTime));
 }
 
 static void visit_fields(FieldVisitor& v, StateSpec& s) { v.entry(s.source, s.name); }

@@ -30,6 +30,12 @@ static Json to_json(const PerAxis& v) {
   const Eigen::Vector3d& k = *v.values;
   return k[0] == k[1] && k[1] == k[2] ? Json(k[0]) : to_json(k);
 }
+static Json to_json(const NamedTexts& v) {
+  if (v.names->empty()) return v.texts->empty() ? Json::array() : Json(*v.texts);
+  Json table = Json::object();
+  for (std::size_t i = 0; i < v.names->size(); ++i) table[(*v.names)[i]] = (*v.texts)[i];
+  return table;
+}
 static Json to_json(const Source&) { return nullptr; }
 template <class T>
 static Json to_json(const std::optional<T>& v) {
@@ -173,6 +179,9 @@ Json type_of(const std::map<std::string, std::string>&, const Rule&) {
   Json table = of_type("object");
   table["additionalProperties"] = {{"type", {"string", "number"}}};
   return table;
+}
+Json type_of(const NamedTexts&, const Rule& rule) {
+  return any_of(type_of(std::vector<std::string>(), rule), type_of(std::map<std::string, std::string>(), rule));
 }
 Json type_of(const Choice& choice, const Rule&) { return {{"enum", choice.names}}; }
 Json type_of(const NumberOrWord& value, const Rule& rule) { return any_of(number(rule), {{"const", value.word}}); }

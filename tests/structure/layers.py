@@ -28,6 +28,7 @@ MAY_INCLUDE = {
     "mbd_solver/app": "mbd_solver/bed mbd_solver/run/observe",
     "mbd_solver/studies": "mbd_solver/app",
     "mbd_solver/import": "mbd_solver/app",
+    "mbd_solver/fmi": "mbd_solver/base",
     "mbd_solver": "mbd_solver/run mbd_solver/app",  # main.cpp
 }
 
@@ -42,7 +43,8 @@ ONLY_IN = {
     r"nlopt": "mbd_solver/studies/search.cpp",
     r"openturns/": "mbd_solver/studies/campaign/sampling.cpp",
     r"muParser": "mbd_solver/model/control/signal_chain.cpp",
-    r"pugixml": "mbd_solver/run/output/vtk_writer.cpp mbd_solver/import/xml_source.h",
+    r"pugixml": "mbd_solver/run/output/vtk_writer.cpp mbd_solver/import/xml_source.h mbd_solver/fmi/model_description.cpp",
+    r"zip\.h": "mbd_solver/fmi/fmu_file.cpp",
     r"(urdf_parser|console_bridge)/": "mbd_solver/import/urdf_reader.cpp",
     r"mujoco/": "mbd_solver/import/mjcf_reader.cpp",
     r"(sdf|ignition)/": "mbd_solver/import/sdf_reader.cpp",

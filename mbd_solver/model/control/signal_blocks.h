@@ -9,6 +9,8 @@
 
 namespace footfall {
 
+class Archive;
+
 using BlockValues = Eigen::Ref<const Eigen::VectorXd>;
 
 // A block works in two ways; its inner states z belong to the caller:
@@ -37,6 +39,10 @@ class SignalBlock {
   // Blocks without memory whose value is a line in each of several pieces, in steps of the inputs: the piece at u.
   virtual bool has_pieces() const { return false; }
   virtual double piece(const BlockValues&) const { return 0.0; }
+  // A program of its own computes y, which only a run starts (foreign_block.h).
+  virtual bool runs_apart() const { return false; }
+  // What it keeps besides z, in a checkpoint.
+  virtual void visit(Archive&) {}
 };
 
 // y = u: the value of an expression.

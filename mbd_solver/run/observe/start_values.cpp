@@ -72,7 +72,7 @@ class StartValues {
     for (std::size_t k = 0; k < chain.size(); ++k) {
       const SignalNode& node = chain.node(k);
       double y = 0.0;
-      if (!is_known(chain, k) || (state_may_change_ && !node.states.empty())) {
+      if (!is_known(chain, k) || node.block->runs_apart() || (state_may_change_ && !node.states.empty())) {
         unknown_.insert("signal." + node.name);
       } else if (chain.active(k)) {
         Eigen::VectorXd z = Eigen::VectorXd::Zero(node.block->state_count());

@@ -87,6 +87,8 @@ inline const KeysOfKind kSignalKeys = {
     {"table2", "input = \"b.x\"\ninput2 = \"b.vx\"\nx = [-9, 9]\nx2 = [-9, 9]\nvalues = [1, 5, -4, 8]"},
     {"fuzzy", "file = \"" FOOTFALL_SOURCE_DIR "/inputs/reference/reference.fll\"\noutput = \"U1\"\n"
               "inputs = [\"2 + 0.1 * b.x\", \"0\", \"b.vx\", \"0\"]"},
+    {"fmu", "file = \"" FOOTFALL_SOURCE_DIR "/inputs/reference/engine.fmu\"\noutputs = [\"thrust\"]\n"
+            "inputs = { throttle = \"b.x\" }\nperiod = 0.01"},
 };
 
 // Joints of a third body on both, and gears of two and of three coordinates.

@@ -1,0 +1,60 @@
+#pragma once
+// A program of its own that answers questions through a pair of pipes: code of the user that must not end this program.
+//
+// Each question and each answer is a frame on the helper's standard input and output: 8 bytes, the number of bytes that
+// follow (the machine's order of bytes), then these. Whatever else the helper has to say goes to its standard error. It
+// should end when its input ends.
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+
+// Code of the user failed while it ran: an FMU, a script. Exit code 1.
+class ForeignError : public CodedError {
+ public:
+  using CodedError::CodedError;
+};
+
+// Why there is no answer, as the end of a sentence: "was ended by signal 11 (Segmentation fault)". What the helper wrote to
+// its standard error last is added.
+class NoAnswer : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class HelperProcess {
+ public:
+  // words: program, by its path or to be found in PATH, and its arguments. limit: for one answer, by the wall clock [s].
+  // Throws NoAnswer when the program cannot be started.
+  HelperProcess(const std::vector<std::string>& words, double limit);
+  ~HelperProcess();  // ends it and everything in its process group
+  HelperProcess(const HelperProcess&) = delete;
+  HelperProcess& operator=(const HelperProcess&) = delete;
+
+  // Throws NoAnswer when the helper ends, does not answer within the limit, or sends something else; it is ended then.
+  std::string ask(const std::string& question);
+  // For a helper that is written in C++.
+  static bool read_frame(int file, std::string& content);  // false: the input has ended
+  static bool write_frame(int file, const std::string& content);
+
+ private:
+  [[noreturn]] void give_up(std::string why);
+  std::string how_it_ended();
+  bool has_ended_within(double time);  // [s]
+  void end_group();
+  void take_errors();  // what stands in the pipe of its standard error
+  void wait_for(int file, short events, double until);
+  void close_all();
+
+  pid_t child_ = -1;
+  int to_ = -1, from_ = -1, errors_ = -1;  // pipes
+  double limit_;                           // [s]
+  std::string last_words_;                 // of its standard error
+};
+
+}  // namespace footfall

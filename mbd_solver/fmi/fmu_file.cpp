@@ -1,0 +1,154 @@
+// libzip reads the archive. Entries are written below the given folder only, and in reasonable number and size.
+
+#include "mbd_solver/fmi/fmu_file.h"
+
+#include <zip.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "coupler/base/text.h"
+
+namespace footfall {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kDescription = "modelDescription.xml";
+constexpr zip_uint64_t kLargestDescription = 256ull << 20;  // [bytes]
+constexpr zip_uint64_t kLargestFmu = 8ull << 30;            // unpacked [bytes]
+constexpr zip_int64_t kMostEntries = 100000;
+
+#if defined(__x86_64__)
+constexpr const char *kPlatform3 = "x86_64-linux", *kPlatform2 = "linux64";
+#elif defined(__aarch64__)
+constexpr const char *kPlatform3 = "aarch64-linux", *kPlatform2 = "aarch64-linux";
+#else
+constexpr const char *kPlatform3 = "this machine", *kPlatform2 = "this machine";
+#endif
+
+using Zip = std::unique_ptr<zip_t, decltype(&zip_discard)>;
+
+Zip opened(const std::string& file) {
+  int code = 0;
+  Zip zip(zip_open(file.c_str(), ZIP_RDONLY, &code), zip_discard);
+  if (zip) return zip;
+  zip_error_t error;
+  zip_error_init_with_code(&error, code);
+  const std::string why = zip_error_strerror(&error);
+  zip_error_fini(&error);
+  throw FmuProblem("file", "is no FMU: it is no zip archive, or damaged (" + why + "); export it again");
+}
+
+// The entry in pieces, to a function.
+void read_entry(zip_t* zip, zip_uint64_t index, zip_uint64_t most,
+                const std::function<void(const char*, std::size_t)>& write) {
+  const char* const name = zip_get_name(zip, index, 0);
+  const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> entry(zip_fopen_index(zip, index, 0), zip_fclose);
+  if (!entry) throw FmuProblem("file", std::string("its entry ") + name + " cannot be read: " + zip_strerror(zip));
+  std::vector<char> bytes(1 << 16);
+  zip_uint64_t total = 0;
+  for (zip_int64_t count = 0; (count = zip_fread(entry.get(), bytes.data(), bytes.size())) != 0;) {
+    if (count < 0)
+      throw FmuProblem("file", std::string("its entry ") + name + " is damaged (" + zip_file_strerror(entry.get()) +
+                                   "); export the FMU again");
+    total += static_cast<zip_uint64_t>(count);
+    if (total > most) throw FmuProblem("file", std::string("its entry ") + name + " is too large");
+    write(bytes.data(), static_cast<std::size_t>(count));
+  }
+}
+
+// Of the folders binaries/NAME/ that hold a library.
+std::set<std::string> platforms(zip_t* zip) {
+  std::set<std::string> names;
+  for (zip_int64_t i = 0; i < zip_get_num_entries(zip, 0); ++i) {
+    const std::string name = zip_get_name(zip, static_cast<zip_uint64_t>(i), 0);
+    const std::vector<std::string> parts = split(name, '/');
+    if (parts.size() == 3 && parts[0] == "binaries" && !parts[2].empty()) names.insert(parts[1]);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string library_path(const FmuDescription& d) {
+  return std::string("binaries/") + (d.version[0] == '2' ? kPlatform2 : kPlatform3) + "/" + d.identifier + ".so";
+}
+
+FmuDescription read_fmu(const std::string& file) {
+  const Zip zip = opened(file);
+  const zip_int64_t index = zip_name_locate(zip.get(), kDescription, 0);
+  if (index < 0)
+    throw FmuProblem("file",
+                     std::string("is no FMU: the archive has no ") + kDescription + " at its top; export it again");
+  std::string xml;
+  read_entry(zip.get(), static_cast<zip_uint64_t>(index), kLargestDescription,
+             [&](const char* bytes, std::size_t count) { xml.append(bytes, count); });
+  FmuDescription description = parse_model_description(xml);
+  if (description.obstacle.empty() && zip_name_locate(zip.get(), library_path(description).c_str(), 0) < 0) {
+    const std::set<std::string> found = platforms(zip.get());
+    description.obstacle =
+        "platform the FMU has no " + library_path(description) + ", which this machine needs; it has " +
+        (found.empty() ? "no libraries at all" : "libraries for " + joined({found.begin(), found.end()})) +
+        ": export or compile it for this platform";
+  }
+  return description;
+}
+
+void unpack_fmu(const std::string& file, const std::string& folder) {
+  const Zip zip = opened(file);
+  const zip_int64_t count = zip_get_num_entries(zip.get(), 0);
+  if (count > kMostEntries) throw FmuProblem("file", "has more than " + std::to_string(kMostEntries) + " entries");
+  zip_uint64_t left = kLargestFmu;
+  for (zip_int64_t i = 0; i < count; ++i) {
+    const auto index = static_cast<zip_uint64_t>(i);
+    const std::string name = zip_get_name(zip.get(), index, 0);
+    const fs::path inside = fs::path(name).lexically_normal();
+    if (inside.is_absolute() || inside.empty() || *inside.begin() == ".." || name.find('\\') != std::string::npos)
+      throw FmuProblem("file", "has the entry \"" + name + "\", which lies outside of the archive; export it again");
+    const fs::path path = fs::path(folder) / inside;
+    if (name.back() == '/') {
+      fs::create_directories(path);
+      continue;
+    }
+    fs::create_directories(path.parent_path());
+    std::ofstream out(path, std::ios::binary);
+    read_entry(zip.get(), index, left, [&](const char* bytes, std::size_t size) {
+      out.write(bytes, static_cast<std::streamsize>(size));
+      left -= size;
+    });
+    out.close();
+    if (!out) throw FmuProblem("file", "cannot be unpacked to " + path.string() + ": the disk may be full");
+  }
+}
+
+void write_fmu(const std::string& file, const std::vector<FmuEntry>& entries) {
+  const auto fail = [&](const std::string& why) { throw FmuProblem("file", "cannot be written: " + why); };
+  const std::string draft = file + ".part";
+  std::error_code ignored;
+  int code = 0;
+  Zip zip(zip_open(draft.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code), zip_discard);
+  if (!zip) fail("the folder does not exist or may not be written");
+  for (const FmuEntry& entry : entries) {
+    zip_source_t* const source = entry.file.empty()
+                                     ? zip_source_buffer(zip.get(), entry.text.data(), entry.text.size(), 0)
+                                     : zip_source_file(zip.get(), entry.file.c_str(), 0, -1);
+    const zip_int64_t index = source ? zip_file_add(zip.get(), entry.name.c_str(), source, ZIP_FL_ENC_UTF_8) : -1;
+    if (index < 0) fail(entry.name + ": " + zip_strerror(zip.get()));
+    const zip_uint32_t mode = entry.program ? 0100755 : 0100644;
+    zip_file_set_external_attributes(zip.get(), static_cast<zip_uint64_t>(index), 0, ZIP_OPSYS_UNIX, mode << 16);
+  }
+  if (zip_close(zip.get()) != 0) {
+    const std::string why = zip_strerror(zip.get());
+    fs::remove(draft, ignored);
+    fail(why);
+  }
+  zip.release();
+  fs::rename(draft, file);
+}
+
+}  // namespace footfall

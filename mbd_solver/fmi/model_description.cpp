@@ -1,0 +1,105 @@
+// pugixml reads modelDescription.xml of FMI 3.0 and 2.0: attributes of the model, and its variables in one form.
+
+#include <cstdlib>
+#include <cstring>
+#include <pugixml.hpp>
+
+#include "coupler/base/text.h"
+#include "mbd_solver/fmi/fmu_file.h"
+
+namespace footfall {
+namespace {
+
+bool is_true(const pugi::xml_node& node, const char* attribute) {
+  const std::string value = node.attribute(attribute).value();
+  return value == "true" || value == "1";
+}
+
+unsigned reference_of(const pugi::xml_node& node, const char* attribute) {
+  return static_cast<unsigned>(std::strtoul(node.attribute(attribute).value(), nullptr, 10));
+}
+
+const std::string& or_default(const std::string& value, const std::string& otherwise) {
+  return value.empty() ? otherwise : value;
+}
+
+// <Float64 name="h" valueReference="1" causality="output" start="1"><Dimension start="2"/></Float64>
+FmuVariable variable_3(const pugi::xml_node& node) {
+  FmuVariable v;
+  v.name = node.attribute("name").value();
+  v.type = node.name();
+  v.causality = or_default(node.attribute("causality").value(), "local");
+  const bool real = v.type == "Float64" || v.type == "Float32";
+  const bool fixed =
+      v.causality == "parameter" || v.causality == "structuralParameter" || v.causality == "calculatedParameter";
+  v.variability = or_default(node.attribute("variability").value(), fixed ? "fixed" : real ? "continuous" : "discrete");
+  v.unit = node.attribute("unit").value();
+  v.start = node.attribute("start").value();
+  if (v.start.empty()) v.start = node.child("Start").attribute("value").value();
+  v.reference = reference_of(node, "valueReference");
+  for (const pugi::xml_node& dimension : node.children("Dimension")) {
+    FmuVariable::Dimension d;
+    d.fixed = !dimension.attribute("valueReference");
+    d.size = std::strtol(dimension.attribute("start").value(), nullptr, 10);
+    if (!d.fixed) d.parameter = reference_of(dimension, "valueReference");
+    v.dimensions.push_back(d);
+  }
+  return v;
+}
+
+// <ScalarVariable name="h" valueReference="1" causality="output"><Real start="1" unit="m"/></ScalarVariable>
+FmuVariable variable_2(const pugi::xml_node& node) {
+  FmuVariable v;
+  v.name = node.attribute("name").value();
+  v.causality = or_default(node.attribute("causality").value(), "local");
+  v.variability = or_default(node.attribute("variability").value(), "continuous");
+  v.reference = reference_of(node, "valueReference");
+  for (const char* type : {"Real", "Integer", "Boolean", "String", "Enumeration"})
+    if (const pugi::xml_node of_type = node.child(type)) {
+      v.type = type;
+      v.start = of_type.attribute("start").value();
+      v.unit = of_type.attribute("unit").value();
+    }
+  return v;
+}
+
+}  // namespace
+
+FmuDescription parse_model_description(const std::string& xml) {
+  pugi::xml_document document;
+  const pugi::xml_parse_result result = document.load_buffer(xml.data(), xml.size());
+  if (!result)
+    throw FmuProblem("file", "its modelDescription.xml is damaged: " + std::string(result.description()) + " at byte " +
+                                 std::to_string(result.offset) + "; export it again");
+  const pugi::xml_node root = document.child("fmiModelDescription");
+  if (!root) throw FmuProblem("file", "its modelDescription.xml has no element fmiModelDescription; export it again");
+  FmuDescription d;
+  d.version = root.attribute("fmiVersion").value();
+  const bool three = d.version.rfind("3.", 0) == 0, two = d.version.rfind("2.", 0) == 0;
+  if (!three && !two)
+    throw FmuProblem("version",
+                     "is an FMU of FMI version \"" + d.version + "\", expected 3.0 or 2.0; export it for one of them");
+  d.model = root.attribute("modelName").value();
+  d.token = root.attribute(three ? "instantiationToken" : "guid").value();
+  const pugi::xml_node simulation = root.child("CoSimulation");
+  if (!simulation) {
+    d.obstacle = "tool the FMU is not for co-simulation (it has " +
+                 std::string(root.child("ModelExchange") ? "model exchange only" : "no interface that is known") +
+                 "); export it for co-simulation";
+  } else if (is_true(simulation, "needsExecutionTool")) {
+    d.obstacle =
+        "tool the FMU needs the program that exported it (needsExecutionTool); export it without that, "
+        "with its solver inside";
+  }
+  d.identifier = simulation.attribute("modelIdentifier").value();
+  const bool plain = !d.identifier.empty() && d.identifier.find('/') == std::string::npos;
+  if (simulation && !plain)
+    throw FmuProblem("file", "its modelDescription.xml gives no usable modelIdentifier; export it again");
+  d.keeps_state = is_true(simulation, three ? "canGetAndSetFMUState" : "canGetAndSetFMUstate") &&
+                  is_true(simulation, three ? "canSerializeFMUState" : "canSerializeFMUstate");
+  for (const pugi::xml_node& node : root.child("ModelVariables").children())
+    if (node.type() == pugi::node_element) d.variables.push_back(three ? variable_3(node) : variable_2(node));
+  return d;
+}
+
+}  // namespace footfall
