@@ -118,14 +118,14 @@ bool SoilContact::far(const BodyKinematics& body) const {
 
 double SoilContact::size_of(const SoilFacet& facet) const { return std::sqrt(facet.area); }
 
-SoilMemory SoilContact::memory_at(std::size_t facet, const Eigen::Vector3d& place) const {
-  SoilMemory memory = memory_[facet];
-  if (memory.touches) return memory;
+// A facet that has moved without touching is over another place of the ground: over the print that is there, or, where it has come
+// below the untouched ground beside its print, over ground that has given way to it.
+void SoilContact::look_below(std::size_t facet, const Eigen::Vector3d& place) const {
+  SoilMemory& memory = memory_[facet];
   const double size = size_of(facets_[facet]);
-  if ((place.head<2>() - memory.printed).squaredNorm() <= kMoved * kMoved * size * size) return memory;
-  memory.print = ground_->depth_at(place.head<2>(), kFound * size);
+  if (memory.touches || (place.head<2>() - memory.printed).squaredNorm() <= kMoved * kMoved * size * size) return;
+  memory.print = std::max({0.0, place.z(), ground_->depth_at(place.head<2>(), kFound * size)});
   memory.printed = place.head<2>();
-  return memory;
 }
 
 SoilPoint SoilContact::point_of(const ElementInput& in, const SoilFacet& facet, const MovingPoint& p) const {
@@ -146,11 +146,10 @@ void SoilContact::each_touch(const ElementInput& in, SoilLaw::With with, Use use
     double z = depth + down_B.dot(facet.marker.s0);
     for (Eigen::Index i = 0; i < facet.marker.S.cols(); ++i) z += down_B.dot(facet.marker.S.col(i)) * body.a[i];
     if (!(z > 0.0)) continue;
-    if (const SoilMemory& m = memory_[k]; m.touches && !(z > m.print)) continue;
+    const SoilMemory& memory = memory_[k];
+    if (!(z > memory.print)) continue;
     touch.p = MovingPoint(body, facet.marker);
     touch.at = point_of(in, facet, touch.p);
-    const SoilMemory memory = memory_at(k, touch.at.place);
-    if (!(touch.at.place.z() > memory.print)) continue;
     touch.facet = &facet;
     touch.stress = law_->stress(touch.at, memory, two_sided_, with);
     touch.force = axes_.transpose() * (facet.area * (touch.stress.traction + touch.stress.inertia));
@@ -250,9 +249,9 @@ bool SoilContact::remember(const ElementInput& in) const {
     if (away && !m.touches) continue;
     const SoilPoint at = point_of(in, facets_[k], MovingPoint(body, facets_[k].marker));
     const bool touched = m.touches;
-    if (!touched && !(at.place.z() > 0.0)) continue;  // above the ground: its memory can wait
-    m = memory_at(k, at.place);
+    look_below(k, at.place);
     if (!touched) m.place = at.place.head<2>();
+    if (!touched && !(at.place.z() > m.print)) continue;
     law_->remember(at, m);
     changed = true;
     const double size = size_of(facets_[k]);

@@ -73,8 +73,7 @@ class SoilContact : public ForceElement {
   struct Touch;
   bool far(const BodyKinematics& body) const;
   double size_of(const SoilFacet& facet) const;  // [m]
-  // The memory with which a facet meets the ground at `place`.
-  SoilMemory memory_at(std::size_t facet, const Eigen::Vector3d& place) const;
+  void look_below(std::size_t facet, const Eigen::Vector3d& place) const;
   SoilPoint point_of(const ElementInput& in, const SoilFacet& facet, const MovingPoint& p) const;
   template <class Use>
   void each_touch(const ElementInput& in, SoilLaw::With with, Use use) const;

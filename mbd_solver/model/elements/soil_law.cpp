@@ -109,12 +109,13 @@ Facet<Dual<9>> varied_facet(const SoilPoint& at) {
   return {three(at.place, 0), three(at.normal, 3), three(at.velocity, 6)};
 }
 
-// The share of a thing that is complete at a.
+// The share of a thing that is complete at a: 3 y^2 - 2 y^3, y = x / a, without a corner at either end.
 template <class T>
 T grown(const T& x, double a) {
   if (number(x) >= a) return T(1.0);
   if (number(x) <= 0.0) return T(0.0);
-  return x * (1.0 / a);
+  const T y = x * (1.0 / a);
+  return y * y * (T(3.0) + -2.0 * y);
 }
 
 // Of `rebound`: the first part of it carries a facet that slides at constant depth.
@@ -124,14 +125,19 @@ constexpr double kRecede = 0.1;
 // Of the shear length: a way within which shear depends on the place alone.
 constexpr double kSwing = 0.05;
 
-// The share of its strength that the ground bears at an elastic displacement `size` that grows at `rate`.
+// The share of its strength that the ground bears where the displacement `share` bears at rest grows at `rate`: never more than all.
 template <class T>
-T borne_share(const SoilLaw::Common& c, const T& size, const T& rate) {
-  const T share = grown(size, c.rebound);
+T borne_share(const SoilLaw::Common& c, const T& share, const T& rate) {
   const T closing = rate * c.damping;
-  if (!(number(rate) > 0.0)) return share * exponential(closing);
-  const T damped = share * (T(1.0) + closing);
-  return number(damped) < 1.0 ? damped : T(1.0);
+  if (!(number(rate) > 0.0)) return share * exponential(closing * (T(1.0) + -share));
+  return share * (T(1.0) + closing) / (T(1.0) + closing * share);
+}
+
+// A facet that swings sideways on elastic ground is damped, too, at the rate of its strength.
+template <class T>
+Three<T> sway(const SoilLaw::Common& c, const Facet<T>& at, const T& strength, const T& share) {
+  const T drag = strength * share * (T(1.0) + -share) * -c.damping;
+  return {drag * at.v.x, drag * at.v.y, T(0.0)};
 }
 
 constexpr int kRftTerms = 20;
@@ -169,11 +175,15 @@ std::array<T, 2> slid(const Facet<T>& at, const SoilMemory& m, const T& below) {
   return {at.v.x * time, at.v.y * time};
 }
 
+// Of the lower side of a facet; the upper one of a facet without sides is free where it is level.
 template <class T>
-Three<T> inertia_of(const SoilLaw::Common& c, const Facet<T>& at, const Three<T>& n, const T& seated) {
+Three<T> inertia_of(const SoilLaw::Common& c, const Facet<T>& at, const Three<T>& n, const T& seated, bool two_sided) {
   const T advance = dot(at.v, n);
-  if (!(number(advance) > 0.0) || c.inertia == 0.0) return {};
-  return ((-c.inertia * c.density) * (advance * advance) * seated) * n;
+  if (c.inertia == 0.0) return {};
+  const T square = (c.inertia * c.density) * (advance * advance) * seated;
+  if (number(advance) > 0.0) return -square * n;
+  if (!two_sided) return {};
+  return (square * (T(1.0) + -n.z)) * n;
 }
 
 // Both uses of a law, from its one formula `evaluate(Facet<T>, memory, two_sided)`.
@@ -215,6 +225,7 @@ class RftLaw final : public SoilLaw {
     const double phi = std::atan(p.friction);
     const double n_q = std::exp(kPi * p.friction) * std::pow(std::tan(0.25 * kPi + 0.5 * phi), 2);
     bearing_ = p.cohesion * (n_q - 1.0) / p.friction;
+    upright_ = -rft_alpha(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ()).z();
   }
   std::string_view kind() const override { return "rft"; }
 
@@ -232,34 +243,23 @@ class RftLaw final : public SoilLaw {
     const std::array<T, 2> h = slid_from(at, m, below);
     const T q = number(below) > kSeat * e ? below + T(-kSeat * e) : T(0.0);
     const T square = h[0] * h[0] + h[1] * h[1] + q * q;
-    Three<T> n = at.n;
-    if (!(number(square) > 0.0)) {
-      if (two_sided && number(n.z) < 0.0) n = T(-1.0) * n;
-      out.inertia = inertia_of(p_, at, n, seated);
-      return out;
-    }
+    // Without sides: of both, the lower one while the facet advances with it.
+    const bool turned = two_sided && number(at.n.z) < 0.0;
+    const Three<T> n = turned ? T(-1.0) * at.n : at.n;
+    out.inertia = inertia_of(p_, at, n, seated, two_sided);
+    if (!(number(square) > 0.0)) return out;
     const T size = root(square);
     const Three<T> d = (T(1.0) / size) * Three<T>{h[0], h[1], q};
-    T advance = dot(n, d);
-    if (two_sided && number(advance) < 0.0) {
-      n = T(-1.0) * n;
-      advance = -advance;
-    }
-    const T share = seated * borne_share(p_, size, dot(d, at.v)) * grown(advance + kRecede, kRecede);
+    const T advance = dot(n, d), lower = grown(advance + kRecede, kRecede), rest = grown(size, e);
+    const T share = seated * borne_share(p_, rest, dot(d, at.v)), strength = p_.resistance * at.p.z * share;
     const Three<T> alpha = generic_alpha(n, d);
-    const T along = dot(alpha, n);
-    const T push = number(along) < 0.0 ? -along : T(0.0);
-    const Three<T> side = alpha + (-along) * n;
-    const T side_square = dot(side, side);
-    T held(1.0);
-    if (number(side_square) > 0.0) {
-      const T limit = p_.surface_friction * push / root(side_square);
-      if (number(limit) < 1.0) held = limit;
+    out.traction = (strength * lower) * of_side(alpha, n);
+    if (two_sided && number(lower) < 1.0) {
+      out.traction = out.traction + (strength * (T(1.0) + -lower)) * of_side(alpha, T(-1.0) * n);
+      out.traction = out.traction + (bearing_ * share * advance * (number(advance) < 0.0 ? advance : T(0.0))) * n;
     }
-    const T strength = p_.resistance * at.p.z * share;
-    const T pressed_in = number(advance) > 0.0 ? advance * advance : T(0.0);
-    out.traction = strength * ((-push) * n + held * side) + (-(bearing_ * share * pressed_in)) * n;
-    out.inertia = inertia_of(p_, at, n, seated);
+    if (number(advance) > 0.0) out.traction = out.traction + (-(bearing_ * share * advance * advance)) * n;
+    out.traction = out.traction + sway(p_, at, seated * (upright_ * p_.resistance * at.p.z + bearing_), rest);
     return out;
   }
 
@@ -281,6 +281,20 @@ class RftLaw final : public SoilLaw {
   }
 
  private:
+  // The side with the normal n pushes, and rubs as far as friction allows.
+  template <class T>
+  Three<T> of_side(const Three<T>& alpha, const Three<T>& n) const {
+    const T along = dot(alpha, n);
+    if (!(number(along) < 0.0)) return {};
+    const Three<T> side = alpha + (-along) * n;
+    const T square = dot(side, side);
+    T held(1.0);
+    if (number(square) > 0.0) {
+      const T limit = p_.surface_friction * -along / root(square);
+      if (number(limit) < 1.0) held = limit;
+    }
+    return along * n + held * side;
+  }
   // The elastic displacement sideways.
   template <class T>
   std::array<T, 2> slid_from(const Facet<T>& at, const SoilMemory& m, const T& below) const {
@@ -292,6 +306,7 @@ class RftLaw final : public SoilLaw {
 
   RftParameters p_;
   double bearing_;  // c N_c [Pa]
+  double upright_;  // -alpha_z of a level facet that is pressed straight down
 };
 
 class SinkageLaw final : public SoilLaw {
@@ -312,13 +327,14 @@ class SinkageLaw final : public SoilLaw {
     Three<T> n = at.n;
     if (two_sided && number(n.z) < 0.0) n = T(-1.0) * n;
     const T seated = grown(below, kSeat * e);
-    out.inertia = inertia_of(p_, at, n, seated);
+    out.inertia = inertia_of(p_, at, n, seated, two_sided);
     if (!(number(n.z) > 0.0)) return out;
-    const T borne = borne_share(p_, below, at.v.z);
-    const T p = p_.stiffness * power(at.p.z, p_.exponent) * borne;
+    const T rest = grown(below, e), borne = borne_share(p_, rest, at.v.z);
+    const T strength = p_.stiffness * power(at.p.z, p_.exponent);
+    const T p = strength * borne;
     const T limit = p_.cohesion * borne + friction_ * p;
     const std::array<T, 2> shear = sheared(at, m, below);
-    out.traction = n.z * Three<T>{-(limit * shear[0]), -(limit * shear[1]), -p};
+    out.traction = n.z * (Three<T>{-(limit * shear[0]), -(limit * shear[1]), -p} + sway(p_, at, strength, rest));
     return out;
   }
 

@@ -2,8 +2,10 @@
 // What a soil without grains does to one facet of a boundary. Two laws behind one interface; theory 6.7.
 // Axes of the ground: x, y in its undisturbed plane, z down. A facet at x, y and the depth z has the normal n out of its body.
 //   print     s: the depth of the ground under the facet after all that has pressed on it; contact while z > s
-//   elastic   within `rebound` e of its print the ground is elastic: stiff while it unloads, and it never pulls. The share of its
-//             strength that it bears is min(1, |u|/e g(d |u|')), u the elastic displacement, g(x) = 1 + x closing, exp(x) opening
+//   elastic   within `rebound` e of its print the ground is elastic: stiff while it unloads, and it never pulls. u is the elastic
+//             displacement, w_0 = 3 y^2 - 2 y^3, y = min(1, |u|/e), x = d |u|'. The share of its strength that it bears is
+//             w_0 (1 + x) / (1 + x w_0) closing, w_0 exp(x (1 - w_0)) opening: without a corner at its ends and where |u| turns round
+//   sway      -d w_0 (1 - w_0) times its strength, times the velocity sideways
 //   inertia   -lambda rho (v.n)^2 n where the facet advances, v.n > 0
 // Stress is a function of place and speed and of a memory that changes only between integration steps, so the ground has no
 // inner states: within a step every facet has an elastic displacement from its memory, cut at the strength of the ground.

@@ -34,7 +34,7 @@ constexpr int kRowsPerBin = 4;  // of a run that has more
 constexpr double kConfidenceOfFit = 0.95;
 constexpr double kPoorFit = 0.9;  // R^2 below this is told
 constexpr int kMostFitSteps = 40;
-constexpr double kRebound = 1e-3;                // of the law: not fitted [m]
+constexpr double kReboundOfRadius = 0.25;        // of the smallest grains: the rebound, which is not fitted
 constexpr double kAssumedGrainDensity = 2600.0;  // of a bed from a script, which does not tell it [kg/m3]
 
 // A number that is fitted: its logarithm.
@@ -60,12 +60,13 @@ std::vector<Unknown> unknowns_of(const std::string& law) {
 
 constexpr double kFitFriction = 0.4;  // mu of the bearing factor N_c of the resistive law, whose resistance is given
 
-std::shared_ptr<const SoilLaw> law_of(const std::string& law, const Eigen::VectorXd& x, double density) {
+std::shared_ptr<const SoilLaw> law_of(const std::string& law, const Eigen::VectorXd& x, double density,
+                                      double rebound) {
   if (law == "rft") {
     RftParameters p;
     p.density = density;
     p.friction = kFitFriction;
-    p.rebound = kRebound;
+    p.rebound = rebound;
     p.resistance = x[0];
     p.inertia = x[1];
     p.cohesion = x[2];
@@ -74,7 +75,7 @@ std::shared_ptr<const SoilLaw> law_of(const std::string& law, const Eigen::Vecto
   }
   SinkageParameters p;
   p.density = density;
-  p.rebound = kRebound;
+  p.rebound = rebound;
   p.stiffness = x[0];
   p.exponent = x[1];
   p.inertia = x[2];
@@ -149,8 +150,12 @@ struct Target {
 
 class Problem {
  public:
-  Problem(std::string law, double density, std::vector<Target> targets)
-      : law_(std::move(law)), density_(density), unknowns_(unknowns_of(law_)), targets_(std::move(targets)) {}
+  Problem(std::string law, double density, double rebound, std::vector<Target> targets)
+      : law_(std::move(law)),
+        density_(density),
+        rebound_(rebound),
+        unknowns_(unknowns_of(law_)),
+        targets_(std::move(targets)) {}
 
   Eigen::VectorXd start() const {
     Eigen::VectorXd x(static_cast<Eigen::Index>(unknowns_.size()));
@@ -159,7 +164,7 @@ class Problem {
   }
   // skip: a target that is left out; -1: none.
   Eigen::VectorXd residuals(const Eigen::VectorXd& log_x, int skip) const {
-    const std::shared_ptr<const SoilLaw> law = law_of(law_, log_x.array().exp(), density_);
+    const std::shared_ptr<const SoilLaw> law = law_of(law_, log_x.array().exp(), density_, rebound_);
     Eigen::VectorXd out(size(skip));
     Eigen::Index at = 0;
     for (std::size_t k = 0; k < targets_.size(); ++k) {
@@ -223,7 +228,7 @@ class Problem {
   }
 
   std::string law_;
-  double density_;
+  double density_, rebound_;
   std::vector<Unknown> unknowns_;
   std::vector<Target> targets_;
 };
@@ -272,7 +277,8 @@ std::pair<double, double> quality(const std::vector<Target>& targets, const std:
 
 bool reaches_the_bed(const PadRun& run) { return first_touch(run) + kLeastRows <= run.place.size(); }
 
-GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, double density, double gravity) {
+GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, double density, double gravity,
+                     double rebound) {
   FOOTFALL_DEMAND(gravity >= 0.0);
   std::vector<Target> fitted, held;
   for (const PadRun& run : runs) {
@@ -288,7 +294,7 @@ GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, do
   if (fitted.size() < 3)
     throw InputError(code::kGroundFit, "only " + std::to_string(fitted.size()) +
                                            " runs are fitted; a fit requires at least 3 besides those held back");
-  const Problem problem(law, density, fitted);
+  const Problem problem(law, density, rebound, fitted);
   const Eigen::VectorXd best = problem.solve(problem.start(), -1, kMostFitSteps);
   const auto n = static_cast<double>(problem.count());
   Eigen::MatrixXd without(best.size(), problem.count());
@@ -299,13 +305,14 @@ GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, do
 
   GroundFit fit;
   fit.law = law;
+  fit.rebound = rebound;
   for (std::size_t k = 0; k < problem.unknowns().size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     const Unknown& unknown = problem.unknowns()[k];
     fit.numbers.push_back({unknown.key, unknown.unit, std::exp(best[i]), std::exp(best[i] - t * spread[i]),
                            std::exp(best[i] + t * spread[i])});
   }
-  const std::shared_ptr<const SoilLaw> found = law_of(law, values_of(fit), density);
+  const std::shared_ptr<const SoilLaw> found = law_of(law, values_of(fit), density, rebound);
   std::tie(fit.r_squared, fit.error) = quality(fitted, found, fit.worst);
   std::tie(fit.held_r_squared, fit.held_error) = quality(held, found, fit.worst);
   std::sort(fit.worst.begin(), fit.worst.end(), [](const auto& a, const auto& b) { return a.over > b.over; });
@@ -313,7 +320,7 @@ GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, do
 }
 
 std::vector<Eigen::Vector3d> predicted_forces(const PadRun& run, const GroundFit& fit, double density) {
-  return forces_on(run, law_of(fit.law, values_of(fit), density));
+  return forces_on(run, law_of(fit.law, values_of(fit), density, fit.rebound));
 }
 
 namespace {
@@ -432,7 +439,8 @@ std::string ground_file(const GroundFit& fit, const Scene& scene, const Measured
       << "#   [ground] kind = \"soil\", soil = \"THIS FILE\"\n[law]\nkind = \"" << fit.law << "\"\n"
       << "density = " << toml_number(density) << "  # kg/m3, of the bed: solid fraction "
       << number_text(bed.fraction, 3) << (scene.particles->box ? "" : ", grains of 2600 kg/m3 assumed") << "\n"
-      << "rebound = " << toml_number(kRebound) << "  # m, not fitted\n";
+      << "rebound = " << toml_number(fit.rebound)
+      << "  # m, not fitted: a quarter of the smallest radius of the grains\n";
   if (fit.law == "rft")
     out << "friction = " << toml_number(kFitFriction) << "  # of the factor of cohesion, not fitted\n"
         << "gravity = " << toml_number(scene.gravity.norm()) << "  # m/s2, of the runs\n";
@@ -513,7 +521,7 @@ bool write_fit(const GroundArguments& a, const SweepSpec& spec, const Plan& plan
   const double density =
       bed.fraction * (scene.particles->box ? scene.particles->box->material.density : kAssumedGrainDensity);
   const double gravity = scene.gravity.norm();
-  const GroundFit fit = fit_ground(runs, a.law, density, gravity);
+  const GroundFit fit = fit_ground(runs, a.law, density, gravity, kReboundOfRadius * bed.radius);
   const auto path = [&](const std::string& file) { return (std::filesystem::path(folder) / file).string(); };
   const std::string page = fit_page(fit, runs.size(), held, spec.title, command);
   Table rows({"run", "held_back", "row", "x", "y", "z", "fx", "fy", "fz", "law_fx", "law_fy", "law_fz"});

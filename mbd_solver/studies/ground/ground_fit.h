@@ -32,7 +32,8 @@ struct FittedNumber {
 };
 
 struct GroundFit {
-  std::string law;  // rft or pressure_sinkage
+  std::string law;        // rft or pressure_sinkage
+  double rebound = 1e-3;  // of the law, not fitted [m]
   std::vector<FittedNumber> numbers;
   // Of the fitted and of the held-back runs, over bins and axes: 1 - sum of squares of errors / that of forces about their mean.
   double r_squared = 0.0, held_r_squared = 0.0;
@@ -50,7 +51,8 @@ struct GroundFit {
 // False where fewer than three rows have a facet in the ground.
 bool reaches_the_bed(const PadRun& run);
 // gravity [m/s2], density of the bed [kg/m3]. Throws InputError for too few runs, or runs without contact.
-GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, double density, double gravity);
+GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, double density, double gravity,
+                     double rebound = 1e-3);
 // The forces of the law on the pad, one per row [N].
 std::vector<Eigen::Vector3d> predicted_forces(const PadRun& run, const GroundFit& fit, double density);
 
