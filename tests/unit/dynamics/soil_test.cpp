@@ -202,6 +202,45 @@ TEST(SoilLaw, FacetWithoutSidesPassesFromOneToTheOther) {
   }
 }
 
+TEST(SoilLaw, SlopesAreThoseOfTheStress) {
+  // Central differences of steps of 1e-6 of the rebound, 1 m/s and 1: their error is 1e-6 of the slopes.
+  test::Random random(7);
+  for (const bool is_rft : {true, false}) {
+    RftParameters a = sand();
+    SinkageParameters b = loam();
+    a.rebound = b.rebound = 2e-3;
+    a.damping = b.damping = 0.7;
+    a.inertia = b.inertia = 1.2;
+    a.cohesion = 800.0;
+    a.surface_friction = 0.3;
+    const std::unique_ptr<SoilLaw> law = is_rft ? make_rft(a, "") : make_pressure_sinkage(b, "");
+    for (int k = 0; k < 60; ++k) {
+      SoilMemory memory;
+      memory.print = 0.03;
+      memory.touches = k % 4 != 0;
+      memory.shear = Eigen::Vector2d(random.vector().head<2>()) * (is_rft ? 5e-4 : 0.2);
+      SoilPoint at;
+      at.place = Eigen::Vector3d(0.0, 0.0, 0.0315) + 1e-3 * random.vector();
+      at.normal = (random.vector() + Eigen::Vector3d(0.0, 0.0, 1.5)).normalized();
+      at.velocity = random.vector();
+      const bool two_sided = k % 2 == 0;
+      const SoilStress exact = law->stress(at, memory, two_sided, SoilLaw::With::kSlope);
+      const double size = (exact.traction + exact.inertia).norm();
+      for (int i = 0; i < 9; ++i) {
+        const double h = i < 3 ? 2e-9 : 1e-6;
+        const auto moved = [&](double by) {
+          SoilPoint near = at;
+          (i < 3 ? near.place[i] : i < 6 ? near.normal[i - 3] : near.velocity[i - 6]) += by;
+          const SoilStress stress = law->stress(near, memory, two_sided, SoilLaw::With::kTraction);
+          return Eigen::Vector3d(stress.traction + stress.inertia);
+        };
+        const Eigen::Vector3d slope = (moved(h) - moved(-h)) / (2.0 * h);
+        EXPECT_LT((slope - exact.slope.col(i)).norm(), 1e-4 * (slope.norm() + size)) << is_rft << " " << k << " " << i;
+      }
+    }
+  }
+}
+
 // A square plate of four facets, 0.2 m wide, on the ground at z = 0.
 struct Plate {
   explicit Plate(std::shared_ptr<const SoilLaw> law, double mass = 10.0, double height = 0.0, double slope = 0.0,
