@@ -62,11 +62,13 @@ std::string first_accelerated(const History& history) {
   return "";
 }
 
-// Magnitude of the contact force on each body.
+// Magnitude of the contact force on each body that touches something.
 std::vector<Curve> contact_curves(const History& history) {
   std::vector<Curve> curves;
   for (const Curve& z : curves_of(history, ".contact.fz", 1.0)) {
     const std::string b = z.title + ".contact.f";
+    if (largest(history, b + "x") == 0.0 && largest(history, b + "y") == 0.0 && largest(history, b + "z") == 0.0)
+      continue;
     curves.push_back({z.title, {{{1.0, b + "x"}, {1.0, b + "y"}, {1.0, b + "z"}}, 0.0, 1.0, true}});
   }
   return curves;
@@ -107,7 +109,7 @@ std::string with_stars_for_numbers(const std::string& name) {
 }
 
 // With more series than colours: a figure for each group whose names differ only in numbers, as the primary struts of all
-// legs.
+// legs. Names like no other share figures.
 void add_split(const Figure& figure, std::vector<Figure>& out) {
   if (figure.curves.size() <= kCrowded) {
     out.push_back(figure);
@@ -122,10 +124,19 @@ void add_split(const Figure& figure, std::vector<Figure>& out) {
     else
       at->second.push_back(curve);
   }
+  std::vector<std::pair<std::string, std::vector<Curve>>> singles;
+  for (const auto& [name, curves] : groups) {
+    if (curves.size() > 1) continue;
+    if (singles.empty() || singles.back().second.size() == kCrowded) singles.push_back({"", {}});
+    singles.back().second.push_back(curves.front());
+  }
+  groups.erase(std::remove_if(groups.begin(), groups.end(), [](const auto& g) { return g.second.size() == 1; }),
+               groups.end());
+  groups.insert(groups.end(), singles.begin(), singles.end());
   for (std::size_t i = 0; i < groups.size(); ++i) {
     Figure part = figure;
     if (i > 0) part.name += "_" + std::to_string(i + 1);
-    part.title += ": " + groups[i].first;
+    if (!groups[i].first.empty()) part.title += ": " + groups[i].first;
     part.curves = groups[i].second;
     out.push_back(part);
   }

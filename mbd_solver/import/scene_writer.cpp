@@ -464,7 +464,7 @@ class Writer {
            << number_text(y, 3) << "]\ndepth = " << number_text(kDepthInRadii * radius, 3)
            << "\nradius = " << number_text(radius, 3) << "\ncentre = [" << number_text(centre[0], 3) << ", "
            << number_text(centre[1], 3) << "]\nheadroom = " << number_text(1.5 * extent[2] + 0.5 * longer, 3)
-           << "\nmargin = " << number_text(0.5 * longer, 3) << "\nframes = 0.05\n";
+           << "\nmargin = " << number_text(0.5 * longer, 3) << "\nframe_interval = 0.05\n";
     }
     rest_ += text.str();
     if (!of_file) initial_ += "clearance = " + number_text(1e-3 * box_.sizes().maxCoeff(), 2) + "\n";
