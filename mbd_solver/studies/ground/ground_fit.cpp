@@ -426,6 +426,12 @@ PadRun pad_run(const RunRequest& request, const std::string& folder) {
   return run;
 }
 
+// Every fit without one of the runs has the same number: no force depends on it, or it is at its bound.
+std::string interval_text(const FittedNumber& number) {
+  if (number.high - number.low <= 1e-6 * number.value) return "not determined";
+  return number_text(number.low, 3) + " to " + number_text(number.high, 3);
+}
+
 std::string toml_number(double value) {
   std::string text = number_text(value, 5);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
@@ -446,8 +452,7 @@ std::string ground_file(const GroundFit& fit, const Scene& scene, const Measured
         << "gravity = " << toml_number(scene.gravity.norm()) << "  # m/s2, of the runs\n";
   for (const FittedNumber& number : fit.numbers)
     out << number.key << " = " << toml_number(number.value) << "  # " << number.unit
-        << (number.unit.empty() ? "" : ", ") << "95 %: " << number_text(number.low, 3) << " to "
-        << number_text(number.high, 3) << "\n";
+        << (number.unit.empty() ? "" : ", ") << "95 %: " << interval_text(number) << "\n";
   out << "\n[fit]\nscene = \"" << std::filesystem::path(scene.file).filename().string() << "\"\nruns = " << runs
       << "\nheld_back = " << held << "\nr_squared = " << toml_number(fit.r_squared)
       << "\nheld_back_r_squared = " << toml_number(fit.held_r_squared) << "\nerror = " << toml_number(fit.error)
@@ -463,8 +468,7 @@ std::string fit_page(const GroundFit& fit, std::size_t runs, std::size_t held, c
                      " runs, " + std::to_string(held) + " of them held back.\n\n";
   Table numbers({"number", "unit", "value", "95 % interval"});
   for (const FittedNumber& number : fit.numbers)
-    numbers.add({number.key, number.unit, number_text(number.value, 4),
-                 number_text(number.low, 3) + " to " + number_text(number.high, 3)});
+    numbers.add({number.key, number.unit, number_text(number.value, 4), interval_text(number)});
   page += numbers.page() + "\n";
   Table how({"runs", "R^2", "error over the largest force"});
   how.add({"fitted", number_text(fit.r_squared, 3), share_text(fit.error)});

@@ -97,7 +97,9 @@ TEST(GroundFit, TellsWhereTheLawIsWrong) {
 
 TEST(GroundFit, RefusesRunsThatTellNothing) {
   std::vector<PadRun> runs = runs_of(resistive_ground(1.0, 1.0));
+  EXPECT_TRUE(reaches_the_bed(runs[0]));
   for (Eigen::Vector3d& place : runs[0].place) place.z() += 1.0;
+  EXPECT_FALSE(reaches_the_bed(runs[0]));
   EXPECT_THROW(fit_ground(runs, "rft", kDensity, kGravity), InputError);
   runs = runs_of(resistive_ground(1.0, 1.0));
   runs.resize(2);
