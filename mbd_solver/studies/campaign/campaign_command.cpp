@@ -329,7 +329,10 @@ bool check_case(const Campaign& campaign, const std::string& folder, int jobs, G
   if (!store.carry_out(store.left(numbers), at_once, [](std::size_t) {})) return false;
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     RepeatedRun& run = result.runs[k];
-    if (store.end_of(numbers[k]).code == kExitDone) run.figures = metrics_of_run(spec.metrics, run.folder, spec.file);
+    if (const RunEnd& end = store.end_of(numbers[k]); end.code == kExitDone)
+      run.figures = metrics_of_run(spec.metrics, run.folder, spec.file);
+    else
+      std::printf("row %zu in the check ended with exit code %d: %s\n", run.row, end.code, end.message.c_str());
     result.better.push_back(campaign.outcomes_of(run.row, run.figures)[outcome]);
   }
   result.levels = two_levels(cheap, result.drawn, result.better);
