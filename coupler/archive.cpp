@@ -6,16 +6,11 @@
 #include <cstdlib>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "coupler/codes.h"
 
 namespace footfall {
 namespace {
-
-std::string hexadecimal(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%a", value);
-  return text;
-}
 
 // A text as one line, and back.
 std::string in_one_line(const std::string& text) {
@@ -156,7 +151,7 @@ void Archive::numbers(double* values, Eigen::Index count) {
     }
     const std::string text = word();
     char* rest = nullptr;
-    values[i] = std::strtod(text.c_str(), &rest);
+    values[i] = read_number(text.c_str(), &rest);
     if (text.empty() || *rest != '\0') fail("\"" + text + "\" is not a number");
   }
   end();

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <locale>
 #include <map>
 
 namespace footfall {
@@ -164,6 +165,7 @@ bool open_file(std::ofstream& stream, const std::string& path, FileStart start) 
   if (file < 0) return false;
   const auto mode = start == FileStart::kNew ? std::ios::out : std::ios::in | std::ios::out | std::ios::ate;
   stream.open(path_of_descriptor(file), mode);
+  stream.imbue(std::locale::classic());
   close(file);
   return stream.is_open();
 }

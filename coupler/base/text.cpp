@@ -1,6 +1,7 @@
 // Numbers go through std::to_chars; unknown names are compared by the Damerau-Levenshtein distance.
 
 #include "coupler/base/text.h"
+#include "coupler/base/number.h"
 
 #include <algorithm>
 #include <array>
@@ -45,9 +46,10 @@ std::string number_text(double value, int digits) {
 }
 
 std::string fixed_text(double value, int decimals) {
-  char text[400];  // the largest double has 309 digits before the point
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
+  std::array<char, 400> written;  // the largest double has 309 digits before the point
+  const std::to_chars_result result =
+      std::to_chars(written.data(), written.data() + written.size(), value, std::chars_format::fixed, decimals);
+  return {written.data(), result.ptr};
 }
 
 std::string share_text(double share) {
@@ -94,7 +96,7 @@ std::optional<int> whole_number(const std::string& word, int least, int most) {
 
 std::optional<double> positive_number(const std::string& word) {
   char* rest = nullptr;
-  const double number = std::strtod(word.c_str(), &rest);
+  const double number = read_number(word.c_str(), &rest);
   if (word.empty() || *rest != '\0' || !(number > 0.0)) return std::nullopt;
   return number;
 }

@@ -14,6 +14,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "coupler/communicator.h"
 #include "domain.h"
@@ -156,12 +157,11 @@ void FixWallGranBeam::check_segment_lengths() const {
   for (const std::unique_ptr<Beam>& beam : beams_)
     for (int s = 0; s < beam->chain.segment_count(); ++s) {
       if (beam->chain.length(s) <= limit) continue;
-      throw InputError(code::kBeamSegmentTooLong,
-                       arguments_.fix + ": segment " + std::to_string(s) + " of body \"" + beam->boundary.name() +
-                           "\" is " + std::to_string(beam->chain.length(s)) +
-                           " m long, longer than a subdomain of this run (" + std::to_string(limit) +
-                           " m): divide the beam into more segments, or the box among fewer ranks " +
-                           "(command `processors`)");
+      throw InputError(
+          code::kBeamSegmentTooLong,
+          arguments_.fix + ": segment " + std::to_string(s) + " of body \"" + beam->boundary.name() + "\" is " +
+              plain_text(beam->chain.length(s)) + " m long, longer than a subdomain of this run (" + plain_text(limit) +
+              " m): divide the beam into more segments, or the box among fewer ranks " + "(command `processors`)");
     }
 }
 

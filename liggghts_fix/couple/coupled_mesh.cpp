@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <map>
 #include <sstream>
 
@@ -58,6 +59,7 @@ Eigen::Vector3d high(const Domain& domain) { return Eigen::Vector3d(domain.boxhi
 
 std::string text(const Eigen::Vector3d& x, const char* between) {
   std::ostringstream out;
+  out.imbue(std::locale::classic());
   out << x[0] << between << x[1] << between << x[2];
   return out.str();
 }

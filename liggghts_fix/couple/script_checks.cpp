@@ -15,6 +15,7 @@
 
 #include "atom.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "coupler/communicator.h"
 #include "domain.h"
@@ -79,7 +80,7 @@ void warn_of_radius(LAMMPS* lmp, footfall::Start& script) {
   if (at < 0 || atom.radius == nullptr) return;
   const char* const text = variables.retrieve(name);
   char* end = nullptr;
-  const double radius = text == nullptr ? 0.0 : std::strtod(text, &end);
+  const double radius = text == nullptr ? 0.0 : read_number(text, &end);
   if (text == nullptr || *end != '\0' || !is_positive(radius)) return;
   // Maxima over the grains: has this radius, minus the smallest radius, the largest radius.
   constexpr double kSame = 1e-6;

@@ -3,11 +3,13 @@
 #include "liggghts_fix/link/mesh_match.h"
 
 #include <algorithm>
+#include <locale>
 #include <map>
 #include <numeric>
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "liggghts_fix/codes.h"
 
 namespace footfall {
@@ -47,6 +49,7 @@ Places sorted(Places places) {
 
 std::string text(const Eigen::Vector3d& p) {
   std::ostringstream out;
+  out.imbue(std::locale::classic());
   out << "(" << p[0] << ", " << p[1] << ", " << p[2] << ")";
   return out.str();
 }
@@ -82,7 +85,7 @@ std::vector<CornerNodes> match_mesh(const std::string& mesh, const ModalBoundary
             code::kMeshDiffersFromBody,
             "mesh " + mesh + ": corner " + text(triangle.corners[k]) + " of triangle " + std::to_string(triangle.id) +
                 " is not a node of body \"" + boundary.name() + "\" at its initial pose (within " +
-                std::to_string(tolerance) +
+                plain_text(tolerance) +
                 " m). Move or scale the mesh to the body's place in the scene, or take the triangles from the "
                 "scene: fix couple/mbd/geometry");
     }

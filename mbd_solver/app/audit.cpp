@@ -14,6 +14,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/check_command.h"
 #include "mbd_solver/app/codes.h"
@@ -388,9 +389,9 @@ double window_length(const Scene& scene) {
   double dt = 0.0, n = 0.0;
   for (const ScriptCommand& command : script.commands()) {
     const std::vector<std::string>& w = command.words;
-    if (w[0] == "timestep" && w.size() > 1) dt = std::atof(w[1].c_str());
+    if (w[0] == "timestep" && w.size() > 1) dt = read_number(w[1].c_str(), nullptr);
     if (w[0] != "fix" || w.size() < 6 || w[3] != "couple/mbd") continue;
-    n = w[5] == "auto" ? scene.coupling.max_substeps : std::atof(w[5].c_str());
+    n = w[5] == "auto" ? scene.coupling.max_substeps : read_number(w[5].c_str(), nullptr);
   }
   return dt * n;
 }

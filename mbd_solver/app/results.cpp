@@ -13,6 +13,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/input_file.h"
+#include "coupler/base/number.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/plots.h"
@@ -70,7 +71,7 @@ GrainEnergies read_grain_energies(const std::string& path) {
                                               "\": expected five numbers: step time kinetic rotation gravity");
     }
     if (!grains.time.empty() && time <= grains.time.back())
-      throw InputError(code::kRunDamaged, path + ":" + std::to_string(number) + ": time " + std::to_string(time) +
+      throw InputError(code::kRunDamaged, path + ":" + std::to_string(number) + ": time " + plain_text(time) +
                                               " s: expected a later time than in the row before");
     grains.time.push_back(time);
     grains.kinetic.push_back(kinetic + rotation);

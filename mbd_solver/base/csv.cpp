@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "coupler/base/input_file.h"
+#include "coupler/base/number.h"
 
 namespace footfall {
 namespace {
@@ -24,7 +25,7 @@ std::string_view trimmed_view(std::string_view text) {
 bool read_number(std::string_view text, double& value) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc::result_out_of_range) value = std::strtod(std::string(text).c_str(), nullptr);
+  if (error == std::errc::result_out_of_range) value = read_number(std::string(text).c_str(), nullptr);
   return error != std::errc::invalid_argument && end == text.data() + text.size();
 }
 

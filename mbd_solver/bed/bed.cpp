@@ -20,6 +20,7 @@
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/number.h"
 #include "coupler/base/pulse.h"
 #include "coupler/base/text.h"
 #include "coupler/programs.h"
@@ -332,7 +333,7 @@ std::map<std::string, std::string> elastic_constants(const std::string& log) {
       continue;
     for (std::string word; words >> word;) {
       char* end = nullptr;
-      const double number = std::strtod(word.c_str(), &end);
+      const double number = read_number(word.c_str(), &end);
       text += (text.empty() ? "" : " ") + (*end == '\0' ? number_text(number, 12) : word);
     }
     if (text.find('$') == std::string::npos) constants[property] = text;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <locale>
 #include <set>
 #include <sstream>
 
@@ -43,6 +44,7 @@ std::vector<GrainPlace> read_grains(const std::string& path) {
     }
     if (!atoms) continue;
     std::istringstream values(line);
+    values.imbue(std::locale::classic());
     GrainPlace grain;
     values >> grain.centre.x() >> grain.centre.y() >> grain.centre.z() >> grain.radius;
     if (clumps) values >> grain.clump;

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "coupler/messages.h"
 #include "coupler/schemes/registry.h"
 #include "mbd_solver/coupling/codes.h"
@@ -28,7 +29,7 @@ double script_variable(const Scene& scene, const std::string& name) {
   const auto found = scene.particles->variables.find(name);
   if (found == scene.particles->variables.end()) return 0.0;
   char* end = nullptr;
-  const double value = std::strtod(found->second.c_str(), &end);
+  const double value = read_number(found->second.c_str(), &end);
   return *end == '\0' ? value : 0.0;
 }
 
@@ -264,8 +265,8 @@ void CoupledRun::receive(const Load& load, Inputs& inputs) {
     Coupled& body = bodies_[k];
     if (const std::string place = first_not_finite(load.bodies[k]); !place.empty())
       throw NumericalError(code::kGrainLoadNotFinite,
-                           "t = " + std::to_string(motion_.time) + " s: the load of the grains on body " +
-                               watch_->name(k) + " is not finite (" + place +
+                           "t = " + plain_text(motion_.time) + " s: the load of the grains on body " + watch_->name(k) +
+                               " is not finite (" + place +
                                "): the bed has become unstable; use a smaller time step of the grains");
     body.window.apply(load.bodies[k], inputs.loads[static_cast<std::size_t>(body.entry.body)]);
   }

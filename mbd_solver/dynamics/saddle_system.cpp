@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <map>
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/dynamics/codes.h"
 #include "mbd_solver/dynamics/equations.h"
@@ -75,7 +77,7 @@ constexpr double kDependent = 1e-4;
 constexpr double kIndependent = 1e-8;
 // Other rows are selected to rest if a combination exceeds this; its own row counts 1.
 constexpr double kTooLarge = 30.0;
-std::string at_time(double t) { return "t = " + std::to_string(t) + " s: "; }
+std::string at_time(double t) { return "t = " + plain_text(t) + " s: "; }
 
 // delta of make_smallest(), and its refinements: each reduces the error by the factor delta.
 constexpr double kSoft = 1e-8;
@@ -501,8 +503,9 @@ void SaddleSystem::demand_closed(double t, const Drift& drift, double tolerance)
   const ConstraintRow& row =
       joint.rows[static_cast<std::size_t>(drift.worst_row - layout_.joint_row[static_cast<std::size_t>(index)])];
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text.precision(3);
-  text << "t = " << std::to_string(t) << " s: joint \"" << joint.name << "\" (" << joint.kind << ") is open by "
+  text << "t = " << plain_text(t) << " s: joint \"" << joint.name << "\" (" << joint.kind << ") is open by "
        << drift.position_left << (row.unit == ConstraintRow::Unit::kLength ? " m" : " rad")
        << " and cannot be closed (limit " << tolerance
        << "). Check for masses or inertias that differ by more than a factor of 1e6 between neighbours, for a position "

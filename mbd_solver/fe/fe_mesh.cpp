@@ -15,6 +15,7 @@
 #include <set>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/fe/model_text.h"
 #include "mbd_solver/model/codes.h"
@@ -462,7 +463,7 @@ class MshBytes {
   double real_word() {
     const std::string text = word();
     char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
+    const double value = read_number(text.c_str(), &end);
     if (*end != '\0') fail("\"" + text.substr(0, 40) + "\" is no number. Export the mesh again.");
     return finite(value);
   }

@@ -5,11 +5,13 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <locale>
 #include <numeric>
 #include <sstream>
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "mbd_solver/base/codes.h"
 #include "mbd_solver/fe/elements.h"
 #include "mbd_solver/fe/fe_analysis.h"
@@ -165,7 +167,7 @@ FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& 
   check(material);
   if (!(thickness > 0.0))
     throw InputError(code::kParameterOutOfRange,
-                     where + ": thickness is " + std::to_string(thickness) + " m, expected a positive number.");
+                     where + ": thickness is " + plain_text(thickness) + " m, expected a positive number.");
   MeshDemands demands;
   demands.connected = true;
   demands.oriented = true;
@@ -228,7 +230,7 @@ Eigen::SparseMatrix<double> mass_matrix(const FeModel& model) {
 FeModel with_mass(FeModel model, double mass) {
   if (!(mass > 0.0))
     throw InputError(code::kParameterOutOfRange,
-                     "body: mass is " + std::to_string(mass) + " kg, expected a positive number.");
+                     "body: mass is " + plain_text(mass) + " kg, expected a positive number.");
   const double factor = mass / mass_properties(model).mass;
   model.node_mass *= factor;
   model.mass *= factor;
@@ -251,6 +253,7 @@ int joint_node(const Eigen::Matrix3Xd& nodes, const std::vector<bool>& turns, co
   const int node = nearest(nodes, p);
   const double distance = (nodes.col(node) - p).norm();
   std::ostringstream message;
+  message.imbue(std::locale::classic());
   if (!(distance <= tolerance)) {
     message << "no joint can attach at (" << p.transpose() << ") m: the nearest node, " << node << ", at ("
             << nodes.col(node).transpose() << ") m, is " << distance << " m away, expected at most " << tolerance
@@ -355,7 +358,7 @@ void check_mass(const FeModel& model, const std::string& who) {
     if (!(moments.minCoeff() >= -kMassRank * moments.cwiseAbs().maxCoeff()))
       throw InputError(code::kFeModel, not_positive + "node " + std::to_string(j) +
                                            " has a rotary inertia with the principal value " +
-                                           std::to_string(moments.minCoeff()) + " kg m2, expected 0 or more.");
+                                           plain_text(moments.minCoeff()) + " kg m2, expected 0 or more.");
   }
   if (!(mass_properties(model).mass > 0.0)) throw InputError(code::kFeModel, not_positive + "the body has no mass.");
   const Vector3d moments =
@@ -415,7 +418,7 @@ void check_free(const FeModel& model, const std::string& who) {
       throw InputError(
           code::kFeModel,
           who + ": the stiffness matrix resists " + (k < 3 ? "translation along " : "rotation about ") +
-              std::string(1, "xyz"[k % 3]) + " of the whole body (relative force " + std::to_string(force / parts) +
+              std::string(1, "xyz"[k % 3]) + " of the whole body (relative force " + plain_text(force / parts) +
               "), expected a free body. Remove its supports; joints are given in the scene." + model.remark);
   }
 }

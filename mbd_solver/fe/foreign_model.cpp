@@ -13,6 +13,7 @@
 #include <set>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/fe_mesh.h"
@@ -501,11 +502,11 @@ void set_mass(const Sparse& M, const std::string& path, FeModel& model) {
   const double mass = total.mean();
   if (!(diagonal.minCoeff() > 0.0 && total.minCoeff() > 0.0))
     throw InputError(code::kModelFile,
-                     path + ": mass matrix is not positive: the total mass is " + std::to_string(mass) + " kg.");
+                     path + ": mass matrix is not positive: the total mass is " + plain_text(mass) + " kg.");
   if (!((total.array() - mass).abs().maxCoeff() <= kOneMass * mass))
     throw InputError(code::kModelFile,
-                     path + ": the total mass differs along x, y and z (" + std::to_string(total.x()) + ", " +
-                         std::to_string(total.y()) + ", " + std::to_string(total.z()) +
+                     path + ": the total mass differs along x, y and z (" + plain_text(total.x()) + ", " +
+                         plain_text(total.y()) + ", " + plain_text(total.z()) +
                          " kg); expected the same. Check that the rows are ordered node by node, x y z first.");
   const bool lumped = model.extra == 0 && is_lumped(M);
   const double factor = mass / diagonal.mean();

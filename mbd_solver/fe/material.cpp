@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
 #include <sstream>
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "mbd_solver/base/codes.h"
 #include "mbd_solver/base/pi.h"
 
@@ -15,6 +17,7 @@ namespace footfall {
 
 void check(const Material& material) {
   std::ostringstream message;
+  message.imbue(std::locale::classic());
   if (!(material.density > 0.0) || !std::isfinite(material.density))
     message << "material: density is " << material.density << " kg/m3, expected a positive number. ";
   if (!(material.young > 0.0) || !std::isfinite(material.young))
@@ -28,7 +31,7 @@ namespace {
 
 void require_positive_constant(double value, const char* what) {
   if (!(value > 0.0) || !std::isfinite(value))
-    throw InputError(code::kParameterOutOfRange, std::string("beam section: ") + what + " is " + std::to_string(value) +
+    throw InputError(code::kParameterOutOfRange, std::string("beam section: ") + what + " is " + plain_text(value) +
                                                      ", expected a positive number.");
 }
 
@@ -54,10 +57,9 @@ BeamSection tube_section(double outer_diameter, double wall) {
   require_positive_constant(outer_diameter, "outer diameter [m]");
   require_positive_constant(wall, "wall [m]");
   if (2.0 * wall >= outer_diameter)
-    throw InputError(code::kParameterOutOfRange, "beam section: wall is " + std::to_string(wall) +
+    throw InputError(code::kParameterOutOfRange, "beam section: wall is " + plain_text(wall) +
                                                      " m, expected less than half the outer diameter of " +
-                                                     std::to_string(outer_diameter) +
-                                                     " m. For a solid section use a rod.");
+                                                     plain_text(outer_diameter) + " m. For a solid section use a rod.");
   return ring(0.5 * outer_diameter - wall, 0.5 * outer_diameter);
 }
 

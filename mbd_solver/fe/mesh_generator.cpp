@@ -8,6 +8,7 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "mbd_solver/base/codes.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/codes.h"
@@ -22,7 +23,7 @@ constexpr double kMaxTriangles = 2e6;  // more indicates a wrong unit
 void require_length(double value, const char* what) {
   if (!(value > 0.0) || !std::isfinite(value))
     throw InputError(code::kParameterOutOfRange,
-                     std::string("mesh: ") + what + " is " + std::to_string(value) + " m, expected a positive number.");
+                     std::string("mesh: ") + what + " is " + plain_text(value) + " m, expected a positive number.");
 }
 
 // Number of equal parts of a length so that none is longer than the edge.
@@ -110,9 +111,9 @@ TriangleMesh dish_mesh(double rim_radius, double depth, double edge) {
   require_length(depth, "dish depth");
   require_length(edge, "edge length");
   if (depth > rim_radius)
-    throw InputError(code::kParametersDisagree, "mesh: dish depth is " + std::to_string(depth) +
+    throw InputError(code::kParametersDisagree, "mesh: dish depth is " + plain_text(depth) +
                                                     " m, expected at most the radius of the rim, " +
-                                                    std::to_string(rim_radius) + " m.");
+                                                    plain_text(rim_radius) + " m.");
   const double sphere = (rim_radius * rim_radius + depth * depth) / (2.0 * depth);
   const double opening = std::atan2(rim_radius, sphere - depth);
   return ring_mesh(parts(sphere * opening, edge), [sphere, opening](double s, double phi) {

@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <numeric>
 #include <sstream>
 #include <vector>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "mbd_solver/base/codes.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/codes.h"
@@ -152,6 +154,7 @@ MatrixXd craig_bampton_shapes(const Problem& problem, const HeldBody& body, cons
 
 std::string static_warning(const std::string& name, double error) {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text.precision(2);
   text << name << ": its modes underestimate static deflections at its attachments by " << 100.0 * error
        << " % (static_error). Increase modes or max_frequency, or use the basis \"craig_bampton\".";
@@ -163,15 +166,14 @@ void check_options(const BasisOptions& options, const std::string& name) {
     throw InputError(code::kParameterOutOfRange,
                      name + ": modes is " + std::to_string(*options.mode_count) + ", expected 0 or more.");
   if (options.max_frequency && !(*options.max_frequency > 0.0))
-    throw InputError(
-        code::kParameterOutOfRange,
-        name + ": maximum frequency is " + std::to_string(*options.max_frequency) + " Hz, expected a positive number.");
+    throw InputError(code::kParameterOutOfRange, name + ": maximum frequency is " + plain_text(*options.max_frequency) +
+                                                     " Hz, expected a positive number.");
   if (options.damping_ratio.empty())
     throw InputError(code::kParameterOutOfRange, name + ": no damping ratio given, expected at least one.");
   for (double zeta : options.damping_ratio)
     if (!(zeta >= 0.0) || !std::isfinite(zeta))
       throw InputError(code::kParameterOutOfRange,
-                       name + ": damping ratio is " + std::to_string(zeta) + ", expected 0 or more.");
+                       name + ": damping ratio is " + plain_text(zeta) + ", expected 0 or more.");
 }
 
 // The model before its spiders: their nodes have no stiffness of their own, and are not asked for any.
@@ -222,6 +224,7 @@ MatrixXd stresses_of(const FeModel& model, const MatrixXd& shapes, const std::st
   const double share = missing.cwiseQuotient(all).maxCoeff(&worst);
   if (share > kSameShape) {
     std::ostringstream text;
+    text.imbue(std::locale::classic());
     text.precision(2);
     text << name << ": the " << elastic.size() << " elastic modes of stress_file hold " << 100.0 * (1.0 - share)
          << " % of the strain energy of the body's mode " << worst
@@ -423,6 +426,7 @@ std::string frequency_warning(const ModalBody& body) {
   const bool light = mass < kLightest * box.prod();
   if (!slow_or_fast && !light) return "";
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << "body \"" << body.name << "\": ";
   if (slow_or_fast)
     text << "first elastic frequency is " << first << " Hz at a size of " << size << " m, expected between "
@@ -475,7 +479,7 @@ ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const Bas
                                                                    0.5 * (G + G.transpose()));
     if (!(eigen.eigenvalues()(0) > 0.0))
       throw InputError(code::kStiffness, who + ": the modal stiffness is not positive: smallest omega^2 is " +
-                                             std::to_string(eigen.eigenvalues()(0)) +
+                                             plain_text(eigen.eigenvalues()(0)) +
                                              " 1/s2. Every mode must store strain energy.");
     Index count = options.mode_count ? *options.mode_count : s;
     if (options.max_frequency) {

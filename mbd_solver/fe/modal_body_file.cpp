@@ -7,10 +7,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <locale>
 #include <sstream>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/input_file.h"
+#include "coupler/base/number.h"
 #include "mbd_solver/model/codes.h"
 
 namespace footfall {
@@ -73,7 +75,7 @@ double TextRecords::number(std::size_t i) const {
   if (i >= words_.size())
     fail("expected at least " + std::to_string(i + 1) + " numbers, found " + std::to_string(words_.size()) + ".");
   char* end = nullptr;
-  const double value = std::strtod(words_[i].c_str(), &end);
+  const double value = read_number(words_[i].c_str(), &end);
   if (end == words_[i].c_str() || *end != '\0' || !std::isfinite(value))
     fail("\"" + words_[i] + "\" is not a finite number.");
   return value;
@@ -257,6 +259,7 @@ ReducedBody read_modal_body(const std::string& path, const BasisOptions& given, 
 
 void write_modal_body(const std::string& path, const ModalBody& body, const Vector3d& p_DBo) {
   std::ofstream file(path);
+  file.imbue(std::locale::classic());
   file.precision(17);
   file << kFormat << ' ' << kVersion << "\n# body: " << body.name << "\nnodes " << body.node_count() << '\n';
   for (Index j = 0; j < body.node_count(); ++j) {

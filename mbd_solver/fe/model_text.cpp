@@ -13,6 +13,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/input_file.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/model/codes.h"
 
@@ -69,13 +70,13 @@ std::vector<std::string> ModelText::cells() const {
 
 double ModelText::number(const std::string& word) const {
   char* end = nullptr;
-  double value = std::strtod(word.c_str(), &end);
+  double value = read_number(word.c_str(), &end);
   if (end != word.c_str() && *end != '\0') {  // an exponent after D, or after its sign alone
     std::string plain = word;
     const std::size_t at = static_cast<std::size_t>(end - word.c_str());
     if (plain[at] == 'D' || plain[at] == 'd') plain[at] = 'e';
     if (plain[at] == '+' || plain[at] == '-') plain.insert(at, 1, 'e');
-    value = std::strtod(plain.c_str(), &end);
+    value = read_number(plain.c_str(), &end);
     if (*end != '\0' || end == plain.c_str()) fail("\"" + word.substr(0, 40) + "\" is not a finite number.");
   }
   if (word.empty() || end == word.c_str() || !std::isfinite(value))

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/rotation.h"
 
@@ -123,9 +124,8 @@ void add_spider(FeModel& model, std::vector<int> nodes, SpiderKind kind, const V
   for (const Spider& other : model.spiders)
     for (const int j : nodes)
       if (std::binary_search(other.nodes.begin(), other.nodes.end(), j) || other.node == j)
-        throw InputError(code::kFeModel, who + ": a node at (" + std::to_string(model.nodes(0, j)) + ", " +
-                                             std::to_string(model.nodes(1, j)) + ", " +
-                                             std::to_string(model.nodes(2, j)) +
+        throw InputError(code::kFeModel, who + ": a node at (" + plain_text(model.nodes(0, j)) + ", " +
+                                             plain_text(model.nodes(1, j)) + ", " + plain_text(model.nodes(2, j)) +
                                              ") m belongs to another set as well. Sets must not overlap.");
   const bool lumped = model.mass.size() == 0;
   Eigen::Matrix3Xd places(3, model.node_count() + 1);

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "coupler/base/files.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/import/codes.h"
@@ -383,8 +384,8 @@ class Writer {
           const double omega = 2.0 * kPi * kHoldFrequency, moved = inertia_of(robot_.joints[k], q);
           drive.kind = RobotDriveKind::kPosition;
           drive.command = q.start.value_or(q.zero) - q.zero;
-          drive.kp = std::stod(number_text(std::max(moved * omega * omega, 20.0 * q.effort), 3));
-          drive.kd = std::stod(number_text(2.0 * kHoldDamping * std::sqrt(drive.kp * moved), 3));
+          drive.kp = read_number(number_text(std::max(moved * omega * omega, 20.0 * q.effort), 3).c_str(), nullptr);
+          drive.kd = read_number(number_text(2.0 * kHoldDamping * std::sqrt(drive.kp * moved), 3).c_str(), nullptr);
           if (q.effort > 0.0) drive.max_torque = q.effort;
         }
         add_drive(drive, held ? "held where it starts: gains assumed by --hold" : "armature of the joint");

@@ -10,6 +10,7 @@
 
 #include "coupler/base/files.h"
 #include "coupler/base/input_file.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/named_file.h"
 #include "mbd_solver/import/codes.h"
@@ -113,7 +114,7 @@ std::optional<std::vector<double>> numbers_of(const std::string& text) {
     double value = 0.0;
     std::from_chars_result result = std::from_chars(at, end, value);
     if (result.ec == std::errc::result_out_of_range) {  // 1e-320 is as good as 0
-      value = std::strtod(std::string(at, result.ptr).c_str(), nullptr);
+      value = read_number(std::string(at, result.ptr).c_str(), nullptr);
       result.ec = std::errc();
     }
     if (result.ec != std::errc() || !std::isfinite(value) || (result.ptr != end && !blank(*result.ptr)))

@@ -18,6 +18,7 @@
 #include <cstdlib>
 #include <exception>
 #include <limits>
+#include <locale>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -220,6 +221,7 @@ void Ida::Sundials::check(int flag, const char* function) {
 // A reason from below ends with its own code; else the entry with the largest weighted local error is named.
 void Ida::Sundials::give_up(const MessageCode& code, const std::string& what) {
   std::ostringstream out;
+  out.imbue(std::locale::classic());
   out << "t = " << t << " s: " << what;
   if (!reason.empty()) throw NumericalError(out.str() + reason);
   int worst = 0;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <utility>
 
@@ -533,6 +534,7 @@ std::string OneStep::warning() const {
 // A reason from below ends with its own code.
 void OneStep::give_up(const MessageCode& code, double t, const std::string& what) const {
   std::ostringstream out;
+  out.imbue(std::locale::classic());
   out << "t = " << t << " s: " << what;
   if (!failure_.reason.empty()) throw NumericalError(out.str() + failure_.reason);
   out << "Newton's method or the error test fails at " << equations_.entry_name(std::max(failure_.worst, 0)) << ".";

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "mbd_solver/model/rotation.h"
@@ -25,12 +26,11 @@ constexpr double kZeroSum = 1e-8;    // of the largest sum over two modes: small
 void require_positive_mass(double mass, const Matrix3d& inertia, const std::string& body) {
   const std::string who = body.empty() ? "body" : "body \"" + body + "\"";
   if (!(mass > 0.0))
-    throw InputError(code::kMassProperties,
-                     who + ": mass is " + std::to_string(mass) + " kg, expected a positive number.");
+    throw InputError(code::kMassProperties, who + ": mass is " + plain_text(mass) + " kg, expected a positive number.");
   const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
   if (!(moments.minCoeff() > 0.0) || !inertia.allFinite())
     throw InputError(code::kMassProperties,
-                     who + ": smallest principal moment of inertia is " + std::to_string(moments.minCoeff()) +
+                     who + ": smallest principal moment of inertia is " + plain_text(moments.minCoeff()) +
                          " kg m2, expected a symmetric positive definite inertia about the centre of mass.");
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/run/codes.h"
 
@@ -21,7 +22,7 @@ void EventWatch::count(const std::string& event, double time, double t_end) {
   for (const std::string& name : std::set<std::string>(names_.begin(), names_.end()))
     names.push_back("\"" + name + "\"");
   throw NumericalError(code::kEventChatter,
-                       "t = " + std::to_string(time) + " s: the events " + joined(names) + " alternate without end, " +
+                       "t = " + plain_text(time) + " s: the events " + joined(names) + " alternate without end, " +
                            std::to_string(kWatched) + " times within " + number_text(time - since_, 2) +
                            " s. Give their conditions a hysteresis, such as \"b.vx < -0.01\" and \"b.vx > 0.01\", or "
                            "one of them a period, such as period_ms = 1");

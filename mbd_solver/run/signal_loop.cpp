@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "mbd_solver/model/control/signal_blocks.h"
 
 namespace footfall {
@@ -16,7 +17,7 @@ namespace {
 // An expression without a value is a mistake of the scene at the start, and a failure of the run later.
 [[noreturn]] void throw_without_value(double time, const NumericalError& error) {
   if (time == 0.0) throw InputError(error.what());
-  throw NumericalError("t = " + std::to_string(time) + " s: " + error.what());
+  throw NumericalError("t = " + plain_text(time) + " s: " + error.what());
 }
 
 long samples_until(double time, double period) { return static_cast<long>(std::floor(time / period + 1e-6)) + 1; }

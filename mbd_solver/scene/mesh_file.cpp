@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/fe/fe_mesh.h"
 #include "mbd_solver/fe/mesh_skin.h"
@@ -76,7 +77,7 @@ class MeshText {
 
   double number(const std::string& word) const {
     char* end = nullptr;
-    const double value = std::strtod(word.c_str(), &end);
+    const double value = read_number(word.c_str(), &end);
     if (word.find(',') != std::string::npos)
       fail(in_quotes(word) +
            " has a comma, expected numbers with a decimal point, between blanks; export the mesh with them");
@@ -114,7 +115,7 @@ class Digits {
                            word.begin() + static_cast<std::ptrdiff_t>(exponent),
                            [](unsigned char c) { return std::isdigit(c) != 0; });
     };
-    const double power = exponent < word.size() ? std::strtod(word.c_str() + exponent + 1, nullptr) : 0.0;
+    const double power = exponent < word.size() ? read_number(word.c_str() + exponent + 1, nullptr) : 0.0;
     double& last = last_[static_cast<std::size_t>(axis)];
     last = std::min(last, std::pow(10.0, power - static_cast<double>(count(point))));
     most_ = std::max(most_, count(first));

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/named_file.h"
@@ -360,14 +361,14 @@ std::vector<std::string> with_formulas(std::vector<std::string> texts, const Cal
                                        const UnitPoint& point) {
   NamedValues values;
   for (std::size_t i = 0; i < point.size(); ++i)
-    values[spec.parameters[i].name] = std::stod(spec.parameters[i].text(point[i]));
+    values[spec.parameters[i].name] = read_number(spec.parameters[i].text(point[i]).c_str(), nullptr);
   return with_formulas(std::move(texts), values);
 }
 
 double violation_of(const CalibrationSpec& spec, const UnitPoint& point) {
   double sum = 0.0;
   for (const ConstraintSpec& c : spec.constraints) {
-    const double value = std::stod(with_formulas({"{= " + c.formula + "}"}, spec, point).front());
+    const double value = read_number(with_formulas({"{= " + c.formula + "}"}, spec, point).front().c_str(), nullptr);
     const double over = std::max({0.0, c.least - value, value - c.most});
     const double bound = value > c.most ? c.most : c.least;
     if (over > 0.0) sum += over / std::max(std::abs(bound), 1e-12);

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/tables.h"
 
@@ -334,10 +335,10 @@ Verdict judge(const SweepSpec& spec, const PlannedCase& c, const RunEnd& run, co
 
 // First order at most: from the value `beyond` on no error exceeds that of an earlier value times the ratio of the values.
 void judge_order(double beyond, const std::vector<Verdict>& earlier, Verdict& verdict) {
-  const double x = std::atof(verdict.value.c_str());
+  const double x = read_number(verdict.value.c_str(), nullptr);
   if (beyond <= 0.0 || x < beyond) return;
   for (const Verdict& v : earlier) {
-    const double y = std::atof(v.value.c_str());
+    const double y = read_number(v.value.c_str(), nullptr);
     if (v.name != verdict.name || y < beyond || v.error <= 0.0 || verdict.error <= v.error * x / y) continue;
     verdict.as_expected = false;
     verdict.note += "; error grew from " + percent(v.error) + " % at " + v.value + ", more than in proportion";

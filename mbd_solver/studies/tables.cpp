@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/base/quote.h"
@@ -60,7 +61,7 @@ std::string percent(double share) { return number_text(100.0 * share, 2); }
 
 std::optional<double> number_in(const std::string& text) {
   char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
+  const double value = read_number(text.c_str(), &end);
   return !text.empty() && *end == '\0' && std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
 }
 

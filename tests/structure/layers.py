@@ -24,6 +24,8 @@ MAY_INCLUDE = {
     "mbd_solver/run/output": "mbd_solver/base coupler",
     "mbd_solver/run/observe": "mbd_solver/coupling mbd_solver/run/output",
     "mbd_solver/run": "mbd_solver/run/observe mbd_solver/integrator",
+    "mbd_solver/embed": "mbd_solver/run",
+    "mbd_solver/python": "mbd_solver/embed",
     "mbd_solver/bed": "mbd_solver/build mbd_solver/run/output",
     "mbd_solver/app": "mbd_solver/bed mbd_solver/run/observe",
     "mbd_solver/studies": "mbd_solver/app",
@@ -48,6 +50,7 @@ ONLY_IN = {
     r"(urdf_parser|console_bridge)/": "mbd_solver/import/urdf_reader.cpp",
     r"mujoco/": "mbd_solver/import/mjcf_reader.cpp",
     r"(sdf|ignition)/": "mbd_solver/import/sdf_reader.cpp",
+    r"pybind11/": "mbd_solver/python/module.cpp",
     r"zlib": "mbd_solver/base/packed_bytes.cpp",
     r"mpi\.h": MPI_FILES + " liggghts_fix/replaced/comm_world.h liggghts_fix/replaced/mpi_abort.cpp liggghts_fix/liggghts_access.cpp",
     r"coupler/(communicator|polling_wait|abort_guard|transport_mpi)\.h": MPI_FILES + " liggghts_fix/replaced/popen.cpp liggghts_fix/replaced/fopen.cpp",
@@ -57,10 +60,10 @@ ONLY_IN = {
     r"mbd_solver/coupling/(dem_partner|coupling_watch|window_choice)\.h": "mbd_solver/coupling/*",
     r"mbd_solver/coupling/coupled_run\.h": "mbd_solver/coupling/* mbd_solver/run/simulation.h",
     r"mbd_solver/coupling/coupling_sample\.h": "mbd_solver/coupling/* mbd_solver/run/observe/sampler.h",
-    r"mbd_solver/run/(?!codes)[a-z_]*\.h": "mbd_solver/run/* mbd_solver/main.cpp",
+    r"mbd_solver/run/(?!codes)[a-z_]*\.h": "mbd_solver/run/* mbd_solver/embed/* mbd_solver/main.cpp",
 }
 # Plain C++: only these files of coupler/base may use headers of the operating system.
-SYSTEM_FILES_OF_BASE = ("coupler/base/files.cpp coupler/base/confinement.cpp coupler/base/input_file.cpp coupler/base/pulse.cpp"
+SYSTEM_FILES_OF_BASE = ("coupler/base/files.cpp coupler/base/confinement.cpp coupler/base/input_file.cpp coupler/base/number.cpp coupler/base/pulse.cpp"
                         " coupler/base/run_directory.cpp coupler/base/run_directory.h coupler/base/start.cpp")
 SYSTEM_HEADER = re.compile(r"[a-z_]+[/.]")
 COUPLED_RUN_IS_MADE_IN = "mbd_solver/run/simulation.cpp"

@@ -14,6 +14,8 @@ HTML_PAGES = ("mbd_solver/app/report.cpp", "mbd_solver/app/view_page.cpp")
 GNUPLOT = r"set terminal|set output|with lines"  # in sources that write its scripts
 # Files that may hand a text to a shell: the one with a fixed command, and the replacement that refuses.
 SHELL_FILES = ("mbd_solver/bed/bed.cpp", "liggghts_fix/replaced/popen.cpp")
+LIBRARIES = ("coupler", "mbd_solver/base", "mbd_solver/model", "mbd_solver/fe", "mbd_solver/dynamics", "mbd_solver/integrator", "mbd_solver/scene",
+             "mbd_solver/build", "mbd_solver/coupling", "mbd_solver/run", "mbd_solver/embed")
 SWEEP_SCRIPTS = "mbd_solver/studies"
 failed = False
 
@@ -124,6 +126,22 @@ def quoting():
                 complain(f"{where}: a name in sweep.sbatch without shell_word")
 
 
+def locales():
+    """Numbers are read and written alike in every locale of the program that uses a library: by coupler/base/number.h and text.h."""
+    for file, text in sources.items():
+        for number, line in enumerate(text.split("\n"), 1):
+            code = line.split("//")[0]
+            if re.search(r"\b(strtod|strtof|stod|stof|atof)\(", code) and file != "coupler/base/number.cpp":
+                complain(f"{file}:{number}: {line.strip()}: reads a number as the locale says; use read_number")
+            if re.search(r"\bsetlocale\(|locale::global\(", code):
+                complain(f"{file}:{number}: {line.strip()}: changes the locale of the whole program")
+            if re.search(r"to_string\((time|\w*(time|mass|length|thickness|depth)_?|[\w.]+\.time)\)", code):
+                complain(f"{file}:{number}: {line.strip()}: writes a number as the locale says; use plain_text or number_text")
+        if (text.count("std::ostringstream ") and file.startswith(LIBRARIES) and re.search(r"precision\(|<< t\b", text) and
+                "imbue(std::locale::classic())" not in text):
+            complain(f"{file}: a stream of numbers without std::locale::classic()")
+
+
 def named_files():
     """A file that a source or a test names exists."""
     named = 0
@@ -149,6 +167,6 @@ def containers():
                 complain(f"{recipe}: does not install {package}")
 
 
-for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, quoting, named_files, containers):
+for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, quoting, locales, named_files, containers):
     rule()
 sys.exit(failed)

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 
 namespace footfall {
 
@@ -157,7 +158,7 @@ void ContinuousSignals::start(double t, const Eigen::VectorXd* before, Eigen::Re
     for (std::size_t k = 0; k < chain_.size(); ++k) begin(k);
   } catch (const NumericalError& error) {
     if (!before) throw InputError(error.what());  // at the start the scene is to be corrected
-    throw NumericalError("t = " + std::to_string(t) + " s: " + error.what());
+    throw NumericalError("t = " + plain_text(t) + " s: " + error.what());
   }
 }
 

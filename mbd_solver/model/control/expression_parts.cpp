@@ -1,6 +1,7 @@
 // Recursive descent, a function per level of precedence: as muParser, a sign binds less than a power.
 
 #include "mbd_solver/model/control/expression_parts.h"
+#include "coupler/base/number.h"
 
 #include <cctype>
 #include <cstdlib>
@@ -123,7 +124,7 @@ class Parser {
     if (at_ >= text_.size()) return 0;
     if (const char c = text_[at_]; std::isdigit(static_cast<unsigned char>(c)) == 0 && c != '.') return 0;
     char* end = nullptr;
-    std::strtod(text_.c_str() + at_, &end);
+    read_number(text_.c_str() + at_, &end);
     return static_cast<std::size_t>(end - (text_.c_str() + at_));
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/elements/rolling.h"
 
@@ -142,7 +143,7 @@ Joint rolling_joint(std::string name, Marker m1, Marker m2, double radius, bool 
 
 Joint distance_joint(std::string name, Marker m1, Marker m2, double length) {
   if (!(std::isfinite(length) && length > 0.0))
-    throw InputError(code::kNoLength, "joint \"" + name + "\": length is " + std::to_string(length) +
+    throw InputError(code::kNoLength, "joint \"" + name + "\": length is " + plain_text(length) +
                                           " m; it must be positive (for zero use a spherical joint).");
   Joint joint = joint_of(std::move(name), "distance", std::move(m1), std::move(m2));
   // phi = (d.d - length^2) / (2 length): the gap itself to first order.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "mbd_solver/model/codes.h"
 
 namespace footfall {
@@ -19,7 +20,7 @@ Strut::Strut(std::string name, Marker m1, Marker m2, std::vector<std::unique_ptr
       voltage_index_(voltage_index) {
   if (!(std::isfinite(length_) && length_ > 0.0))
     throw InputError(code::kNoLength, "strut \"" + this->name() + "\": the undeformed length is " +
-                                          std::to_string(length_) +
+                                          plain_text(length_) +
                                           " m; it must be positive. Are both ends at the same point?");
   for (const std::unique_ptr<StrutLaw>& law : laws_) {
     first_state_.push_back(states_);

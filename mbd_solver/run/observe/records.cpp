@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <locale>
 #include <sstream>
 
 #include "coupler/base/errors.h"
@@ -95,6 +96,7 @@ constexpr double kRoundOff = 1e-14;  // of the largest coordinate
 void write_stl(const std::string& path, const std::string& name, const Eigen::Matrix3Xd& x,
                const std::vector<Eigen::Vector3i>& triangles) {
   std::ostringstream out;
+  out.imbue(std::locale::classic());
   out.precision(17);
   const auto point = [&](const char* word, const Eigen::Vector3d& p) {
     out << word << " " << p.x() << " " << p.y() << " " << p.z() << "\n";

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <iterator>
+#include <locale>
 #include <pugixml.hpp>
 #include <sstream>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/input_file.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/run/codes.h"
 
@@ -84,6 +86,7 @@ void add_field_data(pugi::xml_node grid, const VtkFrame& frame) {
 
 void save(const pugi::xml_document& document, const std::string& path) {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   document.save(text, " ");
   write_whole_file_unsynced(path, text.str());
 }
@@ -101,6 +104,7 @@ pugi::xml_node loaded(pugi::xml_document& document, const std::string& path, con
 
 std::vector<double> numbers_in(pugi::xml_node parent, const char* name) {
   std::istringstream text(parent.find_child_by_attribute("DataArray", "Name", name).text().get());
+  text.imbue(std::locale::classic());
   return {std::istream_iterator<double>(text), {}};
 }
 
@@ -221,7 +225,7 @@ const VtkSeries::Cells& VtkSeries::cells_of(const VtkFrame& frame) {
 void VtkSeries::write(double time, const VtkFrame& frame) {
   if (!frame.points.allFinite())
     throw NumericalError(code::kOutputNotFinite,
-                         "t = " + std::to_string(time) + " s: geometry of " + name_ + " is not finite");
+                         "t = " + plain_text(time) + " s: geometry of " + name_ + " is not finite");
   pugi::xml_document document;
   pugi::xml_node grid = vtk_file(document, "UnstructuredGrid").append_child("UnstructuredGrid");
   add_field_data(grid, frame);

@@ -17,6 +17,7 @@
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/results.h"
 #include "mbd_solver/base/live_line.h"
@@ -102,7 +103,7 @@ void read_journals(const std::string& folder, const std::string& recipe, Campaig
       r.code = std::atoi(cells[1].c_str());
       const std::size_t numbers = r.code == kExitDone ? figures : 0;
       if (row >= campaign.size() || cells.size() < 2 + numbers) continue;
-      for (std::size_t k = 0; k < numbers; ++k) r.figures.push_back(std::strtod(cells[2 + k].c_str(), nullptr));
+      for (std::size_t k = 0; k < numbers; ++k) r.figures.push_back(read_number(cells[2 + k].c_str(), nullptr));
       if (cells.size() > 2 + numbers) r.message = cells[2 + numbers];
       campaign.set(row, std::move(r));
     }

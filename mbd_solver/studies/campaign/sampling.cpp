@@ -32,6 +32,7 @@
 #include <random>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/scene/codes.h"
 
@@ -169,7 +170,8 @@ Draws::Draws(const SweepSpec& spec)
   }
   for (const auto& row : units_) {
     std::vector<double> values(width);
-    for (std::size_t k = 0; k < width; ++k) values[k] = std::stod(number_text(laws[k].computeQuantile(row[k])[0], 10));
+    for (std::size_t k = 0; k < width; ++k)
+      values[k] = read_number(number_text(laws[k].computeQuantile(row[k])[0], 10).c_str(), nullptr);
     values_.push_back(values);
   }
 }
