@@ -26,4 +26,7 @@ inline constexpr const char* kFailureNote = "FOOTFALL_FAILURE_NOTE";
 // Creates that file; does nothing where the variable is not set.
 void note_failure();
 
+// For mbd_solver: the socket of a program that leads the run (mbd_solver/run/leader.h).
+inline constexpr const char* kLeader = "FOOTFALL_LEADER";
+
 }  // namespace footfall

@@ -29,8 +29,7 @@
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/control/fuzzy_controller.h"
-#include "mbd_solver/run/observe/attached_damping.h"
-#include "mbd_solver/run/observe/start_overlaps.h"
+#include "mbd_solver/run/observe/start_check.h"
 #include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/findings.h"
@@ -49,35 +48,20 @@ std::string grains_of_bed(const Scene& scene) {
   return bed_is_made(folder) && std::filesystem::exists(grains, error) ? grains : "";
 }
 
-// Faults that only building the mechanism finds. A message that does not begin with a file gets the scene's.
-// judges: also what a run only warns of, at its start or later.
-void check_by_building(Scene scene, bool judges) {
+// Faults that only building the mechanism finds; grains are those of the bed in the cache.
+void check(Scene scene, bool judges) {
   if (judges && scene.touches_particles() && scene.particles->grains.empty())
     scene.particles->grains = grains_of_bed(scene);
-  // The bed may not be made yet: whether the mechanism can be built does not depend on its height.
-  const bool unknown_height =
-      scene.touches_particles() && scene.particles->grains.empty() && !scene.particles->surface_height;
-  if (unknown_height) scene.particles->surface_height = 0.0;
-  try {
-    for (const BoundarySpec& boundary : scene.boundaries) {
-      if (boundary.surface && !boundary.surface->file.empty()) boundary_surface(scene, boundary);
-    }
-    Mechanism mechanism = build_mechanism(scene);
-    for (const std::string& warning : mechanism.warnings)
-      std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
-    require_inside_box(scene, mechanism);
-    require_values_at_start(scene, !unknown_height, mechanism);
+  const auto warn = [](const std::string& warning) {
+    std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
+  };
+  check_by_building(scene, judges, warn, [&](const Scene& placed, const Mechanism& mechanism) {
+    require_inside_box(placed, mechanism);
     if (!judges) return;
-    std::vector<GrainPlace> grains;
-    if (scene.touches_particles() && !scene.particles->grains.empty()) grains = read_grains(scene.particles->grains);
-    std::vector<std::string> warnings = overlaps_at_start(scene, mechanism, grains);
-    for (std::string& warning : leaving_bodies(scene, mechanism)) warnings.push_back(std::move(warning));
-    for (std::string& warning : damping_warnings(scene, mechanism)) warnings.push_back(std::move(warning));
-    for (const std::string& warning : warnings) std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    throw InputError(what.front() == '/' || names_a_place(scene.file, what) ? what : scene.file + ": " + what);
-  }
+    for (const std::string& warning : leaving_bodies(placed, mechanism)) warn(warning);
+  });
+  if (judges)
+    for (const std::string& warning : unset_signals(scene)) warn(warning);
 }
 
 // Where the host of FMUs is not built, their variables remain unchecked.
@@ -94,13 +78,13 @@ void check_foreign_code(const Scene& scene) {
 
 Scene checked_scene(const std::string& argument, const std::vector<std::string>& settings) {
   const Scene scene = read_scene(argument, settings);
-  check_by_building(scene, false);  // its warnings include those of the scene
+  check(scene, false);  // its warnings include those of the scene
   return scene;
 }
 
 int check_command(const std::string& argument, const std::vector<std::string>& settings) {
   const Scene scene = read_scene(argument, settings);
-  check_by_building(scene, true);
+  check(scene, true);
   check_foreign_code(scene);
   const char* grounds[] = {"no ground", "a rigid plane", "particles", "a soil without grains"};
   double mass = 0.0;

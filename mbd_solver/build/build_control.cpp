@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/fmu_description.h"
 #include "mbd_solver/build/codes.h"
@@ -42,7 +43,7 @@ std::unique_ptr<Controller> build(const ControllerSpec& spec, int outputs, std::
         warnings.push_back(
             with_code(code::kTableDifference, "controller \"" + spec.name +
                                                   "\": the table differs from the exact controller by up to " +
-                                                  std::to_string(*controller->table_difference())));
+                                                  plain_text(*controller->table_difference())));
       return controller;
     }
     case ControllerKind::kSkyhook: {
@@ -126,7 +127,8 @@ std::unique_ptr<SignalBlock> build(const SignalSpec& spec) {
     }
     case SignalKind::kTable2: return build_table2(spec);
     case SignalKind::kFuzzy: return std::make_unique<FuzzyBlock>(spec.file, spec.inputs.size(), spec.output);
-    case SignalKind::kFmu: break;  // add_foreign
+    case SignalKind::kFmu: break;   // add_foreign
+    case SignalKind::kHost: break;  // its place is all of it
   }
   FOOTFALL_DEMAND(false);
 }
@@ -348,7 +350,9 @@ std::vector<SignalNode> conditions_of(const Scene& scene) {
 }
 
 void add_signal_places(const Scene& scene, Mechanism& mechanism) {
-  for (const SignalSpec& spec : scene.signals) mechanism.signals.push_back({spec.name, add_input(mechanism, 0.0)});
+  for (const SignalSpec& spec : scene.signals)
+    mechanism.signals.push_back(
+        {spec.name, add_input(mechanism, spec.kind == SignalKind::kHost ? spec.initial.value_or(0.0) : 0.0)});
   for (const SignalSpec& spec : scene.signals)
     for (const std::string& name : spec.output_signals())
       mechanism.signals.push_back({name, add_input(mechanism, 0.0)});
@@ -365,6 +369,7 @@ void add_signals(const Scene& scene, Mechanism& mechanism) {
       add_foreign(scene, spec, i, mechanism);
       continue;
     }
+    if (spec.kind == SignalKind::kHost) continue;
     try {
       (spec.period > 0.0 ? mechanism.sampled : continuous).push_back(node_of(scene, spec, mechanism.signals[i].place));
     } catch (const InputError& error) {

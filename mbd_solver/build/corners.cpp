@@ -51,7 +51,18 @@ GivenSignals given_signals(const Scene& scene, const Mechanism& mechanism, const
     }
   for (const SignalNode& node : conditions)
     entries.push_back({"the condition of event \"" + node.name + "\"", "", node.block.get(), node.inputs, {}});
-  return {entries, [&](const std::string& name) { return source_of(mechanism, name); }, scene.end_time};
+  // What the leading program sets is constant until it is set again.
+  const auto is_host = [&](int place) {
+    for (std::size_t i = 0; i < scene.signals.size(); ++i)
+      if (mechanism.signals[i].place == place) return scene.signals[i].kind == SignalKind::kHost;
+    return false;
+  };
+  const auto source = [&](const std::string& name) {
+    GivenSource found = source_of(mechanism, name);
+    if (found.kind == GivenSource::Kind::kSignal && is_host(found.place)) found.kind = GivenSource::Kind::kHeld;
+    return found;
+  };
+  return {entries, source, scene.end_time};
 }
 
 }  // namespace

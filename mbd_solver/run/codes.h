@@ -36,6 +36,9 @@ inline constexpr MessageCode kLandingPads{"E0671", "landing-pads"};
 // A requirement reads a name that no run of the scene has. Use a key of summary.json, or a recorded column with .max ... .final.
 inline constexpr MessageCode kRequirementName{"E0672", "requirement-name"};
 
+// The program that leads the run cannot be reached. Start it first, or unset FOOTFALL_LEADER.
+inline constexpr MessageCode kLeaderGone{"E0673", "leader-gone"};
+
 // Two surfaces overlap at the start; collisions between them are not detected. Move them apart if this is not intended.
 inline constexpr MessageCode kOverlapAtStart{"W0660", "overlap-at-start"};
 // The mechanism was settled into static equilibrium before the run. Check the distance that is reported.
@@ -51,6 +54,9 @@ inline constexpr MessageCode kTurnsNotCounted{"W0665", "turns-not-counted"};
 
 // Joints change the damping ratio of a flexible body's lowest mode. Give the damping that the message computes, if that is meant.
 inline constexpr MessageCode kAttachedDamping{"W0666", "attached-damping"};
+
+// A signal of kind "host" has no program that sets it in a run from the command line. Lead the scene from a program, or change its kind.
+inline constexpr MessageCode kUnsetSignal{"W0667", "unset-signal"};
 
 // ---- files of a run ----
 

@@ -10,6 +10,8 @@
 #include "coupler/interrupt.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/run/checkpoint.h"
+#include "mbd_solver/run/leader.h"
+#include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/run/run_files.h"
@@ -85,6 +87,7 @@ class RunSession {
         lock_(lock_of(options.out)),
         simulation_(scene, end_time(scene, options), transport, options.checkpoint),
         coupled_(simulation_.coupled()),
+        leader_(Leader::of_environment(simulation_)),
         files_(announced(simulation_), options.out, resumed() ? Beginning::kResume : Beginning::kNew),
         metrics_(simulation_.subject()),
         progress_(end_time(scene, options), options.quiet, coupled_ != nullptr),
@@ -94,6 +97,8 @@ class RunSession {
         safety_(scene.output.checkpoint_interval > 0.0 ? 0.0 : options.keep_every,
                 options.keep_every == kCheckpointEvery ? kRest : 0.0),
         stateless_(warn_of_stateless(scene)) {
+    if (!leader_)
+      for (const std::string& warning : unset_signals(scene)) print_warning(warning);
     if (resumed()) restore();
     simulation_.observe_within(
         [this](const Sample& sample) {
@@ -135,6 +140,7 @@ class RunSession {
     const bool early = coupled_ && coupled_->script_has_ended();
     summarize("done", early ? "the LIGGGHTS script ended the run, which `end script` allows" : "");
     if (safety_.active()) checkpoints_.clear();
+    if (leader_) leader_->done();
     return kExitDone;
   }
 
@@ -169,6 +175,7 @@ class RunSession {
     body_warnings_.print(files_.observation().flexible().warnings());
     joint_warnings_.print(files_.observation().joints().warnings());
     time_warnings_.print(simulation_.time_warnings());
+    if (leader_) leader_->observe(sample);
     trial_.observe(simulation_, sample.state.time);
     if (trial_.over() || interrupted_ != 0) trial_ends_ = 1;
   }
@@ -186,6 +193,7 @@ class RunSession {
         checkpoints_.finish();
       });
       safety_.finish();
+      if (leader_) leader_->saved(checkpoint_);
     };
     writer.cancel = [this] {
       checkpoints_.cancel();
@@ -225,7 +233,8 @@ class RunSession {
   const volatile std::sig_atomic_t& interrupted_;
   FileLock lock_;
   Simulation simulation_;
-  CoupledRun* coupled_;  // null without grains
+  CoupledRun* coupled_;             // null without grains
+  std::unique_ptr<Leader> leader_;  // null: nobody leads
   RunFiles files_;
   MetricRecorder metrics_;
   Progress progress_;

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "coupler/base/clock.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/observe/attached_damping.h"
@@ -212,18 +213,22 @@ void Simulation::run_alone(Loop& loop) {
     times_.total = row_started - loop.started;
     loop.observe(sampler_.sample());
     if (loop.overdue()) save_checkpoint(loop, true);
-    sample_controllers();
     last_row = state_.time;
+    const bool led = is_led();
+    if (!led) sample_controllers();
     times_.mbd -= wall_clock() - row_started;  // advance() counts it
-    return loop.interrupted == 0 && !inputs_change_;
+    return loop.interrupted == 0 && !inputs_change_ && !led;
   };
 
   while (!finished()) {
     const bool end_requested = loop.interrupted != 0;
     bool saved = false;
-    if (loop.checkpoints && (checkpoints_.is_due(state_.time) || end_requested)) saved = save_checkpoint(loop, false);
+    const bool due = checkpoints_.is_due(state_.time) || end_requested || checkpoint_requested_;
+    if (loop.checkpoints && due) saved = save_checkpoint(loop, false);
+    checkpoint_requested_ = false;
     if (end_requested && (saved || !loop.checkpoints)) break;
 
+    take_given();
     cross_jump();
     sample_controllers();
     const double t_end =
@@ -256,7 +261,7 @@ void Simulation::run_alone(Loop& loop) {
 void Simulation::run_coupled(Loop& loop) {
   const auto end_requested = [&] { return loop.interrupted != 0 || coupled_->end_requested(); };
   const auto checkpoint_at = [&](double time) -> CheckpointRequest {
-    const bool due = checkpoints_.is_due(time) || end_requested();
+    const bool due = checkpoints_.is_due(time) || end_requested() || checkpoint_requested_;
     if (!loop.checkpoints || !(due || loop.overdue())) return {};
     return {loop.checkpoints.begin(window_ + 1), !due};
   };
@@ -274,6 +279,7 @@ void Simulation::run_coupled(Loop& loop) {
     if (loop.checkpoints && coupled_->checkpoint_required()) {
       observe_sample(loop);
       saved = save_checkpoint(loop, coupled_->checkpoint_undisturbed());
+      checkpoint_requested_ = false;
     }
     if (end_requested() && (saved || !loop.checkpoints)) break;
 
@@ -281,7 +287,7 @@ void Simulation::run_coupled(Loop& loop) {
     const double corner = corners_.next_time(state_.time, inputs_.values);
     double t_end = state_.time;
     try {
-      double stop = std::min(control_.next_sample(), corner);
+      double stop = std::min({control_.next_sample(), corner, stop_ > state_.time ? stop_ : kNever});
       stop = std::min(stop, foreseen_event(stop));
       t_end = coupled_->exchange(state_, kinematics, stop, checkpoint_at, meanwhile, inputs_);
     } catch (...) {
@@ -318,6 +324,9 @@ void Simulation::observe_sample(Loop& loop) {
   loop.observation_pending = false;
   times_.total = wall_clock() - loop.started;
   loop.observe(sampler_.sample());
+  if (!coupled_) return;  // take_given() follows before the next window
+  for (const GivenInput& given : given_) inputs_.values(given.place) = given.value;
+  given_.clear();
 }
 
 bool Simulation::save_checkpoint(Loop& loop, bool undisturbed) {
@@ -347,7 +356,7 @@ void Simulation::advance(State from, double time, const Rows& rows) {
       rates_ = integrator_->end_rates();
     }
     if (end == time || from.time < end) break;
-    if (rows.on_row && next_row(end - 2.0 * row_tolerance()) < end + row_tolerance()) rows.on_row(from, rates_);
+    if (rows.on_row && is_stop(end) && !rows.on_row(from, rates_) && is_led()) break;
     from.time = corner.after;
     if (from.time < time) continue;
     equations_.saddle().accelerations(from, inputs_, rates_);
@@ -395,7 +404,23 @@ double Simulation::next_row(double t) const {
   return (std::floor((t + row_tolerance()) / interval) + 1.0) * interval;
 }
 
-double Simulation::next_stop(double t) const { return std::min({next_row(t), control_.next_sample(), t_end_}); }
+double Simulation::next_stop(double t) const {
+  const double next = std::min({next_row(t), control_.next_sample(), t_end_});
+  return stop_ > t && stop_ < next - row_tolerance() ? stop_ : next;
+}
+
+bool Simulation::is_stop(double t) const {
+  return next_row(t - 2.0 * row_tolerance()) < t + row_tolerance() || std::abs(stop_ - t) <= row_tolerance();
+}
+
+void Simulation::take_given() {
+  if (given_.empty()) return;
+  for (const GivenInput& given : given_) inputs_.values(given.place) = given.value;
+  given_.clear();
+  equations_.saddle().accelerations(state_, inputs_, rates_);
+  update_sample();
+  apply_events();
+}
 
 // The grains move before their load is known, so an event cannot cut the window in which it happens. A second integrator goes
 // on under the mean loads of the last window instead, to see where the window that comes must end. An event that the loads of
@@ -455,7 +480,7 @@ void Simulation::sample_before_window(Loop& loop) {
 void Simulation::check_finite() const {
   if (state_.q.allFinite() && state_.v.allFinite() && state_.z.allFinite()) return;
   throw NumericalError(code::kStateNotFinite,
-                       "t = " + std::to_string(state_.time) + " s: the state of the mechanism is not finite");
+                       "t = " + plain_text(state_.time) + " s: the state of the mechanism is not finite");
 }
 
 void Simulation::sample_controllers() {
@@ -502,7 +527,7 @@ void Simulation::apply_events() {
     if (event < 0) break;
     names += (names.empty() ? "\"" : ", \"") + signals->event_name(event) + "\"";
     if (count > signals->state_count())
-      throw NumericalError(code::kEventLoop, "t = " + std::to_string(time) +
+      throw NumericalError(code::kEventLoop, "t = " + plain_text(time) +
                                                  " s: events trigger each other without end: " + names +
                                                  ": give each a condition that is false in the state it leads to");
     if (!coupled_) event_watch_.count(signals->event_name(event), time, t_end_);
@@ -590,6 +615,7 @@ void Simulation::visit(Archive& archive) {
   if (archive.restores()) integrator_->resume(statistics);
   if (archive.restores()) equations_.recall(state_);
   if (coupled_) archive("coupled", *coupled_);
+  if (archive.restores()) given_.clear();
   resumed_ = archive.restores();
 }
 

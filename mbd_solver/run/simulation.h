@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <functional>
+#include <limits>
 #include <memory>
 
 #include "coupler/archive.h"
@@ -66,6 +67,15 @@ class Simulation {
     observe_row_ = std::move(rows);
   }
 
+  // A run that another program leads, from within `observe`. What is set takes effect at the sample that is observed.
+  // `observe` is also called at this time [s], or at a row so near to it that two rows would be one.
+  void stop_at(double time) { stop_ = time; }
+  // A signal of kind "host"; place: of the signal among the inputs (PlaceEntry).
+  void set_input(int place, double value) { given_.push_back({place, value}); }
+  // A checkpoint before the run goes on; with grains after the window that begins.
+  void request_checkpoint() { checkpoint_requested_ = true; }
+  double row_tolerance() const;  // two times of a row are one [s]
+
   // State of the run at a checkpoint. Restoring it makes this the run that was saved; run() then continues it.
   void visit(Archive& archive);
 
@@ -73,9 +83,11 @@ class Simulation {
   const Mechanism& mechanism() const { return mechanism_; }
   const Assembly& assembly() const { return assembly_; }
   const State& state() const { return state_; }
-  long window() const { return window_; }  // windows completed
+  const Sample& sample() const { return sampler_.sample(); }  // the last one
+  long window() const { return window_; }                     // windows completed
   const Integrator& integrator() const { return *integrator_; }
   const RunTimes& times() const { return times_; }
+  void forget_times() { times_ = {}; }
   bool finished() const;  // the end time has been reached, or the script has ended
   Subject subject() const;
   Kinematics kinematics() const;                                          // of the present state, accelerations zero
@@ -93,9 +105,11 @@ class Simulation {
   void run_coupled(Loop& loop);
   void observe_sample(Loop& loop);                     // unless it has been observed
   bool save_checkpoint(Loop& loop, bool undisturbed);  // false when the DEM side could not
-  double row_tolerance() const;                        // two times of a row are one [s]
   double next_row(double t) const;                     // after t [s]
-  double next_stop(double t) const;                    // next output row or sample, or the end [s]
+  double next_stop(double t) const;                    // next output row or sample, stop_, or the end [s]
+  bool is_stop(double t) const;                        // an output row, or stop_, is at this time [s]
+  bool is_led() const { return !given_.empty() || checkpoint_requested_; }  // before the run may go on
+  void take_given();                                                        // what set_input() gave
   // With grains: the time of an event without a period in the window that comes, as far as it can be foreseen; infinity: none
   // until `before` [s].
   double foreseen_event(double before);
@@ -129,7 +143,14 @@ class Simulation {
   Eigen::VectorXd rates_;  // [dq; dv; dz; lambda] at state_.time
   long window_ = 0;        // windows completed
   ControlLoop control_;
-  bool inputs_change_ = true;     // the last controller sample changed one
+  bool inputs_change_ = true;  // the last controller sample changed one
+  struct GivenInput {
+    int place;
+    double value;
+  };
+  std::vector<GivenInput> given_;                          // since the last sample
+  double stop_ = std::numeric_limits<double>::infinity();  // [s]
+  bool checkpoint_requested_ = false;
   bool event_in_window_ = false;  // a row or step ended the window because the condition of an event holds there
   EventWatch event_watch_;
   State without_event_;  // the last state in which no condition held; for events without a period

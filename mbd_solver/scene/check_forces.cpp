@@ -446,9 +446,11 @@ void check_signal(const Scene& scene, const SignalSpec& s, const EntryFindings& 
     if (missing && s.source.refused.count(key) == 0)
       at.error(kMissingKey, key, (at.given(key) ? "is 0; " : "is missing; ") + why);
   };
-  const bool foreign = s.is_foreign(), fuzzy = s.kind == SignalKind::kFuzzy,
+  const bool foreign = s.is_foreign(), fuzzy = s.kind == SignalKind::kFuzzy, host = s.kind == SignalKind::kHost,
              rate_limit = s.kind == SignalKind::kRateLimit;
-  needs(!fuzzy && !foreign && s.input.empty(), "input", "expected an expression such as \"0.3 - knee.angle\"");
+  at.no_effect_if(host && at.given("period"), "period", "a signal that the leading program sets");
+  at.no_effect_if(host && at.given("states"), "states", "a signal that the leading program sets");
+  needs(!fuzzy && !foreign && !host && s.input.empty(), "input", "expected an expression such as \"0.3 - knee.angle\"");
   needs(is_filter(s.kind) && !(s.frequency > 0.0), "frequency", "a filter needs it (Hz), expected more than 0");
   needs(rate_limit && !(s.max_rate > 0.0), "max_rate", "expected more than 0, per second");
   needs(rate_limit && s.period == 0.0, "period", "a rate limit is sampled, for example period_ms = 1");

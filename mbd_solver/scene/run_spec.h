@@ -180,11 +180,12 @@ enum class SignalKind {
   kTable,   // over one input
   kTable2,  // over two
   kFuzzy,   // rules of a FuzzyLite file, over any inputs
-  kFmu      // computed by an FMU
+  kFmu,     // computed by an FMU
+  kHost     // set by the program that leads the run (mbd_solver/embed), constant between its steps
 };
 constexpr std::string_view name_of(SignalKind kind) {
   return name_in(kind, "expression", "pid", "lowpass", "lowpass2", "notch", "rate_limit", "saturation", "table",
-                 "table2", "fuzzy", "fmu");
+                 "table2", "fuzzy", "fmu", "host");
 }
 
 // Inherited: period [s] of every kind (0: continuous); min, max of pid and saturation; the rest of pid, whose error e is the
@@ -195,11 +196,12 @@ struct SignalSpec : PidBlockParameters {
   SignalKind kind = SignalKind::kExpression;
   std::string input;                // expression of history columns, "signal.NAME", "state.NAME", "time"
   std::vector<std::string> states;  // outside of these it is 0, and it restarts when one begins; empty: always active
-  std::optional<double> initial;    // filters, rate limit: input before the start; not given: that of the start
-  std::string rate;                 // pid: expression for e'; not given: e is filtered and differentiated
-  double frequency = 0.0;           // of a filter [Hz] > 0
-  double damping = 0.7;             // of a filter of second order [-] > 0
-  double max_rate = 0.0;            // [unit/s] > 0
+  // filters, rate limit: input before the start; not given: that of the start. host: value until it is set; not given: 0
+  std::optional<double> initial;
+  std::string rate;                     // pid: expression for e'; not given: e is filtered and differentiated
+  double frequency = 0.0;               // of a filter [Hz] > 0
+  double damping = 0.7;                 // of a filter of second order [-] > 0
+  double max_rate = 0.0;                // [unit/s] > 0
   std::vector<Eigen::Vector2d> points;  // table: (input, value), inputs rising
   std::string input2;                   // table2: the second input
   std::vector<double> x, x2;            // table2: where the inputs have values, rising

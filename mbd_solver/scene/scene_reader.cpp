@@ -121,9 +121,13 @@ ConfigNode parse_toml_file(const std::string& file) {
   require_regular_file(file, kLargestText);
   const std::optional<std::string> text = read_whole_file(file);
   if (!text) throw InputError(kFileNotReadable, file + ": cannot be read; expected a scene file (TOML)");
-  require_flat_keys(file, *text);
+  return parse_toml(*text, file);
+}
+
+ConfigNode parse_toml(const std::string& text, const std::string& file) {
+  require_flat_keys(file, text);
   try {
-    return convert(toml::parse(*text, file));
+    return convert(toml::parse(text, file));
   } catch (const toml::parse_error& e) {
     throw InputError(kNotToml, place_of(file, static_cast<int>(e.source().begin.line), "") +
                                    "is not valid TOML: " + std::string(e.description()));
@@ -178,9 +182,9 @@ std::string scene_file(const std::string& argument) {
   return argument;
 }
 
-Scene read_scene(const std::string& argument, const std::vector<std::string>& settings) {
-  const std::string file = scene_file(argument);
-  ConfigNode root = parse_scene_with_base(file);
+namespace {
+
+Scene scene_of(ConfigNode root, const std::string& file, const std::vector<std::string>& settings) {
   Findings findings(file);
   for (const std::string& setting : settings) apply_setting(root, setting, findings);
   add_soil(root, findings);
@@ -199,6 +203,18 @@ Scene read_scene(const std::string& argument, const std::vector<std::string>& se
   findings.throw_if_errors();
   scene.warnings = findings.warnings();
   return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& argument, const std::vector<std::string>& settings) {
+  const std::string file = scene_file(argument);
+  return scene_of(parse_scene_with_base(file), file, settings);
+}
+
+Scene read_scene_text(const std::string& text, const std::string& folder, const std::vector<std::string>& settings) {
+  const std::string file = (std::filesystem::path(folder) / kSceneText).string();
+  return scene_of(parse_scene_with_base(text, file), file, settings);
 }
 
 // Finds the type of each joint in the text of the scene, copies of arrays included, to choose its coordinate.

@@ -15,6 +15,11 @@ namespace footfall {
 // Throws InputError, one finding per line: "file:line: key: what is wrong, what was expected, what to do [code]".
 Scene read_scene(const std::string& argument, const std::vector<std::string>& settings = {});
 
+// The same of a scene without a file, as text. Its paths are relative to `folder`; messages name it kSceneText there.
+inline constexpr const char* kSceneText = "scene_text";
+Scene read_scene_text(const std::string& text, const std::string& folder = "",
+                      const std::vector<std::string>& settings = {});
+
 // The scene file of such an argument. Throws InputError if there is none.
 std::string scene_file(const std::string& argument);
 

@@ -173,9 +173,9 @@ void rename_second_spellings(ConfigNode& root) {
 
 namespace {
 
-ConfigNode parse(const std::string& argument, int depth) {
-  const std::string file = scene_file(argument);
-  ConfigNode own = parse_toml_file(file);
+ConfigNode parse(const std::string& argument, int depth);
+
+ConfigNode with_base(ConfigNode own, const std::string& file, int depth) {
   rename_second_spellings(own);
   require_scene(own, file);
   const ConfigNode* base_key = own.find("base");
@@ -203,8 +203,17 @@ ConfigNode parse(const std::string& argument, int depth) {
   return base;
 }
 
+ConfigNode parse(const std::string& argument, int depth) {
+  const std::string file = scene_file(argument);
+  return with_base(parse_toml_file(file), file, depth);
+}
+
 }  // namespace
 
 ConfigNode parse_scene_with_base(const std::string& argument) { return parse(argument, 0); }
+
+ConfigNode parse_scene_with_base(const std::string& text, const std::string& file) {
+  return with_base(parse_toml(text, file), file, 0);
+}
 
 }  // namespace footfall

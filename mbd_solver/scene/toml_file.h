@@ -36,6 +36,8 @@ void rename_second_spellings(ConfigNode& root);
 
 // Throws InputError "file:line: ..." if the file cannot be read or is no TOML.
 ConfigNode parse_toml_file(const std::string& file);
+// A text; file: its name in messages. Throws likewise.
+ConfigNode parse_toml(const std::string& text, const std::string& file);
 // Parses "key=value" (value as TOML; a bare word counts as text) and sets the value at the dotted path; entries of lists
 // of tables are addressed by name ("bodies.cabin.mass") or index. Errors go to `findings`.
 void apply_setting(ConfigNode& root, const std::string& setting, Findings& findings);
@@ -47,5 +49,7 @@ void apply_setting(ConfigNode& root, const std::string& setting, Findings& findi
 // removes keys of the base's table. Paths of the base remain relative to the base's folder.
 // Throws InputError: not readable, no TOML, a base that leads back to itself, an experiment instead of a scene.
 ConfigNode parse_scene_with_base(const std::string& argument);
+// The same of a text; file: its name in messages, in the folder to which its paths are relative.
+ConfigNode parse_scene_with_base(const std::string& text, const std::string& file);
 
 }  // namespace footfall

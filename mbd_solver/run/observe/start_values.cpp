@@ -8,9 +8,12 @@
 #include <set>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/observe/requirements.h"
 #include "mbd_solver/run/observe/sampler.h"
+#include "mbd_solver/scene/findings.h"
 
 namespace footfall {
 namespace {
@@ -194,6 +197,19 @@ void require_values_at_start(const Scene& scene, bool is_placed, Mechanism& mech
   } catch (const NumericalError& error) {
     throw InputError(error.what());
   }
+}
+
+std::vector<std::string> unset_signals(const Scene& scene) {
+  std::vector<std::string> warnings;
+  for (const SignalSpec& signal : scene.signals)
+    if (signal.kind == SignalKind::kHost)
+      warnings.push_back(
+          with_code(code::kUnsetSignal, place_of(scene.file, signal.source) +
+                                            "nobody sets this signal in a run from the command "
+                                            "line: it remains " +
+                                            number_text(signal.initial.value_or(0.0)) +
+                                            "; lead the scene from a program, or give the signal another kind"));
+  return warnings;
 }
 
 }  // namespace footfall

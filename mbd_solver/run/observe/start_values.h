@@ -13,4 +13,7 @@ AssemblyOptions assembly_options(const Scene& scene);
 // without a run. is_placed: bodies are where the run places them. Moves the sampled signals out of the mechanism.
 void require_values_at_start(const Scene& scene, bool is_placed, Mechanism& mechanism);
 
+// A warning for each signal of kind "host": a run from the command line has no program that sets it.
+std::vector<std::string> unset_signals(const Scene& scene);
+
 }  // namespace footfall

@@ -1,0 +1,317 @@
+// The loop of Simulation runs in a fiber. It pauses where it observes a sample at the end of the step that is asked for, and at the
+// checkpoint of save(). A run that is no longer wanted is interrupted, and ends as after SIGINT.
+
+#include "mbd_solver/embed/embedded_simulation.h"
+
+#include <cmath>
+#include <csignal>
+#include <limits>
+#include <utility>
+
+#include "coupler/base/clock.h"
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/base/fiber.h"
+#include "mbd_solver/base/fingerprint.h"
+#include "mbd_solver/embed/codes.h"
+#include "mbd_solver/run/codes.h"
+#include "mbd_solver/run/run_summary.h"
+#include "mbd_solver/run/simulation.h"
+#include "mbd_solver/scene/scene_schema.h"
+
+namespace footfall {
+namespace {
+
+constexpr double kAskEvery = 0.1;  // interruption, by the wall clock [s]
+const char* const kStateHead = "footfall state ";
+
+const Scene& without_grains(const Scene& scene) {
+  if (scene.touches_particles())
+    throw InputError(code::kEmbeddedGrains,
+                     scene.file +
+                         ": ground.kind = \"particles\": this simulation has no grains; lead the "
+                         "coupled pair, or set ground.kind to \"plane\"");
+  return scene;
+}
+
+}  // namespace
+
+struct EmbeddedSimulation::Run {
+  Run(Scene given, EmbeddedOptions chosen)
+      : scene(std::move(given)),
+        options(chosen),
+        simulation(without_grains(scene), scene.end_time, nullptr),
+        observation(simulation.subject()),
+        metrics(simulation.subject()),
+        names(observation.names()),
+        units(observation.units()) {
+    const auto see = [this](const Sample& sample) { metrics.update_peaks(sample); };
+    if (options.record) simulation.observe_within(see, nullptr);
+    const std::vector<SignalSpec>& signals = scene.signals;
+    for (std::size_t i = 0; i < signals.size(); ++i)
+      if (signals[i].kind == SignalKind::kHost)
+        hosts.push_back({signals[i].name, simulation.mechanism().signals[i].place, signals[i].initial.value_or(0.0)});
+    begin();
+    fiber->resume();
+  }
+  ~Run() { leave(); }
+
+  void begin() {
+    interrupted = 0;
+    leaving = failed = false;
+    fiber = std::make_unique<Fiber>([this] {
+      CheckpointWriter writer;
+      writer.begin = [](long) { return std::string(); };
+      writer.finish = [this] { checkpoint(); };
+      simulation.run([this](const Sample& sample) { observe(sample); }, interrupted, writer);
+    });
+  }
+
+  // Ends the fiber, so that nothing remains on its stack.
+  void leave() {
+    leaving = true;
+    interrupted = 1;
+    while (fiber && fiber->begun() && !fiber->ended()) try {
+        fiber->resume();
+      } catch (const std::exception&) {  // of a run that nobody wants
+      }
+    fiber.reset();
+  }
+
+  void observe(const Sample& sample) {
+    if (leaving) return;
+    metrics.update(sample);
+    if (sample.state.time < target - simulation.row_tolerance() && !sample.last) {
+      observation.watch(sample);
+      if (!asked || wall_clock() < next_question) return;
+      fiber->pause();
+      next_question = wall_clock() + kAskEvery;
+      return;
+    }
+    take(sample);
+    fiber->pause();
+  }
+
+  void take(const Sample& sample) {
+    time = sample.state.time;
+    q = sample.state.q;
+    v = sample.state.v;
+    z = sample.state.z;
+    row = observation.row(sample);
+  }
+
+  void checkpoint() {
+    if (leaving || !saving) return;
+    saved = archived();
+    saving = false;
+    fiber->pause();
+  }
+
+  std::string archived() {
+    Archive archive;
+    simulation.forget_times();  // a state has no wall clock
+    visit(archive);
+    return archive.text();
+  }
+
+  void visit(Archive& archive) {
+    archive("simulation", simulation);
+    archive("observation", observation);
+    archive("metrics", metrics);
+    archive("row", row);
+    for (Host& host : hosts) {
+      archive(("signal." + host.name).c_str(), host.value);
+      archive(("signal." + host.name + ".waits").c_str(), host.waits);
+      if (archive.restores() && host.waits) simulation.set_input(host.place, host.value);
+    }
+  }
+
+  void resume() {
+    try {
+      fiber->resume();
+    } catch (...) {
+      failed = true;
+      throw;
+    }
+  }
+
+  // Ends the step where it has come to, because of an interruption.
+  void stop_here() {
+    take(simulation.sample());
+    target = time;
+  }
+
+  std::string head() const { return kStateHead + fingerprint(scene_json(scene)) + "\n"; }
+
+  struct Host {
+    std::string name;
+    int place;
+    double value;
+    bool waits = false;  // its value has not acted yet
+  };
+
+  Scene scene;
+  EmbeddedOptions options;
+  Simulation simulation;
+  Observation observation;
+  MetricRecorder metrics;
+  std::vector<std::string> names, units;
+  NameIndex columns;
+  std::vector<Host> hosts;
+  std::unique_ptr<Fiber> fiber;
+  volatile std::sig_atomic_t interrupted = 0;
+  double target = 0.0;  // of the step [s]
+  bool leaving = false, failed = false, saving = false;
+  std::string saved;
+  std::function<bool()> asked;  // empty: nobody asks
+  double next_question = 0.0;   // by the wall clock [s]
+  double time = 0.0;            // [s], and what belongs to it
+  Eigen::VectorXd q, v, z;
+  std::vector<double> row;
+};
+
+EmbeddedSimulation::EmbeddedSimulation(Scene scene, EmbeddedOptions options)
+    : run_(std::make_unique<Run>(std::move(scene), options)) {}
+EmbeddedSimulation::~EmbeddedSimulation() = default;
+EmbeddedSimulation::EmbeddedSimulation(EmbeddedSimulation&&) noexcept = default;
+EmbeddedSimulation& EmbeddedSimulation::operator=(EmbeddedSimulation&&) noexcept = default;
+
+const Scene& EmbeddedSimulation::scene() const { return run_->scene; }
+double EmbeddedSimulation::time() const { return run_->time; }
+double EmbeddedSimulation::end_time() const { return run_->scene.end_time; }
+bool EmbeddedSimulation::finished() const { return run_->time >= run_->scene.end_time * (1.0 - 1e-12); }
+const Eigen::VectorXd& EmbeddedSimulation::q() const { return run_->q; }
+const Eigen::VectorXd& EmbeddedSimulation::v() const { return run_->v; }
+const Eigen::VectorXd& EmbeddedSimulation::z() const { return run_->z; }
+
+void EmbeddedSimulation::step(double until) {
+  Run& run = *run_;
+  const std::string now = "t = " + number_text(run.time, 9) + " s: ";
+  if (run.failed)
+    throw InputError(code::kCannotGoOn,
+                     now + "the simulation has failed; restore a state that was saved, or make a new simulation");
+  if (finished())
+    throw InputError(code::kCannotGoOn,
+                     now + "the end of the scene has been reached; set a later end_time and make a new simulation");
+  if (!std::isfinite(until) || until < run.time)
+    throw InputError(code::kStepBackwards, now + "a step to " + number_text(until, 9) +
+                                               " s was asked for, expected a later time; restore() goes back");
+  if (until <= run.time + run.simulation.row_tolerance()) return;
+  run.target = std::min(until, run.scene.end_time);
+  run.simulation.stop_at(run.target);
+  run.next_question = wall_clock() + kAskEvery;
+  while (!run.fiber->ended() && run.time < run.target - run.simulation.row_tolerance()) {
+    const double before = run.time;
+    run.resume();
+    for (Run::Host& host : run.hosts) host.waits = false;
+    if (run.time == before && run.asked && !run.fiber->ended() && run.asked()) run.stop_here();
+  }
+}
+
+void EmbeddedSimulation::interrupt_when(std::function<bool()> asked) { run_->asked = std::move(asked); }
+
+const std::vector<std::string>& EmbeddedSimulation::names() const { return run_->names; }
+const std::vector<std::string>& EmbeddedSimulation::units() const { return run_->units; }
+const std::vector<double>& EmbeddedSimulation::row() const { return run_->row; }
+
+std::size_t EmbeddedSimulation::column(const std::string& name) const {
+  const auto itself = [](const std::string& entry) -> const std::string& { return entry; };
+  const std::optional<std::size_t> found = run_->columns.find(run_->names, name, itself);
+  if (!found)
+    throw InputError(code::kNoSuchColumn, run_->scene.file + ": there is no column \"" + name + "\"." +
+                                              known_names("columns", name, run_->names));
+  return *found;
+}
+
+double EmbeddedSimulation::value(const std::string& name) const { return run_->row[column(name)]; }
+
+std::vector<std::string> EmbeddedSimulation::signals() const {
+  std::vector<std::string> names;
+  for (const Run::Host& host : run_->hosts) names.push_back(host.name);
+  return names;
+}
+
+void EmbeddedSimulation::set_signal(const std::string& name, double value) {
+  Run& run = *run_;
+  const double before = signal(name);
+  if (!std::isfinite(value))
+    throw InputError(code::kGivenNotFinite,
+                     "signal \"" + name + "\" was set to " + number_text(value) + ", expected a finite number");
+  if (value == before || run.failed) return;
+  for (Run::Host& host : run.hosts) {
+    if (host.name != name) continue;
+    host.value = value;
+    host.waits = true;
+    run.simulation.set_input(host.place, value);
+  }
+}
+
+double EmbeddedSimulation::signal(const std::string& name) const {
+  for (const Run::Host& host : run_->hosts)
+    if (host.name == name) return host.value;
+  throw InputError(code::kNoHostSignal, run_->scene.file + ": there is no signal \"" + name + "\" of kind \"host\"." +
+                                            known_names("such signals", name, signals()));
+}
+
+std::string EmbeddedSimulation::save() {
+  Run& run = *run_;
+  if (run.failed)
+    throw InputError(code::kCannotGoOn,
+                     "a simulation that has failed has no state to save; restore one that was saved before");
+  if (finished() || run.fiber->ended()) return run.head() + run.archived();
+  run.saving = true;
+  run.simulation.request_checkpoint();
+  run.resume();
+  return run.head() + run.saved;
+}
+
+void EmbeddedSimulation::restore(const std::string& state) {
+  Run& run = *run_;
+  const std::string head = run.head();
+  if (state.compare(0, head.size(), head) != 0)
+    throw InputError(code::kStateOfAnother,
+                     run.scene.file +
+                         ": the state that is restored belongs to another scene, other settings or another "
+                         "version of footfall");
+  run.leave();
+  run.failed = true;  // until all of it is restored
+  Archive archive("state", state.substr(head.size()));
+  run.visit(archive);
+  archive.finish();
+  const State& now = run.simulation.state();
+  run.time = run.target = now.time;
+  run.q = now.q;
+  run.v = now.v;
+  run.z = now.z;
+  run.begin();
+}
+
+double EmbeddedSimulation::energy_balance() const { return run_->metrics.metrics().energy_balance_relative(); }
+double EmbeddedSimulation::summed_error() const { return run_->simulation.integrator().statistics().summed_error; }
+
+std::vector<std::string> EmbeddedSimulation::warnings() const {
+  const Run& run = *run_;
+  std::vector<std::string> all = run.simulation.mechanism().warnings;  // those of the scene included
+  const auto add = [&](const std::vector<std::string>& more) { all.insert(all.end(), more.begin(), more.end()); };
+  add(run.simulation.time_warnings());
+  add(run.observation.flexible().warnings());
+  add(run.observation.joints().warnings());
+  for (const std::string& text : {run.metrics.balance_warning(), run.simulation.integrator().warning()})
+    if (!text.empty()) all.push_back(text);
+  return all;
+}
+
+std::vector<std::string> EmbeddedSimulation::notes() const { return run_->simulation.assembly().notes; }
+
+std::string EmbeddedSimulation::summary() const {
+  const Run& run = *run_;
+  if (!run.options.record)
+    throw InputError(code::kNotRecorded,
+                     "a summary needs the peaks of all steps: make the simulation with the option to record");
+  const std::string status = run.failed ? "failed" : finished() ? "done" : "interrupted";
+  return run_summary(run.simulation, run.metrics, run.observation, status, "", "").dump(1);
+}
+
+std::string EmbeddedSimulation::parameters() const { return scene_json(run_->scene); }
+
+}  // namespace footfall

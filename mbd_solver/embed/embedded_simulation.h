@@ -1,0 +1,82 @@
+#pragma once
+// A mechanism inside another program, which leads it:
+//   EmbeddedSimulation lander(read_scene("landing.toml", {"initial.velocity = [0, 0, -5]"}));
+//   while (!lander.finished()) {
+//     lander.set_signal("thrust", 3000.0);
+//     lander.step(lander.time() + 1e-3);
+//     use(lander.value("cabin.az"));
+//   }
+// It is the run of the command line (run/simulation.h), paused: while no signal is set and no state saved, times at which it is read
+// influence it as rows of a history do, by round-off at most. No file is written. Objects share nothing; each may be used by one thread at a time.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/scene/scene.h"
+#include "mbd_solver/scene/scene_reader.h"
+
+namespace footfall {
+
+struct EmbeddedOptions {
+  bool record = false;  // the peaks of all steps, as a run from the command line has them: for summary()
+};
+
+class EmbeddedSimulation {
+ public:
+  // At the start, with its columns. Throws InputError, also for a scene that touches grains, and NumericalError.
+  explicit EmbeddedSimulation(Scene scene, EmbeddedOptions options = {});
+  ~EmbeddedSimulation();
+  EmbeddedSimulation(EmbeddedSimulation&&) noexcept;
+  EmbeddedSimulation& operator=(EmbeddedSimulation&&) noexcept;
+
+  const Scene& scene() const;
+  double time() const;      // [s]
+  double end_time() const;  // of the scene [s]
+  bool finished() const;    // the end of the scene has been reached
+
+  // To this time [s], or to the end of the scene if that is earlier. Throws NumericalError; time, columns and state remain those before
+  // the step then, but only restore() lets the simulation go on. Throws InputError for a time before the present one.
+  void step(double until);
+  // step() asks at most every tenth of a second by the wall clock; true ends it early, at a time that it has reached.
+  void interrupt_when(std::function<bool()> asked);
+
+  // Columns of history.csv of this scene, as docs/reference/history.md lists them; the first is the time. SI units, "-" of plain numbers.
+  const std::vector<std::string>& names() const;
+  const std::vector<std::string>& units() const;
+  const std::vector<double>& row() const;             // now, in the order of the names
+  double value(const std::string& name) const;        // one of them; throws InputError
+  std::size_t column(const std::string& name) const;  // its place in the row; throws InputError
+
+  // Signals of kind "host". A value acts from the present time on, constant until it is set again.
+  std::vector<std::string> signals() const;
+  void set_signal(const std::string& name, double value);  // throws InputError
+  double signal(const std::string& name) const;            // its last value; throws InputError
+
+  // Coordinates, velocities and inner states, as integrated: theory 2.1.
+  const Eigen::VectorXd& q() const;  // positions [m] and unit quaternions [-], then modal coordinates
+  const Eigen::VectorXd& v() const;  // their velocities [m/s, rad/s]
+  const Eigen::VectorXd& z() const;  // of struts, drives and signals
+
+  // The whole state as text. A simulation goes on from save() and from restore() in the same digits; they differ from those without
+  // save() within the tolerances of the scene, because the memory of the integrator is not part of a state. restore() takes a state
+  // of the same scene with the same settings, from any object or process of this version; throws InputError otherwise.
+  std::string save();
+  void restore(const std::string& state);
+
+  // Relative error of the energy balance so far [-], as energy_balance_relative of summary.json without the estimates of integrals.
+  double energy_balance() const;
+  double summed_error() const;  // estimated, of all steps [tolerances of the scene]
+  // Of the scene, of the mechanism and of the motion so far, each with its code. Notes are warnings without a consequence.
+  std::vector<std::string> warnings() const;
+  std::vector<std::string> notes() const;
+  std::string summary() const;     // summary.json of the run so far; throws InputError unless options.record
+  std::string parameters() const;  // the scene with all defaults, as JSON: the keys of --set
+
+ private:
+  struct Run;
+  std::unique_ptr<Run> run_;
+};
+
+}  // namespace footfall

@@ -1,0 +1,43 @@
+// Builds the mechanism as a run does, and evaluates what a run would refuse or warn of.
+
+#include "mbd_solver/run/observe/start_check.h"
+
+#include <utility>
+#include <vector>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/build/grain_dump.h"
+#include "mbd_solver/run/observe/attached_damping.h"
+#include "mbd_solver/run/observe/start_overlaps.h"
+#include "mbd_solver/run/observe/start_values.h"
+#include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/mesh_reader.h"
+
+namespace footfall {
+
+void check_by_building(Scene scene, bool judges, const std::function<void(const std::string&)>& warn,
+                       const std::function<void(const Scene&, const Mechanism&)>& with_grains) {
+  // The bed may not be made yet: whether the mechanism can be built does not depend on its height.
+  const bool unknown_height =
+      scene.touches_particles() && scene.particles->grains.empty() && !scene.particles->surface_height;
+  if (unknown_height) scene.particles->surface_height = 0.0;
+  try {
+    for (const BoundarySpec& boundary : scene.boundaries) {
+      if (boundary.surface && !boundary.surface->file.empty()) boundary_surface(scene, boundary);
+    }
+    Mechanism mechanism = build_mechanism(scene);
+    for (const std::string& warning : mechanism.warnings) warn(warning);
+    if (with_grains) with_grains(scene, mechanism);
+    require_values_at_start(scene, !unknown_height, mechanism);
+    if (!judges) return;
+    std::vector<GrainPlace> grains;
+    if (scene.touches_particles() && !scene.particles->grains.empty()) grains = read_grains(scene.particles->grains);
+    for (const std::string& warning : overlaps_at_start(scene, mechanism, grains)) warn(warning);
+    for (const std::string& warning : damping_warnings(scene, mechanism)) warn(warning);
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    throw InputError(what.front() == '/' || names_a_place(scene.file, what) ? what : scene.file + ": " + what);
+  }
+}
+
+}  // namespace footfall

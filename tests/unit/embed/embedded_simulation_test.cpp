@@ -1,0 +1,283 @@
+// A mechanism inside another program: the same digits as a run, signals that the host sets, states in memory, errors as parts.
+#include "mbd_solver/embed/embedded_simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mbd_solver/embed/codes.h"
+#include "mbd_solver/embed/error_report.h"
+#include "mbd_solver/run/codes.h"
+#include "mbd_solver/run/simulation.h"
+#include "tests/support/foreign_locale.h"
+#include "tests/unit/run/never.h"
+#include "tests/unit/run/small_machine.h"
+#include "tests/unit/scene/scene_text.h"
+
+namespace footfall {
+namespace {
+
+// A mass of 2 kg on which a host pushes.
+const std::string kPushed = R"(end_time = 1.0
+[[bodies]]
+name = "b"
+mass = 2.0
+inertia = [0.1, 0.1, 0.1]
+position = [0, 0, 0]
+[[forces]]
+name = "push"
+body = "b"
+direction = "x"
+force = { signal = "thrust" }
+[[signals]]
+name = "thrust"
+kind = "host"
+initial = 4.0
+)";
+
+struct Case {
+  std::string name, toml;
+  std::vector<std::string> settings;
+};
+std::vector<Case> cases() {
+  return {{"pendulum", kPendulum, {"initial.joints.hinge=0.5"}},
+          {"pendulum_by_ida", kPendulum, {"solver.integrator=ida", "initial.joints.hinge=0.5"}},
+          {"rare_rows", kPendulum, {"output.interval=0.1", "initial.joints.hinge=0.5"}},
+          {"machine", test::kSmallMachine, {}},
+          {"pushed", kPushed, {}}};
+}
+
+// The state after a run from the command line, and how many steps it took.
+std::pair<State, long> after_run(const Scene& scene) {
+  Simulation simulation(scene, scene.end_time, nullptr);
+  simulation.run([](const Sample&) {}, test::kNever);
+  return {simulation.state(), simulation.integrator().statistics().steps};
+}
+
+class EveryScene : public testing::TestWithParam<Case> {
+ protected:
+  Scene scene() const { return SceneText().read(GetParam().toml, GetParam().settings); }
+};
+
+// Bit for bit where steps end at rows or rows influence nothing: states are read on the way, and no step is cut.
+TEST_P(EveryScene, IsIntegratedInTheSameDigitsAsByARun) {
+  EmbeddedSimulation led(scene());
+  for (int k = 1; !led.finished(); ++k) led.step(2e-3 * k);
+  const State end = after_run(scene()).first;
+  EXPECT_EQ(led.q(), end.q);
+  EXPECT_EQ(led.v(), end.v);
+  EXPECT_EQ(led.z(), end.z);
+  EXPECT_EQ(led.time(), end.time);
+}
+
+TEST_P(EveryScene, GoesOnFromASavedStateInTheSameDigits) {
+  EmbeddedSimulation led(scene()), other(scene());
+  led.step(0.03);
+  const std::string state = led.save();
+  other.step(0.01);
+  other.restore(state);
+  EXPECT_EQ(other.row(), led.row());
+  const auto goes_on = [](EmbeddedSimulation& simulation) {
+    for (int k = 1; k < 20; ++k) simulation.step(0.03 + 0.003 * k);
+    return simulation.row();
+  };
+  const std::vector<double> end = goes_on(led);
+  EXPECT_EQ(goes_on(other), end);
+  led.restore(state);  // once more, in an object that has been further
+  EXPECT_EQ(goes_on(led), end);
+  EXPECT_EQ(led.save(), other.save());
+}
+
+std::string name_of_case(const testing::TestParamInfo<Case>& info) { return info.param.name; }
+INSTANTIATE_TEST_SUITE_P(Of, EveryScene, testing::ValuesIn(cases()), name_of_case);
+
+// Whole steps of 30 ms are not cut into thirty.
+TEST(EmbeddedSimulation, TakesNoMoreStepsThanARun) {
+  const SceneText folder;
+  const Scene scene = folder.read(kPendulum, {"initial.joints.hinge=0.5", "output.interval=0.1"});
+  EmbeddedSimulation led(scene, {true});
+  for (int k = 1; !led.finished(); ++k) led.step(1e-3 * k);
+  const std::string summary = led.summary();
+  EXPECT_NE(summary.find("\"steps\": " + std::to_string(after_run(scene).second)), std::string::npos) << summary;
+}
+
+// x = F t^2 / 2 m in pieces; forces that are constant in a step are integrated exactly.
+TEST(EmbeddedSimulation, ASignalOfTheHostActsFromTheTimeAtWhichItIsSet) {
+  EmbeddedSimulation led(SceneText().read(kPushed));
+  double x = 0.0, v = 0.0, force = 4.0;
+  for (int k = 0; k < 50; ++k) {
+    const double h = 0.011;
+    if (k % 5 == 3) led.set_signal("thrust", force = 10.0 * std::sin(k));
+    led.step(h * (k + 1));
+    x += v * h + force / 4.0 * h * h;
+    v += force / 2.0 * h;
+    ASSERT_NEAR(led.value("b.x"), x, 1e-12) << k;
+    ASSERT_NEAR(led.value("b.vx"), v, 1e-12) << k;
+    ASSERT_NEAR(led.value("b.ax"), force / 2.0, 1e-12) << k;
+    ASSERT_EQ(led.value("signal.thrust"), force) << k;
+  }
+  EXPECT_EQ(led.signals(), std::vector<std::string>{"thrust"});
+  EXPECT_EQ(led.signal("thrust"), force);
+}
+
+// A sampled signal reads the new value at once, an event takes place at the instant.
+TEST(EmbeddedSimulation, SampledSignalsAndEventsSeeWhatTheHostSets) {
+  const std::string more = R"([[signals]]
+name = "twice"
+kind = "expression"
+input = "2 * signal.thrust"
+period_ms = 10
+[[states]]
+name = "waits"
+[[states]]
+name = "goes"
+[[events]]
+name = "start"
+when = "signal.thrust > 5"
+to = "goes"
+)";
+  EmbeddedSimulation led(SceneText().read(kPushed + more));
+  led.step(0.05);
+  led.set_signal("thrust", 6.0);
+  led.step(0.055);
+  EXPECT_EQ(led.value("signal.twice"), 12.0);
+  EXPECT_EQ(led.value("state.goes"), 1.0);
+}
+
+TEST(EmbeddedSimulation, AValueThatHasNotActedYetIsPartOfASavedState) {
+  EmbeddedSimulation led(SceneText().read(kPushed)), other(SceneText().read(kPushed));
+  led.step(0.1);
+  led.set_signal("thrust", -3.0);
+  other.restore(led.save());
+  EXPECT_EQ(other.signal("thrust"), -3.0);
+  led.step(0.2);
+  other.step(0.2);
+  EXPECT_EQ(other.row(), led.row());
+  EXPECT_NEAR(led.value("b.vx"), 0.1 * (4.0 - 3.0) / 2.0, 1e-12);
+}
+
+TEST(EmbeddedSimulation, TwoInOneProcessDoNotMeet) {
+  EmbeddedSimulation alone(SceneText().read(kPendulum)), first(SceneText().read(kPendulum)),
+      second(SceneText().read(kPushed));
+  for (int k = 1; k <= 40; ++k) {
+    first.step(0.01 * k);
+    second.step(0.02 * k);
+    if (k == 20) second = EmbeddedSimulation(SceneText().read(test::kSmallMachine));
+    if (k > 20) break;
+  }
+  for (int k = 1; k <= 21; ++k) alone.step(0.01 * k);
+  EXPECT_EQ(first.row(), alone.row());
+}
+
+// The state remains that before the step, and another one can be restored.
+TEST(EmbeddedSimulation, AFailureLeavesTheStateBeforeTheStep) {
+  const std::string blows_up = R"TOML(
+[[signals]]
+name = "root"
+kind = "expression"
+input = "sqrt(0.5 - time)"
+period_ms = 10
+)TOML";
+  EmbeddedSimulation led(SceneText().read(kPushed + blows_up));
+  led.step(0.4);
+  const std::string state = led.save();
+  const std::vector<double> row = led.row();
+  EXPECT_THROW(led.step(0.6), NumericalError);
+  EXPECT_EQ(led.row(), row);
+  EXPECT_EQ(led.time(), 0.4);
+  EXPECT_NE(test::refusal([&] { led.step(0.45); }).find(code::kCannotGoOn.number), std::string::npos);
+  led.restore(state);
+  led.step(0.45);
+  EXPECT_NEAR(led.time(), 0.45, 1e-12);
+}
+
+TEST(EmbeddedSimulation, RefusesWhatItCannotDo) {
+  EmbeddedSimulation led(SceneText().read(kPushed));
+  const auto refused = [&](const auto& what, const MessageCode& code) {
+    const std::string message = test::refusal(what);
+    EXPECT_NE(message.find(code.number), std::string::npos) << message;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  led.step(0.1);
+  refused([&] { led.step(0.05); }, code::kStepBackwards);
+  refused([&] { led.step(nan); }, code::kStepBackwards);
+  refused([&] { led.set_signal("thrust", nan); }, code::kGivenNotFinite);
+  refused([&] { led.set_signal("trust", 1.0); }, code::kNoHostSignal);
+  refused([&] { led.value("b.q"); }, code::kNoSuchColumn);
+  refused([&] { led.summary(); }, code::kNotRecorded);
+  refused([&] { led.restore("nonsense"); }, code::kStateOfAnother);
+  refused([&] { led.restore(EmbeddedSimulation(SceneText().read(kPendulum)).save()); }, code::kStateOfAnother);
+  led.step(5.0);  // the end of the scene is earlier
+  EXPECT_TRUE(led.finished());
+  EXPECT_EQ(led.time(), 1.0);
+  refused([&] { led.step(6.0); }, code::kCannotGoOn);
+}
+
+TEST(EmbeddedSimulation, AHostMayEndAStepEarly) {
+  EmbeddedSimulation led(SceneText().read(kPendulum, {"end_time=1e3", "output.interval=1e-3"}));
+  led.interrupt_when([] { return true; });
+  led.step(1e3);
+  EXPECT_GT(led.time(), 0.0);
+  EXPECT_LT(led.time(), 1e3);
+  const double reached = led.time();
+  led.interrupt_when({});
+  led.step(reached + 0.01);
+  EXPECT_NEAR(led.time(), reached + 0.01, 1e-12);
+}
+
+// Of a host that writes 1.234,5: the scene, its expressions, states and messages are read and written as elsewhere.
+TEST(EmbeddedSimulation, GivesTheSameInEveryLocale) {
+  const std::string signal = "[[signals]]\nname = \"s\"\nkind = \"expression\"\ninput = \"1.5 * time + 0.25\"\n";
+  const auto result = [&] {
+    EmbeddedSimulation led(read_scene_text(kPushed + signal, "."), {true});
+    led.step(0.0125);
+    const std::string state = led.save();
+    led.step(0.02);
+    led.restore(state);
+    led.step(0.03);
+    return std::pair(led.row(), state);
+  };
+  const auto here = result();
+  const std::string refusal = test::refusal([&] { read_scene_text(kPushed, ".", {"solver.rtol=-1.5e3"}); });
+  const test::ForeignLocale german;
+  const auto there = result();
+  EXPECT_EQ(there.first, here.first);
+  EXPECT_EQ(there.second, here.second);
+  EXPECT_EQ(test::refusal([&] { read_scene_text(kPushed, ".", {"solver.rtol=-1.5e3"}); }), refusal);
+}
+
+TEST(EmbeddedSimulation, ReadsAScenesText) {
+  const SceneText folder;
+  const Scene scene = read_scene_text(kPushed, ".", {"bodies.b.mass=4"});
+  EXPECT_EQ(scene.bodies[0].mass, 4.0);
+  try {
+    read_scene_text(kPushed + "[solver]\nrtoll = 1\n[[joints]]\nname = \"j\"\n", "folder");
+    FAIL();
+  } catch (const InputError& error) {
+    const std::vector<ErrorReport> reports = reports_of(error);
+    ASSERT_GE(reports.size(), 2u);
+    EXPECT_EQ(reports[0].kind, ErrorReport::Kind::kInput);
+    EXPECT_EQ(reports[0].code, "E0103");
+    EXPECT_EQ(reports[0].name, "unknown-key");
+    EXPECT_EQ(reports[0].file, "folder/scene_text");
+    EXPECT_EQ(reports[0].line, 17);
+    EXPECT_EQ(reports[0].key, "solver.rtoll");
+    EXPECT_EQ(reports[0].text.find("unknown key"), 0u) << reports[0].text;
+  }
+}
+
+TEST(ErrorReport, NamesWhatASettingIsWrongIn) {
+  try {
+    read_scene_text(kPushed, ".", {"bodies.c.mass=4"});
+    FAIL();
+  } catch (const InputError& error) {
+    const ErrorReport report = reports_of(error).front();
+    EXPECT_EQ(report.line, -1);
+    EXPECT_EQ(report.key, "bodies.c.mass");
+  }
+}
+
+}  // namespace
+}  // namespace footfall
