@@ -1,6 +1,7 @@
 # What `cmake --install` puts where. Three components:
 #   runtime      programs, inputs, man pages, completion, docs               package footfall
 #   campaign     sweeps with drawn runs                                     package footfall-campaign
+#   python       the Python package, where it has been built                package python3-footfall
 #   development  headers and libraries: find_package(footfall)               package footfall-dev
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -16,6 +17,15 @@ endif()
 
 if(TARGET footfall_campaign)  # of a package of its own: nothing else needs OpenTURNS
   install(TARGETS footfall_campaign RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT campaign)
+endif()
+
+if(FOOTFALL_PYTHON)  # where Python looks: of the system's packages, and of a prefix of its own
+  install(CODE "set(python_place lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/dist-packages)
+    if(CMAKE_INSTALL_PREFIX STREQUAL /usr)
+      set(python_place lib/python3/dist-packages)
+    endif()" COMPONENT python)
+  install(DIRECTORY ${CMAKE_BINARY_DIR}/python/footfall DESTINATION "\${python_place}" COMPONENT python OPTIONAL
+    PATTERN __pycache__ EXCLUDE PATTERN .complete EXCLUDE)
 endif()
 
 # Programs find these from their own place: ../share/footfall (mbd_solver/scene/shipped_files.h).

@@ -16,6 +16,20 @@ if(TARGET footfall_campaign)
 Probabilities of outcomes with intervals, envelopes and sensitivities from
 runs whose quantities are drawn from distributions.")
 endif()
+if(FOOTFALL_PYTHON AND EXISTS ${CMAKE_BINARY_DIR}/python/footfall/_core${PYTHON_MODULE_EXTENSION})
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-footfall)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  math(EXPR python_next "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "footfall (= ${PROJECT_VERSION}), python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${python_next}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-xarray, ipython3")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/python/prerm)
+  set(CPACK_DEBIAN_PYTHON_DESCRIPTION "footfall from Python
+Scenes, runs, sweeps and their results as Python objects and numpy arrays,
+and mechanisms that Python leads step by step.")
+endif()
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
@@ -31,7 +45,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS
   "libliggghts3 (>= ${liggghts}), libliggghts3 (<< ${liggghts_series}${liggghts_next}~), openmpi-bin, gnuplot-nox | gnuplot, fonts-dejavu-core")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "liggghts")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "footfall-campaign, footfall-dev, paraview")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "footfall-campaign, footfall-dev, python3-footfall, paraview")
 set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "flexible multibody mechanisms against beds of grains
 footfall computes what happens when a mechanism touches a bed of grains:
 LIGGGHTS moves the grains, a multibody solver moves the mechanism with its

@@ -85,6 +85,12 @@ if [[ -d $root/usr/include/footfall ]]; then
     mpirun --oversubscribe -np 1 liggghts_mbd -in in.tamper -screen none : -np 1 build/tamper > tamper.csv" > "$root.said" 2>&1 || { tail -n 30 "$root.said"; die "does not build or run"; }
   tail -n 1 "$root.said"
 fi
+if [[ -d $root/usr/lib/python3/dist-packages/footfall ]]; then
+  echo "The Python example"
+  as_user "cp -r /usr/share/footfall/examples/python_landing . && cd python_landing && sed -i 's|../../inputs|/usr/share/footfall/inputs|' * && python3 land.py out && python3 notebook.py" \
+    > "$root.said" 2>&1 || { tail -n 20 "$root.said"; die "Python does not land"; }
+  tail -n 1 "$root.said"
+fi
 if [[ -n $build ]]; then
   echo "The tests of $build, with the installed programs"
   mkdir -p "$root/$source" "$root/$build"

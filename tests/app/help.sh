@@ -4,7 +4,7 @@ set -eu
 out=$2 checkout=$3
 rm -rf "$out"
 mkdir -p "$out"
-for command in run check new import view report plot compare sweep accuracy calibrate rig schema test install package unknown ""; do
+for command in run check new import view report plot compare sweep accuracy calibrate rig schema python test install package unknown ""; do
   for option in --help -h --version; do
     FOOTFALL_BUILD=$out/build timeout 20 "$checkout/footfall" $command $option >"$out/text" 2>&1 || { echo "$command $option failed"; cat "$out/text"; exit 1; }
     [[ -s $out/text && ! -e $out/build ]] || { echo "$command $option builds, or says nothing"; exit 1; }

@@ -1,0 +1,73 @@
+"""Errors and findings: each has its code, place and advice, as docs/reference/messages.md describes messages."""
+
+import functools
+import pathlib
+from typing import NamedTuple
+
+
+@functools.lru_cache(maxsize=None)
+def _advice():
+    """From code to its meaning and remedy, of docs/reference/codes.txt."""
+    page = pathlib.Path(__file__).with_name("codes.txt")
+    lines = page.read_text(encoding="utf-8").splitlines() if page.exists() else []
+    return {line[:5]: line.split(": ", 1)[1] for line in lines if line[:1] in "EW" and ": " in line}
+
+
+class Finding(NamedTuple):
+    """One thing that is wrong with an input, or strange."""
+
+    severity: str  # "error" or "warning"
+    code: str      # "E0123"; empty without one
+    name: str      # "unknown-body"
+    file: str      # empty where none is named
+    line: int      # 0 where none is named; -1: of a setting
+    key: str       # of the scene: "joints.axle.bodies"
+    text: str      # what is wrong, what was expected, what to do
+    message: str   # all of it in one line
+
+    @property
+    def advice(self):
+        """Meaning and remedy of the code."""
+        return _advice().get(self.code, "")
+
+    def __str__(self):
+        return self.message
+
+
+class Error(Exception):
+    """What footfall refuses or fails at. `findings` has all of it; the attributes below are those of the first finding."""
+
+    def __init__(self, message, findings=()):
+        super().__init__(message)
+        self.findings = list(findings)
+
+    def __getattr__(self, name):
+        if name in ("code", "name", "file", "line", "key", "text", "advice"):
+            findings = self.__dict__.get("findings")
+            return getattr(findings[0], name) if findings else (0 if name == "line" else "")
+        raise AttributeError(name)
+
+
+class InputError(Error, ValueError):
+    """The user can correct it (exit code 2 of the command line)."""
+
+
+class NumericalError(Error, ArithmeticError):
+    """A solver failed; the message has time and body or joint (exit code 1)."""
+
+
+class PartnerError(Error, RuntimeError):
+    """Another program of the run ended, failed or was interrupted."""
+
+
+class FileError(Error, OSError):
+    """A file of a run cannot be written."""
+
+
+class InternalError(Error, RuntimeError):
+    """A fault of footfall."""
+
+
+def made(kind, message, findings):
+    """The exception of this kind; findings: tuples in the order of Finding."""
+    return globals()[kind](message, [Finding(*finding) for finding in findings])

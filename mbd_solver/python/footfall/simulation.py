@@ -1,0 +1,163 @@
+"""A scene that Python leads step by step: the mechanism in this process, or the coupled pair with its grains."""
+
+import json
+from typing import NamedTuple
+
+import numpy
+
+from . import _core
+from .errors import InputError
+from .scene import as_scene
+
+
+class State(NamedTuple):
+    """What is integrated (theory 2.1)."""
+
+    time: float       # [s]
+    q: numpy.ndarray  # positions [m] and unit quaternions [-] of bodies, modal coordinates
+    v: numpy.ndarray  # velocities [m/s], angular velocities [rad/s] in the body's frame, modal velocities
+    z: numpy.ndarray  # inner states of struts, drives and continuous signals
+
+
+class Simulation:
+    """One scene, led step by step.
+
+    scene: a Scene, or what makes one. record: keeps the peaks of all steps, which summary() needs; a step takes longer then.
+    Without grains the mechanism is integrated in this process, in the digits of `footfall run` where steps end at its rows.
+    With grains the programs of `footfall run` are started on `ranks` ranks and write the folder `out` (default: a new one in runs);
+    use `with`, which ends them. Objects share nothing; one of them serves one thread at a time.
+    """
+
+    def __init__(self, scene, ranks=None, out=None, record=False):
+        scene = as_scene(scene)
+        self.scene = scene
+        if scene.has_grains:
+            from .pair import Pair
+            self._core = Pair(scene, ranks, out)
+        elif ranks is not None or out is not None:
+            raise InputError("ranks and out belong to scenes with grains; this one is integrated in this process and writes no files")
+        else:
+            self._core = _core.Simulation(scene._source, record)
+        self._names = self._core.names
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *error):
+        self.close()
+
+    def close(self):
+        """Ends the simulation, with grains also the programs. Nothing but the columns can be read any more."""
+        if hasattr(self._core, "close"):
+            self._core.close()
+
+    # ---- time ----
+
+    @property
+    def time(self):
+        """Present time [s]."""
+        return self._core.time
+
+    @property
+    def end_time(self):
+        """end_time of the scene [s]."""
+        return self._core.end_time
+
+    @property
+    def finished(self):
+        """Whether the end of the scene has been reached."""
+        return self._core.finished
+
+    def step(self, until):
+        """Goes on to the time `until` [s], at most to the end of the scene. With grains to the end of the DEM step in which it lies.
+        Raises NumericalError; columns and state are those before the step then, and only restore() lets the simulation go on."""
+        self._core.step(until)
+
+    def sample(self, until, every, columns=None):
+        """Goes on to `until` [s] and reads columns now, then every `every` [s] and at `until`. columns: names, default all.
+        Returns {name: numpy array (rows)}; a column "time" is always there."""
+        names = list(columns if columns is not None else self._names)
+        if "time" not in names:
+            names.insert(0, "time")
+        rows = self._core.sample(float(until), float(every), names)
+        return {name: rows[:, i].copy() for i, name in enumerate(names)}
+
+    # ---- what is measured ----
+
+    @property
+    def names(self):
+        """Names of the columns, those of history.csv (docs/reference/history.md); the first is time."""
+        return list(self._names)
+
+    @property
+    def units(self):
+        """{name: unit} of the columns, SI; "-" of plain numbers."""
+        return dict(zip(self._names, self._core.units))
+
+    @property
+    def row(self):
+        """All columns now: a numpy array (columns) in the order of names."""
+        return self._core.row
+
+    @property
+    def columns(self):
+        """All columns now: {name: float}."""
+        return dict(zip(self._names, self._core.row.tolist()))
+
+    def __getitem__(self, name):
+        """One column now: sim["cabin.az"] is a float, sim[["cabin.x", "cabin.z"]] a numpy array (2)."""
+        if isinstance(name, str):
+            return self._core.value(name)
+        return numpy.array([self._core.value(each) for each in name])
+
+    @property
+    def state(self):
+        """State of the mechanism now, as it is integrated."""
+        return State(self._core.time, self._core.q, self._core.v, self._core.z)
+
+    # ---- what is set ----
+
+    @property
+    def signals(self):
+        """{name: last value} of the signals of kind "host"."""
+        return {name: self._core.signal(name) for name in self._core.signals}
+
+    def set_signal(self, name, value):
+        """A signal of kind "host" has this value from now on, until it is set again."""
+        self._core.set_signal(name, float(value))
+
+    # ---- saved states ----
+
+    def save(self):
+        """The whole state, as bytes that restore() takes in any process with this version, scene and settings. The simulation goes
+        on as one that restores it, in the same digits. With grains: writes a checkpoint at the end of the next window, and returns
+        its folder."""
+        return self._core.save()
+
+    def restore(self, state):
+        """Returns to a state of save(). Not with grains: resume the folder of results instead."""
+        self._core.restore(state)
+
+    # ---- how good it is ----
+
+    @property
+    def energy_balance(self):
+        """Relative error of the energy balance so far [-]."""
+        return self._core.energy_balance
+
+    @property
+    def warnings(self):
+        """Warnings so far, each with its code."""
+        return list(self._core.warnings)
+
+    @property
+    def notes(self):
+        """What was adjusted at the start."""
+        return list(self._core.notes)
+
+    def summary(self):
+        """What summary.json of a run would say now, as a dict; needs record=True."""
+        return json.loads(self._core.summary())
+
+    def __repr__(self):
+        return f"Simulation({self.scene!r}, time={self._core.time:g})"

@@ -1,0 +1,252 @@
+"""Scenes, findings, simulations in this process, and runs by the programs."""
+import ast
+import os
+import subprocess
+import sys
+import unittest
+
+from support import PUSHED, ROOT, ff, folder, numpy
+
+TEXT = """end_time = 0.2
+[[bodies]]
+name = "bob"
+mass = 2.0
+inertia = [0.1, 0.1, 0.2]
+position = [1, 0, 0]
+[[joints]]
+name = "hinge"
+kind = "revolute"
+bodies = ["ground", "bob"]
+axis = "y"
+point = [0, 0, 0]
+"""
+
+
+class Scenes(unittest.TestCase):
+    def test_are_files_texts_and_dicts(self):
+        file = os.path.join(folder(), "scene.toml")
+        with open(file, "w") as out:
+            out.write(TEXT)
+        as_dict = {
+            "end_time": 0.2,
+            "bodies": [{"name": "bob", "mass": 2, "inertia": [0.1, 0.1, 0.2], "position": numpy.array([1, 0, 0])}],
+            "joints": [{"name": "hinge", "kind": "revolute", "bodies": ("ground", "bob"), "axis": "y", "point": [0, 0, 0]}],
+        }
+        values = [ff.Scene(source).values for source in (file, os.path.dirname(file), TEXT, as_dict)]
+        for other in values[1:]:
+            self.assertEqual(other, values[0])
+
+    def test_settings_replace_each_other_and_are_checked(self):
+        scene = ff.Scene(TEXT).set("bodies.bob.mass", 3.0).set("solver.integrator", "ida").set("bodies.bob.mass", numpy.float64(4.0))
+        self.assertEqual(scene.bodies["bob"].mass, 4.0)
+        self.assertEqual(scene.get("solver.integrator"), "ida")
+        self.assertIsInstance(scene.bodies.get("bob").position, numpy.ndarray)
+        self.assertEqual(list(scene.joints), ["hinge"])
+        with self.assertRaises(KeyError):
+            scene.bodies["bop"]
+        self.assertEqual(ff.Scene(scene).settings, scene.settings)
+
+    def test_findings_are_objects(self):
+        findings = ff.Scene(TEXT + "colour = 3\n[solver]\nrtoll = 1\n").check()
+        self.assertEqual([(f.severity, f.code, f.line) for f in findings], [("error", "E0103", 13), ("error", "E0103", 15)])
+        self.assertTrue(findings[1].advice and findings[1].key == "solver.rtoll")
+        strange = ff.Scene(TEXT).set("gravity", [0, 0, -9810]).check()
+        self.assertIn("W0155", [f.code for f in strange if f.severity == "warning"])
+        self.assertEqual(ff.Scene(TEXT).check(), [])
+
+    def test_errors_have_code_place_and_advice(self):
+        with self.assertRaises(ff.InputError) as caught:
+            ff.Simulation(ff.Scene(TEXT, settings={"bodies.bop.mass": 1}))
+        self.assertEqual((caught.exception.line, caught.exception.key), (-1, "bodies.bop.mass"))
+        self.assertTrue(caught.exception.code.startswith("E0") and caught.exception.advice)
+        self.assertIsInstance(caught.exception, ValueError)
+        with self.assertRaises(ff.InputError):
+            ff.Simulation("nowhere.toml")
+
+
+class Simulations(unittest.TestCase):
+    def test_give_the_digits_of_a_run(self):
+        scene = ff.Scene(TEXT, settings={"output.interval": 0.01})
+        run = ff.run(scene, out=os.path.join(folder(), "run"))
+        with ff.Simulation(scene) as sim:
+            for time in run.history["time"][1:]:
+                sim.step(time)
+                row = int(numpy.searchsorted(run.history["time"], sim.time - 1e-9))
+                for name in ("bob.x", "bob.vz", "hinge.angle"):
+                    self.assertEqual(float(f"{sim[name]:.9g}"), float(f"{run.history[name][row]:.9g}"), name)
+
+    # x = F t^2 / 2 m: exact for constant forces.
+    def test_signals_act_from_the_time_at_which_they_are_set(self):
+        sim = ff.Simulation(PUSHED)
+        sim.step(0.1)
+        sim.set_signal("thrust", -2)
+        sim.step(0.2)
+        self.assertAlmostEqual(sim["b.vx"], 0.1, delta=1e-12)
+        self.assertAlmostEqual(sim["b.x"], 0.01 + 0.02 - 0.005, delta=1e-12)
+        self.assertEqual(sim.signals, {"thrust": -2.0})
+        numpy.testing.assert_array_equal(sim[["b.x", "b.vx"]], [sim["b.x"], sim["b.vx"]])
+        self.assertEqual(sim.columns["b.x"], sim["b.x"])
+        self.assertEqual(sim.units["b.vx"], "m/s")
+        self.assertEqual((sim.state.q.shape, sim.state.v.shape, sim.state.time), ((7,), (6,), 0.2))
+
+    def test_states_are_saved_and_restored_in_the_same_digits(self):
+        sim, other = ff.Simulation(TEXT), ff.Simulation(TEXT)
+        sim.step(0.05)
+        state = sim.save()
+        other.restore(state)
+        for each in (sim, other):
+            each.step(0.1)
+        numpy.testing.assert_array_equal(sim.row, other.row)
+        sim.restore(state)
+        sim.step(0.1)
+        numpy.testing.assert_array_equal(sim.row, other.row)
+        with self.assertRaises(ff.InputError):
+            ff.Simulation(PUSHED).restore(state)
+
+    def test_rows_are_sampled_without_python_between(self):
+        sim, slow = ff.Simulation(TEXT), ff.Simulation(TEXT)
+        rows = sim.sample(0.05, 0.01, ["bob.z"])
+        self.assertEqual(list(rows), ["time", "bob.z"])
+        numpy.testing.assert_allclose(rows["time"], 0.01 * numpy.arange(6), atol=1e-15)
+        for k in range(1, 6):
+            slow.step(0.01 * k)
+            self.assertEqual(slow["bob.z"], rows["bob.z"][k])
+
+    def test_failures_leave_the_state_before_the_step(self):
+        scene = dict(PUSHED, signals=PUSHED["signals"] + [{"name": "root", "kind": "expression", "input": "sqrt(0.3 - time)", "period_ms": 10}])
+        sim = ff.Simulation(scene)
+        sim.step(0.2)
+        row, state = sim.row, sim.save()
+        with self.assertRaises(ff.NumericalError) as caught:
+            sim.step(0.4)
+        self.assertIn("t = 0.3", str(caught.exception))
+        numpy.testing.assert_array_equal(sim.row, row)
+        sim.restore(state)
+        sim.step(0.25)
+        with self.assertRaises(ff.InputError):
+            sim.step(float("nan"))
+        with self.assertRaises(ff.InputError):
+            sim.set_signal("thrust", float("inf"))
+
+    def test_end_with_the_scene_and_summarize(self):
+        with ff.Simulation(PUSHED, record=True) as sim:
+            sim.step(10.0)
+            self.assertTrue(sim.finished and sim.time == sim.end_time == 0.5)
+            self.assertEqual(sim.summary()["status"], "done")
+            with self.assertRaises(ff.InputError):
+                sim.step(11.0)
+        with self.assertRaises(ff.InputError):
+            ff.Simulation(PUSHED).summary()
+
+    # u = bias + kp e + ki I + kd (e_k - e_(k-1)) / T, as the sampled kind "pid" computes it.
+    def test_a_pid_in_python_gives_the_digits_of_the_built_in(self):
+        period, kp, ki, kd = 0.01, 30.0, 20.0, 4.0
+        gains = {"name": "thrust", "kind": "pid", "input": "0.1 - b.x", "kp": kp, "ki": ki, "kd": kd, "period": period}
+        built_in, led = ff.Simulation(dict(PUSHED, signals=[gains])), ff.Simulation(PUSHED)
+        integral, before = 0.0, None
+        for k in range(30):
+            error = 0.1 - led["b.x"]
+            rate = 0.0 if before is None else (error - before) / period
+            led.set_signal("thrust", kp * error + ki * integral + kd * rate)
+            integral, before = integral + period * error, error
+            led.step((k + 1) * period)
+            built_in.step((k + 1) * period)
+            self.assertEqual(led["b.x"], built_in["b.x"], k)
+            self.assertEqual(led["signal.thrust"], led.signals["thrust"])
+
+    def test_are_separate_in_processes_made_by_fork(self):
+        sim = ff.Simulation(TEXT)
+        sim.step(0.05)
+        child = os.fork()
+        if child == 0:
+            sim.step(0.1)
+            os._exit(0 if sim.time == 0.1 else 1)
+        self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 0)
+        sim.step(0.06)
+        self.assertAlmostEqual(sim.time, 0.06, delta=1e-12)
+
+    def test_ctrl_c_ends_a_step(self):
+        text = TEXT.replace("end_time = 0.2", "end_time = 1e6")
+        script = f"import footfall as ff\nsim = ff.Simulation({text!r})\nprint('begun', flush=True)\nsim.step(1e6)\n"
+        with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            process.stdout.readline()
+            process.send_signal(2)
+            said = process.communicate(timeout=60)[1]
+        self.assertIn(b"KeyboardInterrupt", said)
+
+
+class Stub(unittest.TestCase):
+    def test_names_what_the_package_has(self):
+        tree = ast.parse((ROOT / "mbd_solver/python/footfall/__init__.pyi").read_text())
+        named = [node.name for node in tree.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))]
+        self.assertEqual(sorted(named), sorted(ff.__all__))
+        for node in tree.body:
+            if not isinstance(node, ast.ClassDef) or issubclass(getattr(ff, node.name), Exception):
+                continue
+            has = getattr(ff, node.name)
+            methods = {inner.name for inner in node.body if isinstance(inner, ast.FunctionDef)}
+            self.assertEqual([m for m in methods if not hasattr(has, m)], [], node.name)
+            public = {m for m in vars(has) if not m.startswith("_") and m not in getattr(has, "_fields", ())}
+            self.assertEqual(public - methods, set(), node.name)
+            for method in methods:
+                self.assertTrue(method.startswith("__") or getattr(has, method).__doc__ or has is not ff.Simulation, f"{node.name}.{method}")
+
+
+class Runs(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.shares = []
+        cls.run_ = ff.run(ff.Scene(TEXT, folder=folder()), out=os.path.join(folder(), "run"), progress=cls.shares.append)
+
+    def test_give_history_summary_and_pictures(self):
+        run = self.run_
+        self.assertEqual((run.exit_code, run.summary["status"]), (0, "done"))
+        self.assertTrue(self.shares and max(self.shares) <= 1.0)
+        column = run.history["bob.x"]
+        self.assertIs(column, run["bob.x"], "a column is one array")
+        self.assertFalse(column.flags.writeable or column.flags.owndata)
+        self.assertEqual(run.history.units["bob.x"], "m")
+        self.assertEqual(len(column), len(run.history["time"]))
+        self.assertTrue(os.path.getsize(run.plot("bob.x")) > 1000)
+        self.assertTrue(os.path.exists(run.view(show=False)))
+        self.assertIn("Run(", run._repr_html_())
+        with self.assertRaises(KeyError):
+            run.history["bob.q"]
+
+    def test_are_loaded_from_their_folders(self):
+        again = ff.load(self.run_.folder)
+        numpy.testing.assert_array_equal(again["bob.z"], self.run_["bob.z"])
+        with self.assertRaises(ff.InputError):
+            ff.load(folder())
+
+    def test_become_tables_where_these_are_installed(self):
+        for module, convert in (("pandas", self.run_.to_pandas), ("xarray", self.run_.to_xarray)):
+            try:
+                __import__(module)
+            except ImportError:
+                continue
+            numpy.testing.assert_array_equal(numpy.asarray(convert()["bob.x"]), self.run_["bob.x"])
+
+    def test_refusals_of_the_programs_are_exceptions(self):
+        with self.assertRaises(ff.InputError) as caught:
+            ff.run(ff.Scene(TEXT + "colour = 3\n", folder=folder()), out=os.path.join(folder(), "run"))
+        self.assertEqual((caught.exception.code, caught.exception.line), ("E0103", 13))
+
+    def test_sweeps_use_the_engine_of_the_command_line(self):
+        place = folder()
+        with open(os.path.join(place, "scene.toml"), "w") as out:
+            out.write(TEXT)
+        file = os.path.join(place, "masses.toml")
+        with open(file, "w") as out:
+            out.write('scene = "scene.toml"\nparameters = [{ name = "mass", settings = ["bodies.bob.mass={value}"], values = [1.0, 2.0] }]\n'
+                      'figures = [{ name = "descent", key = "max_descent_m" }]\n')
+        sweep = ff.sweep(file, out=os.path.join(place, "out"), jobs=1)
+        self.assertEqual(sweep.exit_code, 0)
+        # Both masses fall alike: the hinge is at rest, and inertia is small beside m r2 = 2 and 1 kg m2.
+        self.assertEqual(len(sweep.table["descent"]), 2)
+        self.assertEqual(len(sweep.runs), 2)
+        self.assertEqual(type(ff.load(sweep.folder)), ff.Sweep)
+
+
+if __name__ == "__main__":
+    unittest.main()
