@@ -228,12 +228,12 @@ void Simulation::run_alone(Loop& loop) {
     checkpoint_requested_ = false;
     if (end_requested && (saved || !loop.checkpoints)) break;
 
-    take_given();
+    const bool given = take_given();
     cross_jump();
     sample_controllers();
-    const double t_end =
-        std::min({inputs_change_ ? control_.next_sample() : t_end_, t_end_,
-                  loop.checkpoints ? checkpoints_.next() : t_end_, corners_.next(state_.time, inputs_.values).before});
+    const double t_end = std::min(
+        {inputs_change_ ? control_.next_sample() : t_end_, t_end_, given && stop_ > state_.time ? stop_ : t_end_,
+         loop.checkpoints ? checkpoints_.next() : t_end_, corners_.next(state_.time, inputs_.values).before});
     const bool continuous_events = control_.signals() && control_.signals()->has_unsampled_events();
     if (observe_step_ || continuous_events)
       rows.on_step = [&](StepView& step) {
@@ -413,13 +413,15 @@ bool Simulation::is_stop(double t) const {
   return next_row(t - 2.0 * row_tolerance()) < t + row_tolerance() || std::abs(stop_ - t) <= row_tolerance();
 }
 
-void Simulation::take_given() {
-  if (given_.empty()) return;
+bool Simulation::take_given() {
+  if (given_.empty()) return false;
   for (const GivenInput& given : given_) inputs_.values(given.place) = given.value;
   given_.clear();
+  if (!control_.signals()) return true;
   equations_.saddle().accelerations(state_, inputs_, rates_);
   update_sample();
   apply_events();
+  return true;
 }
 
 // The grains move before their load is known, so an event cannot cut the window in which it happens. A second integrator goes

@@ -109,7 +109,7 @@ class Simulation {
   double next_stop(double t) const;                    // next output row or sample, stop_, or the end [s]
   bool is_stop(double t) const;                        // an output row, or stop_, is at this time [s]
   bool is_led() const { return !given_.empty() || checkpoint_requested_; }  // before the run may go on
-  void take_given();                                                        // what set_input() gave
+  bool take_given();                                                        // what set_input() gave; false: nothing
   // With grains: the time of an event without a period in the window that comes, as far as it can be foreseen; infinity: none
   // until `before` [s].
   double foreseen_event(double before);
