@@ -17,6 +17,7 @@
 #include "mbd_solver/model/control/fuzzy_controller.h"
 #include "mbd_solver/model/control/signal_blocks.h"
 #include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/shipped_files.h"
 
 namespace footfall {
 namespace {
@@ -127,8 +128,9 @@ std::unique_ptr<SignalBlock> build(const SignalSpec& spec) {
     }
     case SignalKind::kTable2: return build_table2(spec);
     case SignalKind::kFuzzy: return std::make_unique<FuzzyBlock>(spec.file, spec.inputs.size(), spec.output);
-    case SignalKind::kFmu: break;   // add_foreign
-    case SignalKind::kHost: break;  // its place is all of it
+    case SignalKind::kFmu: break;     // add_foreign
+    case SignalKind::kPython: break;  // likewise
+    case SignalKind::kHost: break;    // its place is all of it
   }
   FOOTFALL_DEMAND(false);
 }
@@ -152,6 +154,13 @@ SignalNode node_of(const Scene& scene, const SignalSpec& spec, int place) {
 // ---- programs of the user ----
 
 std::vector<std::string> words_of_program(const SignalSpec& spec) {
+  if (spec.kind == SignalKind::kPython)
+    return {"python3",
+            shipped_file("inputs/scripts/signal_host.py"),
+            spec.file,
+            spec.function,
+            spec.stateless ? "1" : "0",
+            std::to_string(spec.inputs.size())};
   std::vector<std::string> words = {fmu_host(), "run", spec.file};
   for (const std::string& name : spec.input_names) words.insert(words.end(), {"--input", name});
   for (const std::string& name : spec.outputs) words.insert(words.end(), {"--output", name});
@@ -167,13 +176,14 @@ void add_foreign(const Scene& scene, const SignalSpec& spec, std::size_t index, 
   program.words = words_of_program(spec);
   program.limit = spec.time_limit;
   program.inputs = static_cast<int>(spec.inputs.size());
-  program.outputs = static_cast<int>(spec.outputs.size());
-  program.output_names = spec.outputs;
+  const bool script = spec.kind == SignalKind::kPython;
+  program.outputs = script ? 1 : static_cast<int>(spec.outputs.size());
+  program.output_names = script ? std::vector<std::string>{spec.function} : spec.outputs;
   program.period = spec.period;
   program.end = scene.end_time;
   const auto function = std::make_shared<ForeignFunction>(std::move(program));
   SignalNode leader{spec.name,
-                    std::make_unique<ForeignBlock>(function, false),
+                    std::make_unique<ForeignBlock>(function, script),
                     spec.inputs,
                     spec.states,
                     {},

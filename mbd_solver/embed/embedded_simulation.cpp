@@ -17,6 +17,7 @@
 #include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/run_summary.h"
 #include "mbd_solver/run/simulation.h"
+#include "mbd_solver/scene/foreign/foreign_code.h"
 #include "mbd_solver/scene/scene_schema.h"
 
 namespace footfall {
@@ -25,7 +26,9 @@ namespace {
 constexpr double kAskEvery = 0.1;  // interruption, by the wall clock [s]
 const char* const kStateHead = "footfall state ";
 
-const Scene& without_grains(const Scene& scene) {
+const Scene& without_grains(const Scene& scene, bool trusted) {
+  require_trust(scene, trusted);
+  require_foreign_code(scene);
   if (scene.touches_particles())
     throw InputError(code::kEmbeddedGrains,
                      scene.file +
@@ -40,7 +43,7 @@ struct EmbeddedSimulation::Run {
   Run(Scene given, EmbeddedOptions chosen)
       : scene(std::move(given)),
         options(chosen),
-        simulation(without_grains(scene), scene.end_time, nullptr),
+        simulation(without_grains(scene, options.trusted), scene.end_time, nullptr),
         observation(simulation.subject()),
         metrics(simulation.subject()),
         names(observation.names()),

@@ -20,7 +20,8 @@
 namespace footfall {
 
 struct EmbeddedOptions {
-  bool record = false;  // the peaks of all steps, as a run from the command line has them: for summary()
+  bool trusted = false;  // programs that the scene names may run: FMUs, Python files
+  bool record = false;   // the peaks of all steps, as a run from the command line has them: for summary()
 };
 
 class EmbeddedSimulation {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/helper_process.h"
 #include "mbd_solver/run/observe/start_check.h"
 
 namespace footfall {
@@ -15,7 +16,7 @@ ErrorReport::Kind kind_of(const std::exception& error) {
   using Kind = ErrorReport::Kind;
   if (dynamic_cast<const InputError*>(&error) || dynamic_cast<const ProtocolError*>(&error)) return Kind::kInput;
   if (dynamic_cast<const NumericalError*>(&error)) return Kind::kNumerical;
-  if (dynamic_cast<const PartnerError*>(&error)) return Kind::kPartner;
+  if (dynamic_cast<const PartnerError*>(&error) || dynamic_cast<const ForeignError*>(&error)) return Kind::kPartner;
   if (dynamic_cast<const FileError*>(&error)) return Kind::kFile;
   return Kind::kInternal;
 }

@@ -18,6 +18,7 @@
 #include <map>
 #include <vector>
 
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/helper_process.h"
 #include "mbd_solver/fmi/fmu_file.h"
@@ -41,7 +42,7 @@ std::vector<double> values_of(const FmuVariable& variable, const std::string& te
   std::vector<double> values;
   for (const std::string& word : split(text, ' ')) {
     if (word.empty()) continue;
-    values.push_back(word == "true" ? 1.0 : word == "false" ? 0.0 : std::strtod(word.c_str(), nullptr));
+    values.push_back(word == "true" ? 1.0 : word == "false" ? 0.0 : read_number(word.c_str(), nullptr));
   }
   if (values.empty()) values.push_back(0.0);
   if (values.size() == 1) values.resize(count, values[0]);

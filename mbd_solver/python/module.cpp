@@ -139,9 +139,9 @@ PYBIND11_MODULE(_core, m) {
         return all;
       });
   py::class_<Simulation>(m, "Simulation")
-      .def(py::init([](const SceneSource& source, bool record) {
+      .def(py::init([](const SceneSource& source, bool record, bool trusted) {
         const py::gil_scoped_release others_may_run;
-        return std::make_unique<Simulation>(source.read(), EmbeddedOptions{record});
+        return std::make_unique<Simulation>(source.read(), EmbeddedOptions{trusted, record});
       }))
       .def_property_readonly("time", &Simulation::time)
       .def_property_readonly("end_time", &Simulation::end_time)

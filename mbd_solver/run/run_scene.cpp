@@ -72,8 +72,10 @@ bool warn_of_stateless(const Scene& scene) {
   const std::vector<std::string> names = foreign_code_without_state(scene);
   if (names.empty()) return false;
   print_warning(with_code(code::kNoCheckpoints,
-                          scene.file + ": the run writes no checkpoints and cannot be resumed: the FMU of " +
-                              joined(names) + " cannot tell its state (canSerializeFMUState)"));
+                          scene.file + ": the run writes no checkpoints and cannot be resumed: the program of signal " +
+                              joined(names) +
+                              " cannot tell its state (an FMU by canSerializeFMUState, a Python file by the functions "
+                              "save() and restore(saved), or stateless = true)"));
   return true;
 }
 
@@ -193,7 +195,7 @@ class RunSession {
         checkpoints_.finish();
       });
       safety_.finish();
-      if (leader_) leader_->saved(checkpoint_);
+      if (leader_) leader_->saved(std::filesystem::path(checkpoint_).replace_extension().string());
     };
     writer.cancel = [this] {
       checkpoints_.cancel();

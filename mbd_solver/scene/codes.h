@@ -266,6 +266,8 @@ inline constexpr MessageCode kFmuType{"E0277", "fmu-type"};
 inline constexpr MessageCode kFmuHost{"E0278", "fmu-host"};
 // A scene runs a program of the user. Read it, and trust it with --trust-script.
 inline constexpr MessageCode kForeignCode{"E0279", "foreign-code"};
+// Checkpoints are asked for, but a Python file has no functions save() and restore(). Add them, or say stateless = true.
+inline constexpr MessageCode kScriptState{"E0727", "script-state"};
 // Checkpoints are asked for, but an FMU cannot tell its state. Remove checkpoint_interval, or export the FMU with that ability.
 inline constexpr MessageCode kFmuState{"E0280", "fmu-state"};
 // An FMU cannot tell its state: the run has no checkpoints and cannot be resumed.

@@ -55,6 +55,7 @@ inline std::vector<std::string> keys_of(SignalKind kind) {
     case SignalKind::kTable2: return {"input", "input2", "x", "x2", "values"};
     case SignalKind::kFuzzy: return {"file", "inputs", "output"};
     case SignalKind::kFmu: return {"file", "inputs", "outputs", "start", "time_limit"};
+    case SignalKind::kPython: return {"file", "inputs", "function", "stateless", "time_limit"};
     case SignalKind::kHost: return {"initial"};
   }
   return {};

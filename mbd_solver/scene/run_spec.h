@@ -181,11 +181,12 @@ enum class SignalKind {
   kTable2,  // over two
   kFuzzy,   // rules of a FuzzyLite file, over any inputs
   kFmu,     // computed by an FMU
+  kPython,  // computed by a function of a Python file, once per period
   kHost     // set by the program that leads the run (mbd_solver/embed), constant between its steps
 };
 constexpr std::string_view name_of(SignalKind kind) {
   return name_in(kind, "expression", "pid", "lowpass", "lowpass2", "notch", "rate_limit", "saturation", "table",
-                 "table2", "fuzzy", "fmu", "host");
+                 "table2", "fuzzy", "fmu", "python", "host");
 }
 
 // Inherited: period [s] of every kind (0: continuous); min, max of pid and saturation; the rest of pid, whose error e is the
@@ -206,7 +207,7 @@ struct SignalSpec : PidBlockParameters {
   std::string input2;                   // table2: the second input
   std::vector<double> x, x2;            // table2: where the inputs have values, rising
   std::vector<double> values;           // table2: for x[0] at all x2, then for x[1] ...
-  std::string file;                     // fuzzy: .fll; fmu: .fmu
+  std::string file;                     // fuzzy: .fll; fmu: .fmu; python: .py
   std::vector<std::string>
       inputs;  // fuzzy: expressions, in the order of the file's input variables; fmu: as input_names
   std::vector<std::string> input_names;      // fmu: the variables that the inputs set
@@ -214,10 +215,12 @@ struct SignalSpec : PidBlockParameters {
   std::vector<std::string> outputs;          // fmu: the variables that are read
   std::vector<std::string> output_names;     // fmu: their names as signals; empty: made of the variables
   std::map<std::string, std::string> start;  // fmu: values of parameters and start values, by variable
-  double time_limit = 30.0;                  // fmu: for a step, by the wall clock [s]
+  double time_limit = 30.0;                  // fmu, python: for a step, by the wall clock [s]
+  std::string function;                      // python: its name in the file
+  bool stateless = false;                    // python: it keeps nothing between calls
 
-  // Another program computes it: the outputs are the signals NAME.OUTPUT, and the first is NAME as well.
-  bool is_foreign() const { return kind == SignalKind::kFmu; }
+  // Another program computes it: the outputs of an FMU are the signals NAME.OUTPUT, and the first is NAME as well.
+  bool is_foreign() const { return kind == SignalKind::kFmu || kind == SignalKind::kPython; }
   std::vector<std::string> output_signals() const;
 };
 

@@ -475,6 +475,7 @@ static void visit_fields(FieldVisitor& v, SignalSpec& s) {
   NamedTexts inputs{&s.inputs, &s.input_names}, outputs{&s.outputs, &s.output_names};
   v.fields(plain, {{"inputs", &inputs}, {"output", &s.output}, {"outputs", &outputs}, {"start", &s.start}});
   v.field("time_limit", &s.time_limit, positive(Unit::kTime));
+  v.fields(plain, {{"function", &s.function}, {"stateless", &s.stateless}});
 }
 
 static void visit_fields(FieldVisitor& v, StateSpec& s) { v.entry(s.source, s.name); }

@@ -147,7 +147,7 @@ class Simulations(unittest.TestCase):
         integral, before = 0.0, None
         for k in range(30):
             error = 0.1 - led["b.x"]
-            rate = 0.0 if before is None else (error - before) / period
+            rate = 0.0 if before is None else (1.0 / period) * (error - before)
             led.set_signal("thrust", kp * error + ki * integral + kd * rate)
             integral, before = integral + period * error, error
             led.step((k + 1) * period)

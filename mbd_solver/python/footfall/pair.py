@@ -20,13 +20,13 @@ _PATIENCE = 7 * 86400  # of LIGGGHTS while Python thinks, unless the scene gives
 class Pair:
     """What simulation.Simulation calls, for a scene with grains."""
 
-    def __init__(self, scene, ranks, out):
+    def __init__(self, scene, ranks, out, trust_script=False):
         self.out = new_folder(out, scene)
         scene = scene.copy()
         if not any(setting.startswith("coupling.timeout=") for setting in scene.settings):
             scene.set("coupling.timeout", _PATIENCE)
         self._folder = tempfile.mkdtemp(prefix="footfall-")
-        self._socket = self._process = None
+        self._socket = self._process = self._log = None
         self._received = b""
         try:
             path = os.path.join(self._folder, "lead")
@@ -35,7 +35,7 @@ class Pair:
             listener.listen(1)
             listener.settimeout(_LOOK)
             self._log = open(os.path.join(self._folder, "log"), "w+b")
-            self._process = subprocess.Popen(command_of(scene, self.out, ranks, quiet=True), stdin=subprocess.DEVNULL, stdout=self._log,
+            self._process = subprocess.Popen(command_of(scene, self.out, ranks, quiet=True, trust_script=trust_script), stdin=subprocess.DEVNULL, stdout=self._log,
                                              stderr=self._log, env=dict(os.environ, FOOTFALL_LEADER=path), start_new_session=True)
             while self._socket is None:
                 try:
@@ -56,7 +56,8 @@ class Pair:
     # ---- the conversation ----
 
     def _said(self):
-        self._log.flush()
+        if self._log.closed:
+            return self._last_words
         with open(self._log.name, encoding="utf-8", errors="replace") as log:
             return log.read()
 
@@ -198,6 +199,9 @@ class Pair:
         if self._socket is not None:
             self._socket.close()
             self._socket = None
+        if self._log is not None and not self._log.closed:
+            self._last_words = self._said()
+            self._log.close()
         shutil.rmtree(self._folder, ignore_errors=True)
 
     def __del__(self):

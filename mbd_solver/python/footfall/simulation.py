@@ -24,20 +24,21 @@ class Simulation:
 
     scene: a Scene, or what makes one. record: keeps the peaks of all steps, which summary() needs; a step takes longer then.
     Without grains the mechanism is integrated in this process, in the digits of `footfall run` where steps end at its rows.
+    trust_script: FMUs and Python files that the scene names may run.
     With grains the programs of `footfall run` are started on `ranks` ranks and write the folder `out` (default: a new one in runs);
     use `with`, which ends them. Objects share nothing; one of them serves one thread at a time.
     """
 
-    def __init__(self, scene, ranks=None, out=None, record=False):
+    def __init__(self, scene, ranks=None, out=None, record=False, trust_script=False):
         scene = as_scene(scene)
         self.scene = scene
         if scene.has_grains:
             from .pair import Pair
-            self._core = Pair(scene, ranks, out)
+            self._core = Pair(scene, ranks, out, trust_script)
         elif ranks is not None or out is not None:
             raise InputError("ranks and out belong to scenes with grains; this one is integrated in this process and writes no files")
         else:
-            self._core = _core.Simulation(scene._source, record)
+            self._core = _core.Simulation(scene._source, record, trust_script)
         self._names = self._core.names
 
     def __enter__(self):

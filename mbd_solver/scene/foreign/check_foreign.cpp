@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <set>
 
+#include "coupler/base/files.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/helper_process.h"
 #include "mbd_solver/scene/foreign/foreign_code.h"
@@ -86,7 +88,7 @@ struct FmuUse {
 
 bool reads_as_number(const std::string& text) {
   char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
+  const double value = read_number(text.c_str(), &end);
   return !text.empty() && *end == '\0' && std::isfinite(value);
 }
 
@@ -149,6 +151,15 @@ FmuDescription describe_fmu(const std::string& file) {
 
 void check_foreign(const Scene& scene, const SignalSpec& s, const EntryFindings& at) {
   const auto refused = [&](const char* key) { return s.source.refused.count(key) > 0; };
+  if (s.kind == SignalKind::kPython) {
+    at.missing_if(s.file.empty() && !refused("file"), "file",
+                  "a python signal is computed by a function of a .py file");
+    at.missing_if(s.function.empty() && !refused("function"), "function",
+                  "name the function of the file, f(time, *inputs)");
+    at.missing_if(s.period == 0.0 && !refused("period"), "period", "it is sampled, for example period_ms = 1");
+    at.error_if(!s.input_names.empty(), kWrongType, "inputs", "is a table, expected a list of expressions");
+    return;
+  }
   at.missing_if(s.file.empty() && !refused("file"), "file", "an fmu signal is computed by an .fmu file");
   at.missing_if(s.outputs.empty() && !refused("outputs"), "outputs",
                 "list the variables that are read, for example outputs = [\"y\"]");
@@ -186,8 +197,30 @@ void require_trust(const Scene& scene, bool trusted) {
                            " is a program, which may do whatever you may; if you trust it, add --trust-script");
 }
 
+namespace {
+
+// A Python file without these functions keeps nothing, or cannot say what.
+bool keeps_its_state(const SignalSpec& s) {
+  if (s.stateless) return true;
+  const std::string text = read_whole_file(s.file).value_or("");
+  const auto defines = [&](const std::string& what) {
+    return text.find("\ndef " + what + "(") != std::string::npos || text.rfind("def " + what + "(", 0) == 0 ||
+           text.find("\n" + what + " = ") != std::string::npos;
+  };
+  return defines("save") && defines("restore");
+}
+
+}  // namespace
+
 void require_foreign_code(const Scene& scene) {
   for (const SignalSpec& s : scene.signals) {
+    if (s.kind == SignalKind::kPython && scene.output.checkpoint_interval > 0.0 && !keeps_its_state(s))
+      throw InputError(
+          kScriptState,
+          place_of(scene.file, scene.output.source, "checkpoint_interval") + "asks for checkpoints, but " + s.file +
+              " of signal \"" + s.name +
+              "\" has no functions save() and restore(saved); add them, give the signal stateless = true if it "
+              "keeps nothing between calls, or remove checkpoint_interval");
     if (s.kind != SignalKind::kFmu) continue;
     const std::string where = place_of(scene.file, s.source, "file");
     FmuDescription fmu;
@@ -213,7 +246,9 @@ void require_foreign_code(const Scene& scene) {
 std::vector<std::string> foreign_code_without_state(const Scene& scene) {
   std::vector<std::string> names;
   for (const SignalSpec& s : scene.signals)
-    if (s.kind == SignalKind::kFmu && !describe_fmu(s.file).keeps_state) names.push_back(s.name);
+    if ((s.kind == SignalKind::kFmu && !describe_fmu(s.file).keeps_state) ||
+        (s.kind == SignalKind::kPython && !keeps_its_state(s)))
+      names.push_back(s.name);
   return names;
 }
 

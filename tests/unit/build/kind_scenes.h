@@ -89,6 +89,8 @@ inline const KeysOfKind kSignalKeys = {
               "inputs = [\"2 + 0.1 * b.x\", \"0\", \"b.vx\", \"0\"]"},
     {"fmu", "file = \"" FOOTFALL_SOURCE_DIR "/inputs/reference/engine.fmu\"\noutputs = [\"thrust\"]\n"
             "inputs = { throttle = \"b.x\" }\nperiod = 0.01"},
+    {"python", "file = \"" FOOTFALL_SOURCE_DIR "/inputs/reference/autopilot.py\"\nfunction = \"throttle\"\n"
+               "inputs = [\"b.x\", \"b.vx\"]\nperiod = 0.01"},
     {"host", "initial = 4"},
 };
 

@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Of, EveryScene, testing::ValuesIn(cases()), name_of_cas
 TEST(EmbeddedSimulation, TakesNoMoreStepsThanARun) {
   const SceneText folder;
   const Scene scene = folder.read(kPendulum, {"initial.joints.hinge=0.5", "output.interval=0.1"});
-  EmbeddedSimulation led(scene, {true});
+  EmbeddedSimulation led(scene, {false, true});
   for (int k = 1; !led.finished(); ++k) led.step(1e-3 * k);
   const std::string summary = led.summary();
   EXPECT_NE(summary.find("\"steps\": " + std::to_string(after_run(scene).second)), std::string::npos) << summary;
@@ -231,7 +231,7 @@ TEST(EmbeddedSimulation, AHostMayEndAStepEarly) {
 TEST(EmbeddedSimulation, GivesTheSameInEveryLocale) {
   const std::string signal = "[[signals]]\nname = \"s\"\nkind = \"expression\"\ninput = \"1.5 * time + 0.25\"\n";
   const auto result = [&] {
-    EmbeddedSimulation led(read_scene_text(kPushed + signal, "."), {true});
+    EmbeddedSimulation led(read_scene_text(kPushed + signal, "."), {false, true});
     led.step(0.0125);
     const std::string state = led.save();
     led.step(0.02);
