@@ -195,6 +195,7 @@ void Simulation::run_alone(Loop& loop) {
   // A window ends only where an input changes: rows and samples are read on the way. While every sample changes an
   // input, windows end at samples, so that no step is cut.
   double last_row = state_.time;  // [s]
+  bool given = false;             // at the last stop of a leading program: windows end as where samples change inputs
   Rows rows;
   rows.next = [&](double t) { return next_stop(t); };
   rows.on_row = [&](const State& state, const Eigen::VectorXd& rates) {
@@ -217,7 +218,7 @@ void Simulation::run_alone(Loop& loop) {
     const bool led = is_led();
     if (!led) sample_controllers();
     times_.mbd -= wall_clock() - row_started;  // advance() counts it
-    return loop.interrupted == 0 && !inputs_change_ && !led;
+    return loop.interrupted == 0 && !inputs_change_ && !led && !given;
   };
 
   while (!finished()) {
@@ -228,7 +229,7 @@ void Simulation::run_alone(Loop& loop) {
     checkpoint_requested_ = false;
     if (end_requested && (saved || !loop.checkpoints)) break;
 
-    const bool given = take_given();
+    given = take_given() || (given && state_.time < stop_ - row_tolerance());
     cross_jump();
     sample_controllers();
     const double t_end = std::min(
