@@ -246,7 +246,7 @@ bool SoilContact::remember(const ElementInput& in) const {
   bool changed = false;
   for (std::size_t k = 0; k < facets_.size(); ++k) {
     SoilMemory& m = memory_[k];
-    if (away && !m.touches) continue;
+    if (away && !m.touches && m.print == 0.0) continue;
     const SoilPoint at = point_of(in, facets_[k], MovingPoint(body, facets_[k].marker));
     const bool touched = m.touches;
     look_below(k, at.place);

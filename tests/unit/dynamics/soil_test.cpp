@@ -296,6 +296,10 @@ TEST(SoilContact, GroundKeepsPrintsWhereTheyAre) {
   plate.carried_to({0.0, 0.0, 0.01});  // back over the first print: nothing before its bottom
   EXPECT_EQ(plate.carried_to({0.0, 0.0, -0.01}), 0.0);
   EXPECT_NEAR(plate.carried_to({0.0, 0.0, -0.02}), p, 1e-4 * p);
+  // High above the ground it leaves its print behind, too.
+  plate.carried_to({0.0, 0.0, 1.0});
+  plate.carried_to({0.8, 0.0, 1.0});
+  EXPECT_NEAR(plate.carried_to({0.8, 0.0, -0.01}), 0.5 * p, 1e-4 * p);
   // What it remembers is a list of numbers.
   std::vector<double> memory, again;
   plate.soil->save_memory(memory);
