@@ -91,6 +91,10 @@ void check_soil(const Scene& scene, Findings& findings) {
   if (!ground.law) return;
   const SoilSpec& law = *ground.law;
   const bool rft = law.kind == SoilLawKind::kRft;
+  at.error_if(used && ground.plane && !at.given("law.normal") &&
+                  ground.plane->normal.normalized().dot(law.normal.normalized()) < 1.0 - 1e-9,
+              kKeyWithoutEffect, "plane.normal",
+              "tilts the plane, not the soil; write ground.law.normal for that of the soil");
   for (const std::string& name : law.bodies)
     at.error_if(
         scene.boundary_of(name) == nullptr, kUnknownBoundary, "law.bodies",
