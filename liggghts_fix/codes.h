@@ -116,7 +116,15 @@ inline constexpr MessageCode kBeamSegmentTooLong{"E0496", "beam-segment-too-long
 // The script has beams but no fix couple/mbd. Add it.
 inline constexpr MessageCode kBeamWithoutCoupling{"E0497", "beam-without-coupling"};
 
+// --- Sources and sinks of grains.
+
+// The arguments of fix insert/exact or remove/region are wrong. Follow the syntax in the message.
+inline constexpr MessageCode kSourceSyntax{"E0499", "source-syntax"};
+
 // --- Warnings.
+
+// New grains find no space in the region of their source. Enlarge it, or let them leave it faster.
+inline constexpr MessageCode kNoSpaceForGrains{"W0461", "no-space-for-grains"};
 
 // Grains have left the box, and LIGGGHTS has lost them. Enlarge the region of create_box if it matters.
 inline constexpr MessageCode kGrainsLost{"W0450", "grains-lost"};

@@ -32,6 +32,8 @@
 #include "liggghts_fix/contact/fix_wall_gran_smooth.h"
 #include "liggghts_fix/couple/fix_couple_mbd.h"
 #include "liggghts_fix/couple/fix_couple_mbd_geometry.h"
+#include "liggghts_fix/couple/fix_insert_exact.h"
+#include "liggghts_fix/couple/fix_remove_region.h"
 #include "liggghts_fix/couple/grain_audit.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "liggghts_fix/link/dem_link.h"
@@ -120,6 +122,8 @@ int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_li
   attach_dem_link(lmp, dem_link);
   register_fix_style(lmp, "couple/mbd/geometry", create_fix<LAMMPS_NS::FixCoupleMbdGeometry>);
   register_fix_style(lmp, "couple/mbd", create_fix<LAMMPS_NS::FixCoupleMbd>);
+  register_fix_style(lmp, "insert/exact", create_fix<LAMMPS_NS::FixInsertExact>);
+  register_fix_style(lmp, "remove/region", create_fix<LAMMPS_NS::FixRemoveRegion>);
   register_fix_style(lmp, "wall/gran/beam", create_fix<LAMMPS_NS::FixWallGranBeam>);
   register_fix_style(lmp, "wall/gran", create_fix<LAMMPS_NS::FixWallGranSmooth>);
   make_meshes_resumable(lmp);

@@ -309,9 +309,10 @@ void DemLink::count_grains(const std::vector<double>& rows, int ranks) {
                            " grains have left the box, and LIGGGHTS has lost them";
   if (static_cast<double>(load_.lost) > max_lost_ * all)
     throw NumericalError(code::kTooManyGrainsLost,
-                         what + "; fix couple/mbd allows a share of " + number(max_lost_) +
-                             ". Enlarge the region of create_box or make the bed calmer; where grains are meant to "
-                             "leave, set particles.outflow = true in the scene, or outflow yes in fix couple/mbd");
+                         what + "; a share of " + number(max_lost_) +
+                             " may. Give them more room (headroom and margin of [particles.box]; in a LIGGGHTS script "
+                             "the region of create_box), or make the bed calmer; where grains are meant to leave, set "
+                             "particles.outflow = true in the scene");
   if (first) warn(with_code(code::kGrainsLost, what + " (reported once; total: grains_lost in the summary)"));
 }
 
@@ -348,7 +349,10 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks) {
   link_->send(load_);
   load_.warnings.clear();
   load_.gone_walls.clear();
-  if (!last_window_) return;
+  if (last_window_ && motion_.checkpoint.empty()) finish();
+}
+
+void DemLink::finish() {
   finished_ = true;
   link_->close();
 }
@@ -374,6 +378,7 @@ void DemLink::checkpoint_done(std::int64_t step, bool done) {
   answer.done = done;
   motion_.checkpoint.clear();
   link_->send(answer);
+  if (last_window_) finish();
 }
 
 void DemLink::visit(Archive& archive) {

@@ -140,6 +140,7 @@ class DemLink {
   }
 
  private:
+  void finish();  // the last window is done
   void begin_window();
   void require_expected(const Motion& motion) const;
   void promise_next_step();

@@ -90,10 +90,12 @@ int check_command(const std::string& argument, const std::vector<std::string>& s
   double mass = 0.0;
   for (const BodySpec& body : scene.bodies) mass += body.mass;
   std::printf(
-      "%s: no faults. %zu bodies (%g kg), %zu joints, %zu struts, %zu springs, %zu controllers, %zu boundaries on "
+      "%s: no faults. %zu bodies (%g kg), %zu joints, %zu struts, %zu cables, %zu springs, %zu controllers, %zu "
+      "boundaries on "
       "%s.\n",
-      scene.file.c_str(), scene.bodies.size(), mass, scene.joints.size(), scene.struts.size(), scene.springs.size(),
-      scene.controllers.size(), scene.boundaries.size(), grounds[static_cast<int>(scene.ground.kind)]);
+      scene.file.c_str(), scene.bodies.size(), mass, scene.joints.size(), scene.struts.size(), scene.cables.size(),
+      scene.springs.size(), scene.controllers.size(), scene.boundaries.size(),
+      grounds[static_cast<int>(scene.ground.kind)]);
   if (scene.touches_particles())
     std::fputs((scene.particles->box ? box_report(scene) : script_report(scene)).c_str(), stdout);
   return kExitDone;

@@ -187,6 +187,7 @@ void draw_marks(const VtkFrame& frame, DepthImage& image) {
   const double unit = 0.006 * (high - low).norm();  // half the width of a strut [m]
   for (std::size_t i = 0; i < names->size(); ++i) {
     const std::vector<std::string> words = split((*names)[i], '\t');
+    if (words.size() == 5 && words[0] == "cable") image.capsule(vector(i, 0), vector(i, 1), 0.5 * unit, kStrut);
     if (words.size() != 5 || (words[0] != "joint" && words[0] != "strut")) continue;
     for (int end = 0; end < 2; ++end) {
       const auto body = std::find(bodies->begin(), bodies->end(), words[static_cast<std::size_t>(3 + end)]);
@@ -280,8 +281,9 @@ std::vector<Moment> read_moments(const PicturesArguments& a, const Json& summary
   const std::map<long, std::string> frames = find_bed_frames(a.run);
   if (frames.empty() || !summary.contains("dt_dem_s"))
     throw InputError(code::kNoDumps, a.run +
-                                         ": no dumps of grains; run the scene with frames, in inputs/landing_mr by "
-                                         "--set particles.variables.frames=0.05");
+                                         ": no dumps of grains; run the scene with frames: --set "
+                                         "particles.box.frame_interval=0.05, in inputs/landing_mr --set "
+                                         "particles.variables.frames=0.05");
   const double dt = summary.at("dt_dem_s");
   std::vector<double> times;
   std::vector<std::string> files;

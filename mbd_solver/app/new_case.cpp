@@ -24,7 +24,11 @@ namespace {
 
 // Scenes of inputs/ that --from knows; the examples are found by their folders.
 constexpr const char* kAdvice = "choose a folder that can be written";
-constexpr const char* kOfInputs[][2] = {{"lander", "inputs/landing_mr"}, {"drop", "inputs/dropped_sphere"}};
+constexpr const char* kOfInputs[][2] = {
+    {"lander", "inputs/landing_mr"},      {"drop", "inputs/dropped_sphere"},
+    {"winch", "inputs/starters/winch"},   {"hopping_leg", "inputs/starters/hopping_leg"},
+    {"tripod", "inputs/starters/tripod"}, {"penetrator", "inputs/starters/penetrator"},
+    {"blade", "inputs/starters/blade"},   {"seesaw", "inputs/starters/seesaw"}};
 
 // Not copied: pictures, the scripts that draw them, and the page about the example.
 bool is_left_out(const fs::path& file) {

@@ -342,7 +342,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-constexpr const char* kKinds[] = {"bodies", "joints", "struts", "springs", "drives", "controllers"};
+constexpr const char* kKinds[] = {"bodies", "joints", "struts", "cables", "springs", "drives", "controllers"};
 
 // A * matches within two dots.
 bool matches(const std::string& pattern, const std::string& name) {

@@ -19,6 +19,7 @@
 #include "mbd_solver/app/plots.h"
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/model/laws/strut_law.h"
+#include "mbd_solver/run/observe/requirements.h"
 #include "mbd_solver/run/output/summary.h"
 
 namespace footfall {
@@ -28,6 +29,7 @@ const std::string kDissipated = "dissipated.";
 constexpr const char* kResidual = "coupling.energy_residual";
 const std::string kChanges = "coupling.grains_";  // energy that grains got otherwise than by forces
 constexpr double kSameTime = 1e-6;                // grains_energy.txt has six digits
+constexpr double kSameEnergy = 1e-9;              // history.csv has ten
 
 // The values of a column at ascending times within its range, interpolated linearly.
 std::vector<double> at_times(const std::vector<double>& time, const std::vector<double>& value,
@@ -119,8 +121,11 @@ History energy_ledger(const History& run, const GrainEnergies& grains) {
     add(name, "J", from_run(name));
     count(ledger.columns.back(), 1.0);
   }
-  add("work.motion", "J", from_run("work.motion"));
-  count(ledger.columns.back(), -1.0);
+  for (const std::string& source : names_of<Supply>()) {
+    if (run.find("work." + source) < 0) continue;
+    add("work." + source, "J", from_run("work." + source));
+    count(ledger.columns.back(), -1.0);
+  }
   if (run.find(kResidual) >= 0) {
     std::vector<double> to_grains = from_run("work.contact");
     for (double& work : to_grains) work = -work;
@@ -147,7 +152,14 @@ History energy_ledger(const History& run, const GrainEnergies& grains) {
   }
   const double reference = reference_energy(run);
   std::vector<double> error;
-  for (const double s : sum) error.push_back(reference > 0.0 ? (s - sum.front()) / reference : 0.0);
+  double largest = 0.0;  // of all parts, whose round-off is none of the balance
+  for (const std::vector<double>& column : ledger.columns)
+    if (&column != &ledger.columns.front())
+      for (const double value : column) largest = std::max(largest, std::abs(value));
+  for (const double s : sum) {
+    const double change = std::abs(s - sum.front()) > kSameEnergy * largest ? s - sum.front() : 0.0;
+    error.push_back(reference > 0.0 ? change / reference : 0.0);
+  }
   add("sum", "J", sum);
   add("closing_error", "-", error);
   return ledger;
@@ -276,6 +288,7 @@ bool write_ledger(const std::string& out) {
       metrics["grains_dissipated_J"] = ledger.column("grains.dissipated").back();
     }
     summary["ledger"] = metrics;
+    judge_ledger(summary, run, ledger);
     write_summary(file.string(), summary);
     return true;
   } catch (const std::exception& e) {

@@ -441,8 +441,11 @@ std::vector<std::string> missing_of(const Json& summary, const PageParts& parts)
   const Json scene = summary.value("scene", Json::object());
   if (parts.run.at("grains").is_null() && touches_grains(scene))
     missing.push_back(
-        "The run has no dumps of grains, so none are shown. Run it with --set particles.variables.frames=0.01 if its "
-        "script has this variable; otherwise add a dump of id x y z vx vy vz radius to the script.");
+        "The run has no dumps of grains, so none are shown. " +
+        std::string(scene.value("particles", Json::object()).contains("box")
+                        ? "Run it with --set particles.box.frame_interval=0.01."
+                        : "Run it with --set particles.variables.frames=0.01 if its script has this variable; "
+                          "otherwise add a dump of id x y z vx vy vz radius to the script."));
   if (parts.run.at("bodies").is_null())
     missing.push_back(parts.run.at("marks").is_null()
                           ? "There are no drawings of bodies: output.vtk was false, or no body of the scene has a "

@@ -32,6 +32,7 @@ std::set<std::string> held_by_ground(const Scene& scene) {
     connect(scene.joints);
     connect(scene.struts);
     connect(scene.springs);
+    connect(cable_pairs(scene.cables));
   }
   return held;
 }

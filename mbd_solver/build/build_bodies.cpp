@@ -12,6 +12,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/build/codes.h"
+#include "mbd_solver/build/end_state.h"
 #include "mbd_solver/build/grain_dump.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/fe/fe_model.h"
@@ -52,6 +53,8 @@ std::unordered_map<std::string, std::vector<Attachment>> attachments(const Scene
   }
   for (const StrutSpec& strut : scene.struts)
     for (std::size_t end = 0; end < 2; ++end) points[strut.bodies[end]].push_back({strut.points[end], false});
+  for (const CableSpec& cable : scene.cables)
+    for (const CableGuideSpec& guide : cable.path) points[guide.body].push_back({guide.point, guide.radius > 0.0});
   for (const SpringSpec& spring : scene.springs)
     if (spring.source.given("point"))
       for (const std::string& body : spring.bodies) points[body].push_back({spring.point, true});
@@ -532,8 +535,9 @@ constexpr double kStray = 0.1;  // of the radius of a boundary's footprint
 
 Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
                 const std::vector<FlexibleBody>& flexible) {
-  Placement placement;
   const InitialSpec& initial = scene.initial;
+  if (!initial.from.empty()) return read_end_state(scene).placement;
+  Placement placement;
   placement.R_WD = rotation_from_rpy(initial.roll, initial.pitch, initial.yaw);
   const Eigen::Vector3d centre = mass_centre(scene);
   placement.p_WD = centre - placement.R_WD * centre + initial.position;

@@ -9,7 +9,9 @@
 #include "mbd_solver/build/codes.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/build/time_functions.h"
+#include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/elements/bushing.h"
+#include "mbd_solver/model/elements/cable.h"
 #include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/laws/table_law.h"
@@ -110,6 +112,102 @@ void add_struts(const Scene& scene, Mechanism& mechanism) {
       mechanism.struts.push_back({spec.name, mechanism.model.add_force(std::move(strut))});
     } catch (const InputError& error) {
       throw InputError(place_of(scene.file, spec.source) + error.what());
+    }
+  }
+}
+
+namespace {
+
+// The angle from direction `from` to `to` about the axis, as a wrap: from -90 to 270 degrees.
+double wrap_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& axis) {
+  const double angle = std::atan2(axis.dot(from.cross(to)), from.dot(to));
+  return angle < -0.5 * kPi ? angle + 2.0 * kPi : angle;
+}
+
+// One part of a cable in the reference configuration: its guides without markers, and the length of its way.
+struct CablePart {
+  std::vector<CablePlace> places;
+  std::vector<CableTouch> touches;
+  std::vector<double> wraps;  // of what is between the ends [rad]
+  double length = 0.0;        // [m]
+};
+
+CablePart cable_part(const std::vector<CablePlace>& places, const std::vector<int>& turns) {
+  CablePart out{places, {}, std::vector<double>(places.size(), 0.0), 0.0};
+  double spans = 0.0;
+  out.touches = touch(places, spans);
+  std::vector<std::size_t> touched;
+  for (std::size_t i = 0; i < places.size(); ++i) touched.push_back(i);
+  for (bool again = true; again;) {  // the pulley with the most negative wrap is not touched
+    again = false;
+    std::vector<CablePlace> seen;
+    for (const std::size_t i : touched) seen.push_back(places[i]);
+    const std::vector<CableTouch> at = touch(seen, spans);
+    out.length = spans;
+    std::size_t leaves = 0;
+    for (std::size_t k = 1; k + 1 < touched.size(); ++k) {
+      const std::size_t i = touched[k];
+      if (!(places[i].radius > 0.0)) continue;
+      out.wraps[i] = wrap_between(at[k].in, at[k].out, places[i].axis) + 2.0 * kPi * turns[i];
+      out.length += places[i].radius * out.wraps[i];
+      if (out.wraps[i] < 0.0 && (leaves == 0 || out.wraps[i] < out.wraps[touched[leaves]])) leaves = k;
+    }
+    if (leaves == 0) continue;
+    touched.erase(touched.begin() + static_cast<std::ptrdiff_t>(leaves));
+    again = true;
+  }
+  return out;
+}
+
+std::unique_ptr<Cable> build(const CableSpec& spec, const std::string& name, std::size_t first, std::size_t last,
+                             const Placement& placement, const Scene& scene, const Model& model) {
+  std::vector<CablePlace> places;
+  std::vector<int> turns;
+  for (std::size_t i = first; i <= last; ++i) {
+    const CableGuideSpec& guide = spec.path[i];
+    places.push_back(
+        {placement.point(guide.point), placement.R_WD * guide.axis.value_or(Eigen::Vector3d::UnitZ()), guide.radius});
+    turns.push_back(guide.turns);
+  }
+  const CablePart part = cable_part(places, turns);
+  std::vector<CableGuide> guides;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const CablePlace& place = places[k];
+    const Eigen::Vector3d from = k == 0 ? part.touches[k].out : part.touches[k].in;
+    const Eigen::Matrix3d axes = place.radius > 0.0 ? axes_with_z(place.axis, from) : Eigen::Matrix3d::Identity();
+    guides.push_back({model.marker_at(scene.body_index(spec.path[first + k].body), place.centre, axes), place.radius,
+                      part.wraps[k]});
+  }
+  CableParameters parameters;
+  parameters.stiffness = spec.stiffness.value_or(0.0);
+  parameters.axial_stiffness = spec.EA.value_or(0.0);
+  parameters.damping = spec.damping;
+  const double tension = spec.tension.value_or(0.0);
+  parameters.length = spec.length.value_or(part.length + spec.slack.value_or(0.0));
+  if (spec.stiffness) parameters.length -= tension / *spec.stiffness;
+  if (spec.EA) parameters.length *= *spec.EA / (*spec.EA + tension);
+  if (!(parameters.length > 0.0))
+    throw InputError(code::kNoLength, "tension: stretches the cable by more than its way of " +
+                                          number_text(part.length) + " m; make it smaller, or the cable stiffer");
+  return std::make_unique<Cable>(name, std::move(guides), parameters);
+}
+
+}  // namespace
+
+void add_cables(const Scene& scene, Mechanism& mechanism) {
+  for (const CableSpec& spec : scene.cables) {
+    bool still = false;
+    for (const CableGuideSpec& guide : spec.path) still = still || stands_still(scene, guide.body);
+    const Placement placement = still ? Placement() : mechanism.placement;
+    const std::vector<std::size_t> ends = spec.ends();
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      const std::string name = ends.size() == 2 ? spec.name : spec.name + "." + std::to_string(k + 1);
+      try {
+        mechanism.cables.push_back({name, mechanism.model.add_force(build(spec, name, ends[k], ends[k + 1], placement,
+                                                                          scene, mechanism.model))});
+      } catch (const InputError& error) {
+        throw InputError(place_of(scene.file, spec.source) + error.what());
+      }
     }
   }
 }

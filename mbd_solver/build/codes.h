@@ -23,6 +23,8 @@ inline constexpr MessageCode kGrainFile{"E0267", "grain-file"};
 inline constexpr MessageCode kNoGroundHeight{"E0268", "no-ground-height"};
 // The model of another code has another mass centre or inertia than the scene states. Correct the scene, or the units of nodes.
 inline constexpr MessageCode kModelInertia{"E0269", "model-inertia"};
+// The folder of initial.from is not that of a run that has ended, or its bodies differ. Run that scene, or correct the folder.
+inline constexpr MessageCode kEndState{"E0263", "end-state"};
 // A tabulated controller differs from the exact one by this much. Use a finer grid if it matters.
 inline constexpr MessageCode kTableDifference{"W0260", "table-difference"};
 // A signal varies in time faster than its corners can be found, and steps may pass over parts of it. Shorten the run.
@@ -31,5 +33,7 @@ inline constexpr MessageCode kVariesTooFast{"W0261", "varies-too-fast"};
 inline constexpr MessageCode kThrownAtStart{"W0265", "thrown-at-start"};
 // A flexible body bends by more than a tenth of its size under its own weight, where linear modes fail. Check its material.
 inline constexpr MessageCode kBendsUnderWeight{"W0266", "bends-under-weight"};
+// initial.from does not carry this over. Nothing, if this is intended.
+inline constexpr MessageCode kNotCarried{"W0267", "not-carried"};
 
 }  // namespace footfall::code

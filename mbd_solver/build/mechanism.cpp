@@ -62,6 +62,7 @@ Mechanism build_mechanism(const Scene& scene) {
   add_drives(scene, mechanism);
   add_gears(scene, mechanism);
   add_struts(scene, mechanism);
+  add_cables(scene, mechanism);
   add_springs(scene, mechanism);
   add_forces(scene, mechanism);
   add_plane(scene, mechanism);

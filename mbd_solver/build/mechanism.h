@@ -61,6 +61,11 @@ std::vector<ContactPoint> contact_places(const Scene& scene, const Body& body, c
 // without points and rims.
 double lowest_place(const BodyBoundary& entry, const Eigen::Vector3d& n_B, const Eigen::VectorXd& a);
 
+struct CableEntry {
+  std::string name;  // with ".1", ".2", ... of the parts between pulleys that a cable turns
+  int force = 0;     // index of the Cable in the model
+};
+
 struct StrutEntry {
   std::string name;
   int force = 0;  // index of the Strut in the model
@@ -123,6 +128,7 @@ struct Mechanism {
   Model model;
   std::vector<BodyBoundary> boundaries;
   std::vector<StrutEntry> struts;
+  std::vector<CableEntry> cables;
   std::vector<int> planes;        // force indices of rigid-plane contacts, one per touching body
   std::vector<int> plane_bodies;  // their bodies; a body may touch several planes
   std::vector<int> soils;         // force indices of contacts with a soil without grains, one per touching body
@@ -174,6 +180,7 @@ void add_joints(const Scene& scene, Mechanism& mechanism);
 void add_drives(const Scene& scene, Mechanism& mechanism);  // after add_joints
 void add_gears(const Scene& scene, Mechanism& mechanism);   // after add_joints
 void add_struts(const Scene& scene, Mechanism& mechanism);  // after add_controllers
+void add_cables(const Scene& scene, Mechanism& mechanism);
 void add_springs(const Scene& scene, Mechanism& mechanism);
 void add_forces(const Scene& scene, Mechanism& mechanism);
 void add_plane(const Scene& scene, Mechanism& mechanism);

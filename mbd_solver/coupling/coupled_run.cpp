@@ -163,7 +163,7 @@ double CoupledRun::exchange(const State& state, const Kinematics& kinematics, do
   // In the last window the boundary comes to the prediction: work that is pending then will never be done.
   motion_.closing = motion_.last_window ? motion_.n : std::max(motion_.n, before);
   const double t_end = motion_.last_window ? t_end_ : state.time + motion_.n * dt;
-  const CheckpointRequest request = motion_.last_window ? CheckpointRequest{} : checkpoint_at(t_end);
+  const CheckpointRequest request = checkpoint_at(t_end);
   motion_.checkpoint = request.folder;
   motion_.undisturbed = request.undisturbed;
   work_before_ = state.load_work;

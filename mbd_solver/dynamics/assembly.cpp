@@ -375,7 +375,7 @@ void start_modes(const Model& model, const Layout& layout, const Kinematics& kin
     if (!element.switches()) continue;
     const Eigen::VectorXd inputs = Eigen::VectorXd::Zero(element.input_count());
     auto z = state.z.segment(layout.force_z[static_cast<std::size_t>(i)], element.state_count());
-    element.switch_states({kinematics.pair(element.bodies()[0], element.bodies()[1]), z, inputs, state.time}, z);
+    element.switch_states(element_input(element, kinematics, z, inputs, state.time), z);
   }
 }
 
@@ -385,6 +385,7 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
   const Layout layout(model);
   Assembly out;
   out.state = initial_state(model, layout);
+  if (options.carry) options.carry(layout, out.state);
   if (!out.state.z.allFinite())
     throw InputError(code::kNotFinite, "an inner state of a force element is not finite at the start.");
   if (layout.row_count == 0) return out;

@@ -2,6 +2,7 @@
 // From a model to a consistent start: joints closed, velocities made consistent, redundant conditions found. Joints that are
 // open in the reference configuration are closed by the smallest motion of the bodies.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,8 @@ struct AssemblyOptions {
   double speed_tolerance = 1e-6;  // largest change of a given velocity [m/s or rad/s] without a message
   double rank_tolerance = 1e-8;   // of the unit rows of Phi_v
   std::vector<StartCoordinate> start;
+  // Sets positions, velocities and inner states of the start that are known better than by the model; empty: nobody does.
+  std::function<void(const Layout&, State&)> carry;
 };
 
 struct Assembly {

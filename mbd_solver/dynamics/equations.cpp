@@ -49,12 +49,15 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout)
     largest = std::max(largest, 6 + model.body(i).mode_count());
   }
   const int n = 2 * largest;
-  local = Eigen::VectorXd::Zero(n);
+  int most = n;  // of the largest element
   K = D = M = Eigen::MatrixXd::Zero(n, n);
   int most_states = 0;
   for (int i = 0; i < model.force_count(); ++i) {
     const ForceElement& force = model.force(i);
-    const int size = force_pair(force).size(), m = force.state_count();
+    int size = force_pair(force).size();
+    const int m = force.state_count();
+    for (const int body : force.further_bodies()) size += kinematics.of(body).size();
+    most = std::max(most, size);
     ElementDerivatives d;
     d.dQ_dx = d.dQ_dv = Eigen::MatrixXd::Zero(size, size);
     d.dQ_dz = Eigen::MatrixXd::Zero(size, m);
@@ -63,6 +66,7 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout)
     elements.push_back(d);
     most_states = std::max(most_states, m);
   }
+  local = Eigen::VectorXd::Zero(most);
   row = row2 = row3 = row4 = Eigen::VectorXd::Zero(std::max(n, most_states));
   for (int j = 0; j < model.joint_count(); ++j) {
     for (const ConstraintRow& r : model.joint(j).rows) {
@@ -105,9 +109,10 @@ const BodyKinematics& Equations::motion(int body) const { return work_->kinemati
 
 ElementInput Equations::element_input(int force, const State& state, const Inputs& inputs) const {
   const ForceElement& element = model_.force(force);
-  return {work_->force_pair(element),
-          state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], element.state_count()), inputs.values,
-          state.time};
+  return footfall::element_input(
+      element, work_->kinematics,
+      state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], element.state_count()), inputs.values,
+      state.time);
 }
 
 void Equations::check_inputs(const Inputs& inputs) const {
@@ -180,16 +185,24 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
   if (model_.signals()) F.segment(layout_.z0() + layout_.signal_z, w.signal_rates.size()) -= w.signal_rates;
   for (int i = 0; i < model_.force_count(); ++i) {
     const ForceElement& element = model_.force(i);
-    const PairMotion pair = w.force_pair(element);
     const int z = layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], m = element.state_count();
-    Eigen::Ref<Eigen::VectorXd> Q = w.local.head(pair.size());
+    const ElementInput in = footfall::element_input(element, w.kinematics, y.segment(z, m), values, t);
+    const PairMotion& pair = in.pair;
+    const int pair_size = pair.size(), size = in.size();
+    Eigen::Ref<Eigen::VectorXd> Q = w.local.head(size);
     Eigen::Ref<Eigen::VectorXd> dz = w.row.head(m);
     Q.setZero();
-    element.add_force({pair, y.segment(z, m), values, t}, Q, dz);
+    element.add_force(in, Q, dz);
     const std::array<int, 2> v = pair_v(layout_, element.bodies()[0], element.bodies()[1]);
     for (int k = 0; k < 2; ++k) {
       const int n = pair.body[k]->size();
       if (n > 0) F.segment(layout_.v0() + v[static_cast<std::size_t>(k)], n) -= Q.segment(pair.offset(k), n);
+    }
+    int offset = pair_size;
+    for (const int body : element.further_bodies()) {
+      const int n = w.kinematics.of(body).size();
+      F.segment(layout_.v0() + layout_.body_v[static_cast<std::size_t>(body)], n) -= Q.segment(offset, n);
+      offset += n;
     }
     F.segment(z, m) -= dz;
   }
@@ -275,7 +288,8 @@ void Equations::sample_energy(double t, const Eigen::Ref<const Eigen::VectorXd>&
   for (int i = 0; i < model_.force_count(); ++i) {
     const ForceElement& element = model_.force(i);
     const int z = layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)];
-    const ElementInput in{w.force_pair(element), y.segment(z, element.state_count()), values, t};
+    const ElementInput in =
+        footfall::element_input(element, w.kinematics, y.segment(z, element.state_count()), values, t);
     element.add_energy(in, out.stored, out.power);
     element.add_supply(in, out.supplied);
   }
@@ -396,29 +410,31 @@ void Equations::add_force_derivatives(int index, double t, const Eigen::Ref<cons
                                       const Eigen::VectorXd& input_values) {
   Workspace& w = *work_;
   const ForceElement& element = model_.force(index);
-  const PairPlaces& places = w.pattern.forces[static_cast<std::size_t>(index)];
-  const PairMotion pair = w.force_pair(element);
+  const ElementPlaces& places = w.pattern.forces[static_cast<std::size_t>(index)];
+  const ElementInput in = footfall::element_input(element, w.kinematics, z, input_values, t);
   ElementDerivatives& d = w.elements[static_cast<std::size_t>(index)];
   double* values = w.pattern.lower.valuePtr();
   double* stiffness = w.pattern.stiffness.data();
   for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz}) part->setZero();
-  if (!element.add_derivatives({pair, z, input_values, t}, d)) return;
+  if (!element.add_derivatives(in, d)) return;
 
   // F_v takes -Q, F_z takes -g.
   for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz}) *part = -*part;
-  for (int j = 0; j < 2; ++j) {
-    const int nj = pair.body[j]->size(), cj = pair.offset(j);
+  const auto body = [&](std::size_t i) { return i < 2 ? in.pair.body[i] : in.further[i - 2]; };
+  const std::size_t count = 2 + element.further_bodies().size();
+  for (std::size_t j = 0, cj = 0; j < count; cj += static_cast<std::size_t>(body(j++)->size())) {
+    const int nj = body(j)->size(), column = static_cast<int>(cj);
     if (nj == 0) continue;
-    for (int i = 0; i < 2; ++i) {
-      const int ni = pair.body[i]->size(), ci = pair.offset(i);
+    for (std::size_t i = 0, ci = 0; i < count; ci += static_cast<std::size_t>(body(i++)->size())) {
+      const int ni = body(i)->size(), row = static_cast<int>(ci);
       if (ni == 0) continue;
-      add_columns(places.v_v[i][j], stiffness, d.dQ_dx.block(ci, cj, ni, nj));
-      add_columns(places.v_v[i][j], values, d.dQ_dv.block(ci, cj, ni, nj));
+      add_columns(places.v_v[i][j], stiffness, d.dQ_dx.block(row, column, ni, nj));
+      add_columns(places.v_v[i][j], values, d.dQ_dv.block(row, column, ni, nj));
     }
     if (element.state_count() == 0) continue;
-    add_columns(places.extra_v[j], stiffness, d.ddz_dx.middleCols(cj, nj));
-    add_columns(places.extra_v[j], values, d.ddz_dv.middleCols(cj, nj));
-    add_columns(places.v_extra[j], values, d.dQ_dz.middleRows(cj, nj));
+    add_columns(places.extra_v[j], stiffness, d.ddz_dx.middleCols(column, nj));
+    add_columns(places.extra_v[j], values, d.ddz_dv.middleCols(column, nj));
+    add_columns(places.v_extra[j], values, d.dQ_dz.middleRows(column, nj));
   }
   const int block = element.state_block();
   for (std::size_t k = 0; k < places.extra_extra.size(); ++k)

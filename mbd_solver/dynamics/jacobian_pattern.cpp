@@ -16,12 +16,11 @@ struct Range {
 // The blocks of a joint or an element, announced to a pattern or located in the finished matrix: visit(rows, columns, block).
 // `v` are the coordinates of its bodies, `own` its multipliers or inner states, which act on each other in blocks of
 // `own_block`; 0: not at all.
-template <typename Visit>
-void visit_blocks(const std::array<Range, 2>& v, Range own, int own_block, bool forces, PairPlaces& places,
-                  Visit visit) {
-  for (std::size_t i = 0; i < 2; ++i) {
+template <typename Ranges, typename Places, typename Visit>
+void visit_blocks(const Ranges& v, Range own, int own_block, bool forces, Places& places, Visit visit) {
+  for (std::size_t i = 0; i < v.size(); ++i) {
     if (v[i].size == 0) continue;
-    for (std::size_t j = 0; forces && j < 2; ++j) {
+    for (std::size_t j = 0; forces && j < v.size(); ++j) {
       if (v[j].size > 0) visit(v[i], v[j], places.v_v[i][j]);
     }
     if (own.size == 0) continue;
@@ -125,9 +124,15 @@ JacobianPattern::JacobianPattern(const Model& model, const Layout& layout, const
     visit_signal_blocks(model, layout, kinematics, signals, visit);
     for (int i = 0; i < model.force_count(); ++i) {
       const ForceElement& force = model.force(i);
-      visit_blocks(velocities(layout, kinematics, force.bodies()[0], force.bodies()[1]),
-                   {z0 + layout.force_z[static_cast<std::size_t>(i)], force.state_count()}, force.state_block(), true,
-                   forces[static_cast<std::size_t>(i)], visit);
+      const std::array<Range, 2> pair = velocities(layout, kinematics, force.bodies()[0], force.bodies()[1]);
+      std::vector<Range> v(pair.begin(), pair.end());
+      for (const int body : force.further_bodies()) v.push_back(body_range(layout, kinematics, body));
+      ElementPlaces& places = forces[static_cast<std::size_t>(i)];
+      places.v_v.assign(v.size(), std::vector<SparseBlock>(v.size()));
+      places.extra_v.resize(v.size());
+      places.v_extra.resize(v.size());
+      visit_blocks(v, {z0 + layout.force_z[static_cast<std::size_t>(i)], force.state_count()}, force.state_block(),
+                   true, places, visit);
     }
     for (int i = 0; i < model.body_count(); ++i) {
       const Range v = body_range(layout, kinematics, i);

@@ -18,11 +18,17 @@ struct BodyPlaces {
   SparseBlock L_L, L_w;                   // F_q of the quaternion by L and w
 };
 
-// Places of one joint or force element between its two bodies; blocks of a ground body are empty.
+// Places of one joint between its two bodies; blocks of a ground body are empty.
 struct PairPlaces {
   SparseBlock v_v[2][2];                 // force rows of body i by coordinates of body j
   SparseBlock extra_v[2], v_extra[2];    // own rows (lambda or z) by body, forces on body by own unknowns
   std::vector<SparseBlock> extra_extra;  // z by z, block by block
+};
+
+// The same of a force element, on two bodies or more.
+struct ElementPlaces {
+  std::vector<std::vector<SparseBlock>> v_v;
+  std::vector<SparseBlock> extra_v, v_extra, extra_extra;
 };
 
 // Places of what depends on one body that continuous signals measure, or on the states of one of them: its columns in the
@@ -47,7 +53,8 @@ struct JacobianPattern {
   Eigen::SparseMatrix<double> lower;
   Eigen::VectorXd stiffness;
   std::vector<BodyPlaces> bodies;
-  std::vector<PairPlaces> joints, forces;
+  std::vector<PairPlaces> joints;
+  std::vector<ElementPlaces> forces;
   std::vector<int> z_z, lambda_lambda;
   std::vector<SignalPlaces> signals;
   Eigen::SparseMatrix<double> full;     // of the full system: columns of q, then as in `lower` with F_q on top

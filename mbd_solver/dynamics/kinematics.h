@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupler/body_motion.h"
+#include "mbd_solver/model/force_element.h"
 #include "mbd_solver/model/kinematic_vector.h"
 #include "mbd_solver/model/model.h"
 
@@ -53,6 +54,16 @@ class Kinematics {
   std::vector<int> turning_;            // joints that are members of gears and angles
   std::vector<double> turns_;           // per joint; empty without gears
 };
+
+// What a force element reads at this instant.
+inline ElementInput element_input(const ForceElement& element, const Kinematics& kinematics,
+                                  const Eigen::Ref<const Eigen::VectorXd>& z,
+                                  const Eigen::Ref<const Eigen::VectorXd>& inputs, double time) {
+  ElementInput in{kinematics.pair(element.bodies()[0], element.bodies()[1]), z, inputs, time};
+  for (std::size_t i = 0; i < element.further_bodies().size(); ++i)
+    in.further[i] = &kinematics.of(element.further_bodies()[i]);
+  return in;
+}
 
 // Position, velocity and acceleration of a body as a message. `motion` is sized for the body's modes, or for none if its
 // boundary is rigid. No allocation.

@@ -38,6 +38,12 @@ inline constexpr MessageCode kNoContactPoints{"E0309", "no-contact-points"};
 inline constexpr MessageCode kStrutEndsMeet{"E0310", "strut-ends-meet"};
 // The stroke uses up the gas volume of a strut. Add or stiffen an end stop, or enlarge the volume.
 inline constexpr MessageCode kGasUsedUp{"E0311", "gas-used-up"};
+// A cable runs over too many bodies between two ends. Let it turn one of its pulleys.
+inline constexpr MessageCode kCableBodies{"E0334", "cable-bodies"};
+// Two guides of a cable meet: one is inside of the other. Stop the mechanism before, or correct radii and sense of the axes.
+inline constexpr MessageCode kCableInside{"E0335", "cable-inside"};
+// A drum has taken up the whole cable. Stop its drive before, or give the cable a longer way.
+inline constexpr MessageCode kCableTakenUp{"E0336", "cable-taken-up"};
 // The bodies of a bushing are nearly half a turn apart. Use a torsion spring about a joint axis.
 inline constexpr MessageCode kHalfTurn{"E0312", "half-turn"};
 

@@ -1,8 +1,8 @@
 #pragma once
 // A force element acts on one or two bodies (or a body and the ground), may own inner states z, and reports its energy and
 // power. Generalized forces and derivatives are local to its pair of bodies: velocities [v1; v2], increments [dx1; dx2] as
-// in kinematic_vector.h; the assembler scatters them. Gravity is a constant of the model and external loads are constants
-// of a window; neither is a force element.
+// in kinematic_vector.h; the assembler scatters them. A cable acts on further bodies, whose coordinates follow those of the
+// pair. Gravity is a constant of the model and external loads are constants of a window; neither is a force element.
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -15,15 +15,26 @@
 
 namespace footfall {
 
+class ForceElement;
+
+inline constexpr std::size_t kMostBodies = 8;  // on which one element acts
+
 struct ElementInput {
   PairMotion pair;
   Eigen::Ref<const Eigen::VectorXd> z;  // inner states of this element
   // Inputs of the model: controller outputs, then signals; only continuous signals change within a step.
   Eigen::Ref<const Eigen::VectorXd> inputs;
-  double time = 0.0;  // [s]
+  double time = 0.0;                                             // [s]
+  std::array<const BodyKinematics*, kMostBodies - 2> further{};  // of ForceElement::further_bodies()
+
+  int size() const {  // of the generalized force
+    int n = pair.size();
+    for (std::size_t i = 0; i < further.size() && further[i] != nullptr; ++i) n += further[i]->size();
+    return n;
+  }
 };
 
-// Sized once by the assembler, zeroed before each call. n = pair.size(), m = state_count().
+// Sized once by the assembler, zeroed before each call. n = ElementInput::size(), m = state_count().
 struct ElementDerivatives {
   Eigen::MatrixXd dQ_dx, dQ_dv;    // n x n: of the generalized force
   Eigen::MatrixXd dQ_dz;           // n x m
@@ -37,7 +48,8 @@ class ForceElement {
   virtual ~ForceElement() = default;
 
   const std::string& name() const { return name_; }
-  const std::array<int, 2>& bodies() const { return bodies_; }  // body indices or kGround
+  const std::array<int, 2>& bodies() const { return bodies_; }         // body indices or kGround
+  const std::vector<int>& further_bodies() const { return further_; }  // body indices
 
   virtual int state_count() const { return 0; }
   // Inner states act on each other only within blocks of this size, which divides state_count().
@@ -67,9 +79,16 @@ class ForceElement {
   // Adds the power supplied from outside.
   virtual void add_supply(const ElementInput&, Supplied&) const {}
 
+ protected:
+  // Of an element on any number of bodies, at most kMostBodies.
+  void set_bodies(const std::vector<int>& bodies) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) (i < 2 ? bodies_[i] : further_.emplace_back()) = bodies[i];
+  }
+
  private:
   std::string name_;
   std::array<int, 2> bodies_;
+  std::vector<int> further_;
 };
 
 }  // namespace footfall

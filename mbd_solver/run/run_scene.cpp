@@ -11,6 +11,7 @@
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/run/checkpoint.h"
 #include "mbd_solver/run/leader.h"
+#include "mbd_solver/run/observe/carry_over.h"
 #include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/progress.h"
@@ -131,6 +132,10 @@ class RunSession {
       std::fprintf(stderr, "mbd_solver: %s\n", reason.c_str());
     }
     finish_files();
+    as_file_error([&] {
+      const Subject subject = simulation_.subject();
+      write_end_state(options_.out, end_state_of(subject.mechanism, subject.layout, simulation_.state()));
+    });
     for (const std::string& text : {metrics_.balance_warning(), simulation_.integrator().warning()})
       if (!text.empty()) print_warning(text);
     if (!simulation_.finished()) {
@@ -141,7 +146,7 @@ class RunSession {
     }
     const bool early = coupled_ && coupled_->script_has_ended();
     summarize("done", early ? "the LIGGGHTS script ended the run, which `end script` allows" : "");
-    if (safety_.active()) checkpoints_.clear();
+    if (safety_.active() && !scene_.output.keep_grains) checkpoints_.clear();
     if (leader_) leader_->done();
     return kExitDone;
   }

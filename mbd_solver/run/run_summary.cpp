@@ -25,6 +25,7 @@ std::vector<std::string> active_parts(const Simulation& simulation, const Flexib
   if (flexible.count() > 0) active.push_back("flexible");
   if (mechanism.model.joint_count() > 0) active.push_back("joints");
   if (!mechanism.struts.empty()) active.push_back("struts");
+  if (!mechanism.cables.empty()) active.push_back("cables");
   if (!mechanism.controllers.empty()) active.push_back("controllers");
   if (!mechanism.signals.empty()) active.push_back("signals");
   if (!mechanism.planes.empty()) active.push_back("plane");

@@ -12,6 +12,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/observe/attached_damping.h"
+#include "mbd_solver/run/observe/carry_over.h"
 #include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/run/settle.h"
 
@@ -94,7 +95,7 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
     : scene_(scene),
       t_end_(t_end),
       mechanism_(build_mechanism(scene)),
-      assembly_(assemble(mechanism_.model, assembly_options(scene))),
+      assembly_(assemble(mechanism_.model, assembly_options(scene, mechanism_.model))),
       equations_(mechanism_.model, assembly_, baumgarte(scene.solver)),
       corners_(scene, mechanism_),
       integrator_(make_integrator(std::string(name_of(scene.solver.integrator)), equations_,
@@ -106,6 +107,8 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       checkpoints_(scene.output.checkpoint_interval, scene.output.checkpoint_interval) {
   for (std::string& warning : damping_warnings_of_run(scene, mechanism_))
     mechanism_.warnings.push_back(std::move(warning));
+  if (!scene.initial.from.empty() && resume.empty())  // the angles, which the assembly has counted from zero
+    carry_over(scene, mechanism_.model, equations_.layout(), state_, &mechanism_.warnings);
   inputs_.values = mechanism_.inputs;
   inputs_change_ = std::isfinite(control_.next_sample());  // otherwise nothing is sampled, and rows do not end a window
   const Kinematics reference = kinematics();
@@ -262,7 +265,9 @@ void Simulation::run_alone(Loop& loop) {
 void Simulation::run_coupled(Loop& loop) {
   const auto end_requested = [&] { return loop.interrupted != 0 || coupled_->end_requested(); };
   const auto checkpoint_at = [&](double time) -> CheckpointRequest {
-    const bool due = checkpoints_.is_due(time) || end_requested() || checkpoint_requested_;
+    const bool last = time >= t_end_ * (1.0 - 1e-12);
+    if (last && !scene_.output.keep_grains) return {};
+    const bool due = last || checkpoints_.is_due(time) || end_requested() || checkpoint_requested_;
     if (!loop.checkpoints || !(due || loop.overdue())) return {};
     return {loop.checkpoints.begin(window_ + 1), !due};
   };
@@ -317,6 +322,8 @@ void Simulation::run_coupled(Loop& loop) {
     loop.observation_pending = true;
   }
   observe_sample(loop);
+  if (finished() && scene_.output.keep_grains && loop.checkpoints && coupled_->checkpoint_required())
+    save_checkpoint(loop, false);
   if (finished()) coupled_->close();
 }
 
@@ -575,7 +582,8 @@ void Simulation::locate_event() {
 // ---- start, checkpoint ----
 
 void Simulation::settle_start() {
-  const Settled settled = settle(scene_, assembly_options(scene_), integrator_options(scene_.solver, false));
+  const Settled settled =
+      settle(scene_, assembly_options(scene_, mechanism_.model), integrator_options(scene_.solver, false));
   state_.q = settled.state.q;
   state_.z = settled.state.z;
   state_.angles = settled.state.angles;

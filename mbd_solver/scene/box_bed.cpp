@@ -132,6 +132,8 @@ constexpr double kPouredClumps = 4.8;                           // the same of c
 constexpr double kFilledByClumps = 0.14;                        // share of that column [-]
 constexpr double kPourFriction = 0.05;                          // packing = "dense"
 constexpr int kDigits = 12;
+constexpr double kSourcePeriod = 0.01, kSinkPeriod = 1e-3;  // between insertions and looks for grains, at most [s]
+constexpr double kSourceFilling = 0.05;                     // of the region by one insertion, at most [-]
 
 std::string number(double value) { return number_text(value, kDigits); }
 
@@ -283,6 +285,96 @@ Variables bed_variables(const Scene& scene) {
   return all;
 }
 
+// Their interval: a hundredth of a second, or until a twentieth of the region is full.
+int steps_between(const GrainSourceSpec& source, double grains_per_second, double grain_volume, double dt) {
+  const Eigen::Vector3d sides = (source.region[1] - source.region[0]).cwiseAbs();
+  const double period = std::min(kSourcePeriod, kSourceFilling * sides.prod() / (grain_volume * grains_per_second));
+  return std::max(1, static_cast<int>(std::lround(period / dt)));
+}
+
+// Corners in order, as LIGGGHTS wants them.
+std::string block_of(const GrainRegionSpec& spec) {
+  std::string out;
+  for (int c = 0; c < 3; ++c)
+    out += (c == 0 ? "" : " ") + number(std::min(spec.region[0][c], spec.region[1][c])) + " " +
+           number(std::max(spec.region[0][c], spec.region[1][c]));
+  return out;
+}
+
+std::string times_of(const GrainRegionSpec& spec) {
+  return "from " + number(spec.from) + (spec.until ? " until " + number(*spec.until) : "");
+}
+
+void add_to_list(std::string& list, const std::string& words) { list += (list.empty() ? "'" : " '") + words + "'"; }
+
+void add_sources_and_sinks(const Scene& scene, Variables& all) {
+  const BoxSpec& box = *scene.particles->box;
+  const double dt = box_numbers(scene).time_step;
+  std::string boxes, flows, times;
+  for (const GrainSourceSpec& source : box.sources) {
+    const double rate = source_rate(box, source);
+    add_to_list(boxes, block_of(source));
+    add_to_list(flows,
+                "particlerate " + number(rate) + " insert_every " +
+                    std::to_string(steps_between(source, rate, mean_grain_mass(box) / box.material.density, dt)) +
+                    " vel constant " + number(source.velocity.x()) + " " + number(source.velocity.y()) + " " +
+                    number(source.velocity.z()));
+    add_to_list(times, times_of(source));
+  }
+  if (!box.sources.empty()) {
+    const bool two = box.radius.size() == 2;
+    all["source_count"] = std::to_string(box.sources.size());
+    all["source_boxes"] = boxes;
+    all["source_flows"] = flows;
+    all["source_times"] = times;
+    all["source_density"] = number(box.material.density);
+    all["source_mix"] = two ? "2 source_grain_1 " + number(share_of(box.shares, 0, 2)) + " source_grain_2 " +
+                                  number(share_of(box.shares, 1, 2))
+                            : "1 source_grain_1 1.0";
+  }
+  boxes = times = "";
+  const int every = std::max(1, static_cast<int>(std::lround(kSinkPeriod / dt)));
+  for (const GrainRegionSpec& sink : box.sinks) {
+    add_to_list(boxes, block_of(sink));
+    add_to_list(times, "every " + std::to_string(every) + " " + times_of(sink));
+  }
+  if (box.sinks.empty()) return;
+  all["sink_count"] = std::to_string(box.sinks.size());
+  all["sink_boxes"] = boxes;
+  all["sink_times"] = times;
+}
+
+// The newest checkpoint of a run with its grains. Throws InputError without one.
+std::string grains_at_end(const Scene& scene) {
+  namespace fs = std::filesystem;
+  long newest = -1;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(scene.initial.from + "/checkpoint", ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.empty() || name.find_first_not_of("0123456789") != std::string::npos) continue;
+    if (fs::is_regular_file(entry.path() / "grains.restart", ignored)) newest = std::max(newest, std::stol(name));
+  }
+  if (newest < 0)
+    throw InputError(code::kNoEndGrains, "initial.from: \"" + scene.initial.from +
+                                             "\" has no grains of its end; run that scene with output.keep_grains = "
+                                             "true, or remove [particles.box] here");
+  return scene.initial.from + "/checkpoint/" + std::to_string(newest) + "/grains.restart";
+}
+
+// Size and time of the file tell one end from another, by which the bed is found again.
+Variables continued_variables(const Scene& scene) {
+  Variables all = common_variables(scene);
+  const std::string file = grains_at_end(scene);
+  all["grains"] = file;
+  all["stamp"] = std::to_string(std::filesystem::file_size(file)) + "_" +
+                 std::to_string(std::filesystem::last_write_time(file).time_since_epoch().count());
+  const BoxSpec& box = *scene.particles->box;
+  all["dt"] = number(box_numbers(scene).time_step);
+  all["friction"] = number(box.material.friction);
+  all["rolling"] = number(box.material.rolling_friction);
+  return all;
+}
+
 Variables run_variables(const Scene& scene) {
   const BoxSpec& box = *scene.particles->box;
   const GrainMaterialSpec& m = box.material;
@@ -316,10 +408,24 @@ Variables run_variables(const Scene& scene) {
   if (meshes > 0) all["mesh_bodies"] = bodies;
   if (meshes > 0) all["meshes"] = ids;
   if (beams > 0) all["beams"] = chains;
+  add_sources_and_sinks(scene, all);
   return all;
 }
 
 }  // namespace
+
+double mean_grain_mass(const BoxSpec& box) {
+  // Shares are of the mass: of n kinds, the mean over the numbers is 1 / sum(share / mass).
+  double per_mass = 0.0;
+  for (std::size_t i = 0; i < box.radius.size(); ++i)
+    per_mass += share_of(box.shares, i, box.radius.size()) /
+                (box.material.density * 4.0 / 3.0 * kPi * std::pow(box.radius[i], 3));
+  return 1.0 / per_mass;
+}
+
+double source_rate(const BoxSpec& box, const GrainSourceSpec& source) {
+  return source.grains_per_second ? *source.grains_per_second : source.rate.value_or(0.0) / mean_grain_mass(box);
+}
 
 std::string box_script(const std::string& name) { return shipped_file("inputs/box/" + name); }
 
@@ -357,15 +463,18 @@ void resolve_box(Scene& scene, Findings& findings) {
   if (!particles.script.empty() || particles.bed) return;  // a scene of another ground may have both
   try {
     particles.script = box_script("in.grains");
-    particles.bed = BedSpec{box_script("in.bed"), bed_variables(scene)};
+    particles.bed = scene.initial.from.empty() ? BedSpec{box_script("in.bed"), bed_variables(scene)}
+                                               : BedSpec{box_script("in.continued"), continued_variables(scene)};
   } catch (const InputError& e) {
     findings.coded_error(particles.source, "box", e.what());
+    particles.script.clear();  // not a second message about it
     return;
   }
   constexpr double kSmallBed = 2000.0;  // grains, of which ranks would mostly wait for each other
   if (!particles.source.given("ranks") && box_numbers(scene).grains < kSmallBed) particles.ranks = 1;
   particles.variables.merge(run_variables(scene));
   if (!particles.surface_height) particles.surface_height = 0.0;
+  if (!particles.box->sinks.empty()) particles.outflow = true;
   if (!particles.source.given("max_time_step")) particles.max_time_step = box_numbers(scene).time_step;
 }
 

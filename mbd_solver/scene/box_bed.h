@@ -81,6 +81,10 @@ void resolve_box(Scene& scene, Findings& findings);
 // Reports errors of the box; true if there is none.
 bool check_box(const Scene& scene, Findings& findings);
 
+// Of the grains of a source, over their number [kg], and its grains per second.
+double mean_grain_mass(const BoxSpec& box);
+double source_rate(const BoxSpec& box, const GrainSourceSpec& source);
+
 // Path of a script of inputs/box (shipped_files.h). Throws InputError.
 std::string box_script(const std::string& name);
 

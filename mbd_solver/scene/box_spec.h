@@ -2,6 +2,8 @@
 // A bed of grains by numbers instead of a script: [particles.box]. The scripts of inputs/box make it and run on it; they get
 // these numbers as variables.
 
+#include <Eigen/Dense>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +46,19 @@ struct BodyContactSpec {
   std::optional<double> restitution, friction, rolling_friction, cohesion;
 };
 
+// A block of W in which grains come into being, or vanish: two opposite corners [m], and when [s].
+struct GrainRegionSpec {
+  std::array<Eigen::Vector3d, 2> region{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  double from = 0.0;
+  std::optional<double> until;  // not given: to the end
+};
+
+struct GrainSourceSpec : GrainRegionSpec {
+  std::optional<double> rate;                          // [kg/s], or
+  std::optional<double> grains_per_second;             // [1/s]
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // of new grains [m/s]
+};
+
 struct BoxSpec {
   std::vector<double> size;                 // along x and y [m]
   double depth = 0.0;                       // of the levelled bed: floor at z = -depth, surface at z = 0 of W [m]
@@ -64,6 +79,8 @@ struct BoxSpec {
   double rayleigh_fraction = 0.1;   // of the Rayleigh time, and half of it of the Hertz time: the time step
   std::optional<int> every;         // DEM steps per coupling interval; not given: chosen for each interval
   double frames = 0.0;              // interval of dumps of the grains [s]; 0: none
+  std::vector<GrainSourceSpec> sources;
+  std::vector<GrainRegionSpec> sinks;
   GrainMaterialSpec material;
   BodyContactSpec bodies;
 };

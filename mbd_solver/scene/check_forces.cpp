@@ -6,6 +6,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/control/signal_chain.h"
+#include "mbd_solver/model/elements/cable.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/scene_check.h"
 
@@ -127,6 +128,71 @@ void check_struts(const Scene& scene, Findings& findings) {
     if (strut.mr) check_mr(scene, *strut.mr, outputs, index, at);
     if (strut.honeycomb) check_honeycomb(*strut.honeycomb, at);
     check_stops(strut, at);
+  }
+}
+
+namespace {
+
+constexpr double kMostFleet = 0.5;  // rad, between a span and the plane of its pulley
+
+// What keeps guide i from being one; empty if nothing does.
+std::string fault_of_guide(const CableSpec& cable, std::size_t i) {
+  const CableGuideSpec& guide = cable.path[i];
+  if (guide.radius > 0.0 && !guide.axis)
+    return "has a radius, but no axis about which the cable runs by the right hand";
+  if (guide.radius == 0.0 && (guide.axis || guide.grip || guide.turns > 0))
+    return "is a point; axis, grip and turns belong to a pulley, which has a radius";
+  for (const std::size_t other : {i - 1, i + 1}) {  // i - 1 of the first is beyond the end
+    if (other >= cable.path.size()) continue;
+    const Eigen::Vector3d d = cable.path[other].point - guide.point;
+    if (d.isZero(0.0)) return "is at the same place as guide " + std::to_string(other + 1);
+    if (!guide.axis) continue;
+    const double fleet = std::asin(std::min(1.0, std::abs(d.normalized().dot(*guide.axis))));
+    if (fleet > kMostFleet)
+      return "has its centre " + number_text(fleet * 180.0 / kPi, 3) + " degrees out of the line to guide " +
+             std::to_string(other + 1) + ", seen in the plane of the pulley; expected at most " +
+             number_text(kMostFleet * 180.0 / kPi, 2) + ": turn its axis, or add a guide between them";
+  }
+  return "";
+}
+
+}  // namespace
+
+void check_cables(const Scene& scene, Findings& findings) {
+  check_unique_names(scene.cables, "cable", findings);
+  for (const CableSpec& cable : scene.cables) {
+    const EntryFindings at(findings, cable.source);
+    at.missing_if(cable.path.size() < 2, "path", "expected two guides or more, each with body and point");
+    at.missing_if(!cable.stiffness && !cable.EA, "stiffness", "give stiffness [N/m] or EA [N]");
+    at.error_if(cable.stiffness && cable.EA, kConflictingKeys, "EA",
+                "gives the stiffness of the cable, as does stiffness; keep one of the two");
+    at.error_if((cable.length ? 1 : 0) + (cable.slack ? 1 : 0) + (cable.tension ? 1 : 0) > 1, kConflictingKeys,
+                cable.tension ? "tension" : "slack", "follows from another of length, slack and tension; keep one");
+    if (cable.path.size() < 2) continue;
+    at.error_if(cable.length && cable.ends().size() > 2, kConflictingKeys, "length",
+                "is that of one cable, but a pulley with grip = true divides it; give slack or tension");
+    bool known = true, moves = false;
+    for (const CableGuideSpec& guide : cable.path) {
+      if (guide.body != "ground") check_body_name(scene, at, "path", guide.body);
+      moves = moves || guide.body != "ground";
+    }
+    at.error_if(!moves, kCablePath, "path", "names the ground alone; a cable acts on one body at least");
+    for (std::size_t i = 0; i < cable.path.size(); ++i) {
+      const std::string fault = fault_of_guide(cable, i);
+      if (fault.empty()) continue;
+      known = false;
+      at.error(kCablePath, "path", "guide " + std::to_string(i + 1) + " " + fault);
+    }
+    if (!known) continue;
+    std::vector<CablePlace> places;
+    for (const CableGuideSpec& guide : cable.path)
+      places.push_back({guide.point, guide.axis.value_or(Eigen::Vector3d::UnitZ()), guide.radius});
+    double spans = 0.0;
+    try {
+      touch(places, spans);
+    } catch (const NumericalError& error) {
+      at.error(kCablePath, "path", error.what());
+    }
   }
 }
 

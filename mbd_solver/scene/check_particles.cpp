@@ -568,6 +568,67 @@ void check_pit(const EntryFindings& at, const BoxSpec& box) {
                   number_text(box.depth) + " m");
 }
 
+// Whether a block for grains is one, and where grains of the bed can be.
+void check_region(const EntryFindings& at, const std::string& key, const Scene& scene, const GrainRegionSpec& spec,
+                  double least) {
+  const BoxSpec& box = *scene.particles->box;
+  const BoxNumbers n = box_numbers(scene);
+  const Eigen::Vector3d low = spec.region[0].cwiseMin(spec.region[1]), high = spec.region[0].cwiseMax(spec.region[1]);
+  at.error_if((high - low).minCoeff() < least, kGrainRegion, key,
+              "is " + number_text((high - low).minCoeff()) + " m wide, expected at least " + number_text(least, 3) +
+                  " m in every direction: two opposite corners of a block, [[x, y, z], [x, y, z]] in m");
+  const double around = box.walls ? 0.0 : n.margin;
+  const Eigen::Vector3d least_corner(box.centre[0] - 0.5 * box.size[0] - around,
+                                     box.centre[1] - 0.5 * box.size[1] - around, -box.depth),
+      last_corner(box.centre[0] + 0.5 * box.size[0] + around, box.centre[1] + 0.5 * box.size[1] + around, n.headroom);
+  for (int c = 0; c < 3; ++c)
+    at.error_if(low[c] < least_corner[c] - 1e-9 || high[c] > last_corner[c] + 1e-9, kGrainRegion, key,
+                "reaches from " + number_text(low[c]) + " to " + number_text(high[c]) + " m along " + "xyz"[c] +
+                    ", expected within the bed and the space above it, " + number_text(least_corner[c]) + " to " +
+                    number_text(last_corner[c]) + " m" + (c == 2 ? " (box.headroom)" : ""));
+  at.error_if(spec.until && *spec.until <= spec.from, kRangeReversed, key,
+              "ends at " + number_text(spec.until.value_or(0.0)) + " s, expected after its beginning at " +
+                  number_text(spec.from) + " s");
+}
+
+constexpr double kMostFilled = 0.25;  // of a source by grains on their way out: more rarely find space
+constexpr std::size_t kMostSources = 8;
+
+void check_sources_and_sinks(const EntryFindings& at, const Scene& scene) {
+  const BoxSpec& box = *scene.particles->box;
+  at.error_if(
+      box.sources.size() > kMostSources, kWrongCount, "box.sources",
+      "has " + std::to_string(box.sources.size()) + " entries, expected at most " + std::to_string(kMostSources));
+  const double radius = *std::max_element(box.radius.begin(), box.radius.end());
+  at.error_if(!box.clumps.empty() && !(box.sources.empty() && box.sinks.empty()), kConflictingKeys,
+              box.sources.empty() ? "box.sinks" : "box.sources",
+              "is for spheres, but box.clumps makes clumps of them; remove one of the two");
+  for (std::size_t i = 0; i < box.sinks.size(); ++i)
+    check_region(at, "box.sinks." + std::to_string(i) + ".region", scene, box.sinks[i], radius);
+  for (std::size_t i = 0; i < box.sources.size(); ++i) {
+    const GrainSourceSpec& source = box.sources[i];
+    const std::string key = "box.sources." + std::to_string(i);
+    at.missing_if(!source.rate && !source.grains_per_second, key + ".rate", "give rate [kg/s] or grains_per_second");
+    at.error_if(source.rate && source.grains_per_second, kConflictingKeys, key + ".rate",
+                "is given as grains_per_second, too; keep one of the two");
+    const int before = at.all().error_count();
+    check_region(at, key + ".region", scene, source, 2.5 * radius);
+    if (at.all().error_count() > before || (!source.rate && !source.grains_per_second)) continue;
+    // A grain leaves the block of height h within t: h = v t + g t^2 / 2, or sideways.
+    const Eigen::Vector3d sides = (source.region[1] - source.region[0]).cwiseAbs();
+    const double g = scene.gravity.norm(), v = std::abs(source.velocity.z());
+    double leaves = (std::sqrt(v * v + 2.0 * g * sides.z()) - v) / g;
+    for (int c = 0; c < 2; ++c)
+      if (source.velocity[c] != 0.0) leaves = std::min(leaves, sides[c] / std::abs(source.velocity[c]));
+    const double volume = mean_grain_mass(box) / box.material.density;
+    const double filled = source_rate(box, source) * volume * leaves / sides.prod();
+    at.error_if(filled > kMostFilled, kGrainRegion, key + ".region",
+                "would be filled by grains to " + share_text(filled) + ", expected at most " + share_text(kMostFilled) +
+                    ": grains come faster than they leave it. Enlarge it, give new grains a "
+                    "velocity, or lower the rate");
+  }
+}
+
 // Names of bodies become words of a LIGGGHTS script and parts of its ids.
 void check_names(const Scene& scene, Findings& findings) {
   for (const BoundarySpec& boundary : scene.boundaries)
@@ -621,6 +682,7 @@ bool check_box(const Scene& scene, Findings& findings) {
   check_against_grains(at, box);
   check_pit(at, box);
   check_box_time_step(scene, at);
+  check_sources_and_sinks(at, scene);
   const double grains = box_numbers(scene).grains;
   at.error_if(grains > kMostGrains, kBoxSize, "box.radius",
               "makes about " + number_text(grains, 2) + " grains of this bed, expected at most " +

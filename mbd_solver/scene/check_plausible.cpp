@@ -160,6 +160,8 @@ class Plausibility {
     }
     for (const StrutSpec& strut : scene.struts)
       for (const Vector3d& point : strut.points) box_.extend(point);
+    for (const CableSpec& cable : scene.cables)
+      for (const CableGuideSpec& guide : cable.path) box_.extend(guide.point);
     size_ = box_.isEmpty() ? 0.0 : box_.diagonal().norm();
   }
 
@@ -317,6 +319,8 @@ class Plausibility {
     if (scene_.ground.kind != GroundKind::kNone || !scene_.contacts.empty())
       for (const BoundarySpec& boundary : scene_.boundaries) hold(boundary.body);
     for (const ForceSpec& force : scene_.forces) hold(force.body);
+    for (const CableSpec& cable : scene_.cables)
+      for (const CableGuideSpec& guide : cable.path) hold(guide.body);
     const auto hang = [&](const auto& entry, double stiffness, bool held, const char* key) {
       const std::size_t ends[2] = {parts.of(scene_.body_index(entry.bodies[0])),
                                    parts.of(scene_.body_index(entry.bodies[1]))};
@@ -358,6 +362,9 @@ class Plausibility {
     for (const JointSpec& joint : scene_.joints) connect(joint.bodies[0], joint.bodies[1]);
     for (const StrutSpec& strut : scene_.struts) connect(strut.bodies[0], strut.bodies[1]);
     for (const SpringSpec& spring : scene_.springs) connect(spring.bodies[0], spring.bodies[1]);
+    for (const CableSpec& cable : scene_.cables)
+      for (const CableGuideSpec& a : cable.path)
+        for (const CableGuideSpec& b : cable.path) connect(a.body, b.body);
     for (const ContactSpec& contact : scene_.contacts)
       if (contact.between.size() == 2) connect(contact.between[0], contact.between[1]);
 

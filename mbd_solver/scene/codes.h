@@ -155,6 +155,8 @@ inline constexpr MessageCode kHoneycomb{"E0171", "honeycomb"};
 inline constexpr MessageCode kVoltageTable{"E0172", "voltage-table"};
 // An element on a flexible body has no point of action. Add the key point.
 inline constexpr MessageCode kPointOfAction{"E0173", "point-of-action"};
+// The path of a cable is not one: a guide is missing, inside of the next or out of the plane of a pulley. Correct the guide.
+inline constexpr MessageCode kCablePath{"E0175", "cable-path"};
 // The expression cannot be read. Correct it at the place that is named.
 inline constexpr MessageCode kExpression{"E0174", "expression"};
 
@@ -179,6 +181,12 @@ inline constexpr MessageCode kLiggghtsRange{"E0192", "liggghts-range"};
 inline constexpr MessageCode kBoxGravity{"E0193", "box-gravity"};
 // The time step is too large for these grains: results would be wrong. Leave it out, or state particles.max_time_step.
 inline constexpr MessageCode kBoxTimeStep{"E0194", "box-time-step"};
+
+// A source or sink of grains is no block within the bed and the space above it, or too small. Correct its corners.
+inline constexpr MessageCode kGrainRegion{"E0195", "grain-region"};
+
+// The run of initial.from has kept no grains of its end. Run it with output.keep_grains = true.
+inline constexpr MessageCode kNoEndGrains{"E0196", "no-end-grains"};
 
 // ---- the LIGGGHTS script ----
 

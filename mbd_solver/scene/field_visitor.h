@@ -160,6 +160,7 @@ void visit_fields(FieldVisitor& v, Scene& scene);
 void visit_fields(FieldVisitor& v, BodySpec& body);
 void visit_fields(FieldVisitor& v, JointSpec& joint);
 void visit_fields(FieldVisitor& v, StrutSpec& strut);
+void visit_fields(FieldVisitor& v, CableSpec& cable);
 void visit_fields(FieldVisitor& v, SpringSpec& spring);
 void visit_fields(FieldVisitor& v, ForceSpec& force);
 void visit_fields(FieldVisitor& v, DriveSpec& drive);

@@ -115,6 +115,50 @@ struct SpringSpec : Bushing::Parameters {
   double rest_angle = 0.0;                           // torsion [rad]
 };
 
+// Where a cable is guided or fastened.
+struct CableGuideSpec {
+  std::string body;                                 // "ground" is allowed
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // its place, or the centre of the pulley, in D [m]
+  double radius = 0.0;                              // of pulley or drum [m]; 0: a point
+  std::optional<Eigen::Vector3d> axis;  // of a round: the cable runs round it by the right hand; unit vector in D [-]
+  bool grip = false;                    // the cable turns this pulley; the ends always do
+  int turns = 0;                        // whole turns more than seen
+};
+
+// A massless cable (cable.h).
+struct CableSpec {
+  Source source;
+  std::string name;
+  std::vector<CableGuideSpec> path;
+  std::optional<double> stiffness;  // [N/m], or
+  std::optional<double> EA;         // [N]
+  double damping = 0.0;             // [N s/m]
+  // In the reference configuration, one of these; none: straight without force.
+  std::optional<double> length;   // unstretched, between the ends [m]
+  std::optional<double> slack;    // [m]
+  std::optional<double> tension;  // [N]
+
+  bool is_round(std::size_t guide) const { return path[guide].radius > 0.0; }
+  // Where one cable ends and the next begins: its ends, and the pulleys that it turns.
+  std::vector<std::size_t> ends() const {
+    std::vector<std::size_t> out;
+    for (std::size_t i = 0; i < path.size(); ++i)
+      if (i == 0 || i + 1 == path.size() || path[i].grip) out.push_back(i);
+    return out;
+  }
+};
+
+// Neighbours along all cables.
+struct CablePair {
+  std::array<std::string, 2> bodies;
+};
+inline std::vector<CablePair> cable_pairs(const std::vector<CableSpec>& cables) {
+  std::vector<CablePair> out;
+  for (const CableSpec& cable : cables)
+    for (std::size_t i = 1; i < cable.path.size(); ++i) out.push_back({{cable.path[i - 1].body, cable.path[i].body}});
+  return out;
+}
+
 // Boundaries of the mechanism, contacts, and the ground.
 // The faces of the generated surface of a disc.
 enum class SurfaceFaces { kAuto, kMiddle, kBoth };

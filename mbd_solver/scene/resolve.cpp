@@ -35,10 +35,11 @@ void resolve_paths(Scene& scene, Findings& findings) {
     if (rule.meaning != Meaning::kPath || !path || path->empty()) return;
     const fs::path full = (fs::path(scene.folder) / *path).lexically_normal();
     std::error_code ignored;
-    if (!fs::is_regular_file(full, ignored))
+    const bool folder = at.source() == &scene.initial.source && key == "from";
+    if (folder ? !fs::is_directory(full, ignored) : !fs::is_regular_file(full, ignored))
       findings.error(code::kNoFile, *at.source(), at.local(key),
-                     "the file \"" + *path + "\" does not exist (" + full.string() +
-                         "); paths are relative to the scene's folder");
+                     "the " + std::string(folder ? "folder" : "file") + " \"" + *path + "\" does not exist (" +
+                         full.string() + "); paths are relative to the scene's folder");
     *path = full.string();
   });
   visit_fields(walk, scene);
@@ -457,6 +458,7 @@ void apply_arrays(Scene& scene, Findings& findings) {
     copy_entries(scene.bodies, array);
     copy_entries(scene.joints, array);
     copy_entries(scene.struts, array);
+    copy_entries(scene.cables, array);
     copy_entries(scene.springs, array);
     copy_entries(scene.forces, array);
     copy_entries(scene.drives, array);
@@ -552,6 +554,8 @@ void attach(Scene& scene, const Cut& cut, Findings& findings) {
   }
   for (StrutSpec& strut : scene.struts)
     for (std::size_t end = 0; end < 2; ++end) pick(strut.bodies[end], strut.points[end]);
+  for (CableSpec& cable : scene.cables)
+    for (CableGuideSpec& guide : cable.path) pick(guide.body, guide.point);
   for (SpringSpec& spring : scene.springs) {
     const bool acts = spring.bodies[0] == cut.whole.name || spring.bodies[1] == cut.whole.name;
     if (acts && !spring.source.given("point"))

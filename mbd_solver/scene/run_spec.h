@@ -45,6 +45,7 @@ struct InitialGroupsSpec {
 // placed with it.
 struct InitialSpec {
   Source source;
+  std::string from;  // folder of a run, from whose end this one starts; empty: from the reference configuration
   Eigen::Vector3d position = Eigen::Vector3d::Zero();          // [m]
   double roll = 0.0, pitch = 0.0, yaw = 0.0;                   // [rad]
   std::optional<double> clearance;                             // lowest boundary point above plane or highest grain [m]
@@ -134,6 +135,7 @@ struct OutputSpec {
   double vtk_interval = 0.0;         // [s]; 0: a hundredth of the scene's time
   bool plots = true;                 // gnuplot pictures at the end of `footfall run`
   double checkpoint_interval = 0.0;  // [s]; 0: only when interrupted
+  bool keep_grains = false;          // of the end of the run, for another one that starts from it
 };
 
 // A point whose clearance is told, and that may be a pad.

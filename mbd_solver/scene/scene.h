@@ -44,6 +44,7 @@ struct Scene {
   std::vector<BodySpec> bodies;
   std::vector<JointSpec> joints;
   std::vector<StrutSpec> struts;
+  std::vector<CableSpec> cables;
   std::vector<SpringSpec> springs;
   std::vector<ForceSpec> forces;
   std::vector<DriveSpec> drives;

@@ -140,13 +140,16 @@ void warn_of_loose_bodies(const Scene& scene, Findings& findings) {
   use(scene.joints);
   use(scene.struts);
   use(scene.springs);
+  for (const CableSpec& cable : scene.cables)
+    for (const CableGuideSpec& guide : cable.path) used.insert(guide.body);
   for (const ForceSpec& force : scene.forces) used.insert(force.body);
   for (const BodySpec& body : scene.bodies)
     if (used.count(body.name) == 0)
-      findings.warning(kLooseBody, body.source, "name",
-                       "body \"" + body.name +
-                           "\" is connected to nothing: no joint, strut, spring, force or boundary names it; add a "
-                           "joint, or remove the body");
+      findings.warning(
+          kLooseBody, body.source, "name",
+          "body \"" + body.name +
+              "\" is connected to nothing: no joint, strut, cable, spring, force or boundary names it; add a "
+              "joint, or remove the body");
 }
 
 void warn_of_gravity_upwards(const Scene& scene, Findings& findings) {
@@ -173,15 +176,28 @@ void check_scene(const Scene& scene, Findings& findings) {
   check_controllers(scene, findings);
   check_signals(scene, findings);
   check_struts(scene, findings);
+  check_cables(scene, findings);
   check_springs(scene, findings);
   check_forces(scene, findings);
   check_contact(scene, findings);
+  check_from(scene, findings);
   check_groups(scene, findings);
   check_landing(scene, findings);
   check_requirements(scene, findings);
   check_limits(scene, findings);
   if (!findings.has_errors()) check_plausible(scene, findings);
   if (scene.particles && scene.touches_particles()) check_script(scene, findings);
+}
+
+// A scene that starts from the end of a run is placed as that was.
+void check_from(const Scene& scene, Findings& findings) {
+  if (scene.initial.from.empty()) return;
+  const EntryFindings at(findings, scene.initial.source);
+  for (const char* key : {"position", "roll", "pitch", "yaw", "clearance", "settle"})
+    at.error_if(at.given(key), kConflictingKeys, key,
+                "excludes from: the scene starts from the end of that run, placed as it was; remove one of the two");
+  at.error_if(!scene.initial.joints.empty(), kConflictingKeys, "joints",
+              "exclude from: the coordinates of the joints are those of the end of that run");
 }
 
 void check_groups(const Scene& scene, Findings& findings) {
@@ -210,6 +226,16 @@ void check_groups(const Scene& scene, Findings& findings) {
   check(scene.joints, "joint");
   check(scene.struts, "strut");
   check(scene.springs, "spring");
+  for (const CableSpec& cable : scene.cables) {
+    std::vector<std::string> bodies;
+    for (const CableGuideSpec& guide : cable.path)
+      if (guide.body != "ground") bodies.push_back(guide.body);
+    for (const std::string& body : bodies)
+      if (stands_still(scene, body) != stands_still(scene, bodies.front()))
+        findings.error(kConflictingKeys, cable.source, "path",
+                       "runs over bodies of both groups of initial.groups, \"" + bodies.front() + "\" and \"" + body +
+                           "\", which [initial] moves apart; put them into one group");
+  }
 }
 
 void check_landing(const Scene& scene, Findings& findings) {

@@ -23,6 +23,8 @@ void check_initial_joints(const Scene& scene, Findings& findings);
 void check_drives(const Scene& scene, Findings& findings);
 void check_gears(const Scene& scene, Findings& findings);
 void check_struts(const Scene& scene, Findings& findings);
+void check_from(const Scene& scene, Findings& findings);
+void check_cables(const Scene& scene, Findings& findings);
 void check_springs(const Scene& scene, Findings& findings);
 void check_forces(const Scene& scene, Findings& findings);
 void check_controllers(const Scene& scene, Findings& findings);

@@ -29,6 +29,7 @@ void visit_fields(FieldVisitor& v, Scene& s) {
   v.list("bodies", s.bodies);
   v.list("joints", s.joints);
   v.list("struts", s.struts);
+  v.list("cables", s.cables);
   v.list("springs", s.springs);
   v.list("forces", s.forces);
   v.list("drives", s.drives);
@@ -282,6 +283,26 @@ void visit_fields(FieldVisitor& v, StrutSpec& s) {
   each_law(s, [&](const char* key, auto& law) { v.section(key, law); });
 }
 
+static void visit_fields(FieldVisitor& v, CableGuideSpec& g) {
+  v.field("body", &g.body, required(name));
+  v.field("point", &g.point, required(point));
+  v.field("radius", &g.radius, positive(Unit::kLength));
+  v.field("axis", &g.axis, direction);
+  v.field("grip", &g.grip, plain);
+  v.field("turns", &g.turns, not_negative());
+}
+
+void visit_fields(FieldVisitor& v, CableSpec& c) {
+  v.entry(c.source, c.name);
+  v.list("path", c.path);
+  v.field("stiffness", &c.stiffness, positive(Unit::kStiffness));
+  v.field("EA", &c.EA, positive(Unit::kForce));
+  v.field("damping", &c.damping, not_negative(Unit::kDamping));
+  v.field("length", &c.length, positive(Unit::kLength));
+  v.field("slack", &c.slack, not_negative(Unit::kLength));
+  v.field("tension", &c.tension, not_negative(Unit::kForce));
+}
+
 void visit_fields(FieldVisitor& v, SpringSpec& s) {
   v.entry(s.source, s.name);
   v.choice("kind", s.kind, required());
@@ -420,6 +441,18 @@ static void visit_fields(FieldVisitor& v, BodyContactSpec& b) {
   v.field("cohesion", &b.cohesion, not_negative(Unit::kPressure));
 }
 
+static void visit_fields(FieldVisitor& v, GrainRegionSpec& r) {
+  v.field("region", &r.region, required({Unit::kLength}));
+  v.field("from", &r.from, not_negative(Unit::kTime));
+  v.field("until", &r.until, positive(Unit::kTime));
+}
+
+static void visit_fields(FieldVisitor& v, GrainSourceSpec& s) {
+  visit_fields(v, static_cast<GrainRegionSpec&>(s));
+  v.fields(positive(), {{"rate", &s.rate}, {"grains_per_second", &s.grains_per_second}});
+  v.field("velocity", &s.velocity, {Unit::kVelocity});
+}
+
 static void visit_fields(FieldVisitor& v, BoxSpec& b) {
   const Rule length = positive(Unit::kLength);
   v.fields(required(length), {{"size", &b.size}, {"depth", &b.depth}, {"radius", &b.radius}});
@@ -436,6 +469,8 @@ static void visit_fields(FieldVisitor& v, BoxSpec& b) {
   v.field("rayleigh_fraction", &b.rayleigh_fraction, share);
   v.field("exchange_steps", &b.every, positive());
   v.field("frame_interval", &b.frames, not_negative(Unit::kTime));
+  v.list("sources", b.sources);
+  v.list("sinks", b.sinks);
   v.section("material", b.material);
   v.section("bodies", b.bodies);
 }
@@ -511,6 +546,7 @@ static void visit_fields(FieldVisitor& v, InitialGroupsSpec& g) {
 
 static void visit_fields(FieldVisitor& v, InitialSpec& i) {
   v.field("", &i.source, {});
+  v.field("from", &i.from, path);
   v.field("position", &i.position, {Unit::kLength});
   v.fields({Unit::kAngle}, {{"roll", &i.roll}, {"pitch", &i.pitch}, {"yaw", &i.yaw}});
   v.field("clearance", &i.clearance, {Unit::kLength});
@@ -596,6 +632,7 @@ static void visit_fields(FieldVisitor& v, OutputSpec& o) {
   v.field("vtk_interval", &o.vtk_interval, not_negative(Unit::kTime));
   v.field("plots", &o.plots, plain);
   v.field("checkpoint_interval", &o.checkpoint_interval, not_negative(Unit::kTime));
+  v.field("keep_grains", &o.keep_grains, plain);
 }
 
 }  // namespace footfall

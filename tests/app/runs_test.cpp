@@ -55,6 +55,40 @@ std::vector<std::string> examples() {
 }
 INSTANTIATE_TEST_SUITE_P(All, Example, ::testing::ValuesIn(examples()), [](const auto& info) { return info.param; });
 
+// A plate above a small bed; above the plate grains come into being, 1000 a second for 50 ms, and others vanish below it.
+const std::string kFountain = R"(end_time = 0.08
+gravity = [0, 0, -9.81]
+[[bodies]]
+name = "plate"
+mass = 1.0
+shape = { kind = "disc", centre = [0, 0, 0.05], radius = 0.03, thickness = 0.01 }
+[[joints]]
+name = "weld"
+kind = "fixed"
+bodies = ["ground", "plate"]
+point = [0, 0, 0.05]
+[[boundaries]]
+body = "plate"
+surface = {}
+[ground]
+kind = "particles"
+[output]
+vtk = false
+plots = false
+[particles.box]
+size = [0.2, 0.2]
+depth = 0.04
+radius = 0.008
+headroom = 0.4
+[[particles.box.sources]]
+region = [[-0.08, -0.08, 0.25], [0.08, 0.08, 0.35]]
+grains_per_second = 1000
+velocity = [0, 0, -1]
+from = 0.01
+until = 0.06
+)";
+const std::string kDrain = "[[particles.box.sinks]]\nregion = [[0.05, -0.1, -0.04], [0.1, 0.1, 0]]\nfrom = 0.02\n";
+
 // A run with two checkpoints against the run that is resumed from the first: history, surfaces, pictures, energies of grains and the second
 // checkpoint are equal byte by byte, but for wall-clock times.
 struct Resumed {
@@ -77,6 +111,7 @@ class Resume : public ::testing::TestWithParam<Resumed> {
 
 TEST_P(Resume, ReproducesTheRun) {
   const app::Folder folder(std::string("resume_") + GetParam().name);
+  folder.write("fountain.toml", kFountain + kDrain);
   folder.done("run " + GetParam().line + " --set output.plots=false --out run --quiet", 300);
   std::vector<long> sets;
   for (const auto& entry : fs::directory_iterator(folder.file("run/checkpoint")))
@@ -99,6 +134,128 @@ TEST_P(Resume, ReproducesTheRun) {
   EXPECT_EQ(folder.summary("run")["status"], "done");
 }
 
+// Atoms by the log of LIGGGHTS, at its rows.
+std::vector<std::pair<long, long>> atoms_in(const std::string& log) {
+  std::vector<std::pair<long, long>> rows;
+  std::istringstream lines(log);
+  bool table = false;
+  for (std::string line; std::getline(lines, line);) {
+    long step = 0, atoms = 0;
+    std::istringstream words(line), numbers(line);
+    std::string first, second;
+    if (words >> first >> second && first == "Step" && second == "Atoms")
+      table = true;
+    else if (table && numbers >> step >> atoms)
+      rows.emplace_back(step, atoms);
+  }
+  return rows;
+}
+
+// Of 1000 grains a second from 10 ms on as many have come as are due, less those of one interval of 10 ms; 50 in the end.
+TEST(Source, HasItsRateToTheGrainAndTheLedgerCloses) {
+  const double m = 2600 * 4.0 / 3.0 * M_PI * std::pow(0.008, 3), g = 9.81;
+  for (const int ranks : {1, 2}) {
+    const app::Folder folder("fountain_" + std::to_string(ranks));
+    folder.write("scene.toml", kFountain);
+    folder.write("drained.toml", kFountain + kDrain);
+    const std::string options = " --quiet --ranks " + std::to_string(ranks);
+    folder.done("run . --out run" + options, 300);
+    const std::vector<std::pair<long, long>> rows = atoms_in(folder.read("run/liggghts.log"));
+    ASSERT_GT(rows.size(), 2u);
+    const nlohmann::json summary = folder.summary("run");
+    for (const auto& [step, atoms] : rows) {
+      const double t = std::min(static_cast<double>(step) * summary["dt_dem_s"].get<double>(), 0.06);
+      const double due = std::max(0.0, 1000 * (t - 0.01));
+      EXPECT_LE(atoms - rows.front().second, due + 1e-6) << step;
+      EXPECT_GE(atoms - rows.front().second, due - 11.0) << step;
+    }
+    EXPECT_EQ(summary["particles"].get<long>() - rows.front().second, 50);
+    // Their energy: that of 50 grains at 1 m/s between 0.258 and 0.342 m.
+    const History ledger = read_history(folder.file("run/ledger.csv"));
+    const double inserted = ledger.column("grains.inserted").back();
+    EXPECT_GT(inserted, 50 * m * (0.5 + g * 0.258));
+    EXPECT_LT(inserted, 50 * m * (0.5 + g * 0.342));
+    // None of them has met anything until the end; the bed settles by some 4e-4 J.
+    EXPECT_NEAR(ledger.column("grains.dissipated").back(), 0.0, 2e-3);
+
+    folder.done("run drained.toml --out drained" + options, 300);
+    const long left = rows.front().second + 50 - folder.summary("drained")["particles"].get<long>();
+    EXPECT_GT(left, 20);  // of the bed in the sink
+    // They lie within the depth of the bed.
+    const History drained = read_history(folder.file("drained/ledger.csv"));
+    EXPECT_GT(drained.column("grains.left").back(), 0.0);
+    EXPECT_LT(drained.column("grains.left").back(), static_cast<double>(left) * m * g * 0.04);
+    EXPECT_EQ(folder.summary("drained")["grains_lost"], 0);
+  }
+}
+
+// A pendulum of 1 s, and one that starts from the end of its first half: the same motion, with a body more.
+TEST(StartFromARun, ContinuesItsMotionWithABodyMore) {
+  const app::Folder folder("start_from");
+  const std::string rod =
+      "end_time = END\noutput = { plots = false, vtk = false }\n[[bodies]]\nname = \"rod\"\nmass = 1.0\n"
+      "shape = { kind = \"rod\", from = [0, 0, 0], to = [0.5, 0, 0], diameter = 0.02 }\n"
+      "[[joints]]\nname = \"hinge\"\nkind = \"revolute\"\nbodies = [\"ground\", \"rod\"]\npoint = [0, 0, 0]\n"
+      "axis = \"y\"\n";
+  const auto until = [&](const std::string& end) { return std::regex_replace(rod, std::regex("END"), end); };
+  folder.write("whole.toml", until("2.0"));
+  folder.write("first.toml", until("1.0"));
+  folder.write("second.toml", until("1.0") +
+                                  "[[bodies]]\nname = \"ball\"\nmass = 1.0\n"
+                                  "shape = { kind = \"sphere\", centre = [3, 0, 0], radius = 0.1 }\n"
+                                  "[initial]\nfrom = \"first\"\nvelocity = [0, 0, 2]\n");
+  for (const char* name : {"whole", "first", "second"})
+    folder.done("run " + std::string(name) + ".toml --quiet --out " + name);
+  const History whole = read_history(folder.file("whole/history.csv")),
+                second = read_history(folder.file("second/history.csv"));
+  // At the instant of the start to all digits of the file, later to the tolerance of the integrator.
+  const std::size_t half = whole.columns[0].size() / 2;
+  for (const char* name : {"rod.x", "rod.z", "rod.vx", "rod.vz", "rod.wy", "hinge.angle"}) {
+    EXPECT_NEAR(second.column(name).front(), whole.column(name)[half], 1e-6) << name;
+    EXPECT_NEAR(second.column(name).back(), whole.column(name).back(), 1e-4) << name;
+  }
+  EXPECT_NEAR(second.column("ball.vz").front(), 2.0, 1e-12);
+  folder.write("other.toml", "base = \"second.toml\"\n[initial]\nsettle = true\n");
+  folder.refused("check other.toml", "E0140");
+  folder.write("none.toml", "base = \"second.toml\"\n[initial]\nfrom = \".\"\n");
+  folder.refused("check none.toml", "E0263");
+}
+
+// What the pages say of the small scenes.
+TEST(SmallScenes, HaveTheNumbersOfTheirPage) {
+  const app::Folder folder("small_scenes");
+  for (const char* name : {"winch", "tripod", "hopping_leg"}) {
+    folder.done("new " + std::string(name) + " --from " + name);
+    folder.done("run " + std::string(name) + " --quiet --set output.vtk=false --set output.plots=false --out run_" +
+                name);
+  }
+  const History winch = read_history(folder.file("run_winch/history.csv"));
+  const auto mean_after = [](const History& run, const std::string& column, double start) {
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < run.columns[0].size(); ++i) {
+      if (run.columns[0][i] < start) continue;
+      sum += run.column(column)[i];
+      ++count;
+    }
+    return sum / count;
+  };
+  // The swing adds less than 2 % to the mean; the drum takes up 0.05 m times 4 rad/s from 0.5 s on, and half of it before.
+  EXPECT_NEAR(mean_after(winch, "rope.force", 1.0), 98.1, 2.0);
+  EXPECT_NEAR(winch.column("rope.length").front() - winch.column("rope.length").back(), 0.2 * 3.75, 0.005);
+  const History tripod = read_history(folder.file("run_tripod/history.csv"));
+  double weight = 0.0;
+  for (const char* foot : {"foot_1", "foot_2", "foot_3"})
+    weight += tripod.column(std::string(foot) + ".contact.fz").back();
+  EXPECT_NEAR(weight, 60 * 1.62, 1.0);
+  EXPECT_EQ(folder.summary("run_tripod")["requirements_missed"], 0);
+  const History hop = read_history(folder.file("run_hopping_leg/history.csv"));
+  double highest = -1e9;  // of the last second: it still flies
+  for (std::size_t i = 0; i < hop.columns[0].size(); ++i)
+    if (hop.columns[0][i] > 2.0) highest = std::max(highest, hop.column("foot.z")[i]);
+  EXPECT_GT(highest, 0.08);
+}
+
 const std::string kSphere =
     app::kSmallSphere + " --until 0.07 --set output.vtk=true --set output.checkpoint_interval=0.02";
 INSTANTIATE_TEST_SUITE_P(
@@ -116,6 +273,8 @@ INSTANTIATE_TEST_SUITE_P(
                                       "/beside.in\"' --set particles.bed.script='\"" + app::kPlate + "/bed.in\"'"},
         Resumed{"grains", kSphere}, Resumed{"two_ranks", kSphere + " --ranks 2"},
         Resumed{"tangent", kSphere + " --scheme tangent"},
+        Resumed{"source", "fountain.toml --set output.checkpoint_interval=0.03"},
+        Resumed{"source_on_two_ranks", "fountain.toml --ranks 2 --set output.checkpoint_interval=0.03"},
         Resumed{"chosen_windows",
                 kSphere + " --set particles.variables.every=auto --set output.checkpoint_interval=0.03"},
         Resumed{"box", app::kExamples + "/02_wheel --until 0.05 --set output.checkpoint_interval=0.02" +

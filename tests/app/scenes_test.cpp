@@ -15,6 +15,8 @@ std::vector<std::string> scenes_of_inputs() {
   std::vector<std::string> scenes;
   for (const auto& folder : fs::directory_iterator(FOOTFALL_SOURCE_DIR "/inputs"))
     if (fs::exists(folder.path() / "scene.toml")) scenes.push_back(folder.path() / "scene.toml");
+  for (const auto& folder : fs::directory_iterator(FOOTFALL_SOURCE_DIR "/inputs/starters"))
+    scenes.push_back(folder.path() / "scene.toml");
   for (const auto& file : fs::directory_iterator(FOOTFALL_SOURCE_DIR "/inputs/paper_identified"))
     if (file.path().extension() == ".toml" && file.path().filename() != "scene.toml") scenes.push_back(file.path());
   std::sort(scenes.begin(), scenes.end());

@@ -22,6 +22,8 @@ keywords_of() {
     wall/gran/beam)
       grep -oE '(word (!=|==)) "[a-z_]+"' liggghts_fix/link/beam_arguments.cpp
       grep 'kModelKeywords =' liggghts_fix/link/beam_arguments.cpp | grep -oE '"[a-z_]+"' ;;
+    insert/exact) grep -oE 'strcmp\(arg\[iarg\], "[a-z_]+"' liggghts_fix/couple/fix_insert_exact.cpp ;;
+    remove/region) grep -oE 'strcmp\(arg\[i\], "[a-z_]+"' liggghts_fix/couple/fix_remove_region.cpp ;;
     mesh/surface) grep -oE 'strcmp\(words\[3\], "[a-z_]+"' liggghts_fix/liggghts_access.cpp ;;
   esac | sed -E 's/.*"([a-z_]+)"/\1/' | sort -u
 }

@@ -55,7 +55,7 @@ std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanis
     if (model.body(i).mode_count() > 0 && model.body(i).modal()->damping.maxCoeff() > 0.0) bodies.push_back(i);
   if (bodies.empty() || layout.v_size > most) return out;
 
-  const Assembly assembly = assemble(model, assembly_options(scene));
+  const Assembly assembly = assemble(model, assembly_options(scene, model));
   Kinematics kinematics(model);
   kinematics.load(layout, assembly.state.q, assembly.state.v, Eigen::VectorXd());
   kinematics.load_turns(layout, assembly.state.z);

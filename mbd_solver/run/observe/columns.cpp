@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mbd_solver/model/control/continuous_signals.h"
+#include "mbd_solver/model/elements/cable.h"
 #include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/strut.h"
 
@@ -72,6 +73,11 @@ constexpr Entry<double> kGearForce[] = {{"<gear>.force", "N", itself}};
 constexpr Entry<StrutSample> kStrut[] = {{"<strut>.stroke", "m", [](const StrutSample& s) { return s.stroke; }},
                                          {"<strut>.rate", "m/s", [](const StrutSample& s) { return s.rate; }},
                                          {"<strut>.force", "N", [](const StrutSample& s) { return s.force; }}};
+
+constexpr Entry<CableSample> kCable[] = {
+    {"<cable>.length", "m", [](const CableSample& s) { return s.length; }},
+    {"<cable>.force", "N", [](const CableSample& s) { return s.force; }},
+    {"<cable>.slack", "m", [](const CableSample& s) { return std::max(0.0, -s.stretch); }}};
 
 constexpr Entry<double> kControllerOutput[] = {{"<controller>.<output>", "-", itself}};
 
@@ -240,6 +246,10 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
   for (const StrutEntry& strut : mechanism.struts)
     out.add(kStrut, {strut.name}, [subject, force = strut.force](const Sample& s) {
       return static_cast<const Strut&>(subject.mechanism.model.force(force)).sample(element_input(subject, s, force));
+    });
+  for (const CableEntry& cable : mechanism.cables)
+    out.add(kCable, {cable.name}, [subject, force = cable.force](const Sample& s) {
+      return static_cast<const Cable&>(subject.mechanism.model.force(force)).sample(element_input(subject, s, force));
     });
   for (const ControllerEntry& controller : mechanism.controllers)
     for (std::size_t k = 0; k < controller.outputs.size(); ++k)

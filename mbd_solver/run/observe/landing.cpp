@@ -137,6 +137,7 @@ void LandingWatch::choose_bodies() {
     connect(scene.joints);
     connect(scene.struts);
     connect(scene.springs);
+    connect(cable_pairs(scene.cables));
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!found[i]) continue;

@@ -2,6 +2,8 @@
 
 #include "mbd_solver/run/observe/marks.h"
 
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/elements/cable.h"
 #include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/rotation.h"
@@ -24,7 +26,7 @@ Marks::Marks(const Subject& subject) : subject_(subject) {
   for (int i = 0; i < model.body_count(); ++i) {
     const BodySpec& spec = subject_.scene.bodies[static_cast<std::size_t>(i)];
     const Marker origin = model.marker_at(i, model.initial(i).r);
-    Mark mark{origin, origin, {}, Load::kGround, i};
+    Mark mark{origin, origin, {}, Load::kGround, 0, i};
     mark.m1.s0.setZero();  // Bo itself, whatever node is nearest
     mark.m1.S.setZero();
     mark.m2 = mark.m1;
@@ -32,6 +34,7 @@ Marks::Marks(const Subject& subject) : subject_(subject) {
   }
   add_joints();
   add_elements();
+  add_cables();
   vectors_ = Eigen::Matrix3Xd::Zero(3, 4 * static_cast<Eigen::Index>(marks_.size()));
 }
 
@@ -93,6 +96,7 @@ void Marks::add_elements() {
               marker(spec.bodies[1], mechanism.placement.point(spec.points[1]), I),
               {},
               Load::kStrut,
+              0,
               mechanism.struts[i].force};
     add("strut", laws_of_strut(spec), spec.name, mark);
   }
@@ -115,9 +119,96 @@ void Marks::add_elements() {
   }
 }
 
+namespace {
+
+constexpr int kArc = 12;  // pieces along a round
+
+// Pieces of the polygon from end to end, whether all rounds are touched or not.
+int pieces_of(const Cable& cable) {
+  int points = 0;
+  for (const CableGuide& guide : cable.guides()) points += guide.radius > 0.0 ? kArc + 1 : 1;
+  return points - 1;
+}
+
+// Its corners. An end that is a drum begins a turn before its point of contact; a round that is not touched has its corners
+// along the span that passes it.
+std::vector<Eigen::Vector3d> corners_of(const Cable& cable, const std::vector<CablePoint>& points) {
+  std::vector<Eigen::Vector3d> out;
+  const std::vector<CableGuide>& guides = cable.guides();
+  std::size_t span = 0;  // the next one
+  for (std::size_t i = 0; i < guides.size(); ++i) {
+    const int corners = guides[i].radius > 0.0 ? kArc : 0;
+    const bool comes = span > 0 && points[2 * span - 1].guide == static_cast<int>(i),
+               goes = 2 * span < points.size() && points[2 * span].guide == static_cast<int>(i);
+    if (!comes && !goes) {
+      const Eigen::Vector3d from = points[2 * span - 2].p, to = points[2 * span - 1].p;
+      for (int k = 0; k <= corners; ++k) out.push_back(from + (k + 1.0) / (corners + 2.0) * (to - from));
+      continue;
+    }
+    const CablePoint& known = goes ? points[2 * span] : points[2 * span - 1];
+    if (goes) ++span;
+    if (corners == 0) {
+      out.push_back(known.p);
+      continue;
+    }
+    const Eigen::Vector3d a = known.axis;
+    Eigen::Vector3d start = known.p - known.centre;
+    double wrap = 2.0 * kPi;
+    if (comes && goes) {
+      const Eigen::Vector3d end = start;
+      start = points[2 * span - 3].p - known.centre;
+      wrap = std::atan2(a.dot(start.cross(end)), start.dot(end));
+      if (wrap < 0.0) wrap += 2.0 * kPi;
+    }
+    for (int k = 0; k <= corners; ++k) out.push_back(known.centre + Eigen::AngleAxisd(wrap * k / corners, a) * start);
+  }
+  return out;
+}
+
+}  // namespace
+
+// Nothing holds a cable to bodies in a picture; its name is at the first span.
+void Marks::add_cables() {
+  for (const CableEntry& entry : subject_.mechanism.cables) {
+    const auto& cable = static_cast<const Cable&>(subject_.mechanism.model.force(entry.force));
+    const int pieces = pieces_of(cable), span = cable.guides().front().radius > 0.0 ? kArc : 0;
+    for (int k = 0; k < pieces; ++k) {
+      marks_.push_back({cable.guides().front().marker,
+                        cable.guides().back().marker,
+                        {},
+                        Load::kCable,
+                        k == 0 ? pieces : 0,
+                        entry.force});
+      texts_.push_back("cable\tcable\t" + (k == span ? entry.name : " ") + "\t-\t-");
+    }
+  }
+}
+
+void Marks::put_cable(std::size_t first, const Kinematics& kinematics, const Sample* sample) {
+  const Mark& mark = marks_[first];
+  const auto& cable = static_cast<const Cable&>(subject_.mechanism.model.force(mark.element));
+  const Eigen::VectorXd start = cable.initial_state(), none;
+  const ElementInput in = sample != nullptr ? element_input(subject_, *sample, mark.element)
+                                            : element_input(cable, kinematics, start, none, 0.0);
+  const std::vector<Eigen::Vector3d> corners = corners_of(cable, cable.points(in));
+  const double tension = sample != nullptr ? cable.sample(in).force : 0.0;
+  for (int k = 0; k < mark.pieces; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const auto column = 4 * static_cast<Eigen::Index>(first + at);
+    vectors_.col(column) = corners[at];
+    vectors_.col(column + 1) = corners[at + 1];
+    vectors_.col(column + 2) = tension * (corners[at] - corners[at + 1]).normalized();
+    vectors_.col(column + 3).setZero();
+  }
+}
+
 const Eigen::Matrix3Xd& Marks::vectors(const Kinematics& kinematics, const Sample* sample) {
   for (std::size_t i = 0; i < marks_.size(); ++i) {
     const Mark& mark = marks_[i];
+    if (mark.load == Load::kCable) {
+      if (mark.pieces > 0) put_cable(i, kinematics, sample);
+      continue;
+    }
     const PairMotion pair = kinematics.pair(mark.m1.body, mark.m2.body);
     const auto column = 4 * static_cast<Eigen::Index>(i);
     vectors_.col(column) = KinematicVector::point(pair, 0, mark.m1).value();
@@ -143,7 +234,8 @@ void Marks::put_load(const Mark& mark, const Sample& sample, Eigen::Index column
   Eigen::Ref<Eigen::Vector3d> first = vectors_.col(column + 2), second = vectors_.col(column + 3);
   const Model& model = subject_.mechanism.model;
   switch (mark.load) {
-    case Load::kNone: return;
+    case Load::kNone:
+    case Load::kCable: return;
     case Load::kGround: {
       const GeneralizedForce& contact = sample.contact[static_cast<std::size_t>(mark.element)];
       first = contact.F_W;

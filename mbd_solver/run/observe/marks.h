@@ -5,6 +5,7 @@
 //   body    origin p, p, force and moment of the ground about it [N, N m]
 //   joint   points on a and b [m], its axis, its second axis (rolling: times the radius [m])
 //   strut   its ends [m], its force on the second end [N], 0
+//   cable   a piece of a polygon along it, from end to end: its ends [m], tension on the second end [N], 0
 //   spring  points on a and b [m], its axis, its second axis
 //   force   point, point [m], force and moment about the point [N, N m]
 //   drive   points on a and b [m], axis of its coordinate times its torque or force [N m or N], that axis
@@ -22,7 +23,7 @@ class Marks {
   const Eigen::Matrix3Xd& vectors(const Kinematics& kinematics, const Sample* sample);
 
  private:
-  enum class Load { kNone, kGround, kStrut, kForce, kDrive };
+  enum class Load { kNone, kGround, kStrut, kForce, kDrive, kCable };
   struct Axis {  // `length` times axis k of marker `on` (0 or 1)
     int on = 0, k = 2;
     double length = 1.0;
@@ -31,6 +32,7 @@ class Marks {
     Marker m1, m2;
     Axis axes[2];
     Load load = Load::kNone;
+    int pieces = 0;                       // of a cable, at the first of its marks
     int element = -1;                     // the force element, or the body of kGround
     bool has_numbers = false;             // of a gear, instead of the second axis
     Eigen::Vector3d numbers = {0, 0, 0};  // of a gear
@@ -38,6 +40,8 @@ class Marks {
   void add(const std::string& kind, const std::string& type, const std::string& name, Mark mark);
   void add_joints();
   void add_elements();
+  void add_cables();
+  void put_cable(std::size_t first, const Kinematics& kinematics, const Sample* sample);  // all marks of one
   void put_load(const Mark& mark, const Sample& sample, Eigen::Index column);
 
   Subject subject_;

@@ -54,7 +54,107 @@ std::optional<std::pair<std::string, Reduce>> reduced_name(const std::string& na
   return std::nullopt;
 }
 
+constexpr const char* kLedger = "ledger.";
+
+// Parts of the names of its columns and of the table in the summary.
+bool may_be_of_ledger(const std::string& name) {
+  constexpr const char* kBegins[] = {"mechanism.",    "dissipated.",      "work.",
+                                     "interface",     "grains.",          "sum",
+                                     "closing_error", "energy_to_grains", "grains_dissipated_J"};
+  return name.rfind(kLedger, 0) == 0 && std::any_of(std::begin(kBegins), std::end(kBegins), [&](const char* begin) {
+           return name.compare(7, std::string(begin).size(), begin) == 0;
+         });
+}
+
+// Its value and margin, and the verdict.
+void tell_value(double value, std::optional<double> least, std::optional<double> most, Json& told) {
+  const double above = least ? value - *least : std::numeric_limits<double>::infinity();
+  const double margin = std::min(above, most ? *most - value : above);
+  told["value"] = value;
+  told["margin"] = margin;
+  told["verdict"] = margin >= 0.0 ? "met" : "missed";
+}
+
+double reduced_column(const std::vector<double>& column, Reduce reduce) {
+  const auto [least, largest] = std::minmax_element(column.begin(), column.end());
+  switch (reduce) {
+    case Reduce::kMax: return *largest;
+    case Reduce::kMin: return *least;
+    case Reduce::kLargest: return std::max(std::abs(*least), std::abs(*largest));
+    case Reduce::kFinal: return column.back();
+  }
+  FOOTFALL_DEMAND(false);
+  return 0.0;
+}
+
+// Of the expression `text`; throws NumericalError with the reason why there is none.
+double value_with_ledger(const std::string& text, std::optional<Reduce> reduce, const Json& summary,
+                         const History& history, const History& ledger) {
+  NamedValues values;
+  for (const std::string& name : Expression::names_in(text)) values[name] = 0.0;
+  const Expression expression(text, values);
+  const auto of_ledger = [&](const std::string& name) { return name.rfind(kLedger, 0) == 0; };
+  const auto column_of = [&](const std::string& name) -> const std::vector<double>& {
+    const History& table = of_ledger(name) ? ledger : history;
+    const std::string column = of_ledger(name) ? name.substr(7) : name;
+    if (table.find(column) < 0 || table.column(column).empty())
+      throw NumericalError("this run has no \"" + name + "\"");
+    return table.column(column);
+  };
+  std::vector<std::pair<double*, const std::vector<double>*>> rows;
+  for (auto& [name, value] : values) {
+    const auto split = reduced_name(name);
+    if (const auto constant = constant_of(name)) {
+      value = *constant;
+    } else if (reduce) {
+      if (!of_ledger(name)) throw NumericalError("reads \"" + name + "\" beside columns of the ledger");
+      rows.emplace_back(&value, &column_of(name));
+    } else if (const auto figure = figure_of(summary, name)) {
+      value = *figure;
+    } else if (split) {
+      value = reduced_column(column_of(split->first), split->second);
+    } else {
+      throw NumericalError("this run has no figure \"" + name + "\"");
+    }
+  }
+  if (!reduce) return expression.value();
+  std::vector<double> each(rows.empty() ? 0 : rows.front().second->size());
+  for (std::size_t k = 0; k < each.size(); ++k) {
+    for (const auto& [place, column] : rows) *place = (*column)[k];
+    each[k] = expression.value();
+  }
+  if (each.empty()) throw NumericalError("the ledger has no row");
+  return reduced_column(each, *reduce);
+}
+
 }  // namespace
+
+void judge_ledger(Json& summary, const History& history, const History& ledger) {
+  if (!summary.contains("requirements") || summary.value("status", "") != "done") return;
+  const Json specs = summary.at("scene").value("requirements", Json::array());
+  int missed = 0;
+  for (std::size_t i = 0; i < summary.at("requirements").size(); ++i) {
+    Json& told = summary.at("requirements")[i];
+    const std::string text = i < specs.size() ? specs[i].value("value", "") : "";
+    if (text.find(kLedger) != std::string::npos) {
+      const auto bound = [&](const char* key) {
+        return told.contains(key) ? std::optional<double>(told.at(key).get<double>()) : std::nullopt;
+      };
+      std::optional<Reduce> reduce;
+      for (const Reduce kind : every<Reduce>())
+        if (specs[i].value("reduce", "") == name_of(kind)) reduce = kind;
+      try {
+        tell_value(value_with_ledger(text, reduce, summary, history, ledger), bound("least"), bound("most"), told);
+        told.erase("why");
+      } catch (const NumericalError& error) {
+        told["verdict"] = "not computed";
+        told["why"] = error.what();
+      }
+    }
+    missed += told.value("verdict", "") == "met" ? 0 : 1;
+  }
+  summary["requirements_missed"] = missed;
+}
 
 const std::vector<std::string>& summary_figures() {
   static const std::vector<std::string> names = {"end_time_s",
@@ -176,6 +276,8 @@ Requirements::Entry Requirements::entry_of(const RequirementSpec& spec, std::str
       }
     } else if (const auto reduced = split ? column_of(split->first) : std::nullopt; reduced && !spec.reduce) {
       entry.reduced.emplace_back(&value, name, split->second, *reduced);
+    } else if (may_be_of_ledger(name)) {
+      entry.keys.emplace_back(&value, name);  // known when the ledger is written
     } else if (may_be_figure(name) && !spec.reduce) {
       entry.keys.emplace_back(&value, name);
     } else if (name.rfind("coupling.", 0) == 0 && scene_.touches_particles()) {
@@ -211,6 +313,8 @@ void Requirements::see(const std::vector<double>& row) {
 
 // Throws NumericalError with the reason why there is none.
 double Requirements::value_of(Entry& entry, const RequirementSpec& spec, const Json& summary) const {
+  if (spec.value.find(kLedger) != std::string::npos)
+    throw NumericalError("the ledger is written after the run, by `footfall run` or `footfall report`");
   if (spec.reduce) {
     if (entry.undefined_at >= 0.0)
       throw NumericalError("\"" + spec.value + "\" has no value at t = " + number_text(entry.undefined_at, 6) + " s");
@@ -240,12 +344,8 @@ void Requirements::judge(Json& summary) const {
     std::string verdict = "not computed", why = "the run is not complete";
     if (complete) {
       try {
-        const double value = value_of(entries_[i], spec, summary);
-        const double above = spec.least ? value - *spec.least : std::numeric_limits<double>::infinity();
-        const double margin = std::min(above, spec.most ? *spec.most - value : above);
-        told["value"] = value;
-        told["margin"] = margin;
-        verdict = margin >= 0.0 ? "met" : "missed";
+        tell_value(value_of(entries_[i], spec, summary), spec.least, spec.most, told);
+        verdict = told.at("verdict").get<std::string>();
         why.clear();
       } catch (const NumericalError& error) {
         why = error.what();

@@ -5,6 +5,7 @@
 // An expression reads
 //   KEY             a number of summary.json, also KEY.NAME of a table in it
 //   COLUMN.max      of a column of history.csv over all steps; likewise .min, .largest (of the absolute values), .final
+//   ledger.COLUMN.max, ledger.KEY   of ledger.csv over its rows, and of the table `ledger` of summary.json, when both are written
 //   COLUMN          the column itself, where `reduce` says how its expression becomes one number
 //   g0, deg, pi     9.80665 m/s2, one degree [rad]
 
@@ -15,6 +16,7 @@
 
 #include "coupler/archive.h"
 #include "mbd_solver/model/control/signal_chain.h"
+#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {
@@ -57,6 +59,10 @@ class Requirements {
   std::vector<std::size_t> watched_;  // columns of which ranges are kept
   std::vector<Range> ranges_;         // of these
 };
+
+// Judges again the requirements of summary.json that read the ledger; other columns are reduced over their rows. The table
+// `ledger` is in the summary already.
+void judge_ledger(nlohmann::ordered_json& summary, const History& history, const History& ledger);
 
 // The keys of summary.json with one number each that an expression may read.
 const std::vector<std::string>& summary_figures();

@@ -38,8 +38,8 @@ struct Sample {
 inline ElementInput element_input(const Subject& subject, const Sample& sample, int force) {
   const ForceElement& element = subject.mechanism.model.force(force);
   const int z = subject.layout.force_z[static_cast<std::size_t>(force)];
-  return {sample.kinematics.pair(element.bodies()[0], element.bodies()[1]),
-          sample.state.z.segment(z, element.state_count()), sample.values, sample.state.time};
+  return element_input(element, sample.kinematics, sample.state.z.segment(z, element.state_count()), sample.values,
+                       sample.state.time);
 }
 
 // Computes a Sample from the state: kinematics, energies and ground contact, each once.

@@ -120,7 +120,7 @@ std::vector<std::string> overlaps_at_start(const Scene& scene, const Mechanism& 
   if (mechanism.boundaries.empty() || scene.initial.settle) return {};
   std::vector<Placed> bodies;
   try {
-    const Assembly assembly = assemble(mechanism.model, assembly_options(scene));
+    const Assembly assembly = assemble(mechanism.model, assembly_options(scene, mechanism.model));
     const Layout layout(mechanism.model);
     Kinematics start(mechanism.model);
     start.load(layout, assembly.state.q, assembly.state.v, Eigen::VectorXd());

@@ -10,6 +10,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/run/codes.h"
+#include "mbd_solver/run/observe/carry_over.h"
 #include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/observe/requirements.h"
 #include "mbd_solver/run/observe/sampler.h"
@@ -22,7 +23,7 @@ namespace {
 class StartedMechanism {
  public:
   StartedMechanism(const Scene& scene, const Mechanism& mechanism)
-      : assembly_(assemble(mechanism.model, assembly_options(scene))),
+      : assembly_(assemble(mechanism.model, assembly_options(scene, mechanism.model))),
         equations_(mechanism.model, assembly_),
         state_(assembly_.state),
         rates_(Eigen::VectorXd::Zero(equations_.layout().size())),
@@ -153,8 +154,12 @@ bool start_is_known(const Scene& scene, const Mechanism& mechanism) {
 
 }  // namespace
 
-AssemblyOptions assembly_options(const Scene& scene) {
+AssemblyOptions assembly_options(const Scene& scene, const Model& model) {
   AssemblyOptions options;
+  if (!scene.initial.from.empty())
+    options.carry = [&scene, &model](const Layout& layout, State& state) {
+      carry_over(scene, model, layout, state, nullptr);
+    };
   options.gap_tolerance = std::max(options.gap_tolerance, scene.initial.largest_gap);
   for (const InitialJointSpec& given : scene.initial.joints) {
     const int joint = scene.joint_index(given.name);

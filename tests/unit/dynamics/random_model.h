@@ -11,6 +11,7 @@
 
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/model/elements/bushing.h"
+#include "mbd_solver/model/elements/cable.h"
 #include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/gear.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
@@ -344,6 +345,10 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
   }
   out.push_back(soil_contact(apart, model, "rft" + tail, standing, true));
   out.push_back(soil_contact(apart, model, "sinkage" + tail, standing, false));
+  ends = random_markers(apart, model, body_1, body_2);  // from a drum to a point
+  out.push_back(std::make_unique<Cable>("cable" + tail,
+                                        std::vector<CableGuide>{{ends.m1, 0.1, 0.3}, {ends.m2, 0.0, 0.0}},
+                                        CableParameters{60.0, 0.0, 2.0, 0.2}));
   return out;
 }
 

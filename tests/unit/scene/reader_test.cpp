@@ -37,8 +37,25 @@ std::set<std::string> difference(const std::set<std::string>& a, const std::set<
 
 // Keys that contradict another key of the same entry and so cannot stand in one good scene with it, or need a file that only
 // another code makes.
-const std::set<std::string> kAlternatives = {"ground.plane.stiffness", "ground.plane.damping",
-                                             "boundaries[].surface.from_script", "bodies[].flexible.stress_file"};
+const std::set<std::string> kAlternatives = {"ground.plane.stiffness",
+                                             "ground.plane.damping",
+                                             "boundaries[].surface.from_script",
+                                             "bodies[].flexible.stress_file",
+                                             "cables[].stiffness",
+                                             "cables[].length",
+                                             "cables[].tension",
+                                             "initial.from",
+                                             "particles.box.sources",
+                                             "particles.box.sinks",
+                                             "particles.box.sources[].region",
+                                             "particles.box.sources[].from",
+                                             "particles.box.sources[].until",
+                                             "particles.box.sources[].rate",
+                                             "particles.box.sources[].grains_per_second",
+                                             "particles.box.sources[].velocity",
+                                             "particles.box.sinks[].region",
+                                             "particles.box.sinks[].from",
+                                             "particles.box.sinks[].until"};
 
 // All functions of time have the same keys: those of one of them are enough.
 std::set<std::string> one_function(const std::set<std::string>& keys) {

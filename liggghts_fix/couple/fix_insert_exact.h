@@ -1,0 +1,34 @@
+#pragma once
+// fix ID all insert/exact seed S distributiontemplate D nparticles 1 particlerate R insert_every N [keywords of
+// insert/rate/region] region REGION [from T] [until T]
+// LIGGGHTS' insert/rate/region, except that the number of grains follows the rate to the grain, and that a resumed run
+// inserts the same grains: until time t, floor(R (min(t, until) - from)) grains have come. Each insertion draws its random
+// numbers from seed and step alone. Grains that find no space come at the next insertion. Times count from step 0.
+
+#include <cstdio>
+
+#include "fix_insert_rate_region.h"
+
+namespace LAMMPS_NS {
+
+class FixInsertExact : public FixInsertRateRegion {
+ public:
+  FixInsertExact(LAMMPS* lmp, int narg, char** arg);
+
+  void init() override;
+  void pre_exchange() override;
+  void write_restart(FILE* file) override;
+  void restart(char* buffer) override;
+
+ private:
+  int calc_ninsert_this() override;
+  long due(bigint step) const;                // grains that should have come until this step
+  bigint next_insertion(bigint after) const;  // step at which more are due; 0: never
+  void draw_anew();
+
+  double from_ = 0.0, until_;  // [s]
+  int first_seed_ = 0;
+  bool late_ = false;  // grains found no space: told once
+};
+
+}  // namespace LAMMPS_NS
