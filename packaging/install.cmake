@@ -12,7 +12,8 @@ if(FOOTFALL_IMPORT)  # where it has been built, by the first `footfall import`
 endif()
 
 if(FOOTFALL_FMI)  # where it has been built, by the first scene with an FMU
-  install(TARGETS footfall_fmu_host RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime OPTIONAL)
+  install(TARGETS footfall_fmu_host footfall_fmu footfall_fmu_model RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime OPTIONAL)
+  install(TARGETS footfall_fmu_functions LIBRARY DESTINATION lib/footfall COMPONENT runtime OPTIONAL)
 endif()
 
 if(TARGET footfall_campaign)  # of a package of its own: nothing else needs OpenTURNS

@@ -365,6 +365,7 @@ constexpr Subcommand kSubcommands[] = {
     {"check", "Check a scene: report every fault with file, line and key", check},
     {"new", "Create a folder with a scene to edit, from an example", new_case},
     {"import", "Make a scene of a robot: URDF, SDF or MJCF", nullptr},
+    {"fmu", "Write a scene as an FMU (FMI 3.0), for use in other programs", nullptr},
     {"view", "Write a page that plays a run in 3D; or draw pictures, or a video; or follow a run in progress", view},
     {"report", "Write one page about a run or a sweep: DIR/report.html", report},
     {"plot", "Plot columns of a run's history", plot},

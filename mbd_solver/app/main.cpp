@@ -1,5 +1,5 @@
 // footfall: the command line. It only arranges mbd_solver and liggghts_mbd, with the line that it prints. Commands that
-// start many runs are in footfall_studies, which it starts in its place.
+// start many runs are in footfall_studies, which it starts in its place; so are `import` and `fmu` programs of their own.
 #include <unistd.h>
 
 #include <cstdio>
@@ -23,9 +23,9 @@ int main(int argc, char** argv) {
     if (word != subcommand.name || subcommand.prepare != nullptr) continue;
     try {
       if (word == "import") return start_import({argv + 1, argv + argc});
-      const std::string studies = built_program("footfall_studies");
-      execv(studies.c_str(), argv);
-      std::perror(studies.c_str());
+      const std::string program = built_program(word == "fmu" ? "footfall_fmu" : "footfall_studies");
+      execv(program.c_str(), argv);
+      std::perror(program.c_str());
       return kExitFailed;
     } catch (const std::exception& e) {
       std::fprintf(stderr, "%s\n", e.what());

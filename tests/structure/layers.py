@@ -31,6 +31,7 @@ MAY_INCLUDE = {
     "mbd_solver/studies": "mbd_solver/app",
     "mbd_solver/import": "mbd_solver/app",
     "mbd_solver/fmi": "mbd_solver/base",
+    "mbd_solver/fmi/export": "mbd_solver/fmi mbd_solver/embed mbd_solver/app",
     "mbd_solver": "mbd_solver/run mbd_solver/app",  # main.cpp
 }
 

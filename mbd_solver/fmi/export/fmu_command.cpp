@@ -1,0 +1,189 @@
+// The scene runs once, to its start: its columns become outputs, its signals of kind "host" inputs, its numbers parameters. The archive
+// has the library, the program of the model, and the scene with the files that it names.
+
+#include "mbd_solver/fmi/export/fmu_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/app/check_command.h"
+#include "mbd_solver/base/fingerprint.h"
+#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/embed/embedded_simulation.h"
+#include "mbd_solver/fmi/codes.h"
+#include "mbd_solver/fmi/fmu_file.h"
+#include "mbd_solver/scene/foreign/foreign_code.h"
+
+namespace footfall {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Kind = ExportedVariable::Kind;
+
+constexpr const char *kLibrary = "footfall_fmu.so", *kProgram = "footfall_fmu_model";
+constexpr std::size_t kLongestList = 64;  // numbers of a parameter
+
+// Every number and list of numbers of the scene, with its key of --set. What is written or exchanged only is left out.
+void add_parameters(const Json& json, const std::string& key, std::vector<ExportedVariable>& found) {
+  const auto inside = [&](const std::string& name) { return key.empty() ? name : key + "." + name; };
+  if (json.is_number()) {
+    found.push_back({Kind::kParameter, 0, key, "", {json.get<double>()}});
+  } else if (json.is_object()) {
+    for (const auto& [name, value] : json.items()) {
+      const bool other =
+          key.empty() && (name == "output" || name == "coupling" || name == "particles" || name == "arrays");
+      if (!other && name.find_first_of(".\"= ") == std::string::npos) add_parameters(value, inside(name), found);
+    }
+  } else if (json.is_array() && !json.empty()) {
+    const bool numbers = std::all_of(json.begin(), json.end(), [](const Json& item) { return item.is_number(); });
+    if (numbers && json.size() <= kLongestList)
+      found.push_back({Kind::kParameter, 0, key, "", json.get<std::vector<double>>()});
+    for (const Json& item : json)
+      if (item.is_object() && item.contains("name") && item["name"].is_string())
+        add_parameters(item, inside(item["name"].get<std::string>()), found);
+  }
+}
+
+std::vector<ExportedVariable> variables_of(const EmbeddedSimulation& simulation) {
+  std::vector<ExportedVariable> all = {{Kind::kTime, 0, "time", "s", {0.0}}};
+  const std::vector<std::string> inputs = simulation.signals();
+  for (const std::string& name : inputs) all.push_back({Kind::kInput, 0, name, "", {simulation.signal(name)}});
+  for (std::size_t i = 0; i < simulation.names().size(); ++i) {
+    const std::string &name = simulation.names()[i], &unit = simulation.units()[i];
+    if (name != "time") all.push_back({Kind::kOutput, 0, name, unit == "-" ? "" : unit, {0.0}});
+  }
+  all.push_back({Kind::kOutput, 0, kBalanceColumn, "", {0.0}});
+  all.push_back({Kind::kOutput, 0, kErrorColumn, "", {0.0}});
+  std::vector<ExportedVariable> parameters;
+  add_parameters(Json::parse(simulation.parameters()), "", parameters);
+  std::set<std::string> names;
+  for (const std::string& name : inputs) names.insert("signals." + name + ".initial");  // the start value of the input
+  for (const ExportedVariable& v : all) names.insert(v.name);
+  for (ExportedVariable& v : parameters)
+    if (names.insert(v.name).second) all.push_back(std::move(v));
+  unsigned next = 0;
+  for (ExportedVariable& v : all) {
+    v.reference = next;
+    next += static_cast<unsigned>(v.start.size());
+  }
+  return all;
+}
+
+// The scene, what it modifies, and every file that one of them names, relative to the folder that holds them all.
+class SceneFiles {
+ public:
+  explicit SceneFiles(const std::string& scene) : scene_(fs::weakly_canonical(scene)) {
+    add(scene_);
+    for (std::size_t k = 0; k < files_.size(); ++k)
+      if (files_[k].extension() == ".toml") add_named_in(files_[k]);
+    root_ = scene_.parent_path();
+    for (const fs::path& file : files_)
+      while (fs::relative(file, root_).native().rfind("..", 0) == 0) root_ = root_.parent_path();
+  }
+  std::string scene() const { return fs::relative(scene_, root_).string(); }
+  std::vector<FmuEntry> entries() const {
+    std::vector<FmuEntry> all;
+    for (const fs::path& file : files_)
+      all.push_back({"resources/scene/" + fs::relative(file, root_).string(), file.string(), "", false});
+    return all;
+  }
+  std::string contents() const {
+    std::string all;
+    for (const fs::path& file : files_) all += read_whole_file(file.string()).value_or("");
+    return all;
+  }
+
+ private:
+  void add(const fs::path& file) {
+    if (std::find(files_.begin(), files_.end(), file) == files_.end()) files_.push_back(file);
+  }
+  void add_named_in(const fs::path& scene) {
+    const std::string text = read_whole_file(scene.string()).value_or("");
+    static const std::regex kText("\"([^\"\\n]+)\"|'([^'\\n]+)'");
+    for (auto at = std::sregex_iterator(text.begin(), text.end(), kText); at != std::sregex_iterator(); ++at) {
+      const std::string name = (*at)[1].matched ? (*at)[1].str() : (*at)[2].str();
+      std::error_code error;
+      for (fs::path path : {scene.parent_path() / name, scene.parent_path() / name / "scene.toml"})
+        if (fs::is_regular_file(path, error)) add(fs::weakly_canonical(path));
+    }
+  }
+
+  fs::path scene_, root_;
+  std::vector<fs::path> files_;
+};
+
+// Beside this program, or where an installation has it.
+std::string library_file() {
+  const fs::path folder = fs::path(built_program(kProgram)).parent_path();
+  for (const fs::path& path : {folder / kLibrary, folder / "../lib/footfall" / kLibrary}) {
+    std::error_code error;
+    if (fs::exists(path, error)) return path.string();
+  }
+  throw InputError(code::kFmuParts,
+                   (folder / kLibrary).string() + ": is missing; ./footfall fmu in a checkout builds it");
+}
+
+}  // namespace
+
+int fmu_command(const FmuArguments& a) {
+  const Scene scene = checked_scene(a.scene, a.settings);
+  if (scene.touches_particles())
+    throw InputError(code::kFmuOfGrains,
+                     scene.file +
+                         ": touches grains, which an FMU does not move yet; give it another ground, for example "
+                         "ground.kind = \"soil\" fitted by `footfall ground fit`");
+  if (runs_foreign_code(scene))
+    throw InputError(code::kFmuOfForeign,
+                     scene.file + ": runs programs of the user itself; an FMU of it is not supported, remove them");
+  const EmbeddedSimulation simulation(read_scene(a.scene, a.settings));
+  const SceneFiles files(scene.file);
+  std::string settings;
+  for (const std::string& setting : a.settings) settings += setting + "\n";
+
+  ExportedScene exported;
+  const fs::path file = fs::absolute(scene.file).lexically_normal();
+  exported.name = file.filename() == "scene.toml" ? file.parent_path().filename().string() : file.stem().string();
+  exported.title = scene.title;
+  exported.token = "{" + fingerprint(files.contents() + settings + FOOTFALL_VERSION) + "}";
+  exported.end_time = scene.end_time;
+  exported.step = std::min(scene.output.interval, scene.end_time);
+  exported.variables = variables_of(simulation);
+
+  std::vector<FmuEntry> entries = files.entries();
+  entries.push_back({"modelDescription.xml", "", model_description(exported), false});
+  entries.push_back({"resources/variables.txt", "", text_of_variables(exported.variables), false});
+  entries.push_back({"resources/token.txt", "", exported.token, false});
+  entries.push_back({"resources/scene.txt", "", files.scene(), false});
+  entries.push_back({"resources/settings.txt", "", settings, false});
+  entries.push_back({std::string("resources/") + kProgram, built_program(kProgram), "", true});
+  FmuDescription own;
+  own.version = "3.0";
+  own.identifier = "footfall_fmu";
+  entries.push_back({library_path(own), library_file(), "", true});
+  try {
+    write_fmu(a.out, entries);
+  } catch (const FmuProblem& problem) {
+    throw InputError(code::kFmuNotWritten, a.out + ": " + problem.what());
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(code::kFmuNotWritten, a.out + ": cannot be written: " + error.code().message());
+  }
+  if (!a.quiet) {
+    const auto count = [&](Kind kind) {
+      return std::count_if(exported.variables.begin(), exported.variables.end(),
+                           [&](const ExportedVariable& v) { return v.kind == kind; });
+    };
+    std::printf("%s: an FMU (FMI 3.0, co-simulation) with %ld inputs, %ld outputs and %ld parameters.\n", a.out.c_str(),
+                static_cast<long>(count(Kind::kInput)), static_cast<long>(count(Kind::kOutput)),
+                static_cast<long>(count(Kind::kParameter)));
+  }
+  return kExitDone;
+}
+
+}  // namespace footfall

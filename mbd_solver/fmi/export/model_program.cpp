@@ -1,0 +1,218 @@
+// footfall_fmu_model: the simulation of an exported FMU, in a process of its own (exported_model.h has the questions).
+//   footfall_fmu_model RESOURCES        the folder with variables.txt and scene/
+#include <signal.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/base/helper_process.h"
+#include "mbd_solver/embed/embedded_simulation.h"
+#include "mbd_solver/fmi/codes.h"
+#include "mbd_solver/fmi/export/exported_model.h"
+
+namespace {
+
+using namespace footfall;
+
+// A force that the importing program sets and that answers the motion of its body, as a spring there does: k and d of
+// dF = -k dx - d dv by least squares over the steps, older ones forgotten. An explicit exchange feeds such a motion like a damping
+// ratio of -omega H / 4, omega = sqrt(k/m): what a master needs to be told.
+class StiffInput {
+ public:
+  StiffInput(std::string input, std::string body, const Eigen::Vector3d& direction, double mass)
+      : input_(std::move(input)), body_(std::move(body)), direction_(direction), mass_(mass) {}
+
+  const std::string& input() const { return input_; }
+  // At the beginning of a step of H [s]; the warning, once, or nothing.
+  std::string observe(const EmbeddedSimulation& s, double force, double step) {
+    const auto along = [&](const char* const(&names)[3]) {
+      double sum = 0.0;
+      for (int i = 0; i < 3; ++i) sum += direction_[i] * s.value(body_ + names[i]);
+      return sum;
+    };
+    const Eigen::Vector3d now(along({".x", ".y", ".z"}), along({".vx", ".vy", ".vz"}), force);
+    const Eigen::Vector3d change = now - last_;
+    last_ = now;
+    if (++count_ < 2) return "";
+    moments_ = kMemory * moments_ + change * change.transpose();
+    if (told_ || count_ < kFewest) return "";
+    const Eigen::Matrix2d motion = moments_.topLeftCorner<2, 2>();
+    const Eigen::Vector2d answer = moments_.topRightCorner<2, 1>();
+    if (!(std::abs(motion.determinant()) > 1e-12 * motion(0, 0) * motion(1, 1))) return "";
+    const Eigen::Vector2d slope = motion.inverse() * answer;
+    const double explained = slope.dot(answer), k = -slope[0], omega_h = k > 0.0 ? step * std::sqrt(k / mass_) : 0.0;
+    if (explained < kExplained * moments_(2, 2) || omega_h < kMostOmegaH) return "";
+    told_ = true;
+    return with_code(code::kFmuOmegaH, "t = " + number_text(s.time()) + " s: the input \"" + input_ +
+                                           "\" answers the motion of body \"" + body_ + "\" like a spring of " +
+                                           number_text(k, 3) + " N/m: omega H = " + number_text(omega_h, 2) +
+                                           " with steps of H = " + number_text(step, 3) +
+                                           " s. An explicit exchange feeds this motion like a "
+                                           "damping ratio of " +
+                                           number_text(-omega_h / 4.0, 2) + "; take steps below " +
+                                           number_text(step * kMostOmegaH / omega_h, 2) + " s");
+  }
+
+ private:
+  static constexpr double kMemory = 0.9, kExplained = 0.9, kMostOmegaH = 0.1;
+  static constexpr int kFewest = 12;  // steps
+
+  std::string input_, body_;
+  Eigen::Vector3d direction_;
+  double mass_;                                        // [kg]
+  Eigen::Vector3d last_ = Eigen::Vector3d::Zero();     // x [m], v [m/s], F [N]
+  Eigen::Matrix3d moments_ = Eigen::Matrix3d::Zero();  // of their changes
+  int count_ = 0;
+  bool told_ = false;
+};
+
+class Model {
+ public:
+  explicit Model(const std::string& resources) : resources_(resources) {
+    for (ExportedVariable& v : variables_of_text(read_whole_file(resources + "/variables.txt").value_or(""))) {
+      if (v.kind == ExportedVariable::Kind::kInput) inputs_.push_back(v.name);
+      if (v.kind == ExportedVariable::Kind::kOutput) outputs_.push_back(v.name);
+    }
+    exported_with_ = read_whole_file(resources + "/settings.txt").value_or("");
+    scene_ = resources + "/scene/" + trimmed(read_whole_file(resources + "/scene.txt").value_or("scene.toml"));
+  }
+
+  std::string answer(const std::string& question) {
+    const std::string content = question.substr(1);
+    switch (question[0]) {
+      case 'N':
+        settings_ = content;
+        make();
+        return values(false);
+      case 'S': return step(content);
+      case 'G': return "B" + std::to_string(settings_.size()) + "\n" + settings_ + simulation().save();
+      case 'R': {
+        std::size_t used = 0;
+        const std::size_t size = std::stoul(content, &used);
+        const std::string before = settings_;
+        settings_ = content.substr(used + 1, size);
+        if (!simulation_ || settings_ != before) make();
+        simulation().restore(content.substr(used + 1 + size));
+        return values(false);
+      }
+      default: throw std::runtime_error("unknown question");
+    }
+  }
+
+ private:
+  EmbeddedSimulation& simulation() {
+    if (!simulation_) throw std::runtime_error("the model is not initialized");
+    return *simulation_;
+  }
+  void make() {
+    std::vector<std::string> settings;
+    std::istringstream lines(exported_with_ + settings_);
+    for (std::string line; std::getline(lines, line);)
+      if (!line.empty()) settings.push_back(line);
+    simulation_.reset();
+    simulation_ = std::make_unique<EmbeddedSimulation>(read_scene(scene_, settings));
+    told_ = 0;
+    stiff_.clear();
+    const Scene& scene = simulation_->scene();
+    const std::vector<std::string>& columns = simulation_->names();
+    for (const ForceSpec& force : scene.forces) {
+      const BodySpec* const body = scene.body(force.body);
+      if (!force.force || !body || !(body->mass > 0.0)) continue;
+      if (std::find(inputs_.begin(), inputs_.end(), force.force->signal) == inputs_.end()) continue;
+      if (std::find(columns.begin(), columns.end(), force.body + ".vz") == columns.end()) continue;
+      stiff_.emplace_back(force.force->signal, force.body, force.direction, body->mass);
+    }
+  }
+
+  std::optional<double> event_time() {
+    const std::vector<std::string>& names = simulation().names();
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] == "state.since") return simulation().time() - simulation().row()[i];
+    return std::nullopt;
+  }
+
+  // An event ends the step at its instant: found by a step to the end, from whose beginning it is done again.
+  std::string step(const std::string& content) {
+    std::vector<double> numbers(content.size() / sizeof(double));
+    std::memcpy(numbers.data(), content.data(), numbers.size() * sizeof(double));
+    if (numbers.size() != 2 + inputs_.size()) throw std::runtime_error("a step with too few numbers");
+    EmbeddedSimulation& s = simulation();
+    for (std::size_t i = 0; i < inputs_.size(); ++i)
+      if (s.signal(inputs_[i]) != numbers[2 + i]) s.set_signal(inputs_[i], numbers[2 + i]);
+    const double begin = s.time(), until = numbers[0];
+    for (StiffInput& input : stiff_)
+      if (const std::string warning = input.observe(s, s.signal(input.input()), until - begin); !warning.empty())
+        warnings_ += warning + "\n";
+    const std::optional<double> before = numbers[1] != 0.0 ? event_time() : std::nullopt;
+    const std::string saved = before ? s.save() : "";
+    s.step(until);
+    bool early = false;
+    if (before) {
+      const double event = *event_time();
+      early = event > *before + 1e-9 && event > begin && event < until * (1.0 - 1e-9);
+      if (early) {
+        s.restore(saved);
+        s.step(event);
+      }
+    }
+    return values(early);
+  }
+
+  std::string values(bool early) {
+    EmbeddedSimulation& s = simulation();
+    std::vector<double> numbers = {s.time(), early ? 1.0 : 0.0, s.finished() ? 1.0 : 0.0};
+    for (const std::string& name : outputs_)
+      numbers.push_back(name == kBalanceColumn ? s.energy_balance()
+                        : name == kErrorColumn ? s.summed_error()
+                                               : s.value(name));
+    for (std::size_t i = 0; i < outputs_.size(); ++i)
+      if (!std::isfinite(numbers[3 + i])) throw std::runtime_error("the output \"" + outputs_[i] + "\" is not finite");
+    const std::vector<std::string> all = s.warnings();
+    for (; told_ < all.size(); ++told_) warnings_ += all[told_] + "\n";
+    std::string warnings;
+    warnings.swap(warnings_);
+    return "V" + std::string(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)) + warnings;
+  }
+
+  std::string resources_, scene_, exported_with_, settings_;
+  std::vector<std::string> inputs_, outputs_;
+  std::unique_ptr<EmbeddedSimulation> simulation_;
+  std::vector<StiffInput> stiff_;
+  std::string warnings_;  // for the next answer
+  std::size_t told_ = 0;  // of the simulation's own
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr,
+                 "footfall_fmu_model: the simulation of an exported FMU, which starts it; it is not for use by hand\n");
+    return 2;
+  }
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  signal(SIGPIPE, SIG_IGN);
+  const int out = dup(STDOUT_FILENO);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+  std::unique_ptr<Model> model;
+  for (std::string question; HelperProcess::read_frame(STDIN_FILENO, question);) {
+    std::string answer;
+    try {
+      if (!model) model = std::make_unique<Model>(argv[1]);
+      answer = model->answer(question.empty() ? "?" : question);
+    } catch (const std::exception& error) {
+      answer = std::string("E") + error.what();
+    }
+    if (!HelperProcess::write_frame(out, answer)) return 1;
+  }
+  return 0;
+}

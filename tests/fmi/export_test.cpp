@@ -1,0 +1,337 @@
+// Scenes as FMUs: the rules of modelDescription.xml, runs by a small master (the host of FMUs), states, errors and early returns.
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <pugixml.hpp>
+#include <set>
+
+#include "mbd_solver/base/helper_process.h"
+#include "mbd_solver/fmi/export/fmu_command.h"
+#include "mbd_solver/fmi/fmi3_interface.h"
+#include "mbd_solver/fmi/fmu_file.h"
+#include "mbd_solver/fmi/fmu_instance.h"
+#include "tests/app/programs.h"
+
+namespace footfall {
+namespace {
+
+namespace fs = std::filesystem;
+using app::Folder;
+using testing::HasSubstr;
+
+// A mass of 1 kg on a slider, pushed by the importing program.
+const std::string kMass = R"(title = "A mass & its <slider>"
+end_time = 1.0
+gravity = [0, 0, 0]
+[[bodies]]
+name = "block"
+mass = 1.0
+inertia = [0.1, 0.1, 0.2]
+position = [0, 0, 0]
+[[joints]]
+name = "slider"
+kind = "prismatic"
+bodies = ["ground", "block"]
+point = [0, 0, 0]
+axis = "x"
+[initial.joints]
+slider = 0.01
+[[signals]]
+name = "F"
+kind = "host"
+initial = -100
+[[forces]]
+name = "push"
+body = "block"
+direction = [1, 0, 0]
+force = { signal = "F" }
+[solver]
+rtol = 1e-9
+)";
+// k = 1e4 N/m and d = 1 N s/m, as a signal; a scene needs a body.
+const std::string kSpring = R"(end_time = 1.0
+gravity = [0, 0, 0]
+[[bodies]]
+name = "frame"
+mass = 1.0
+inertia = [0.1, 0.1, 0.2]
+position = [0, 0, 0]
+[[signals]]
+name = "x"
+kind = "host"
+initial = 0.01
+[[signals]]
+name = "v"
+kind = "host"
+[[signals]]
+name = "F"
+kind = "expression"
+input = "-1e4 * signal.x - 1 * signal.v"
+)";
+
+// An FMU in its host, as a small master uses it.
+class Slave {
+ public:
+  Slave(const std::string& file, const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
+        const std::vector<std::string>& more = {})
+      : process_(line(file, inputs, outputs, more), 120.0) {}
+  std::vector<double> ask(char letter, const std::vector<double>& numbers, const std::string& bytes = "") {
+    const std::string answer = raw(letter, numbers, bytes);
+    if (answer[0] != 'V') throw std::runtime_error(answer);
+    std::vector<double> values((answer.size() - 1) / sizeof(double));
+    std::memcpy(values.data(), answer.data() + 1, values.size() * sizeof(double));
+    return values;
+  }
+  std::string raw(char letter, const std::vector<double>& numbers, const std::string& bytes = "") {
+    std::string question(1, letter);
+    question.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
+    return process_.ask(question + bytes);
+  }
+
+ private:
+  static std::vector<std::string> line(const std::string& file, const std::vector<std::string>& inputs,
+                                       const std::vector<std::string>& outputs, const std::vector<std::string>& more) {
+    std::vector<std::string> all = {FMU_HOST, "run", file};
+    for (const std::string& name : inputs) all.insert(all.end(), {"--input", name});
+    for (const std::string& name : outputs) all.insert(all.end(), {"--output", name});
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  HelperProcess process_;
+};
+
+std::string exported(const Folder& folder, const std::string& name, const std::string& scene) {
+  folder.write(name + ".toml", scene);
+  folder.done("fmu " + name + ".toml --quiet --out " + name + ".fmu");
+  return folder.file(name + ".fmu");
+}
+
+// Error of x at 0.1 s of the pair in steps of h [s].
+double error_of_pair(const std::string& mass, const std::string& spring, double h) {
+  Slave a(mass, {"F"}, {"block.x", "block.vx"}), b(spring, {"x", "v"}, {"signal.F"});
+  std::vector<double> motion = a.ask('I', {0.0, -100.0}), force = b.ask('I', {0.0, 0.01, 0.0});
+  const long steps = std::lround(0.1 / h);
+  for (long k = 0; k < steps; ++k) {
+    const double t = h * static_cast<double>(k), next = h * static_cast<double>(k + 1);
+    force = b.ask('S', {t, next, motion[0], motion[1]});  // of the motion at t, held
+    motion = a.ask('S', {t, next, force[0]});
+  }
+  const double w = std::sqrt(1e4 - 0.25);
+  return motion[0] - 0.01 * std::exp(-0.05) * (std::cos(w * 0.1) + 0.5 / w * std::sin(w * 0.1));
+}
+
+// An explicit exchange of first order: x = 10 mm exp(-0.5 t) cos(100 t) to the order of the step.
+TEST(ExportedFmu, PairOfMassAndSpringIsExactToTheOrderOfTheStep) {
+  const Folder folder("fmu_pair");
+  const std::string mass = exported(folder, "mass", kMass), spring = exported(folder, "spring", kSpring);
+  const double coarse = error_of_pair(mass, spring, 2e-4), fine = error_of_pair(mass, spring, 1e-4);
+  EXPECT_LT(std::abs(fine), 1e-3) << "omega H = 0.01: the exchange feeds the motion by exp(omega^2 H t / 4)";
+  EXPECT_NEAR(coarse / fine, 2.0, 0.3) << "first order, and a little of the second";
+}
+
+// ---- the C interface ----
+
+struct Log {
+  std::string text;
+  static void add(fmi3InstanceEnvironment log, fmi3Status, fmi3String, fmi3String message) {
+    static_cast<Log*>(log)->text += message;
+  }
+};
+
+class Interface {
+ public:
+  Interface(const std::string& file, const std::string& folder, bool early) : description_(read_fmu(file)) {
+    fs::create_directory(folder);
+    unpack_fmu(file, folder);
+    library_ = std::make_unique<FmuLibrary>(description_, folder);
+    instance = library_->function<fmi3InstantiateCoSimulationTYPE>("fmi3InstantiateCoSimulation")(
+        "test", description_.token.c_str(), (folder + "/resources/").c_str(), false, false, false, early, nullptr, 0,
+        &log, Log::add, nullptr);
+  }
+  ~Interface() { library_->function<fmi3FreeInstanceTYPE>("fmi3FreeInstance")(instance); }
+  fmi3Status begin() {
+    const fmi3Status status = library_->function<fmi3EnterInitializationModeTYPE>("fmi3EnterInitializationMode")(
+        instance, false, 0, 0, false, 0);
+    return status == fmi3OK ? library_->function<fmi3ModeTYPE>("fmi3ExitInitializationMode")(instance) : status;
+  }
+  fmi3Status set(const std::string& name, double value) {
+    const fmi3ValueReference reference = description_.find(name)->reference;
+    return library_->function<fmi3SetTYPE<double>>("fmi3SetFloat64")(instance, &reference, 1, &value, 1);
+  }
+  double get(const std::string& name) {
+    const fmi3ValueReference reference = description_.find(name)->reference;
+    double value = std::nan("");
+    library_->function<fmi3GetTYPE<double>>("fmi3GetFloat64")(instance, &reference, 1, &value, 1);
+    return value;
+  }
+  fmi3Status step(double from, double h) {
+    bool events = false;
+    return library_->function<fmi3DoStepTYPE>("fmi3DoStep")(instance, from, h, true, &events, &ends, &early, &last);
+  }
+  fmi3Status mode(const char* name) { return library_->function<fmi3ModeTYPE>(name)(instance); }
+  FmuLibrary& library() { return *library_; }
+
+  fmi3Instance instance = nullptr;
+  Log log;
+  bool ends = false, early = false;
+  double last = 0.0;
+
+ private:
+  FmuDescription description_;
+  std::unique_ptr<FmuLibrary> library_;
+};
+
+// The same mass led by its interface, with the spring in the test: omega H = 0.2 is told, omega H = 0.02 is not.
+TEST(ExportedFmu, TellsOfStepsThatAreTooLongForTheExchange) {
+  const Folder folder("fmu_omega");
+  const std::string file = exported(folder, "mass", kMass);
+  for (const double h : {2e-3, 2e-4}) {
+    Interface fmu(file, folder.file(h > 1e-3 ? "long" : "short"), false);
+    ASSERT_EQ(fmu.begin(), fmi3OK) << fmu.log.text;
+    for (int k = 0; k < 40; ++k) {
+      fmu.set("F", -1e4 * fmu.get("block.x") - fmu.get("block.vx"));
+      ASSERT_EQ(fmu.step(h * k, h), fmi3OK) << fmu.log.text;
+    }
+    EXPECT_EQ(app::holds(fmu.log.text, "[W0740 "), h > 1e-3) << fmu.log.text;
+  }
+}
+
+// A mass alone under a constant force: x = x0 + F t^2 / (2 m), within the tolerance of the integrator.
+TEST(ExportedFmu, MovesByItsClosedFormWithParametersAndStates) {
+  const Folder folder("fmu_mass");
+  const std::string file = exported(folder, "mass", kMass);
+  const std::vector<std::string> outputs = {"block.x", "balance.energy", "time"};
+  Slave slave(file, {"F"}, outputs, {"--start", "bodies.block.mass", "4", "--start", "end_time", "3"});
+  EXPECT_NEAR(slave.ask('I', {0.0, 8.0})[0], 0.01, 1e-12);
+  slave.ask('S', {0.0, 0.5, 8.0});
+  const std::string state = slave.raw('G', {});
+  ASSERT_EQ(state[0], 'B');
+  const std::vector<double> end = slave.ask('S', {0.5, 2.0, 8.0});
+  EXPECT_NEAR(end[0], 0.01 + 8.0 / 4.0 * 2.0 * 2.0 / 2.0, 1e-7);
+  EXPECT_LT(std::abs(end[1]), 1e-6);
+  EXPECT_EQ(end[2], 2.0);
+  Slave other(file, {"F"}, outputs, {"--start", "bodies.block.mass", "4", "--start", "end_time", "3"});
+  other.ask('R', {0.5, 8.0}, state.substr(1));
+  EXPECT_NEAR(other.ask('S', {0.5, 2.0, 8.0})[0], end[0], 1e-9);
+}
+
+// The rules that a validator of FMI 3.0 holds a description against.
+TEST(ExportedFmu, DescriptionKeepsTheRulesOfTheStandard) {
+  const Folder folder("fmu_rules");
+  const std::string file = exported(folder, "mass", kMass);
+  fs::create_directory(folder.file("unpacked"));
+  unpack_fmu(file, folder.file("unpacked"));
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_file(folder.file("unpacked/modelDescription.xml").c_str()));
+  const pugi::xml_node root = document.child("fmiModelDescription");
+  for (const char* required : {"fmiVersion", "modelName", "instantiationToken"})
+    EXPECT_NE(root.attribute(required).as_string()[0], 0) << required;
+  EXPECT_EQ(std::string(root.attribute("fmiVersion").value()), "3.0");
+  EXPECT_EQ(std::string(root.attribute("description").value()), "A mass & its <slider>");
+  EXPECT_TRUE(
+      fs::exists(folder.file("unpacked/binaries/x86_64-linux/" +
+                             std::string(root.child("CoSimulation").attribute("modelIdentifier").value()) + ".so")));
+  std::set<std::string> units, names, references, listed;
+  for (const pugi::xml_node& unit : root.child("UnitDefinitions")) {
+    EXPECT_TRUE(units.insert(unit.attribute("name").value()).second);
+    EXPECT_TRUE(unit.child("BaseUnit")) << unit.attribute("name").value();
+  }
+  std::map<std::string, std::string> causality_of;
+  int independents = 0;
+  for (const pugi::xml_node& v : root.child("ModelVariables")) {
+    const std::string name = v.attribute("name").value(), causality = v.attribute("causality").value();
+    EXPECT_TRUE(names.insert(name).second) << name;
+    EXPECT_TRUE(references.insert(v.attribute("valueReference").value()).second) << name;
+    if (v.attribute("unit")) EXPECT_EQ(units.count(v.attribute("unit").value()), 1u) << name;
+    const bool starts = causality == "input" || causality == "parameter";
+    EXPECT_EQ(!v.attribute("start").empty(), starts) << name;
+    if (causality == "parameter") EXPECT_EQ(std::string(v.attribute("variability").value()), "fixed") << name;
+    independents += causality == "independent" ? 1 : 0;
+    causality_of[v.attribute("valueReference").value()] = causality;
+  }
+  EXPECT_EQ(independents, 1);
+  for (const char* name : {"F", "block.x", "bodies.block.mass", "balance.energy"})
+    EXPECT_EQ(names.count(name), 1u) << name;
+  for (const char* element : {"Output", "InitialUnknown"}) {
+    listed.clear();
+    for (const pugi::xml_node& node : root.child("ModelStructure").children(element))
+      listed.insert(node.attribute("valueReference").value());
+    for (const auto& [reference, causality] : causality_of)
+      EXPECT_EQ(listed.count(reference), causality == "output" ? 1u : 0u) << element << " " << reference;
+  }
+}
+
+TEST(ExportedFmu, UnitsHaveTheirBaseUnits) {
+  using Map = std::map<std::string, int>;
+  EXPECT_EQ(base_units("m/s2"), (Map{{"m", 1}, {"s", -2}}));
+  EXPECT_EQ(base_units("N m s/rad"), (Map{{"kg", 1}, {"m", 2}, {"s", -1}, {"rad", -1}}));
+  EXPECT_EQ(base_units("kg m2"), (Map{{"kg", 1}, {"m", 2}}));
+  EXPECT_EQ(base_units("1/s"), (Map{{"s", -1}}));
+  EXPECT_EQ(base_units("furlong"), Map{});
+}
+
+TEST(ExportedFmu, RefusesBadCallsAndKeepsItsState) {
+  const Folder folder("fmu_calls");
+  Interface fmu(exported(folder, "mass", kMass), folder.file("unpacked"), false);
+  ASSERT_NE(fmu.instance, nullptr) << fmu.log.text;
+  EXPECT_EQ(fmu.step(0.0, 0.1), fmi3Error) << "not initialized";
+  EXPECT_EQ(fmu.set("bodies.block.mass", -1.0), fmi3OK) << "the scene is checked when it is made";
+  EXPECT_EQ(fmu.begin(), fmi3Error);
+  EXPECT_THAT(fmu.log.text, HasSubstr("bodies.block.mass"));
+  ASSERT_EQ(fmu.mode("fmi3Reset"), fmi3OK);
+  ASSERT_EQ(fmu.begin(), fmi3OK) << fmu.log.text;
+  ASSERT_EQ(fmu.step(0.0, 0.1), fmi3OK) << fmu.log.text;
+  const double x = fmu.get("block.x");
+  EXPECT_NEAR(x, 0.01 - 100.0 * 0.01 / 2.0, 1e-8);
+  EXPECT_EQ(fmu.set("F", std::nan("")), fmi3Error);
+  EXPECT_EQ(fmu.set("F", std::numeric_limits<double>::infinity()), fmi3Error);
+  EXPECT_EQ(fmu.get("F"), -100.0);
+  EXPECT_EQ(fmu.set("block.x", 1.0), fmi3Error);
+  EXPECT_EQ(fmu.set("bodies.block.mass", 2.0), fmi3Error);
+  EXPECT_EQ(fmu.step(0.3, 0.1), fmi3Error) << "the model is at 0.1 s";
+  EXPECT_EQ(fmu.step(0.1, -0.1), fmi3Error);
+  EXPECT_EQ(fmu.get("block.x"), x);
+  EXPECT_EQ(fmu.step(0.1, 0.1), fmi3OK) << fmu.log.text;
+  EXPECT_EQ(fmu.mode("fmi3Terminate"), fmi3OK);
+}
+
+// Free fall to z = -0.5 m switches the state at t = sqrt(2 0.5 / 9.81).
+TEST(ExportedFmu, ReturnsEarlyAtEvents) {
+  const Folder folder("fmu_events");
+  const std::string scene =
+      "end_time = 1\n[[bodies]]\nname = \"ball\"\nmass = 1\ninertia = [1, 1, 1]\nposition = [0, 0, 0]\n"
+      "[[states]]\nname = \"flight\"\n[[states]]\nname = \"low\"\n"
+      "[[events]]\nname = \"pass\"\nwhen = \"ball.z < -0.5\"\nto = \"low\"\n";
+  const std::string file = exported(folder, "fall", scene);
+  const double instant = std::sqrt(1.0 / 9.81);
+  Interface fmu(file, folder.file("early"), true);
+  ASSERT_EQ(fmu.begin(), fmi3OK) << fmu.log.text;
+  ASSERT_EQ(fmu.step(0.0, 0.5), fmi3OK) << fmu.log.text;
+  EXPECT_TRUE(fmu.early);
+  EXPECT_NEAR(fmu.last, instant, 1e-6);
+  EXPECT_EQ(fmu.get("state.low"), 1.0);
+  ASSERT_EQ(fmu.step(fmu.last, 0.5 - fmu.last), fmi3OK) << fmu.log.text;
+  EXPECT_FALSE(fmu.early);
+  EXPECT_NEAR(fmu.get("ball.z"), -9.81 * 0.125, 1e-6);
+  Interface whole(file, folder.file("whole"), false);
+  ASSERT_EQ(whole.begin(), fmi3OK);
+  ASSERT_EQ(whole.step(0.0, 0.5), fmi3OK);
+  EXPECT_FALSE(whole.early);
+  EXPECT_NEAR(whole.get("ball.z"), -9.81 * 0.125, 1e-6);
+}
+
+TEST(ExportedFmu, CommandRefusesWhatItCannotDo) {
+  const Folder folder("fmu_refused");
+  folder.refused("fmu " + app::kExamples + "/02_wheel --out wheel.fmu", "E0741");
+  folder.write("mass.toml", kMass);
+  folder.refused("fmu mass.toml --out nowhere/mass.fmu", "E0743");
+  EXPECT_FALSE(folder.has("wheel.fmu"));
+}
+
+}  // namespace
+}  // namespace footfall
