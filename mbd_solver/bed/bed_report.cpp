@@ -202,7 +202,9 @@ void store_box_scripts(const Scene& scene, const std::string& out) {
   const ParticlesSpec& particles = *scene.particles;
   const fs::path folder = fs::path(out) / "script";
   make_folder(folder.string(), "choose another folder with --out");
-  for (const char* name : {"in.bed", "in.grains", "material.lammps", "walls.lammps", "energy.lammps"}) {
+  const std::string bed = fs::path(particles.bed->script).filename().string();
+  for (const std::string& name : {bed, std::string("in.grains"), std::string("material.lammps"),
+                                  std::string("walls.lammps"), std::string("energy.lammps")}) {
     const std::string source = box_script(name);
     const std::optional<std::string> text = read_whole_file(source);
     if (!text) throw InputError(code::kShippedFileMissing, source + ": cannot be read; install footfall again");
@@ -215,8 +217,8 @@ void store_box_scripts(const Scene& scene, const std::string& out) {
   text += "[particles]\nscript = \"script/in.grains\"\nranks = " + std::to_string(particles.ranks) +
           "\nsurface_height = " + number_text(*particles.surface_height, 12) +
           "\nmax_time_step = " + number_text(particles.max_time_step, 12) + "\n[particles.variables]\n" +
-          toml_table(particles.variables) + "[particles.bed]\nscript = \"script/in.bed\"\n[particles.bed.variables]\n" +
-          toml_table(particles.bed->variables);
+          toml_table(particles.variables) + "[particles.bed]\nscript = \"script/" + bed +
+          "\"\n[particles.bed.variables]\n" + toml_table(particles.bed->variables);
   write_whole_file((folder / "particles.toml").string(), text);
 }
 
