@@ -19,8 +19,8 @@
 namespace footfall {
 namespace {
 
-constexpr double kG = 9.81;  // [m/s2]
-const Eigen::Vector3d kDown(0.0, 0.0, -kG);
+constexpr double kEarth = 9.81;  // [m/s2]
+const Eigen::Vector3d kEarthsPull(0.0, 0.0, -kEarth);
 
 CableGuide cable_point(const Model& model, int body, const Eigen::Vector3d& p_W) {
   return {model.marker_at(body, p_W), 0.0, 0.0};
@@ -143,8 +143,8 @@ INSTANTIATE_TEST_SUITE_P(OfBothStiffnesses, ObliqueCable,
 // With these tensions at the start nothing oscillates.
 TEST(Atwood, WithAHeavyPulleyHasTheAccelerationOfTheClosedForm) {
   const double m_1 = 3.0, m_2 = 2.0, J = 0.02, R = 0.1, k = 2e4;
-  const double a = (m_1 - m_2) * kG / (m_1 + m_2 + J / (R * R)), T_1 = m_1 * (kG - a), T_2 = m_2 * (kG + a);
-  Model model(kDown);
+  const double a = (m_1 - m_2) * kEarth / (m_1 + m_2 + J / (R * R)), T_1 = m_1 * (kEarth - a), T_2 = m_2 * (kEarth + a);
+  Model model(kEarthsPull);
   const int pulley = add_mass(model, "pulley", 4.0, {0.0, 0.0, 3.0}, Eigen::Vector3d::Zero(), J);
   const int first = add_mass(model, "first", m_1, {R, 0.0, 1.0}),
             second = add_mass(model, "second", m_2, {-R, 0.0, 1.5});
@@ -221,7 +221,7 @@ TEST(Hoist, OfASwingingLoadIsThatOfItsTwoEquations) {
   const double R = 0.1, w = 3.0, m = 2.0, k = 5e3, c = 40.0, s_0 = 2.0, swing = 0.4;  // 0.3 m/s
   // At the start the cable hangs from (R, 0), turned by the angle of the swing about it.
   const Eigen::Vector2d start(R + s_0 * std::sin(swing) * 1.0, -s_0 * std::cos(swing));
-  Model model(kDown);
+  Model model(kEarthsPull);
   const int drum = add_mass(model, "drum", 1.0, {0.0, 0.0, 0.0}, Eigen::Vector3d::Zero(), 1e9);
   const int load = add_mass(model, "load", m, {start.x(), 0.0, start.y()});
   const Eigen::Matrix3d along_y = axes_with_z(Eigen::Vector3d::UnitY());
@@ -249,7 +249,7 @@ TEST(Hoist, OfASwingingLoadIsThatOfItsTwoEquations) {
     const double speed = -e.dot(Eigen::Vector2d(at[2], at[3])) + R * w;  // of the stretch
     const double toe = 1e-4 * length;
     const double F = stretch > 0.0 ? std::max(0.0, k * stretch + c * speed * std::min(1.0, stretch / toe)) : 0.0;
-    return std::array<double, 4>{at[2], at[3], F * e.x() / m, F * e.y() / m - kG};
+    return std::array<double, 4>{at[2], at[3], F * e.x() / m, F * e.y() / m - kEarth};
   };
   const int steps = 60000;
   const double h = t_end / steps;
@@ -277,7 +277,7 @@ TEST(Hoist, OfASwingingLoadIsThatOfItsTwoEquations) {
 TEST(SlackCable, SnapsWithoutGainingEnergy) {
   const double m = 2.0, k = 3000.0, h = 0.5, length = 1.0;
   for (const double c : {0.0, 15.0, 2000.0}) {
-    Model model(kDown);
+    Model model(kEarthsPull);
     const int mass = add_mass(model, "mass", m, {0.0, 0.0, -length + h});
     model.add_force(std::make_unique<Cable>("rope",
                                             std::vector<CableGuide>{cable_point(model, kGround, {0.0, 0.0, 0.0}),
@@ -297,14 +297,14 @@ TEST(SlackCable, SnapsWithoutGainingEnergy) {
       flying = !(sample.stretch > 0.0);
       largest = std::max(largest, sample.force);
       const double now = run.energy().stored.total();
-      EXPECT_LT(now, energy + 1e-5 * m * kG * h) << c << ' ' << i;  // tolerance of the integrator
+      EXPECT_LT(now, energy + 1e-5 * m * kEarth * h) << c << ' ' << i;  // tolerance of the integrator
       energy = now;
     }
-    EXPECT_NEAR(run.imbalance(), 0.0, 1e-4 * m * kG * h) << c;
+    EXPECT_NEAR(run.imbalance(), 0.0, 1e-4 * m * kEarth * h) << c;
     if (c > 0.0) continue;
     EXPECT_GE(flights, 2);
-    EXPECT_NEAR(energy, start, 1e-5 * m * kG * h);
-    const double weight = m * kG, peak = weight + std::sqrt(weight * weight + 2.0 * k * weight * h);
+    EXPECT_NEAR(energy, start, 1e-5 * m * kEarth * h);
+    const double weight = m * kEarth, peak = weight + std::sqrt(weight * weight + 2.0 * k * weight * h);
     EXPECT_NEAR(largest, peak, 1e-3 * peak);  // the largest of samples every millisecond
   }
 }
