@@ -14,6 +14,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/base/codes.h"
+#include "mbd_solver/run/observe/terrain_patch.h"
 #include "mbd_solver/run/output/summary.h"
 
 namespace footfall {
@@ -49,8 +50,9 @@ bool is_picture_in(const std::string& folder, const std::string& name) {
 
 // Compares parts of the name only: names come from other people, and a regular expression may take for ever.
 bool is_of_run(const std::string& name) {
-  for (const char* file : {"history.csv", "peaks.csv", "ledger.csv", "end_state.json", "run.json", "summary.json",
-                           "failed", "audit.txt", "paraview.py", "view.html", "report.html", "watch.html"})
+  for (const char* file :
+       {"history.csv", "peaks.csv", "ledger.csv", kTerrainFile, "end_state.json", "run.json", "summary.json", "failed",
+        "audit.txt", "paraview.py", "view.html", "report.html", "watch.html"})
     if (name == file) return true;
   for (const char* folder : kFolders)
     if (begins(name, std::string(folder) + "/")) return true;

@@ -16,6 +16,7 @@
 #include "mbd_solver/app/viewer_scripts.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed_frames.h"
+#include "mbd_solver/run/observe/terrain_patch.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/force_spec.h"
 
@@ -464,7 +465,10 @@ void add_surroundings(const Json& scene, PageParts& parts) {
                       {"normal", plane.value("normal", std::vector<double>{0, 0, 1})}});
   };
   const Json ground = scene.value("ground", Json::object());
-  if (ground.value("kind", "") == "plane") add(ground.value("plane", Json::object()));
+  if (parts.run.contains("terrain")) {
+    // it is drawn instead
+  } else if (ground.value("kind", "") == "plane")
+    add(ground.value("plane", Json::object()));
   if (ground.value("kind", "") == "soil") add(ground.value("law", Json::object()));
   for (const Json& contact : scene.value("contacts", Json::array()))
     if (const Json between = contact.value("between", Json::array()); between.size() == 2 && between[1] == kPlaneWord)
@@ -510,6 +514,8 @@ std::string view_of(const ViewArguments& a, const fs::path& folder) {
   parts.run["grains"] = nullptr;
   if (dt > 0.0) add_grains(folder.string(), dt, limits, parts);
   add_bodies(folder.string(), summary, limits, parts);
+  if (const auto terrain = read_whole_file((folder / kTerrainFile).string()))
+    parts.run["terrain"] = Json::parse(*terrain);
   add_surroundings(summary.value("scene", Json::object()), parts);
   const History history = read_history((folder / "history.csv").string());
   if (history.column("time").empty())

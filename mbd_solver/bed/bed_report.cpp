@@ -145,7 +145,7 @@ std::string box_report(const Scene& scene) {
   std::string radii = number_text(box.radius.front());
   if (box.radius.size() > 1) radii += " and " + number_text(box.radius.back());
   std::string text = "Bed: " + number_text(box.size[0]) + " x " + number_text(box.size[1]) + " m, " +
-                     number_text(box.depth) + " m deep: floor at z = " + number_text(-box.depth) +
+                     number_text(box.depth) + " m deep: floor at z = " + number_text(box_floor(scene)) +
                      " m, surface at z = 0; about " + round_count(n.grains) + " grains of radius " + radii + " m\n";
   if (!box.clumps.empty()) text += clumps_text(scene);
   text += "  space for bodies: " + number_text(n.headroom) + " m above the surface, " +

@@ -69,7 +69,13 @@ std::vector<std::string> script_arguments(const std::string& script,
                                           const std::map<std::string, std::string>& variables) {
   std::vector<std::string> words = {"-in", short_path(script), "-var", "here",
                                     short_path(fs::path(script).parent_path().string())};
-  for (const auto& [name, value] : variables) words.insert(words.end(), {"-var", name, value});
+  for (const auto& [name, value] : variables) {
+    words.insert(words.end(), {"-var", name});
+    std::istringstream lines(value);  // the words of a list, each in a line, are words of LIGGGHTS' index
+    bool any = false;
+    for (std::string line; std::getline(lines, line); any = true) words.push_back(line);
+    if (!any) words.emplace_back();
+  }
   return words;
 }
 

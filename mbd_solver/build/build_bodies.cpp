@@ -491,6 +491,25 @@ double lowest_place(const BodyBoundary& entry, const Eigen::Vector3d& n_B, const
   return lowest;
 }
 
+namespace {
+
+// Of a body with circular edges also the nodes within its faces: uneven ground may touch there first. Nodes on the edges and
+// between them stay left out, so that the edges roll without facets.
+void add_face_places(const Body& body, BodyBoundary& entry) {
+  constexpr double kWithin = 0.95;  // of the radius of the edge
+  if (entry.rims.empty()) return;
+  for (ContactPoint& point : contact_points(entry.body, body, entry.boundary)) {
+    const bool within = std::any_of(entry.rims.begin(), entry.rims.end(), [&](const ContactRim& rim) {
+      const Eigen::Vector3d axis = rim.marker.axes.col(2), d = point.marker.s0 - rim.marker.s0;
+      const double along = axis.dot(d);
+      return std::abs(along) < 1e-6 * rim.radius && (d - along * axis).norm() < kWithin * rim.radius;
+    });
+    if (within && point.radius == 0.0) entry.points.push_back(std::move(point));
+  }
+}
+
+}  // namespace
+
 std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector<FlexibleBody>& flexible,
                                            std::vector<std::string>& warnings) {
   std::vector<BodyBoundary> boundaries;
@@ -506,6 +525,7 @@ std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector
     BodyBoundary& entry = boundaries.back();
     if (scene.ground.is_flat()) {
       add_plane_places(scene, carrier, entry);
+      if (scene.ground.is_uneven()) add_face_places(carrier, entry);
     } else {
       entry.points = contact_points(index, carrier, entry.boundary);
     }
@@ -534,7 +554,7 @@ constexpr double kStray = 0.1;  // of the radius of a boundary's footprint
 }  // namespace
 
 Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
-                const std::vector<FlexibleBody>& flexible) {
+                const std::vector<FlexibleBody>& flexible, const Terrain* terrain) {
   const InitialSpec& initial = scene.initial;
   if (!initial.from.empty()) return read_end_state(scene).placement;
   Placement placement;
@@ -548,6 +568,10 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
   const bool particles = scene.touches_particles();
   if (particles && !scene.particles->grains.empty()) grains = read_grains(scene.particles->grains);
   if (plane) placement.ground_height = up.dot(scene.ground.point());
+  if (plane && terrain) {  // below the mass centre
+    const Eigen::Vector3d c = placement.point(centre);
+    placement.ground_height = up.dot(Eigen::Vector3d(c.x(), c.y(), terrain->at(c.x(), c.y()).h));
+  }
   if (particles && scene.particles->surface_height) placement.ground_height = *scene.particles->surface_height;
 
   placement.ground_known = plane || !grains.empty() || (particles && scene.particles->surface_height);
@@ -570,6 +594,10 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
     const auto lowest_along = [&](const Eigen::Vector3d& n) {
       return n.dot(r) + lowest_place(entry, R_WB.transpose() * n, Eigen::VectorXd());
     };
+    if (plane && terrain) {
+      take(fall_to(*terrain, entry, r, R_WB) / std::max(0.1, up.z()));
+      continue;
+    }
     if (plane) {  // a sloping plane: the point of the boundary nearest to it counts
       const Eigen::Vector3d& normal = scene.ground.normal();
       const double gap = lowest_along(normal) - normal.dot(scene.ground.point());

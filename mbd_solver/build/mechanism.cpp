@@ -52,7 +52,9 @@ Mechanism build_mechanism(const Scene& scene) {
   std::vector<std::string> warnings = scene.warnings;
   const std::vector<FlexibleBody> flexible = build_flexible_bodies(scene, warnings);
   std::vector<BodyBoundary> boundaries = build_boundaries(scene, flexible, warnings);
-  Mechanism mechanism(place(scene, boundaries, flexible), scene.gravity);
+  std::shared_ptr<const Terrain> terrain = build_terrain(scene);
+  Mechanism mechanism(place(scene, boundaries, flexible, terrain.get()), scene.gravity);
+  mechanism.terrain = std::move(terrain);
   mechanism.boundaries = std::move(boundaries);
   mechanism.warnings = std::move(warnings);
   add_bodies(scene, flexible, mechanism);

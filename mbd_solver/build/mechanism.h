@@ -16,7 +16,9 @@
 #include "mbd_solver/model/control/signal_blocks.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/elements/surface_contact.h"
+#include "mbd_solver/model/elements/terrain_contact.h"
 #include "mbd_solver/model/model.h"
+#include "mbd_solver/model/terrain.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {
@@ -131,8 +133,11 @@ struct Mechanism {
   std::vector<CableEntry> cables;
   std::vector<int> planes;        // force indices of rigid-plane contacts, one per touching body
   std::vector<int> plane_bodies;  // their bodies; a body may touch several planes
-  std::vector<int> soils;         // force indices of contacts with a soil without grains, one per touching body
-  std::vector<int> soil_bodies;   // their bodies
+  std::vector<int> terrains;      // force indices of contacts with uneven rigid ground, one per touching body
+  std::vector<int> terrain_bodies;
+  std::shared_ptr<const Terrain> terrain;  // null: the ground is a plane, grains, or none
+  std::vector<int> soils;        // force indices of contacts with a soil without grains, one per touching body
+  std::vector<int> soil_bodies;  // their bodies
   std::vector<ContactEntry> contacts;
   std::vector<ControllerEntry> controllers;
   std::vector<CoordinateEntry> coordinates;
@@ -171,9 +176,15 @@ void set_walls(const std::vector<StaticWall>& walls, Mechanism& mechanism);
 std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector<FlexibleBody>& flexible,
                                            std::vector<std::string>& warnings);
 
-// R_WD and p_WD from [initial]: attitude about the total mass centre, then clearance above plane or grains.
+// The surface of uneven ground; null: it is a plane, or the scene has none.
+std::shared_ptr<const Terrain> build_terrain(const Scene& scene);
+// The way along -z that a rigid body at r can fall before its boundary touches [m].
+double fall_to(const Terrain& terrain, const BodyBoundary& entry, const Eigen::Vector3d& r,
+               const Eigen::Matrix3d& R_WB);
+
+// R_WD and p_WD from [initial]: attitude about the total mass centre, then clearance above the ground.
 Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
-                const std::vector<FlexibleBody>& flexible);
+                const std::vector<FlexibleBody>& flexible, const Terrain* terrain = nullptr);
 
 void add_bodies(const Scene& scene, const std::vector<FlexibleBody>& flexible, Mechanism& mechanism);
 void add_joints(const Scene& scene, Mechanism& mechanism);
@@ -184,6 +195,8 @@ void add_cables(const Scene& scene, Mechanism& mechanism);
 void add_springs(const Scene& scene, Mechanism& mechanism);
 void add_forces(const Scene& scene, Mechanism& mechanism);
 void add_plane(const Scene& scene, Mechanism& mechanism);
+// Uneven rigid ground, or the rocks in a soil.
+void add_terrain_contacts(const ContactLaw& law, TerrainContact::Touches touches, Mechanism& mechanism);
 void add_soil_contacts(const Scene& scene, Mechanism& mechanism);
 void add_contacts(const Scene& scene, Mechanism& mechanism);
 void add_controllers(const Scene& scene, Mechanism& mechanism);

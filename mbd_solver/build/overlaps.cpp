@@ -66,6 +66,7 @@ void warn_of_overlaps(const Scene& scene, Mechanism& mechanism) {
             (pair ? ", or add a [[contacts]] entry with ignore = true." : ", for example by initial.clearance.")));
   };
   for (const int force : mechanism.planes) check(force);
+  for (const int force : mechanism.terrains) check(force);
   for (const ContactEntry& entry : mechanism.contacts)
     if (entry.body_2 != kGround) check(entry.force);
 }

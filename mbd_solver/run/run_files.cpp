@@ -8,6 +8,7 @@
 #include "coupler/base/files.h"
 #include "coupler/base/run_directory.h"
 #include "coupler/programs.h"
+#include "mbd_solver/run/observe/terrain_patch.h"
 
 namespace footfall {
 namespace {
@@ -40,6 +41,10 @@ RunFiles::RunFiles(const Simulation& simulation, const std::string& folder, Begi
     audit_.emplace(simulation.subject(), audit);
   if (simulation.scene().output.vtk) drawing_.emplace(simulation.subject());
   if (drawing_ && drawing_->empty()) drawing_.reset();
+  if (!drawing_ || beginning == Beginning::kResume) return;
+  const Subject& subject = simulation.subject();
+  if (const std::string terrain = terrain_text(subject.scene, subject.mechanism); !terrain.empty())
+    write_whole_file(folder_ + kTerrainFile, terrain, "is the disk full?");
 }
 
 namespace {

@@ -28,7 +28,7 @@ std::vector<std::string> active_parts(const Simulation& simulation, const Flexib
   if (!mechanism.cables.empty()) active.push_back("cables");
   if (!mechanism.controllers.empty()) active.push_back("controllers");
   if (!mechanism.signals.empty()) active.push_back("signals");
-  if (!mechanism.planes.empty()) active.push_back("plane");
+  if (!mechanism.planes.empty() || !mechanism.terrains.empty()) active.push_back("plane");
   if (!mechanism.soils.empty()) active.push_back("soil");
   if (!mechanism.contacts.empty()) active.push_back("contacts");
   if (simulation.coupled()) active.push_back("particles");
@@ -130,7 +130,7 @@ void add_costs(const Simulation& simulation, Json& json) {
 
 // A body at rest on an inclined plane creeps where friction_speed is given; no value where it slides.
 void add_creep(const Scene& scene, Json& json) {
-  if (scene.ground.kind != GroundKind::kPlane) return;
+  if (scene.ground.kind != GroundKind::kPlane || scene.ground.is_uneven()) return;
   const PlaneSpec& plane = *scene.ground.plane;
   const double slope = std::acos(std::clamp(plane.normal.dot(up_direction(scene.gravity)), -1.0, 1.0));
   const double speed = creep_speed(plane.friction, plane.friction_speed.value_or(0.0), slope);

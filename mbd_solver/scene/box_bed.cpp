@@ -156,7 +156,8 @@ ElasticGrain smallest_grain(const BoxSpec& box) {
 double pour_speed(const Scene& scene) {
   const BoxSpec& box = *scene.particles->box;
   const double height = box.clumps.empty() ? kPouredHeight : kPouredClumps;
-  return std::sqrt(2.0 * scene.gravity.norm() * (height - 1.0) * box.depth);
+  const std::optional<TerrainBed> bed = terrain_bed(scene);
+  return std::sqrt(2.0 * scene.gravity.norm() * (height - 1.0) * (box.depth + (bed ? bed->high - bed->low : 0.0)));
 }
 
 // The largest speed known before the run [m/s].
@@ -245,7 +246,7 @@ Variables common_variables(const Scene& scene) {
   return {{"clumps", box.clumps.empty() ? "0" : "1"},
           {"length", number(box.size[0])},
           {"width", number(box.size[1])},
-          {"depth", number(box.depth)},
+          {"depth", number(-box_floor(scene))},
           {"x", number(box.centre[0])},
           {"y", number(box.centre[1])},
           {"periodic", box.periodic ? "1" : "0"},
@@ -282,6 +283,34 @@ Variables bed_variables(const Scene& scene) {
   all["pour_friction"] = number(dense ? kPourFriction : box.material.friction);
   all["pour_rolling"] = number(dense ? 0.0 : box.material.rolling_friction);
   add_clumps(box, all);
+  const std::optional<TerrainBed> bed = terrain_bed(scene);
+  if (!bed) return all;
+  const auto add = [](std::string& words, double value) {
+    words += (words.empty() ? "" : "\n") + number_text(value, 5);
+  };
+  const double below = 0.5 * (box.radius.front() + box.radius.back());
+  std::string level;
+  const double floor = box_floor(scene);  // words of LIGGGHTS cannot begin with a minus sign
+  for (const double height : bed->heights) add(level, height - below - floor);
+  all["terrain"] = "1";
+  all["rise"] = number(bed->high);
+  all["columns"] = std::to_string(bed->columns);
+  all["rows"] = std::to_string(bed->rows);
+  all["column_level"] = level;
+  if (bed->rocks.empty()) return all;
+  std::string rock_x, rock_y, rock_z, rock_r;
+  const double grain = *std::max_element(box.radius.begin(), box.radius.end());
+  for (const Terrain::Sphere& rock : bed->rocks) {
+    add(rock_x, rock.centre.x() - box.centre[0] + 0.5 * box.size[0]);
+    add(rock_y, rock.centre.y() - box.centre[1] + 0.5 * box.size[1]);
+    add(rock_z, rock.centre.z() - floor);
+    add(rock_r, rock.radius + grain);
+  }
+  all["rocks"] = "1";
+  all["rock_x"] = rock_x;
+  all["rock_y"] = rock_y;
+  all["rock_z"] = rock_z;
+  all["rock_r"] = rock_r;
   return all;
 }
 
@@ -447,7 +476,9 @@ BoxNumbers box_numbers(const Scene& scene) {
     n.time_step = std::min(n.time_step, scene.particles->max_time_step);
   n.headroom = box.headroom.value_or(largest);
   n.margin = box.periodic ? 0.0 : box.margin.value_or(0.25 * largest);
-  const double filled = box.depth - kBelowSurface * *std::max_element(box.radius.begin(), box.radius.end());
+  const std::optional<TerrainBed> bed = terrain_bed(scene);
+  const double deep = box.depth + (bed ? bed->mean - bed->low : 0.0);
+  const double filled = deep - kBelowSurface * *std::max_element(box.radius.begin(), box.radius.end());
   const double volume =
       (box.packing == Packing::kDense ? kDenseFraction : kLooseFraction) * box.size[0] * box.size[1] * filled;
   for (std::size_t i = 0; i < box.radius.size(); ++i) {
@@ -473,7 +504,8 @@ void resolve_box(Scene& scene, Findings& findings) {
   constexpr double kSmallBed = 2000.0;  // grains, of which ranks would mostly wait for each other
   if (!particles.source.given("ranks") && box_numbers(scene).grains < kSmallBed) particles.ranks = 1;
   particles.variables.merge(run_variables(scene));
-  if (!particles.surface_height) particles.surface_height = 0.0;
+  const std::optional<TerrainBed> bed = terrain_bed(scene);
+  if (!particles.surface_height) particles.surface_height = bed ? bed->high : 0.0;
   if (!particles.box->sinks.empty()) particles.outflow = true;
   if (!particles.source.given("max_time_step")) particles.max_time_step = box_numbers(scene).time_step;
 }

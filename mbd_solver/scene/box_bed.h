@@ -74,6 +74,19 @@ BoxNumbers box_numbers(const Scene& scene);
 // Rolling friction replaces corners: clumps have none unless the scene names a model.
 RollingModel rolling_model_of(const Scene& scene);
 
+// A box of grains under [ground.terrain]: columns of its surface, and the rocks in it.
+struct TerrainBed {
+  int columns = 1, rows = 1;                 // along x and y
+  std::vector<double> heights;               // of the surface at their middles, row after row, in W [m]
+  double low = 0.0, high = 0.0, mean = 0.0;  // of the surface [m]
+  double steepest = 0.0;                     // [rad]
+  std::vector<Terrain::Sphere> rocks;
+};
+std::optional<TerrainBed> terrain_bed(const Scene& scene);  // none: the surface is z = 0
+double box_floor(const Scene& scene);                       // z of the floor [m]
+// Refuses slopes on which grains do not stand, and adds the rocks as bodies that stand still.
+void resolve_terrain_bed(Scene& scene, Findings& findings);
+
 // Sets both scripts, their variables (those of the scene take precedence), surface_height and max_time_step. Errors become
 // findings. Does nothing without a box.
 void resolve_box(Scene& scene, Findings& findings);

@@ -169,6 +169,11 @@ inline constexpr MessageCode kGroundIncomplete{"E0181", "ground-incomplete"};
 // Contact of two flexible bodies is not supported. Make one of them rigid.
 inline constexpr MessageCode kFlexibleContact{"E0182", "flexible-contact"};
 
+// The file of heights is damaged, has holes, or is too large. Follow the message; GDAL fills, cuts and converts maps.
+inline constexpr MessageCode kTerrainMap{"E0183", "terrain-map"};
+// Parts of the terrain contradict each other or the ground. Follow the message.
+inline constexpr MessageCode kTerrain{"E0184", "terrain"};
+
 // ---- a bed by numbers ----
 
 // The bed is too small for its grains, or has too many of them. Change size or radius.
@@ -187,6 +192,9 @@ inline constexpr MessageCode kGrainRegion{"E0195", "grain-region"};
 
 // The run of initial.from has kept no grains of its end. Run it with output.keep_grains = true.
 inline constexpr MessageCode kNoEndGrains{"E0196", "no-end-grains"};
+
+// The terrain is steeper than its grains can stand. Make it less steep, or the grains rougher.
+inline constexpr MessageCode kTerrainSteep{"E0197", "terrain-steep"};
 
 // ---- the LIGGGHTS script ----
 

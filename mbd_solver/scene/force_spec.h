@@ -19,6 +19,7 @@
 #include "mbd_solver/scene/box_spec.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/joint_spec.h"
+#include "mbd_solver/scene/terrain_spec.h"
 
 namespace footfall {
 
@@ -260,11 +261,14 @@ struct SoilSpec {
 struct GroundSpec {
   Source source;
   GroundKind kind = GroundKind::kNone;
-  std::optional<PlaneSpec> plane;  // needed by kind = "plane"; ignored (but checked) otherwise
-  std::string soil;                // numbers of `law` from inputs/grounds/NAME.toml, or from a file
-  std::optional<SoilSpec> law;     // needed by kind = "soil", here or from `soil`
+  std::optional<PlaneSpec> plane;      // needed by kind = "plane"; ignored (but checked) otherwise
+  std::string soil;                    // numbers of `law` from inputs/grounds/NAME.toml, or from a file
+  std::optional<SoilSpec> law;         // needed by kind = "soil", here or from `soil`
+  std::optional<TerrainSpec> terrain;  // the surface of each kind; a level or tilted one becomes point and normal below
 
-  // A plane or a soil: the surface at the start.
+  // The surface is more than a plane.
+  bool is_uneven() const { return terrain && !terrain->is_plane(); }
+  // A plane or a soil: the surface at the start; of an uneven one the plane z of terrain.position.
   bool is_flat() const { return kind == GroundKind::kPlane || kind == GroundKind::kSoil; }
   const Eigen::Vector3d& point() const { return kind == GroundKind::kSoil ? law->point : plane->point; }
   const Eigen::Vector3d& normal() const { return kind == GroundKind::kSoil ? law->normal : plane->normal; }

@@ -90,6 +90,7 @@ void resolve_scene(Scene& scene, Findings& findings) {
   resolve_segments(scene, findings);
   resolve_script_meshes(scene, findings);
   resolve_masses(scene, findings);
+  resolve_terrain(scene, findings);
   resolve_box(scene, findings);
   scene.solver.atol = scene.solver.atol_position();
   if (!scene.flexible) {

@@ -21,6 +21,13 @@ void resolve_scene(Scene& scene, Findings& findings);
 // springs and forces on it act on the segment at their point.
 void resolve_segments(Scene& scene, Findings& findings);
 
+// The surface of the ground: a level or tilted one becomes point and normal of plane and soil; a map is read.
+void resolve_terrain(Scene& scene, Findings& findings);
+// The surface of a terrain whose parts are checked.
+std::shared_ptr<const Terrain> terrain_of(const TerrainSpec& terrain);
+// Of a field of rocks, whose sizes are checked.
+double expected_rocks(const RockFieldSpec& field);
+
 // Mass, mass centre and inertia of every body: from numbers, or from shape and material; "remainder" last.
 void resolve_masses(Scene& scene, Findings& findings);
 

@@ -409,12 +409,65 @@ static void visit_fields(FieldVisitor& v, SoilSpec& s) {
   v.fields(positive(Unit::kLength), {{"width", &s.width}, {"shear_length", &s.shear_length}});
 }
 
+static void visit_fields(FieldVisitor& v, TerrainMapSpec& m) {
+  v.field("file", &m.file, required(path));
+  v.field("origin", &m.origin, {Unit::kLength});
+  v.field("height_scale", &m.height_scale, positive());
+}
+
+static void visit_fields(FieldVisitor& v, CraterSpec& c) {
+  v.fields({Unit::kLength}, {{"x", &c.x}, {"y", &c.y}});
+  v.field("diameter", &c.diameter, required(positive(Unit::kLength)));
+  v.fields(not_negative(Unit::kLength), {{"depth", &c.depth}, {"rim_height", &c.rim_height}});
+}
+
+static void visit_fields(FieldVisitor& v, WaveSpec& w) {
+  v.field("length", &w.length, required(positive(Unit::kLength)));
+  v.field("height", &w.height, required(not_negative(Unit::kLength)));
+  v.fields({Unit::kAngle}, {{"azimuth", &w.azimuth}, {"phase", &w.phase}});
+}
+
+static void visit_fields(FieldVisitor& v, RoughnessSpec& r) {
+  v.field("height", &r.height, required(not_negative(Unit::kLength)));
+  v.field("hurst", &r.hurst, share);
+  v.fields(required(positive(Unit::kLength)), {{"shortest", &r.shortest}, {"longest", &r.longest}});
+  v.field("seed", &r.seed, positive());
+}
+
+static void visit_fields(FieldVisitor& v, RockSpec& r) {
+  v.fields({Unit::kLength}, {{"x", &r.x}, {"y", &r.y}});
+  v.field("diameter", &r.diameter, required(positive(Unit::kLength)));
+  v.field("buried", &r.buried, share);
+}
+
+static void visit_fields(FieldVisitor& v, RockFieldSpec& r) {
+  v.field("abundance", &r.abundance, required(not_negative()));
+  v.fields(required(positive(Unit::kLength)), {{"smallest", &r.smallest}, {"largest", &r.largest}, {"size", &r.size}});
+  v.fields({Unit::kLength}, {{"x", &r.x}, {"y", &r.y}});
+  v.field("buried", &r.buried, share);
+  v.field("keep_out", &r.keep_out, not_negative(Unit::kLength));
+  v.fields({Unit::kLength}, {{"keep_out_x", &r.keep_out_x}, {"keep_out_y", &r.keep_out_y}});
+  v.field("seed", &r.seed, positive());
+}
+
+static void visit_fields(FieldVisitor& v, TerrainSpec& t) {
+  v.field("position", &t.position, {Unit::kLength});
+  v.fields({Unit::kAngle}, {{"slope", &t.slope}, {"azimuth", &t.azimuth}});
+  v.section("map", t.map);
+  v.list("craters", t.craters);
+  v.list("waves", t.waves);
+  v.section("roughness", t.roughness);
+  v.list("rocks", t.rocks);
+  v.section("rock_field", t.rock_field);
+}
+
 static void visit_fields(FieldVisitor& v, GroundSpec& g) {
   v.field("", &g.source, {});
   v.choice("kind", g.kind);
   v.section("plane", g.plane);
   v.field("soil", &g.soil, plain);
   v.section("law", g.law);
+  v.section("terrain", g.terrain);
 }
 
 static void visit_fields(FieldVisitor& v, BedSpec& b) {

@@ -144,6 +144,40 @@ fix touch all wall/gran)" + model +
 }
 
 // Beds of every kind come to rest and carry a plate.
+TEST_F(Bed, UnderATerrainHasItsSurface) {
+  // A slope of 12 degrees with a rock in its middle: the highest grains of each cell reach the surface, within a radius or two,
+  // and none is within the rock. A plate comes down on the rock before it meets a grain.
+  const std::string terrain =
+      "[ground.plane]\nstiffness = 1e6\n[ground.terrain]\nslope_deg = 12\n"
+      "[[ground.terrain.rocks]]\ndiameter = 0.08\nburied = 0.3\n";
+  std::string scene = kPlateAndTine;
+  scene.replace(scene.find("[initial]"), 9, terrain + "[initial]\nclearance = 0.003");
+  folder.write("slope.toml", scene +
+                                 "[particles]\nranks = 1\n[particles.box]\nsize = [0.3, 0.2]\ndepth = 0.05\n"
+                                 "radius = 0.008\nexchange_steps = 3\n");
+  folder.done("run slope.toml --quiet --out slope");
+  const std::string checked = folder.done("check slope.toml").text;
+  const std::vector<GrainPlace> grains = read_grains(bed_of(checked) + "/bed.restart.grains");
+  const auto surface = [](double x) { return -std::tan(12.0 * 3.14159265358979 / 180.0) * x; };
+  const Eigen::Vector3d rock(0.0, 0.0, 0.4 * 0.04);
+  std::map<std::pair<int, int>, double> over;  // highest point over the surface in cells of 3 cm
+  for (const GrainPlace& g : grains) {
+    EXPECT_GT((g.centre - rock).norm(), 0.04 + g.radius - 1e-5);
+    if ((g.centre - rock).head<2>().norm() < 0.07) continue;
+    double& high =
+        over.try_emplace({int((g.centre.x() + 0.15) / 0.03), int((g.centre.y() + 0.1) / 0.03)}, -1.0).first->second;
+    high = std::max(high, g.centre.z() + g.radius - surface(g.centre.x()));
+  }
+  double mean = 0.0;
+  for (const auto& [cell, high] : over) mean += high / static_cast<double>(over.size());
+  EXPECT_NEAR(mean, 0.0, 0.008);
+  // At 1 m/s the plate meets the rock after 3 ms; where it has not turned its push is that of the rock alone.
+  EXPECT_EQ(folder.summary("slope").at("status"), "done");
+  EXPECT_GT(folder.summary("slope").at("max_contact_force_N").get<double>(), 1.0);
+  // Another seed of the rocks is another bed, a steeper slope none.
+  folder.refused("check slope.toml --set ground.terrain.slope_deg=28", "E0197");
+}
+
 TEST_F(Bed, OfEveryKindComesToRest) {
   folder.write("box.toml", R"(end_time = 0.02
 [[bodies]]

@@ -30,6 +30,7 @@
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/run/observe/drawing.h"
+#include "mbd_solver/run/observe/terrain_patch.h"
 #include "mbd_solver/scene/scene_schema.h"
 
 namespace footfall {
@@ -337,6 +338,8 @@ std::string reference_page(const Scene& scene) {
   parts.run["bodyNames"] = reference.bodies;
   parts.run["title"] = title_of(scene);
   add_shapes({0.0}, {reference.shape}, parts);
+  if (const std::string terrain = terrain_text(scene, build_mechanism(scene)); !terrain.empty())
+    parts.run["terrain"] = nlohmann::ordered_json::parse(terrain);
   add_surroundings(nlohmann::ordered_json::parse(scene_json(scene)), parts);
   return page_text(title_of(scene), scene.file, {{"status", "done"}}, {}, parts);
 }

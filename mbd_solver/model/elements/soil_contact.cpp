@@ -78,6 +78,7 @@ struct SoilContact::Touch {
   SoilPoint at;
   SoilStress stress;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the body, in W [N]
+  Frame frame;
 };
 
 SoilContact::SoilContact(std::string name, std::vector<SoilFacet> facets, bool two_sided, const Place& place,
@@ -86,6 +87,7 @@ SoilContact::SoilContact(std::string name, std::vector<SoilFacet> facets, bool t
       facets_(std::move(facets)),
       two_sided_(two_sided),
       point_(place.point),
+      terrain_(place.terrain),
       law_(std::move(law)),
       ground_(std::move(ground)),
       keeps_ground_(keeps_ground) {
@@ -113,6 +115,10 @@ SoilContact::SoilContact(std::string name, std::vector<SoilFacet> facets, bool t
 
 bool SoilContact::far(const BodyKinematics& body) const {
   const double reach = body.modes == 0 ? reach_ : reach_ + flexible_reach_ * body.a.norm();
+  if (terrain_) {
+    const Terrain::Lid lid = terrain_->lid(body.r, reach);
+    return lid.rocks.empty() && lid.above(body.r, reach);
+  }
   return axes_.row(2).dot(body.r - point_) < -reach;
 }
 
@@ -134,10 +140,52 @@ SoilPoint SoilContact::point_of(const ElementInput& in, const SoilFacet& facet, 
   return {axes_ * (p.value() - point_), axes_ * normal, axes_ * p.rate()};
 }
 
+SoilPoint SoilContact::point_on_terrain(const ElementInput& in, std::size_t facet, const MovingPoint& p,
+                                        Frame& frame) const {
+  const BodyKinematics& body = *in.pair.body[0];
+  const SoilMemory& memory = memory_[facet];
+  const Terrain::Height there = terrain_->at(memory.place.x(), memory.place.y());
+  const Eigen::Vector3d origin(memory.place.x(), memory.place.y(), there.h);
+  const Eigen::Vector3d up = Eigen::Vector3d(-there.slope.x(), -there.slope.y(), 1.0).normalized();
+  const Eigen::Matrix3d tangents = axes_with_z(up);
+  frame.axes.row(0) = tangents.col(0).transpose();
+  frame.axes.row(1) = tangents.col(1).transpose();
+  frame.axes.row(2) = -up.transpose();
+  const Terrain::Foot foot = terrain_->foot(p.value());
+  frame.by_p = frame.axes;
+  frame.by_p.row(2) = -foot.normal.transpose();
+  frame.spot = {foot.place.x(), foot.place.y(), -foot.distance};
+  const Eigen::Vector3d normal = body.A * facets_[facet].normal;
+  SoilPoint at{frame.axes * (p.value() - origin), frame.axes * normal, frame.axes * p.rate()};
+  at.place.head<2>() += memory.place;
+  at.place.z() = -foot.distance;
+  return at;
+}
+
 template <class Use>
 void SoilContact::each_touch(const ElementInput& in, SoilLaw::With with, Use use) const {
   const BodyKinematics& body = *in.pair.body[0];
   if (far(body)) return;
+  if (terrain_) {
+    const double up_to = body.modes == 0 ? reach_ : reach_ + flexible_reach_ * body.a.norm();
+    const Terrain::Lid lid = terrain_->lid(body.r, up_to);
+    Touch touch;
+    for (std::size_t k = 0; k < facets_.size(); ++k) {
+      const SoilFacet& facet = facets_[k];
+      touch.p = MovingPoint(body, facet.marker);
+      const Eigen::Vector2d away = (touch.p.value() - body.r).head<2>();
+      if (touch.p.value().z() - lid.height - lid.slope.dot(away) > 0.5 * lid.bend * away.squaredNorm()) continue;
+      touch.at = point_on_terrain(in, k, touch.p, touch.frame);
+      if (!(touch.at.place.z() > 0.0)) continue;
+      const SoilMemory& memory = memory_[k];
+      if (!(touch.at.place.z() > memory.print)) continue;
+      touch.facet = &facet;
+      touch.stress = law_->stress(touch.at, memory, two_sided_, with);
+      touch.force = touch.frame.axes.transpose() * (facet.area * (touch.stress.traction + touch.stress.inertia));
+      use(touch);
+    }
+    return;
+  }
   const Eigen::Vector3d down_B = body.A.transpose() * axes_.row(2).transpose();
   const double depth = axes_.row(2).dot(body.r - point_);
   Touch touch;
@@ -151,6 +199,7 @@ void SoilContact::each_touch(const ElementInput& in, SoilLaw::With with, Use use
     touch.p = MovingPoint(body, facet.marker);
     touch.at = point_of(in, facet, touch.p);
     touch.facet = &facet;
+    touch.frame.axes = touch.frame.by_p = axes_;
     touch.stress = law_->stress(touch.at, memory, two_sided_, with);
     touch.force = axes_.transpose() * (facet.area * (touch.stress.traction + touch.stress.inertia));
     use(touch);
@@ -167,10 +216,11 @@ bool SoilContact::add_derivatives(const ElementInput& in, ElementDerivatives& ou
   const BodyKinematics& body = *in.pair.body[0];
   each_touch(in, SoilLaw::With::kSlope, [&](const Touch& touch) {
     any = true;
-    const Eigen::Matrix3d turned = touch.facet->area * axes_.transpose();
-    const Eigen::Matrix3d by_p = turned * touch.stress.slope.leftCols<3>() * axes_;
-    const Eigen::Matrix3d by_n = turned * touch.stress.slope.middleCols<3>(3) * axes_;
-    const Eigen::Matrix3d by_v = turned * touch.stress.slope.rightCols<3>() * axes_;
+    const Eigen::Matrix3d& axes = touch.frame.axes;
+    const Eigen::Matrix3d turned = touch.facet->area * axes.transpose();
+    const Eigen::Matrix3d by_p = turned * touch.stress.slope.leftCols<3>() * touch.frame.by_p;
+    const Eigen::Matrix3d by_n = turned * touch.stress.slope.middleCols<3>(3) * axes;
+    const Eigen::Matrix3d by_v = turned * touch.stress.slope.rightCols<3>() * axes;
     X_.setZero();
     by_x_.setZero();
     const KinematicVector p = KinematicVector::point(in.pair, 0, touch.facet->marker);
@@ -205,7 +255,11 @@ void SoilContact::recall(const double*& from) const {
   memory_.assign(facets_.size(), SoilMemory());
   if (from == nullptr) {
     for (std::size_t k = 0; k < facets_.size(); ++k) {
-      const Eigen::Vector3d start = axes_ * (facets_[k].start - point_);
+      Eigen::Vector3d start = axes_ * (facets_[k].start - point_);
+      if (terrain_) {
+        const Terrain::Foot foot = terrain_->foot(facets_[k].start);
+        start = {foot.place.x(), foot.place.y(), -foot.distance};
+      }
       memory_[k].printed = memory_[k].place = start.head<2>();
       memory_[k].print = std::max(0.0, start.z());
       memory_[k].touches = start.z() > 0.0;
@@ -247,21 +301,25 @@ bool SoilContact::remember(const ElementInput& in) const {
   for (std::size_t k = 0; k < facets_.size(); ++k) {
     SoilMemory& m = memory_[k];
     if (away && !m.touches && m.print == 0.0) continue;
-    const SoilPoint at = point_of(in, facets_[k], MovingPoint(body, facets_[k].marker));
+    const MovingPoint p(body, facets_[k].marker);
+    Frame frame;
+    const SoilPoint at = terrain_ ? point_on_terrain(in, k, p, frame) : point_of(in, facets_[k], p);
+    const Eigen::Vector3d spot = terrain_ ? frame.spot : at.place;
     const bool touched = m.touches;
-    look_below(k, at.place);
-    if (!touched) m.place = at.place.head<2>();
+    look_below(k, spot);
+    if (!touched) m.place = (terrain_ ? spot : at.place).head<2>();
     if (!touched && !(at.place.z() > m.print)) continue;
     law_->remember(at, m);
+    if (terrain_ && m.place == at.place.head<2>()) m.place = spot.head<2>();
     changed = true;
     const double size = size_of(facets_[k]);
     if (touched && !m.touches) {
       ground_->leave(m.printed, m.print, kJoined * size);
     } else if (m.touches && !touched) {
-      m.printed = at.place.head<2>();
-    } else if (m.touches && (at.place.head<2>() - m.printed).squaredNorm() > kMoved * kMoved * size * size) {
+      m.printed = spot.head<2>();
+    } else if (m.touches && (spot.head<2>() - m.printed).squaredNorm() > kMoved * kMoved * size * size) {
       ground_->leave(m.printed, m.print, kJoined * size);  // a facet that slides carries its depth along
-      m.printed = at.place.head<2>();
+      m.printed = spot.head<2>();
     }
   }
   return changed;
@@ -280,6 +338,11 @@ double SoilContact::largest_depth(const ElementInput& in) const {
   double largest = 0.0;
   const BodyKinematics& body = *in.pair.body[0];
   if (far(body)) return largest;
+  if (terrain_) {
+    each_touch(in, SoilLaw::With::kTraction,
+               [&](const Touch& touch) { largest = std::max(largest, touch.at.place.z()); });
+    return largest;
+  }
   for (const SoilFacet& facet : facets_)
     largest = std::max(largest, point_of(in, facet, MovingPoint(body, facet.marker)).place.z());
   return largest;

@@ -2,6 +2,9 @@
 // The boundary of one body on a soil without grains: every facet feels the stress of a SoilLaw at its place. Theory 6.7.
 // The ground keeps what has touched it (SoilGround): where a facet has left its place, its print stays there, with its depth,
 // for any facet that comes later. The memory changes between integration steps, in remember().
+// On uneven ground the depth of a facet is its distance below the terrain along its normal, and x, y, down are axes at the foot
+// that the facet remembers: the way slid since then is counted along the tangent plane there. In a step that moves a facet by s
+// over ground of curvature kappa, directions err by kappa s. Prints are found by x and y of W.
 
 #include <memory>
 #include <unordered_map>
@@ -9,6 +12,7 @@
 
 #include "mbd_solver/model/elements/soil_law.h"
 #include "mbd_solver/model/force_element.h"
+#include "mbd_solver/model/terrain.h"
 
 namespace footfall {
 
@@ -49,6 +53,7 @@ class SoilContact : public ForceElement {
   struct Place {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();    // of the undisturbed ground, in W [m]
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // out of the ground
+    std::shared_ptr<const Terrain> terrain;             // uneven ground, instead of point and normal
   };
   // Facets of one body, at least one. keeps_ground: this element saves the prints of the ground, for all that share it.
   SoilContact(std::string name, std::vector<SoilFacet> facets, bool two_sided, const Place& place,
@@ -75,6 +80,12 @@ class SoilContact : public ForceElement {
   double size_of(const SoilFacet& facet) const;  // [m]
   void look_below(std::size_t facet, const Eigen::Vector3d& place) const;
   SoilPoint point_of(const ElementInput& in, const SoilFacet& facet, const MovingPoint& p) const;
+  // Of the ground where a facet is; rows: x, y and down in W, and the derivatives of the place by p.
+  struct Frame {
+    Eigen::Matrix3d axes, by_p;
+    Eigen::Vector3d spot;  // x and y of its foot, depth [m]
+  };
+  SoilPoint point_on_terrain(const ElementInput& in, std::size_t facet, const MovingPoint& p, Frame& frame) const;
   template <class Use>
   void each_touch(const ElementInput& in, SoilLaw::With with, Use use) const;
 
@@ -82,6 +93,7 @@ class SoilContact : public ForceElement {
   bool two_sided_;
   Eigen::Vector3d point_;
   Eigen::Matrix3d axes_;  // rows: x, y and down of the ground, in W
+  std::shared_ptr<const Terrain> terrain_;
   std::shared_ptr<const SoilLaw> law_;
   std::shared_ptr<SoilGround> ground_;
   bool keeps_ground_;

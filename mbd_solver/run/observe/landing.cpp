@@ -75,8 +75,8 @@ std::vector<LandingWatch::First> in_order(const std::vector<std::string>& names,
 
 GroundLevel ground_level(const Subject& subject) {
   const GroundSpec& ground = subject.scene.ground;
-  if (ground.is_flat()) return {ground.normal(), ground.normal().dot(ground.point())};
-  return {up_direction(subject.scene.gravity), subject.mechanism.placement.ground_height};
+  if (ground.is_flat()) return {ground.normal(), ground.normal().dot(ground.point()), subject.mechanism.terrain.get()};
+  return {up_direction(subject.scene.gravity), subject.mechanism.placement.ground_height, nullptr};
 }
 
 LandingWatch::LandingWatch(const Subject& subject)
@@ -212,7 +212,7 @@ Eigen::Vector3d LandingWatch::place_of(const Place& place, const Sample& sample)
 
 bool LandingWatch::touches(const Place& pad, const Eigen::Vector3d& p_W, const Sample& sample) const {
   if (sample.contact[static_cast<std::size_t>(pad.body)].F_W.isZero(0.0)) return false;
-  return pad.boundary != nullptr || ground_.normal.dot(p_W) <= ground_.height;
+  return pad.boundary != nullptr || ground_.above(p_W) <= 0.0;
 }
 
 bool LandingWatch::at_stop(std::size_t strut, const Sample& sample) const {
@@ -282,7 +282,8 @@ void LandingWatch::see_pads(const Sample& sample) {
     }
     if (!touched_[i]) continue;
     const Eigen::Vector3d way = pad_places_[i] - touched_at_[i];
-    now_.slid = std::max(now_.slid, (way - ground_.normal * ground_.normal.dot(way)).norm());
+    const Eigen::Vector3d n = ground_.normal_at(pad_places_[i]);
+    now_.slid = std::max(now_.slid, (way - n * n.dot(way)).norm());
   }
 }
 
@@ -301,7 +302,7 @@ void LandingWatch::update(const Sample& sample) {
     stopped_[k] = std::min(time, stopped_[k].value_or(time));
   }
   for (std::size_t k = 0; k < points_.size(); ++k) {
-    now_.clearance[k] = ground_.normal.dot(place_of(points_[k], sample)) - ground_.height;
+    now_.clearance[k] = ground_.above(place_of(points_[k], sample));
     see_least(least_clearance_[k], now_.clearance[k], time, !started_);
   }
   const bool begins = !started_ || (now_.pads_touching > 0 && !any_contact_);

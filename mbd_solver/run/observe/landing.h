@@ -21,10 +21,14 @@
 
 namespace footfall {
 
-// The ground of heights: the plane, or the highest grain under the boundaries at the start.
+// The ground of heights: the plane, uneven ground, or the highest grain under the boundaries at the start.
 struct GroundLevel {
-  Eigen::Vector3d normal;  // out of the ground, in W
-  double height;           // along it [m]
+  Eigen::Vector3d normal;            // out of the ground, in W
+  double height;                     // along it [m]
+  const Terrain* terrain = nullptr;  // then normal and height do not count
+
+  double above(const Eigen::Vector3d& p) const { return terrain ? terrain->distance(p) : normal.dot(p) - height; }
+  Eigen::Vector3d normal_at(const Eigen::Vector3d& p) const { return terrain ? terrain->foot(p).normal : normal; }
 };
 GroundLevel ground_level(const Subject& subject);
 

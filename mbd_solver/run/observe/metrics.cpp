@@ -1,6 +1,8 @@
 // Metrics are updated at every sample and stored with a checkpoint. Warnings are given once per body, joint and cause.
 
 #include "mbd_solver/run/observe/metrics.h"
+#include "mbd_solver/model/elements/soil_contact.h"
+#include "mbd_solver/model/elements/terrain_contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -230,6 +232,17 @@ std::string MetricRecorder::balance_warning() const {
 }
 
 double MetricRecorder::depth(const Sample& sample) const {
+  const Mechanism& mechanism = subject_.mechanism;
+  if (!mechanism.terrains.empty() || (mechanism.terrain && !mechanism.soils.empty())) {  // of places that touch
+    double deepest = 0.0;
+    for (const int force : mechanism.terrains)
+      deepest = std::max(deepest, static_cast<const TerrainContact&>(mechanism.model.force(force))
+                                      .largest_overlap(element_input(subject_, sample, force)));
+    for (const int force : mechanism.soils)
+      deepest = std::max(deepest, static_cast<const SoilContact&>(mechanism.model.force(force))
+                                      .largest_depth(element_input(subject_, sample, force)));
+    return deepest;
+  }
   double lowest = std::numeric_limits<double>::infinity();
   for (const BodyBoundary& entry : subject_.mechanism.boundaries) {
     const BodyKinematics& body = sample.kinematics.of(entry.body);

@@ -5,6 +5,7 @@
 
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/elements/soil_contact.h"
+#include "mbd_solver/model/elements/terrain_contact.h"
 
 namespace footfall {
 
@@ -57,6 +58,10 @@ void Sampler::update_contact() {
   for (std::size_t k = 0; k < mechanism.planes.size(); ++k) {
     const auto& plane = static_cast<const RigidPlane&>(mechanism.model.force(mechanism.planes[k]));
     add(mechanism.plane_bodies[k], plane.wrench(element_input(subject_, sample_, mechanism.planes[k])));
+  }
+  for (std::size_t k = 0; k < mechanism.terrains.size(); ++k) {
+    const auto& ground = static_cast<const TerrainContact&>(mechanism.model.force(mechanism.terrains[k]));
+    add(mechanism.terrain_bodies[k], ground.wrench(element_input(subject_, sample_, mechanism.terrains[k])));
   }
   for (std::size_t k = 0; k < mechanism.soils.size(); ++k) {
     const auto& soil = static_cast<const SoilContact&>(mechanism.model.force(mechanism.soils[k]));

@@ -18,6 +18,7 @@
 #include "mbd_solver/model/elements/soil_contact.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/elements/surface_contact.h"
+#include "mbd_solver/model/elements/terrain_contact.h"
 #include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/model.h"
 #include "tests/support/linear_algebra.h"
@@ -349,6 +350,13 @@ inline std::vector<std::unique_ptr<ForceElement>> all_forces(Random& random, con
   out.push_back(std::make_unique<Cable>("cable" + tail,
                                         std::vector<CableGuide>{{ends.m1, 0.1, 0.3}, {ends.m2, 0.0, 0.0}},
                                         CableParameters{60.0, 0.0, 2.0, 0.2}));
+  TerrainParts hills;
+  hills.origin = model.initial(standing).r + Eigen::Vector3d(0.0, 0.0, 2.0);  // all points touch
+  hills.slope = {0.1, -0.2};
+  hills.waves = {{{0.8, 0.3}, 0.1, 0.4}};
+  const std::vector<ContactPoint> places{{random_marker(apart, model, standing), 0.0},
+                                         {random_marker(apart, model, standing), 0.2}};
+  out.push_back(std::make_unique<TerrainContact>("terrain" + tail, places, plane, std::make_shared<Terrain>(hills)));
   return out;
 }
 

@@ -260,7 +260,7 @@ struct Plate {
       facet.area = 0.01;
       facet.start = model.initial_position(facet.marker);
     }
-    auto contact = std::make_unique<SoilContact>("soil", facets, false, SoilContact::Place{{0, 0, 0}, up},
+    auto contact = std::make_unique<SoilContact>("soil", facets, false, SoilContact::Place{{0, 0, 0}, up, nullptr},
                                                  std::move(law), std::make_shared<SoilGround>(0.2), true);
     soil = contact.get();
     model.add_force(std::move(contact));

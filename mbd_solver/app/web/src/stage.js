@@ -111,6 +111,7 @@ export class Stage {
     const grid = (lines = 0xc5ccd3) => new three.GridHelper(cells * this.square, cells, 0x8896a3, lines).rotateX(Math.PI / 2);
     const planes = this.run.planes ?? [];
     this.slope = 0;
+    if (this.run.terrain) this.addTerrain(this.run.terrain);
     planes.forEach(({ point, normal }, i) => {
       const n = new three.Vector3(...normal), lines = grid(0xa39a80), at = centre.clone().addScaledVector(n, -n.dot(centre.clone().sub(new three.Vector3(...point))));
       const turn = new three.Quaternion().setFromUnitVectors(new three.Vector3(0, 0, 1), n), plane = new three.Group().add(lines, this.ground(0.5 * cells * this.square, turn));
@@ -119,11 +120,54 @@ export class Stage {
       this.scene.add(plane);
       if (i === 0) this.slope = Math.acos(Math.min(1, Math.abs(dot(unit(normal), this.up))));
     });
-    if (planes.length > 0) return;
+    if (planes.length > 0 || this.run.terrain) return;
     this.slope = Math.acos(Math.min(1, this.up[2]));
     const lines = grid();
     lines.position.set(snap(centre.x), snap(centre.y), this.box.min.z);
     this.scene.add(lines);
+  }
+  // The surface of uneven ground, brighter where it faces the light, with level lines; and its rocks.
+  addTerrain({ first, step, counts, heights, rocks }) {
+    const light = unit([-0.5, -0.6, 0.9]), [columns, rows] = counts, positions = [], colours = [], index = [];
+    const at = (i, j) => heights[Math.min(rows - 1, Math.max(0, j)) * columns + Math.min(columns - 1, Math.max(0, i))];
+    const low = Math.min(...heights), high = Math.max(...heights), apart = [1, 2, 5, 10].map((k) => k * 10 ** Math.floor(Math.log10((high - low || 1) / 10))).find((s) => (high - low) / s < 12);
+    const shade = (n, base) => base.map((c) => c * (0.45 + 0.55 * Math.max(0, dot(n, light))));
+    for (let j = 0; j < rows; ++j)
+      for (let i = 0; i < columns; ++i) {
+        positions.push(first[0] + i * step[0], first[1] + j * step[1], at(i, j));
+        const n = unit([(at(i - 1, j) - at(i + 1, j)) / (2 * step[0]), (at(i, j - 1) - at(i, j + 1)) / (2 * step[1]), 1]);
+        colours.push(...shade(n, [0.72, 0.66, 0.52]));
+        if (i + 1 < columns && j + 1 < rows) index.push(j * columns + i, j * columns + i + 1, (j + 1) * columns + i + 1, j * columns + i, (j + 1) * columns + i + 1, (j + 1) * columns + i);
+      }
+    const mesh = (points, tints, corners) => {
+      const geometry = new three.BufferGeometry().setIndex(corners);
+      geometry.setAttribute("position", new three.Float32BufferAttribute(points, 3));
+      geometry.setAttribute("color", new three.Float32BufferAttribute(tints, 3));
+      this.scene.add(new three.Mesh(geometry, new three.MeshBasicMaterial({ vertexColors: true, side: three.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 })));
+    };
+    mesh(positions, colours, index);
+    // Where a level crosses the edges of a triangle.
+    const lines = [];
+    for (let t = 0; t < index.length && high > low; t += 3) {
+      const p = [0, 1, 2].map((k) => positions.slice(3 * index[t + k], 3 * index[t + k] + 3)), zs = p.map((q) => q[2]);
+      for (let level = Math.ceil(Math.min(...zs) / apart) * apart; level <= Math.max(...zs); level += apart) {
+        const ends = [];
+        for (const [a, b] of [[0, 1], [1, 2], [2, 0]])
+          if ((zs[a] - level) * (zs[b] - level) < 0) ends.push(plus(p[a], p[b].map((x, k) => x - p[a][k]), (level - zs[a]) / (zs[b] - zs[a])));
+        if (ends.length === 2) lines.push(...ends[0], ...ends[1]);
+      }
+    }
+    const contours = new three.BufferGeometry();
+    contours.setAttribute("position", new three.Float32BufferAttribute(lines, 3));
+    this.scene.add(new three.LineSegments(contours, new three.LineBasicMaterial({ color: 0x8d8468 })));
+    for (const [x, y, z, radius] of rocks) {
+      const ball = new three.SphereGeometry(radius, 24, 16), points = ball.getAttribute("position").array, tints = [], places = [];
+      for (let k = 0; k < points.length; k += 3) {
+        tints.push(...shade([points[k] / radius, points[k + 1] / radius, points[k + 2] / radius], [0.6, 0.57, 0.53]));
+        places.push(points[k] + x, points[k + 1] + y, points[k + 2] + z);
+      }
+      mesh(places, tints, [...ball.index.array]);
+    }
   }
   // The sheet under the lines of a plane; a slope stands on a wedge with a level foot. turn: from z to the plane's normal.
   ground(half, turn) {

@@ -1,0 +1,72 @@
+#pragma once
+// Contact of one body with uneven ground, at points (spheres of radius >= 0) and circular edges of the body. Theory 6.8.
+// The law is that of RigidPlane, with the distance phi, the normal n and its derivative H = dn/dp of the terrain at the foot of
+// each place: delta = radius - phi(p), the contact moves with the body at p - radius n, and slip is along the tangent plane:
+//   u = P (v + xi / tau), P = I - n n^T,  xi' = clip(u) - P xi / tau: the spring xi [m] of a place has three inner states, in W.
+// A ball has one contact for each local minimum of its distance, and one with each rock; they share a spring.
+// A circular edge (radius R about c, axis a) that stands up from the ground touches where its distance from the ground has local
+// minima, n.t = 0 with the tangent t = a x e: it rolls without facets, also over a step. As the body turns by dtheta and moves
+// by dr the place moves along the edge by R t dpsi, (R t.H t - n.e) dpsi = -t.H dp - (t x n).dtheta; this does no work.
+// An edge that lies within 30 degrees of the ground touches at 12 places of its own.
+
+#include <memory>
+#include <vector>
+
+#include "mbd_solver/model/elements/rigid_plane.h"
+#include "mbd_solver/model/terrain.h"
+
+namespace footfall {
+
+class TerrainContact : public ForceElement {
+ public:
+  // kRocks: these alone touch, not the field between them.
+  enum class Touches { kAll, kRocks };
+  // All points and rims on one body, at least one. Throws InputError on values outside their range.
+  TerrainContact(std::string name, std::vector<ContactPoint> points, const ContactLaw& law,
+                 std::shared_ptr<const Terrain> terrain, std::vector<ContactRim> rims = {},
+                 Touches touches = Touches::kAll);
+  ~TerrainContact() override;
+
+  int state_count() const override { return law_.stick_time > 0.0 ? 3 * place_count() : 0; }
+  int state_block() const override { return std::min(state_count(), 3); }
+  Eigen::VectorXd initial_state() const override { return Eigen::VectorXd::Zero(state_count()); }
+  void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
+  bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
+  void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
+
+  // Force on the body [N] and moment about Bo [N m], in W.
+  Eigen::Matrix<double, 6, 1> wrench(const ElementInput& in) const;
+  double largest_overlap(const ElementInput& in) const;  // [m], 0 without contact
+  bool touches_rock(const ElementInput& in) const;
+
+ private:
+  struct Contact;
+  int place_count() const;
+  // use(place, contacts, count) for every place with contacts.
+  template <class Use>
+  void each_place(const ElementInput& in, Use use) const;
+  template <class Use>
+  void each_rim_place(const ElementInput& in, const ContactRim& rim, int first_place, const Terrain::Lid& lid,
+                      Use use) const;
+  void add_contact(const ElementInput& in, const Marker& marker, double radius, const Terrain::Foot& foot,
+                   int place) const;
+  void add_derivatives(const ElementInput& in, const Contact& at, int place, double share,
+                       ElementDerivatives& out) const;
+  double find_place_on_rim(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& e_0,
+                           const Eigen::Vector3d& b, double angle, int rock, Terrain::Foot& foot) const;
+  Eigen::Vector3d spring_rate(const Contact* contacts, int count) const;  // xi' in W [m/s]
+
+  std::vector<ContactPoint> points_;
+  std::vector<ContactRim> rims_;
+  ContactLaw law_;
+  std::shared_ptr<const Terrain> terrain_;
+  bool field_;                               // the field touches
+  double reach_ = 0.0;                       // radius about Bo that encloses all undeformed spheres [m]
+  double flexible_reach_ = 0.0;              // largest |S| of a point [m per unit of a]
+  mutable std::vector<Contact> contacts_;    // scratch: of one place
+  mutable std::vector<Terrain::Foot> feet_;  // scratch
+  mutable Marker on_rim_;                    // scratch
+  mutable Eigen::Matrix3Xd X_, D_, N_, G_, g_x_, f_x_, f_v_, u_x_;  // scratch, 3 x n
+};
+
+}  // namespace footfall

@@ -1,0 +1,455 @@
+// The field is evaluated with its first and second derivatives at once. Bounds of the second derivatives, of the map by tiles,
+// tell at little cost where nothing can touch.
+
+#include "mbd_solver/model/terrain.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/base/pi.h"
+
+namespace footfall {
+namespace {
+
+constexpr int kTile = 16;                         // cells of a map along each side of a tile
+constexpr int kFootSteps = 30;                    // of Newton's method, at most; three are usual
+constexpr double kFootFound = 1e-14;              // of a step, relative to the sizes of the numbers
+constexpr int kSeeds = 12;                        // directions in which a ball looks for further contacts
+constexpr double kOneFoot = 0.93969262078590838;  // cos 20 degrees: feet with closer normals are one contact
+constexpr double kBowl = 0.9;  // a ball of this share of the least radius of curvature has one contact
+
+// Along one axis of a map: the first of four coefficients, and their weights for the value and its derivatives.
+struct Weights {
+  int first = 0;
+  std::array<double, 4> value, slope, bend;
+};
+
+Weights weights_at(double u, int samples) {
+  Weights w;
+  const double inside = std::clamp(u, 0.0, static_cast<double>(samples - 1));
+  w.first = std::min(static_cast<int>(inside), samples - 2);
+  const double t = inside - w.first, s = 1.0 - t;
+  w.value = {s * s * s / 6.0, (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0, (4.0 - 6.0 * s * s + 3.0 * s * s * s) / 6.0,
+             t * t * t / 6.0};
+  w.slope = {-0.5 * s * s, 1.5 * t * t - 2.0 * t, 2.0 * s - 1.5 * s * s, 0.5 * t * t};
+  w.bend = {s, 3.0 * t - 2.0, 3.0 * s - 2.0, t};
+  if (const double beyond = u - inside; beyond != 0.0) {
+    for (std::size_t k = 0; k < 4; ++k) w.value[k] += beyond * w.slope[k];
+    w.bend = {0.0, 0.0, 0.0, 0.0};
+  }
+  return w;
+}
+
+// From samples f_1 ... f_n in place to the coefficients of a cubic B-spline through them, those at the ends first and last:
+// f_i = (c_i-1 + 4 c_i + c_i+1) / 6, and no second derivative at the ends.
+void find_coefficients(double* c, int samples, std::ptrdiff_t stride, std::vector<double>& factor) {
+  const auto at = [&](int i) -> double& { return c[i * stride]; };  // 0 and samples + 1 are beyond the ends
+  factor.resize(static_cast<std::size_t>(samples + 2));
+  const int last = samples;
+  if (samples > 2) {
+    factor[1] = 0.0;
+    for (int i = 2; i < last; ++i) {
+      const double pivot = 1.0 / (4.0 - factor[static_cast<std::size_t>(i - 1)]);
+      factor[static_cast<std::size_t>(i)] = pivot;
+      at(i) = (6.0 * at(i) - at(i - 1)) * pivot;
+    }
+    for (int i = last - 1; i >= 2; --i) at(i) -= factor[static_cast<std::size_t>(i)] * at(i + 1);
+  }
+  at(0) = 2.0 * at(1) - at(2);
+  at(last + 1) = 2.0 * at(last) - at(last - 1);
+}
+
+struct SplineGrid {
+  int columns, rows, stride;
+  Eigen::Vector2d first, step;
+  std::vector<double> c;  // (rows + 2) x (columns + 2)
+  int tiles_x, tiles_y;
+  std::vector<double> bend;  // of each tile, largest
+
+  explicit SplineGrid(const HeightGrid& grid)
+      : columns(grid.columns), rows(grid.rows), stride(grid.columns + 2), first(grid.first), step(grid.step) {
+    FOOTFALL_DEMAND(columns >= 2 && rows >= 2 && step.minCoeff() > 0.0);
+    c.assign(static_cast<std::size_t>(stride) * static_cast<std::size_t>(rows + 2), 0.0);
+    for (int j = 0; j < rows; ++j)
+      for (int i = 0; i < columns; ++i) of(i + 1, j + 1) = grid.at(i, j);
+    std::vector<double> factor;
+    for (int j = 1; j <= rows; ++j) find_coefficients(&of(0, j), columns, 1, factor);
+    for (int i = 0; i < stride; ++i) find_coefficients(&of(i, 0), rows, stride, factor);
+    find_bends();
+  }
+  double& of(int i, int j) {
+    return c[static_cast<std::size_t>(j) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(i)];
+  }
+  double of(int i, int j) const {
+    return c[static_cast<std::size_t>(j) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(i)];
+  }
+
+  // A second derivative is between those differences of the coefficients around it.
+  void find_bends() {
+    tiles_x = (columns - 2) / kTile + 1;
+    tiles_y = (rows - 2) / kTile + 1;
+    bend.assign(static_cast<std::size_t>(tiles_x) * static_cast<std::size_t>(tiles_y), 0.0);
+    const double xx = 1.0 / (step.x() * step.x()), yy = 1.0 / (step.y() * step.y()), xy = 1.0 / (step.x() * step.y());
+    for (int b = 0; b < tiles_y; ++b) {
+      for (int a = 0; a < tiles_x; ++a) {
+        double h_xx = 0.0, h_yy = 0.0, h_xy = 0.0;
+        const int i_end = std::min((a + 1) * kTile + 2, columns + 1), j_end = std::min((b + 1) * kTile + 2, rows + 1);
+        for (int j = b * kTile; j <= j_end; ++j) {
+          for (int i = a * kTile; i <= i_end; ++i) {
+            const double here = of(i, j);
+            if (i > 0 && i < stride - 1) h_xx = std::max(h_xx, std::abs(of(i - 1, j) - 2.0 * here + of(i + 1, j)));
+            if (j > 0 && j < rows + 1) h_yy = std::max(h_yy, std::abs(of(i, j - 1) - 2.0 * here + of(i, j + 1)));
+            if (i < i_end && j < j_end)
+              h_xy = std::max(h_xy, std::abs(here - of(i + 1, j) - of(i, j + 1) + of(i + 1, j + 1)));
+          }
+        }
+        bend[static_cast<std::size_t>(b * tiles_x + a)] = std::max(h_xx * xx, h_yy * yy) + h_xy * xy;
+      }
+    }
+  }
+
+  void add(const Eigen::Vector2d& place, Terrain::Height& out) const {
+    const Weights x = weights_at((place.x() - first.x()) / step.x(), columns);
+    const Weights y = weights_at((place.y() - first.y()) / step.y(), rows);
+    double h = 0.0, h_x = 0.0, h_y = 0.0, h_xx = 0.0, h_yy = 0.0, h_xy = 0.0;
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double* row =
+          &c[static_cast<std::size_t>(y.first + static_cast<int>(j)) * static_cast<std::size_t>(stride) +
+             static_cast<std::size_t>(x.first)];
+      double value = 0.0, slope = 0.0, curve = 0.0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        value += x.value[i] * row[i];
+        slope += x.slope[i] * row[i];
+        curve += x.bend[i] * row[i];
+      }
+      h += y.value[j] * value;
+      h_x += y.value[j] * slope;
+      h_xx += y.value[j] * curve;
+      h_y += y.slope[j] * value;
+      h_xy += y.slope[j] * slope;
+      h_yy += y.bend[j] * value;
+    }
+    out.h += h;
+    out.slope += Eigen::Vector2d(h_x / step.x(), h_y / step.y());
+    out.bend +=
+        Eigen::Vector3d(h_xx / (step.x() * step.x()), h_yy / (step.y() * step.y()), h_xy / (step.x() * step.y()));
+  }
+
+  double largest_bend(const Eigen::Vector2d& place, double reach) const {
+    const auto tile = [&](double x, int axis, int tiles) {
+      const double t = std::floor((x - first[axis]) / step[axis] / kTile);
+      return static_cast<int>(std::clamp(t, 0.0, static_cast<double>(tiles - 1)));
+    };
+    double largest = 0.0;
+    for (int b = tile(place.y() - reach, 1, tiles_y); b <= tile(place.y() + reach, 1, tiles_y); ++b)
+      for (int a = tile(place.x() - reach, 0, tiles_x); a <= tile(place.x() + reach, 0, tiles_x); ++a)
+        largest = std::max(largest, bend[static_cast<std::size_t>(b * tiles_x + a)]);
+    return largest;
+  }
+};
+
+}  // namespace
+
+// The map of the file, and the waves of a random surface: these have a period in x and y, of which one is sampled, finely enough
+// that they are what the spline makes of them.
+struct Terrain::Map {
+  std::optional<SplineGrid> site, rough;
+  double period = 0.0, rough_bend = 0.0;
+
+  // Samples from waves[first] on; waves[first - 1] has the period.
+  void sample(const std::vector<GroundWave>& waves, std::size_t first) {
+    constexpr double kPerWave = 8.0;  // samples of the shortest wave
+    constexpr int kMargin = 14;       // samples beyond the period, in which the ends of the spline fade out (0.27^14)
+    period = 2.0 * kPi / waves[first - 1].k.x();
+    double k = 0.0;
+    for (std::size_t i = first; i < waves.size(); ++i) k = std::max(k, waves[i].k.norm());
+    const int count = static_cast<int>(std::ceil(kPerWave * period * k / (2.0 * kPi)));
+    HeightGrid grid;
+    grid.columns = grid.rows = count + 2 * kMargin;
+    grid.step = Eigen::Vector2d::Constant(period / count);
+    grid.first = -kMargin * grid.step;
+    const auto n = static_cast<std::size_t>(grid.columns);
+    grid.heights.assign(n * n, 0.0);
+    std::vector<double> sine(n), cosine(n);
+    for (std::size_t i = first; i < waves.size(); ++i) {
+      const GroundWave& wave = waves[i];
+      for (std::size_t a = 0; a < n; ++a) {
+        const double x = wave.k.x() * (grid.first.x() + static_cast<double>(a) * grid.step.x());
+        sine[a] = wave.amplitude * std::sin(x);
+        cosine[a] = wave.amplitude * std::cos(x);
+      }
+      for (std::size_t b = 0; b < n; ++b) {
+        const double y = wave.k.y() * (grid.first.y() + static_cast<double>(b) * grid.step.y()) + wave.phase;
+        const double s = std::sin(y), c = std::cos(y);
+        for (std::size_t a = 0; a < n; ++a) grid.heights[b * n + a] += sine[a] * c + cosine[a] * s;
+      }
+    }
+    rough.emplace(grid);
+    rough_bend = *std::max_element(rough->bend.begin(), rough->bend.end());
+  }
+  void add(const Eigen::Vector2d& place, Height& out) const {
+    if (site) site->add(place, out);
+    if (rough)
+      rough->add(
+          {place.x() - period * std::floor(place.x() / period), place.y() - period * std::floor(place.y() / period)},
+          out);
+  }
+  double largest_bend(const Eigen::Vector2d& place, double reach) const {
+    return rough_bend + (site ? site->largest_bend(place, reach) : 0.0);
+  }
+};
+
+// Rocks by cells of the ground.
+struct Terrain::RockCells {
+  double cell = 1.0;  // larger than the largest diameter [m]
+  std::unordered_map<long, std::vector<int>> at;
+
+  static long key(long i, long j) { return i * 4000037L + j; }
+  long index(double x) const { return static_cast<long>(std::floor(x / cell)); }
+  template <class Use>
+  void each(const std::vector<Sphere>& all, const Eigen::Vector2d& place, double reach, Use use) const {
+    const double wide = reach + 0.5 * cell;
+    const double across = 2.0 * wide / cell + 2.0;
+    if (across * across > static_cast<double>(all.size())) {
+      for (std::size_t k = 0; k < all.size(); ++k) use(static_cast<int>(k));
+      return;
+    }
+    for (long j = index(place.y() - wide); j <= index(place.y() + wide); ++j) {
+      for (long i = index(place.x() - wide); i <= index(place.x() + wide); ++i) {
+        const auto found = at.find(key(i, j));
+        if (found == at.end()) continue;
+        for (const int k : found->second) use(k);
+      }
+    }
+  }
+};
+
+Terrain::Terrain(TerrainParts parts) : parts_(std::move(parts)) {
+  const auto random = std::find_if(parts_.waves.begin(), parts_.waves.end(),
+                                   [](const GroundWave& wave) { return wave.amplitude == 0.0; });
+  if (parts_.map || random != parts_.waves.end()) {
+    auto map = std::make_unique<Map>();
+    if (parts_.map) map->site.emplace(*parts_.map);
+    if (random != parts_.waves.end()) {
+      map->sample(parts_.waves, static_cast<std::size_t>(random - parts_.waves.begin()) + 1);
+      parts_.waves.erase(random, parts_.waves.end());
+    }
+    map_ = std::move(map);
+    parts_.map.reset();  // its coefficients are enough
+  }
+  for (const GroundWave& wave : parts_.waves) wave_bend_ += std::abs(wave.amplitude) * wave.k.squaredNorm();
+  if (parts_.rocks.empty()) return;
+  rock_cells_ = std::make_unique<RockCells>();
+  double largest = 0.0;
+  for (const Rock& rock : parts_.rocks) {
+    const Eigen::Vector2d place = parts_.origin.head<2>() + rock.place;
+    const double z = at(place.x(), place.y()).h + (1.0 - 2.0 * rock.buried) * rock.radius;
+    spheres_.push_back({{place.x(), place.y(), z}, rock.radius});
+    largest = std::max(largest, rock.radius);
+  }
+  rock_cells_->cell = 2.0 * largest;
+  for (std::size_t k = 0; k < spheres_.size(); ++k) {
+    const Eigen::Vector3d& centre = spheres_[k].centre;
+    rock_cells_->at[RockCells::key(rock_cells_->index(centre.x()), rock_cells_->index(centre.y()))].push_back(
+        static_cast<int>(k));
+  }
+}
+
+Terrain::~Terrain() = default;
+
+Terrain::Height Terrain::at(double x, double y) const {
+  Height out;
+  const Eigen::Vector2d place = Eigen::Vector2d(x, y) - parts_.origin.head<2>();
+  out.h = parts_.origin.z() + parts_.slope.dot(place);
+  out.slope = parts_.slope;
+  if (map_) map_->add(place, out);
+  for (const Crater& crater : parts_.craters) {
+    const Eigen::Vector2d d = place - crater.centre;
+    const double R = crater.radius, square = d.squaredNorm() / (R * R);
+    if (square >= 4.0) continue;
+    // As a function f of s = u^2: slope 2 f' d / R^2, bend 2 f' / R^2 + 4 f'' d d^T / R^4.
+    double by = 0.0, by_by = 0.0;
+    if (square <= 1.0) {
+      const double deep = crater.depth + crater.rim;
+      out.h += -crater.depth + deep * square * (2.0 - square);
+      by = 2.0 * deep * (1.0 - square);
+      by_by = -2.0 * deep;
+    } else {
+      const double u = std::sqrt(square), v = u - 1.0, w = 1.0 - v * v;
+      out.h += crater.rim * w * w;
+      const double f_u = -4.0 * crater.rim * v * w, f_uu = crater.rim * (8.0 * v * v - 4.0 * w);
+      by = 0.5 * f_u / u;
+      by_by = 0.25 * (f_uu - f_u / u) / square;
+    }
+    const double R2 = R * R;
+    out.slope += (2.0 * by / R2) * d;
+    out.bend += Eigen::Vector3d(2.0 * by / R2 + 4.0 * by_by * d.x() * d.x() / (R2 * R2),
+                                2.0 * by / R2 + 4.0 * by_by * d.y() * d.y() / (R2 * R2),
+                                4.0 * by_by * d.x() * d.y() / (R2 * R2));
+  }
+  for (const GroundWave& wave : parts_.waves) {
+    const double angle = wave.k.dot(place) + wave.phase;
+    const double s = wave.amplitude * std::sin(angle), c = wave.amplitude * std::cos(angle);
+    out.h += s;
+    out.slope += c * wave.k;
+    out.bend -= s * Eigen::Vector3d(wave.k.x() * wave.k.x(), wave.k.y() * wave.k.y(), wave.k.x() * wave.k.y());
+  }
+  return out;
+}
+
+double Terrain::top(double x, double y) const {
+  double top = at(x, y).h;
+  if (!rock_cells_) return top;
+  const Eigen::Vector2d place(x, y);
+  rock_cells_->each(spheres_, place, 0.0, [&](int k) {
+    const Sphere& rock = spheres_[static_cast<std::size_t>(k)];
+    const double left = rock.radius * rock.radius - (rock.centre.head<2>() - place).squaredNorm();
+    if (left > 0.0) top = std::max(top, rock.centre.z() + std::sqrt(left));
+  });
+  return top;
+}
+
+// Newton's method for the least distance, from the place `start`; false where it ends in no minimum.
+bool Terrain::descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Foot& out) const {
+  Eigen::Vector2d place = start;
+  Height here = at(place.x(), place.y());
+  const auto merit = [&](const Eigen::Vector2d& c, double h) {
+    return 0.5 * ((c - p.head<2>()).squaredNorm() + (h - p.z()) * (h - p.z()));
+  };
+  double least = merit(place, here.h);
+  Eigen::Matrix2d J;
+  bool minimum = false;
+  for (int i = 0; i < kFootSteps; ++i) {
+    const Eigen::Vector2d& g = here.slope;
+    const double d = here.h - p.z();
+    const Eigen::Vector2d r = place - p.head<2>() + d * g;
+    J << 1.0 + g.x() * g.x() + d * here.bend[0], g.x() * g.y() + d * here.bend[2], 0.0,
+        1.0 + g.y() * g.y() + d * here.bend[1];
+    J(1, 0) = J(0, 1);
+    minimum = J(0, 0) > 0.0 && J.determinant() > 0.0;
+    const Eigen::Matrix2d used = minimum ? J : Eigen::Matrix2d(Eigen::Matrix2d::Identity() + g * g.transpose());
+    Eigen::Vector2d step = -(used.inverse() * r);
+    const double size = step.norm();
+    if (size <= kFootFound * (place.norm() + std::abs(d) + 1.0)) break;
+    double share = 1.0;
+    for (int half = 0; half < 12; ++half, share *= 0.5) {
+      const Eigen::Vector2d next = place + share * step;
+      const Height there = at(next.x(), next.y());
+      const double now = merit(next, there.h);
+      if (now > least * (1.0 + 1e-12) + 1e-30 && half < 11) continue;
+      place = next;
+      here = there;
+      least = now;
+      break;
+    }
+  }
+  const Eigen::Vector2d& g = here.slope;
+  const double length = std::sqrt(1.0 + g.squaredNorm());
+  const Eigen::Vector3d n = Eigen::Vector3d(-g.x(), -g.y(), 1.0) / length;
+  out.normal = n;
+  out.distance = n.dot(p - Eigen::Vector3d(place.x(), place.y(), here.h));
+  out.place = place;
+  out.rock = -1;
+  // dn/dp = -T G^-1 B (G - phi B / |N|)^-1 T^T / |N|,  T = dc/d(x, y), G = T^T T, B = h'', |N| = sqrt(1 + g^2)
+  Eigen::Matrix2d B, G;
+  B << here.bend[0], here.bend[2], here.bend[2], here.bend[1];
+  G = Eigen::Matrix2d::Identity() + g * g.transpose();
+  Eigen::Matrix<double, 3, 2> T;
+  T << 1.0, 0.0, 0.0, 1.0, g.x(), g.y();
+  const Eigen::Matrix2d turned = G - (out.distance / length) * B;
+  const Eigen::Matrix2d middle = G.inverse() * B * turned.inverse();
+  out.bend = (-1.0 / length) * T * middle * T.transpose();
+  return minimum;
+}
+
+Terrain::Foot Terrain::foot(const Eigen::Vector3d& p) const {
+  Foot out;
+  descend(p, p.head<2>(), out);
+  return out;
+}
+
+Terrain::Foot Terrain::foot(const Eigen::Vector3d& p, int rock) const {
+  const Sphere& sphere = spheres_[static_cast<std::size_t>(rock)];
+  Foot out;
+  const Eigen::Vector3d d = p - sphere.centre;
+  const double size = std::max(d.norm(), 1e-14);
+  out.rock = rock;
+  out.distance = size - sphere.radius;
+  out.normal = d / size;
+  out.bend = (Eigen::Matrix3d::Identity() - out.normal * out.normal.transpose()) / size;
+  out.place = sphere.centre.head<2>() + sphere.radius * out.normal.head<2>();
+  return out;
+}
+
+void Terrain::feet(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) const {
+  out.clear();
+  Foot one;
+  const bool good = descend(p, p.head<2>(), one);
+  if (radius == 0.0 || one.distance <= 0.0 || radius * bend_within(p.head<2>(), 2.0 * radius) < kBowl) {
+    out.push_back(one);
+    return;
+  }
+  if (good) out.push_back(one);
+  for (int k = 0; k < kSeeds; ++k) {
+    const double angle = 2.0 * kPi * k / kSeeds;
+    const Eigen::Vector2d start = p.head<2>() + 0.7 * radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    if (descend(p, start, one) && one.distance < radius) out.push_back(one);
+  }
+  std::sort(out.begin(), out.end(), [](const Foot& a, const Foot& b) { return a.distance < b.distance; });
+  std::vector<Foot> kept;
+  for (const Foot& foot : out)
+    if (std::none_of(kept.begin(), kept.end(), [&](const Foot& k) { return k.normal.dot(foot.normal) > kOneFoot; }))
+      kept.push_back(foot);
+  out = std::move(kept);
+}
+
+double Terrain::distance(const Eigen::Vector3d& p) const {
+  double least = foot(p).distance;
+  if (rock_cells_)
+    for (const Sphere& rock : spheres_) least = std::min(least, (p - rock.centre).norm() - rock.radius);
+  return least;
+}
+
+double Terrain::bend_within(const Eigen::Vector2d& place_W, double reach) const {
+  const Eigen::Vector2d place = place_W - parts_.origin.head<2>();
+  double bend = wave_bend_;
+  if (map_) bend += map_->largest_bend(place, reach);
+  for (const Crater& crater : parts_.craters) {
+    const double away = (place - crater.centre).norm() - 1.5 * reach;
+    // Within: 4 (depth + rim) / R^2 (1 - s) + 8 (depth + rim) s / R^2; outside 8 rim / R^2.
+    if (away < 2.0 * crater.radius) bend += 8.0 * (crater.depth + crater.rim) / (crater.radius * crater.radius);
+  }
+  return bend;
+}
+
+Terrain::Lid Terrain::lid(const Eigen::Vector3d& centre, double reach) const {
+  Lid out;
+  const Height here = at(centre.x(), centre.y());
+  out.height = here.h;
+  out.slope = here.slope;
+  out.bend = bend_within(centre.head<2>(), reach);
+  if (rock_cells_)
+    rock_cells_->each(spheres_, centre.head<2>(), reach, [&](int k) {
+      const Sphere& rock = spheres_[static_cast<std::size_t>(k)];
+      if ((rock.centre - centre).norm() < rock.radius + reach) out.rocks.push_back(k);
+    });
+  std::sort(out.rocks.begin(), out.rocks.end());
+  return out;
+}
+
+bool Terrain::Lid::above(const Eigen::Vector3d& centre, double reach) const {
+  return (centre.z() - height - 0.5 * bend * reach * reach) > reach * std::sqrt(1.0 + slope.squaredNorm());
+}
+
+bool Terrain::inside_map(double x, double y) const {
+  if (!map_ || !map_->site) return true;
+  const SplineGrid& map = *map_->site;
+  const Eigen::Vector2d u = (Eigen::Vector2d(x, y) - parts_.origin.head<2>() - map.first).cwiseQuotient(map.step);
+  return u.minCoeff() >= 0.0 && u.x() <= map.columns - 1 && u.y() <= map.rows - 1;
+}
+
+}  // namespace footfall

@@ -1,0 +1,117 @@
+#pragma once
+// The surface of the ground: a height field h(x, y), and rocks, which are spheres. Theory 6.8.
+//   h = z_0 + slope.(x, y) + map + craters + waves,  in W, x and y from the origin of the terrain
+//   map      cubic B-spline through the samples (second derivatives are continuous; those along an edge vanish there, and
+//            beyond the edge the ground goes on along its tangent)
+//   crater   u = r / R:  within -depth + (depth + rim)(2 u^2 - u^4), slope zero at the crest; outside rim (1 - (u - 1)^2)^2 to
+//            u = 2
+//   wave     amplitude sin(k.(x, y) + phase)
+// Distance of a point p is that of its foot c, the nearest point of the surface, negative below:
+//   p = c + phi n(c),  n = (-h_x, -h_y, 1) / sqrt(1 + h_x^2 + h_y^2),  dn/dp = S (I + phi S)^-1,  S = dn/dc
+// The foot is found by Newton's method, so the distance is exact to round-off while |phi| is below the radius of curvature.
+
+#include <Eigen/Dense>
+#include <memory>
+#include <vector>
+
+namespace footfall {
+
+// Samples of a height, row after row.
+struct HeightGrid {
+  int columns = 0, rows = 0;                        // along x and y, >= 2
+  Eigen::Vector2d first = Eigen::Vector2d::Zero();  // place of the first sample [m]
+  Eigen::Vector2d step = Eigen::Vector2d::Ones();   // > 0 [m]
+  std::vector<double> heights;                      // [m]
+  double at(int column, int row) const {
+    return heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                   static_cast<std::size_t>(column)];
+  }
+};
+
+struct Crater {
+  Eigen::Vector2d centre;  // from the origin [m]
+  double radius;           // of the crest > 0 [m]
+  double depth = 0.0;      // below the ground around it [m]
+  double rim = 0.0;        // height of the crest above the ground around it [m]
+};
+
+struct GroundWave {
+  Eigen::Vector2d k;        // wave vector [rad/m]
+  double amplitude, phase;  // [m], [rad]
+};
+
+struct Rock {
+  Eigen::Vector2d place;  // from the origin [m]
+  double radius;          // > 0 [m]
+  double buried = 0.5;    // share of its diameter below the ground at its place, 0 to 1
+};
+
+struct TerrainParts {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // in W [m]
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();   // rise per length along x and y
+  std::shared_ptr<const HeightGrid> map;
+  std::vector<Crater> craters;
+  std::vector<GroundWave> waves;
+  std::vector<Rock> rocks;
+};
+
+class Terrain {
+ public:
+  struct Height {
+    double h = 0.0;  // of W [m]
+    Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+    Eigen::Vector3d bend = Eigen::Vector3d::Zero();  // h_xx, h_yy, h_xy [1/m]
+  };
+  // The foot of a point, on the field or on a rock.
+  struct Foot {
+    double distance = 0.0;                              // phi [m]
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // n, out of the ground
+    Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();     // dn/dp [1/m]
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();    // of the foot, x and y in W [m]
+    int rock = -1;                                      // -1: the field
+  };
+  struct Sphere {
+    Eigen::Vector3d centre;  // in W [m]
+    double radius;           // [m]
+  };
+  // Around a place the field is below height + slope.(x, y) + bend |(x, y)|^2 / 2, x and y from the place.
+  struct Lid {
+    double height = 0.0, bend = 0.0;
+    Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+    std::vector<int> rocks;  // that may be within the reach
+    // A ball is above the field; its centre is that of the lid.
+    bool above(const Eigen::Vector3d& centre, double reach) const;
+  };
+
+  explicit Terrain(TerrainParts parts);
+  ~Terrain();
+
+  Height at(double x, double y) const;   // of the field, x and y in W [m]
+  double top(double x, double y) const;  // with rocks
+  // Of the field near p, from below or above.
+  Foot foot(const Eigen::Vector3d& p) const;
+  Foot foot(const Eigen::Vector3d& p, int rock) const;
+  // Where a ball of this radius >= 0 about p touches the field: a local minimum of the distance each; overwrites out.
+  void feet(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) const;
+  double distance(const Eigen::Vector3d& p) const;  // of the field and all rocks
+
+  Lid lid(const Eigen::Vector3d& centre, double reach) const;
+
+  const std::vector<Sphere>& rocks() const { return spheres_; }
+  const TerrainParts& parts() const { return parts_; }
+  bool inside_map(double x, double y) const;  // true without a map
+
+ private:
+  struct Map;
+  struct RockCells;
+  bool descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Foot& out) const;
+  double bend_within(const Eigen::Vector2d& place, double reach) const;  // of the field, at most [1/m]
+
+  TerrainParts parts_;
+  std::unique_ptr<const Map> map_;
+  std::vector<Sphere> spheres_;
+  std::unique_ptr<RockCells> rock_cells_;
+  double wave_bend_ = 0.0;  // of all waves together, at most [1/m]
+};
+
+}  // namespace footfall

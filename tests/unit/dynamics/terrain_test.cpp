@@ -1,0 +1,481 @@
+// Uneven ground: the field against differences and exact distances, bodies that roll and slide on it against fine integrations
+// along the way, and the plane as the other route.
+
+#include "mbd_solver/model/terrain.h"
+
+#include <cmath>
+
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/elements/terrain_contact.h"
+#include "mbd_solver/model/mass_properties.h"
+#include "tests/unit/dynamics/jacobian_check.h"
+#include "tests/unit/dynamics/random_model.h"
+#include "tests/unit/dynamics/run.h"
+
+namespace footfall {
+namespace {
+
+constexpr double kEarth = 9.81;
+
+template <class F>
+std::shared_ptr<const HeightGrid> map_of(int columns, int rows, double step, const F& height) {
+  auto grid = std::make_shared<HeightGrid>();
+  grid->columns = columns;
+  grid->rows = rows;
+  grid->step = {step, step};
+  grid->first = {-0.5 * step * (columns - 1), -0.5 * step * (rows - 1)};
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i)
+      grid->heights.push_back(height(grid->first.x() + i * step, grid->first.y() + j * step));
+  return grid;
+}
+
+// Everything at once, smooth on a scale of 1 m.
+TerrainParts hills() {
+  TerrainParts parts;
+  parts.origin = {0.3, -0.2, 0.1};
+  parts.slope = {0.2, -0.1};
+  parts.map =
+      map_of(21, 17, 0.5, [](double x, double y) { return 0.05 * x * x - 0.04 * y * y + 0.2 * std::sin(x + 2 * y); });
+  parts.craters = {{{1.0, 0.5}, 1.2, 0.2, 0.05}, {{-2.0, 0.0}, 1.5, 0.3, 0.1}};
+  parts.waves = {{{1.5, 0.7}, 0.05, 0.4}, {{-0.4, 2.0}, 0.03, 1.0}};
+  return parts;
+}
+
+std::shared_ptr<const Terrain> terrain_of(TerrainParts parts) {
+  return std::make_shared<const Terrain>(std::move(parts));
+}
+
+TEST(Terrain, SlopesAndBendsAreDerivativesOfTheHeight) {
+  const Terrain ground(hills());
+  constexpr double d = 1e-5;  // error of differences: d^2 and 1e-16 / d, both below 1e-9
+  test::Random random(3);
+  for (int k = 0; k < 200; ++k) {
+    const double x = random.number(-6.0, 6.0), y = random.number(-5.0, 5.0);  // also beyond the map
+    const Terrain::Height here = ground.at(x, y), e = ground.at(x + d, y), w = ground.at(x - d, y),
+                          n = ground.at(x, y + d), s = ground.at(x, y - d);
+    EXPECT_NEAR(here.slope.x(), (e.h - w.h) / (2 * d), 1e-7);
+    EXPECT_NEAR(here.slope.y(), (n.h - s.h) / (2 * d), 1e-7);
+    EXPECT_NEAR(here.bend[0], (e.slope.x() - w.slope.x()) / (2 * d), 2e-4) << x << " " << y;  // bends have corners
+    EXPECT_NEAR(here.bend[1], (n.slope.y() - s.slope.y()) / (2 * d), 2e-4);
+    EXPECT_NEAR(here.bend[2], (n.slope.x() - s.slope.x()) / (2 * d), 2e-4);
+  }
+}
+
+TEST(Terrain, MapGoesThroughItsSamplesAndKeepsSiteCoordinates) {
+  // Samples with 1e-4 m at coordinates of 1e6 m: nothing of them is lost, as the origin is subtracted first.
+  TerrainParts parts;
+  parts.map = map_of(9, 7, 0.25,
+                     [](double x, double y) { return 0.0001 * std::round(1e3 * std::sin(3 * x) * std::cos(2 * y)); });
+  const Terrain ground(parts);
+  for (int j = 0; j < 7; ++j)
+    for (int i = 0; i < 9; ++i)
+      EXPECT_NEAR(ground.at(-1.0 + 0.25 * i, -0.75 + 0.25 * j).h, parts.map->at(i, j), 1e-15) << i << " " << j;
+  // Beyond the edge along its tangent.
+  const Terrain::Height edge = ground.at(1.0, 0.1), beyond = ground.at(4.0, 0.1);
+  EXPECT_NEAR(beyond.h, edge.h + 3.0 * edge.slope.x(), 1e-12);
+  EXPECT_TRUE(ground.inside_map(1.0, 0.75));
+  EXPECT_FALSE(ground.inside_map(1.01, 0.0));
+}
+
+TEST(Terrain, DistanceIsThatOfTheNearestPoint) {
+  const Terrain ground(hills());
+  test::Random random(5);
+  for (int k = 0; k < 100; ++k) {
+    const double x = random.number(-3.0, 3.0), y = random.number(-3.0, 3.0);
+    const Eigen::Vector3d c(x, y, ground.at(x, y).h);
+    const Terrain::Height h = ground.at(x, y);
+    const Eigen::Vector3d n = Eigen::Vector3d(-h.slope.x(), -h.slope.y(), 1.0).normalized();
+    const double phi = random.number(-0.1, 0.15);  // within the radii of curvature
+    const Terrain::Foot foot = ground.foot(c + phi * n);
+    EXPECT_NEAR(foot.distance, phi, 1e-12);
+    EXPECT_LT((foot.normal - n).norm(), 1e-11);
+    constexpr double d = 1e-6;
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d step = d * Eigen::Vector3d::Unit(i), p = c + phi * n;
+      const Terrain::Foot plus = ground.foot(p + step), minus = ground.foot(p - step);
+      EXPECT_NEAR((plus.distance - minus.distance) / (2 * d), n[i], 1e-8);
+      EXPECT_LT(((plus.normal - minus.normal) / (2 * d) - foot.bend.col(i)).norm(), 2e-3);  // bends have corners
+    }
+  }
+}
+
+TEST(Terrain, BallInAGrooveHasTwoFeet) {
+  // h = |x| rounded off within 0.1 m: a ball of 0.5 m stands on both sides.
+  TerrainParts parts;
+  parts.map = map_of(201, 5, 0.02, [](double x, double) { return std::sqrt(x * x + 0.01); });
+  const Terrain ground(parts);
+  std::vector<Terrain::Foot> feet;
+  ground.feet({0.0, 0.0, 0.71}, 0.55, feet);
+  ASSERT_EQ(feet.size(), 2u);
+  EXPECT_NEAR(feet[0].distance, feet[1].distance, 1e-9);
+  EXPECT_NEAR(feet[0].normal.x(), -feet[1].normal.x(), 1e-9);
+  double least = 1.0;  // by looking at all places
+  for (int i = 0; i <= 40000; ++i) {
+    const double x = -1.0 + 5e-5 * i;
+    least = std::min(least, std::hypot(x, 0.71 - ground.at(x, 0.0).h));
+  }
+  EXPECT_NEAR(feet[0].distance, least, 1e-6);
+}
+
+TEST(Terrain, NothingTouchesAboveTheLid) {
+  TerrainParts parts = hills();
+  parts.rocks = {{{1.0, 1.0}, 0.3, 0.5}, {{-1.0, 0.5}, 0.2, 0.2}};
+  const Terrain ground(parts);
+  test::Random random(9);
+  int clear = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Eigen::Vector3d c(random.number(-3.0, 3.0), random.number(-3.0, 3.0), random.number(0.0, 3.0));
+    const double reach = random.number(0.1, 1.0);
+    const Terrain::Lid lid = ground.lid(c, reach);
+    if (!lid.above(c, reach) || !lid.rocks.empty()) continue;
+    ++clear;
+    EXPECT_GE(ground.distance(c), reach) << c.transpose();
+  }
+  EXPECT_GT(clear, 50);
+  EXPECT_NEAR(ground.top(1.3, 0.8), ground.rocks()[0].centre.z() + 0.3, 1e-12);
+}
+
+// ---- contact ----
+
+ContactLaw hard(double friction) {
+  ContactLaw law;
+  law.stiffness = 1e9;
+  law.damping = 1.0;
+  law.friction = friction;
+  return law;
+}
+
+// The way of the foot u of a rolling or sliding body along y = 0, in the frame of a profile h(u): the centre is above the foot
+// by R along the normal, and `inertia` is (1 + I / m R^2). Friction mu of a body that slides without turning.
+struct Profile {
+  std::function<double(double)> h, h1, h2;
+  double R = 0.0, inertia = 1.0, mu = 0.0;
+
+  Eigen::Vector2d centre(double u) const {
+    const double L = std::sqrt(1.0 + h1(u) * h1(u));
+    return {u - R * h1(u) / L, h(u) + R / L};
+  }
+  // dc/du = (1 - R kappa) (1, h'), kappa = h'' / L^3
+  double stretch(double u) const {
+    const double L2 = 1.0 + h1(u) * h1(u);
+    return 1.0 - R * h2(u) / (L2 * std::sqrt(L2));
+  }
+  // Speed s' of the centre along its way; s'' = -g sin(a) / inertia - mu sign(s') (g cos(a) + kappa_c s'^2).
+  Eigen::Vector2d rate(const Eigen::Vector2d& state) const {
+    const double u = state[0], v = state[1], L = std::sqrt(1.0 + h1(u) * h1(u)), one = stretch(u);
+    const double kappa = h2(u) / (L * L * L) / one;
+    const double push = mu * std::max(0.0, kEarth / L + kappa * v * v) * (v > 0.0 ? 1.0 : -1.0);
+    return {v / (L * one), -kEarth * h1(u) / L / inertia - (mu > 0.0 ? push : 0.0)};
+  }
+  Eigen::Vector2d after(double u, double v, double time, bool stops = false) const {
+    Eigen::Vector2d y(u, v);
+    const int steps = 20000;
+    const double dt = time / steps;
+    for (int i = 0; i < steps; ++i) {
+      const Eigen::Vector2d k1 = rate(y), k2 = rate(y + 0.5 * dt * k1), k3 = rate(y + 0.5 * dt * k2),
+                            k4 = rate(y + dt * k3);
+      const Eigen::Vector2d next = y + dt / 6.0 * (k1 + 2 * k2 + 2 * k3 + k4);
+      if (stops && next[1] <= 0.0) return y;
+      y = next;
+    }
+    return y;
+  }
+};
+
+Profile profile_of(std::function<double(double)> h, std::function<double(double)> h1,
+                   std::function<double(double)> h2) {
+  return {std::move(h), std::move(h1), std::move(h2)};
+}
+
+// A round body on the profile at u with the speed v of its centre, at the depth at which it stands still on a level.
+struct Rolling {
+  Rolling(const Profile& profile, std::shared_ptr<const Terrain> terrain, double u, double v, bool wheel,
+          double friction = 0.6)
+      : model({0.0, 0.0, -kEarth}) {
+    const double R = profile.R, m = 2.0, I = (profile.inertia - 1.0) * m * R * R;
+    const double slope = profile.h1(u), L = std::sqrt(1.0 + slope * slope);
+    BodyState state;
+    const double sunk = std::pow(m * kEarth / L / hard(0.0).stiffness, 2.0 / 3.0);
+    const Eigen::Vector2d c = profile.centre(u) - sunk * Eigen::Vector2d(-slope, 1.0) / L;
+    state.r = {c.x(), 0.0, c.y()};
+    state.dr = v * Eigen::Vector3d(1.0, 0.0, slope) / L;
+    if (R > 0.0) state.w = {0.0, v / R, 0.0};
+    const double i = std::max(I, 1e-3);
+    model.add_body(Body("round", m, Eigen::Vector3d(i, i, i).asDiagonal()), state);
+    std::vector<ContactPoint> points;
+    std::vector<ContactRim> rims;
+    if (wheel) {
+      Eigen::Matrix3d axes;
+      axes << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // z along -y
+      rims.push_back({body_marker(0, model.body(0), Eigen::Vector3d::Zero(), axes), R});
+    } else {
+      points.push_back({body_marker(0, model.body(0), Eigen::Vector3d::Zero()), R});
+    }
+    model.add_force(std::make_unique<TerrainContact>("ground", points, hard(friction), std::move(terrain), rims));
+  }
+  Model model;
+};
+
+// Where the integration along the way has it.
+void expect_on_its_way(const Profile& profile, std::shared_ptr<const Terrain> terrain, double u, double v, double time,
+                       bool wheel) {
+  Rolling body(profile, std::move(terrain), u, v, wheel);
+  test::Run run(body.model, "one_step", test::precise(1e-9));
+  for (int k = 1; k <= 4; ++k) {
+    run.to(0.25 * k * time);
+    const Eigen::Vector2d y = profile.after(u, v, 0.25 * k * time);
+    const Eigen::Vector2d c = profile.centre(y[0]);
+    const double way = std::abs(c.x() - profile.centre(u).x()) + 0.1;
+    EXPECT_NEAR(run.body(0).r.x(), c.x(), 1e-4 * way) << k;
+    EXPECT_NEAR(run.body(0).r.z(), c.y(), 1e-4 * way) << k;  // it sinks in by some 1e-5 m
+    EXPECT_NEAR(run.body(0).dr.norm(), std::abs(y[1]), 1e-4 * (std::abs(y[1]) + 1.0)) << k;
+    EXPECT_LT(std::abs(run.body(0).r.y()), 1e-9);
+  }
+}
+
+TEST(TerrainContact, BallAndWheelRollDownATiltedPlane) {
+  // Closed form: (5/7) g sin(a) t^2 / 2 of a ball, (2/3) of a disc; the integration is that.
+  TerrainParts parts;
+  parts.slope = {-0.3, 0.0};
+  for (const bool wheel : {false, true}) {
+    Profile plane =
+        profile_of([](double u) { return -0.3 * u; }, [](double) { return -0.3; }, [](double) { return 0.0; });
+    plane.R = 0.2;
+    plane.inertia = wheel ? 1.5 : 1.4;
+    const double a = kEarth * 0.3 / std::sqrt(1.09) / plane.inertia;
+    EXPECT_NEAR(plane.after(0.0, 0.0, 1.0)[1], a, 1e-9);
+    expect_on_its_way(plane, terrain_of(parts), 0.0, 0.0, 1.0, wheel);
+  }
+}
+
+TEST(TerrainContact, BallAndWheelRollInAParaboloidMap) {
+  TerrainParts parts;
+  parts.map = map_of(81, 81, 0.1, [](double x, double y) { return 0.2 * (x * x + y * y); });
+  for (const bool wheel : {false, true}) {
+    Profile bowl =
+        profile_of([](double u) { return 0.2 * u * u; }, [](double u) { return 0.4 * u; }, [](double) { return 0.4; });
+    bowl.R = 0.25;
+    bowl.inertia = wheel ? 1.5 : 1.4;
+    expect_on_its_way(bowl, terrain_of(parts), 1.2, 0.0, 3.0, wheel);
+  }
+}
+
+TEST(TerrainContact, BallAndWheelRollOverASineMap) {
+  // Samples 1/40 of the wave apart: the spline errs by (k step)^4 / 384 = 2e-6 of the height.
+  TerrainParts parts;
+  const double k = 2.0 * kPi / 2.0, A = 0.08;
+  parts.map = map_of(241, 21, 0.05, [=](double x, double) { return A * std::sin(k * x); });
+  for (const bool wheel : {false, true}) {
+    Profile sine =
+        profile_of([=](double u) { return A * std::sin(k * u); }, [=](double u) { return A * k * std::cos(k * u); },
+                   [=](double u) { return -A * k * k * std::sin(k * u); });
+    sine.R = 0.3;
+    sine.inertia = wheel ? 1.5 : 1.4;
+    expect_on_its_way(sine, terrain_of(parts), -4.0, 2.0, 3.0, wheel);
+  }
+}
+
+TEST(TerrainContact, BlockStopsWhereItsEnergySays) {
+  // A point that slides over a hollow and up again, pressed on by the curvature of its way, with friction 0.3; it stays.
+  TerrainParts parts;
+  parts.map = map_of(161, 21, 0.05, [](double x, double) { return 0.04 * x * x; });
+  Profile hollow =
+      profile_of([](double u) { return 0.04 * u * u; }, [](double u) { return 0.08 * u; }, [](double) { return 0.08; });
+  hollow.mu = 0.3;
+  const Eigen::Vector2d stop = hollow.after(-1.5, 4.0, 3.0, true);
+  Rolling block(hollow, terrain_of(parts), -1.5, 4.0, false, 0.3);
+  test::Run run(block.model, "one_step", test::precise(1e-9));
+  run.to(2.5);
+  EXPECT_NEAR(run.body(0).r.x(), stop[0],
+              1e-4 * (stop[0] + 1.5) + 1e-3 * 4e-3);  // friction is 0.5 % less in the last mm/s
+  const double there = run.body(0).r.x();
+  run.to(6.0);
+  EXPECT_NEAR(run.body(0).r.x(), there, 1e-6);
+  EXPECT_LT(std::abs(run.imbalance()), 1e-5 * run.start_energy());
+}
+
+TEST(TerrainContact, WheelRollsOverAStep) {
+  // A rise by 0.12 m whose foot and head are arcs larger and smaller than the wheel's radius: the way of the centre is smooth.
+  TerrainParts parts;
+  const double H = 0.12, w = 0.25;
+  const auto h = [=](double u) { return 0.5 * H * std::erf(u / w); };
+  const auto h1 = [=](double u) { return H / (w * std::sqrt(kPi)) * std::exp(-u * u / (w * w)); };
+  const auto h2 = [=](double u) { return -2.0 * u / (w * w) * h1(u); };
+  parts.map = map_of(401, 21, 0.01, [=](double x, double) { return h(x); });
+  Profile step = profile_of(h, h1, h2);
+  step.R = 0.2;
+  step.inertia = 1.5;
+  expect_on_its_way(step, terrain_of(parts), -0.8, 1.6, 1.2, true);
+}
+
+TEST(TerrainContact, OnASlopeAloneItMovesAsOnTheTiltedPlane) {
+  // Corners, a ball and round edges in one body that tumbles and slides; the terrain has a slope and nothing else.
+  constexpr double kSlope = 0.35;
+  Model models[2] = {Model({0.0, 0.0, -kEarth}), Model({0.0, 0.0, -kEarth})};
+  TerrainParts parts;
+  parts.slope = {-kSlope, 0.1};
+  parts.origin = {0.2, 0.1, 0.05};
+  ContactLaw law = hard(0.5);
+  law.stiffness = 1e6;
+  for (int i = 0; i < 2; ++i) {
+    BodyState state;
+    state.r = {0.0, 0.0, 0.5};
+    state.dr = {0.6, 0.2, -0.5};
+    state.w = {1.0, 2.0, 0.5};
+    models[i].add_body(Body("block", 2.0, Eigen::Vector3d(0.02, 0.03, 0.04).asDiagonal()), state);
+    std::vector<ContactPoint> points;
+    for (const double x : {-0.15, 0.15})
+      for (const double y : {-0.1, 0.1})
+        for (const double z : {-0.08, 0.08}) points.push_back({body_marker(0, models[i].body(0), {x, y, z}), 0.0});
+    points.push_back({body_marker(0, models[i].body(0), {0.05, 0.0, -0.1}), 0.12});
+    if (i == 0) {
+      models[i].add_force(std::make_unique<TerrainContact>("ground", points, law, terrain_of(parts)));
+    } else {
+      RigidPlane::Parameters plane;
+      static_cast<ContactLaw&>(plane) = law;
+      plane.point = parts.origin;
+      plane.normal = Eigen::Vector3d(-parts.slope.x(), -parts.slope.y(), 1.0);
+      models[i].add_force(std::make_unique<RigidPlane>("ground", points, plane));
+    }
+  }
+  IntegratorOptions options = test::tight(1e-11);
+  options.error_control = false;
+  options.max_step = 5e-5;
+  test::Run uneven(models[0], "one_step", options), flat(models[1], "one_step", options);
+  for (int k = 1; k <= 8; ++k) {
+    uneven.to(0.03 * k);
+    flat.to(0.03 * k);
+    EXPECT_LT((uneven.body(0).r - flat.body(0).r).norm(), 1e-9) << k;
+    EXPECT_LT((uneven.body(0).w - flat.body(0).w).norm(), 1e-6) << k;
+  }
+}
+
+TEST(TerrainContact, DerivativesAreExact) {
+  // Points, balls, edges that stand and lie, and rocks, with slip, springs and spin; a flexible body as well.
+  test::Random random(17);
+  Model model({0.3, 0.2, -9.0});
+  TerrainParts parts = hills();
+  parts.rocks = {{{0.2, 0.4}, 0.8, 0.5}};
+  const auto ground = terrain_of(parts);
+  ContactLaw law;
+  law.stiffness = 90.0;
+  law.damping = 0.4;
+  law.friction = 0.3;
+  law.slip_speed = 0.2;
+  law.stick_time = 0.5;
+  for (int i = 0; i < 4; ++i) {
+    const std::string name = "body_" + std::to_string(i);
+    const Body body =
+        i == 3 ? Body(name, test::hand_made_body(random, 4, 2, 500.0, 0.05)) : test::random_rigid_body(random, name);
+    BodyState state = test::random_state(random, body);
+    const double x = random.number(-1.5, 1.5), y = random.number(-1.5, 1.5);
+    state.r = {x, y, ground->at(x, y).h + (i == 1 || i == 2 ? 0.35 : -0.1)};
+    state.a *= 0.3;
+    if (i == 1 || i == 2) {  // an edge that stands up, and one that lies
+      state.L = quaternion_about(Eigen::Vector3d::UnitX(), i == 1 ? 1.3 : 0.1);
+      model.add_body(body, state);
+      const ContactRim rim{body_marker(i, body, {0.0, 0.0, i == 1 ? 0.05 : -0.4}), i == 1 ? 0.5 : 0.4};
+      model.add_force(std::make_unique<TerrainContact>(name + "_edge", std::vector<ContactPoint>{}, law, ground,
+                                                       std::vector<ContactRim>{rim}));
+      continue;
+    }
+    model.add_body(body, state);
+    std::vector<ContactPoint> points;
+    for (int k = 0; k < 3; ++k) points.push_back({test::random_marker(random, model, i), 0.0});
+    points.push_back({body_marker(i, body, {0.0, 0.0, 0.1}), 0.25});
+    model.add_force(std::make_unique<TerrainContact>(name + "_points", points, law, ground));
+  }
+  const Assembly given = test::as_given(model);
+  Equations equations(model, given);
+  const Layout& layout = equations.layout();
+  Eigen::VectorXd y(layout.size());
+  equations.pack(given.state, random.vector_x(layout.row_count), y);
+  y.segment(layout.z0(), layout.z_size) = random.vector_x(layout.z_size, 0.05);
+  const Eigen::VectorXd ydot = random.vector_x(layout.size(), 3.0);
+  std::string where;
+  Inputs inputs;
+  inputs.values = Eigen::VectorXd::Zero(4);
+  EXPECT_LT(test::jacobian_error(equations, y, ydot, 20.0, inputs, &where), 1e-7) << where;
+}
+
+TEST(TerrainContact, EnergyIsKeptOverRocks) {
+  // A wheel and a ball without damping or friction hop among hills and rocks: what they have stays.
+  TerrainParts parts = hills();
+  parts.rocks = {{{0.8, 0.1}, 0.3, 0.6}, {{1.6, -0.2}, 0.25, 0.4}};
+  Model model({0.0, 0.0, -kEarth});
+  ContactLaw law;
+  law.stiffness = 1e6;
+  law.friction = 0.0;
+  const auto ground = terrain_of(parts);
+  for (int i = 0; i < 2; ++i) {
+    BodyState state;
+    state.r = {-0.4, 0.1 + 0.3 * i, 1.2};
+    state.dr = {1.0, -0.2, 0.0};
+    state.w = {0.2, 3.0, 0.1};
+    model.add_body(Body("body_" + std::to_string(i), 2.0, Eigen::Vector3d(0.02, 0.03, 0.025).asDiagonal()), state);
+    Eigen::Matrix3d axes;
+    axes << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    const Marker centre = body_marker(i, model.body(i), Eigen::Vector3d::Zero(), axes);
+    std::vector<ContactPoint> points;
+    std::vector<ContactRim> rims;
+    if (i == 0)
+      points.push_back({centre, 0.2});
+    else
+      rims.push_back({centre, 0.2});
+    model.add_force(std::make_unique<TerrainContact>("ground_" + std::to_string(i), points, law, ground, rims));
+  }
+  test::Run run(model, "one_step", test::precise(1e-8));
+  run.to(2.0);
+  EXPECT_LT(std::abs(run.imbalance()), 1e-5 * run.start_energy());
+}
+
+// ---- soil ----
+
+TEST(SoilOnTerrain, SlopeAloneIsTheTiltedPlane) {
+  TerrainParts parts;
+  parts.slope = {-0.2, 0.1};
+  parts.origin = {0.1, 0.0, 0.05};
+  Model models[2] = {Model({0.0, 0.0, -kEarth}), Model({0.0, 0.0, -kEarth})};
+  RftParameters sand;
+  sand.density = 1600.0;
+  sand.friction = 0.5;
+  sand.resistance = 8e5;
+  sand.rebound = 1e-3;
+  for (int i = 0; i < 2; ++i) {
+    BodyState state;
+    state.r = {0.0, 0.0, 0.3};
+    state.dr = {0.4, 0.1, -1.0};
+    state.w = {0.3, -0.5, 0.2};
+    models[i].add_body(Body("plate", 20.0, Eigen::Matrix3d::Identity()), state);
+    std::vector<SoilFacet> facets;
+    for (const double x : {-0.1, 0.1}) {
+      for (const double y : {-0.1, 0.1}) {
+        SoilFacet facet;
+        facet.marker = body_marker(0, models[i].body(0), {x, y, -0.05});
+        facet.normal = -Eigen::Vector3d::UnitZ();
+        facet.area = 0.01;
+        facet.start = state.r + Eigen::Vector3d(x, y, -0.05);
+        facets.push_back(facet);
+      }
+    }
+    SoilContact::Place place;
+    place.point = parts.origin;
+    place.normal = {-parts.slope.x(), -parts.slope.y(), 1.0};
+    if (i == 0) place.terrain = terrain_of(parts);
+    models[i].add_force(std::make_unique<SoilContact>("soil", facets, false, place, make_rft(sand, ""),
+                                                      std::make_shared<SoilGround>(0.1), true));
+  }
+  test::Run uneven(models[0]), flat(models[1]);
+  for (int k = 1; k <= 8; ++k) {
+    uneven.to(0.05 * k, 10);
+    flat.to(0.05 * k, 10);
+    // Prints are found by x and y of W instead of the plane's, which no facet here needs.
+    EXPECT_LT((uneven.body(0).r - flat.body(0).r).norm(), 1e-8) << k;
+    EXPECT_LT((uneven.body(0).w - flat.body(0).w).norm(), 1e-6) << k;
+  }
+  EXPECT_LT(flat.body(0).r.z(), 0.2);
+}
+
+}  // namespace
+}  // namespace footfall
