@@ -124,7 +124,7 @@ TEST_F(Pictures, InThePageOfARun) {
     if (name == "motion" || name.rfind("bodies", 0) == 0 || name.rfind("grains_", 0) == 0) fs::remove_all(entry.path());
   }
   const std::string said = folder.done("view plate").text;
-  EXPECT_TRUE(holds(said, "particles.variables.frames") && holds(said, "output.vtk")) << said;
+  EXPECT_TRUE(holds(said, "particles.box.frame_interval") && holds(said, "output.vtk")) << said;
   folder.refused("view .", "E0506");
   std::string last;
   for (const auto& entry : fs::directory_iterator(folder.file("plane")))

@@ -119,7 +119,8 @@ void for_each_table(Visit visit) {
   visit(kTime), visit(kBodyEntries), visit(kAttitudeEntries), visit(kFlexible), visit(kContact), visit(kModalForce),
       visit(kAngle), visit(kDisplacement), visit(kDisplacementX), visit(kDisplacementY), visit(kReaction),
       visit(kDriveTorque), visit(kDriveForce), visit(kDrivePower), visit(kGearTorque), visit(kGearForce), visit(kStrut),
-      visit(kControllerOutput), visit(kSignal), visit(kState), visit(kStateSince), visit(kLanding), visit(kClearance);
+      visit(kCable), visit(kControllerOutput), visit(kSignal), visit(kState), visit(kStateSince), visit(kLanding),
+      visit(kClearance);
   visit(kStored), visit(kEnergyTotal);
   visit(kDissipated), visit(kWork), visit(kSupplied), visit(kCoupling), visit(kChosenWindows), visit(kOmegaH);
 }

@@ -19,8 +19,8 @@
 namespace footfall {
 namespace {
 
-constexpr double kEarth = 9.81;  // [m/s2]
-const Eigen::Vector3d kEarthsPull(0.0, 0.0, -kEarth);
+constexpr double kEarthGravity = 9.81;  // [m/s2]
+const Eigen::Vector3d kEarthsPull(0.0, 0.0, -kEarthGravity);
 
 CableGuide cable_point(const Model& model, int body, const Eigen::Vector3d& p_W) {
   return {model.marker_at(body, p_W), 0.0, 0.0};
@@ -143,7 +143,8 @@ INSTANTIATE_TEST_SUITE_P(OfBothStiffnesses, ObliqueCable,
 // With these tensions at the start nothing oscillates.
 TEST(Atwood, WithAHeavyPulleyHasTheAccelerationOfTheClosedForm) {
   const double m_1 = 3.0, m_2 = 2.0, J = 0.02, R = 0.1, k = 2e4;
-  const double a = (m_1 - m_2) * kEarth / (m_1 + m_2 + J / (R * R)), T_1 = m_1 * (kEarth - a), T_2 = m_2 * (kEarth + a);
+  const double a = (m_1 - m_2) * kEarthGravity / (m_1 + m_2 + J / (R * R)), T_1 = m_1 * (kEarthGravity - a),
+               T_2 = m_2 * (kEarthGravity + a);
   Model model(kEarthsPull);
   const int pulley = add_mass(model, "pulley", 4.0, {0.0, 0.0, 3.0}, Eigen::Vector3d::Zero(), J);
   const int first = add_mass(model, "first", m_1, {R, 0.0, 1.0}),
@@ -249,7 +250,7 @@ TEST(Hoist, OfASwingingLoadIsThatOfItsTwoEquations) {
     const double speed = -e.dot(Eigen::Vector2d(at[2], at[3])) + R * w;  // of the stretch
     const double toe = 1e-4 * length;
     const double F = stretch > 0.0 ? std::max(0.0, k * stretch + c * speed * std::min(1.0, stretch / toe)) : 0.0;
-    return std::array<double, 4>{at[2], at[3], F * e.x() / m, F * e.y() / m - kEarth};
+    return std::array<double, 4>{at[2], at[3], F * e.x() / m, F * e.y() / m - kEarthGravity};
   };
   const int steps = 60000;
   const double h = t_end / steps;
@@ -297,14 +298,14 @@ TEST(SlackCable, SnapsWithoutGainingEnergy) {
       flying = !(sample.stretch > 0.0);
       largest = std::max(largest, sample.force);
       const double now = run.energy().stored.total();
-      EXPECT_LT(now, energy + 1e-5 * m * kEarth * h) << c << ' ' << i;  // tolerance of the integrator
+      EXPECT_LT(now, energy + 1e-5 * m * kEarthGravity * h) << c << ' ' << i;  // tolerance of the integrator
       energy = now;
     }
-    EXPECT_NEAR(run.imbalance(), 0.0, 1e-4 * m * kEarth * h) << c;
+    EXPECT_NEAR(run.imbalance(), 0.0, 1e-4 * m * kEarthGravity * h) << c;
     if (c > 0.0) continue;
     EXPECT_GE(flights, 2);
-    EXPECT_NEAR(energy, start, 1e-5 * m * kEarth * h);
-    const double weight = m * kEarth, peak = weight + std::sqrt(weight * weight + 2.0 * k * weight * h);
+    EXPECT_NEAR(energy, start, 1e-5 * m * kEarthGravity * h);
+    const double weight = m * kEarthGravity, peak = weight + std::sqrt(weight * weight + 2.0 * k * weight * h);
     EXPECT_NEAR(largest, peak, 1e-3 * peak);  // the largest of samples every millisecond
   }
 }

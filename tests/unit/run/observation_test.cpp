@@ -109,6 +109,14 @@ gears = [{ name = "mesh", joints = ["axle", "guide"], factors = [1, -2] },
                     {"<gear>", "<joint>"});
 }
 
+std::vector<Column> columns_of_a_cable() {
+  return columns_of(R"(end_time = 1.0
+bodies = [{ name = "load", mass = 1, inertia = [1, 1, 1], position = [0, 0, -1] }]
+cables = [{ name = "rope", stiffness = 1e3, path = [{ body = "ground", point = [0, 0, 0] }, { body = "load", point = [0, 0, -1] }] }]
+)",
+                    {"<cable>"});
+}
+
 // A plate that lands on three points of itself.
 std::vector<Column> columns_of_a_landing() {
   return columns_of(R"(end_time = 1.0
@@ -146,6 +154,7 @@ TEST_F(HistoryColumns, OfASceneWithEverythingAreTheWholeRegistry) {
   }
   for (const Column& column : columns) seen[column.pattern] = column.unit;
   for (const Column& column : columns_of_more_joints()) seen[column.pattern] = column.unit;
+  for (const Column& column : columns_of_a_cable()) seen[column.pattern] = column.unit;
   for (const Column& column : columns_of_a_landing()) seen[column.pattern] = column.unit;
   bench.scene.output.modal_forces = true;
   for (const Column& column : history_columns(bench.subject(), flexible, joints)) seen[column.pattern] = column.unit;
