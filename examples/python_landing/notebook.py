@@ -5,7 +5,7 @@ import numpy as np
 import footfall as ff
 
 scene = ff.Scene("lander.toml")
-print(len(scene.bodies), "bodies;", f"the cabin has {scene.bodies.cabin.mass:.0f} kg")
+print(len(scene.bodies), "bodies;", f"the cabin has {scene.bodies['cabin'].mass:.0f} kg")
 print([str(finding) for finding in scene.check()])
 
 # %% One landing, step by step
