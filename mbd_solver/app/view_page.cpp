@@ -465,11 +465,10 @@ void add_surroundings(const Json& scene, PageParts& parts) {
                       {"normal", plane.value("normal", std::vector<double>{0, 0, 1})}});
   };
   const Json ground = scene.value("ground", Json::object());
-  if (parts.run.contains("terrain")) {
-    // it is drawn instead
-  } else if (ground.value("kind", "") == "plane")
-    add(ground.value("plane", Json::object()));
-  if (ground.value("kind", "") == "soil") add(ground.value("law", Json::object()));
+  if (!parts.run.contains("terrain")) {  // else this is drawn instead
+    if (ground.value("kind", "") == "plane") add(ground.value("plane", Json::object()));
+    if (ground.value("kind", "") == "soil") add(ground.value("law", Json::object()));
+  }
   for (const Json& contact : scene.value("contacts", Json::array()))
     if (const Json between = contact.value("between", Json::array()); between.size() == 2 && between[1] == kPlaneWord)
       add(contact);
