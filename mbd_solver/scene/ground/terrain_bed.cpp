@@ -117,6 +117,7 @@ void resolve_terrain_bed(Scene& scene, Findings& findings) {
     scene.bodies.push_back(std::move(body));
     JointSpec joint;
     joint.source = scene.ground.source;
+    joint.source.lines["point"] = scene.ground.source.line_of("terrain");
     joint.name = name + "_in_the_ground";
     joint.type = JointType::kFixed;
     joint.bodies = {"ground", name};
