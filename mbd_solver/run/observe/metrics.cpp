@@ -1,8 +1,6 @@
 // Metrics are updated at every sample and stored with a checkpoint. Warnings are given once per body, joint and cause.
 
 #include "mbd_solver/run/observe/metrics.h"
-#include "mbd_solver/model/elements/soil_contact.h"
-#include "mbd_solver/model/elements/terrain_contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +8,13 @@
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/elements/soil_contact.h"
+#include "mbd_solver/model/elements/terrain_contact.h"
 #include "mbd_solver/model/modal_body.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/observe/landing.h"
+#include "mbd_solver/scene/resolve.h"
 
 namespace footfall {
 
@@ -241,6 +242,21 @@ double MetricRecorder::depth(const Sample& sample) const {
     for (const int force : mechanism.soils)
       deepest = std::max(deepest, static_cast<const SoilContact&>(mechanism.model.force(force))
                                       .largest_depth(element_input(subject_, sample, force)));
+    return deepest;
+  }
+  if (mechanism.terrain) {  // grains: points of what does not belong to the ground, by the height over its tangent
+    double deepest = 0.0;
+    for (const BodyBoundary& entry : mechanism.boundaries) {
+      const BodyKinematics& body = sample.kinematics.of(entry.body);
+      if (stands_still(subject_.scene, mechanism.model.body(entry.body).name())) continue;
+      for (const ContactPoint& point : entry.points) {
+        Eigen::Vector3d s = point.marker.s0;
+        if (point.marker.S.cols() > 0) s += point.marker.S * body.a;
+        const Eigen::Vector3d p = body.r + body.A * s;
+        const Terrain::Height ground = mechanism.terrain->at(p.x(), p.y());
+        deepest = std::max(deepest, point.radius + (ground.h - p.z()) / std::sqrt(1.0 + ground.slope.squaredNorm()));
+      }
+    }
     return deepest;
   }
   double lowest = std::numeric_limits<double>::infinity();
