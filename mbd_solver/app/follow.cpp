@@ -101,7 +101,7 @@ RunProgress progress_of_run(const std::string& run) {
   }
   if (is_in_progress(folder)) return progress;
   progress.state = RunProgress::State::kGone;
-  if (!ended) return progress;
+  if (!fs::exists(folder / "summary.json")) return progress;  // looked for again: it may have been written since
   const nlohmann::ordered_json summary = read_summary((folder / "summary.json").string());
   return with_summary_of(run, [&] {
     progress.state = state_of(summary.value("status", ""));
