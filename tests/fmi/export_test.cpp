@@ -10,12 +10,12 @@
 #include <pugixml.hpp>
 #include <set>
 
-#include "mbd_solver/base/helper_process.h"
 #include "mbd_solver/fmi/export/fmu_command.h"
 #include "mbd_solver/fmi/fmi3_interface.h"
 #include "mbd_solver/fmi/fmu_file.h"
 #include "mbd_solver/fmi/fmu_instance.h"
 #include "tests/app/programs.h"
+#include "tests/fmi/asked_fmu.h"
 
 namespace footfall {
 namespace {
@@ -75,34 +75,18 @@ input = "-1e4 * signal.x - 1 * signal.v"
 )";
 
 // An FMU in its host, as a small master uses it.
-class Slave {
- public:
+struct Slave : test::AskedFmu {
   Slave(const std::string& file, const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
         const std::vector<std::string>& more = {})
-      : process_(line(file, inputs, outputs, more), 120.0) {}
-  std::vector<double> ask(char letter, const std::vector<double>& numbers, const std::string& bytes = "") {
-    const std::string answer = raw(letter, numbers, bytes);
-    if (answer[0] != 'V') throw std::runtime_error(answer);
-    std::vector<double> values((answer.size() - 1) / sizeof(double));
-    std::memcpy(values.data(), answer.data() + 1, values.size() * sizeof(double));
-    return values;
-  }
-  std::string raw(char letter, const std::vector<double>& numbers, const std::string& bytes = "") {
-    std::string question(1, letter);
-    question.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
-    return process_.ask(question + bytes);
-  }
-
- private:
-  static std::vector<std::string> line(const std::string& file, const std::vector<std::string>& inputs,
-                                       const std::vector<std::string>& outputs, const std::vector<std::string>& more) {
-    std::vector<std::string> all = {FMU_HOST, "run", file};
+      : AskedFmu(file, words(inputs, outputs, more), 120.0) {}
+  static std::vector<std::string> words(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
+                                        const std::vector<std::string>& more) {
+    std::vector<std::string> all;
     for (const std::string& name : inputs) all.insert(all.end(), {"--input", name});
     for (const std::string& name : outputs) all.insert(all.end(), {"--output", name});
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
-  HelperProcess process_;
 };
 
 std::string exported(const Folder& folder, const std::string& name, const std::string& scene) {

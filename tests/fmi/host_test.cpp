@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "mbd_solver/base/fmu_description.h"
-#include "mbd_solver/base/helper_process.h"
 #include "mbd_solver/fmi/fmu_file.h"
+#include "tests/fmi/asked_fmu.h"
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {
@@ -20,30 +20,9 @@ using testing::HasSubstr;
 
 const std::string kFmus = TEST_FMUS "/";
 
-class Asked {
- public:
+struct Asked : test::AskedFmu {
   Asked(const std::string& fmu, const std::vector<std::string>& words, double limit = 60.0)
-      : process_(line(fmu, words), limit) {}
-  std::vector<double> ask(char letter, const std::vector<double>& numbers, const std::string& bytes = "") {
-    const std::string answer = raw(letter, numbers, bytes);
-    if (answer[0] != 'V') throw std::runtime_error(answer);
-    std::vector<double> values((answer.size() - 1) / sizeof(double));
-    std::memcpy(values.data(), answer.data() + 1, values.size() * sizeof(double));
-    return values;
-  }
-  std::string raw(char letter, const std::vector<double>& numbers, const std::string& bytes = "") {
-    std::string question(1, letter);
-    question.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
-    return process_.ask(question + bytes);
-  }
-
- private:
-  static std::vector<std::string> line(const std::string& fmu, const std::vector<std::string>& words) {
-    std::vector<std::string> all = {FMU_HOST, "run", kFmus + fmu + ".fmu"};
-    all.insert(all.end(), words.begin(), words.end());
-    return all;
-  }
-  HelperProcess process_;
+      : AskedFmu(kFmus + fmu + ".fmu", words, limit) {}
 };
 
 struct HostFolder : TemporaryFolder {
