@@ -6,28 +6,17 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/model/elements/curved_contact.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 
 // One contact of a point.
-struct SurfaceContact::Contact {
+struct SurfaceContact::Contact : CurvedContact {
   int slot = 0;                                      // of the body A with the point
   KinematicVector p;                                 // of the point
-  double radius = 0.0;                               // R [m]
-  double overlap = 0.0;                              // delta [m]
-  double closing = 0.0;                              // delta' [m/s]
-  Eigen::Vector3d n = Eigen::Vector3d::Zero();       // in W
-  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();       // dn/dp as seen from B, in W [1/m]
   Eigen::Vector3d from_B = Eigen::Vector3d::Zero();  // p - r_B [m]
   Eigen::Vector3d apart = Eigen::Vector3d::Zero();   // p' - v_B(p) [m/s]
-  Eigen::Vector3d g = Eigen::Vector3d::Zero();       // [m/s]
-  Eigen::Vector3d spring = Eigen::Vector3d::Zero();  // xi / tau in W [m/s]
-  Eigen::Vector3d held = Eigen::Vector3d::Zero();    // P xi / tau [m/s]
-  Eigen::Vector3d u = Eigen::Vector3d::Zero();       // [m/s]
-  double inverse_speed = 0.0;                        // 1 / sqrt(u^2 + v_s^2)
-  ContactLaw::Normal normal;
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on A [N]
 };
 
 SurfaceContact::SurfaceContact(std::string name, int body_1, int body_2, std::vector<Side> sides, const ContactLaw& law)
@@ -89,11 +78,7 @@ void SurfaceContact::each_place(const ElementInput& in, Use use) const {
         at.g = at.apart - at.radius * (A.w - B.w).cross(at.n);
         at.closing = -at.n.dot(at.g);
         if (law_.stick_time > 0.0) at.spring = B.A * in.z.segment<3>(3 * here) / law_.stick_time;
-        at.held = at.spring - at.n.dot(at.spring) * at.n;
-        at.u = at.g + at.closing * at.n + at.held;
-        at.inverse_speed = 1.0 / std::sqrt(at.u.squaredNorm() + law_.slip_speed * law_.slip_speed);
-        at.normal = law_.normal_force(at.overlap, at.closing);
-        at.force = at.normal.force * (at.n - law_.friction * at.inverse_speed * at.u);
+        at.apply(law_);
         contacts_.push_back(at);
       }
       if (!contacts_.empty()) use(here, contacts_.data(), static_cast<int>(contacts_.size()));
@@ -140,24 +125,14 @@ bool SurfaceContact::add_derivatives(const ElementInput& in, ElementDerivatives&
 }
 
 void SurfaceContact::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
-  const double mu = law_.friction, tau = law_.stick_time, v_s = law_.slip_speed;
   each_place(in, [&](int, const Contact* contacts, int count) {
     const Eigen::Vector3d xi_rate = spring_rate(contacts, count);
     const BodyKinematics& B = *in.pair.body[1 - contacts->slot];
     for (int i = 0; i < count; ++i) {
       const Contact& at = contacts[i];
-      const double elastic = at.normal.elastic;
-      stored[Stored::kContact] += 0.4 * elastic * at.overlap;
-      power[Dissipation::kContact] += (at.normal.force - elastic) * at.closing;
-      power[Dissipation::kFriction] += mu * at.normal.force * at.inverse_speed * at.u.dot(at.g + at.closing * at.n);
-      if (tau == 0.0) continue;
-      // Stored mu f psi(P xi), f = k delta^1.5: its rate is not dissipated.
-      const double root = std::sqrt(at.held.squaredNorm() + v_s * v_s), psi = tau * (root - v_s);
       const Eigen::Vector3d n_rate = B.w.cross(at.n) + at.H * at.apart;
-      const Eigen::Vector3d rate = xi_rate + tau * (B.w.cross(at.spring) - at.n.dot(at.spring) * n_rate);
-      stored[Stored::kContact] += mu * elastic * psi;
-      power[Dissipation::kFriction] -=
-          mu * (elastic * at.held.dot(rate) / root + 1.5 * elastic / at.overlap * at.closing * psi);
+      const Eigen::Vector3d rate = xi_rate + law_.stick_time * (B.w.cross(at.spring) - at.n.dot(at.spring) * n_rate);
+      at.add_energy(law_, rate, stored, power);
     }
   });
 }
@@ -196,7 +171,7 @@ void SurfaceContact::add_derivatives(const ElementInput& in, const Contact& at, 
                                      ElementDerivatives& out) const {
   const BodyKinematics &A = *in.pair.body[at.slot], &B = *in.pair.body[1 - at.slot];
   const int n = in.pair.size(), a = in.pair.offset(at.slot), b = in.pair.offset(1 - at.slot);
-  const double mu = law_.friction, tau = law_.stick_time;
+  const double tau = law_.stick_time;
   const Eigen::Matrix3d unit = Eigen::Matrix3d::Identity(), P = unit - at.n * at.n.transpose();
   const Eigen::Vector3d turning = A.w - B.w;
   for (Eigen::Matrix3Xd* m : {&X_, &D_, &N_, &G_, &g_x_, &f_x_, &f_v_, &u_x_}) m->setZero(3, n);
@@ -216,18 +191,11 @@ void SurfaceContact::add_derivatives(const ElementInput& in, const Contact& at, 
   g_x_.noalias() -= (at.radius * skew(turning)).lazyProduct(N_);
 
   // The law.
-  const Eigen::Vector3d y = at.g + at.spring, direction = at.n - mu * at.inverse_speed * at.u;
+  const Eigen::Vector3d y = at.g + at.spring;
   u_x_.noalias() = P.lazyProduct(g_x_);
   u_x_.noalias() -= (at.n.dot(y) * unit + at.n * y.transpose()).lazyProduct(N_);
   if (!B.ground) u_x_.middleCols<3>(b + 3) -= P * skew(at.spring);
-  const double cube = at.inverse_speed * at.inverse_speed * at.inverse_speed;
-  const Eigen::Matrix3d by_u = (-mu * at.normal.force) * (at.inverse_speed * unit - cube * at.u * at.u.transpose());
-  const Eigen::Vector3d by_overlap = at.normal.by_overlap * direction, by_closing = at.normal.by_closing * direction;
-  f_x_.noalias() = by_u.lazyProduct(u_x_);
-  f_x_.noalias() -= (by_overlap * at.n.transpose()).lazyProduct(D_);
-  f_x_.noalias() -= (by_closing * at.n.transpose()).lazyProduct(g_x_);
-  f_x_.noalias() += (at.normal.force * unit - by_closing * at.g.transpose()).lazyProduct(N_);
-  const Eigen::Matrix3d by_g = by_u * P - by_closing * at.n.transpose();
+  const auto [by_u, by_g] = at.differentiate(law_, D_, N_, g_x_, u_x_, f_x_);
   f_v_.noalias() = by_g.lazyProduct(G_);
 
   // Q = G^T f; then the rotation of G with the bodies at fixed f.

@@ -9,6 +9,7 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/codes.h"
+#include "mbd_solver/model/elements/curved_contact.h"
 #include "mbd_solver/model/kinematic_vector.h"
 #include "mbd_solver/model/rotation.h"
 
@@ -23,21 +24,9 @@ constexpr double kTurnsFreely = 1e-9;  // curvature of the distance along an edg
 
 }  // namespace
 
-struct TerrainContact::Contact {
+struct TerrainContact::Contact : CurvedContact {
   const Marker* marker = nullptr;
   MovingPoint p;
-  double radius = 0.0;
-  double overlap = 0.0;  // delta [m]
-  double closing = 0.0;  // delta' [m/s]
-  Eigen::Vector3d n = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d g = Eigen::Vector3d::Zero();       // velocity of the contact [m/s]
-  Eigen::Vector3d spring = Eigen::Vector3d::Zero();  // xi / tau [m/s]
-  Eigen::Vector3d held = Eigen::Vector3d::Zero();    // P xi / tau [m/s]
-  Eigen::Vector3d u = Eigen::Vector3d::Zero();       // [m/s]
-  double inverse_speed = 0.0;                        // 1 / sqrt(u^2 + v_s^2)
-  ContactLaw::Normal normal;
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the body [N]
   bool wanders = false;
   // p moves along its edge by wander [dr; dtheta] as the body moves.
   Eigen::Matrix<double, 3, 6> wander = Eigen::Matrix<double, 3, 6>::Zero();
@@ -90,11 +79,7 @@ void TerrainContact::add_contact(const ElementInput& in, const Marker& marker, d
   at.g = at.p.rate() - radius * body.w.cross(at.n);
   at.closing = -at.n.dot(at.g);
   if (law_.stick_time > 0.0) at.spring = in.z.segment<3>(3 * place) / law_.stick_time;
-  at.held = at.spring - at.n.dot(at.spring) * at.n;
-  at.u = at.g + at.closing * at.n + at.held;
-  at.inverse_speed = 1.0 / std::sqrt(at.u.squaredNorm() + law_.slip_speed * law_.slip_speed);
-  at.normal = law_.normal_force(at.overlap, at.closing);
-  at.force = at.normal.force * (at.n - law_.friction * at.inverse_speed * at.u);
+  at.apply(law_);
   contacts_.push_back(at);
 }
 
@@ -293,7 +278,7 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
                                      ElementDerivatives& out) const {
   const BodyKinematics& body = *in.pair.body[0];
   const int n = in.pair.size();
-  const double mu = law_.friction, tau = law_.stick_time;
+  const double tau = law_.stick_time;
   const Eigen::Matrix3d unit = Eigen::Matrix3d::Identity(), P = unit - at.n * at.n.transpose(), turning = skew(body.w);
   for (Eigen::Matrix3Xd* m : {&X_, &D_, &N_, &G_, &g_x_, &f_x_, &f_v_, &u_x_}) m->setZero(3, n);
 
@@ -308,17 +293,10 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
   if (at.wanders) g_x_.leftCols<6>() += turning * at.wander;
   g_x_.noalias() -= (at.radius * turning).lazyProduct(N_);
 
-  const Eigen::Vector3d y = at.g + at.spring, direction = at.n - mu * at.inverse_speed * at.u;
+  const Eigen::Vector3d y = at.g + at.spring;
   u_x_.noalias() = P.lazyProduct(g_x_);
   u_x_.noalias() -= (at.n.dot(y) * unit + at.n * y.transpose()).lazyProduct(N_);
-  const double cube = at.inverse_speed * at.inverse_speed * at.inverse_speed;
-  const Eigen::Matrix3d by_u = (-mu * at.normal.force) * (at.inverse_speed * unit - cube * at.u * at.u.transpose());
-  const Eigen::Vector3d by_overlap = at.normal.by_overlap * direction, by_closing = at.normal.by_closing * direction;
-  f_x_.noalias() = by_u.lazyProduct(u_x_);
-  f_x_.noalias() -= (by_overlap * at.n.transpose()).lazyProduct(D_);
-  f_x_.noalias() -= (by_closing * at.n.transpose()).lazyProduct(g_x_);
-  f_x_.noalias() += (at.normal.force * unit - by_closing * at.g.transpose()).lazyProduct(N_);
-  const Eigen::Matrix3d by_g = by_u * P - by_closing * at.n.transpose();
+  const auto [by_u, by_g] = at.differentiate(law_, D_, N_, g_x_, u_x_, f_x_);
   f_v_.noalias() = by_g.lazyProduct(G_);
 
   out.dQ_dx.noalias() += G_.transpose().lazyProduct(f_x_);
@@ -342,25 +320,15 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
 }
 
 void TerrainContact::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
-  const double mu = law_.friction, tau = law_.stick_time, v_s = law_.slip_speed;
   const BodyKinematics& body = *in.pair.body[0];
   each_place(in, [&](int, const Contact* contacts, int count) {
     const Eigen::Vector3d xi_rate = spring_rate(contacts, count);
     for (int i = 0; i < count; ++i) {
       const Contact& at = contacts[i];
-      const double elastic = at.normal.elastic;
-      stored[Stored::kContact] += 0.4 * elastic * at.overlap;
-      power[Dissipation::kContact] += (at.normal.force - elastic) * at.closing;
-      power[Dissipation::kFriction] += mu * at.normal.force * at.inverse_speed * at.u.dot(at.g + at.closing * at.n);
-      if (tau == 0.0) continue;
-      // Stored mu f psi(P xi), f = k delta^1.5: its rate is not dissipated.
-      const double root = std::sqrt(at.held.squaredNorm() + v_s * v_s), psi = tau * (root - v_s);
       Eigen::Vector3d way = at.p.rate();
       if (at.wanders) way += at.wander.leftCols<3>() * body.dr + at.wander.rightCols<3>() * body.w;
-      const Eigen::Vector3d rate = xi_rate - tau * at.n.dot(at.spring) * (at.H * way);
-      stored[Stored::kContact] += mu * elastic * psi;
-      power[Dissipation::kFriction] -=
-          mu * (elastic * at.held.dot(rate) / root + 1.5 * elastic / at.overlap * at.closing * psi);
+      const Eigen::Vector3d rate = xi_rate - law_.stick_time * at.n.dot(at.spring) * (at.H * way);
+      at.add_energy(law_, rate, stored, power);
     }
   });
 }
