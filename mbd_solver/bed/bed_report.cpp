@@ -84,6 +84,24 @@ double solid_fraction(const std::vector<GrainPlace>& grains, const std::vector<d
 
 constexpr const char* kNotMade = "  the bed is not made yet; the first run makes it and stores it in the cache";
 
+// Largest time steps for errors of means below 5 % and 1 %, as shares of the Rayleigh time, half of them of the Hertz time: the
+// worst of six figures of pads on five samples of a bed, restitution 0.1, rolling friction cdt (docs/data/landing_errors.txt).
+constexpr double kStepForFivePercent = 0.11, kStepForOnePercent = 0.065;
+
+// `hertz`: infinite where no speed is known [s].
+std::string step_proposal(double rayleigh, double hertz) {
+  const double whole = std::min(rayleigh, 0.5 * hertz);
+  return "; largest for errors of means below 5 %: " + number_text(rounded_down(kStepForFivePercent * whole)) +
+         " s, below 1 %: " + number_text(rounded_down(kStepForOnePercent * whole)) + " s";
+}
+
+// ", mean speed 3e-05 m/s", where the file of the bed has speeds.
+std::string speed_text(const std::vector<GrainPlace>& grains) {
+  double sum = 0.0;
+  for (const GrainPlace& grain : grains) sum += grain.speed;
+  return sum < 0.0 ? "" : ", mean speed " + number_text(sum / static_cast<double>(grains.size()), 2) + " m/s";
+}
+
 std::string made_bed(const BoxSpec& box, const std::string& folder) {
   if (!bed_is_made(folder)) return std::string(kNotMade) + "\n";
   const std::vector<GrainPlace> grains = read_grains((fs::path(folder) / kBedGrains).string());
@@ -99,7 +117,7 @@ std::string made_bed(const BoxSpec& box, const std::string& folder) {
                      number_text(inner, 2) + " in its middle half";
   if (contacts.coordination > 0.0)
     text += ", " + number_text(contacts.coordination, 2) + " contacts per " + (box.clumps.empty() ? "grain" : "clump");
-  text += ", overlaps up to " + share_text(contacts.largest_overlap) + " of the radius\n";
+  text += ", overlaps up to " + share_text(contacts.largest_overlap) + " of the radius" + speed_text(grains) + "\n";
   if (contacts.largest_overlap > kLargeOverlap)
     text += "  warning: " +
             with_code(code::kBedOverlaps, "grains at rest overlap by more than " + share_text(kLargeOverlap) +
@@ -152,7 +170,8 @@ std::string box_report(const Scene& scene) {
           (box.periodic ? "periodic along x and y\n" : number_text(n.margin) + " m around the walls\n");
   if (!box.walls) text += "  the run has no floor and no walls of its own: bodies of the scene take their place\n";
   text += "  time step: " + number_text(n.time_step) + " s, " + share_text(n.time_step / n.rayleigh) +
-          " of the Rayleigh time, " + share_text(n.time_step / n.hertz) + " of the Hertz time; window: " +
+          " of the Rayleigh time, " + share_text(n.time_step / n.hertz) + " of the Hertz time" +
+          step_proposal(n.rayleigh, n.hertz) + "; window: " +
           (box.every ? std::to_string(*box.every) + " steps\n" : "chosen during the run\n");
   return text + ranks_text(n.grains, particles.ranks) + made_bed(box, bed_folder(*particles.bed));
 }
@@ -271,9 +290,12 @@ std::string step_text(const ScriptValues& values, double speed) {
   if (values.young && values.poisson && values.density > 0.0 && values.smallest > 0.0) {
     const ElasticGrain grain = {values.smallest, values.density, *values.young, *values.poisson};
     text += ", " + share_text(*values.step / rayleigh_time(grain)) + " of the Rayleigh time";
-    if (speed > 0.0)
-      text += ", " + share_text(*values.step / hertz_time(grain, speed)) + " of the Hertz time at " +
-              number_text(speed, 3) + " m/s";
+    double hertz = std::numeric_limits<double>::infinity();
+    if (speed > 0.0) {
+      hertz = hertz_time(grain, speed);
+      text += ", " + share_text(*values.step / hertz) + " of the Hertz time at " + number_text(speed, 3) + " m/s";
+    }
+    text += step_proposal(rayleigh_time(grain), hertz);
   }
   if (!values.every.empty() && values.every.front() != '$')
     text += "; window: " + (values.every == "auto" ? "chosen during the run" : values.every + " steps");
@@ -304,7 +326,7 @@ std::string script_report(const Scene& scene) {
         values.smallest = std::min(values.smallest, place.radius);
         values.largest = std::max(values.largest, place.radius);
       }
-      text += "\n  the bed is made: " + std::to_string(count_grains(places)) + " grains, " + short_path(folder);
+      text += "\n  the bed is made: " + std::to_string(count_grains(places)) + " grains" + speed_text(places) + ", " + short_path(folder);
       few = ranks_text(static_cast<double>(count_grains(places)), particles.ranks);
     }
   }

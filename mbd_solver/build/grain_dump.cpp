@@ -32,7 +32,7 @@ std::vector<GrainPlace> read_grains(const std::string& path) {
                                        " cannot be read; it is written with the bed (dump custom x y z radius)");
   std::vector<GrainPlace> grains;
   std::string line;
-  bool atoms = false, clumps = false;
+  bool atoms = false, clumps = false, speeds = false;
   int number = 0;
   while (std::getline(file, line)) {
     ++number;
@@ -40,6 +40,7 @@ std::vector<GrainPlace> read_grains(const std::string& path) {
       atoms = line.rfind("ITEM: ATOMS", 0) == 0;
       if (atoms) grains.clear();  // the last frame counts
       if (atoms) clumps = line.find(" radius mol") != std::string::npos;
+      if (atoms) speeds = line.find(clumps ? " mol vx vy vz" : " radius vx vy vz") != std::string::npos;
       continue;
     }
     if (!atoms) continue;
@@ -48,6 +49,9 @@ std::vector<GrainPlace> read_grains(const std::string& path) {
     GrainPlace grain;
     values >> grain.centre.x() >> grain.centre.y() >> grain.centre.z() >> grain.radius;
     if (clumps) values >> grain.clump;
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+    if (speeds) values >> velocity.x() >> velocity.y() >> velocity.z();
+    if (speeds) grain.speed = velocity.norm();
     if (!values) throw wrong_line(path, number, line, clumps ? "x y z radius mol" : "x y z radius");
     grain.clump = std::max(0, grain.clump);  // LIGGGHTS: -1 in none
     if (!grain.centre.allFinite() || !(grain.radius > 0.0) || !std::isfinite(grain.radius))

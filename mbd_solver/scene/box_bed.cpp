@@ -282,6 +282,8 @@ Variables bed_variables(const Scene& scene) {
   all["dt"] = number(step_for(box, pour_speed(scene)));
   all["pour_friction"] = number(dense ? kPourFriction : box.material.friction);
   all["pour_rolling"] = number(dense ? 0.0 : box.material.rolling_friction);
+  all["rest_friction"] = number(box.material.friction);
+  all["rest_rolling"] = number(box.material.rolling_friction);
   add_clumps(box, all);
   const std::optional<TerrainBed> bed = terrain_bed(scene);
   if (!bed) return all;
