@@ -171,8 +171,8 @@ std::string box_report(const Scene& scene) {
   if (!box.walls) text += "  the run has no floor and no walls of its own: bodies of the scene take their place\n";
   text += "  time step: " + number_text(n.time_step) + " s, " + share_text(n.time_step / n.rayleigh) +
           " of the Rayleigh time, " + share_text(n.time_step / n.hertz) + " of the Hertz time" +
-          step_proposal(n.rayleigh, n.hertz) + "; window: " +
-          (box.every ? std::to_string(*box.every) + " steps\n" : "chosen during the run\n");
+          step_proposal(n.rayleigh, n.hertz) +
+          "; window: " + (box.every ? std::to_string(*box.every) + " steps\n" : "chosen during the run\n");
   return text + ranks_text(n.grains, particles.ranks) + made_bed(box, bed_folder(*particles.bed));
 }
 
@@ -326,7 +326,8 @@ std::string script_report(const Scene& scene) {
         values.smallest = std::min(values.smallest, place.radius);
         values.largest = std::max(values.largest, place.radius);
       }
-      text += "\n  the bed is made: " + std::to_string(count_grains(places)) + " grains" + speed_text(places) + ", " + short_path(folder);
+      text += "\n  the bed is made: " + std::to_string(count_grains(places)) + " grains" + speed_text(places) + ", " +
+              short_path(folder);
       few = ranks_text(static_cast<double>(count_grains(places)), particles.ranks);
     }
   }

@@ -86,6 +86,8 @@ void CouplingWatch::Record::visit(Archive& archive) {
   archive("omega_h", omega_h);
   archive("largest_omega_h", largest_omega_h);
   archive("most_excess", most_excess);
+  archive("worst_omega_h", worst_omega_h);
+  archive("worst_n", worst_n);
   archive("warned_of_omega_h", warned_of_omega_h);
   archive("work", work);
   archive("touch", touch);
@@ -162,18 +164,21 @@ void CouplingWatch::observe(const Window& window, const Load& load, const std::v
 // became much larger.
 void CouplingWatch::watch_omega_h(Record& record, const Window& window, double stiffness, double mass) {
   record.omega_h = std::sqrt(std::max(0.0, stiffness) / mass) * window.H;
-  const double limit = omega_h_limit_.at(window.n), excess = record.omega_h / limit;
+  const double excess = record.omega_h / omega_h_limit_.at(window.n);
   record.largest_omega_h = std::max(record.largest_omega_h, record.omega_h);
   const bool much_larger = record.warned_of_omega_h && window.last && record.most_excess > kMuchLarger;
-  record.most_excess = std::max(record.most_excess, excess);
+  if (excess > record.most_excess) {
+    record.most_excess = excess;
+    record.worst_omega_h = record.omega_h;
+    record.worst_n = window.n;
+  }
   if (!much_larger && (record.warned_of_omega_h || excess <= 1.0)) return;
   record.warned_of_omega_h = true;
-  const double worst = much_larger ? record.largest_omega_h : record.omega_h;
   warn(with_code(code::kIntervalTooLong,
                  (much_larger ? "t = 0 to " + number(window.time) + " s: " : at(window.time)) + "body " + record.name +
-                     " has omega H = " + number(worst) + (much_larger ? " at most" : "") + ", above " + number(limit) +
-                     ": a coupling interval of " + steps(window.n) + " is too long for this contact stiffness; " +
-                     shorter(1.0 / std::max(record.most_excess, excess), window)));
+                     " has omega H = " + number(record.worst_omega_h) + (much_larger ? " at most" : "") + ", above " +
+                     number(omega_h_limit_.at(record.worst_n)) + ": a coupling interval of " + steps(record.worst_n) +
+                     " is too long for this contact stiffness; " + shorter(1.0 / record.most_excess, window)));
 }
 
 void CouplingWatch::watch_energy(const Window& window, const Load& load, const std::vector<Body>& bodies) {

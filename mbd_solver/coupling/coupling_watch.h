@@ -91,6 +91,8 @@ class CouplingWatch {
     std::string name;
     double omega_h = 0.0, largest_omega_h = 0.0;  // [-]
     double most_excess = 1.0;                     // largest omega H over its limit [-]
+    double worst_omega_h = 0.0;                   // in that window [-]
+    int worst_n = 1;                              // DEM steps of that window
     bool warned_of_omega_h = false;
     Work work;
     Touch touch;                                                // the present one

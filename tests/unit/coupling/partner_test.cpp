@@ -304,6 +304,7 @@ struct Told {
   double mean_contacts = 1.0;
   bool last = false;
   double gravity = 0.0, kinetic = 0.0;  // [J]
+  int n = 10;                           // DEM steps of kH / 10
 };
 
 // One body.
@@ -321,8 +322,9 @@ class Watched {
     load.bodies[0].max_overlap_over_radius = overlap;
     load.bodies[0].max_patch_over_facet = patch;
     load.bodies[0].grain_energy = grain_energy;
-    time_ += kH;
-    watch.observe({time_, kH, 10, told.last}, load,
+    const double H = kH * told.n / 10;
+    time_ += H;
+    watch.observe({time_, H, told.n, told.last}, load,
                   {{mass_, told.received, told.gravity, told.kinetic, told.pending, 0.0, force_error}});
   }
   // Whether a warning has the code, and the number if one is given.
@@ -476,6 +478,18 @@ TEST(CouplingWatch, AdvisesTheIntervalThatKeepsTheLimitOfOmegaH) {
   light.window({1.0});
   EXPECT_FALSE(heavy.warns(code::kIntervalTooLong));
   EXPECT_TRUE(light.warns(code::kIntervalTooLong, "`every 5`"));
+}
+
+// A run whose end cuts its last interval to one step: the message is about the intervals that were too long.
+TEST(CouplingWatch, SumsUpTheIntervalThatWasTooLong) {
+  Watched body(0.01);  // omega H = 1
+  body.window({1.0});
+  Told last{1.0};
+  last.n = 1;
+  last.last = true;
+  body.window(last);
+  EXPECT_TRUE(body.warns(code::kIntervalTooLong, " = 1 at most, above 0.5: a coupling interval of 10 DEM steps"));
+  EXPECT_FALSE(body.warns(code::kIntervalTooLong, " 1 DEM step "));
 }
 
 // No message advises more than one before it.
