@@ -37,9 +37,9 @@ void close_file(int& file) {
 }
 
 // In the child, before its program: nothing here allocates.
-[[noreturn]] void become(char** words, int in, int out, int errors, pid_t parent) {
+[[noreturn]] void become(char** words, int in, int out, int errors, pid_t parent, bool dies_with_thread) {
   setpgid(0, 0);  // an interrupt typed at a terminal is for this program
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (dies_with_thread) prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kNoSuchProgram);
   dup2(in, STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
@@ -56,7 +56,7 @@ void close_file(int& file) {
 
 }  // namespace
 
-HelperProcess::HelperProcess(const std::vector<std::string>& words, double limit) : limit_(limit) {
+HelperProcess::HelperProcess(const std::vector<std::string>& words, double limit, Dies dies) : limit_(limit) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -66,7 +66,7 @@ HelperProcess::HelperProcess(const std::vector<std::string>& words, double limit
   make_pipe(errors);
   const pid_t parent = getpid();
   child_ = fork();
-  if (child_ == 0) become(arguments.data(), in[0], out[1], errors[1], parent);
+  if (child_ == 0) become(arguments.data(), in[0], out[1], errors[1], parent, dies == Dies::kWithThread);
   close(in[0]);
   close(out[1]);
   close(errors[1]);

@@ -29,9 +29,11 @@ class NoAnswer : public std::runtime_error {
 
 class HelperProcess {
  public:
+  // When the kernel kills it: with the thread that made this object, for code that may not watch its input; or never: it ends by itself.
+  enum class Dies { kWithThread, kByItself };
   // words: program, by its path or to be found in PATH, and its arguments. limit: for one answer, by the wall clock [s].
   // Throws NoAnswer when the program cannot be started.
-  HelperProcess(const std::vector<std::string>& words, double limit);
+  HelperProcess(const std::vector<std::string>& words, double limit, Dies dies = Dies::kWithThread);
   ~HelperProcess();  // ends it and everything in its process group
   HelperProcess(const HelperProcess&) = delete;
   HelperProcess& operator=(const HelperProcess&) = delete;

@@ -102,12 +102,20 @@ void Leader::set(const std::string& words) {
       simulation_.set_input(simulation_.mechanism().signals[i].place, number_in(words.substr(space + 1)));
 }
 
-void Leader::observe(const Sample& sample) {
+double Leader::last_event(const Sample& sample) const {
+  const int place = simulation_.mechanism().state_since;
+  return place < 0 ? 0.0 : sample.values(place);
+}
+
+void Leader::observe(const Sample& sample, double energy_balance) {
   if (leaves_) return;
-  if (sample.state.time < target_ - simulation_.row_tolerance() && !sample.last && saved_.empty()) {
+  const bool event = early_ && last_event(sample) != event_;
+  if (sample.state.time < target_ - simulation_.row_tolerance() && !sample.last && saved_.empty() && !event) {
     observation_.watch(sample);
     return;
   }
+  early_ = false;
+  send("balance " + all_digits(energy_balance) + ' ' + all_digits(simulation_.integrator().statistics().summed_error));
   std::string row = "row";
   for (const double value : observation_.row(sample)) row += ' ' + all_digits(value);
   if (!saved_.empty()) send("saved " + saved_);
@@ -115,8 +123,11 @@ void Leader::observe(const Sample& sample) {
   send(row);
   for (std::string line; !leaves_;) {
     if (!receive(line)) line = "end";
-    if (line.rfind("step ", 0) == 0) {
-      target_ = number_in(line.substr(5));
+    const bool early = line.rfind("early ", 0) == 0;
+    if (early || line.rfind("step ", 0) == 0) {
+      early_ = early;
+      event_ = last_event(sample);
+      target_ = number_in(line.substr(line.find(' ') + 1));
       simulation_.stop_at(target_);
       return;
     }

@@ -6,10 +6,13 @@
 //   {"columns": [...], "units": [...],                (at the start)
 //    "signals": {NAME: VALUE}, "end_time": T}
 //   row VALUE...   all columns, at a time that        step T      go on to T [s]
-//                  was asked for, or at the end       set NAME V  a signal of kind "host" has this value from now on
-//   saved FOLDER   before the next row                save        a checkpoint, at the end of the next window
-//   done                                              end         end now, as after SIGINT; also when the socket closes
-// mbd_solver answers `step` and `save` with a row, and reads nothing else meanwhile.
+//                  was asked for, or at the end       early T     likewise, but at most to the next event that changes the state
+//   balance B E    before each row: the relative      set NAME V  a signal of kind "host" has this value from now on
+//                  error of the energy balance [-],   save        a checkpoint, at the end of the next window
+//                  the estimated error of all steps   end         now, as after SIGINT; also when the socket closes
+//   saved FOLDER   before the next row
+//   done
+// mbd_solver answers `step`, `early` and `save` with a row, and reads nothing else meanwhile.
 
 #include <memory>
 #include <string>
@@ -29,7 +32,8 @@ class Leader {
   Leader& operator=(const Leader&) = delete;
 
   // At every sample. Where the leading program waits for it: sends the row and does what it says, until it lets the run go on.
-  void observe(const Sample& sample);
+  // energy_balance: its relative error so far [-].
+  void observe(const Sample& sample, double energy_balance);
   void saved(const std::string& folder) { saved_ = folder; }
   void done();
 
@@ -38,6 +42,7 @@ class Leader {
   void send(const std::string& line);
   bool receive(std::string& line);  // false: the other side is gone, or the run is interrupted
   void set(const std::string& words);
+  double last_event(const Sample& sample) const;  // [s]; 0: the scene has no states
 
   Simulation& simulation_;
   Observation observation_;
@@ -45,6 +50,8 @@ class Leader {
   std::string received_;  // not read yet
   std::string saved_;     // folder of a checkpoint that was asked for and has not been told
   double target_ = 0.0;   // of the step [s]
+  bool early_ = false;    // an event ends the step
+  double event_ = 0.0;    // the last one before the step [s]
   bool leaves_ = false;   // no more answers are wanted
 };
 

@@ -182,7 +182,7 @@ class RunSession {
     body_warnings_.print(files_.observation().flexible().warnings());
     joint_warnings_.print(files_.observation().joints().warnings());
     time_warnings_.print(simulation_.time_warnings());
-    if (leader_) leader_->observe(sample);
+    if (leader_) leader_->observe(sample, metrics_.metrics().energy_balance_relative());
     trial_.observe(simulation_, sample.state.time);
     if (trial_.over() || interrupted_ != 0) trial_ends_ = 1;
   }

@@ -23,9 +23,10 @@ namespace {
 using namespace footfall;
 using Kind = ExportedVariable::Kind;
 
-constexpr double kTimeOfAnswer = 3600.0;  // for one step at most, by the wall clock [s]
+constexpr double kTimeOfAnswer = 3600.0;        // for one step at most, by the wall clock [s]
+constexpr double kTimeOfGrains = 30 * 86400.0;  // likewise with grains, whose programs watch each other; and for a bed
 
-// The path by which the program can be started: archives lose the right to execute.
+// The path by which a program can be started: archives lose the right to execute.
 std::string runnable(const std::string& program) {
   if (access(program.c_str(), X_OK) == 0) return program;
   if (chmod(program.c_str(), 0755) == 0 && access(program.c_str(), X_OK) == 0) return program;
@@ -63,8 +64,10 @@ class Instance {
     reset();
     start_program();
   }
+  ~Instance() { end_pair(); }
 
   void reset() {
+    end_pair();
     state_ = State();
     for (const ExportedVariable& v : variables_) {
       by_reference_[v.reference] = &v;
@@ -127,7 +130,10 @@ class Instance {
     make();
     phase_ = Phase::kStepping;
   }
-  void terminate() { phase_ = Phase::kTerminated; }
+  void terminate() {
+    phase_ = Phase::kTerminated;
+    end_pair();
+  }
 
   fmi3Status step(double from, double length, bool* terminate_simulation, bool* early, double* last) {
     require(Phase::kStepping, "fmi3DoStep");
@@ -196,8 +202,25 @@ class Instance {
   }
 
   void start_program() {
-    process_ = std::make_unique<HelperProcess>(
-        std::vector<std::string>{runnable(resources_ + "/footfall_fmu_model"), resources_}, kTimeOfAnswer);
+    const std::string programs = resources_ + "/bin/";
+    for (const char* name : {"footfall", "mbd_solver", "liggghts_mbd", "footfall_fmu_host"}) {
+      if (access((programs + name).c_str(), F_OK) != 0) continue;
+      grains_ = grains_ || std::strcmp(name, "liggghts_mbd") == 0;
+      if (access((programs + name).c_str(), X_OK) != 0 && chmod((programs + name).c_str(), 0755) != 0)
+        throw std::runtime_error(programs + name +
+                                 " may not be executed; unpack the FMU with your own rights, on a disk that allows it");
+    }
+    process_ =
+        std::make_unique<HelperProcess>(std::vector<std::string>{runnable(programs + "footfall_fmu_model"), resources_},
+                                        grains_ ? kTimeOfGrains : kTimeOfAnswer, HelperProcess::Dies::kByItself);
+  }
+
+  // In order: mbd_solver and LIGGGHTS have ended when this returns.
+  void end_pair() {
+    if (grains_ && process_) try {
+        process_->ask("T");
+      } catch (const NoAnswer&) {  // has ended already
+      }
   }
 
   std::string ask(const std::string& question) {
@@ -205,7 +228,8 @@ class Instance {
     try {
       answer = process_->ask(question);
     } catch (const NoAnswer& error) {
-      throw std::runtime_error(std::string("the program of the model (resources/footfall_fmu_model) ") + error.what());
+      throw std::runtime_error(std::string("the program of the model (resources/bin/footfall_fmu_model) ") +
+                               error.what());
     }
     if (answer.empty() || answer[0] == 'E') throw std::runtime_error(answer.empty() ? "no answer" : answer.substr(1));
     return answer;
@@ -265,7 +289,8 @@ class Instance {
   State state_;
   double duration_ = 0.0;  // of the importing program's simulation [s]; 0: unknown
   Phase phase_ = Phase::kInstantiated;
-  bool made_ = false;  // the simulation has the present parameters and inputs
+  bool made_ = false;    // the simulation has the present parameters and inputs
+  bool grains_ = false;  // the program leads a coupled pair
   std::unique_ptr<HelperProcess> process_;
 };
 

@@ -1,5 +1,5 @@
 // The scene runs once, to its start: its columns become outputs, its signals of kind "host" inputs, its numbers parameters. The archive
-// has the library, the program of the model, and the scene with the files that it names.
+// has the library, the programs with the files that they are shipped with, and the scene with the files that it names.
 
 #include "mbd_solver/fmi/export/fmu_command.h"
 
@@ -12,13 +12,20 @@
 
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "coupler/interrupt.h"
 #include "mbd_solver/app/check_command.h"
 #include "mbd_solver/base/fingerprint.h"
+#include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/programs.h"
-#include "mbd_solver/embed/embedded_simulation.h"
+#include "mbd_solver/bed/script_safety.h"
 #include "mbd_solver/fmi/codes.h"
+#include "mbd_solver/fmi/export/led_pair.h"
+#include "mbd_solver/fmi/export/stepped_model.h"
 #include "mbd_solver/fmi/fmu_file.h"
 #include "mbd_solver/scene/foreign/foreign_code.h"
+#include "mbd_solver/scene/particle_script.h"
+#include "mbd_solver/scene/scene_schema.h"
+#include "mbd_solver/scene/shipped_files.h"
 
 namespace footfall {
 namespace {
@@ -31,15 +38,16 @@ constexpr const char *kLibrary = "footfall_fmu.so", *kProgram = "footfall_fmu_mo
 constexpr std::size_t kLongestList = 64;  // numbers of a parameter
 
 // Every number and list of numbers of the scene, with its key of --set. What is written or exchanged only is left out.
-void add_parameters(const Json& json, const std::string& key, std::vector<ExportedVariable>& found) {
+void add_parameters(const Json& json, bool grains, const std::string& key, std::vector<ExportedVariable>& found) {
   const auto inside = [&](const std::string& name) { return key.empty() ? name : key + "." + name; };
   if (json.is_number()) {
     found.push_back({Kind::kParameter, 0, key, "", {json.get<double>()}});
   } else if (json.is_object()) {
     for (const auto& [name, value] : json.items()) {
-      const bool other =
-          key.empty() && (name == "output" || name == "coupling" || name == "particles" || name == "arrays");
-      if (!other && name.find_first_of(".\"= ") == std::string::npos) add_parameters(value, inside(name), found);
+      const bool other = key.empty() && (name == "output" || name == "coupling" || name == "arrays" ||
+                                         (name == "particles" && !grains));
+      if (!other && name.find_first_of(".\"= ") == std::string::npos)
+        add_parameters(value, grains, inside(name), found);
     }
   } else if (json.is_array() && !json.empty()) {
     const bool numbers = std::all_of(json.begin(), json.end(), [](const Json& item) { return item.is_number(); });
@@ -47,11 +55,11 @@ void add_parameters(const Json& json, const std::string& key, std::vector<Export
       found.push_back({Kind::kParameter, 0, key, "", json.get<std::vector<double>>()});
     for (const Json& item : json)
       if (item.is_object() && item.contains("name") && item["name"].is_string())
-        add_parameters(item, inside(item["name"].get<std::string>()), found);
+        add_parameters(item, grains, inside(item["name"].get<std::string>()), found);
   }
 }
 
-std::vector<ExportedVariable> variables_of(const EmbeddedSimulation& simulation) {
+std::vector<ExportedVariable> variables_of(const SteppedModel& simulation, const Scene& scene) {
   std::vector<ExportedVariable> all = {{Kind::kTime, 0, "time", "s", {0.0}}};
   const std::vector<std::string> inputs = simulation.signals();
   for (const std::string& name : inputs) all.push_back({Kind::kInput, 0, name, "", {simulation.signal(name)}});
@@ -62,7 +70,7 @@ std::vector<ExportedVariable> variables_of(const EmbeddedSimulation& simulation)
   all.push_back({Kind::kOutput, 0, kBalanceColumn, "", {0.0}});
   all.push_back({Kind::kOutput, 0, kErrorColumn, "", {0.0}});
   std::vector<ExportedVariable> parameters;
-  add_parameters(Json::parse(simulation.parameters()), "", parameters);
+  add_parameters(Json::parse(scene_json(scene)), scene.touches_particles(), "", parameters);
   std::set<std::string> names;
   for (const std::string& name : inputs) names.insert("signals." + name + ".initial");  // the start value of the input
   for (const ExportedVariable& v : all) names.insert(v.name);
@@ -76,11 +84,15 @@ std::vector<ExportedVariable> variables_of(const EmbeddedSimulation& simulation)
   return all;
 }
 
-// The scene, what it modifies, and every file that one of them names, relative to the folder that holds them all.
+// The scene, what it modifies, and every file that one of them or a script of grains names, relative to the folder that holds them all.
 class SceneFiles {
  public:
-  explicit SceneFiles(const std::string& scene) : scene_(fs::weakly_canonical(scene)) {
+  explicit SceneFiles(const Scene& scene) : scene_(fs::weakly_canonical(scene.file)) {
     add(scene_);
+    if (scene.particles && !scene.particles->box) {
+      add_named_in(ScriptText(scene.particles->script, scene.particles->variables));
+      if (scene.particles->bed) add_named_in(ScriptText(scene.particles->bed->script, scene.particles->bed->variables));
+    }
     for (std::size_t k = 0; k < files_.size(); ++k)
       if (files_[k].extension() == ".toml") add_named_in(files_[k]);
     root_ = scene_.parent_path();
@@ -102,9 +114,11 @@ class SceneFiles {
 
  private:
   void add(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) return;
     if (std::find(files_.begin(), files_.end(), file) == files_.end()) files_.push_back(file);
   }
-  void add_named_in(const fs::path& scene) {
+  void add_named_in(const fs::path scene) {  // a copy: files are added
     const std::string text = read_whole_file(scene.string()).value_or("");
     static const std::regex kText("\"([^\"\\n]+)\"|'([^'\\n]+)'");
     for (auto at = std::sregex_iterator(text.begin(), text.end(), kText); at != std::sregex_iterator(); ++at) {
@@ -114,10 +128,45 @@ class SceneFiles {
         if (fs::is_regular_file(path, error)) add(fs::weakly_canonical(path));
     }
   }
+  void add_named_in(const ScriptText& script) {
+    for (const ScriptCommand& command : script.commands()) {
+      add(fs::weakly_canonical(command.file));
+      for (const std::string& word : command.words)
+        if (word.find_first_of("/.") != std::string::npos && word.size() < 4096) add(fs::weakly_canonical(word));
+    }
+  }
 
   fs::path scene_, root_;
   std::vector<fs::path> files_;
 };
+
+// What the programs of the model read, as an installation has it.
+void add_shipped(std::vector<FmuEntry>& entries) {
+  for (const char* folder : {"inputs/box", "inputs/soils", "inputs/grounds", "inputs/scripts"}) {
+    const fs::path source = shipped_file(folder);
+    std::set<fs::path> files;  // in an order that is the same on every machine
+    for (const fs::directory_entry& each : fs::recursive_directory_iterator(source))
+      if (each.is_regular_file()) files.insert(each.path());
+    for (const fs::path& file : files)
+      entries.push_back({"resources/share/footfall/" + std::string(folder) + "/" + fs::relative(file, source).string(),
+                         file.string(), "", false});
+  }
+}
+
+// At its start. Grains: the bed is made, and the programs run until it.
+std::unique_ptr<SteppedModel> started(const Scene& scene, const FmuArguments& a) {
+  if (!scene.touches_particles()) return std::make_unique<MechanismModel>(read_scene(a.scene, a.settings), true);
+  const ParticlesSpec& particles = *scene.particles;
+  if (particles.bed) prepare_bed(*particles.bed, particles.ranks, a.quiet, a.trust_script, scene.coupling.timeout);
+  end_on_signals("footfall");
+  work_is_under_way();
+  PairToLead pair;
+  pair.programs = fs::path(built_program("footfall")).parent_path().string();
+  pair.scene = fs::absolute(scene.file).lexically_normal().string();
+  pair.settings = a.settings;
+  pair.trusted = a.trust_script;
+  return std::make_unique<LedPair>(pair, [] { return interrupted() != 0; });
+}
 
 // Beside this program, or where an installation has it.
 std::string library_file() {
@@ -134,16 +183,12 @@ std::string library_file() {
 
 int fmu_command(const FmuArguments& a) {
   const Scene scene = checked_scene(a.scene, a.settings);
-  if (scene.touches_particles())
-    throw InputError(code::kFmuOfGrains,
-                     scene.file +
-                         ": touches grains, which an FMU does not move yet; give it another ground, for example "
-                         "ground.kind = \"soil\" fitted by `footfall ground fit`");
-  if (runs_foreign_code(scene))
-    throw InputError(code::kFmuOfForeign,
-                     scene.file + ": runs programs of the user itself; an FMU of it is not supported, remove them");
-  const EmbeddedSimulation simulation(read_scene(a.scene, a.settings));
-  const SceneFiles files(scene.file);
+  require_trust(scene, a.trust_script);
+  require_foreign_code(scene);
+  const bool grains = scene.touches_particles(), foreign = runs_foreign_code(scene);
+  const std::string library = library_file();
+  const std::unique_ptr<SteppedModel> model = started(scene, a);
+  const SceneFiles files(scene);
   std::string settings;
   for (const std::string& setting : a.settings) settings += setting + "\n";
 
@@ -154,7 +199,8 @@ int fmu_command(const FmuArguments& a) {
   exported.token = "{" + fingerprint(files.contents() + settings + FOOTFALL_VERSION) + "}";
   exported.end_time = scene.end_time;
   exported.step = std::min(scene.output.interval, scene.end_time);
-  exported.variables = variables_of(simulation);
+  exported.has_state = !grains && foreign_code_without_state(scene).empty();
+  exported.variables = variables_of(*model, scene);
 
   std::vector<FmuEntry> entries = files.entries();
   entries.push_back({"modelDescription.xml", "", model_description(exported), false});
@@ -162,11 +208,22 @@ int fmu_command(const FmuArguments& a) {
   entries.push_back({"resources/token.txt", "", exported.token, false});
   entries.push_back({"resources/scene.txt", "", files.scene(), false});
   entries.push_back({"resources/settings.txt", "", settings, false});
-  entries.push_back({std::string("resources/") + kProgram, built_program(kProgram), "", true});
+  entries.push_back({"resources/name.txt", "", exported.name, false});
+  if (a.trust_script) entries.push_back({"resources/trusted.txt", "", "programs and scripts of the scene\n", false});
+  std::vector<std::string> programs = {kProgram};
+  if (grains) programs.insert(programs.end(), {"footfall", "mbd_solver", "liggghts_mbd"});
+  if (foreign) programs.push_back("footfall_fmu_host");
+  for (const std::string& name : programs) {
+    std::error_code error;
+    if (name == "footfall_fmu_host" && !fs::exists(fs::path(built_program(kProgram)).parent_path() / name, error))
+      continue;  // Python files alone
+    entries.push_back({"resources/bin/" + name, built_program(name), "", true});
+  }
+  add_shipped(entries);
   FmuDescription own;
   own.version = "3.0";
   own.identifier = "footfall_fmu";
-  entries.push_back({library_path(own), library_file(), "", true});
+  entries.push_back({library_path(own), library, "", true});
   try {
     write_fmu(a.out, entries);
   } catch (const FmuProblem& problem) {

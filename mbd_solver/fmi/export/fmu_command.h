@@ -12,7 +12,7 @@ namespace footfall {
 struct FmuArguments {
   std::string scene, out;
   std::vector<std::string> settings;  // --set key=value
-  bool quiet = false;
+  bool trust_script = false, quiet = false;
 };
 
 // Writes the FMU. Returns the exit code; throws InputError, NumericalError.
@@ -26,6 +26,7 @@ std::map<std::string, int> base_units(const std::string& unit);
 struct ExportedScene {
   std::string name, title, token;
   double end_time = 0.0, step = 0.0;  // [s]
+  bool has_state = true;              // which can be read, set and stored
   std::vector<ExportedVariable> variables;
 };
 std::string model_description(const ExportedScene& scene);

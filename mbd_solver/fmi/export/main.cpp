@@ -12,6 +12,9 @@ Action export_scene(CLI::App& command) {
   command.add_option("SCENE", a->scene, "Scene file, or folder with scene.toml")->required();
   command.add_option("--out", a->out, "The FMU to write, NAME.fmu")->required();
   command.add_option("--set", a->settings, "key=value: change one value of the scene")->allow_extra_args(false);
+  command.add_flag("--trust-script", a->trust_script,
+                   "The FMU also carries and runs programs that the scene names (FMUs, Python files), and scripts that "
+                   "run programs");
   command.add_flag("--quiet", a->quiet, "Print errors only");
   return [a] { return fmu_command(*a); };
 }

@@ -97,10 +97,11 @@ std::string model_description(const ExportedScene& scene) {
                      attribute("instantiationToken", scene.token) + attribute("description", scene.title) +
                      attribute("generationTool", std::string("footfall ") + FOOTFALL_VERSION) +
                      attribute("variableNamingConvention", "flat") + ">\n";
-  text +=
-      "  <CoSimulation modelIdentifier=\"footfall_fmu\" canHandleVariableCommunicationStepSize=\"true\" "
-      "canGetAndSetFMUState=\"true\" canSerializeFMUState=\"true\" mightReturnEarlyFromDoStep=\"true\" "
-      "providesIntermediateUpdate=\"false\" hasEventMode=\"false\"/>\n";
+  const std::string state = scene.has_state ? "true" : "false";
+  text += "  <CoSimulation modelIdentifier=\"footfall_fmu\"" + attribute("needsExecutionTool", "false") +
+          attribute("canHandleVariableCommunicationStepSize", "true") + attribute("canGetAndSetFMUState", state) +
+          attribute("canSerializeFMUState", state) + attribute("mightReturnEarlyFromDoStep", "true") +
+          attribute("providesIntermediateUpdate", "false") + attribute("hasEventMode", "false") + "/>\n";
   std::set<std::string> units;
   for (const ExportedVariable& v : scene.variables)
     if (!v.unit.empty()) units.insert(v.unit);

@@ -1,27 +1,53 @@
 // footfall_fmu_model: the simulation of an exported FMU, in a process of its own (exported_model.h has the questions).
-//   footfall_fmu_model RESOURCES        the folder with variables.txt and scene/
+//   footfall_fmu_model RESOURCES        the folder with variables.txt, scene/ and bin/
+#include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <thread>
 
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/helper_process.h"
-#include "mbd_solver/embed/embedded_simulation.h"
 #include "mbd_solver/fmi/codes.h"
 #include "mbd_solver/fmi/export/exported_model.h"
+#include "mbd_solver/fmi/export/led_pair.h"
+#include "mbd_solver/fmi/export/stepped_model.h"
 
 namespace {
 
 using namespace footfall;
+namespace fs = std::filesystem;
+
+// The importing program has gone: its end of the pipe is closed, or its process is no longer our parent. A thread of it may end.
+const pid_t kImporter = getppid();
+std::atomic<bool> leads_pair = false;  // whose programs are ended in order
+bool importer_has_gone() {
+  pollfd input = {STDIN_FILENO, 0, 0};
+  return getppid() != kImporter || (poll(&input, 1, 0) > 0 && (input.revents & (POLLHUP | POLLERR)) != 0);
+}
+
+// Ends this process with the importing program, also within a long step.
+void watch_importer() {
+  constexpr double kTimeOfPair = 50.0;  // [s]
+  std::thread([] {
+    for (pollfd input = {STDIN_FILENO, 0, 0}; poll(&input, 1, 1000) <= 0;)
+      if (getppid() != kImporter) break;
+    if (leads_pair) usleep(static_cast<useconds_t>(1e6 * kTimeOfPair));
+    _exit(1);
+  }).detach();
+}
 
 // A force that the importing program sets and that answers the motion of its body, as a spring there does: k and d of
 // dF = -k dx - d dv by least squares over the steps, older ones forgotten. An explicit exchange feeds such a motion like a damping
@@ -33,7 +59,7 @@ class StiffInput {
 
   const std::string& input() const { return input_; }
   // At the beginning of a step of H [s]; the warning, once, or nothing.
-  std::string observe(const EmbeddedSimulation& s, double force, double step) {
+  std::string observe(const SteppedModel& s, double force, double step) {
     const auto along = [&](const char* const(&names)[3]) {
       double sum = 0.0;
       for (int i = 0; i < 3; ++i) sum += direction_[i] * s.value(body_ + names[i]);
@@ -78,12 +104,13 @@ class StiffInput {
 class Model {
  public:
   explicit Model(const std::string& resources) : resources_(resources) {
-    for (ExportedVariable& v : variables_of_text(read_whole_file(resources + "/variables.txt").value_or(""))) {
+    for (ExportedVariable& v : variables_of_text(text_of("variables.txt"))) {
       if (v.kind == ExportedVariable::Kind::kInput) inputs_.push_back(v.name);
       if (v.kind == ExportedVariable::Kind::kOutput) outputs_.push_back(v.name);
     }
-    exported_with_ = read_whole_file(resources + "/settings.txt").value_or("");
-    scene_ = resources + "/scene/" + trimmed(read_whole_file(resources + "/scene.txt").value_or("scene.toml"));
+    exported_with_ = text_of("settings.txt");
+    trusted_ = !text_of("trusted.txt").empty();
+    scene_ = resources + "/scene/" + trimmed(text_of("scene.txt"));
   }
 
   std::string answer(const std::string& question) {
@@ -94,36 +121,57 @@ class Model {
         make();
         return values(false);
       case 'S': return step(content);
-      case 'G': return "B" + std::to_string(settings_.size()) + "\n" + settings_ + simulation().save();
+      case 'G': return "B" + std::to_string(settings_.size()) + "\n" + settings_ + model().save();
       case 'R': {
         std::size_t used = 0;
         const std::size_t size = std::stoul(content, &used);
         const std::string before = settings_;
         settings_ = content.substr(used + 1, size);
-        if (!simulation_ || settings_ != before) make();
-        simulation().restore(content.substr(used + 1 + size));
+        if (!model_ || settings_ != before) make();
+        model().restore(content.substr(used + 1 + size));
         return values(false);
       }
+      case 'T':
+        if (leads_pair) model_.reset();
+        leads_pair = false;
+        return "B";
       default: throw std::runtime_error("unknown question");
     }
   }
 
  private:
-  EmbeddedSimulation& simulation() {
-    if (!simulation_) throw std::runtime_error("the model is not initialized");
-    return *simulation_;
+  std::string text_of(const std::string& name) const { return read_whole_file(resources_ + "/" + name).value_or(""); }
+  SteppedModel& model() {
+    if (!model_) throw std::runtime_error("the model is not initialized");
+    return *model_;
   }
+
   void make() {
     std::vector<std::string> settings;
     std::istringstream lines(exported_with_ + settings_);
     for (std::string line; std::getline(lines, line);)
       if (!line.empty()) settings.push_back(line);
-    simulation_.reset();
-    simulation_ = std::make_unique<EmbeddedSimulation>(read_scene(scene_, settings));
+    model_.reset();
+    leads_pair = false;
+    const Scene scene = read_scene(scene_, settings);
+    if (scene.touches_particles()) {
+      leads_pair = true;
+      PairToLead pair;
+      pair.programs = resources_ + "/bin";
+      pair.scene = scene_;
+      pair.settings = settings;
+      pair.trusted = trusted_;
+      pair.carried = resources_ + "/scene";
+      if (const char* const kept = std::getenv("FOOTFALL_FMU_RESULTS")) pair.kept = kept;
+      pair.name = trimmed(text_of("name.txt"));
+      model_ = std::make_unique<LedPair>(pair, importer_has_gone);
+    } else {
+      model_ = std::make_unique<MechanismModel>(scene, trusted_);
+    }
     told_ = 0;
+    find_places();
     stiff_.clear();
-    const Scene& scene = simulation_->scene();
-    const std::vector<std::string>& columns = simulation_->names();
+    const std::vector<std::string>& columns = model_->names();
     for (const ForceSpec& force : scene.forces) {
       const BodySpec* const body = scene.body(force.body);
       if (!force.force || !body || !(body->mass > 0.0)) continue;
@@ -133,47 +181,41 @@ class Model {
     }
   }
 
-  std::optional<double> event_time() {
-    const std::vector<std::string>& names = simulation().names();
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (names[i] == "state.since") return simulation().time() - simulation().row()[i];
-    return std::nullopt;
+  void find_places() {
+    places_.clear();
+    const std::vector<std::string>& columns = model_->names();
+    for (const std::string& name : outputs_) {
+      const auto found = std::find(columns.begin(), columns.end(), name);
+      const bool own = name == kBalanceColumn || name == kErrorColumn;
+      if (!own && found == columns.end())
+        throw std::runtime_error("the output \"" + name + "\" is no column with these parameters");
+      places_.push_back(static_cast<std::size_t>(found - columns.begin()));
+    }
   }
 
-  // An event ends the step at its instant: found by a step to the end, from whose beginning it is done again.
   std::string step(const std::string& content) {
     std::vector<double> numbers(content.size() / sizeof(double));
     std::memcpy(numbers.data(), content.data(), numbers.size() * sizeof(double));
     if (numbers.size() != 2 + inputs_.size()) throw std::runtime_error("a step with too few numbers");
-    EmbeddedSimulation& s = simulation();
+    SteppedModel& s = model();
     for (std::size_t i = 0; i < inputs_.size(); ++i)
       if (s.signal(inputs_[i]) != numbers[2 + i]) s.set_signal(inputs_[i], numbers[2 + i]);
     const double begin = s.time(), until = numbers[0];
     for (StiffInput& input : stiff_)
       if (const std::string warning = input.observe(s, s.signal(input.input()), until - begin); !warning.empty())
         warnings_ += warning + "\n";
-    const std::optional<double> before = numbers[1] != 0.0 ? event_time() : std::nullopt;
-    const std::string saved = before ? s.save() : "";
-    s.step(until);
-    bool early = false;
-    if (before) {
-      const double event = *event_time();
-      early = event > *before + 1e-9 && event > begin && event < until * (1.0 - 1e-9);
-      if (early) {
-        s.restore(saved);
-        s.step(event);
-      }
-    }
-    return values(early);
+    return values(s.step(until, numbers[1] != 0.0), until);
   }
 
-  std::string values(bool early) {
-    EmbeddedSimulation& s = simulation();
-    std::vector<double> numbers = {s.time(), early ? 1.0 : 0.0, s.finished() ? 1.0 : 0.0};
-    for (const std::string& name : outputs_)
-      numbers.push_back(name == kBalanceColumn ? s.energy_balance()
-                        : name == kErrorColumn ? s.summed_error()
-                                               : s.value(name));
+  // until: the time of a step [s], beyond which a pair goes by a part of a coupling interval; 0: that of the model.
+  std::string values(bool early, double until = 0.0) {
+    SteppedModel& s = model();
+    const double time = until > 0.0 ? std::min(s.time(), until) : s.time();
+    std::vector<double> numbers = {time, early ? 1.0 : 0.0, s.finished() ? 1.0 : 0.0};
+    for (std::size_t i = 0; i < outputs_.size(); ++i)
+      numbers.push_back(outputs_[i] == kBalanceColumn ? s.energy_balance()
+                        : outputs_[i] == kErrorColumn ? s.summed_error()
+                                                      : s.row()[places_[i]]);
     for (std::size_t i = 0; i < outputs_.size(); ++i)
       if (!std::isfinite(numbers[3 + i])) throw std::runtime_error("the output \"" + outputs_[i] + "\" is not finite");
     const std::vector<std::string> all = s.warnings();
@@ -184,11 +226,13 @@ class Model {
   }
 
   std::string resources_, scene_, exported_with_, settings_;
+  bool trusted_ = false;
   std::vector<std::string> inputs_, outputs_;
-  std::unique_ptr<EmbeddedSimulation> simulation_;
+  std::vector<std::size_t> places_;  // of the outputs in a row
+  std::unique_ptr<SteppedModel> model_;
   std::vector<StiffInput> stiff_;
   std::string warnings_;  // for the next answer
-  std::size_t told_ = 0;  // of the simulation's own
+  std::size_t told_ = 0;  // of the model's own
 };
 
 }  // namespace
@@ -199,9 +243,9 @@ int main(int argc, char** argv) {
                  "footfall_fmu_model: the simulation of an exported FMU, which starts it; it is not for use by hand\n");
     return 2;
   }
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  watch_importer();
   signal(SIGPIPE, SIG_IGN);
-  const int out = dup(STDOUT_FILENO);
+  const int out = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
   dup2(STDERR_FILENO, STDOUT_FILENO);
   std::unique_ptr<Model> model;
   for (std::string question; HelperProcess::read_frame(STDIN_FILENO, question);) {
@@ -212,7 +256,8 @@ int main(int argc, char** argv) {
     } catch (const std::exception& error) {
       answer = std::string("E") + error.what();
     }
-    if (!HelperProcess::write_frame(out, answer)) return 1;
+    if (!HelperProcess::write_frame(out, answer)) break;
   }
+  model.reset();  // the pair ends in order
   return 0;
 }

@@ -28,6 +28,7 @@ class Pair:
         self._folder = tempfile.mkdtemp(prefix="footfall-")
         self._socket = self._process = self._log = None
         self._received = b""
+        self.energy_balance = float("nan")
         try:
             path = os.path.join(self._folder, "lead")
             listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
@@ -96,6 +97,8 @@ class Pair:
             line = self._line()
             if line.startswith("saved "):
                 saved = line[6:]
+            elif line.startswith("balance "):
+                self.energy_balance = float(line.split()[1])
             elif line.startswith("row "):
                 self.row = numpy.array(line.split()[1:], dtype=float)
                 self.time = float(self.row[0])
@@ -158,10 +161,6 @@ class Pair:
         raise InputError("the state of a mechanism on grains stays in its own process; read columns instead")
 
     q = v = z = property(_no_state)
-
-    @property
-    def energy_balance(self):
-        return self._summary().get("energy_balance_relative", float("nan"))
 
     def _summary(self):
         path = os.path.join(self.out, "summary.json")
