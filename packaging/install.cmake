@@ -1,6 +1,6 @@
 # What `cmake --install` puts where. Three components:
 #   runtime      programs, inputs, man pages, completion, docs               package footfall
-#   campaign     sweeps with drawn runs                                     package footfall-campaign
+#   campaign     calibrate, ground, sweeps with drawn runs                  package footfall-campaign
 #   python       the Python package, where it has been built                package python3-footfall
 #   development  headers and libraries: find_package(footfall)               package footfall-dev
 include(GNUInstallDirs)
@@ -52,7 +52,7 @@ if(HELP2MAN AND GZIP)
     add_custom_command(OUTPUT ${page}
       COMMAND sh -c "mkdir -p \"$5\" && \"$1\" --no-info --no-discard-stderr --version-string=${PROJECT_VERSION} --name=\"$2\" \"$3 $4\" | gzip -9n >\"$6\""
         sh ${HELP2MAN} ${name} $<TARGET_FILE:footfall> "${command}" ${man} ${page}
-      DEPENDS footfall footfall_studies COMMENT "Man page footfall ${command}" VERBATIM)
+      DEPENDS footfall footfall_studies $<$<TARGET_EXISTS:footfall_campaign>:footfall_campaign> COMMENT "Man page footfall ${command}" VERBATIM)
     list(APPEND man_page_files ${page})
   endforeach()
 endif()

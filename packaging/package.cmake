@@ -12,8 +12,8 @@ if(TARGET footfall_campaign)
   set(CPACK_DEBIAN_CAMPAIGN_PACKAGE_NAME footfall-campaign)
   set(CPACK_DEBIAN_CAMPAIGN_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_CAMPAIGN_PACKAGE_DEPENDS "footfall (= ${PROJECT_VERSION})")
-  set(CPACK_DEBIAN_CAMPAIGN_DESCRIPTION "sweeps of footfall with drawn runs
-Probabilities of outcomes with intervals, envelopes and sensitivities from
+  set(CPACK_DEBIAN_CAMPAIGN_DESCRIPTION "calibrations and sweeps with drawn runs of footfall
+Parameters with which runs meet targets, soils fitted to runs on grains, and probabilities of outcomes with intervals, envelopes and sensitivities from
 runs whose quantities are drawn from distributions.")
 endif()
 if(FOOTFALL_PYTHON AND EXISTS ${CMAKE_BINARY_DIR}/python/footfall/_core${PYTHON_MODULE_EXTENSION})
@@ -55,7 +55,7 @@ lunar lander with magnetorheological dampers.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME footfall-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "footfall (= ${PROJECT_VERSION}), g++, cmake, make | ninja-build, libopenmpi-dev, libeigen3-dev, libsundials-dev, libsuitesparse-dev, libtomlplusplus-dev, libfuzzylite-dev, libmuparser-dev, libnlopt-cxx-dev, nlohmann-json3-dev, libpugixml-dev, zlib1g-dev")
+  "footfall (= ${PROJECT_VERSION}), g++, cmake, make | ninja-build, libopenmpi-dev, libeigen3-dev, libsundials-dev, libsuitesparse-dev, libtomlplusplus-dev, libfuzzylite-dev, libmuparser-dev, nlohmann-json3-dev, libpugixml-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "headers and libraries of footfall
 With these a program of your own couples its mechanism to LIGGGHTS, or uses
 the multibody solver: find_package(footfall), footfall::coupler and

@@ -15,7 +15,7 @@ struct Subcommand {
   Action (*prepare)(CLI::App& command);  // adds its options; returns what it does once they are read; null: not here
 };
 
-// All commands, in the order of --help. Those without `prepare` are in the program footfall_studies (studies/studies.h),
+// All commands, in the order of --help. Those without `prepare` are in other programs (footfall_studies, footfall_campaign),
 // so that a first run does not wait for its compilation. docs/reference/commands.md has a section for each.
 const std::vector<Subcommand>& subcommands();
 

@@ -1,5 +1,6 @@
 // footfall: the command line. It only arranges mbd_solver and liggghts_mbd, with the line that it prints. Commands that
-// start many runs are in footfall_studies, which it starts in its place; so are `import` and `fmu` programs of their own.
+// start many runs are in footfall_studies and footfall_campaign, which it starts in its place; so are `import` and `fmu`
+// programs of their own.
 #include <unistd.h>
 
 #include <cstdio>
@@ -23,7 +24,10 @@ int main(int argc, char** argv) {
     if (word != subcommand.name || subcommand.prepare != nullptr) continue;
     try {
       if (word == "import") return start_import({argv + 1, argv + argc});
-      const std::string program = built_program(word == "fmu" ? "footfall_fmu" : "footfall_studies");
+      const bool campaign = word == "calibrate" || word == "ground";
+      const std::string program = built_program(word == "fmu" ? "footfall_fmu"
+                                                : campaign    ? "footfall_campaign"
+                                                              : "footfall_studies");
       execv(program.c_str(), argv);
       std::perror(program.c_str());
       return kExitFailed;

@@ -28,7 +28,8 @@ std::string built_program(const std::string& name) {
   const fs::path program = self.parent_path() / name;
   if (!fs::exists(program, error))
     throw InputError(code::kProgramNotBuilt,
-                     program.string() + ": no such program; build footfall with ./footfall or cmake --build");
+                     program.string() + ": no such program; build footfall with ./footfall or cmake --build" +
+                         (name == "footfall_campaign" ? ", or install the package footfall-campaign" : ""));
   return program.string();
 }
 

@@ -10,9 +10,7 @@
 #include "mbd_solver/app/command_line.h"
 #include "mbd_solver/scene/scene_schema.h"
 #include "mbd_solver/studies/calibration.h"
-#include "mbd_solver/studies/calibration_run.h"
 #include "mbd_solver/studies/campaign/sweep_options.h"
-#include "mbd_solver/studies/ground/ground_fit.h"
 #include "mbd_solver/studies/rig.h"
 #include "mbd_solver/studies/rig_command.h"
 #include "mbd_solver/studies/sweep_command.h"
@@ -34,17 +32,6 @@ Action accuracy(CLI::App& command) {
   add_sweep_options(command, *a);
   command.add_flag("--resume", a->resume, "Do not repeat finished runs with the same scene, settings and script");
   return [a] { return sweep_command(*a); };
-}
-
-Action calibrate(CLI::App& command) {
-  const auto a = std::make_shared<CalibrateArguments>();
-  command.add_option("FILE", a->file, "Calibration file, as in inputs/calibrations")->required();
-  add_out(command, a->out, "runs/calibrations");
-  add_jobs(command, a->jobs);
-  command.add_option("--table", a->table, "Also write the page to this file, as Markdown");
-  command.add_flag("--estimate", a->estimate, "Carry out the runs of the start, estimate the time of all, and stop");
-  command.add_flag("--so-far", a->so_far, "Print the results so far, also while the calibration is in progress");
-  return [a] { return calibrate_command(*a); };
 }
 
 Action rig(CLI::App& command) {
@@ -69,25 +56,6 @@ Action rig(CLI::App& command) {
   return [a] { return rig_command(*a); };
 }
 
-Action ground(CLI::App& command) {
-  const auto a = std::make_shared<GroundArguments>();
-  command.add_option("ACTION", a->action, "fit: the numbers of a soil without grains from runs on grains")
-      ->required()
-      ->check(CLI::IsMember({"fit"}));
-  command.add_option("FILE", a->file, "Sweep file with 5 to 20 runs of one pad, as in inputs/ground_fits")->required();
-  command.add_option("--law", a->law, "Law that is fitted")
-      ->check(CLI::IsMember({"rft", "pressure_sinkage"}))
-      ->capture_default_str();
-  add_out(command, a->out, "runs/grounds");
-  command.add_option("--set", a->settings, "Change one value of the scene in every run: key=value")
-      ->allow_extra_args(false);
-  add_jobs(command, a->jobs);
-  command.add_flag("--short", a->short_form, "The short form of the file, as in tests; its results have no meaning");
-  add_only(command, a->only);
-  add_list(command, a->list);
-  return [a] { return ground_command(*a); };
-}
-
 Action schema(CLI::App& command) {
   const auto sweeps = std::make_shared<bool>(false), calibrations = std::make_shared<bool>(false);
   CLI::Option* of_sweeps = command.add_flag("--sweeps,--experiments", *sweeps, "That of sweep files");
@@ -102,8 +70,7 @@ Action schema(CLI::App& command) {
 // The table of all commands, with those of this program.
 std::vector<Subcommand> with_studies(std::vector<Subcommand> commands) {
   constexpr std::pair<const char*, Action (*)(CLI::App&)> kStudies[] = {
-      {"sweep", sweep}, {"accuracy", accuracy}, {"calibrate", calibrate},
-      {"rig", rig},     {"ground", ground},     {"schema", schema}};
+      {"sweep", sweep}, {"accuracy", accuracy}, {"rig", rig}, {"schema", schema}};
   for (Subcommand& command : commands)
     for (const auto& [name, prepare] : kStudies)
       if (name == std::string(command.name)) command.prepare = prepare;

@@ -6,19 +6,24 @@
 #include <numeric>
 #include <openturns/Binomial.hxx>
 #include <openturns/ComposedDistribution.hxx>
+#include <openturns/ConstantBasisFactory.hxx>
 #include <openturns/CorrectedLeaveOneOut.hxx>
 #include <openturns/CorrelationAnalysis.hxx>
 #include <openturns/DistFunc.hxx>
 #include <openturns/FixedStrategy.hxx>
 #include <openturns/FunctionalChaosAlgorithm.hxx>
 #include <openturns/FunctionalChaosSobolIndices.hxx>
+#include <openturns/GeneralLinearModelAlgorithm.hxx>
 #include <openturns/HyperbolicAnisotropicEnumerateFunction.hxx>
+#include <openturns/KrigingAlgorithm.hxx>
 #include <openturns/LARS.hxx>
 #include <openturns/LHSExperiment.hxx>
 #include <openturns/LeastSquaresMetaModelSelectionFactory.hxx>
 #include <openturns/LeastSquaresStrategy.hxx>
 #include <openturns/LegendreFactory.hxx>
+#include <openturns/LinearBasisFactory.hxx>
 #include <openturns/Log.hxx>
+#include <openturns/MaternModel.hxx>
 #include <openturns/Normal.hxx>
 #include <openturns/NormalCopula.hxx>
 #include <openturns/OrthogonalProductPolynomialFactory.hxx>
@@ -37,6 +42,30 @@
 #include "mbd_solver/scene/codes.h"
 
 namespace footfall {
+namespace {
+
+OT::ComposedDistribution unit_cube(std::size_t width) {
+  return OT::ComposedDistribution(OT::Collection<OT::Distribution>(width, OT::Uniform(0.0, 1.0)));
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> latin_hypercube(std::size_t count, std::size_t width, std::uint64_t seed) {
+  OT::RandomGenerator::SetSeed(static_cast<std::size_t>(seed));
+  OT::LHSExperiment design(unit_cube(width), count);
+  design.setAlwaysShuffle(true);
+  const OT::Sample sample = design.generate();
+  std::vector<std::vector<double>> rows(count, std::vector<double>(width));
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < width; ++k) rows[i][k] = sample(i, k);
+  return rows;
+}
+
+double two_sided_quantile(double confidence, int degrees) {
+  const double share = 0.5 * (1.0 + confidence);
+  return degrees > 0 ? OT::DistFunc::qStudent(degrees, share) : OT::DistFunc::qNormal(share);
+}
+
 namespace {
 
 constexpr std::uint32_t kSeeds = 0x7fffffffU;  // 2^31 - 1, as a mask
@@ -97,19 +126,12 @@ std::vector<std::vector<double>> design_of(const SweepSpec& spec, std::size_t wi
     }
     return units;
   }
-  OT::Sample sample;
+  if (spec.design == Design::kLatinHypercube)
+    return latin_hypercube(count, width, static_cast<std::uint64_t>(spec.seed));
+  const OT::Sample sample = OT::SobolSequence(width).generate(count);
   std::vector<double> shift(width, 0.0);
-  if (spec.design == Design::kLatinHypercube) {
-    OT::RandomGenerator::SetSeed(static_cast<std::size_t>(spec.seed));
-    OT::LHSExperiment design(OT::ComposedDistribution(OT::Collection<OT::Distribution>(width, OT::Uniform(0.0, 1.0))),
-                             count);
-    design.setAlwaysShuffle(true);
-    sample = design.generate();
-  } else {
-    sample = OT::SobolSequence(width).generate(count);
-    std::mt19937_64 engine(static_cast<std::uint64_t>(spec.seed));
-    for (double& s : shift) s = uniform(engine);
-  }
+  std::mt19937_64 engine(static_cast<std::uint64_t>(spec.seed));
+  for (double& s : shift) s = uniform(engine);
   for (std::size_t run = 0; run < count; ++run)
     for (std::size_t k = 0; k < width; ++k) units[run][k] = std::fmod(sample(run, k) + shift[k], 1.0);
   return units;
@@ -209,8 +231,7 @@ OT::FunctionalChaosResult chaos_of(const OT::Sample& x, const OT::Sample& y) {
       OT::Collection<OT::OrthogonalUniVariatePolynomialFamily>(width, OT::LegendreFactory()),
       OT::HyperbolicAnisotropicEnumerateFunction(width, kNorm));
   OT::FunctionalChaosAlgorithm algorithm(
-      x, y, OT::ComposedDistribution(OT::Collection<OT::Distribution>(width, OT::Uniform(0.0, 1.0))),
-      OT::FixedStrategy(basis, terms),
+      x, y, unit_cube(width), OT::FixedStrategy(basis, terms),
       OT::LeastSquaresStrategy(OT::LeastSquaresMetaModelSelectionFactory(OT::LARS(), OT::CorrectedLeaveOneOut())));
   algorithm.run();
   return algorithm.getResult();
@@ -239,6 +260,42 @@ Sensitivity sobol_indices(const std::vector<std::vector<double>>& x, const std::
     s.total.push_back(indices.getSobolTotalIndex(k));
   }
   return s;
+}
+
+Surface response_surface(const std::vector<std::vector<double>>& x, const std::vector<double>& y) {
+  constexpr std::size_t kFew = 3;  // points
+  constexpr double kSmoothness = 2.5, kLengths[] = {0.7, 3.0};
+  constexpr double kNoises[] = {1e-8, 1e-4, 1e-2, 1.0};  // variance, over that of the function
+  const auto [least, most] = std::minmax_element(y.begin(), y.end());
+  if (y.size() < kFew || x.front().empty() || !(*least < *most)) {
+    const double mean = std::accumulate(y.begin(), y.end(), 0.0) / static_cast<double>(y.size());
+    return [mean](const std::vector<std::vector<double>>& points) { return std::vector<double>(points.size(), mean); };
+  }
+  OT::Log::Show(OT::Log::NONE);
+  const std::size_t width = x.front().size();
+  const OT::Sample points = rows_of(x, 0, x.size()), values = column_of(y, 0, y.size());
+  const OT::Basis trend =
+      x.size() > width + 2 ? OT::LinearBasisFactory(width).build() : OT::ConstantBasisFactory(width).build();
+  double best = -std::numeric_limits<double>::infinity();
+  OT::CovarianceModel chosen;
+  for (const double length : kLengths)
+    for (const double noise : kNoises) {
+      OT::CovarianceModel model = OT::MaternModel(OT::Point(width, length), kSmoothness);
+      model.setNuggetFactor(noise);
+      OT::GeneralLinearModelAlgorithm algorithm(points, values, model, trend);
+      const double likelihood = algorithm.getObjectiveFunction()(OT::Point(width, length))[0];
+      if (likelihood > best) best = likelihood, chosen = model;
+    }
+  OT::KrigingAlgorithm algorithm(points, values, chosen, trend);
+  algorithm.setOptimizeParameters(false);
+  algorithm.run();
+  const OT::Function model = algorithm.getResult().getMetaModel();
+  return [model](const std::vector<std::vector<double>>& points) {
+    const OT::Sample values = model(rows_of(points, 0, points.size()));
+    std::vector<double> all(points.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = values(i, 0);
+    return all;
+  };
 }
 
 std::vector<double> rank_correlations(const std::vector<std::vector<double>>& x, const std::vector<double>& y) {

@@ -1,8 +1,10 @@
 #pragma once
-// What OpenTURNS does for a campaign: designs, distributions, quantiles, sensitivities. Only sampling.cpp includes it.
+// What OpenTURNS does for campaigns and calibrations: designs, distributions, quantiles, sensitivities, response surfaces.
+// sampling.cpp includes it, and calibrate/optimum.cpp for minima.
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -44,6 +46,15 @@ struct Sensitivity {
 };
 // x: of each run the independent inputs, uniform in 0 to 1.
 Sensitivity sobol_indices(const std::vector<std::vector<double>>& x, const std::vector<double>& y);
+// A smooth function of scattered, noisy numbers at points of the unit cube: Kriging with a plane (a constant where points are
+// too few) and the Matern covariance of nu = 5/2, with that length and noise, of a few, whose likelihood is largest. Of
+// fewer than three points their mean.
+using Surface = std::function<std::vector<double>(const std::vector<std::vector<double>>& points)>;
+Surface response_surface(const std::vector<std::vector<double>>& x, const std::vector<double>& y);
+// Points of the unit cube, each number in another one of `count` equal parts.
+std::vector<std::vector<double>> latin_hypercube(std::size_t count, std::size_t width, std::uint64_t seed);
+// q with P(|t| > q) = 1 - confidence, of Student's distribution; degrees 0: of the normal distribution.
+double two_sided_quantile(double confidence, int degrees);
 // Spearman's coefficient of each input with y.
 std::vector<double> rank_correlations(const std::vector<std::vector<double>>& x, const std::vector<double>& y);
 

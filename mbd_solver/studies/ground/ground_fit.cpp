@@ -18,8 +18,9 @@
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/shipped_files.h"
+#include "mbd_solver/studies/calibrate/optimum.h"
+#include "mbd_solver/studies/campaign/sampling.h"
 #include "mbd_solver/studies/codes.h"
-#include "mbd_solver/studies/fits.h"
 #include "mbd_solver/studies/sweep_command.h"
 #include "mbd_solver/studies/sweep_file.h"
 #include "mbd_solver/studies/tables.h"
@@ -32,10 +33,10 @@ constexpr int kHeldBack = 5;    // every fifth run
 constexpr int kFitBins = 20;    // of time, from the first touch on
 constexpr int kRowsPerBin = 4;  // of a run that has more
 constexpr double kConfidenceOfFit = 0.95;
-constexpr double kPoorFit = 0.9;  // R^2 below this is told
-constexpr int kMostFitSteps = 40;
-constexpr double kReboundOfRadius = 0.25;        // of the smallest grains: the rebound, which is not fitted
-constexpr double kAssumedGrainDensity = 2600.0;  // of a bed from a script, which does not tell it [kg/m3]
+constexpr double kPoorFit = 0.9;                             // R^2 below this is told
+constexpr int kMostFitTrials = 60, kMostTrialsWithout = 12;  // of the fit, and of those without one run
+constexpr double kReboundOfRadius = 0.25;                    // of the smallest grains: the rebound, which is not fitted
+constexpr double kAssumedGrainDensity = 2600.0;              // of a bed from a script, which does not tell it [kg/m3]
 
 // A number that is fitted: its logarithm.
 struct Unknown {
@@ -176,55 +177,34 @@ class Problem {
     }
     return out;
   }
-  // Levenberg and Marquardt.
-  Eigen::VectorXd solve(Eigen::VectorXd x, int skip, int most) const {
-    double damping = 1e-2;
-    Eigen::VectorXd r = residuals(x, skip);
-    for (int step = 0; step < most; ++step) {
-      Eigen::MatrixXd J(r.size(), x.size());
-      for (Eigen::Index k = 0; k < x.size(); ++k) {
-        Eigen::VectorXd moved = x;
-        moved[k] += kLogStep;
-        J.col(k) = (residuals(moved, skip) - r) / kLogStep;
-      }
-      const Eigen::MatrixXd normal = J.transpose() * J;
-      const Eigen::VectorXd down = J.transpose() * r;
-      bool better = false;
-      for (int trial = 0; trial < 8 && !better; ++trial) {
-        Eigen::MatrixXd damped = normal;
-        damped.diagonal() += damping * (normal.diagonal().array() + 1e-9 * normal.diagonal().maxCoeff()).matrix();
-        const Eigen::VectorXd next = limited(x - Eigen::VectorXd(damped.colPivHouseholderQr().solve(down)));
-        const Eigen::VectorXd at_next = residuals(next, skip);
-        better = at_next.squaredNorm() < r.squaredNorm();
-        damping *= better ? 0.3 : 4.0;
-        if (!better) continue;
-        const bool enough = (next - x).lpNorm<Eigen::Infinity>() < 1e-4;
-        x = next;
-        r = at_next;
-        if (enough) return x;
-      }
-      if (!better) break;
+  Eigen::VectorXd solve(const Eigen::VectorXd& x, int skip, int most) const {
+    LeastSquaresTask task{{x.begin(), x.end()}, {}, kLogStep, kLogPrecision, most};
+    for (const Unknown& unknown : unknowns_) {
+      task.bounds.least.push_back(std::log(unknown.least));
+      task.bounds.most.push_back(std::log(unknown.most));
     }
-    return x;
+    const std::vector<double> best = least_squares(task, [&](const std::vector<std::vector<double>>& points) {
+      std::vector<std::vector<double>> all;
+      for (const std::vector<double>& point : points) {
+        const Eigen::VectorXd r =
+            residuals(Eigen::Map<const Eigen::VectorXd>(point.data(), static_cast<Eigen::Index>(point.size())), skip);
+        all.emplace_back(r.begin(), r.end());
+      }
+      return all;
+    });
+    return Eigen::Map<const Eigen::VectorXd>(best.data(), static_cast<Eigen::Index>(best.size()));
   }
   int count() const { return static_cast<int>(targets_.size()); }
   const std::vector<Unknown>& unknowns() const { return unknowns_; }
 
  private:
-  static constexpr double kLogStep = 1e-4;
+  static constexpr double kLogStep = 1e-4, kLogPrecision = 1e-5;
 
   Eigen::Index size(int skip) const {
     Eigen::Index sum = 0;
     for (std::size_t k = 0; k < targets_.size(); ++k)
       if (static_cast<int>(k) != skip) sum += targets_[k].measured.value.size();
     return sum;
-  }
-  Eigen::VectorXd limited(Eigen::VectorXd x) const {
-    for (std::size_t k = 0; k < unknowns_.size(); ++k) {
-      double& value = x[static_cast<Eigen::Index>(k)];
-      value = std::clamp(value, std::log(unknowns_[k].least), std::log(unknowns_[k].most));
-    }
-    return x;
   }
 
   std::string law_;
@@ -295,13 +275,13 @@ GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, do
     throw InputError(code::kGroundFit, "only " + std::to_string(fitted.size()) +
                                            " runs are fitted; a fit requires at least 3 besides those held back");
   const Problem problem(law, density, rebound, fitted);
-  const Eigen::VectorXd best = problem.solve(problem.start(), -1, kMostFitSteps);
+  const Eigen::VectorXd best = problem.solve(problem.start(), -1, kMostFitTrials);
   const auto n = static_cast<double>(problem.count());
   Eigen::MatrixXd without(best.size(), problem.count());
-  for (int k = 0; k < problem.count(); ++k) without.col(k) = problem.solve(best, k, 6);
+  for (int k = 0; k < problem.count(); ++k) without.col(k) = problem.solve(best, k, kMostTrialsWithout);
   const Eigen::VectorXd mean = without.rowwise().mean();
   const Eigen::VectorXd spread = ((without.colwise() - mean).rowwise().squaredNorm() * ((n - 1.0) / n)).array().sqrt();
-  const double t = student_t(kConfidenceOfFit, problem.count() - 1);
+  const double t = two_sided_quantile(kConfidenceOfFit, problem.count() - 1);
 
   GroundFit fit;
   fit.law = law;

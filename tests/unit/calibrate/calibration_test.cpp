@@ -15,13 +15,14 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "mbd_solver/studies/calibrate/determination.h"
+#include "mbd_solver/studies/calibrate/evaluations.h"
+#include "mbd_solver/studies/calibrate/search.h"
+#include "mbd_solver/studies/calibrate/surrogate.h"
 #include "mbd_solver/studies/calibration.h"
-#include "mbd_solver/studies/determination.h"
-#include "mbd_solver/studies/evaluations.h"
-#include "mbd_solver/studies/search.h"
-#include "mbd_solver/studies/surrogate.h"
+#include "mbd_solver/studies/campaign/sampling.h"
 #include "tests/support/refused.h"
-#include "tests/unit/studies/search_stage.h"
+#include "tests/unit/calibrate/search_stage.h"
 #include "tests/unit/studies/text_file.h"
 
 namespace footfall {
@@ -177,7 +178,7 @@ TEST_F(MisfitOfRuns, IsThatOfFailureWhereARunOrANumberIsMissing) {
   }
 }
 
-// The way of a search: mbd_solver/studies/search.h.
+// The way of a search: mbd_solver/studies/calibrate/search.h.
 
 const UnitPoint kBottom = {0.3, 0.8, 0.45};
 
@@ -209,15 +210,10 @@ Walked walked(const StageSpec& stage, std::size_t side_by_side, int most_rounds 
     if (!known.count(u)) return {};
     return bowl(u);
   };
-  LeastSquaresQueries squares;
-  squares.residuals = [&](const UnitPoint& u) -> std::optional<std::vector<double>> {
-    if (!known.count(u)) return {};
-    return bowl_residuals(u);
-  };
-  questions.may_continue = squares.may_continue = [](const UnitPoint&) { return true; };
+  questions.residuals = bowl_residuals;
+  questions.may_continue = [](const UnitPoint&) { return true; };
   for (; w.rounds < most_rounds; ++w.rounds) {
-    w.way = stage.method == SearchMethod::kGaussNewton ? least_squares_path(stage, kStart, 0.01, squares)
-                                                       : search_path(stage, kStart, questions, side_by_side);
+    w.way = search_path(stage, kStart, 0.01, questions, side_by_side);
     if (w.way.requested.empty()) break;
     for (const UnitPoint& u : w.way.requested) known[u] = true;
     w.runs = static_cast<int>(known.size());
@@ -226,6 +222,18 @@ Walked walked(const StageSpec& stage, std::size_t side_by_side, int most_rounds 
 }
 
 class Search : public ::testing::TestWithParam<SearchMethod> {};
+
+SearchPath least_squares_path(const StageSpec& stage, const UnitPoint& start, double step,
+                              const std::function<std::vector<double>(const UnitPoint&)>& residuals) {
+  SearchQueries queries;
+  queries.residuals = residuals;
+  queries.misfit = [&](const UnitPoint& u) -> std::optional<double> {
+    const std::vector<double> r = residuals(u);
+    return std::inner_product(r.begin(), r.end(), r.begin(), 0.0);
+  };
+  queries.may_continue = [](const UnitPoint&) { return true; };
+  return search_path(stage, start, step, queries, 1);
+}
 
 TEST_P(Search, GoesTheSameWayHoweverManyRunsGoSideBySide) {
   const StageSpec stage = stage_of(GetParam(), 60);
@@ -250,14 +258,11 @@ TEST_P(Search, GetsNearerToTheBottom) {
 TEST_P(Search, EndsAtALimit) {
   SearchQueries questions;
   questions.misfit = [](const UnitPoint& u) { return bowl(u); };
-  LeastSquaresQueries squares;
-  squares.residuals = [](const UnitPoint& u) { return bowl_residuals(u); };
+  questions.residuals = bowl_residuals;
   int asked = 0;
-  questions.may_continue = squares.may_continue = [&](const UnitPoint&) { return ++asked <= 7; };
+  questions.may_continue = [&](const UnitPoint&) { return ++asked <= 7; };
   const StageSpec stage = stage_of(GetParam(), 100);
-  const SearchPath way = GetParam() == SearchMethod::kGaussNewton
-                             ? least_squares_path(stage, {0.5, 0.5, 0.5}, 0.01, squares)
-                             : search_path(stage, {0.5, 0.5, 0.5}, questions, 1);
+  const SearchPath way = search_path(stage, {0.5, 0.5, 0.5}, 0.01, questions, 1);
   EXPECT_EQ(way.sets.size(), 7u);
   EXPECT_EQ(way.end, "limit reached");
 }
@@ -275,50 +280,56 @@ TEST(GaussNewton, IsAtTheBottomOfALeastSquaresProblemAfterFewSets) {
 
 // With the bottom outside, the constrained minimum is found, not the cut one: r = (a + b - 2, a - b), a <= 0.7 of its unit.
 TEST(GaussNewton, SolvesAnewWhereARangeEnds) {
-  LeastSquaresQueries squares;
-  squares.may_continue = [](const UnitPoint&) { return true; };
-  squares.residuals = [](const UnitPoint& u) {
+  const auto residuals = [](const UnitPoint& u) {
     const double a = 0.7 * u[0], b = 2.0 * u[1];
     return std::vector<double>{3.0 * (a + b - 2.0), a - b};
   };
-  const SearchPath way = least_squares_path(stage_of(SearchMethod::kGaussNewton, 200), {0.5, 0.5}, 0.01, squares);
-  EXPECT_NEAR(way.best[0], 1.0, 1e-9);
-  EXPECT_NEAR(2.0 * way.best[1], (9.0 * 1.3 + 0.7) / 10.0, 1e-3);  // least of 9 (b - 1.3)^2 + (b - 0.7)^2
+  for (const UnitPoint& start : {UnitPoint{0.5, 0.5}, UnitPoint{0.0, 1.0}}) {
+    const SearchPath way = least_squares_path(stage_of(SearchMethod::kGaussNewton, 200), start, 0.01, residuals);
+    EXPECT_NEAR(way.best[0], 1.0, 1e-9);
+    EXPECT_NEAR(2.0 * way.best[1], (9.0 * 1.3 + 0.7) / 10.0, 1e-3);  // least of 9 (b - 1.3)^2 + (b - 0.7)^2
+  }
 }
 
-// Searches by response surfaces: mbd_solver/studies/surrogate.h.
+// Searches by response surfaces: mbd_solver/studies/calibrate/surrogate.h.
 
 // Points of a lattice in the unit square, moved a little so that no three are in line.
-Eigen::MatrixXd scattered_points(int side) {
-  Eigen::MatrixXd points(2, side * side);
+std::vector<UnitPoint> scattered_points(int side) {
+  std::vector<UnitPoint> points;
   for (int i = 0; i < side; ++i)
     for (int j = 0; j < side; ++j)
-      points.col(i * side + j) = Eigen::Vector2d(i + 0.3 * std::sin(7.0 * j + i), j + 0.3 * std::cos(5.0 * i)) / side;
+      points.push_back({(i + 0.3 * std::sin(7.0 * j + i)) / side, (j + 0.3 * std::cos(5.0 * i)) / side});
+  return points;
+}
+std::vector<double> values_at(const std::vector<UnitPoint>& points, const std::function<double(double, double)>& f) {
+  std::vector<double> values;
+  for (const UnitPoint& u : points) values.push_back(f(u[0], u[1]));
+  return values;
+}
+std::vector<UnitPoint> inner_points() {
+  std::vector<UnitPoint> points;
+  for (double x = 0.2; x < 0.75; x += 0.1)
+    for (double y = 0.2; y < 0.75; y += 0.1) points.push_back({x, y});
   return points;
 }
 
 TEST(ResponseSurfaces, IsExactOnAPlane) {
-  const Eigen::MatrixXd points = scattered_points(4);
-  const Eigen::VectorXd values = (3.0 + 2.0 * points.row(0).array() - 5.0 * points.row(1).array()).matrix().transpose();
-  const ResponseSurfaces surface(points, values);
-  for (const Eigen::Vector2d& x : {Eigen::Vector2d(0.1, 0.9), Eigen::Vector2d(2.0, -1.0)})
-    EXPECT_NEAR(surface.at(x)[0], 3.0 + 2.0 * x.x() - 5.0 * x.y(), 1e-8);
-  EXPECT_LT(surface.left_out_errors()[0], 1e-8);
+  const auto plane = [](double x, double y) { return 3.0 + 2.0 * x - 5.0 * y; };
+  const std::vector<UnitPoint> points = scattered_points(4), elsewhere = {{0.1, 0.9}, {2.0, -1.0}};
+  const std::vector<double> s = response_surface(points, values_at(points, plane))(elsewhere);
+  for (std::size_t i = 0; i < s.size(); ++i) EXPECT_NEAR(s[i], plane(elsewhere[i][0], elsewhere[i][1]), 1e-8);
 }
 
-// The cubic spline's error falls with at least the square of the distance of points.
+// At least with the square of the distance of points.
 TEST(ResponseSurfaces, ComesNearerWithMorePoints) {
   const auto f = [](double x, double y) { return std::sin(3.0 * x) * std::exp(-y); };
   double before = 0.0;
   for (const int side : {5, 10}) {
-    const Eigen::MatrixXd points = scattered_points(side);
-    Eigen::VectorXd values(points.cols());
-    for (Eigen::Index j = 0; j < points.cols(); ++j) values[j] = f(points(0, j), points(1, j));
-    const ResponseSurfaces surface(points, values);
+    const std::vector<UnitPoint> points = scattered_points(side);
+    const std::vector<double> s = response_surface(points, values_at(points, f))(inner_points()),
+                              truth = values_at(inner_points(), f);
     double error = 0.0;
-    for (double x = 0.2; x < 0.75; x += 0.1)
-      for (double y = 0.2; y < 0.75; y += 0.1)
-        error = std::max(error, std::abs(surface.at(Eigen::Vector2d(x, y))[0] - f(x, y)));
+    for (std::size_t i = 0; i < s.size(); ++i) error = std::max(error, std::abs(s[i] - truth[i]));
     if (side == 10) {
       EXPECT_LT(error, before / 4.0);
     }
@@ -328,25 +339,37 @@ TEST(ResponseSurfaces, ComesNearerWithMorePoints) {
 
 // Noise about a plane is not followed: between points the surface stays nearer to the plane than the points do.
 TEST(ResponseSurfaces, SmoothsNoise) {
-  const Eigen::MatrixXd points = scattered_points(7);
-  Eigen::VectorXd values(points.cols());
+  const std::vector<UnitPoint> points = scattered_points(7);
+  std::vector<double> values;
   double noise = 0.0;
-  for (Eigen::Index j = 0; j < points.cols(); ++j) {
+  for (std::size_t j = 0; j < points.size(); ++j) {
     const double e = std::sin(12345.678 * static_cast<double>(j * j + 1));
-    noise += e * e / static_cast<double>(points.cols());
-    values[j] = 4.0 * points(0, j) + e;
+    noise += e * e / static_cast<double>(points.size());
+    values.push_back(4.0 * points[j][0] + e);
   }
-  const ResponseSurfaces surface(points, values);
+  std::vector<UnitPoint> places;
+  for (double x = 0.1; x < 0.85; x += 0.1) places.push_back({x, 0.45});
+  const std::vector<double> s = response_surface(points, values)(places);
   double error = 0.0;
-  int places = 0;
-  for (double x = 0.1; x < 0.85; x += 0.1, ++places)
-    error += std::pow(surface.at(Eigen::Vector2d(x, 0.45))[0] - 4.0 * x, 2);
-  EXPECT_LT(error / places, 0.25 * noise);
+  for (std::size_t i = 0; i < s.size(); ++i) error += std::pow(s[i] - 4.0 * places[i][0], 2);
+  EXPECT_LT(error / static_cast<double>(s.size()), 0.25 * noise);
 }
 
-TEST(ResponseSurfaces, OfOnePointIsItsValue) {
-  const ResponseSurfaces surface(Eigen::MatrixXd::Constant(3, 1, 0.5), Eigen::VectorXd::Constant(1, 7.0));
-  EXPECT_DOUBLE_EQ(surface.at(Eigen::Vector3d(0.1, 0.2, 0.9))[0], 7.0);
+TEST(ResponseSurfaces, OfFewPointsOrOfOneValueIsTheirMean) {
+  const std::vector<UnitPoint> elsewhere = {{0.1, 0.2, 0.9}};
+  EXPECT_DOUBLE_EQ(response_surface({{0.5, 0.5, 0.5}}, {7.0})(elsewhere)[0], 7.0);
+  EXPECT_DOUBLE_EQ(response_surface({{0.5, 0.5, 0.5}, {0.1, 0.5, 0.5}}, {7.0, 8.0})(elsewhere)[0], 7.5);
+  EXPECT_DOUBLE_EQ(
+      response_surface(std::vector<UnitPoint>(9, {0.5, 0.5, 0.5}), std::vector<double>(9, 3.0))(elsewhere)[0], 3.0);
+  EXPECT_DOUBLE_EQ(response_surface(std::vector<UnitPoint>(4), {1.0, 2.0, 3.0, 2.0})({{}})[0], 2.0)
+      << "of no parameter";
+}
+
+// The quantiles of Student's distribution that tables print.
+TEST(Quantiles, AreThoseOfTables) {
+  EXPECT_NEAR(two_sided_quantile(0.95, 0), 1.959964, 1e-6);
+  EXPECT_NEAR(two_sided_quantile(0.95, 1), 12.7062, 1e-4);
+  EXPECT_NEAR(two_sided_quantile(0.99, 10), 3.1693, 1e-4);
 }
 
 // Ten parameters; each of eight numbers feels three of them, bends, and is wanted within bounds.
@@ -391,7 +414,7 @@ TEST(ListedSets, AreSearchedInTheirOrderUpToTheFirstUnknown) {
   SearchQueries queries;
   queries.may_continue = [](const UnitPoint&) { return true; };
   queries.misfit = [](const UnitPoint& u) -> std::optional<double> { return u[0] + u[1]; };
-  const SearchPath all = search_path(stage, {0.0, 0.0}, queries, 1);
+  const SearchPath all = search_path(stage, {0.0, 0.0}, 0.01, queries, 1);
   EXPECT_EQ(all.sets, stage.sets);
   EXPECT_EQ(all.best, stage.sets[0]);
   EXPECT_TRUE(all.requested.empty());
@@ -399,7 +422,7 @@ TEST(ListedSets, AreSearchedInTheirOrderUpToTheFirstUnknown) {
     if (u == stage.sets[1]) return {};
     return u[0] + u[1];
   };
-  const SearchPath first = search_path(stage, {0.0, 0.0}, queries, 1);
+  const SearchPath first = search_path(stage, {0.0, 0.0}, 0.01, queries, 1);
   EXPECT_EQ(first.sets, (std::vector<UnitPoint>{stage.sets[0]}));
   EXPECT_EQ(first.requested, (std::vector<UnitPoint>{stage.sets[1]}));
 }
@@ -409,7 +432,7 @@ TEST(SurrogateSearch, IsBetterThanSimplicesInAsManySets) {
   SearchQueries blind;
   blind.may_continue = [](const UnitPoint&) { return true; };
   blind.misfit = bent_misfit;
-  const SearchPath simplices = search_path(stage_of(SearchMethod::kSbplx, 40), bent_middle(), blind, 1);
+  const SearchPath simplices = search_path(stage_of(SearchMethod::kSbplx, 40), bent_middle(), 0.01, blind, 1);
   EXPECT_EQ(way.sets.size(), 40u);
   EXPECT_DOUBLE_EQ(way.misfit, bent_misfit(way.best));
   EXPECT_LT(way.misfit, 0.2 * simplices.misfit) << simplices.misfit;
@@ -467,7 +490,7 @@ TEST(SurrogateSearch, EndsAtALimit) {
   EXPECT_EQ(way.end, "limit reached");
 }
 
-// How far targets determine parameters: mbd_solver/studies/determination.h, on models that are formulas.
+// How far targets determine parameters: mbd_solver/studies/calibrate/determination.h, on models that are formulas.
 
 using Model = std::function<std::vector<double>(const std::vector<double>&)>;  // parameters -> y of the targets
 
@@ -517,13 +540,9 @@ Determination determined(const CalibrationSpec& spec, const Model& model, const 
 }
 
 UnitPoint least_misfit(const CalibrationSpec& spec, const Model& model) {
-  LeastSquaresQueries squares;
-  squares.may_continue = [](const UnitPoint&) { return true; };
-  squares.residuals = [&](const UnitPoint& u) { return evaluated(spec, model, u).residuals(spec); };
-  StageSpec stage;
-  stage.method = SearchMethod::kGaussNewton;
-  stage.evaluations = 500;
-  return least_squares_path(stage, UnitPoint(spec.parameters.size(), 0.5), spec.step, squares).best;
+  return least_squares_path(stage_of(SearchMethod::kGaussNewton, 500), UnitPoint(spec.parameters.size(), 0.5),
+                            spec.step, [&](const UnitPoint& u) { return evaluated(spec, model, u).residuals(spec); })
+      .best;
 }
 
 // Force of gas and damper over time, roughly: not linear in its parameters.
@@ -619,7 +638,7 @@ TEST(Pulls, NameWhatMeetingATargetCosts) {
   EXPECT_NEAR(pulls[0].costs[0].second, 2.0, 1e-9);  // tolerances
 }
 
-// The set next to one that was run whole: mbd_solver/studies/determination.h.
+// The set next to one that was run whole: mbd_solver/studies/calibrate/determination.h.
 
 // Two parameters with a range of 1; target 0 feels the first, target 1 both, target 2 the second.
 struct WholeRun {
@@ -683,11 +702,12 @@ TEST(Adjusted, KeepsConstraintsAndRanges) {
   run.spec.constraints[0].most = 0.55;
   run.says({-1.0, 1.0, 3.0});
   const UnitPoint u = adjusted(run.spec, run.whole, run.sensitivity);
-  EXPECT_LE(u[0], 0.55);
+  EXPECT_EQ(violation_of(run.spec, u), 0.0);
+  EXPECT_LE(u[0], 0.55 + 1e-10);  // runs get ten digits
   EXPECT_GT(u[0], 0.5);
 }
 
-// Which targets come together: mbd_solver/studies/determination.h.
+// Which targets come together: mbd_solver/studies/calibrate/determination.h.
 
 // Sets that meet these targets, of `targets` targets with weight 1.
 struct SetsThatMeet {
@@ -752,7 +772,7 @@ TEST(Together, MostAreCountedByWeight) {
   EXPECT_EQ(most_met(s.spec, s.all), s.all[1]);
 }
 
-// mbd_solver/studies/evaluations.h: what runs said comes back to the last bit, and only as an answer to the same question; damage is named.
+// mbd_solver/studies/calibrate/evaluations.h: what runs said comes back to the last bit, and only as an answer to the same question; damage is named.
 
 class LedgerOfRuns : public ::testing::Test {
  protected:

@@ -14,8 +14,8 @@
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/scene/scene_reader.h"
-#include "mbd_solver/studies/calibration_page.h"
-#include "mbd_solver/studies/calibration_run.h"
+#include "mbd_solver/studies/calibrate/calibration_page.h"
+#include "mbd_solver/studies/calibrate/calibration_run.h"
 #include "mbd_solver/studies/codes.h"
 
 namespace footfall {

@@ -1,5 +1,5 @@
 // Central differences, the eigenvalues of J^T J, and counts of sets that meet targets.
-#include "mbd_solver/studies/determination.h"
+#include "mbd_solver/studies/calibrate/determination.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/studies/fits.h"
-#include "mbd_solver/studies/search.h"
+#include "mbd_solver/studies/calibrate/optimum.h"
+#include "mbd_solver/studies/campaign/sampling.h"
 
 namespace footfall {
 namespace {
@@ -39,20 +39,7 @@ Eigen::VectorXd gradient(const CalibrationSpec& spec, std::size_t t, const Evalu
   return g;
 }
 
-double solve_by_halving(double (*tail)(double), double wanted) {
-  double low = 0.0, high = 50.0;
-  for (int k = 0; k < 200; ++k) {
-    const double middle = 0.5 * (low + high);
-    (tail(middle) > wanted ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
 }  // namespace
-
-double normal_quantile(double confidence) {
-  return solve_by_halving([](double x) { return 0.5 * std::erfc(x / std::sqrt(2.0)); }, 0.5 * (1.0 - confidence));
-}
 
 std::string Interval::is_determined() const { return share < 0.25 ? "yes" : share < 0.75 ? "weakly" : "no"; }
 
@@ -101,7 +88,7 @@ Determination determination_of(const CalibrationSpec& spec, const Evaluation& be
     if (d.jacobian.row(k).cwiseAbs().maxCoeff() > kLeastSlope) ++d.rows;
   const int freedom = d.rows - static_cast<int>(n);
   if (freedom > 0) d.scale = std::max(1.0, best.misfit / freedom);
-  const double q = d.scale > 1.0 ? student_t(spec.confidence, freedom) : normal_quantile(spec.confidence);
+  const double q = two_sided_quantile(spec.confidence, d.scale > 1.0 ? freedom : 0);
 
   // By directions, to find those that no target determines: wider than the range.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(d.jacobian.transpose() * d.jacobian);
@@ -159,7 +146,7 @@ std::vector<TradeOff> trade_offs_of(const CalibrationSpec& spec, const Evaluatio
 
 namespace {
 
-constexpr std::array<double, 5> kMoves = {1.0, 0.5, 0.2, 0.1, 0.05};  // steps of descend(), times h
+constexpr double kBetter = 1e-9, kForbidden = 1e30;  // of the misfit
 
 TargetSpec narrowed(TargetSpec target) {
   if (!target.is_band()) return target;
@@ -174,9 +161,7 @@ TargetSpec narrowed(TargetSpec target) {
 UnitPoint adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eigen::MatrixXd& sensitivity) {
   std::vector<TargetSpec> targets;
   for (const TargetSpec& target : spec.targets) targets.push_back(narrowed(target));
-  std::vector<double> steps(kMoves.begin(), kMoves.end());
-  for (double& step : steps) step *= spec.step;
-  DescentBounds within;
+  Bounds within;
   for (const double share : whole.point) {
     within.least.push_back(std::max(0.0, share - spec.step));
     within.most.push_back(std::min(1.0, share + spec.step));
@@ -184,7 +169,7 @@ UnitPoint adjusted(const CalibrationSpec& spec, const Evaluation& whole, const E
   const auto phi = [&](const UnitPoint& u) {
     Eigen::VectorXd step(static_cast<Eigen::Index>(u.size()));
     for (std::size_t i = 0; i < u.size(); ++i) step[static_cast<Eigen::Index>(i)] = u[i] - whole.point[i];
-    if (violation_of(spec, u) > 0.0) return std::numeric_limits<double>::infinity();
+    if (violation_of(spec, u) > 0.0) return kForbidden;
     double sum = step.squaredNorm() / (spec.step * spec.step);
     for (std::size_t t = 0; t < targets.size(); ++t) {
       if (targets[t].is_curve() || whole.targets[t].failed) continue;
@@ -195,7 +180,8 @@ UnitPoint adjusted(const CalibrationSpec& spec, const Evaluation& whole, const E
     }
     return sum;
   };
-  return descend(whole.point, within, steps, phi);
+  const UnitPoint best = minimum({"LN_SBPLX", whole.point, within, 1e-4 * spec.step, 0.5 * spec.step}, phi);
+  return phi(best) < phi(whole.point) - kBetter ? best : whole.point;
 }
 
 const Evaluation* most_met(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets) {

@@ -1,40 +1,7 @@
 #pragma once
-// The method surrogate: response surfaces of the targets. A surface is a smooth function of scattered, noisy numbers, by cubic
-// radial basis functions and a plane,
-//
-//   s(x) = sum over j of w_j |x - x_j|^3 + c_0 + c . x,   [K + lambda I, P; P^T, 0] [w; c] = [y; 0]
-//
-// with K_ij = |x_i - x_j|^3 and P = [1, x^T]; with too few points for a plane, P = [1]. lambda, of kSmoothings, is that with
-// the smallest leave-one-out error, sum of e_j^2 with e_j = w_j / (M^-1)_jj of the matrix M above [Rippa 1999, for
-// lambda = 0]. Several numbers at the same points share M; each has its own lambda.
-
-#include <Eigen/Dense>
-#include <array>
-#include <random>
-
-#include "mbd_solver/studies/search.h"
-
-namespace footfall {
-
-class ResponseSurfaces {
- public:
-  static constexpr std::array<double, 6> kSmoothings = {1e-5, 1e-3, 1e-2, 1e-1, 1.0, 10.0};
-
-  // `points`: a column per point; `values`: a row per point, a column per number.
-  ResponseSurfaces(const Eigen::MatrixXd& points, const Eigen::MatrixXd& values);
-
-  Eigen::VectorXd at(const Eigen::VectorXd& x) const;  // all numbers
-  // Leave-one-out error, root mean square, per number.
-  const Eigen::VectorXd& left_out_errors() const { return left_out_errors_; }
-
- private:
-  Eigen::MatrixXd points_;
-  Eigen::MatrixXd weights_;  // w above c, a column for each number
-  Eigen::VectorXd left_out_errors_;
-};
-
-// For expensive runs, many parameters, and targets that depend on a few of them each. Every number k of a target has a
-// response surface s_k over the parameters that affect it, and so the misfit has the model
+// The method surrogate, for expensive runs, many parameters, and targets that depend on a few of them each. Every number k
+// of a target has a response surface s_k over the parameters that affect it (Kriging, campaign/sampling.h), and so
+// the misfit has the model
 //
 //   Phi(u) = sum over numbers k of part_k(s_k(u)),
 //
@@ -42,6 +9,12 @@ class ResponseSurfaces {
 // and of random sets, half of them about the best one, that with the least a Phi + (1 - a) (1 - d), a = 0.8 and 0.5, with Phi
 // and the distance d to the nearest known set scaled to 0..1 [Regis, Shoemaker 2007]. The first sets, two more than
 // parameters, are a Latin hypercube.
+
+#include <random>
+
+#include "mbd_solver/studies/calibrate/search.h"
+
+namespace footfall {
 
 struct SurrogateQueries {
   // The numbers k of a set; none: not known yet; empty: a run failed.
@@ -63,7 +36,6 @@ class SurrogateSearch {
 
  private:
   UnitPoint next();
-  UnitPoint latin(std::size_t row);
   double uniform();
   double normal();
   double misfit_of(const std::vector<double>& numbers) const;  // Phi
@@ -73,7 +45,7 @@ class SurrogateSearch {
   const SurrogateQueries queries_;
   const UnitPoint start_;
   std::mt19937_64 random_;
-  std::vector<std::vector<double>> hypercube_;      // one row per parameter
+  std::vector<UnitPoint> hypercube_;
   std::vector<UnitPoint> tried_;                    // all sets, including failed ones
   std::vector<UnitPoint> known_;                    // sets with numbers
   std::vector<std::vector<double>> known_numbers_;  // of known_

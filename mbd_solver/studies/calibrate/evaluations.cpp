@@ -1,5 +1,5 @@
 // Turns sets of parameters into runs of the store, and finished runs into values of targets.
-#include "mbd_solver/studies/evaluations.h"
+#include "mbd_solver/studies/calibrate/evaluations.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,5 +1,5 @@
 // Builds pages of parts: text, a table, pictures. gnuplot draws from the CSV files of the folder.
-#include "mbd_solver/studies/calibration_page.h"
+#include "mbd_solver/studies/calibrate/calibration_page.h"
 
 #include <algorithm>
 #include <cmath>

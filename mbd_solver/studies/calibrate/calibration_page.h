@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/studies/calibration_run.h"
+#include "mbd_solver/studies/calibrate/calibration_run.h"
 #include "mbd_solver/studies/tables.h"
 
 namespace footfall {

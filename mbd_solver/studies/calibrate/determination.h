@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/studies/evaluations.h"
+#include "mbd_solver/studies/calibrate/evaluations.h"
 
 namespace footfall {
 
@@ -56,9 +56,6 @@ struct TradeOff {
 // Of the targets that are single numbers and not met.
 std::vector<TradeOff> trade_offs_of(const CalibrationSpec& spec, const Evaluation& best,
                                     const std::vector<const Evaluation*>& around);
-
-// x that a standard normal variable exceeds with probability (1 - confidence) / 2.
-double normal_quantile(double confidence);
 
 // The set near one that was run whole that should meet more targets, to first order; whole runs differ from the cheaper ones
 // of a search:

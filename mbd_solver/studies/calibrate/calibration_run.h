@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/studies/determination.h"
-#include "mbd_solver/studies/evaluations.h"
-#include "mbd_solver/studies/search.h"
-#include "mbd_solver/studies/surrogate.h"
+#include "mbd_solver/studies/calibrate/determination.h"
+#include "mbd_solver/studies/calibrate/evaluations.h"
+#include "mbd_solver/studies/calibrate/search.h"
+#include "mbd_solver/studies/calibrate/surrogate.h"
 
 namespace footfall {
 
@@ -41,7 +41,6 @@ class StageSearch {
   const StageTask task_;
   double spent_;
   SearchQueries queries_;
-  LeastSquaresQueries squares_;
   std::optional<SurrogateSearch> surrogate_;
 };
 

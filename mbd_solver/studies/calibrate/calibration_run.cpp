@@ -1,5 +1,5 @@
 // Each step requests sets and carries out their missing runs; an interrupted calibration repeats the steps on finished runs.
-#include "mbd_solver/studies/calibration_run.h"
+#include "mbd_solver/studies/calibrate/calibration_run.h"
 
 #include <algorithm>
 #include <chrono>
@@ -9,9 +9,9 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/studies/calibration_page.h"
+#include "mbd_solver/studies/calibrate/calibration_page.h"
+#include "mbd_solver/studies/calibrate/determination.h"
 #include "mbd_solver/studies/codes.h"
-#include "mbd_solver/studies/determination.h"
 
 namespace footfall {
 namespace {
@@ -36,15 +36,14 @@ struct Number {
 }  // namespace
 
 StageSearch::StageSearch(const StageTask& task) : task_(task), spent_(task.spent) {
-  queries_.may_continue = squares_.may_continue = [this](const UnitPoint&) { return may_continue(); };
+  queries_.may_continue = [this](const UnitPoint&) { return may_continue(); };
   queries_.misfit = [this](const UnitPoint& set) -> std::optional<double> {
     const Evaluation* e = look_up(set);
     if (!e) return {};
     return e->misfit;
   };
-  squares_.residuals = [this](const UnitPoint& set) -> std::optional<std::vector<double>> {
-    const Evaluation* e = look_up(set);
-    if (!e) return {};
+  queries_.residuals = [this](const UnitPoint& set) {
+    const Evaluation* e = task_.evaluations.known(task_.fidelity, set);
     return e->message.empty() ? e->residuals(task_.spec) : std::vector<double>();
   };
   if (task.stage.method != SearchMethod::kSurrogate || task.stage.evaluations <= 0) return;
@@ -65,10 +64,8 @@ const Evaluation* StageSearch::look_up(const UnitPoint& set) {
 SearchPath StageSearch::go() {
   if (surrogate_) return surrogate_->go();
   spent_ = task_.spent;  // these methods start again
-  if (task_.stage.method == SearchMethod::kGaussNewton)
-    return least_squares_path(task_.stage, task_.start, task_.spec.step, squares_);
   const int runs_per_set = static_cast<int>(task_.spec.scenes.size()) * task_.fidelity.seeds;
-  return search_path(task_.stage, task_.start, queries_,
+  return search_path(task_.stage, task_.start, task_.spec.step, queries_,
                      static_cast<std::size_t>((task_.jobs + runs_per_set - 1) / runs_per_set));
 }
 
