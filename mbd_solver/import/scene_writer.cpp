@@ -307,14 +307,21 @@ class Writer {
     return std::max(1e-9, moved_inertia(robot_, joint, q.name != "angle") + q.armature);
   }
 
+  // Angles beyond one turn in degrees: a scene asks back whether so many radians are meant.
+  static std::string coordinate_entry(const std::string& key, const RobotCoordinate& q, double value) {
+    const double x = value - q.zero;
+    if (q.name != "angle" || std::abs(x) <= 2.0 * kPi) return key + " = " + number(x);
+    return key + "_deg = " + number(x * 180.0 / kPi);
+  }
+
   std::string laws_of(const RobotJoint& joint, const RobotCoordinate& q) const {
     std::string text;
     if (q.lower || q.upper) {
       const double omega = 2.0 * kPi * kStopFrequency;
       const double stiffness = std::max(inertia_of(joint, q) * omega * omega, 100.0 * q.effort);
       text += "stops = {";
-      if (q.lower) text += " min = " + number(*q.lower - q.zero) + ",";
-      if (q.upper) text += " max = " + number(*q.upper - q.zero) + ",";
+      if (q.lower) text += " " + coordinate_entry("min", q, *q.lower) + ",";
+      if (q.upper) text += " " + coordinate_entry("max", q, *q.upper) + ",";
       text += " stiffness = " + number_text(stiffness, 3) + " }\n";
     }
     if (q.friction > 0.0) {
@@ -325,7 +332,7 @@ class Writer {
     const bool damper = q.damping > 0.0 && !(q.friction > 0.0);
     if (q.stiffness > 0.0 || damper) {
       text += "spring = {";
-      if (q.stiffness > 0.0) text += " stiffness = " + number(q.stiffness) + ", rest = " + number(q.rest - q.zero);
+      if (q.stiffness > 0.0) text += " stiffness = " + number(q.stiffness) + ", " + coordinate_entry("rest", q, q.rest);
       if (damper) text += std::string(q.stiffness > 0.0 ? "," : "") + " damping = " + number(q.damping);
       text += " }\n";
     }
@@ -468,7 +475,16 @@ class Writer {
            << "\nmargin = " << number_text(0.5 * longer, 3) << "\nframe_interval = 0.05\n";
     }
     rest_ += text.str();
-    if (!of_file) initial_ += "clearance = " + number_text(1e-3 * box_.sizes().maxCoeff(), 2) + "\n";
+    if (of_file) return;
+    const double gap = 1e-3 * box_.sizes().maxCoeff();
+    const bool held = std::any_of(robot_.joints.begin(), robot_.joints.end(), [](const RobotJoint& joint) {
+      return joint.parent < 0 && joint.kind == RobotJointKind::kFixed;
+    });
+    if (held)  // A base stays where it is while its joints start elsewhere. z = 0 is the ground.
+      initial_ += "position = [0, 0, " + number_text(gap - box_.min().z(), 4) +
+                  "]             # m: the lowest point as drawn is above the ground\n";
+    else
+      initial_ += "clearance = " + number_text(gap, 2) + "\n";
   }
 
   void add_start() {

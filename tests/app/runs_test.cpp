@@ -151,6 +151,23 @@ std::vector<std::pair<long, long>> atoms_in(const std::string& log) {
   return rows;
 }
 
+// A block whose edge has a further corner beside its end, so that two of its triangles have angles of 0.17 degrees, as CAD programs write them.
+TEST(Box, TakesNeedlesOfACadMesh) {
+  const app::Folder folder("needles");
+  folder.write(
+      "block.obj",
+      "v 0 0 0.08\nv 0.06 0 0.08\nv 0.06 0.06 0.08\nv 0 0.06 0.08\nv 0 0 0.02\nv 0.06 0 0.02\nv 0.06 0.06 0.02\n"
+      "v 0 0.06 0.02\nv 0.00018 0 0.08\n"
+      "f 1 9 4\nf 9 2 4\nf 2 3 4\nf 5 6 2\nf 5 2 9\nf 5 9 1\nf 6 7 3\nf 6 3 2\nf 7 8 4\nf 7 4 3\nf 8 5 1\nf 8 1 4\n"
+      "f 5 8 7\nf 5 7 6\n");
+  std::string scene = kFountain.substr(0, kFountain.find("[[particles.box.sources]]"));
+  const std::string disc = "{ kind = \"disc\", centre = [0, 0, 0.05], radius = 0.03, thickness = 0.01 }";
+  scene.replace(scene.find(disc), disc.size(), "{ kind = \"mesh\", file = \"block.obj\" }");
+  folder.write("scene.toml", scene);
+  folder.done("run . --quiet --until 0.005 --out run", 300);
+  EXPECT_EQ(folder.summary("run")["status"], "done");
+}
+
 // Of 1000 grains a second from 10 ms on as many have come as are due, less those of one interval of 10 ms; 50 in the end.
 TEST(Source, HasItsRateToTheGrainAndTheLedgerCloses) {
   const double m = 2600 * 4.0 / 3.0 * M_PI * std::pow(0.008, 3), g = 9.81;

@@ -88,6 +88,38 @@ TEST_F(Robots, UrdfTurnedInertialFrameAndProducts) {
   EXPECT_EQ(j.angle->stops->largest_stroke.value(), 2.0);
 }
 
+// A scene asks whether more than a turn in radians is meant (W0167): such limits are written in degrees.
+TEST_F(Robots, LimitsBeyondATurnAreWrittenInDegrees) {
+  const Scene s = imported("r.urdf", urdf(link("a") + link("b") +
+                                          joint("revolute",
+                                                "<axis xyz='0 0 1'/>"
+                                                "<limit lower='-6.28318530718' upper='7' effort='5' velocity='6'/>")));
+  const JointSpec& j = *s.joint("j");
+  EXPECT_NEAR(j.angle->stops->smallest_stroke.value(), -6.28318530718, kExact);
+  EXPECT_NEAR(j.angle->stops->largest_stroke.value(), 7.0, kExact);
+  EXPECT_EQ(j.source.in_other_units.count("angle.stops.min"), 1u);
+  EXPECT_EQ(j.source.in_other_units.count("angle.stops.max"), 1u);
+}
+
+// A base that is fixed stands on the ground where it is drawn, however its joints start: its place does not come from a clearance,
+// which counts the body that is lowest above the grains.
+TEST_F(Robots, AFixedBaseStandsOnTheGround) {
+  const std::string ball = kBall + std::string("<collision><geometry><sphere radius='0.1'/></geometry></collision>");
+  const std::string robot = urdf(link("a", ball) + link("b", ball) +
+                                 joint("revolute",
+                                       "<origin xyz='0.5 0 0.4'/><axis xyz='0 1 0'/>"
+                                       "<limit lower='-1' upper='1' effort='5' velocity='6'/>"));
+  ImportArguments a;
+  a.options.ground = "plane";
+  const Scene free = imported("r.urdf", robot, a);
+  EXPECT_TRUE(free.initial.clearance.has_value());
+  a.options.fix_base = true;
+  const Scene fixed = imported("r.urdf", robot, a);
+  EXPECT_FALSE(fixed.initial.clearance.has_value());
+  EXPECT_NEAR(fixed.initial.position.z(), 0.1, 1e-3);  // plus a thousandth of its size
+  EXPECT_GT(fixed.initial.position.z(), 0.1);
+}
+
 TEST_F(Robots, UrdfQuaternionIsTheSameTurnAsRpy) {
   const Eigen::Quaterniond q(rz(-0.7) * ry(0.2) * rx(0.3));
   const std::string words =
