@@ -273,6 +273,72 @@ TEST(SmallScenes, HaveTheNumbersOfTheirPage) {
   EXPECT_GT(highest, 0.08);
 }
 
+// The scenes of grains in their own numbers, those of their page, and each in a balance. Nothing is to be told: contacts stay below 5 % of a radius.
+TEST(SmallScenes, OfGrainsBalance) {
+  const app::Folder folder("small_scenes_of_grains");
+  const auto run = [&](const std::string& name) {
+    folder.done("run " + app::kInputs + "/starters/" + name +
+                    " --quiet --ranks 1 --set output.vtk=false --set output.plots=false --out " + name,
+                600);
+    EXPECT_EQ(folder.summary(name)["warnings"].size(), 0u) << name << folder.summary(name)["warnings"];
+    return read_history(folder.file(name + "/history.csv"));
+  };
+  const double g = 9.81;
+
+  // Penetrator: the guide carries nothing along z, so the momentum of rod and hammer is the impulse of grains and weight. The
+  // impulse is a sum over rows of means of coupling intervals that are as long: 2 % of the weight's.
+  const History rod = run("penetrator");
+  const std::vector<double>&t = rod.column("time"), &fz = rod.column("rod.contact.fz"), &z = rod.column("rod.z");
+  double impulse = 0.0;
+  for (std::size_t k = 1; k < t.size(); ++k) impulse += 0.5 * (fz[k] + fz[k - 1]) * (t[k] - t[k - 1]);
+  const double momentum = 0.8 * rod.column("rod.vz").back() + 2.0 * rod.column("hammer.vz").back();
+  const double weight = 2.8 * g * t.back();
+  EXPECT_NEAR(impulse - weight, momentum, 0.02 * weight);
+  // Under its weight by 40 mm, by three blows to 70 mm; another bed may differ by a grain's radius.
+  EXPECT_NEAR(z.front() - z[static_cast<std::size_t>(0.4 / t[1])], 0.040, 0.008);
+  EXPECT_NEAR(z.front() - z.back(), 0.070, 0.012);
+
+  // Blade: where it is deepest, the grains resist by more than Rankine's passive pressure on a wide wall, K_p rho g d^2 b / 2,
+  // phi = 33 degrees, d = 61 mm, and by less than twelve times that: it is only three grains deep, lifts what is beside it and
+  // pushes a heap.
+  const History blade = run("blade");
+  const std::vector<double>&when = blade.column("time"), &fx = blade.column("blade.contact.fx");
+  double force = 0.0;
+  int rows = 0;
+  for (std::size_t k = 0; k < when.size(); ++k)
+    if (when[k] >= 0.38 && when[k] < 0.5) {
+      force -= fx[k];
+      ++rows;
+    }
+  force /= rows;
+  const double depth = folder.summary("blade")["max_penetration_m"].get<double>();
+  const double passive = 0.5 * 3.4 * 2600 * 0.6 * g * depth * depth * 0.16;
+  EXPECT_GT(force, passive);
+  EXPECT_LT(force, 12.0 * passive);
+
+  // Seesaw: the board leaves its stop when the grains on it turn it by as much as counterweight and friction hold, g (0.5 kg 0.1 m -
+  // 0.3 kg 0.02 m) + 0.01 N m. Means of 0.1 s, in which the source adds 0.6 N times 0.1 m: within 20 %.
+  const History board = run("seesaw");
+  const std::vector<double>&angle = board.column("hinge.angle"), &time = board.column("time");
+  const auto turning = [&](std::size_t k) {
+    return board.column("board.contact.my")[k] - board.column("board.x")[k] * board.column("board.contact.fz")[k] +
+           (board.column("board.z")[k] - 0.15) * board.column("board.contact.fx")[k];
+  };
+  std::size_t tips = 0;
+  while (tips + 1 < angle.size() && angle[tips] < 0.01) ++tips;
+  double torque = 0.0;
+  int count = 0;
+  for (std::size_t k = 0; k < tips; ++k)
+    if (time[k] >= time[tips] - 0.1) {
+      torque += turning(k);
+      ++count;
+    }
+  EXPECT_NEAR(torque / count, g * (0.5 * 0.1 - 0.3 * 0.02) + 0.01, 0.09);
+  EXPECT_NEAR(time[tips], 1.0, 0.15);
+  EXPECT_GT(*std::max_element(angle.begin(), angle.end()), 0.5);
+  EXPECT_LT(angle.back(), 0.05);  // it has returned
+}
+
 const std::string kSphere =
     app::kSmallSphere + " --until 0.07 --set output.vtk=true --set output.checkpoint_interval=0.02";
 INSTANTIATE_TEST_SUITE_P(
