@@ -297,6 +297,7 @@ std::vector<std::string> EmbeddedSimulation::warnings() const {
   std::vector<std::string> all = run.simulation.mechanism().warnings;  // those of the scene included
   const auto add = [&](const std::vector<std::string>& more) { all.insert(all.end(), more.begin(), more.end()); };
   add(run.simulation.time_warnings());
+  add(run.simulation.signal_warnings());
   add(run.observation.flexible().warnings());
   add(run.observation.joints().warnings());
   for (const std::string& text : {run.metrics.balance_warning(), run.simulation.integrator().warning()})

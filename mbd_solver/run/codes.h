@@ -55,6 +55,9 @@ inline constexpr MessageCode kTurnsNotCounted{"W0665", "turns-not-counted"};
 // Joints change the damping ratio of a flexible body's lowest mode. Give the damping that the message computes, if that is meant.
 inline constexpr MessageCode kAttachedDamping{"W0666", "attached-damping"};
 
+// A signal of another program (FMU, Python file) answers motion like a stiff spring: its period is too long. Shorten it, or use a spring of the scene.
+inline constexpr MessageCode kSignalOmegaH{"W0668", "signal-omega-h"};
+
 // A signal of kind "host" has no program that sets it in a run from the command line. Lead the scene from a program, or change its kind.
 inline constexpr MessageCode kUnsetSignal{"W0667", "unset-signal"};
 

@@ -182,6 +182,7 @@ class RunSession {
     body_warnings_.print(files_.observation().flexible().warnings());
     joint_warnings_.print(files_.observation().joints().warnings());
     time_warnings_.print(simulation_.time_warnings());
+    signal_warnings_.print(simulation_.signal_warnings());
     if (leader_) leader_->observe(sample, metrics_.metrics().energy_balance_relative());
     trial_.observe(simulation_, sample.state.time);
     if (trial_.over() || interrupted_ != 0) trial_ends_ = 1;
@@ -245,7 +246,7 @@ class RunSession {
   RunFiles files_;
   MetricRecorder metrics_;
   Progress progress_;
-  WarningPrinter coupling_warnings_, body_warnings_, joint_warnings_, time_warnings_;
+  WarningPrinter coupling_warnings_, body_warnings_, joint_warnings_, time_warnings_, signal_warnings_;
   Trial trial_;
   volatile std::sig_atomic_t trial_ends_ = 0;
   CheckpointFolder checkpoints_;

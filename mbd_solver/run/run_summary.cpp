@@ -99,6 +99,7 @@ Json warnings_of(const Simulation& simulation, const MetricRecorder& recorder, c
   add(simulation.mechanism().warnings);
   add(simulation.assembly().notes);
   add(simulation.time_warnings());
+  add(simulation.signal_warnings());
   if (simulation.coupled()) add(simulation.coupled()->watch().warnings());
   add(observation.flexible().warnings());
   add(observation.joints().warnings());

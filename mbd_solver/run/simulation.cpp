@@ -109,6 +109,8 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
     mechanism_.warnings.push_back(std::move(warning));
   if (!scene.initial.from.empty() && resume.empty())  // the angles, which the assembly has counted from zero
     carry_over(scene, mechanism_.model, equations_.layout(), state_, &mechanism_.warnings);
+  stiff_signals_ = std::make_unique<StiffSignals>(scene, mechanism_, assembly_, baumgarte(scene.solver));
+  if (stiff_signals_->empty()) stiff_signals_.reset();
   inputs_.values = mechanism_.inputs;
   inputs_change_ = std::isfinite(control_.next_sample());  // otherwise nothing is sampled, and rows do not end a window
   const Kinematics reference = kinematics();
@@ -497,7 +499,10 @@ void Simulation::sample_controllers() {
   const double started = wall_clock(), due = control_.next_sample();
   const Eigen::VectorXd values = inputs_.values;
   control_.sample_due(sampler_.sample(), inputs_);
-  if (control_.next_sample() > due) inputs_change_ = inputs_.values != values;
+  if (control_.next_sample() > due) {
+    inputs_change_ = inputs_.values != values;
+    if (stiff_signals_) stiff_signals_->observe(state_, inputs_);
+  }
   times_.control += wall_clock() - started;
 }
 

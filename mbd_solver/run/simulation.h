@@ -22,6 +22,7 @@
 #include "mbd_solver/run/control_loop.h"
 #include "mbd_solver/run/event_watch.h"
 #include "mbd_solver/run/observe/sampler.h"
+#include "mbd_solver/run/stiff_signals.h"
 
 namespace footfall {
 
@@ -96,6 +97,10 @@ class Simulation {
   const CoupledRun* coupled() const { return coupled_.get(); }
   // About functions of time, as far as the run has come.
   std::vector<std::string> time_warnings() const { return corners_.warnings(); }
+  // About signals of other programs, likewise.
+  std::vector<std::string> signal_warnings() const {
+    return stiff_signals_ ? stiff_signals_->warnings() : std::vector<std::string>();
+  }
 
  private:
   struct Loop;  // arguments of run() and what its two loops share
@@ -143,7 +148,8 @@ class Simulation {
   Eigen::VectorXd rates_;  // [dq; dv; dz; lambda] at state_.time
   long window_ = 0;        // windows completed
   ControlLoop control_;
-  bool inputs_change_ = true;  // the last controller sample changed one
+  std::unique_ptr<StiffSignals> stiff_signals_;  // null where no other program computes a signal from inputs
+  bool inputs_change_ = true;                    // the last controller sample changed one
   struct GivenInput {
     int place;
     double value;

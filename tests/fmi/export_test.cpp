@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <pugixml.hpp>
 #include <set>
+#include <sstream>
 
 #include "mbd_solver/fmi/export/fmu_command.h"
 #include "mbd_solver/fmi/fmi3_interface.h"
@@ -154,7 +156,7 @@ TEST(ExportedFmu, MovesByItsClosedFormWithParametersAndStates) {
 // The rules that a validator of FMI 3.0 holds a description against.
 TEST(ExportedFmu, DescriptionKeepsTheRulesOfTheStandard) {
   const Folder folder("fmu_rules");
-  const std::string file = exported(folder, "mass", kMass);
+  const std::string file = exported(folder, "mass", kMass, "--set output.interval=5");  // longer than the scene
   fs::create_directory(folder.file("unpacked"));
   unpack_fmu(file, folder.file("unpacked"));
   pugi::xml_document document;
@@ -163,6 +165,18 @@ TEST(ExportedFmu, DescriptionKeepsTheRulesOfTheStandard) {
   for (const char* required : {"fmiVersion", "modelName", "instantiationToken"})
     EXPECT_NE(root.attribute(required).as_string()[0], 0) << required;
   EXPECT_EQ(std::string(root.attribute("fmiVersion").value()), "3.0");
+  const std::string identifier = root.child("CoSimulation").attribute("modelIdentifier").value();
+  EXPECT_THAT(identifier, testing::MatchesRegex("[A-Za-z_][A-Za-z0-9_]*")) << "the name of a C function begins with it";
+  const pugi::xml_node experiment = root.child("DefaultExperiment");
+  const double start = experiment.attribute("startTime").as_double(),
+               stop = experiment.attribute("stopTime").as_double();
+  EXPECT_LT(start, stop);
+  EXPECT_GT(experiment.attribute("stepSize").as_double(), 0.0);
+  EXPECT_LT(experiment.attribute("stepSize").as_double(), stop - start);
+  std::set<std::string> categories;
+  for (const pugi::xml_node& category : root.child("LogCategories"))
+    EXPECT_TRUE(categories.insert(category.attribute("name").value()).second);
+  EXPECT_EQ(categories.count("logStatusError"), 1u);
   EXPECT_EQ(std::string(root.attribute("description").value()), "A mass & its <slider>");
   EXPECT_TRUE(
       fs::exists(folder.file("unpacked/binaries/x86_64-linux/" +
@@ -181,6 +195,12 @@ TEST(ExportedFmu, DescriptionKeepsTheRulesOfTheStandard) {
     if (v.attribute("unit")) EXPECT_EQ(units.count(v.attribute("unit").value()), 1u) << name;
     const bool starts = causality == "input" || causality == "parameter";
     EXPECT_EQ(!v.attribute("start").empty(), starts) << name;
+    std::istringstream values(v.attribute("start").value());
+    const auto count = std::distance(std::istream_iterator<std::string>(values), std::istream_iterator<std::string>());
+    if (starts) EXPECT_EQ(count, v.child("Dimension") ? v.child("Dimension").attribute("start").as_int() : 1) << name;
+    const std::string initial = v.attribute("initial").value(), variability = v.attribute("variability").value();
+    EXPECT_EQ(initial, causality == "output" ? "calculated" : causality == "parameter" ? "exact" : "") << name;
+    if (causality != "parameter") EXPECT_EQ(variability, "continuous") << name;
     if (causality == "parameter") EXPECT_EQ(std::string(v.attribute("variability").value()), "fixed") << name;
     independents += causality == "independent" ? 1 : 0;
     causality_of[v.attribute("valueReference").value()] = causality;

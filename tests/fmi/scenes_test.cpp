@@ -119,6 +119,32 @@ TEST(FmuScene, PlantAndControllerAreClosedThroughTheScene) {
   }
 }
 
+// A spring of kp in an FMU on 2 kg, by its controller u = kp e of e = -x: omega H = 1 ms sqrt(kp / 2 kg). Silent: below 0.1, for a slow
+// approach to a velocity, and where the motion oscillates on a stiff spring of the scene while the FMU damps it little.
+TEST(FmuScene, SpringsInFmusAreToldWhenTheirPeriodIsTooLong) {
+  struct Case {
+    double kp;
+    std::string input, more;
+    bool told;
+  };
+  const std::string stiff =
+      "[[signals]]\nname = \"s\"\nkind = \"expression\"\ninput = \"-2e5 * block.x\"\n"
+      "[[forces]]\nname = \"s\"\nbody = \"block\"\ndirection = [1, 0, 0]\nforce = { signal = \"s\" }\n";
+  for (const Case& c : {Case{8e4, "-block.x", "", true}, Case{5e3, "-block.x", "", false},
+                        Case{50.0, "1 - block.vx", "", false}, Case{1.0, "-block.vx", stiff, false}}) {
+    const Folder folder("fmu_omega_h");
+    std::ostringstream kp;
+    kp << c.kp;
+    folder.write("scene.toml", scene_with(fmu_signal("push", "controller_3",
+                                                     "outputs = [\"u\"]\ninputs = { e = \"" + c.input +
+                                                         "\" }\nstart = { kp = " + kp.str() + " }") +
+                                          "[initial.joints]\nslider = 0.01\n" + c.more));
+    const test::Outcome run = folder.done("run scene.toml --out run --quiet --trust-script");
+    EXPECT_EQ(app::count(run.text, "W0668"), c.told ? 1 : 0) << run.text;
+    if (c.told) EXPECT_THAT(run.text, HasSubstr("on 2 (SI): omega H = 0.2 ")) << run.text;
+  }
+}
+
 TEST(FmuScene, ResumedRunHasTheSameBytes) {
   const Folder folder("fmu_resumed");
   folder.write("scene.toml", scene_with(fmu_signal("plant", "oscillator_3",

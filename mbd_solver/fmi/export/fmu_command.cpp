@@ -198,7 +198,7 @@ int fmu_command(const FmuArguments& a) {
   exported.title = scene.title;
   exported.token = "{" + fingerprint(files.contents() + settings + FOOTFALL_VERSION) + "}";
   exported.end_time = scene.end_time;
-  exported.step = std::min(scene.output.interval, scene.end_time);
+  exported.step = scene.output.interval < scene.end_time ? scene.output.interval : 0.5 * scene.end_time;
   exported.has_state = !grains && foreign_code_without_state(scene).empty();
   exported.variables = variables_of(*model, scene);
 

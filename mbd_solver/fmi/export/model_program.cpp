@@ -24,6 +24,7 @@
 #include "mbd_solver/fmi/export/exported_model.h"
 #include "mbd_solver/fmi/export/led_pair.h"
 #include "mbd_solver/fmi/export/stepped_model.h"
+#include "mbd_solver/run/observe/spring_fit.h"
 
 namespace {
 
@@ -49,9 +50,8 @@ void watch_importer() {
   }).detach();
 }
 
-// A force that the importing program sets and that answers the motion of its body, as a spring there does: k and d of
-// dF = -k dx - d dv by least squares over the steps, older ones forgotten. An explicit exchange feeds such a motion like a damping
-// ratio of -omega H / 4, omega = sqrt(k/m): what a master needs to be told.
+// A force that the importing program sets and that answers the motion of its body, as a spring there does. An explicit exchange feeds
+// such a motion like a damping ratio of -omega H / 4, omega = sqrt(k/m): what a master needs to be told.
 class StiffInput {
  public:
   StiffInput(std::string input, std::string body, const Eigen::Vector3d& direction, double mass)
@@ -65,18 +65,11 @@ class StiffInput {
       for (int i = 0; i < 3; ++i) sum += direction_[i] * s.value(body_ + names[i]);
       return sum;
     };
-    const Eigen::Vector3d now(along({".x", ".y", ".z"}), along({".vx", ".vy", ".vz"}), force);
-    const Eigen::Vector3d change = now - last_;
-    last_ = now;
-    if (++count_ < 2) return "";
-    moments_ = kMemory * moments_ + change * change.transpose();
-    if (told_ || count_ < kFewest) return "";
-    const Eigen::Matrix2d motion = moments_.topLeftCorner<2, 2>();
-    const Eigen::Vector2d answer = moments_.topRightCorner<2, 1>();
-    if (!(std::abs(motion.determinant()) > 1e-12 * motion(0, 0) * motion(1, 1))) return "";
-    const Eigen::Vector2d slope = motion.inverse() * answer;
-    const double explained = slope.dot(answer), k = -slope[0], omega_h = k > 0.0 ? step * std::sqrt(k / mass_) : 0.0;
-    if (explained < kExplained * moments_(2, 2) || omega_h < kMostOmegaH) return "";
+    const std::optional<SpringAndDamper> found =
+        fit_.add(along({".x", ".y", ".z"}), along({".vx", ".vy", ".vz"}), force);
+    if (told_ || !found) return "";
+    const double k = found->k, omega_h = k > 0.0 ? step * std::sqrt(k / mass_) : 0.0;
+    if (omega_h < kMostOmegaH) return "";
     told_ = true;
     return with_code(code::kFmuOmegaH, "t = " + number_text(s.time()) + " s: the input \"" + input_ +
                                            "\" answers the motion of body \"" + body_ + "\" like a spring of " +
@@ -89,15 +82,12 @@ class StiffInput {
   }
 
  private:
-  static constexpr double kMemory = 0.9, kExplained = 0.9, kMostOmegaH = 0.1;
-  static constexpr int kFewest = 12;  // steps
+  static constexpr double kMostOmegaH = 0.1;
 
   std::string input_, body_;
   Eigen::Vector3d direction_;
-  double mass_;                                        // [kg]
-  Eigen::Vector3d last_ = Eigen::Vector3d::Zero();     // x [m], v [m/s], F [N]
-  Eigen::Matrix3d moments_ = Eigen::Matrix3d::Zero();  // of their changes
-  int count_ = 0;
+  double mass_;  // [kg]
+  SpringFit fit_;
   bool told_ = false;
 };
 
