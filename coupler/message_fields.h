@@ -131,8 +131,10 @@ inline constexpr auto kFields<Load> = std::tuple{Field{"window", &Load::window},
 
 template <>
 inline constexpr auto kFields<GrainChanges> =
-    std::tuple{Field{"inserted", &GrainChanges::inserted}, Field{"left", &GrainChanges::left},
-               Field{"changed", &GrainChanges::changed}, Field{"lost_mass", &GrainChanges::lost_mass}};
+    std::tuple{Field{"inserted", &GrainChanges::inserted},     Field{"left", &GrainChanges::left},
+               Field{"changed", &GrainChanges::changed},       Field{"lost_mass", &GrainChanges::lost_mass},
+               Field{"added", &GrainChanges::added},           Field{"removed", &GrainChanges::removed},
+               Field{"added_mass", &GrainChanges::added_mass}, Field{"removed_mass", &GrainChanges::removed_mass}};
 
 template <>
 inline constexpr auto kFields<BodyLoad> =

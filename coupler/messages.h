@@ -26,7 +26,7 @@
 
 namespace footfall {
 
-inline constexpr std::int32_t kProtocolVersion = 9;
+inline constexpr std::int32_t kProtocolVersion = 10;
 inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 
 // LIGGGHTS' name for SI units, which both programs use.
@@ -160,6 +160,8 @@ struct GrainChanges {
   double left = 0.0;       // minus that of grains that left the box or were deleted [J]
   double changed = 0.0;    // of grains that a command or fix gave another velocity, place or size [J]
   double lost_mass = 0.0;  // of grains lost by LIGGGHTS [kg]
+  // By a bed that follows a body: numbers of grains, and their mass [kg].
+  double added = 0.0, removed = 0.0, added_mass = 0.0, removed_mass = 0.0;
 };
 
 struct Load {

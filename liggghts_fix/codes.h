@@ -118,7 +118,7 @@ inline constexpr MessageCode kBeamWithoutCoupling{"E0497", "beam-without-couplin
 
 // --- Sources and sinks of grains.
 
-// The arguments of fix insert/exact or remove/region are wrong. Follow the syntax in the message.
+// The arguments of fix insert/exact, remove/region or bed/follow are wrong. Follow the syntax in the message.
 inline constexpr MessageCode kSourceSyntax{"E0499", "source-syntax"};
 
 // --- Warnings.

@@ -30,6 +30,7 @@
 #include "liggghts_fix/codes.h"
 #include "liggghts_fix/contact/fix_wall_gran_beam.h"
 #include "liggghts_fix/contact/fix_wall_gran_smooth.h"
+#include "liggghts_fix/couple/fix_bed_follow.h"
 #include "liggghts_fix/couple/fix_couple_mbd.h"
 #include "liggghts_fix/couple/fix_couple_mbd_geometry.h"
 #include "liggghts_fix/couple/fix_insert_exact.h"
@@ -124,6 +125,7 @@ int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_li
   register_fix_style(lmp, "couple/mbd", create_fix<LAMMPS_NS::FixCoupleMbd>);
   register_fix_style(lmp, "insert/exact", create_fix<LAMMPS_NS::FixInsertExact>);
   register_fix_style(lmp, "remove/region", create_fix<LAMMPS_NS::FixRemoveRegion>);
+  register_fix_style(lmp, "bed/follow", create_fix<LAMMPS_NS::FixBedFollow>);
   register_fix_style(lmp, "wall/gran/beam", create_fix<LAMMPS_NS::FixWallGranBeam>);
   register_fix_style(lmp, "wall/gran", create_fix<LAMMPS_NS::FixWallGranSmooth>);
   make_meshes_resumable(lmp);

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "atom.h"
+#include "domain.h"
 #include "liggghts_fix/link/grain_paths.h"
 #include "neighbor.h"
 #include "update.h"
@@ -18,6 +19,17 @@ namespace {
 constexpr int kInterval = 50;  // steps after which speeds are measured even without a new list of neighbours
 
 Eigen::Vector3d grain_vector(const double* x) { return {x[0], x[1], x[2]}; }
+
+// The image of the grain nearest to a place.
+Eigen::Vector3d image_nearest_to(const Eigen::Vector3d& place, const double* x, const Domain& domain) {
+  Eigen::Vector3d image = grain_vector(x);
+  for (int c = 0; c < 3; ++c) {
+    if (domain.periodicity[c] == 0) continue;
+    const double period = domain.boxhi[c] - domain.boxlo[c];
+    image[c] += period * std::round((place[c] - image[c]) / period);
+  }
+  return image;
+}
 
 }  // namespace
 
@@ -66,7 +78,7 @@ void FastGrains::find_faults() {
     nodes_.resize(3, boundary.node_count());
     boundary.node_positions(pose, nodes_);
     for (int i = 0; i < atom->nlocal; ++i) {
-      const Eigen::Vector3d x = grain_vector(atom->x[i]);
+      const Eigen::Vector3d x = image_nearest_to(pose.r, atom->x[i], *domain);
       const Eigen::Vector3d v = grain_vector(atom->v[i]) - pose.dr - pose.w.cross(x - pose.r);
       const double r = atom->radius[i], speed = v.norm();
       if (speed * update->dt <= footfall::kLongestWay * r) continue;

@@ -25,9 +25,10 @@ using When = footfall::GrainChangeListener::When;
 // Differences below this are round-off [of the sum].
 constexpr double kRoundOff = 1e-12;
 
-// Fixes that act before the exchange of grains, but neither insert nor delete any.
-constexpr std::array<std::string_view, 7> kHarmless = {
-    "contacthistory", "contactproperty", "mesh/surface", "multisphere", "neighlist", "property/", "couple/mbd"};
+// Fixes that act before the exchange of grains, but neither insert nor delete any, or count these themselves.
+constexpr std::array<std::string_view, 8> kHarmless = {"contacthistory", "contactproperty", "mesh/surface",
+                                                       "multisphere",    "neighlist",       "property/",
+                                                       "couple/mbd",     "bed/follow"};
 struct Changer {
   std::string_view style;
   When when;

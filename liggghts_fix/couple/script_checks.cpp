@@ -61,12 +61,12 @@ constexpr int kBetween =
 
 // Styles with such hooks that allow the overlap. Meshes and walls exchange elements and find their grains in pre_force,
 // which waits for the motion as well. Clumps clear the forces of the last step there, and collect the pair forces at the
-// end of the step. Histories and properties depend on grains only.
-constexpr std::array<std::string_view, 10> kAllowed = {
+// end of the step. Histories and properties depend on grains only; bed/follow decides at the end of a step.
+constexpr std::array<std::string_view, 11> kAllowed = {
     "mesh/surface",   "mesh/surface/stress", "mesh/surface/stress/servo",
     "neighlist/mesh", "contacthistory",      "contacthistory/mesh",
     "property/atom",  "wall/gran",           "wall/gran/beam",
-    "multisphere"};
+    "multisphere",    "bed/follow"};
 
 }  // namespace
 

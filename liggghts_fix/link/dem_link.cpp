@@ -30,6 +30,10 @@ enum RankNumber : std::size_t {
   kLeft,
   kChanged,
   kLostMass,
+  kAdded,
+  kRemoved,
+  kAddedMass,
+  kRemovedMass,
   kFault,
   kFaultTime,
   kFaultTag,
@@ -244,6 +248,10 @@ void DemLink::write_shares(std::int64_t grains, bool end_requested, std::vector<
   row[kLeft] = changes_here_.left;
   row[kChanged] = changes_here_.changed;
   row[kLostMass] = changes_here_.lost_mass;
+  row[kAdded] = changes_here_.added;
+  row[kRemoved] = changes_here_.removed;
+  row[kAddedMass] = changes_here_.added_mass;
+  row[kRemovedMass] = changes_here_.removed_mass;
   row[kFault] = fault_.kind;
   row[kFaultTime] = fault_.time;
   row[kFaultTag] = fault_.tag;
@@ -258,6 +266,10 @@ void DemLink::write_shares(std::int64_t grains, bool end_requested, std::vector<
 
 void DemLink::grains_changed(const GrainChanges& more) {
   changes_here_.lost_mass += more.lost_mass;
+  changes_here_.added += more.added;
+  changes_here_.removed += more.removed;
+  changes_here_.added_mass += more.added_mass;
+  changes_here_.removed_mass += more.removed_mass;
   if (!counts_changes()) return;
   changes_here_.inserted += more.inserted;
   changes_here_.left += more.left;
@@ -294,6 +306,10 @@ void DemLink::count_grains(const std::vector<double>& rows, int ranks) {
     load_.changes.left += row[kLeft];
     load_.changes.changed += row[kChanged];
     load_.changes.lost_mass += row[kLostMass];
+    load_.changes.added += row[kAdded];
+    load_.changes.removed += row[kRemoved];
+    load_.changes.added_mass += row[kAddedMass];
+    load_.changes.removed_mass += row[kRemovedMass];
     if (row[kFault] != 0.0)
       stop_for({static_cast<GrainFault::Kind>(std::lround(row[kFault])), row[kFaultTime],
                 static_cast<int>(std::lround(row[kFaultTag])), static_cast<int>(std::lround(row[kFaultBody])),

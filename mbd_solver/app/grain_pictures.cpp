@@ -332,7 +332,10 @@ int draw_pictures(const PicturesArguments& a) {
   const std::vector<double> angles = !a.camera.empty() ? a.camera
                                      : cut             ? std::vector<double>{-90, 12}
                                                        : std::vector<double>{-65, 28};
-  view.eye = eye_around({&shown.bed}, shapes, view.cut, angles[0] * kDegree, angles[1] * kDegree);
+  // A bed that follows a body is elsewhere at each time.
+  const std::vector<const BedFrame*> one = {&shown.bed};
+  view.eye =
+      eye_around(summary.contains("bed") ? beds : one, shapes, view.cut, angles[0] * kDegree, angles[1] * kDegree);
   view.fastest = a.fastest > 0.0 ? a.fastest : colour_range(beds);
 
   const std::string out = (folder / "pictures").string();

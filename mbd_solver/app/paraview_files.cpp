@@ -95,7 +95,7 @@ bool holds_all_of(const std::string& dump) {
   if (fs::path(dump).extension() != ".vtk") return false;
   const std::vector<std::string> columns = dumped_columns(dump);
   return std::all_of(columns.begin(), columns.end(), [](const std::string& name) {
-    for (const char* known : {"id", "type", "radius", "x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz"})
+    for (const char* known : {"id", "type", "radius", "x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz", "xu", "yu"})
       if (name == known) return true;
     return false;
   });

@@ -255,7 +255,9 @@ BedFrame read_bed_frame(const std::string& path) {
     }
     return m;
   };
-  frame.x = matrix("x", "y", "z");
+  // Of grains that have gone round a periodic box: their places in W.
+  const bool unwrapped = columns.of.count("xu") > 0 && columns.of.count("yu") > 0;
+  frame.x = unwrapped ? matrix("xu", "yu", "z") : matrix("x", "y", "z");
   if (columns.of.count("vx") > 0) frame.v = matrix("vx", "vy", "vz");
   if (columns.of.count("fx") > 0) frame.f = matrix("fx", "fy", "fz");
   const std::vector<double>& radius = columns.get(path, "radius");

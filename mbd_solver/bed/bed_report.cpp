@@ -168,6 +168,15 @@ std::string box_report(const Scene& scene) {
   if (!box.clumps.empty()) text += clumps_text(scene);
   text += "  space for bodies: " + number_text(n.headroom) + " m above the surface, " +
           (box.periodic ? "periodic along x and y\n" : number_text(n.margin) + " m around the walls\n");
+  if (!box.follow.empty()) {
+    std::string slab;
+    for (int axis = 0; axis < 2; ++axis)
+      if (follows_along(box, axis))
+        slab += (slab.empty() ? "" : " and ") + number_text(0.1 * box.size[static_cast<std::size_t>(axis)], 3) +
+                " m along " + "xy"[axis];
+    text += "  follows body \"" + box.follow + "\" in steps of " + slab + ": at least " +
+            number_text(follow_distance(box), 3) + " m of fresh bed from its origin on\n";
+  }
   if (!box.walls) text += "  the run has no floor and no walls of its own: bodies of the scene take their place\n";
   text += "  time step: " + number_text(n.time_step) + " s, " + share_text(n.time_step / n.rayleigh) +
           " of the Rayleigh time, " + share_text(n.time_step / n.hertz) + " of the Hertz time" +
@@ -189,6 +198,9 @@ void require_inside_box(const Scene& scene, const Mechanism& mechanism) {
     if (!scene.initial.clearance || lowest_name.empty() || lowest_name == name) return std::string();
     return ". Its height follows from initial.clearance of body \"" + lowest_name + "\", the lowest one";
   };
+  Eigen::Vector3d followed = Eigen::Vector3d::Zero();
+  for (const BodyBoundary& entry : mechanism.boundaries)
+    if (entry.boundary.name() == box.follow) followed = mechanism.model.initial(entry.body).r;
   for (const BodyBoundary& entry : mechanism.boundaries) {
     const BodyState& start = mechanism.model.initial(entry.body);
     const Eigen::Matrix3Xd x =
@@ -206,6 +218,18 @@ void require_inside_box(const Scene& scene, const Mechanism& mechanism) {
                              ", the simulation box " + number_text(reach, 4) +
                              " m; increase particles.box.size or particles.box.margin, or move the body inside" +
                              in_millimetres(x));
+    }
+    for (int axis = 0; axis < 2; ++axis) {
+      if (!follows_along(box, axis)) continue;
+      const double reach = (x.row(axis).array() - followed[axis]).abs().maxCoeff() +
+                           2.0 * *std::max_element(box.radius.begin(), box.radius.end());
+      if (reach > follow_distance(box))
+        throw InputError(code::kOutsideBox,
+                         "body \"" + entry.boundary.name() + "\" and a grain beside it reach " + number_text(reach, 3) +
+                             " m from the origin of body \"" + box.follow + "\" along " + "xy"[axis] +
+                             ", which the bed follows; expected at most particles.box.follow_distance, " +
+                             number_text(follow_distance(box), 3) +
+                             " m: make the bed longer (particles.box.size), or follow a body in the middle");
     }
     const double top = x.row(2).maxCoeff();
     if (top > n.headroom * (1.0 + kTolerance) && entry.boundary.segments().empty())

@@ -82,6 +82,11 @@ void add_coupling(const CoupledRun& coupled, double energy_flow, Json& json) {
   json["particles"] = coupled.load().particles;
   json["grains_lost"] = coupled.load().lost;
   json["grains_lost_kg"] = coupled.load().changes.lost_mass;
+  if (const GrainChanges& bed = coupled.load().changes; bed.added > 0.0 || bed.removed > 0.0)
+    json["bed"] = {{"grains_added", bed.added},
+                   {"grains_removed", bed.removed},
+                   {"mass_added_kg", bed.added_mass},
+                   {"mass_removed_kg", bed.removed_mass}};
   json["dt_dem_s"] = coupled.agreement().dt;
   if (const int n = coupled.agreement().substeps; n > 0) {
     json["substeps_per_window"] = n;

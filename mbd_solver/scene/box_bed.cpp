@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <numeric>
 
 #include "coupler/base/errors.h"
@@ -440,10 +441,32 @@ Variables run_variables(const Scene& scene) {
   if (meshes > 0) all["meshes"] = ids;
   if (beams > 0) all["beams"] = chains;
   add_sources_and_sinks(scene, all);
+  if (!box.follow.empty()) {
+    all["follow"] = "1";
+    all["follow_words"] = "body " + box.follow + " directions " + std::string(name_of(box.follow_directions)) +
+                          " distance " + number(follow_distance(box));
+  }
   return all;
 }
 
 }  // namespace
+
+bool follows_along(const BoxSpec& box, int axis) {
+  return !box.follow.empty() && box.follow_directions != (axis == 0 ? FollowDirections::kY : FollowDirections::kX);
+}
+
+double longest_follow_distance(const BoxSpec& box) {
+  constexpr double kShare = 0.35;  // as the fix bed/follow demands
+  double side = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 2; ++axis)
+    if (follows_along(box, axis)) side = std::min(side, box.size[static_cast<std::size_t>(axis)]);
+  return kShare * side;
+}
+
+double follow_distance(const BoxSpec& box) {
+  constexpr double kOfLongest = 0.3 / 0.35;
+  return box.follow_distance.value_or(kOfLongest * longest_follow_distance(box));
+}
 
 double mean_grain_mass(const BoxSpec& box) {
   // Shares are of the mass: of n kinds, the mean over the numbers is 1 / sum(share / mass).
@@ -491,8 +514,10 @@ BoxNumbers box_numbers(const Scene& scene) {
 }
 
 void resolve_box(Scene& scene, Findings& findings) {
-  if (!scene.particles || !scene.particles->box || !check_box(scene, findings)) return;
+  if (!scene.particles || !scene.particles->box) return;
   ParticlesSpec& particles = *scene.particles;
+  if (!particles.box->follow.empty()) particles.box->periodic = true;
+  if (!check_box(scene, findings)) return;
   if (!particles.script.empty() || particles.bed) return;  // a scene of another ground may have both
   try {
     particles.script = box_script("in.grains");

@@ -68,6 +68,11 @@ struct BoxNumbers {
   double headroom = 0.0;               // of the simulation box above z = 0 [m]
   double margin = 0.0;                 // of the simulation box around the walls [m]
 };
+// Of a bed that follows a body: whether along x (0) or y (1); how far from its ends the body stays, and at most may [m].
+bool follows_along(const BoxSpec& box, int axis);
+double follow_distance(const BoxSpec& box);
+double longest_follow_distance(const BoxSpec& box);
+
 // Of a scene whose box has no finding of check_box.
 BoxNumbers box_numbers(const Scene& scene);
 

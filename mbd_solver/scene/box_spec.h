@@ -25,6 +25,10 @@ enum class Packing {
 };
 constexpr std::string_view name_of(Packing kind) { return name_in(kind, "loose", "dense"); }
 
+// Along which sides a bed follows a body.
+enum class FollowDirections { kX, kY, kXY };
+constexpr std::string_view name_of(FollowDirections kind) { return name_in(kind, "x", "y", "xy"); }
+
 // Hertz and Mindlin contacts. Grains are softer than sand, which allows longer time steps.
 struct GrainMaterialSpec {
   double density = 2600.0;  // [kg/m3] > 0
@@ -70,7 +74,11 @@ struct BoxSpec {
   std::vector<double> pit;  // [x_1, x_2]: there the settled bed is removed, across its width; empty: nowhere [m]
   double pit_depth = 0.0;   // of the pit below the surface [m]
   bool periodic = false;    // in x and y; else walls of grain material
-  bool walls = true;        // floor and sides act in the run, too; else bodies of the scene replace them
+  std::string follow;       // body that the bed goes along with; then periodic; empty: none
+  FollowDirections follow_directions = FollowDirections::kXY;
+  std::optional<double>
+      follow_distance;  // of the body to the ends of the bed [m]; not given: 0.3 of its shorter side there
+  bool walls = true;    // floor and sides act in the run, too; else bodies of the scene replace them
   Packing packing = Packing::kLoose;
   int seed = 1;                     // each number >= 1 gives another sample of the bed
   std::optional<double> headroom;   // of the simulation box above the surface [m]

@@ -591,7 +591,8 @@ void check_region(const EntryFindings& at, const std::string& key, const Scene& 
                   number_text(spec.from) + " s");
 }
 
-constexpr double kMostFilled = 0.25;  // of a source by grains on their way out: more rarely find space
+constexpr double kFollowRadii = 40.0;  // least side of a bed that follows a body [radius of a grain]
+constexpr double kMostFilled = 0.25;   // of a source by grains on their way out: more rarely find space
 constexpr std::size_t kMostSources = 8;
 
 void check_sources_and_sinks(const EntryFindings& at, const Scene& scene) {
@@ -627,6 +628,42 @@ void check_sources_and_sinks(const EntryFindings& at, const Scene& scene) {
                     ": grains come faster than they leave it. Enlarge it, give new grains a "
                     "velocity, or lower the rate");
   }
+}
+
+// A bed that goes along with a body.
+void check_follow(const EntryFindings& at, const Scene& scene) {
+  const BoxSpec& box = *scene.particles->box;
+  for (const char* key : {"box.follow_directions", "box.follow_distance"})
+    at.error_if(box.follow.empty() && at.given(key), kNeedsOtherKey, key,
+                "is for a bed that follows a body; add box.follow = \"BODY\"");
+  if (box.follow.empty()) return;
+  const std::vector<std::string> touched = boundary_names(scene);
+  at.error_if(
+      !is_in(touched, box.follow), kUnknownBody, "box.follow",
+      "is \"" + box.follow + "\", expected a body with a boundary." + known_names("boundaries", box.follow, touched));
+  const auto excludes = [&](bool both, const std::string& key, const std::string& why) {
+    at.error_if(both, kConflictingKeys, key, "excludes box.follow: " + why + "; remove one of the two");
+  };
+  excludes(!box.clumps.empty(), "box.clumps", "only beds of spheres can be put in front of a body");
+  excludes(!box.pit.empty(), "box.pit", "the pit would come again with each length of the bed");
+  excludes(!box.sources.empty(), "box.sources", "the bed in front is the bed at rest");
+  excludes(!box.sinks.empty(), "box.sinks", "the bed in front is the bed at rest");
+  if (!scene.initial.from.empty())
+    at.all().error(kConflictingKeys, scene.source, "initial.from",
+                   "excludes particles.box.follow: the bed in front has to be a bed at rest; start on a new bed");
+  const double longest = longest_follow_distance(box),
+               largest = *std::max_element(box.radius.begin(), box.radius.end());
+  for (int axis = 0; axis < 2; ++axis) {
+    if (!follows_along(box, axis)) continue;
+    const double side = box.size[static_cast<std::size_t>(axis)];
+    at.error_if(side < kFollowRadii * largest, kBoxSize, "box.size",
+                "is " + number_text(side) + " m along " + "xy"[axis] +
+                    ", where the bed follows a body, expected at least " + number_text(kFollowRadii * largest) +
+                    " m, forty radii of a grain: the bed moves by tenths of it");
+  }
+  at.error_if(box.follow_distance && *box.follow_distance > longest, kOutOfRange, "box.follow_distance",
+              "is " + number_text(*box.follow_distance) + " m, expected at most " + number_text(longest) +
+                  " m, 0.35 of the shortest side along which the bed follows");
 }
 
 // Names of bodies become words of a LIGGGHTS script and parts of its ids.
@@ -667,10 +704,11 @@ bool check_box(const Scene& scene, Findings& findings) {
   check_material(at, "box.bodies.", box.bodies.poisson, box.bodies.young, box.bodies.restitution.value_or(1.0));
   at.error_if(box.seed > kMostSeeds, kOutOfRange, "box.seed",
               "is " + std::to_string(box.seed) + ", expected 1 to " + std::to_string(kMostSeeds));
+  const std::string periodic = box.follow.empty() ? "periodic = true" : "follow, which makes the bed periodic";
   at.error_if(box.periodic && box.margin, kConflictingKeys, "box.margin",
-              "excludes periodic = true: there are no walls to leave space around");
+              "excludes " + periodic + ": there are no walls to leave space around");
   at.error_if(box.periodic && !box.walls, kConflictingKeys, "box.walls",
-              "= false excludes periodic = true: a periodic bed has no sides to remove");
+              "= false excludes " + periodic + ": a periodic bed has no sides to remove");
   at.error_if(!(box.rayleigh_fraction > 0.0), kOutOfRange, "box.rayleigh_fraction",
               "is 0, expected more than 0, such as 0.1");
   // Missing and refused numbers are reported already.
@@ -683,6 +721,7 @@ bool check_box(const Scene& scene, Findings& findings) {
   check_pit(at, box);
   check_box_time_step(scene, at);
   check_sources_and_sinks(at, scene);
+  check_follow(at, scene);
   const double grains = box_numbers(scene).grains;
   at.error_if(grains > kMostGrains, kBoxSize, "box.radius",
               "makes about " + number_text(grains, 2) + " grains of this bed, expected at most " +

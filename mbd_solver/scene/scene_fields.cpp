@@ -515,6 +515,9 @@ static void visit_fields(FieldVisitor& v, BoxSpec& b) {
   v.fields({Unit::kLength}, {{"centre", &b.centre}, {"pit", &b.pit}});
   v.field("pit_depth", &b.pit_depth, length);
   v.fields(plain, {{"periodic", &b.periodic}, {"walls", &b.walls}});
+  v.field("follow", &b.follow, plain);
+  v.choice("follow_directions", b.follow_directions);
+  v.field("follow_distance", &b.follow_distance, length);
   v.choice("packing", b.packing);
   v.field("seed", &b.seed, positive());
   v.fields(length, {{"headroom", &b.headroom}, {"margin", &b.margin}});

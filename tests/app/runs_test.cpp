@@ -362,6 +362,10 @@ INSTANTIATE_TEST_SUITE_P(
                 kSphere + " --set particles.variables.every=auto --set output.checkpoint_interval=0.03"},
         Resumed{"box", app::kExamples + "/02_wheel --until 0.05 --set output.checkpoint_interval=0.02" +
                            " --set particles.box.frame_interval=0.01"},
+        Resumed{"follow", app::kSource + "/tests/app/follow.toml --set output.checkpoint_interval=0.12" +
+                              " --set particles.box.frame_interval=0.1"},
+        Resumed{"follow_on_two_ranks",
+                app::kSource + "/tests/app/follow.toml --ranks 2 --set output.checkpoint_interval=0.12"},
         Resumed{"clumps", app::kSource + "/tests/app/clumps.toml --set output.checkpoint_interval=0.02"},
         Resumed{"bent_mesh",
                 app::kSource + "/tests/app/bent_rod.toml --ranks 2 --set output.checkpoint_interval=0.09"}),

@@ -24,6 +24,7 @@ keywords_of() {
       grep 'kModelKeywords =' liggghts_fix/link/beam_arguments.cpp | grep -oE '"[a-z_]+"' ;;
     insert/exact) grep -oE 'strcmp\(arg\[iarg\], "[a-z_]+"' liggghts_fix/couple/fix_insert_exact.cpp ;;
     remove/region) grep -oE 'strcmp\(arg\[i\], "[a-z_]+"' liggghts_fix/couple/fix_remove_region.cpp ;;
+    bed/follow) grep -oE 'strcmp\(arg\[i\], "[a-z_]+"' liggghts_fix/couple/fix_bed_follow.cpp ;;
     mesh/surface) grep -oE 'strcmp\(words\[3\], "[a-z_]+"' liggghts_fix/liggghts_access.cpp ;;
   esac | sed -E 's/.*"([a-z_]+)"/\1/' | sort -u
 }

@@ -109,6 +109,12 @@ constexpr Entry<CouplingSample> kCoupling[] = {
     {"coupling.grains_left", "J", [](const CouplingSample& c) { return c.changes.left; }},
     {"coupling.grains_changed", "J", [](const CouplingSample& c) { return c.changes.changed; }}};
 
+constexpr Entry<CouplingSample> kFollowingBed[] = {
+    {"bed.grains_added", "-", [](const CouplingSample& c) { return c.changes.added; }},
+    {"bed.grains_removed", "-", [](const CouplingSample& c) { return c.changes.removed; }},
+    {"bed.mass_added", "kg", [](const CouplingSample& c) { return c.changes.added_mass; }},
+    {"bed.mass_removed", "kg", [](const CouplingSample& c) { return c.changes.removed_mass; }}};
+
 constexpr Entry<CouplingSample> kChosenWindows[] = {
     {"coupling.estimate", "-", [](const CouplingSample& c) { return c.estimate; }}};
 
@@ -122,7 +128,8 @@ void for_each_table(Visit visit) {
       visit(kCable), visit(kControllerOutput), visit(kSignal), visit(kState), visit(kStateSince), visit(kLanding),
       visit(kClearance);
   visit(kStored), visit(kEnergyTotal);
-  visit(kDissipated), visit(kWork), visit(kSupplied), visit(kCoupling), visit(kChosenWindows), visit(kOmegaH);
+  visit(kDissipated), visit(kWork), visit(kSupplied), visit(kCoupling), visit(kFollowingBed), visit(kChosenWindows),
+      visit(kOmegaH);
 }
 
 // ---- from the registry to the columns of a scene ----
@@ -166,6 +173,8 @@ bool has_work_column(const Scene& scene, Supply source) {
 void add_coupling(const Subject& subject, Columns& out) {
   const auto coupling = [](const Sample& s) -> const CouplingSample& { return *s.coupling; };
   out.add(kCoupling, {}, coupling);
+  const auto& grains = subject.scene.particles;
+  if (grains && grains->box && !grains->box->follow.empty()) out.add(kFollowingBed, {}, coupling);
   if (subject.agreement->substeps == 0) out.add(kChosenWindows, {}, coupling);
   for (std::size_t k = 0; k < subject.agreement->boundaries.size(); ++k) {
     const auto boundary = static_cast<std::size_t>(subject.agreement->boundaries[k]);

@@ -157,7 +157,10 @@ TEST_F(HistoryColumns, OfASceneWithEverythingAreTheWholeRegistry) {
   for (const Column& column : columns_of_a_cable()) seen[column.pattern] = column.unit;
   for (const Column& column : columns_of_a_landing()) seen[column.pattern] = column.unit;
   bench.scene.output.modal_forces = true;
-  for (const Column& column : history_columns(bench.subject(), flexible, joints)) seen[column.pattern] = column.unit;
+  if (!bench.scene.particles) bench.scene.particles.emplace();
+  bench.scene.particles->box.emplace().follow = "wheel";
+  const Subject coupled{bench.scene, bench.mechanism, bench.equations.layout(), &agreement};
+  for (const Column& column : history_columns(coupled, flexible, joints)) seen[column.pattern] = column.unit;
   EXPECT_EQ(registry, seen);
 }
 

@@ -1,0 +1,90 @@
+#pragma once
+// fix ID all bed/follow body BODY directions x|y|xy distance D
+// A bed that goes on: grains in a periodic box, whose sides follow a body of the scene. Grains stay where they are; what
+// moves is the window of W that the box stands for. It consists of kSlabs slabs along each direction. When the body comes
+// nearer than D to the last slab in front, the window moves on by a slab: the slab behind is taken away, and the
+// slab of the bed at rest, as it was at the start, is put in its place, which by the period is the place in front.
+//
+// Grains of unwrapped place (x + L image) are where the body meets them. As a vector: number and mass [kg] of the grains
+// added, and of those removed.
+
+#include <Eigen/Dense>
+#include <array>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "coupler/messages.h"
+#include "fix.h"
+
+namespace footfall {
+class DemLink;
+}
+
+namespace LAMMPS_NS {
+
+class FixBedFollow : public Fix {
+ public:
+  FixBedFollow(LAMMPS* lmp, int narg, char** arg);  // throws footfall::InputError for a wrong command
+
+  int setmask() override;
+  void init() override;
+  void setup_pre_exchange() override;
+  void setup(int) override;
+  void end_of_step() override;
+  void pre_exchange() override;
+  void post_force(int) override;
+  double compute_vector(int i) override;
+  void write_restart(FILE* file) override;
+  void restart(char* buffer) override;
+
+ private:
+  // Of the bed at rest.
+  struct RestingGrain {
+    int tag = 0;
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    double radius = 0.0, mass = 0.0, density = 0.0;  // [m], [kg], [kg/m3]
+    int type = 1, mask = 1;
+    std::vector<int> partners;   // whose contacts have a history: places in the list
+    std::vector<double> pairs;   // the histories, one after another
+    std::vector<double> planes;  // those with primitive walls
+  };
+  struct Slab {
+    int axis = 0, place = 0;  // in the box
+  };
+  static constexpr int kNoSlab = -1000000;
+
+  void keep_bed();
+  void find_next();
+  void require_all_inside() const;
+  void remove(const Slab& slab, footfall::GrainChanges& changes);
+  void insert(const Slab& slab, int last_tag, footfall::GrainChanges& changes);
+  void add_contacts(std::size_t k, const std::vector<int>& tags, std::vector<double>& pairs) const;
+  bool is_held(int grain) const;
+  bool is_in(const Slab& slab, const double* x) const;
+  double slab_width(int axis) const;
+  double energy_of(int grain) const;
+  int place_of(double x, int axis) const;
+  double limit(int axis, int slab) const;  // lower end of a slab of W [m]
+  Fix* pair_history() const;
+  std::vector<Fix*> plane_histories() const;
+  std::vector<double> packed() const;
+  void unpack(const double* numbers);
+
+  footfall::DemLink& link_;
+  std::string body_name_;
+  int body_ = -1;
+  std::array<bool, 2> follows_ = {true, true};
+  double distance_ = 0.0;  // [m]
+
+  std::vector<RestingGrain> bed_;      // by their tags at the start
+  std::vector<int> tags_;              // of the last copy of each
+  double allowed_overlap_ = 0.0;       // of a grain that stays with one that comes, over the smaller radius [-]
+  int pair_values_ = 0;                // of a contact
+  std::array<int, 2> first_ = {0, 0};  // slab of W at the lower end of the bed
+  std::array<int, 2> held_ = {kNoSlab, kNoSlab};  // slab of W that is held at rest: the last one that came
+  footfall::GrainChanges sum_;                    // counts only
+  int next_axis_ = -1, next_way_ = 0;             // how the window moves in the next step; -1: it does not
+};
+
+}  // namespace LAMMPS_NS
