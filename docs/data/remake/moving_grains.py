@@ -28,14 +28,18 @@ def grains(path):
     return {k: (three("Points", i), math.hypot(*three("velocity", i)), found["radius"][i]) for i, k in enumerate(found["id"])}
 
 
-folder, step = pathlib.Path(sys.argv[1]), float(sys.argv[2]) if len(sys.argv) > 2 else 1e-4
-start = None
-print("| time [s] | moved grains | radius [m] | moving grains | mean speed [m/s] | 0.99 quantile [m/s] |\n|---|---|---|---|---|---|")
-for path in sorted(folder.glob("grains_[0-9]*.vtp"), key=lambda p: int(p.stem.split("_")[1])):
-    now = grains(path)
-    start = start or now
-    moved = [r for i, (x, _, r) in now.items() if i in start and math.dist(x, start[i][0]) > MOVED]
-    radius = (2 * sum(r ** 3 for r in moved) / SOLID / PADS) ** (1 / 3)  # 2/3 pi R^3 solid pads = sum 4/3 pi r^3
-    speeds = sorted(s for _, s, _ in now.values() if s > MOVING)
-    mean, high = (sum(speeds) / len(speeds), speeds[int(0.99 * (len(speeds) - 1))]) if speeds else (0, 0)
-    print(f"| {int(path.stem.split('_')[1]) * step:.3g} | {len(moved)} | {radius:.2f} | {len(speeds)} | {mean:.3f} | {high:.2f} |")
+def main(folder, step):
+    start = None
+    print("| time [s] | moved grains | radius [m] | moving grains | mean speed [m/s] | 0.99 quantile [m/s] |\n|---|---|---|---|---|---|")
+    for path in sorted(folder.glob("grains_[0-9]*.vtp"), key=lambda p: int(p.stem.split("_")[1])):
+        now = grains(path)
+        start = start or now
+        moved = [r for i, (x, _, r) in now.items() if i in start and math.dist(x, start[i][0]) > MOVED]
+        radius = (2 * sum(r ** 3 for r in moved) / SOLID / PADS) ** (1 / 3)  # 2/3 pi R^3 solid pads = sum 4/3 pi r^3
+        speeds = sorted(s for _, s, _ in now.values() if s > MOVING)
+        mean, high = (sum(speeds) / len(speeds), speeds[int(0.99 * (len(speeds) - 1))]) if speeds else (0, 0)
+        print(f"| {int(path.stem.split('_')[1]) * step:.3g} | {len(moved)} | {radius:.2f} | {len(speeds)} | {mean:.3f} | {high:.2f} |")
+
+
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1]), float(sys.argv[2]) if len(sys.argv) > 2 else 1e-4)
