@@ -108,7 +108,10 @@ struct ShownRun {
       : page(a),
         camera(page.file, link_of(a), size),
         times(camera.evaluate("[footfall.player.start, footfall.player.end]")),
-        span{times.at(0).get<double>(), times.at(1).get<double>()} {}
+        span{times.at(0).get<double>(), times.at(1).get<double>()} {
+    // picture(t) draws at once; the page must not draw each time again with the next turn of the screen.
+    camera.evaluate("void (footfall.stage.wish = () => {})");
+  }
   RunPage page;
   PageCamera camera;
   const Json times;

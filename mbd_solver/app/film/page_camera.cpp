@@ -183,6 +183,7 @@ std::string PageCamera::picture(const std::string& format) {
   const std::size_t start = answer.find(mark),
                     end = start == std::string::npos ? start : answer.find('"', start + mark.size());
   if (end == std::string::npos) fail("no picture: " + answer.substr(0, 200));
+  if (!complaint_.empty()) fail("the page reports: " + complaint_);
   return bytes_of_base64(std::string_view(answer).substr(start + mark.size(), end - start - mark.size())).value_or("");
 }
 
