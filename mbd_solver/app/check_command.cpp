@@ -48,8 +48,9 @@ std::string grains_of_bed(const Scene& scene) {
   return bed_is_made(folder) && std::filesystem::exists(grains, error) ? grains : "";
 }
 
-// Faults that only building the mechanism finds; grains are those of the bed in the cache.
-void check(Scene scene, bool judges) {
+// Faults that only building the mechanism finds; grains are those of the bed in the cache. Returns what it proposes.
+std::string check(Scene scene, bool judges) {
+  std::string proposal;
   if (judges && scene.touches_particles() && scene.particles->grains.empty())
     scene.particles->grains = grains_of_bed(scene);
   const auto warn = [](const std::string& warning) {
@@ -59,9 +60,12 @@ void check(Scene scene, bool judges) {
     require_inside_box(placed, mechanism);
     if (!judges) return;
     for (const std::string& warning : leaving_bodies(placed, mechanism)) warn(warning);
+    if (placed.touches_particles() && placed.particles->box)
+      proposal = proposal_text(placed, proposed_bed(placed, mechanism));
   });
   if (judges)
     for (const std::string& warning : unset_signals(scene)) warn(warning);
+  return proposal;
 }
 
 // Where the host of FMUs is not built, their variables remain unchecked.
@@ -84,7 +88,7 @@ Scene checked_scene(const std::string& argument, const std::vector<std::string>&
 
 int check_command(const std::string& argument, const std::vector<std::string>& settings) {
   const Scene scene = read_scene(argument, settings);
-  check(scene, true);
+  const std::string proposal = check(scene, true);
   check_foreign_code(scene);
   const char* grounds[] = {"no ground", "a rigid plane", "particles", "a soil without grains"};
   double mass = 0.0;
@@ -97,7 +101,7 @@ int check_command(const std::string& argument, const std::vector<std::string>& s
       scene.springs.size(), scene.controllers.size(), scene.boundaries.size(),
       grounds[static_cast<int>(scene.ground.kind)]);
   if (scene.touches_particles())
-    std::fputs((scene.particles->box ? box_report(scene) : script_report(scene)).c_str(), stdout);
+    std::fputs((scene.particles->box ? box_report(scene) + proposal : script_report(scene)).c_str(), stdout);
   return kExitDone;
 }
 

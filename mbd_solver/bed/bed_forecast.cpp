@@ -12,6 +12,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/build/time_functions.h"
+#include "mbd_solver/scene/box_bed.h"
 
 namespace footfall {
 namespace {
@@ -79,6 +80,48 @@ std::vector<Eigen::Vector3d> free_path(const Scene& scene, Eigen::Vector3d v, do
   return path;
 }
 
+// The nodes of a body at the start in W [m].
+Eigen::Matrix3Xd nodes_at_start(const Mechanism& mechanism, const BodyBoundary& entry) {
+  const BodyState& start = mechanism.model.initial(entry.body);
+  const Eigen::Matrix3d R = Eigen::Quaterniond(start.L[0], start.L[1], start.L[2], start.L[3]).toRotationMatrix();
+  return (R * entry.boundary.rho0()).colwise() + start.r;
+}
+
+// Where a body goes from its place at the start [m]; empty: not known.
+std::vector<Eigen::Vector3d> path_of(const Scene& scene, const Mechanism& mechanism, const BodyBoundary& entry,
+                                     bool held) {
+  const std::string& name = entry.boundary.name();
+  if (!held)
+    return free_path(scene, mechanism.model.initial(entry.body).dr, nodes_at_start(mechanism, entry).row(2).minCoeff());
+  std::vector<Eigen::Vector3d> path;
+  for (const JointSpec& joint : scene.joints) {
+    const bool moves_it = (joint.bodies[0] == "ground" && joint.bodies[1] == name) ||
+                          (joint.bodies[1] == "ground" && joint.bodies[0] == name);
+    if (!moves_it) continue;
+    if (const std::optional<Path> prescribed = prescribed_path(joint, mechanism))
+      for (int k = 0; k <= kSteps; ++k) path.push_back((*prescribed)(k * scene.end_time / kSteps));
+  }
+  return path;
+}
+
+// The way along x and y, from its least to its largest value: of free bodies and of all that are prescribed [m].
+Eigen::Matrix2d way_of(const Scene& scene, const Mechanism& mechanism) {
+  Eigen::Matrix2d way = Eigen::Matrix2d::Zero();
+  const auto include = [&](const Eigen::Vector3d& s) {
+    way.col(0) = way.col(0).cwiseMin(s.head<2>());
+    way.col(1) = way.col(1).cwiseMax(s.head<2>());
+  };
+  const std::set<std::string> held = held_by_ground(scene);
+  for (const BodyBoundary& entry : mechanism.boundaries)
+    if (held.count(entry.boundary.name()) == 0)
+      for (const Eigen::Vector3d& s : path_of(scene, mechanism, entry, false)) include(s);
+  for (const JointSpec& joint : scene.joints)
+    if (joint.bodies[0] == "ground" || joint.bodies[1] == "ground")
+      if (const std::optional<Path> prescribed = prescribed_path(joint, mechanism))
+        for (int k = 0; k <= kSteps; ++k) include((*prescribed)(k * scene.end_time / kSteps));
+  return way;
+}
+
 }  // namespace
 
 std::vector<std::string> leaving_bodies(const Scene& scene, const Mechanism& mechanism) {
@@ -90,20 +133,7 @@ std::vector<std::string> leaving_bodies(const Scene& scene, const Mechanism& mec
   for (const BodyBoundary& entry : mechanism.boundaries) {
     const std::string& name = entry.boundary.name();
     const BodyState& start = mechanism.model.initial(entry.body);
-    const Eigen::Matrix3d R = Eigen::Quaterniond(start.L[0], start.L[1], start.L[2], start.L[3]).toRotationMatrix();
-    const double lowest = start.r.z() + (R.row(2) * entry.boundary.rho0()).minCoeff();
-    std::vector<Eigen::Vector3d> path;
-    if (held.count(name) == 0) {
-      path = free_path(scene, start.dr, lowest);
-    } else {
-      for (const JointSpec& joint : scene.joints) {
-        const bool moves_it = (joint.bodies[0] == "ground" && joint.bodies[1] == name) ||
-                              (joint.bodies[1] == "ground" && joint.bodies[0] == name);
-        if (!moves_it) continue;
-        if (const std::optional<Path> prescribed = prescribed_path(joint, mechanism))
-          for (int k = 0; k <= kSteps; ++k) path.push_back((*prescribed)(k * scene.end_time / kSteps));
-      }
-    }
+    const std::vector<Eigen::Vector3d> path = path_of(scene, mechanism, entry, held.count(name) > 0);
     const auto beyond = [&](const Eigen::Vector3d& s, int axis) {
       const auto c = static_cast<std::size_t>(axis);
       return std::abs(start.r[axis] + s[axis] - box.centre[c]) > 0.5 * box.size[c];
@@ -123,6 +153,66 @@ std::vector<std::string> leaving_bodies(const Scene& scene, const Mechanism& mec
                                      "end the scene earlier"));
   }
   return warnings;
+}
+
+BedProposal proposed_bed(const Scene& scene, const Mechanism& mechanism) {
+  constexpr double kSolid = 0.57;       // volume of grains in a bed [-]
+  constexpr double kPressure = 50.0;    // of a plate over rho g depth: loose soils (Li, Zhang and Goldman 2013) [-]
+  constexpr double kOfRectangle = 0.7;  // area of a round or narrow body [-]
+  constexpr double kMoves = 0.5;        // ways above this share of the width [-]
+  const BoxSpec& box = *scene.particles->box;
+  BedProposal bed;
+  double lowest = HUGE_VAL;
+  for (const BodyBoundary& entry : mechanism.boundaries)
+    lowest = std::min(lowest, nodes_at_start(mechanism, entry).row(2).minCoeff());
+  const Eigen::Matrix2d way = way_of(scene, mechanism);
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL), high = -low;
+  double area = 0.0;
+  for (const BodyBoundary& entry : mechanism.boundaries) {
+    const Eigen::Matrix3Xd x = nodes_at_start(mechanism, entry);
+    const Eigen::Vector2d least = x.topRows<2>().rowwise().minCoeff(), most = x.topRows<2>().rowwise().maxCoeff();
+    const double width = (most - least).minCoeff();
+    if (x.row(2).minCoeff() > lowest + width) continue;  // it stays above the bed
+    bed.width = std::max(bed.width, width);
+    area += kOfRectangle * (most - least).prod();
+    low = low.cwiseMin(least);
+    high = high.cwiseMax(most);
+  }
+  if (!(area > 0.0) || !(bed.width > 0.0)) return bed;
+  // A plate of this area stops at the depth s where 1/2 k A s^2 = M g s + 1/2 M v^2.
+  double mass = 0.0;
+  for (const BodySpec& body : scene.bodies) mass += body.mass;
+  const double g = scene.gravity.norm(), v = scene.initial.velocity.z();
+  const double stiffness = kPressure * kSolid * box.material.density * g * area;
+  bed.sinkage = (mass * g + std::sqrt(mass * g * mass * g + stiffness * mass * v * v)) / stiffness;
+  bed.depth = bed.sinkage + bed.width;
+  for (int axis = 0; axis < 2; ++axis) {
+    const bool follows = follows_along(box, axis);
+    const bool moves = (way(axis, 1) - way(axis, 0)) > kMoves * bed.width;
+    const double clear = (moves ? 2.0 : 1.0) * bed.width;
+    const double from = low[axis] + (follows ? 0.0 : way(axis, 0)) - clear,
+                 to = high[axis] + (follows ? 0.0 : way(axis, 1)) + clear;
+    bed.size[axis] = to - from;
+    bed.centre[axis] = 0.5 * (from + to);
+    // Its body stays 0.3 of the side from both ends, and its slabs are a tenth of it, as long as the bed is deep.
+    if (follows) bed.size[axis] = std::max((0.5 * (high[axis] - low[axis]) + clear) / 0.3, 10.0 * bed.depth);
+  }
+  return bed;
+}
+
+std::string proposal_text(const Scene& scene, const BedProposal& bed) {
+  if (!(bed.width > 0.0)) return "";
+  const BoxSpec& box = *scene.particles->box;
+  const auto two = [](double value) { return number_text(std::abs(value) < 1e-6 ? 0.0 : value, 2); };
+  const double grains =
+      bed.size.prod() * bed.depth / (box.size[0] * box.size[1] * box.depth) * box_numbers(scene).grains;
+  const double digit = std::pow(10.0, std::floor(std::log10(grains)) - 1.0);  // the second
+  return "  for these bodies, up to " + two(bed.width) + " m wide and about " + two(bed.sinkage) +
+         " m deep in a loose bed, start with " + std::to_string(std::lround(digit * std::round(grains / digit))) +
+         " grains" + (scene.drives.empty() ? "" : " (and more for the way that drives make)") +
+         ": --set particles.box.size=[" + two(bed.size[0]) + "," + two(bed.size[1]) + "] --set particles.box.centre=[" +
+         two(bed.centre[0]) + "," + two(bed.centre[1]) + "] --set particles.box.depth=" + two(bed.depth) +
+         " (docs/how-to/size_a_bed.md)\n";
 }
 
 }  // namespace footfall

@@ -445,9 +445,12 @@ void add_plane(const Scene& scene, Mechanism& mechanism) {
   const bool rocks = scene.ground.kind == GroundKind::kSoil && mechanism.terrain && !mechanism.terrain->rocks().empty();
   if (scene.ground.kind != GroundKind::kPlane && !rocks) return;
   const PlaneSpec& spec = *scene.ground.plane;
-  if (mechanism.terrain)
+  if (mechanism.terrain) {
+    const auto& map = scene.ground.terrain->map;
     return add_terrain_contacts(contact_law(spec, scene, mechanism),
-                                rocks ? TerrainContact::Touches::kRocks : TerrainContact::Touches::kAll, mechanism);
+                                rocks ? TerrainContact::Touches::kRocks : TerrainContact::Touches::kAll,
+                                map ? map->grid.get() : nullptr, mechanism);
+  }
   const RigidPlane::Parameters p = plane_parameters(contact_law(spec, scene, mechanism), spec.point, spec.normal);
   for (const BodyBoundary& entry : mechanism.boundaries) {
     if (entry.points.empty() && entry.rims.empty()) continue;

@@ -60,6 +60,29 @@ std::vector<std::string> leaving(const std::string& more, const std::vector<std:
   return leaving_bodies(scene, build_mechanism(scene));
 }
 
+TEST(ProposedBed, IsOneWidthAroundTheBodiesAndTheirWay) {
+  const SceneText text;
+  const auto proposed = [&](const std::vector<std::string>& settings) {
+    const Scene scene = text.read(kBalls, settings);
+    return proposed_bed(scene, build_mechanism(scene));
+  };
+  // Two balls of 0.1 m, 0.4 m from end to end: 0.1 m more on each side, and below.
+  const BedProposal still = proposed({});
+  EXPECT_NEAR(still.width, 0.1, 1e-6);
+  EXPECT_NEAR(still.size.x(), 0.6, 1e-6);
+  EXPECT_NEAR(still.size.y(), 0.3, 1e-6);
+  EXPECT_NEAR(still.depth, still.sinkage + 0.1, 1e-12);
+  EXPECT_NEAR(still.centre.norm(), 0.0, 1e-9);
+  // A plate of 70 % of the squares around them, on 50 rho g per metre: 1/2 k A s^2 = M g s.
+  const double k = 50.0 * 0.57 * 2600.0 * 9.81 * 0.7 * 2.0 * 0.01;
+  EXPECT_NEAR(still.sinkage, 2.0 * 2.0 * 9.81 / k, 1e-6);
+  // A way of 0.15 m, by the flight and the friction after it; two widths beside it.
+  const BedProposal moving = proposed({"initial.velocity=[0.5,0,-1]"});
+  EXPECT_NEAR(moving.size.x(), 0.4 + 0.1 + 4 * 0.1, 0.1);
+  EXPECT_GT(moving.centre.x(), 0.02);
+  EXPECT_GT(moving.sinkage, still.sinkage);
+}
+
 TEST(LeavingBodies, AreForetoldByTheirMotion) {
   EXPECT_THAT(leaving("", {}), IsEmpty());
   // 0.15 m to the side: 0.1 s of flight and then friction.
