@@ -140,7 +140,7 @@ int guarded(const std::function<int()>& work, const std::function<int(const std:
   }
 }
 
-// Each line of standard input is a run without grains: {"scene", "settings", "until", "out"}. The answer is a line "CODE MESSAGE".
+// Each line of standard input is a run without grains: {"scene", "settings", "until", "out", "trusted"}. The answer is a line "CODE MESSAGE".
 int serve() {
   const int answers = ::dup(STDOUT_FILENO);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);  // whatever else is printed
@@ -155,6 +155,7 @@ int serve() {
           options.until = task.at("until").get<double>();
           options.quiet = true;
           options.keep_every = 0.0;
+          options.trusted = task.value("trusted", false);
           const Scene scene =
               read_scene(task.at("scene").get<std::string>(), task.at("settings").get<std::vector<std::string>>());
           if (scene.touches_particles())

@@ -85,6 +85,16 @@ if [[ -d $root/usr/include/footfall ]]; then
     mpirun --oversubscribe -np 1 liggghts_mbd -in in.tamper -screen none : -np 1 build/tamper > tamper.csv" > "$root.said" 2>&1 || { tail -n 30 "$root.said"; die "does not build or run"; }
   tail -n 1 "$root.said"
 fi
+if [[ -x $root/usr/bin/footfall_fmu ]]; then
+  echo "Scenes without and with grains as FMUs, which a scene runs"
+  as_user "printf '%s\n' 'end_time = 0.005' '[[bodies]]' 'name = \"block\"' 'mass = 1' 'inertia = [1, 1, 1]' 'position = [0, 0, 0]' > host.toml
+    for fmu in lander.fmu:cabin.vz wheel.fmu:wheel.vx; do
+      printf '%s\n' '[[signals]]' \"name = \\\"\${fmu%%.*}\\\"\" 'kind = \"fmu\"' \"file = \\\"\${fmu%:*}\\\"\" \"outputs = { v = \\\"\${fmu#*:}\\\" }\" 'period_ms = 1' >> host.toml
+    done
+    footfall fmu /usr/share/footfall/inputs/rigid_plane --out lander.fmu && footfall fmu my_wheel --out wheel.fmu &&
+    footfall run host.toml --trust-script --quiet" > "$root.said" 2>&1 || { tail -n 20 "$root.said"; die "FMUs do not run"; }
+  grep -h 'an FMU' "$root.said"
+fi
 if [[ -d $root/usr/lib/python3/dist-packages/footfall ]]; then
   echo "The Python example"
   as_user "cp -r /usr/share/footfall/examples/python_landing . && cd python_landing && sed -i 's|../../inputs|/usr/share/footfall/inputs|' * && python3 land.py out && python3 notebook.py" \

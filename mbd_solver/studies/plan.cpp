@@ -192,6 +192,10 @@ std::vector<std::string> filled(std::vector<std::string> texts, const std::strin
   return texts;
 }
 
-Plan plan_of(const SweepSpec& spec, bool short_form) { return Planner(spec, short_form).plan(); }
+Plan plan_of(const SweepSpec& spec, bool short_form) {
+  Plan plan = Planner(spec, short_form).plan();
+  for (RunRequest& run : plan.runs) run.trusted = spec.trusted;
+  return plan;
+}
 
 }  // namespace footfall

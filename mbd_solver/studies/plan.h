@@ -15,6 +15,7 @@ struct RunRequest {
   double until = 0.0;               // [s]; 0: the scene's end time
   int time_limit = 0;               // [s]; 0: none
   int repeats = 1;                  // the shortest run time counts
+  bool trusted = false;             // --trust-script
   bool may_be_refused = false;      // a scene that cannot be read is no fault of the sweep
   std::vector<std::string> values;  // names of its choices, one per parameter
 };

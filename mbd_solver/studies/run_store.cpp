@@ -85,10 +85,12 @@ std::vector<std::string> words_of(const RunRequest& request, const std::string& 
   if (request.time_limit > 0) words = {"timeout", "--foreground", "-k", "30", std::to_string(request.time_limit)};
   if (resumes) {
     words.insert(words.end(), {built_program("footfall"), "run", "--quiet", "--resume", folder});
+    if (request.trusted) words.push_back("--trust-script");
     return words;
   }
   words.insert(words.end(), {built_program("footfall"), "run", request.scene, "--quiet", "--force", "--keep-every", "0",
                              "--out", folder});
+  if (request.trusted) words.push_back("--trust-script");
   if (request.until > 0.0) words.insert(words.end(), {"--until", number_text(request.until)});
   for (const std::string& setting : request.settings) words.insert(words.end(), {"--set", setting});
   return words;
@@ -183,7 +185,7 @@ std::vector<std::size_t> RunStore::beds_to_make(const std::vector<std::size_t>& 
 }
 
 void RunStore::make_bed(std::size_t run, bool quiet) const {
-  for (const BedSpec& bed : runs_[run].bed) prepare_bed(bed, runs_[run].ranks, quiet);
+  for (const BedSpec& bed : runs_[run].bed) prepare_bed(bed, runs_[run].ranks, quiet, runs_[run].request.trusted);
 }
 
 void RunStore::try_bed(std::size_t run) {

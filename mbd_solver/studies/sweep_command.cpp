@@ -154,6 +154,7 @@ std::vector<std::string> words_again(const SweepArguments& a, const std::string&
   if (a.again.empty()) words.insert(words.end(), {a.command, file});
   words.insert(words.end(), {"--out", out});
   if (a.short_form) words.push_back("--short");
+  if (a.trust_script) words.push_back("--trust-script");
   if (!a.of_case.empty()) words.insert(words.end(), {"--case", a.of_case});
   return words;
 }
@@ -244,8 +245,11 @@ int start_campaign(const SweepArguments& a) {
   add("--jobs", a.jobs > 0 ? std::to_string(a.jobs) : "");
   add("--only", a.only >= 0 ? std::to_string(a.only) : "");
   add("--row", a.row >= 0 ? std::to_string(a.row) : "");
-  for (const auto& [flag, given] :
-       {std::pair{"--short", a.short_form}, {"--list", a.list}, {"--merge", a.merge}, {"--slurm", a.slurm}})
+  for (const auto& [flag, given] : {std::pair{"--short", a.short_form},
+                                    {"--list", a.list},
+                                    {"--merge", a.merge},
+                                    {"--slurm", a.slurm},
+                                    {"--trust-script", a.trust_script}})
     if (given) words.push_back(flag);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
@@ -259,6 +263,7 @@ int start_campaign(const SweepArguments& a) {
 int sweep_command(const SweepArguments& a) {
   SweepSpec spec = read_sweep_file(a.file);
   if (spec.is_campaign()) return start_campaign(a);
+  spec.trusted = a.trust_script;
   if (a.row >= 0)
     throw InputError(code::kWrongSweep, a.file + ": has no drawn runs, expected --only RUN instead of --row");
   if (a.change) a.change(spec);

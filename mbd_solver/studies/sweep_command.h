@@ -13,18 +13,19 @@ namespace footfall {
 struct SweepArguments {
   std::string command;  // its name: sweep or accuracy
   std::string file;
-  std::string out;          // empty: `runs` and the file's name
-  std::string runs;         // default folder
-  std::string of_case;      // only this curve; empty: all
-  std::string table;        // also write the table to this file, as Markdown; empty: no
-  int jobs = 0;             // runs at once; 0: as many as the cores allow
-  long row = -1;            // of a campaign: repeat this row with all its files, and stop
-  int only = -1;            // only this run, without tables: one element of a job array
-  bool resume = false;      // finished runs are not repeated
-  bool short_form = false;  // the short form, as in tests
-  bool merge = false;       // no runs: tables and plots of finished ones
-  bool list = false;        // no runs: make the beds, list the runs
-  bool slurm = false;       // no runs: write OUT/sweep.sbatch, the sweep as a Slurm job array
+  std::string out;            // empty: `runs` and the file's name
+  std::string runs;           // default folder
+  std::string of_case;        // only this curve; empty: all
+  std::string table;          // also write the table to this file, as Markdown; empty: no
+  int jobs = 0;               // runs at once; 0: as many as the cores allow
+  long row = -1;              // of a campaign: repeat this row with all its files, and stop
+  int only = -1;              // only this run, without tables: one element of a job array
+  bool resume = false;        // finished runs are not repeated
+  bool short_form = false;    // the short form, as in tests
+  bool trust_script = false;  // runs may start programs that their scenes name
+  bool merge = false;         // no runs: tables and plots of finished ones
+  bool list = false;          // no runs: make the beds, list the runs
+  bool slurm = false;         // no runs: write OUT/sweep.sbatch, the sweep as a Slurm job array
 
   // For a command that builds on sweeps, as footfall rig does; each may be empty.
   std::vector<std::string> again;          // words of the same command, instead of command and file

@@ -195,6 +195,7 @@ struct SweepSpec {
   double until = 0.0;                 // [s]; 0: the scene's end time
   int time_limit = 0;                 // of a run, wall-clock [s]; 0: none
   int repeats = 1;                    // of every run; the shortest run time counts
+  bool trusted = false;               // of every run: --trust-script, which the file does not give
   ShortSpec short_form;
   std::vector<ParameterSpec> parameters;
   std::vector<CurveSpec> curves;

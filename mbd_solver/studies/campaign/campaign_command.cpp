@@ -236,7 +236,7 @@ class CampaignRun {
         const std::size_t row = left[next++];
         try {
           RunRequest r = campaign_.request(row);
-          pool.start({row, r.scene, r.settings, r.until});
+          pool.start({row, r.scene, r.settings, r.until, r.trusted});
         } catch (const NumericalError& e) {
           record(row, {kExitBadInput, e.what(), {}, {}});
         }
@@ -343,6 +343,7 @@ bool check_case(const Campaign& campaign, const std::string& folder, int jobs, G
 std::string command_words(const SweepArguments& a, const std::string& out) {
   std::vector<std::string> words = {built_program("footfall"), a.command, fs::absolute(a.file).string(), "--out", out};
   if (a.short_form) words.push_back("--short");
+  if (a.trust_script) words.push_back("--trust-script");
   return shell_line({words, {}, "", ""});
 }
 
@@ -376,7 +377,8 @@ int interrupted_code() {
 }  // namespace
 
 int campaign_command(const SweepArguments& a) {
-  const SweepSpec spec = read_sweep_file(a.file);
+  SweepSpec spec = read_sweep_file(a.file);
+  spec.trusted = a.trust_script;
   Campaign campaign(spec, a.short_form);
   const std::string name = fs::path(a.file).stem().string();
   const std::string folder =

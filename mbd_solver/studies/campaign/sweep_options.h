@@ -37,6 +37,8 @@ inline void add_sweep_options(CLI::App& command, SweepArguments& a) {
   command.add_flag("--short", a.short_form, "The short form of the file, as in tests");
   add_list(command, a.list);
   command.add_flag("--merge", a.merge, "Tables and plots of the finished runs");
+  command.add_flag("--trust-script", a.trust_script,
+                   "Runs may start programs that their scenes and scripts name, as of run");
   command.add_flag("--slurm", a.slurm, "Write sweep.sbatch, the runs as a Slurm job array, and stop");
 }
 

@@ -110,10 +110,13 @@ void WorkerPool::start(const WorkerTask& task) {
   for (const char* file : {"summary.json", "history.csv", "peaks.csv"}) ::unlink((worker.folder + "/" + file).c_str());
   if (::truncate((worker.folder + ".log").c_str(), 0) != 0) errno = 0;  // there is none yet
   if (worker.process < 0) begin(worker);
-  const std::string line =
-      nlohmann::json{{"scene", task.scene}, {"settings", task.settings}, {"until", task.until}, {"out", worker.folder}}
-          .dump() +
-      "\n";
+  const std::string line = nlohmann::json{{"scene", task.scene},
+                                          {"settings", task.settings},
+                                          {"until", task.until},
+                                          {"out", worker.folder},
+                                          {"trusted", task.trusted}}
+                               .dump() +
+                           "\n";
   for (std::size_t at = 0; at < line.size();) {
     const ssize_t sent = ::write(worker.to, line.data() + at, line.size() - at);
     if (sent < 0 && errno == EINTR) continue;

@@ -16,7 +16,8 @@ struct WorkerTask {
   std::size_t run = 0;  // its number
   std::string scene;
   std::vector<std::string> settings;
-  double until = 0.0;  // [s]; 0: the scene's end time
+  double until = 0.0;    // [s]; 0: the scene's end time
+  bool trusted = false;  // programs that the scene names may run
 };
 
 struct WorkerAnswer {
