@@ -1,5 +1,7 @@
 """Scenes, findings, simulations in this process, and runs by the programs."""
 import ast
+import functools
+import inspect
 import os
 import subprocess
 import sys
@@ -202,7 +204,7 @@ class Runs(unittest.TestCase):
     def test_give_history_summary_and_pictures(self):
         run = self.run_
         self.assertEqual((run.exit_code, run.summary["status"]), (0, "done"))
-        self.assertTrue(self.shares and max(self.shares) <= 1.0)
+        self.assertEqual((self.shares, self.shares[-1]), (sorted(self.shares), 1.0), "shares of the run alone")
         column = run.history["bob.x"]
         self.assertIs(column, run["bob.x"], "a column is one array")
         self.assertFalse(column.flags.writeable or column.flags.owndata)
@@ -247,6 +249,37 @@ class Runs(unittest.TestCase):
         self.assertEqual(len(sweep.table["descent"]), 2)
         self.assertEqual(len(sweep.runs), 2)
         self.assertEqual(type(ff.load(sweep.folder)), ff.Sweep)
+
+
+class Stubs(unittest.TestCase):
+    def test_name_what_the_module_has_with_its_parameters(self):
+        with open(os.path.splitext(ff.__file__)[0] + ".pyi", encoding="utf-8") as file:
+            stub = ast.parse(file.read())
+
+        def check(owner, name, node):
+            found = inspect.getattr_static(owner, name)
+            if isinstance(found, (property, functools.cached_property)):
+                self.assertEqual([ast.unparse(d) for d in node.decorator_list], ["property"], name)
+                return
+            names = [a.arg for a in [*node.args.args, node.args.vararg, *node.args.kwonlyargs, node.args.kwarg] if a]
+            self.assertEqual(names, [p for p in inspect.signature(found).parameters], f"{owner.__name__}.{name}")
+
+        public = set()
+        for node in stub.body:
+            if isinstance(node, ast.FunctionDef):
+                public.add(node.name)
+                check(ff, node.name, node)
+            elif isinstance(node, ast.ClassDef):
+                public.add(node.name)
+                owner = getattr(ff, node.name)
+                told = {each.name: each for each in node.body if isinstance(each, ast.FunctionDef)}
+                for name, each in told.items():
+                    if not name.startswith("__"):
+                        check(owner, name, each)
+                own = {name for name, value in vars(owner).items()
+                       if not name.startswith("_") and (inspect.isfunction(value) or isinstance(value, (property, functools.cached_property)))}
+                self.assertEqual(own - set(told), set(), f"{node.name}: the stub does not name these")
+        self.assertEqual({name for name in ff.__all__ if name not in public and callable(getattr(ff, name))}, set())
 
 
 if __name__ == "__main__":

@@ -85,7 +85,7 @@ class _Bar:
             self.widget.display()
 
     def see(self, line):
-        found = re.search(r"(\d+(?:\.\d+)?) ?%", line)
+        found = re.search(r" of \S+(?: s)? \((\d+(?:\.\d+)?) %\)", line)  # other lines have shares of other things
         share = float(found.group(1)) / 100 if found else None
         if self.call and share is not None:
             self.call(share)
