@@ -252,7 +252,7 @@ Replay stock_replay(const std::string& script, const std::string& motion, const 
       if (!style.empty()) gone.push_back(w[1]);
       const bool has = !style.empty() || (variables.count("beam_count") > 0 && variables.at("beam_count") != "0");
       if (has) replay.notes.push_back("fix " + (style.empty() ? "beams" : w[1]) + ": stock LIGGGHTS has no beam walls");
-    } else if (line.find("bed/follow") != std::string::npos) {
+    } else if (std::find(w.begin(), w.end(), "bed/follow") != w.end()) {
       if (!style.empty() || (variables.count("follow") > 0 && variables.at("follow") == "1"))
         replay.notes.push_back(
             "fix bed/follow: the bed of stock LIGGGHTS does not follow, and a body that has gone its length meets its "

@@ -81,14 +81,14 @@ TEST(Slopes, OfGravityAndOfTerrainCarryAPadAlike) {
       depth.push_back(s * x[0] + c * z[0] - lowest);
       peak.push_back(largest);
       mean.push_back(sum / static_cast<double>(x.size()));
-      // Grains at rest stay: at the start they move slower than 1 mm/s in the mean (kinetic energy of 20 kg).
+      // Grains at rest stay: at the start they move slower than 2 mm/s, the root of the mean square over 20 kg.
       std::istringstream rows(folder.read("run/grains_energy.txt"));
       std::string line;
       while (std::getline(rows, line) && line[0] == '#') {
       }
       double step = 0.0, time = 0.0, kinetic = 1.0;
       std::istringstream(line) >> step >> time >> kinetic;
-      EXPECT_LT(kinetic, 0.5 * 20.0 * 1e-6);
+      EXPECT_LT(kinetic, 0.5 * 20.0 * 4e-6);
     }
     depths.push_back(spread_of(depth));
     peaks.push_back(spread_of(peak));
