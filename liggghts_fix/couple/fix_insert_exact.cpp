@@ -65,6 +65,7 @@ FixInsertExact::FixInsertExact(LAMMPS* lmp_, int narg, char** arg)
     throw footfall::InputError(
         footfall::code::kSourceSyntax,
         std::string("fix ") + id + ": expected nparticles 1, a particlerate or massrate, and insert_every N");
+  by_mass_ = massflowrate > 0.0;
   ninsert_exists = 0;  // no last grain
   first_seed_ = seed - comm->me;
   print_stats_during_flag = 0;
@@ -73,22 +74,28 @@ FixInsertExact::FixInsertExact(LAMMPS* lmp_, int narg, char** arg)
 void FixInsertExact::init() {
   next_reneighbor = 0;  // that of the script is not checked
   FixInsertRateRegion::init();
-  if (nflowrate == 0.0) nflowrate = massflowrate / fix_distribution->mass_expect();
+  // LIGGGHTS sets the other of its two rates in setup, where it refuses both.
+  rate_ = by_mass_ ? massflowrate / fix_distribution->mass_expect() : nflowrate;
   next_reneighbor = next_insertion(update->ntimestep);
+}
+
+double FixInsertExact::come() const {
+  return by_mass_ ? massinserted * rate_ / massflowrate : static_cast<double>(ninserted);
 }
 
 long FixInsertExact::due(bigint step) const {
   const double t = std::min(static_cast<double>(step) * update->dt, until_);
-  return static_cast<long>(std::floor(std::max(0.0, nflowrate * (t - from_)) + kRoundOffOfGrain));
+  const double more = std::max(0.0, rate_ * (t - from_)) - come() + kRoundOffOfGrain;
+  return ninserted + static_cast<long>(std::floor(std::max(0.0, more)));
 }
 
 bigint FixInsertExact::next_insertion(bigint after) const {
   bigint step = (after / insert_every + 1) * insert_every;
   if (due(step) > ninserted) return step;
   // The first multiple of insert_every at which another grain is due.
-  const double t = from_ + static_cast<double>(ninserted + 1) / nflowrate;
-  if (t > until_ + kRoundOffOfGrain / nflowrate) return 0;
-  const double steps = (t - kRoundOffOfGrain / nflowrate) / (update->dt * insert_every);
+  const double t = from_ + (come() + 1.0) / rate_;
+  if (t > until_ + kRoundOffOfGrain / rate_) return 0;
+  const double steps = (t - kRoundOffOfGrain / rate_) / (update->dt * insert_every);
   if (!(steps < 1e15)) return 0;
   const bigint at = static_cast<bigint>(std::ceil(steps)) * insert_every;
   return std::max(step, at);
@@ -111,14 +118,15 @@ void FixInsertExact::draw_anew() {
 
 void FixInsertExact::pre_exchange() {
   if (next_reneighbor != update->ntimestep || most_recent_ins_step == update->ntimestep) return;
+  const long wanted = due(update->ntimestep);
   FixInsertRateRegion::pre_exchange();
-  const long late = due(update->ntimestep) - ninserted;
+  const long late = wanted - ninserted;
   footfall::DemLink* const link = footfall::find_dem_link(lmp);
   if (late > 0 && !late_ && comm->me == 0 && link != nullptr) {
     late_ = true;
     link->warn(footfall::with_code(
         footfall::code::kNoSpaceForGrains,
-        std::string("fix ") + id + ": " + std::to_string(late) + " of " + std::to_string(due(update->ntimestep)) +
+        std::string("fix ") + id + ": " + std::to_string(late) + " of " + std::to_string(wanted) +
             " grains found no space in region " + ins_region->id + " at step " + std::to_string(update->ntimestep) +
             "; they come later, so that the flow is less than its rate. Enlarge the region, or give new grains a "
             "velocity out of it"));

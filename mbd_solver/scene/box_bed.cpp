@@ -345,9 +345,10 @@ void add_sources_and_sinks(const Scene& scene, Variables& all) {
   std::string boxes, flows, times;
   for (const GrainSourceSpec& source : box.sources) {
     const double rate = source_rate(box, source);
+    const bool by_mass = source.rate && box.radius.size() == 2;  // of equal grains the number says the same
     add_to_list(boxes, block_of(source));
     add_to_list(flows,
-                "particlerate " + number(rate) + " insert_every " +
+                (by_mass ? "massrate " + number(*source.rate) : "particlerate " + number(rate)) + " insert_every " +
                     std::to_string(steps_between(source, rate, mean_grain_mass(box) / box.material.density, dt)) +
                     " vel constant " + number(source.velocity.x()) + " " + number(source.velocity.y()) + " " +
                     number(source.velocity.z()));

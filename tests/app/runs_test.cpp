@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "mbd_solver/app/new_case.h"
+#include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/run/output/history.h"
 #include "tests/app/programs.h"
 
@@ -149,6 +150,40 @@ std::vector<std::pair<long, long>> atoms_in(const std::string& log) {
       rows.emplace_back(step, atoms);
   }
   return rows;
+}
+
+// Grains of 6 and 10 mm (2 and 11 g) at 0.6 kg/s, one or two in a batch: what has come differs from the rate by less than two of the
+// larger ones, however many batches came.
+TEST(Source, OfTwoSizesHasItsMass) {
+  const app::Folder folder("two_sizes");
+  std::string scene = kFountain;
+  const auto change = [&](const std::string& from, const std::string& to) {
+    ASSERT_NE(scene.find(from), std::string::npos) << from;
+    scene.replace(scene.find(from), from.size(), to);
+  };
+  change("end_time = 0.08", "end_time = 0.67");
+  change("vtk = false", "vtk = true\nvtk_interval = 0.67");
+  change("radius = 0.008", "radius = [0.006, 0.01]\nshares = [0.5, 0.5]\nframe_interval = 0.03");
+  change("grains_per_second = 1000", "rate = 0.6");
+  change("until = 0.06", "until = 0.61");
+  folder.write("scene.toml", scene);
+  folder.done("run . --out run --quiet --ranks 1", 300);
+  const auto mass = [](const BedFrame& frame) {
+    double sum = 0.0;
+    for (const double r : frame.radius) sum += 2600 * 4.0 / 3.0 * M_PI * r * r * r;
+    return sum;
+  };
+  const double largest = 2600 * 4.0 / 3.0 * M_PI * 1e-6, dt = folder.summary("run")["dt_dem_s"].get<double>();
+  const std::map<long, std::string> frames = find_bed_frames(folder.file("run"));
+  const double first = mass(read_bed_frame(frames.begin()->second));
+  for (const auto& [step, file] : frames) {
+    const double t = std::min(static_cast<double>(step) * dt, 0.61), rate = 0.6;
+    const double come = mass(read_bed_frame(file)) - first;
+    // A batch comes every 10 ms at most.
+    EXPECT_LT(come, std::max(0.0, rate * (t - 0.01)) + 2.0 * largest) << t;
+    EXPECT_GT(come, rate * (t - 0.01 - 0.011) - 2.0 * largest) << t;
+  }
+  EXPECT_NEAR(mass(read_bed_frame(frames.rbegin()->second)) - first, 0.6 * 0.6, 2.0 * largest);
 }
 
 // A block whose edge has a further corner beside its end, so that two of its triangles have angles of 0.17 degrees, as CAD programs write them.
