@@ -200,7 +200,7 @@ class Page {
     const History history = read_history(copy.string());
     std::vector<Figure> figures = standard_figures(history, "");
     const std::string plots = (work_ / "plots").string();
-    reduce_long_figures(figures, history, plots);
+    thin_figures(figures, history, plots, "curves");
     std::vector<std::string> scripts = write_plot_scripts(plots, figures, "");
     if (!scripts.empty()) scripts.pop_back();  // the overview of all, which are on this page already
     return run_gnuplot(plots, scripts);

@@ -279,27 +279,32 @@ std::string plot_command(const Figure& figure, PlotStyle style) {
 
 }  // namespace
 
-void reduce_long_figures(std::vector<Figure>& figures, const History& history, const std::string& folder) {
-  constexpr std::size_t kSpans = 2000;  // more than a picture has pixels
-  const std::vector<double>& time = history.column("time");
-  if (time.size() <= 2 * kSpans) return;
+namespace {
+constexpr std::size_t kDrawnSpans = 2000;  // more than a picture has pixels
+}
+
+bool is_long(const History& history) { return history.column("time").size() > 2 * kDrawnSpans; }
+
+void thin_figures(std::vector<Figure>& figures, const History& history, const std::string& folder,
+                  const std::string& table) {
   make_folder(folder);
-  const std::vector<std::size_t> rows = rows_to_draw(time, kSpans);
+  const std::vector<double>& time = history.column("time");
+  const std::vector<std::size_t> rows = rows_to_draw(time, kDrawnSpans);
+  History drawn;
+  drawn.names = {"time"};
+  drawn.units = {"s"};
+  drawn.columns.resize(1);
+  for (const std::size_t row : rows) drawn.columns.front().push_back(time[row]);
   for (Figure& figure : figures) {
-    History drawn;
-    drawn.names = {"time"};
-    drawn.units = {"s"};
-    drawn.columns.resize(1);
-    for (const std::size_t row : rows) drawn.columns.front().push_back(time[row]);
     for (std::size_t i = 0; i < figure.curves.size(); ++i) {
       drawn.columns.push_back(drawn_values(figure.curves[i].formula.values(history), rows));
-      drawn.names.push_back("curve_" + std::to_string(i + 1));
+      drawn.names.push_back(figure.name + "." + std::to_string(i + 1));
       drawn.units.push_back(figure.axis);
       figure.curves[i].formula = {{{1.0, drawn.names.back()}}, 0.0, 1.0};
     }
-    figure.file = figure.name + ".csv";
-    write_history((std::filesystem::path(folder) / figure.file).string(), drawn);
+    figure.file = table + ".csv";
   }
+  write_history((std::filesystem::path(folder) / (table + ".csv")).string(), drawn);
 }
 
 std::vector<std::string> write_plot_scripts(const std::string& folder, const std::vector<Figure>& figures,

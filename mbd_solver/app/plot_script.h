@@ -87,9 +87,11 @@ struct Figure {
   bool logarithmic = false;  // both axes
 };
 
-// For a history with more rows than a picture can show, writes reduced rows to NAME.csv in `folder` for each figure, which
-// then draws that file: gnuplot takes minutes for long ones.
-void reduce_long_figures(std::vector<Figure>& figures, const History& history, const std::string& folder);
+// Writes the curves of all figures, with no more rows than pictures can show, to one file TABLE.csv in `folder`, which the
+// figures then draw: gnuplot reads it much faster than a history with all its columns.
+void thin_figures(std::vector<Figure>& figures, const History& history, const std::string& folder,
+                  const std::string& table);
+bool is_long(const History& history);  // has more rows than pictures can show
 
 // One script per figure and `overview.gp` with all of them on one page, in `folder`. Returns their file names. Throws
 // InputError when the folder cannot be written.

@@ -711,7 +711,7 @@ std::vector<std::string> plot_columns(const ColumnPlot& plot) {
     if (plot.cfc > 0)
       for (Figure& figure : page.figures) figure.file = name + ".csv";
     mark_figures(history, summary, page.figures);
-    reduce_long_figures(page.figures, history, plots.string());
+    if (is_long(history)) thin_figures(page.figures, history, plots.string(), page.name + "_drawn");
   }
   page.style = plot.style;
   page.pdf = fs::path(plot.out).extension() == ".pdf";

@@ -305,12 +305,12 @@ std::vector<std::string> make_pictures(const std::string& out) {
     const History history = read_history((fs::path(out) / "history.csv").string());
     std::vector<Figure> figures = standard_figures(history, summary.value("observed_body", ""));
     mark_figures(history, summary, figures);
-    reduce_long_figures(figures, history, plots.string());
+    thin_figures(figures, history, plots.string(), "curves");
     const fs::path ledger = fs::path(out) / "ledger.csv";
     if (fs::exists(ledger)) {
       const History energies = read_history(ledger.string());
       std::vector<Figure> more = {ledger_figure(energies)};
-      reduce_long_figures(more, energies, plots.string());
+      thin_figures(more, energies, plots.string(), "ledger");
       if (!more.front().curves.empty()) figures.push_back(more.front());
     }
     const std::vector<std::string> scripts = write_plot_scripts(plots.string(), figures, title);
