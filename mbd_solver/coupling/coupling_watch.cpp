@@ -22,7 +22,7 @@ constexpr double kWindowsPerTouch = 10.0;
 constexpr double kFloor = 1e-3;             // of the energy that a window's impulse can give
 constexpr double kMuchLarger = 1.25;        // than what has been reported
 constexpr double kForceError = 0.05;        // of the largest force on a body
-constexpr double kOfPeaks = 0.35;           // of the window that hides a peak: shows it
+constexpr double kOfPeaks = 0.2;            // of the window that hides a peak: shows it
 constexpr double kForceThatMatters = 0.1;   // of the largest force on any body
 constexpr double kWarnGain = 0.2;           // of the gain that ends the run
 constexpr double kChatterForceShare = 0.2;  // of the largest force of the run: smaller ones may alternate
@@ -212,9 +212,9 @@ void CouplingWatch::watch_energy(const Window& window, const Load& load, const s
   // What stands for two windows: of both the value nearer to zero.
   const double gain = now * gain_before_ <= 0.0 ? 0.0 : std::abs(now) < std::abs(gain_before_) ? now : gain_before_;
   gain_before_ = now;
-  // Errors of energy are of second order or more in H.
+  // Errors of energy are of second order or more in H; the advice aims at half of what is warned of.
   const double share = std::clamp(
-      std::sqrt(kWarnGain * limits_.max_energy_residual * scale / std::max(std::abs(gain), 1e-300)), 0.1, 0.5);
+      std::sqrt(0.5 * kWarnGain * limits_.max_energy_residual * scale / std::max(std::abs(gain), 1e-300)), 0.1, 0.5);
   const auto energy = [&](double E) {
     return number(E) + " J of spurious energy, " + percent(E / scale) + " of the energy exchanged in contacts";
   };
