@@ -198,8 +198,8 @@ double energy_balance_relative(const Metrics& metrics, const std::vector<WorkEst
   double largest = metrics.energy_balance_relative();
   for (const WorkEstimate& estimate : estimates)
     largest = std::max(
-        largest,
-        estimate.rule / (estimate.largest > kSmallPart * metrics.energy_flow ? estimate.largest : metrics.energy_flow));
+        largest, kRule * estimate.rule /
+                     (estimate.largest > kSmallPart * metrics.energy_flow ? estimate.largest : metrics.energy_flow));
   return largest;
 }
 

@@ -216,6 +216,34 @@ interval = 0.0173
   }
 }
 
+// Force and damper of a shaken strut take nearly the same work with nearly the same error, which cancels in the sum.
+TEST(Work, OfAShakenStrutHasNoLargerErrorThanItsBalance) {
+  const std::string scene = "end_time = 2.0\ngravity = [0, 0, 0]\n" + body("a", 2.0, 0.1, "[0, 0, 0]") +
+                            joint("s", "prismatic", R"("ground", "a")", "[0, 0, 0]", "\"x\"") +
+                            R"([[struts]]
+name = "k"
+bodies = ["ground", "a"]
+points = [[-1, 0, 0], [0, 0, 0]]
+mr = { yield_force = 50, viscous = 20, regularisation_speed = 0.02, voltage = 0.5 }
+spring = { stiffness = 2000, damping = 0 }
+[[forces]]
+name = "f"
+body = "a"
+direction = [1, 0, 0]
+frame = "inertial"
+force = { amplitude = 120, frequency = 5 }
+[output]
+interval = 0.01
+)";
+  const Rows exact(scene, {"solver.rtol=1e-10", "solver.max_step=1"});
+  for (const double rtol : {1e-3, 1e-4}) {
+    const Rows run(scene, {"solver.rtol=" + text(rtol), "solver.max_step=1"});
+    const double balance = energy_balance_relative(run.metrics, run.work_estimates());
+    for (const char* column : {"work.force", "dissipated.mr_viscous", "dissipated.mr_yield"})
+      EXPECT_LE(std::abs(run.last(column) - exact.last(column)), balance * run.metrics.energy_flow) << column << rtol;
+  }
+}
+
 // Of every kind of force, damper, drive, spring and motion: the error of each integral is at most what the run reports, whether
 // it comes from the rule of integration or from the motion that the rule follows.
 TEST(Work, OfEveryKindIsWithinTheErrorThatIsReported) {
