@@ -78,6 +78,10 @@ Corner Corners::next(double t, const Eigen::VectorXd& values) {
   return next;
 }
 
+Corner Corners::next_step_end(double t, const Eigen::VectorXd& values) {
+  return std::min(next(t, values), Corner(signals_.next_split(t, values)));
+}
+
 std::vector<std::string> Corners::warnings() const {
   std::vector<std::string> warnings;
   for (const std::string& label : signals_.too_fast())

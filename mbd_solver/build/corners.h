@@ -23,6 +23,8 @@ class Corners {
   // `before` is the last time before the jump, at which a step ends, and `after` the first time behind it, where the next one
   // starts. At t = before, too, the corner is still to come.
   Corner next(double t, const Eigen::VectorXd& values);
+  // Likewise, with the times between corners at which steps of the mechanism end for the integrals of curved functions.
+  Corner next_step_end(double t, const Eigen::VectorXd& values);
   double next_time(double t, const Eigen::VectorXd& values) { return next(t, values).after; }  // [s] > t
   std::vector<std::string> warnings() const;  // about signals that vary too fast, as far as next() has looked
 

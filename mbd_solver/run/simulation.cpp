@@ -359,7 +359,7 @@ bool Simulation::save_checkpoint(Loop& loop, bool undisturbed) {
 void Simulation::advance(State from, double time, const Rows& rows) {
   const double started = wall_clock();
   for (;;) {
-    const Corner corner = corners_.next(from.time, inputs_.values);
+    const Corner corner = corners_.next_step_end(from.time, inputs_.values);
     const double end = std::min(corner.before, time);
     if (from.time < end) {
       integrator_->advance(from, end, inputs_, rows);

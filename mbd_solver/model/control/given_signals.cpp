@@ -28,6 +28,8 @@ constexpr std::size_t kMostCorners = 200000;  // of a block
 constexpr std::size_t kMostExtremes = 200;    // of arguments in a block, where a narrow bump is sought
 constexpr int kHalvings = 40;                 // points beside a corner: at cell / 2, cell / 4, ...
 constexpr double kDense = 0.25;               // turning points per point of the grid from which it is too coarse
+constexpr double kQuadrature = 1e-14;         // error of a step, of the largest integral over a block [-]
+constexpr int kMostSplits = 12;               // halvings of the time between two corners
 constexpr int kGolden = 40;                   // steps of a search for an extreme: to 1e-8 of a cell
 
 // How a part depends on time: degree 0 is constant, 1 a line, 2 anything else, in one piece or in several between switches.
@@ -165,6 +167,9 @@ struct GivenSignals::Scan {
   void add_turns(const Points& points, double cell);
   void add_turns_of(std::size_t value, const Points& points, std::size_t begin, std::size_t end, double floor);
   void add_bends(const Points& points, std::size_t value, std::size_t begin, std::size_t end, double floor);
+  void add_splits(double begin, double end);
+  std::vector<double> quadrature(double a, double b);
+  void split(double a, double b, const std::vector<double>& whole, int halvings);
 
   double t_end;  // [s]
   NamedValues names;
@@ -181,11 +186,13 @@ struct GivenSignals::Scan {
   std::vector<int> places;   // of the inputs that are read
   std::vector<double> held;  // their values, for which a block was scanned
   const Eigen::VectorXd* inputs = nullptr;
-  long scanned = -1;             // block; -1: none
-  std::vector<Corner> corners;   // of that block, in order
-  std::vector<double> extremes;  // of the arguments of smooth switches in it [s]
-  double asked = 0.0;            // the last time [s], and
-  Corner answer;                 // the corner after it
+  long scanned = -1;              // block; -1: none
+  std::vector<Corner> corners;    // of that block, in order
+  std::vector<double> splits;     // likewise [s]
+  std::vector<double> integrals;  // per value: the largest over a block so far
+  std::vector<double> extremes;   // of the arguments of smooth switches in it [s]
+  double asked = 0.0;             // the last time [s], and
+  Corner answer;                  // the corner after it
 };
 
 GivenSignals::Scan::Scan(const std::vector<GivenEntry>& entries,
@@ -586,7 +593,58 @@ void GivenSignals::Scan::scan_block(long block) {
   std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
     return a.before != b.before ? a.before < b.before : a.after > b.after;
   });
+  splits.clear();
+  if (curved && !corners.empty()) add_splits(begin, end);
   scanned = block;
+}
+
+// Per value, of one step from a to b: Radau IIA of three stages [Hairer, Wanner 1996, IV.5].
+std::vector<double> GivenSignals::Scan::quadrature(double a, double b) {
+  static const double root = std::sqrt(6.0);
+  const double places_of[] = {(4.0 - root) / 10.0, (4.0 + root) / 10.0, 1.0};
+  const double weights[] = {(16.0 - root) / 36.0, (16.0 + root) / 36.0, 1.0 / 9.0};
+  std::vector<double> sums(values.size(), 0.0);
+  for (int i = 0; i < 3; ++i) {
+    const Point point = at(i == 2 ? b : a + places_of[i] * (b - a));
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += weights[i] * (b - a) * point.value[k];
+  }
+  return sums;
+}
+
+void GivenSignals::Scan::split(double a, double b, const std::vector<double>& whole, int halvings) {
+  const double middle = a + 0.5 * (b - a);
+  if (halvings >= kMostSplits || splits.size() >= kCellsOfBlock || !(a < middle && middle < b)) return;
+  const std::vector<double> left = quadrature(a, middle), right = quadrature(middle, b);
+  bool exact = true;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double error = std::abs(left[k] + right[k] - whole[k]);
+    exact = exact && !(values[k].curved && error > kQuadrature * integrals[k]);  // also where there is no value
+  }
+  if (exact) return;
+  split(a, middle, left, halvings + 1);
+  splits.push_back(middle);
+  split(middle, b, right, halvings + 1);
+}
+
+void GivenSignals::Scan::add_splits(double begin, double end) {
+  std::vector<std::pair<double, double>> spans;
+  double from = begin;
+  for (const Corner& corner : corners) {
+    if (corner.before > from) spans.emplace_back(from, std::min(corner.before, end));
+    from = std::max(from, corner.after);
+  }
+  if (from < end) spans.emplace_back(from, end);
+  if (spans.size() > kCellsOfBlock / 8) return;  // the error test decides
+  std::vector<std::vector<double>> wholes;
+  std::vector<double> sums(values.size(), 0.0);
+  for (const auto& [a, b] : spans) {
+    wholes.push_back(quadrature(a, b));
+    for (std::size_t k = 0; k < sums.size(); ++k)
+      if (std::isfinite(wholes.back()[k])) sums[k] += std::abs(wholes.back()[k]);
+  }
+  integrals.resize(values.size(), 0.0);
+  for (std::size_t k = 0; k < sums.size(); ++k) integrals[k] = std::max(integrals[k], sums[k]);
+  for (std::size_t i = 0; i < spans.size(); ++i) split(spans[i].first, spans[i].second, wholes[i], 0);
 }
 
 GivenSignals::GivenSignals(const std::vector<GivenEntry>& entries,
@@ -600,5 +658,12 @@ GivenSignals& GivenSignals::operator=(GivenSignals&&) noexcept = default;
 const std::vector<std::string>& GivenSignals::too_fast() const { return scan_->too_fast; }
 
 Corner GivenSignals::next(double t, const Eigen::VectorXd& values) { return scan_->next(t, values); }
+
+double GivenSignals::next_split(double t, const Eigen::VectorXd& values) {
+  const Corner corner = scan_->next(t, values);
+  const std::vector<double>& splits = scan_->splits;
+  const auto found = std::upper_bound(splits.begin(), splits.end(), t);
+  return found != splits.end() && *found < corner.before ? *found : kNoCorner;
+}
 
 }  // namespace footfall
