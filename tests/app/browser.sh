@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # browser.sh FOOTFALL OUT RUNS: pages of the runs RUNS/plate and RUNS/plane in a browser without network: they get ready, draw, and the browser complains of nothing;
-# grains that the page paints itself, where no graphics card draws, are those of its shader; an address opens a time, a camera and a track; pictures and,
+# grains and mechanism that the page paints itself, where no graphics card draws, are those of its shaders; an address opens a time, a camera and a track; pictures and,
 # with ffmpeg, videos are made of a page. Where node is installed, what the page holds is read back.
 # Exit code 77 where Chromium and node are missing.
 set -euo pipefail
@@ -60,6 +60,50 @@ value() { sed -n "s/.* data-$1=\"\([^\"]*\)\".*/\1/p" <<<"$body"; }
 [[ $(value paints) == true ]] || die "the page does not paint its grains: $body"
 (($(value grains) > 1000)) || die "too few pixels show grains: $body"
 (($(value differ) * 50 < $(value grains))) || die "the painted grains are not the shaded ones: $body"
+
+# While it plays, the mechanism that the page paints among the grains is that of its shaders. A colour of the painter is a 63rd, half of which is 2 of 255;
+# where edges fall between pixels, and lines end, both may choose differently: 2 % of the pixels.
+cp "$out/plate/view.html" "$out/facets.html"
+cat >>"$out/facets.html" <<'JS'
+<script>
+(async () => {
+  while (document.body.dataset.state !== "ready") await new Promise((resolve) => setTimeout(resolve, 50));
+  const { stage, player } = window.footfall, gl = stage.renderer.getContext();
+  const picture = (playing, mechanism) => {
+    stage.playing = playing;
+    stage.bodies.object.visible = mechanism;
+    stage.symbols.object.visible = mechanism;
+    stage.setTime(player.time);
+    stage.draw();
+    const { width, height } = stage.renderer.domElement, bytes = new Uint8Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    return bytes;
+  };
+  const pixels = (a, b, least) => {
+    let count = 0;
+    for (let k = 0; k < a.length; k += 4) if (Math.max(...[0, 1, 2].map((c) => Math.abs(a[k + c] - b[k + c]))) > least) ++count;
+    return count;
+  };
+  player.seek(0.5 * (player.start + player.end));
+  for (const mesh of stage.symbols.solids.ghosts) mesh.removeFromParent();  // they are not shown while it plays
+  const none = picture(true, false), painted = picture(true, true), meshes = stage.bodies.object.children.filter((mesh) => mesh.visible).length;
+  const shaded = picture(false, true);
+  document.body.dataset.facets = stage.facets.count;
+  document.body.dataset.meshes = meshes;
+  document.body.dataset.mechanism = pixels(shaded, none, 12);
+  document.body.dataset.differ = pixels(shaded, painted, 12);
+  stage.setClip({ axis: "x", bodies: true });
+  picture(true, true);
+  document.body.dataset.cut = stage.bodies.object.children.filter((mesh) => mesh.visible).length;
+})();
+</script>
+JS
+opened "$out/facets.html"
+body=$(grep -o '<body[^>]*>' "$profile/dom")
+(($(value facets) > 0 && $(value meshes) == 0)) || die "the page does not paint its mechanism while it plays: $body"
+(($(value mechanism) > 1000)) || die "too few pixels show the mechanism: $body"
+(($(value differ) * 50 < $(value mechanism))) || die "the painted mechanism is not the shaded one: $body"
+(($(value cut) > 0)) || die "a cut mechanism is not left to the shaders: $body"
 
 # An address opens a time and a camera; symbols are drawn where they are switched on, and a track where a point is chosen.
 cp "$out/plane/view.html" "$out/linked.html"

@@ -4,6 +4,7 @@ import { SeriesDecoder, joinPlanes } from "./decode.js";
 import { indexBefore, takeChunk } from "./page.js";
 import { bodyColours, kMaps } from "./colours.js";
 import { kBox, kClip, kLight, kScale, boxUniforms, scaleUniforms } from "./shading.js";
+import { tintOf } from "./solids.js";
 
 const kColour = /* glsl */ `
 uniform bool uStress;
@@ -63,8 +64,17 @@ const kTube = (() => {
     ends[0].push(next, k, 2 * sides);
     ends[1].push(sides + k, sides + next, 2 * sides + 1);
   }
-  return { points, corners, ends };
+  return { sides, points, corners, ends };
 })();
+
+// Colours of stresses, from none to the largest, as colourOf in shading.js finds them.
+const kStresses = Array.from({ length: 256 }, (_, i) => {
+  const { shares, stops } = kMaps.stress, share = i / 255;
+  let k = 1;
+  while (k < shares.length - 1 && share > shares[k]) ++k;
+  const m = (share - shares[k - 1]) / (shares[k] - shares[k - 1]);
+  return stops[k].map((c, rgb) => (stops[k - 1][rgb] + m * (c - stops[k - 1][rgb])) / 255);
+});
 
 // Weights of the corners of a triangle, or of the ends of a line, at the point that is nearest to p (Ericson, Real-Time Collision Detection 5.1.5).
 function weightsOfNearest(corners, p) {
@@ -163,8 +173,10 @@ export class Bodies {
   tubeCorners() {
     const lines = this.lines.length / 2, met = new Map(), all = [];
     for (const point of this.lines) met.set(point, (met.get(point) ?? 0) + 1);
+    this.profiles = [];
     for (let l = 0; l < lines; ++l) {
       const open = [0, 1].filter((end) => met.get(this.lines[2 * l + end]) === 1);
+      this.profiles.push([...(open.includes(0) ? [[0, 0]] : []), [0, 1], [1, 1], ...(open.includes(1) ? [[1, 0]] : [])]);
       for (const corners of [kTube.corners, ...open.map((end) => kTube.ends[end])])
         for (const corner of corners) all.push(l * kTube.points.length + corner);
     }
@@ -209,6 +221,38 @@ export class Bodies {
     if (this.shown[1] !== next) this.fill("b", next);
     this.shown = [k, next];
     return k;
+  }
+
+  // Into facets, in place of the shaders; false where a cut goes through the bodies, which those alone show.
+  collect(facets) {
+    const cut = this.uniforms.uClip.value;
+    if ((cut.x || cut.y || cut.z) && cut.w < 1e29) return false;
+    const { low, size } = this.spec.box, n = this.spec.points, mix = this.uniforms.uMix.value, [from, to] = this.shown.map((k) => this.frames[k]);
+    const at = (this.at ??= new Float64Array(3 * n)), triangles = this.triangles.length / 3;
+    for (let axis = 0; axis < 3; ++axis)
+      for (let p = 0, j = axis * n; p < n; ++p, ++j) at[3 * p + axis] = low[axis] + (size[axis] * (from[j] + mix * (to[j] - from[j]))) / 65534;
+    const stress = this.uniforms.uStress.value && this.spec.stress > 0, known = this.colours.map((_, body) => this.spec.stressed.includes(body));
+    const tint = (cell) => {
+      const body = this.cellBody[cell];
+      if (!stress || !known[body]) return tintOf(this.colours[body % this.colours.length] ?? "#8fa6bd");
+      return kStresses[Math.round(((from[3 * n + cell] + mix * (to[3 * n + cell] - from[3 * n + cell])) / 65535) * (kStresses.length - 1))];
+    };
+    const corners = [0, 1, 2].map(() => [0, 0, 0]);
+    for (let i = 0; i < triangles; ++i) {
+      for (let k = 0; k < 3; ++k) {
+        const p = 3 * this.triangles[3 * i + k];
+        facets.toEye(at[p], at[p + 1], at[p + 2], corners[k]);
+      }
+      facets.add(corners, tint(i), true);
+    }
+    for (let l = 0; 2 * l < this.lines.length; ++l) {
+      const a = 3 * this.lines[2 * l], b = 3 * this.lines[2 * l + 1], r = this.radius[l];
+      facets.solid(at[a], at[a + 1], at[a + 2], at[b], at[b + 1], at[b + 2], r, r, kTube.sides, this.profiles[l], tint(triangles + l));
+    }
+    return true;
+  }
+  showMeshes(on) {
+    for (const mesh of this.object.children) mesh.visible = on;
   }
 
   // ---- the surface of a body, for what is attached to it

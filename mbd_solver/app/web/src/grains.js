@@ -152,8 +152,8 @@ export class Grains {
     return k;
   }
 
-  // Before a picture of this size is drawn: the processor paints the grains, or the points of the shader are drawn.
-  paint(on, camera, width, height) {
+  // Before a picture of this size is drawn: the processor paints the grains, and facets if there are any, or the points of the shader are drawn.
+  paint(on, camera, width, height, facets) {
     this.all.visible = !on;
     if (this.painter) this.painter.object.visible = on;
     if (!on) return;
@@ -164,7 +164,7 @@ export class Grains {
     const uniforms = this.material.uniforms;
     const [a, b] = this.shown.map((frame) => frame.positions.array);
     const view = { a, b, mix: uniforms.uMix.value, box: this.spec.box, radius: this.radius, camera, clip: uniforms.uClip.value, width, height };
-    this.painter.paint({ ...view, share: this.shareOfColours(a, b), odd: this.odd });
+    this.painter.paint({ ...view, share: this.shareOfColours(a, b), odd: this.odd, facets });
   }
 
   // What kVertex computes: the share of the colours of a grain that stands at mix between frames a and b.

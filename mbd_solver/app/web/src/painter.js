@@ -1,6 +1,6 @@
 // Draws grains without a graphics card: the processor paints their discs into a picture, the nearest first, so that every pixel is shaded
 // once, and one rectangle brings the picture to the screen with the depth of each pixel. A software renderer would shade
-// every disc for itself. What is seen is what the shader of grains.js draws.
+// every disc for itself. What is seen is what the shader of grains.js draws. While it plays, facets of the mechanism (facets.js) join them.
 import * as three from "three";
 import { kLayerShade, kMoving } from "./shading.js";
 
@@ -81,10 +81,11 @@ export class GrainPainter {
   }
 
   // a, b: frames of four 16-bit numbers; mix between them; box { low, size }; radius [m]; clip: normal, distance; share(i, mix): of
-  // the colours, of a grain; odd: 1 for grains of odd layers; width, height of the picture [pixels]. Returns how many grains are in the picture.
-  paint({ a, b, mix, box, radius, camera, clip, width, height, share, odd }) {
+  // the colours, of a grain; odd: 1 for grains of odd layers; width, height of the picture [pixels]; facets: of the mechanism, or none. Returns how
+  // many grains are in the picture.
+  paint({ a, b, mix, box, radius, camera, clip, width, height, share, odd, facets }) {
     this.resize(width, height);
-    const { nearest, step, count } = this.place({ a, b, mix, box, radius, camera, clip, width, height });
+    const { nearest, step, count } = this.place({ a, b, mix, box, radius, camera, clip, width, height, facets });
     this.sort(count, nearest, step);
     this.pixels.fill(0);
     this.free.set(this.empty);
@@ -94,6 +95,7 @@ export class GrainPainter {
       const i = this.grain[d];
       this.disc(d, share, odd, i, b[4 * i] === 65535 ? 0 : mix);
     }
+    facets?.fill(this.pixels, nearest, step);
     this.uniforms.uNear.value = nearest;
     this.uniforms.uStep.value = step;
     this.uniforms.uProjection.value = camera.projectionMatrix;
@@ -102,7 +104,7 @@ export class GrainPainter {
   }
 
   // Discs of the grains that are in the picture.
-  place({ a, b, mix, box, radius, camera, clip, width, height }) {
+  place({ a, b, mix, box, radius, camera, clip, width, height, facets }) {
     const { discs, grain } = this;
     const V = camera.matrixWorldInverse.elements, perPixel = camera.projectionMatrix.elements[5] * 0.5 * height;  // pixels of a metre at the distance of one metre
     const { low, size } = box, sx = size[0] / 65534, sy = size[1] / 65534, sz = size[2] / 65534, near = camera.near;
@@ -111,7 +113,7 @@ export class GrainPainter {
     const vx = V[1] * sx, vy = V[5] * sy, vz = V[9] * sz, v0 = V[1] * low[0] + V[5] * low[1] + V[9] * low[2] + V[13];
     const wx = -V[2] * sx, wy = -V[6] * sy, wz = -V[10] * sz, w0 = -(V[2] * low[0] + V[6] * low[1] + V[10] * low[2] + V[14]);
     const cx = clip.x * sx, cy = clip.y * sy, cz = clip.z * sz, c0 = clip.x * low[0] + clip.y * low[1] + clip.z * low[2] - clip.w;
-    let nearest = Infinity, farthest = 0, count = 0, left = width, right = 0, bottom = height, top = 0;
+    let { nearest, farthest, left, right, bottom, top } = facets ?? { nearest: Infinity, farthest: 0, left: width, right: 0, bottom: height, top: 0 }, count = 0;
     for (let i = 0, k = 0; i < radius.length; ++i, k += 4) {
       let x = a[k], y = a[k + 1], z = a[k + 2];
       if (x === 65535) continue;

@@ -14,7 +14,7 @@ function solid(kSides, rows) {
       if (rows[row][1] > 0) corners.push(a, b, a + kSides);
       if (rows[row + 1][1] > 0) corners.push(b, b + kSides, a + kSides);
     }
-  return { points, corners };
+  return { sides: kSides, rows, points, corners };
 }
 const kShapes = {
   tube: solid(8, [[0, 0], [0, 1], [1, 1], [1, 0]]),
@@ -140,8 +140,17 @@ export class Solids {
   begin() {
     this.tubes.count = this.pipes.count = this.balls.count = 0;
   }
-  showGhosts(on) {
-    for (const mesh of this.ghosts) mesh.visible = on;
+  // solid: drawn by the shaders; ghosts: what other things hide, too.
+  showMeshes(solid, ghosts) {
+    for (const mesh of this.object.children) mesh.visible = this.ghosts.includes(mesh) ? ghosts : solid;
+  }
+  // Into facets, in place of the shaders.
+  collect(facets) {
+    for (const { shape, arrays, count } of [this.tubes, this.pipes, this.balls])
+      for (let i = 0; i < count; ++i) {
+        const k = shape.points.length * i, { from, to, radii, tint } = arrays;
+        facets.solid(from[3 * k], from[3 * k + 1], from[3 * k + 2], to[3 * k], to[3 * k + 1], to[3 * k + 2], radii[2 * k], radii[2 * k + 1], shape.sides, shape.rows, tint.subarray(3 * k, 3 * k + 3));
+      }
   }
   tube(a, b, radius, colour) {
     this.tubes.add(a, b, radius, radius, tintOf(colour));

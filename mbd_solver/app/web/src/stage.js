@@ -3,6 +3,7 @@ import * as three from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Arrows } from "./arrows.js";
 import { Bodies } from "./bodies.js";
+import { Facets } from "./facets.js";
 import { Grains } from "./grains.js";
 import { Marks } from "./marks.js";
 import { Overlay } from "./overlay.js";
@@ -178,7 +179,7 @@ export class Stage {
       const geometry = new three.BufferGeometry();
       geometry.setAttribute("position", new three.Float32BufferAttribute(points.flat(), 3));
       const sheet = new three.Mesh(geometry, new three.MeshBasicMaterial({ color, side: three.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
-      sheet.renderOrder = -1;
+      sheet.renderOrder = 2;  // last: what hides it is not shaded twice
       group.add(sheet);
     };
     add([0, 1, 2, 0, 2, 3].map((k) => corners[k]), 0xd9cfb4);
@@ -262,7 +263,7 @@ export class Stage {
   // While it plays, a slow machine draws fewer pixels; the full picture comes back when it stands.
   suitRate(rate, playing) {
     if (!this.scene) return;
-    this.symbols?.solids.showGhosts(!playing || !this.inSoftware);
+    this.playing = playing;
     const full = Math.min(window.devicePixelRatio || 1, 2);
     let ratio = this.ratio;
     if (!playing) ratio = full;
@@ -270,6 +271,16 @@ export class Stage {
     if (ratio === this.ratio) return;
     this.ratio = ratio;
     this.resize();
+  }
+
+  // Of bodies and symbols, for the painter of the grains, while it plays; null where the shaders draw them.
+  facetsOfMechanism(width, height) {
+    if (!this.paints || !this.playing || !this.grains.object.visible) return null;
+    const facets = (this.facets ??= new Facets());
+    facets.begin(this.camera, width, height);
+    if (this.bodies?.object.visible && !this.bodies.collect(facets)) return null;
+    if (this.symbols?.object.visible) this.symbols.solids.collect(facets);
+    return facets.whole ? facets : null;
   }
 
   // A picture with the next turn of the screen.
@@ -283,7 +294,10 @@ export class Stage {
     if (!this.scene || !this.hasFrames) return;
     this.camera.updateMatrixWorld();
     const { width, height } = this.renderer.domElement;
-    this.grains?.paint(this.paints, this.camera, width, height);
+    const facets = this.facetsOfMechanism(width, height), shaders = facets === null;
+    this.bodies?.showMeshes(shaders);
+    this.symbols?.solids.showMeshes(shaders, shaders && (!this.playing || !this.inSoftware));
+    this.grains?.paint(this.paints, this.camera, width, height, facets);
     this.renderer.render(this.scene, this.camera);
     this.overlay.show();
   }
