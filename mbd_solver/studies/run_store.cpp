@@ -99,10 +99,10 @@ std::vector<std::string> words_of(const RunRequest& request, const std::string& 
 }  // namespace
 
 std::string recipe_of(const Scene& scene, double until) {
-  const std::string json = scene_json(scene);
   std::ostringstream text;
-  text << "until " << until << '\n' << json << '\n';
-  Json values = Json::parse(json);
+  Json values = Json::parse(scene_json(scene));
+  if (!scene.touches_particles()) values.erase("particles");  // and its scripts
+  text << "until " << until << '\n' << values.dump() << '\n';
   add_files(values, {}, text);
   return text.str();
 }

@@ -44,6 +44,9 @@ done
 [[ -f killed/rows.journal ]] && printf '7\t0\t0.12' >>killed/rows.journal
 "$footfall" sweep drawn.toml --jobs 2 --out killed >killed.txt 2>&1 || { cat killed.txt; fail "after kills"; }
 cmp one/runs.csv killed/runs.csv || fail "after kills the table is another"
+sed 's/deviation = 0.3/deviation = 0.2/; s/runs = 40/runs = 4/' drawn.toml >other.toml
+"$footfall" sweep other.toml --jobs 2 --out killed >killed.txt 2>&1 || { cat killed.txt; fail "other inputs"; }
+[[ -s killed/rows.before ]] && grep -q "of other inputs" killed.txt || { cat killed.txt; fail "rows of other inputs are lost without a word"; }
 "$footfall" sweep drawn.toml --slurm --out array >/dev/null || fail "--slurm"
 last=$(sed -n 's/^#SBATCH --array=0-//p' array/sweep.sbatch)
 for ((k = 0; k <= last; ++k)); do "$footfall" sweep drawn.toml --out array --only $k >array.txt 2>&1 || { cat array.txt; fail "--only $k"; }; done

@@ -48,6 +48,7 @@ class Journal {
     const std::string text = read_whole_file(path).value_or("");
     const std::size_t whole = text.rfind('\n') + 1;  // 0: no line
     const bool mine = text.compare(0, head.size(), head) == 0;
+    if (!mine && whole > 0) keep_others(path);
     file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (mine ? 0 : O_TRUNC), 0644);
     if (file_ < 0 || (mine && ::ftruncate(file_, static_cast<off_t>(whole)) != 0) || ::lseek(file_, 0, SEEK_END) < 0)
       throw FileError(path + ": cannot be written; choose another folder with --out");
@@ -70,6 +71,15 @@ class Journal {
   }
 
  private:
+  // Rows of other numbers, or of files that have changed since.
+  static void keep_others(const std::string& path) {
+    const std::string kept = fs::path(path).replace_extension(".before").string();
+    std::error_code error;
+    fs::rename(path, kept, error);
+    if (error) return;
+    std::fprintf(stderr, "footfall: the rows of %s are of other inputs and are made again; the old ones are in %s\n",
+                 path.c_str(), kept.c_str());
+  }
   void put(const std::string& text) {
     for (std::size_t at = 0; at < text.size();) {
       const ssize_t sent = ::write(file_, text.data() + at, text.size() - at);

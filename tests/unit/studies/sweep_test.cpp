@@ -333,6 +333,13 @@ bed = { script = "in.bed" }
     std::ofstream(file(name), std::ios::app) << "# changed\n";
     EXPECT_NE(recipe(), kept) << name;
   }
+  // On another ground the scripts of the grains do not matter.
+  const auto on_soil = [&] {
+    return recipe_of(read_scene(file("scene.toml"), {"ground.kind=soil", "ground.soil=dry-sand"}), 0.1);
+  };
+  const std::string kept = on_soil();
+  std::ofstream(file("in.bed"), std::ios::app) << "# changed\n";
+  EXPECT_EQ(on_soil(), kept);
 }
 
 // A scene without grains.
