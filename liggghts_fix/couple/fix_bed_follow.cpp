@@ -56,25 +56,6 @@ int image_of(int period_x, int period_y) {
   return (IMGMAX << IMG2BITS) | (((IMGMAX + period_y) & IMGMASK) << IMGBITS) | ((IMGMAX + period_x) & IMGMASK);
 }
 
-// The numbers of all ranks, in their order.
-std::vector<double> of_all_ranks(const std::vector<double>& mine, MPI_Comm world) {
-  int ranks = 1;
-  MPI_Comm_size(world, &ranks);
-  const int count = static_cast<int>(mine.size());
-  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(static_cast<std::size_t>(ranks));
-  footfall::check_mpi(MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world), "MPI_Allgather");
-  int all = 0;
-  for (std::size_t rank = 0; rank < counts.size(); ++rank) {
-    starts[rank] = all;
-    all += counts[rank];
-  }
-  std::vector<double> numbers(static_cast<std::size_t>(all));
-  footfall::check_mpi(
-      MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, numbers.data(), counts.data(), starts.data(), MPI_DOUBLE, world),
-      "MPI_Allgatherv");
-  return numbers;
-}
-
 }  // namespace
 
 FixBedFollow::FixBedFollow(LAMMPS* lmp_, int narg, char** arg)
@@ -183,7 +164,7 @@ void FixBedFollow::keep_bed() {
   }
   std::size_t per_plane = 0;
   for (const Fix* const plane : planes) per_plane += static_cast<std::size_t>(plane->size_peratom_cols);
-  std::vector<double> numbers = of_all_ranks(mine, world);
+  std::vector<double> numbers = footfall::of_all_ranks(mine, world);
   const double head[3] = {0.0, static_cast<double>(per_plane), 0.0};
   numbers.insert(numbers.begin(), head, head + 3);
   numbers[2] = static_cast<double>(numbers.size() - 3);
@@ -436,7 +417,7 @@ void FixBedFollow::insert(const Slab& slab, int last_tag, footfall::GrainChanges
   std::vector<double> held_tags;
   for (int i = 0; i < atom->nlocal; ++i)
     if (is_held(i)) held_tags.push_back(atom->tag[i]);
-  held_tags = of_all_ranks(held_tags, world);
+  held_tags = footfall::of_all_ranks(held_tags, world);
   std::sort(held_tags.begin(), held_tags.end());
   std::map<int, std::size_t> held_places;
   for (std::size_t k = 0; k < bed_.size(); ++k) {

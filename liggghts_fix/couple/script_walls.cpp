@@ -57,20 +57,7 @@ std::vector<Eigen::Vector3d> all_corners(TriMesh& mesh, MPI_Comm world) {
     mine.push_back(mesh.id(i));
     for (int k = 0; k < 3; ++k) mine.insert(mine.end(), nodes[i][k], nodes[i][k] + 3);
   }
-  int ranks = 1;
-  MPI_Comm_size(world, &ranks);
-  const int count = static_cast<int>(mine.size());
-  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(static_cast<std::size_t>(ranks));
-  footfall::check_mpi(MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world), "MPI_Allgather");
-  int all = 0;
-  for (std::size_t rank = 0; rank < counts.size(); ++rank) {
-    starts[rank] = all;
-    all += counts[rank];
-  }
-  std::vector<double> numbers(static_cast<std::size_t>(all));
-  footfall::check_mpi(
-      MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, numbers.data(), counts.data(), starts.data(), MPI_DOUBLE, world),
-      "MPI_Allgatherv");
+  const std::vector<double> numbers = footfall::of_all_ranks(mine, world);
   std::map<int, const double*> by_id;
   for (std::size_t i = 0; i < numbers.size(); i += kNumbers)
     by_id.emplace(static_cast<int>(numbers[i]), &numbers[i + 1]);
