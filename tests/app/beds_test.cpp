@@ -44,10 +44,10 @@ plots = false
 class Bed : public ::testing::Test {
  protected:
   const app::Folder folder{"bed"};
-  // The last line of check is the folder of the bed.
+  // Its folder, as check reports it.
   std::string bed_of(const std::string& checked) const {
-    const std::size_t end = checked.find_last_not_of(" \n"), begin = checked.find_last_of(" \n", end) + 1;
-    return checked.substr(begin, end + 1 - begin);
+    std::smatch line;  // of one word
+    return std::regex_search(checked, line, std::regex("\n  (\\S+)(\n|$)")) ? line[1].str() : "";
   }
   std::string history(const std::string& run) const { return folder.read(run + "/history.csv"); }
 };
