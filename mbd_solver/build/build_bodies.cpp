@@ -367,6 +367,7 @@ ModalBoundary build(const Scene& scene, const BodySpec& body, const BoundarySpec
     } else {
       const TriangleMesh mesh = boundary_surface(scene, spec);
       if (!spec.surface->file.empty()) add_notes(mesh, warnings);  // those of a shape are told with its mass
+      if (!mesh.decimation.empty()) warnings.push_back(with_code(code::kMeshDecimated, mesh.decimation));
       triangles = mesh.triangles;
       for (const Eigen::Vector3d& vertex : mesh.vertices) add_node(R_BD * (vertex - p_DBo));
     }

@@ -13,6 +13,7 @@ struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;   // [m]
   std::vector<Eigen::Vector3i> triangles;  // indices into vertices, counter-clockwise seen from the normal's side
   std::vector<std::string> notes;          // what the reader of its file has to say
+  std::string decimation;                  // how a decimated mesh differs from the given one; empty: not at all
 };
 
 // The mesh moved by x -> R x + p.

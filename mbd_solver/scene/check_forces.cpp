@@ -281,6 +281,9 @@ void check_surface(const BodySpec& body, const SurfaceSpec& surface, const Entry
   const bool shape_is_mesh = body.shape && body.shape->kind == ShapeKind::kMesh && !own_mesh;
   at.no_effect_if((from_file || shape_is_mesh) && at.given("surface.element_size") && surface.from_script.empty(),
                   "surface.element_size", "a mesh from a file");
+  at.error_if(!from_file && !shape_is_mesh && at.given("surface.triangles"), kKeyWithoutEffect, "surface.triangles",
+              "belongs to a mesh from a file, which the surface of \"" + body.name +
+                  "\" is not; give element_size, or remove it");
   for (const char* key : {"surface.scale", "surface.position", "surface.orientation"})
     at.error_if(!from_file && at.given(key), kKeyWithoutEffect, key, "belongs to a surface from a file; remove it");
   if (!at.given("surface.faces")) return;

@@ -309,6 +309,8 @@ inline constexpr MessageCode kNoGrainGravity{"W0207", "no-grain-gravity"};
 inline constexpr MessageCode kMeshLargerThanBox{"W0210", "mesh-larger-than-box"};
 // The mesh is far from the origin of its file, and its coordinates have few digits. Export it nearer, or as text.
 inline constexpr MessageCode kMeshFewDigits{"W0220", "mesh-few-digits"};
+// The mesh has been decimated as asked: how far its surface is from that of the file. Give more triangles if that is too far.
+inline constexpr MessageCode kMeshDecimated{"W0221", "mesh-decimated"};
 // The bed is made under other conditions than the run has. Make them agree unless this is intended.
 inline constexpr MessageCode kBedDiffers{"W0211", "bed-differs"};
 

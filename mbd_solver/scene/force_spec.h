@@ -174,6 +174,7 @@ struct SurfaceSpec {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();               // of the file's origin in D [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  // of the file's axes in D
   bool closed = false;                                              // require a watertight surface
+  int triangles = 0;  // at most so many of a mesh from a file (fe/decimation.h); 0: as in the file
   // Of a disc. middle: its mid-surface, without thickness. both: closed, with a rim of its thickness.
   // auto: the mid-surface of a flexible one, which is its finite-element mesh; both faces of a rigid one.
   SurfaceFaces faces = SurfaceFaces::kAuto;

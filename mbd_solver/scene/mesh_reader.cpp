@@ -24,6 +24,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/fe/decimation.h"
 #include "mbd_solver/fe/fe_mesh.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/triangle_mesh.h"
@@ -43,7 +44,8 @@ constexpr double kWeldTolerance = 1e-6;
 // Spacing of the numbers in a file over the mesh's size: a word, and no shape left.
 constexpr double kCoarse = 1e-5, kLost = 1e-2;
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
-constexpr std::size_t kMostTriangles = 100000;
+constexpr std::size_t kMostTriangles = 100000;  // of a mesh that is used as it is
+constexpr std::size_t kMostRead = 1000000;      // of one that is decimated, or only gives a mass
 
 void check_format(const std::string& file) {
   if (!is_mesh_name(file))
@@ -66,20 +68,23 @@ std::uintmax_t checked_size(const std::string& file) {
   return bytes;
 }
 
-void demand_affordable(const std::string& file, std::size_t triangles) {
-  if (triangles > kMostTriangles)
-    throw InputError(kMeshTooLarge, file + ": has " + std::to_string(triangles) + " triangles, expected at most " +
-                                        std::to_string(kMostTriangles) +
-                                        ": every node costs time in every step; use a coarser mesh");
+void demand_affordable(const std::string& file, std::size_t triangles, std::size_t most) {
+  if (triangles <= most) return;
+  const std::string remedy = most < kMostRead
+                                 ? ": every node costs time in every step; use a coarser mesh, or let it be "
+                                   "decimated by  surface = { triangles = 5000 }  of its boundary"
+                                 : "; use a coarser mesh";
+  throw InputError(kMeshTooLarge, file + ": has " + std::to_string(triangles) + " triangles, expected at most " +
+                                      std::to_string(most) + remedy);
 }
 
-MeshFile parsed(const std::string& file, std::uintmax_t size) {
+MeshFile parsed(const std::string& file, std::uintmax_t size, std::size_t most) {
   std::string bytes(size, '\0');
   std::ifstream in(file, std::ios::binary);
   if (!in.read(&bytes[0], static_cast<std::streamsize>(size)))
     throw InputError(kFileNotReadable, file + ": cannot be read");
   MeshFile result = parse_mesh(bytes, file);
-  demand_affordable(file, result.mesh.triangles.size());
+  demand_affordable(file, result.mesh.triangles.size(), most);
   return result;
 }
 
@@ -114,12 +119,10 @@ MeshFile unpacked(const std::string& bytes) {
   return file;
 }
 
-}  // namespace
-
-TriangleMesh read_mesh(const std::string& file, double scale) {
+TriangleMesh read_at_most(const std::string& file, double scale, std::size_t most) {
   check_format(file);
   const std::uintmax_t size = checked_size(file);
-  MeshFile read = unpacked(read_apart(file, size, [&] { return packed(parsed(file, size)); }));
+  MeshFile read = unpacked(read_apart(file, size, [&] { return packed(parsed(file, size, most)); }));
   TriangleMesh& mesh = read.mesh;
   if (mesh.triangles.empty()) throw InputError(kMeshEmpty, file + ": contains no triangles");
   Eigen::AlignedBox3d box;
@@ -140,6 +143,10 @@ TriangleMesh read_mesh(const std::string& file, double scale) {
   if (read.single && spacing > kLost * across) throw InputError(kMeshDigits, result.notes.front());
   return result;
 }
+
+}  // namespace
+
+TriangleMesh read_mesh(const std::string& file, double scale) { return read_at_most(file, scale, kMostTriangles); }
 
 // A fork with limits of time and memory; the result comes back through a file in memory.
 
@@ -242,7 +249,7 @@ double largest_size(const ShapeSpec& s) {
 }  // namespace
 
 TriangleMesh mesh_of_shape(const ShapeSpec& shape) {
-  return moved(read_mesh(shape.file, shape.scale), shape.orientation.toRotationMatrix(), shape.position);
+  return moved(read_at_most(shape.file, shape.scale, kMostRead), shape.orientation.toRotationMatrix(), shape.position);
 }
 
 TriangleMesh shape_surface(const BodySpec& body, const SurfaceSpec& surface) {
@@ -335,6 +342,25 @@ bool has_model_mesh(const BodySpec& body) {
   return body.flexible && !body.flexible->node_file.empty() && is_fe_mesh_name(body.flexible->node_file);
 }
 
+namespace {
+
+// As few triangles as asked, with a note on what that changes.
+TriangleMesh decimated_surface(const TriangleMesh& mesh, std::size_t most, const std::string& where) {
+  Decimation result = decimated(mesh, most);
+  const std::size_t left = result.mesh.triangles.size();
+  if (left > kMostTriangles) demand_affordable(where, left, kMostTriangles);
+  result.mesh.decimation = where + ": decimated from " + std::to_string(mesh.triangles.size()) + " to " +
+                           std::to_string(left) + " triangles; the largest distance between both surfaces is " +
+                           number_text(result.distance, 3) + " m, the enclosed volume differs by " +
+                           number_text(100.0 * result.volume_change, 2) + " %";
+  if (left > most)
+    result.mesh.decimation += "; fewer than " + std::to_string(left) +
+                              " would turn triangles over, make needles or change how pieces and holes are connected";
+  return result.mesh;
+}
+
+}  // namespace
+
 TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary) {
   if (!boundary.surface) return {};
   const SurfaceSpec& surface = *boundary.surface;
@@ -343,12 +369,18 @@ TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary) 
   if (!from_file && !body.shape && !has_model_mesh(body))
     throw InputError(kNoSurface, "body \"" + body.name + "\": its model has no triangles; give surface.file");
   if (!from_file && !body.shape) return read_mesh(body.flexible->node_file, length_unit(body.flexible->units));
-  const TriangleMesh mesh = from_file ? moved(read_mesh(surface.file, surface.scale),
-                                              surface.orientation.toRotationMatrix(), surface.position)
-                                      : shape_surface(body, surface);
+  const std::size_t most = surface.triangles > 0 ? static_cast<std::size_t>(surface.triangles) : 0;
+  TriangleMesh mesh = from_file
+                          ? moved(read_at_most(surface.file, surface.scale, most > 0 ? kMostRead : kMostTriangles),
+                                  surface.orientation.toRotationMatrix(), surface.position)
+                          : shape_surface(body, surface);
+  const std::string where = from_file ? surface.file : "surface of body \"" + body.name + "\"";
   MeshDemands demands;
   demands.closed = surface.closed;
-  check_mesh(mesh, demands, from_file ? surface.file : "surface of body \"" + body.name + "\"");
+  check_mesh(mesh, demands, where);
+  if (most > 0 && mesh.triangles.size() > most) return decimated_surface(mesh, most, where);
+  if (!from_file && body.shape->kind == ShapeKind::kMesh)
+    demand_affordable(body.shape->file, mesh.triangles.size(), kMostTriangles);
   return mesh;
 }
 

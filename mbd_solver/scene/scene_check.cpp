@@ -286,7 +286,7 @@ constexpr double kMostFiles = 1e5;           // pictures, checkpoints
 constexpr double kMostSamples = 1e8;         // of a controller
 constexpr double kMostSteps = 1e9;           // of the integrator
 constexpr double kLargestRtol = 0.1;         // [-]
-constexpr double kMostGenerated = 1e5;       // triangles of a generated surface
+constexpr double kMostGenerated = 1e5;       // triangles of a generated or decimated surface
 constexpr double kMostPlateTriangles = 2e4;  // finite elements
 constexpr int kMostElements = 2000;          // of a beam
 constexpr int kMostSegments = 10000, kMostRanks = 4096;
@@ -358,6 +358,8 @@ void check_limits(const Scene& scene, Findings& findings) {
   }
   for (const BoundarySpec& boundary : scene.boundaries) {
     const EntryFindings at(findings, boundary.source);
+    if (boundary.surface)
+      check_int(at, "surface.triangles", boundary.surface->triangles, static_cast<int>(kMostGenerated));
     if (boundary.beams) check_int(at, "beams.segments", boundary.beams->segments, kMostSegments);
     const BodySpec* body = scene.body(boundary.body);
     if (boundary.surface && body != nullptr && body->shape)

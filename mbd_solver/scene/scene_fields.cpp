@@ -341,6 +341,7 @@ static void visit_fields(FieldVisitor& v, SurfaceSpec& s) {
   v.field("scale", &s.scale, positive());
   v.field("position", &s.position, point);
   v.fields(plain, {{"orientation", &s.orientation}, {"closed", &s.closed}});
+  v.field("triangles", &s.triangles, positive());
   v.choice("faces", s.faces);
 }
 
