@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "coupler/base/errors.h"
-#include "coupler/communicator.h"
 #include "fix.h"
 #include "fix_gravity.h"
 #include "fix_mesh_surface.h"
@@ -238,24 +237,6 @@ void reorder_mesh(TriMesh* mesh, const std::vector<int>& order) {
   for (const int element : order) elements.push_back(OpenTriMesh::pack_element(mesh, element));
   OpenTriMesh::remove_all(mesh);
   for (std::vector<double>& element : elements) OpenTriMesh::unpack_element(mesh, element);
-}
-
-std::vector<double> of_all_ranks(const std::vector<double>& mine, MPI_Comm world) {
-  int ranks = 1;
-  MPI_Comm_size(world, &ranks);
-  const int count = static_cast<int>(mine.size());
-  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(static_cast<std::size_t>(ranks));
-  check_mpi(MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world), "MPI_Allgather");
-  int all = 0;
-  for (std::size_t rank = 0; rank < counts.size(); ++rank) {
-    starts[rank] = all;
-    all += counts[rank];
-  }
-  std::vector<double> numbers(static_cast<std::size_t>(all));
-  check_mpi(
-      MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, numbers.data(), counts.data(), starts.data(), MPI_DOUBLE, world),
-      "MPI_Allgatherv");
-  return numbers;
 }
 
 }  // namespace footfall

@@ -2,8 +2,6 @@
 // Access to private and protected members of LIGGGHTS 3.8.0, in this file alone (and in members that `replaced/`
 // defines). All other code uses its public interface. CMake refuses other versions of LIGGGHTS.
 
-#include <mpi.h>
-
 #include <string>
 #include <vector>
 
@@ -70,8 +68,5 @@ bool surface_velocity_varies(LAMMPS_NS::FixMeshSurface* fix);
 LIGGGHTS::Walls::IGranularWall*& wall_model(LAMMPS_NS::FixWallGran* wall);
 // Of a fix gravity after its init(): no part of it is a variable.
 bool gravity_is_constant(LAMMPS_NS::FixGravity* fix);
-
-// The numbers of all ranks, in their order. Collective.
-std::vector<double> of_all_ranks(const std::vector<double>& mine, MPI_Comm world);
 
 }  // namespace footfall

@@ -21,6 +21,7 @@
 #include "coupler/communicator.h"
 #include "domain.h"
 #include "liggghts_fix/codes.h"
+#include "liggghts_fix/couple/rank_numbers.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "liggghts_fix/link/dem_link.h"
 #include "modify.h"
@@ -75,8 +76,9 @@ FixBedFollow::FixBedFollow(LAMMPS* lmp_, int narg, char** arg)
     }
   }
   for (int axis = 0; axis < 2; ++axis)
-    good = good && (!follows_[axis] || (domain->periodicity[axis] != 0 && distance_ > 0.0 &&
-                                        2.0 * distance_ + 3.0 * slab_width(axis) <= kSlabs * slab_width(axis)));
+    good = good && (!follows_[static_cast<std::size_t>(axis)] ||
+                    (domain->periodicity[axis] != 0 && distance_ > 0.0 &&
+                     2.0 * distance_ + 3.0 * slab_width(axis) <= kSlabs * slab_width(axis)));
   if (!good || body_name_.empty())
     throw footfall::InputError(
         code::kSourceSyntax,
@@ -155,7 +157,7 @@ void FixBedFollow::keep_bed() {
     mine.push_back(partners);
     mine.push_back(values);
     for (int k = 0; k < partners; ++k) {
-      const double* const one = &pairs[static_cast<std::size_t>(1 + k * (values + 1))];
+      const double* const one = pairs.data() + 1 + k * (values + 1);
       mine.push_back(as_count(one[0]));
       mine.insert(mine.end(), one + 1, one + 1 + values);
     }

@@ -80,7 +80,7 @@ void warn_of_radius(LAMMPS* lmp, footfall::Start& script) {
   if (at < 0 || atom.radius == nullptr) return;
   const char* const text = variables.retrieve(name);
   char* end = nullptr;
-  const double radius = text == nullptr ? 0.0 : read_number(text, &end);
+  const double radius = text == nullptr ? 0.0 : footfall::read_number(text, &end);
   if (text == nullptr || *end != '\0' || !is_positive(radius)) return;
   // Maxima over the grains: has this radius, minus the smallest radius, the largest radius.
   constexpr double kSame = 1e-6;

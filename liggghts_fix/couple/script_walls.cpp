@@ -15,6 +15,7 @@
 #include "fix_wall_gran.h"
 #include "liggghts_fix/codes.h"
 #include "liggghts_fix/contact/fix_wall_gran_beam.h"
+#include "liggghts_fix/couple/rank_numbers.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "modify.h"
 #include "primitive_wall.h"

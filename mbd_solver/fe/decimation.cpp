@@ -173,7 +173,7 @@ class Collapser {
       // the direction that costs least.
       const Vector3d m = 0.5 * (p + r);
       const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(q.A);
-      const Vector3d values = eigen.eigenvalues();
+      const Vector3d& values = eigen.eigenvalues();
       const double least = kFlat * values(2);
       const Vector3d rest = eigen.eigenvectors().transpose() * (q.b - q.A * m);
       Vector3d shift, soft = eigen.eigenvectors().transpose() * g;
