@@ -41,9 +41,11 @@ std::string number(double value) {
 
 template <class Vector>
 std::string list(const Vector& values) {
-  std::string text = "[";
-  for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(values.size()); ++k)
-    text += (k > 0 ? ", " : "") + number(values[static_cast<int>(k)]);
+  std::string text = "[", between;
+  for (const double value : values) {
+    text += between + number(value);
+    between = ", ";
+  }
   return text + "]";
 }
 

@@ -208,7 +208,7 @@ void LedPair::fail() {
 std::string LedPair::line() {
   for (;;) {
     if (const std::size_t end = received_.find('\n'); end != std::string::npos) {
-      const std::string found = received_.substr(0, end);
+      std::string found = received_.substr(0, end);
       received_.erase(0, end + 1);
       return found;
     }
