@@ -3,20 +3,19 @@
 #include "mbd_solver/fe/fe_mesh.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <limits>
-#include <optional>
 #include <set>
+#include <sstream>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/number.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/fe/mesh_builder.h"
 #include "mbd_solver/fe/model_text.h"
 #include "mbd_solver/model/codes.h"
 
@@ -25,78 +24,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr long kLargestId = 2000000000;
 constexpr int kMostIncludes = 8;  // files within files
-
-// --- Elements.
-
-// Corners of an element with so many nodes; 0: there is none.
-int corners_of(int dimension, int nodes) {
-  if (dimension == 1) return nodes == 2 || nodes == 3 ? 2 : 0;
-  if (dimension == 2) return nodes == 3 || nodes == 6 ? 3 : nodes == 4 || nodes == 8 || nodes == 9 ? 4 : 0;
-  switch (nodes) {
-    case 4:
-    case 10: return 4;
-    case 5:
-    case 13:
-    case 14: return 5;
-    case 6:
-    case 15:
-    case 18: return 6;
-    case 8:
-    case 20:
-    case 27: return 8;
-    default: return 0;
-  }
-}
-
-// A mesh that grows by what a parser finds. Names of sets keep the order of their nodes.
-class MeshBuilder {
- public:
-  template <class Fail>
-  void add_node(long id, const Vector3d& x, const Fail& fail) {
-    if (!mesh_.index.emplace(id, static_cast<int>(mesh_.ids.size())).second) {
-      const Vector3d& before = mesh_.points[static_cast<std::size_t>(mesh_.index.at(id))];
-      if (before == x) return;
-      fail("node " + std::to_string(id) + " has two places, expected each number once.");
-    }
-    mesh_.ids.push_back(id);
-    mesh_.points.push_back(x);
-  }
-  // Numbers of nodes; 0 is a node on an edge that is left out. Returns the index of the element, -1 without one.
-  template <class Fail>
-  int add_element(int dimension, const std::vector<long>& ids, EdgeOrder order, const Fail& fail) {
-    MeshElement element;
-    element.dimension = dimension;
-    element.corners = corners_of(dimension, static_cast<int>(ids.size()));
-    element.order = order;
-    if (element.corners == 0)
-      fail("an element of " + std::to_string(ids.size()) + " nodes in " + std::to_string(dimension) +
-           " dimensions, expected a linear or quadratic one.");
-    for (std::size_t i = 0; i < ids.size(); ++i)
-      element.nodes.push_back(ids[i] == 0 && i >= static_cast<std::size_t>(element.corners) ? -1 : node(ids[i], fail));
-    mesh_.elements.push_back(std::move(element));
-    return static_cast<int>(mesh_.elements.size()) - 1;
-  }
-  template <class Fail>
-  int node(long id, const Fail& fail) const {
-    const auto found = mesh_.index.find(id);
-    if (found == mesh_.index.end()) fail("unknown node " + std::to_string(id) + ", expected one that the file lists.");
-    return found->second;
-  }
-  void add_to_set(const std::string& name, int node) {
-    if (node >= 0 && seen_[name].insert(node).second) mesh_.sets[name].push_back(node);
-  }
-  void add_element_to_set(const std::string& name, int element) {
-    if (element < 0) return;
-    for (const int n : mesh_.elements[static_cast<std::size_t>(element)].nodes) add_to_set(name, n);
-  }
-  FeMesh& mesh() { return mesh_; }
-
- private:
-  FeMesh mesh_;
-  std::map<std::string, std::set<int>> seen_;
-};
 
 // --- Abaqus and CalculiX.
 
@@ -129,7 +57,10 @@ struct InpState {
   MeshBuilder mesh;
   std::unordered_map<long, int> elements;  // number -> index
   std::map<std::string, std::vector<int>> element_sets;
+  std::map<std::string, std::string> spellings;  // of names of sets: upper case -> the first one
   bool in_part = false, part_had_nodes = false;
+  // Abaqus and CalculiX tell names apart without their case.
+  const std::string& named(const std::string& set) { return spellings.try_emplace(upper_case(set), set).first->second; }
 };
 
 struct InpKeyword {
@@ -170,7 +101,7 @@ void each_data_line(ModelText& text, const Use& use) {
 
 void inp_elements(ModelText& text, const InpKeyword& keyword, InpState& state) {
   const auto fail = [&](const std::string& what) { text.fail(what); };
-  const std::string type = upper_case(keyword.value("TYPE")), set = keyword.value("ELSET");
+  const std::string type = upper_case(keyword.value("TYPE")), set = state.named(keyword.value("ELSET"));
   int dimension = 0, nodes = 0;
   const bool known = type_of(type, dimension, nodes);
   if (type.empty()) fail("*ELEMENT without TYPE.");
@@ -198,7 +129,7 @@ void inp_elements(ModelText& text, const InpKeyword& keyword, InpState& state) {
 // NSET or ELSET: numbers, ranges (GENERATE), names of other sets. `numbers`: index by number.
 std::vector<int> inp_set(ModelText& text, const InpKeyword& keyword, const std::string& name,
                          const std::unordered_map<long, int>& numbers,
-                         const std::map<std::string, std::vector<int>>& sets) {
+                         const std::map<std::string, std::vector<int>>& sets, bool of_nodes) {
   if (name.empty()) text.fail("a set without a name.");
   const bool ranges = keyword.values.count("GENERATE") > 0;
   std::vector<int> found;
@@ -225,6 +156,8 @@ std::vector<int> inp_set(ModelText& text, const InpKeyword& keyword, const std::
       }
       const auto entry = numbers.find(text.whole(cell, 0, kLargestId));
       if (entry != numbers.end()) found.push_back(entry->second);
+      if (entry == numbers.end() && of_nodes)
+        text.fail("the set \"" + name + "\" has the unknown node " + cell + ", expected nodes listed above.");
     }
   });
   return found;
@@ -236,7 +169,7 @@ void parse_inp(ModelText& text, InpState& state, int depth) {
     if (text.line().compare(0, 2, "**") == 0 || is_inp_data(text)) continue;
     const InpKeyword keyword = keyword_of(text);
     if (keyword.name == "NODE") {
-      const std::string set = keyword.value("NSET");
+      const std::string set = state.named(keyword.value("NSET"));
       if (!upper_case(keyword.value("SYSTEM")).empty() && upper_case(keyword.value("SYSTEM")) != "R")
         fail("nodes in a cylindrical or spherical system, expected x, y, z. Export Cartesian coordinates.");
       if (state.in_part && state.part_had_nodes)
@@ -253,16 +186,19 @@ void parse_inp(ModelText& text, InpState& state, int depth) {
     } else if (keyword.name == "ELEMENT") {
       inp_elements(text, keyword, state);
     } else if (keyword.name == "NSET") {
-      const std::string name = keyword.value("NSET");
+      const std::string name = state.named(keyword.value("NSET"));
       if (!keyword.value("ELSET").empty()) {
-        for (const int e : state.element_sets[keyword.value("ELSET")]) state.mesh.add_element_to_set(name, e);
+        const auto of = state.element_sets.find(state.named(keyword.value("ELSET")));
+        if (of == state.element_sets.end())
+          fail("unknown set \"" + keyword.value("ELSET") + "\" of elements, expected one that is defined above.");
+        for (const int e : of->second) state.mesh.add_element_to_set(name, e);
         continue;
       }
-      for (const int n : inp_set(text, keyword, name, state.mesh.mesh().index, state.mesh.mesh().sets))
+      for (const int n : inp_set(text, keyword, name, state.mesh.mesh().index, state.mesh.mesh().sets, true))
         state.mesh.add_to_set(name, n);
     } else if (keyword.name == "ELSET") {
-      const std::string name = keyword.value("ELSET");
-      const std::vector<int> found = inp_set(text, keyword, name, state.elements, state.element_sets);
+      const std::string name = state.named(keyword.value("ELSET"));
+      const std::vector<int> found = inp_set(text, keyword, name, state.elements, state.element_sets, false);
       state.element_sets[name].insert(state.element_sets[name].end(), found.begin(), found.end());
     } else if (keyword.name == "PART") {
       state.part_had_nodes = !state.mesh.mesh().ids.empty();
@@ -294,34 +230,103 @@ FeMesh inp_mesh(const std::string& bytes, const std::string& file) {
   ModelText text(bytes, file);
   InpState state;
   parse_inp(text, state, 0);
-  for (const auto& [name, elements] : state.element_sets)
+  for (const auto& [name, elements] : state.element_sets) {
+    if (state.mesh.mesh().sets.count(name) > 0) continue;  // Abaqus writes both under one name: that of nodes is meant
     for (const int e : elements) state.mesh.add_element_to_set(name, e);
+  }
   return std::move(state.mesh.mesh());
 }
 
 // --- Nastran.
 
-FeMesh bdf_mesh(const std::string& bytes, const std::string& file) {
+struct NastranCard {
+  const char* name;
+  int dimension, corners, most;
+  std::size_t first;  // field of the first node
+};
+
+// Cards have no order: elements and sets are resolved at the end.
+struct BdfState {
+  struct Pending {
+    const NastranCard* card;
+    std::vector<long> ids;
+    std::string place;
+  };
+  MeshBuilder mesh;
+  std::vector<Pending> elements;
+  struct Set {
+    std::string name;
+    std::vector<long> ids;  // a range is -first, last
+    std::set<long> without;
+  };
+  std::vector<Set> sets;
+};
+
+// From the cell `from` on: numbers, and ranges "first THRU last".
+template <class Cells, class Number>
+std::vector<long> nastran_ids(const Cells& cells, std::size_t from, const Number& number, const ModelText& text) {
+  std::vector<long> ids;
+  for (std::size_t i = from; i < cells.size(); ++i) {
+    if (cells[i].empty()) continue;
+    if (upper_case(cells[i]) != "THRU") {
+      ids.push_back(number(i));
+      continue;
+    }
+    if (ids.empty() || i + 1 >= cells.size() || (ids.size() > 1 && ids[ids.size() - 2] < 0))
+      text.fail("THRU without numbers before and behind.");
+    ids.back() = -ids.back();
+    ids.push_back(number(++i));
+  }
+  return ids;
+}
+
+// Sets of the case control: `SET 5 = 1, 2, 7 THRU 20 EXCEPT 9, 10,` which goes on in the next line after a comma. Sets of other
+// things than numbers, such as frequencies, are none of nodes.
+void case_control_sets(const std::string& bytes, const std::string& file, BdfState& state) {
+  ModelText text(bytes, file);
+  while (text.next()) {
+    std::string line = upper_case(trimmed(text.line()));
+    const std::size_t equals = line.find('=');
+    if (line.rfind("BEGIN", 0) == 0) return;
+    if (line.rfind("SET ", 0) != 0 || equals == std::string::npos) continue;
+    const std::string name = trimmed(line.substr(4, equals - 4));
+    line = line.substr(equals + 1);
+    while (!line.empty() && line.back() == ',' && text.next()) line += upper_case(trimmed(text.line()));
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream blanks(line);
+    std::vector<std::string> words;
+    std::vector<long> without;
+    bool whole = true, except = false;
+    for (std::string word; blanks >> word;) {
+      const bool number = word.find_first_not_of("0123456789") == std::string::npos;
+      if (word == "EXCEPT") {
+        except = true;
+      } else if (except && number) {  // up to the end of the range before
+        const long id = text.whole(word, 1, kLargestId);
+        except = !words.empty() && id < text.whole(words.back(), 1, kLargestId);
+        except ? without.push_back(id) : words.push_back(word);
+      } else {
+        whole = whole && (number || word == "THRU" || word == "ALL");
+        words.push_back(word);
+      }
+    }
+    if (!whole || words.empty() || name.find_first_not_of("0123456789") != std::string::npos) continue;
+    const auto id = [&](std::size_t i) { return text.whole(words[i], 1, kLargestId); };
+    std::vector<long> ids = words[0] == "ALL" ? std::vector<long>{-1, kLargestId} : nastran_ids(words, 0, id, text);
+    state.sets.push_back({name, std::move(ids), {without.begin(), without.end()}});
+  }
+}
+
+void parse_bdf(const std::string& bytes, const std::string& file, int depth, BdfState& state) {
+  case_control_sets(bytes, file, state);
   ModelText text(bytes, file);
   NastranCards cards(text);
-  MeshBuilder mesh;
   const auto fail = [&](const std::string& what) { text.fail(what); };
-  struct Card {
-    const char* name;
-    int dimension, corners, most;
-    std::size_t first;  // field of the first node
-  };
-  static const Card kCards[] = {{"CTETRA", 3, 4, 10, 3}, {"CPYRAM", 3, 5, 13, 3}, {"CPENTA", 3, 6, 15, 3},
-                                {"CHEXA", 3, 8, 20, 3},  {"CTRIA3", 2, 3, 3, 3},  {"CTRIAR", 2, 3, 3, 3},
-                                {"CTRIA6", 2, 3, 6, 3},  {"CQUAD4", 2, 4, 4, 3},  {"CQUADR", 2, 4, 4, 3},
-                                {"CQUAD8", 2, 4, 8, 3},  {"CBAR", 1, 2, 2, 3},    {"CBEAM", 1, 2, 2, 3},
-                                {"CROD", 1, 2, 2, 3}};
-  struct Pending {
-    const Card* card;
-    std::vector<long> ids;
-  };
-  std::vector<Pending> elements;  // cards have no order
-  std::vector<std::pair<std::string, std::vector<long>>> sets;
+  static const NastranCard kCards[] = {{"CTETRA", 3, 4, 10, 3}, {"CPYRAM", 3, 5, 13, 3}, {"CPENTA", 3, 6, 15, 3},
+                                       {"CHEXA", 3, 8, 20, 3},  {"CTRIA3", 2, 3, 3, 3},  {"CTRIAR", 2, 3, 3, 3},
+                                       {"CTRIA6", 2, 3, 6, 3},  {"CQUAD4", 2, 4, 4, 3},  {"CQUADR", 2, 4, 4, 3},
+                                       {"CQUAD8", 2, 4, 8, 3},  {"CBAR", 1, 2, 2, 3},    {"CBEAM", 1, 2, 2, 3},
+                                       {"CROD", 1, 2, 2, 3}};
   while (cards.next()) {
     const std::string& name = cards.fields()[0];
     if (name == "GRID") {
@@ -330,28 +335,32 @@ FeMesh bdf_mesh(const std::string& bytes, const std::string& file) {
         fail("node " + std::to_string(id) + " is given in coordinate system " + cards.fields()[2] +
              ", expected the basic one (0 or empty). Export global coordinates.");
       if (cards.number(6, 0.0) != 0.0)
-        mesh.mesh().turned =
+        state.mesh.mesh().turned =
             file + ": node " + std::to_string(id) + " has displacements in coordinate system " + cards.fields()[6];
-      mesh.add_node(id, {cards.number(3, 0.0), cards.number(4, 0.0), cards.number(5, 0.0)}, fail);
-    } else if (name == "SET1") {
-      std::vector<long> ids;
-      for (std::size_t i = 2; i < cards.fields().size(); ++i) {
-        if (!cards.given(i)) continue;
-        if (upper_case(cards.fields()[i]) == "THRU") {
-          if (ids.empty()) fail("THRU without a first number.");
-          const long last = cards.whole(++i, 1, kLargestId), first = ids.back();
-          ids.push_back(-first);  // a range
-          ids.push_back(last);
-        } else {
-          ids.push_back(cards.whole(i, 1, kLargestId));
-        }
-      }
-      sets.emplace_back(std::to_string(cards.whole(1, 1, kLargestId)), ids);
+      state.mesh.add_node(id, {cards.number(3, 0.0), cards.number(4, 0.0), cards.number(5, 0.0)}, fail);
+    } else if (name == "SET1" || name == "SET3") {
+      const bool third = name == "SET3";
+      const std::string of = third && cards.given(2) ? upper_case(cards.fields()[2]) : "GRID";
+      if (of != "GRID" && of != "POINT") continue;
+      const auto number = [&](std::size_t i) { return cards.whole(i, 1, kLargestId); };
+      state.sets.push_back({std::to_string(cards.whole(1, 1, kLargestId)),
+                            nastran_ids(cards.fields(), third ? 3 : 2, number, text),
+                            {}});
+    } else if (name == "INCLUDE") {
+      std::string path;
+      for (const char c : text.line().substr(text.line().find_first_not_of(" \t") + 7))
+        if (std::strchr("'\" \t", c) == nullptr) path += c;
+      if (path.empty()) fail("INCLUDE without a file.");
+      if (depth >= kMostIncludes)
+        fail("more than " + std::to_string(kMostIncludes) +
+             " files within files, expected fewer. Does one name itself?");
+      path = (std::filesystem::path(file).parent_path() / path).string();
+      parse_bdf(bytes_of_model(path), path, depth + 1, state);
     } else {
       const auto card =
-          std::find_if(std::begin(kCards), std::end(kCards), [&](const Card& c) { return name == c.name; });
+          std::find_if(std::begin(kCards), std::end(kCards), [&](const NastranCard& c) { return name == c.name; });
       if (card == std::end(kCards)) continue;
-      Pending pending{card, {}};
+      BdfState::Pending pending{card, {}, file};
       for (int i = 0; i < card->most; ++i) {
         const std::size_t field = card->first + static_cast<std::size_t>(i);
         if (i >= card->corners && !cards.given(field)) {
@@ -363,290 +372,34 @@ FeMesh bdf_mesh(const std::string& bytes, const std::string& file) {
       const bool linear =
           std::all_of(pending.ids.begin() + card->corners, pending.ids.end(), [](long n) { return n == 0; });
       if (linear) pending.ids.resize(static_cast<std::size_t>(card->corners));
-      elements.push_back(std::move(pending));
+      state.elements.push_back(std::move(pending));
     }
   }
-  for (const Pending& p : elements) mesh.add_element(p.card->dimension, p.ids, kNastran, fail);
-  for (const auto& [name, ids] : sets)
+}
+
+FeMesh bdf_mesh(const std::string& bytes, const std::string& file) {
+  BdfState state;
+  parse_bdf(bytes, file, 0, state);
+  MeshBuilder& mesh = state.mesh;
+  const auto& index = mesh.mesh().index;
+  for (const BdfState::Pending& p : state.elements)
+    mesh.add_element(p.card->dimension, p.ids, kNastran, [&](const std::string& what) {
+      throw InputError(code::kModelFile, p.place + ": " + p.card->name + ": " + what);
+    });
+  for (const auto& [name, ids, without] : state.sets)
     for (std::size_t i = 0; i < ids.size(); ++i) {
       if (ids[i] > 0) {
-        const auto node = mesh.mesh().index.find(ids[i]);
-        if (node != mesh.mesh().index.end()) mesh.add_to_set(name, node->second);
+        const auto node = index.find(ids[i]);
+        if (node != index.end()) mesh.add_to_set(name, node->second);
         continue;
       }
       for (std::size_t n = 0; n < mesh.mesh().ids.size(); ++n)
-        if (mesh.mesh().ids[n] > -ids[i] && mesh.mesh().ids[n] < ids[i + 1]) mesh.add_to_set(name, static_cast<int>(n));
+        if (const long id = mesh.mesh().ids[n]; id >= -ids[i] && id <= ids[i + 1] && without.count(id) == 0)
+          mesh.add_to_set(name, static_cast<int>(n));
+      ++i;
     }
   return std::move(mesh.mesh());
 }
-
-// --- gmsh.
-
-// Numbers of a file that is text, or binary with the byte order of this machine.
-class MshBytes {
- public:
-  MshBytes(const std::string& bytes, const std::string& file) : bytes_(bytes), file_(file) {}
-
-  bool binary = false;
-
-  [[noreturn]] void fail(const std::string& what) const {
-    const auto lines =
-        std::count(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(std::min(at_, bytes_.size())), '\n');
-    throw InputError(code::kModelFile, file_ + ":" + std::to_string(lines + 1) + ": " + what);
-  }
-  // The next word, also within binary files.
-  std::string word() {
-    while (at_ < bytes_.size() && std::isspace(static_cast<unsigned char>(bytes_[at_])) != 0) ++at_;
-    const std::size_t from = at_;
-    while (at_ < bytes_.size() && std::isspace(static_cast<unsigned char>(bytes_[at_])) == 0) ++at_;
-    if (from == at_) fail("the file ends here: it is cut off. Export it again.");
-    return bytes_.substr(from, at_ - from);
-  }
-  std::string rest_of_line() {
-    const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
-    const std::string rest = bytes_.substr(at_, end - at_);
-    at_ = std::min(end + 1, bytes_.size());
-    return trimmed(rest);
-  }
-  bool at_end() {
-    while (at_ < bytes_.size() && std::isspace(static_cast<unsigned char>(bytes_[at_])) != 0) ++at_;
-    return at_ == bytes_.size();
-  }
-  long integer() { return binary ? raw<std::int32_t>() : whole_word(); }                  // int
-  long size() { return binary ? static_cast<long>(raw<std::int64_t>()) : whole_word(); }  // size_t of version 4
-  double real() { return binary ? finite(raw<double>()) : real_word(); }
-  long whole_word() {
-    const std::string text = word();
-    char* end = nullptr;
-    errno = 0;
-    const long value = std::strtol(text.c_str(), &end, 10);
-    if (*end != '\0' || errno != 0) fail("\"" + text.substr(0, 40) + "\" is no whole number. Export the mesh again.");
-    return value;
-  }
-  // A number of things of at least `bytes` bytes each.
-  long count(long value, std::size_t bytes) {
-    if (value < 0 || static_cast<std::size_t>(value) > (bytes_.size() - std::min(at_, bytes_.size())) / bytes + 1)
-      fail("announces " + std::to_string(value) +
-           " entries, more than the file holds: it is cut off. Export it again.");
-    return value;
-  }
-  // The line break before binary data.
-  void begin_data() {
-    if (binary && at_ < bytes_.size() && bytes_[at_] == '\r') ++at_;
-    if (binary && at_ < bytes_.size() && bytes_[at_] == '\n') ++at_;
-  }
-  void skip_section(const std::string& name) {
-    const std::size_t end = bytes_.find("$End" + name.substr(1), at_);
-    if (end == std::string::npos) fail("no \"$End" + name.substr(1) + "\": the file is cut off. Export it again.");
-    at_ = end + name.size() + 3;
-  }
-  void require_end(const std::string& name) {
-    const std::string found = word();
-    if (found != "$End" + name)
-      fail("is \"" + found.substr(0, 40) + "\", expected \"$End" + name + "\". Export the mesh again.");
-  }
-  template <class Number>
-  Number raw() {
-    Number value;
-    if (bytes_.size() - std::min(at_, bytes_.size()) < sizeof value)
-      fail("the file ends here: it is cut off. Export it again.");
-    std::memcpy(&value, bytes_.data() + at_, sizeof value);
-    at_ += sizeof value;
-    return value;
-  }
-
- private:
-  double finite(double value) const {
-    if (!std::isfinite(value)) fail("a coordinate is not a finite number. Export the mesh again.");
-    return value;
-  }
-  double real_word() {
-    const std::string text = word();
-    char* end = nullptr;
-    const double value = read_number(text.c_str(), &end);
-    if (*end != '\0') fail("\"" + text.substr(0, 40) + "\" is no number. Export the mesh again.");
-    return finite(value);
-  }
-
-  const std::string& bytes_;
-  const std::string& file_;
-  std::size_t at_ = 0;
-};
-
-// Dimension and number of nodes of an element type of gmsh; nodes 0: unknown.
-std::pair<int, int> gmsh_type(long type) {
-  static const std::map<long, std::pair<int, int>> kTypes = {
-      {1, {1, 2}},  {2, {2, 3}},  {3, {2, 4}},   {4, {3, 4}},   {5, {3, 8}},   {6, {3, 6}},   {7, {3, 5}},
-      {8, {1, 3}},  {9, {2, 6}},  {10, {2, 9}},  {11, {3, 10}}, {12, {3, 27}}, {13, {3, 18}}, {14, {3, 14}},
-      {15, {0, 1}}, {16, {2, 8}}, {17, {3, 20}}, {18, {3, 15}}, {19, {3, 13}}};
-  const auto found = kTypes.find(type);
-  return found == kTypes.end() ? std::pair{0, 0} : found->second;
-}
-
-class MshFile {
- public:
-  MshFile(const std::string& bytes, const std::string& file) : in_(bytes, file) {}
-
-  FeMesh read() {
-    if (in_.at_end() || in_.word() != "$MeshFormat") in_.fail("no mesh of gmsh, expected \"$MeshFormat\".");
-    const std::string version = in_.word();
-    const long type = in_.whole_word(), size = in_.whole_word();
-    old_ = version.rfind("2", 0) == 0;
-    if (!(old_ || version == "4.1"))
-      in_.fail("version " + version.substr(0, 20) +
-               " of the format, expected 2.2 or 4.1. Save it with Mesh.MshFileVersion = 4.1.");
-    if (size != 8) in_.fail("numbers of " + std::to_string(size) + " bytes, expected 8.");
-    in_.binary = type == 1;
-    if (in_.binary) {
-      in_.begin_data();
-      if (in_.raw<std::int32_t>() != 1) in_.fail("written on a machine of the other byte order. Save it as text.");
-    }
-    in_.require_end("MeshFormat");
-    while (!in_.at_end()) {
-      const std::string section = in_.word();
-      in_.begin_data();
-      if (section == "$PhysicalNames") {
-        names();
-      } else if (section == "$Entities" && !old_) {
-        entities();
-      } else if (section == "$Nodes") {
-        old_ ? old_nodes() : nodes();
-      } else if (section == "$Elements") {
-        old_ ? old_elements() : elements();
-      } else if (section[0] == '$') {
-        in_.skip_section(section);
-      } else {
-        in_.fail("is \"" + section.substr(0, 40) + "\", expected a section that begins with $. Export the mesh again.");
-      }
-    }
-    return std::move(mesh_.mesh());
-  }
-
- private:
-  void names() {
-    const long count = in_.count(in_.whole_word(), 4);
-    for (long i = 0; i < count; ++i) {
-      const long dimension = in_.whole_word(), tag = in_.whole_word();
-      std::string name = in_.rest_of_line();
-      if (name.size() > 1 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
-      names_[{dimension, tag}] = name;
-    }
-    in_.require_end("PhysicalNames");
-  }
-  void entities() {
-    std::array<long, 4> counts{};
-    for (long& count : counts) count = in_.count(in_.size(), 8);
-    for (long dimension = 0; dimension < 4; ++dimension)
-      for (long i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
-        const long tag = in_.integer();
-        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) in_.real();
-        const long groups = in_.count(in_.size(), 2);
-        for (long k = 0; k < groups; ++k) groups_[{dimension, tag}].push_back(in_.integer());
-        if (dimension == 0) continue;
-        const long bounding = in_.count(in_.size(), 2);
-        for (long k = 0; k < bounding; ++k) in_.integer();
-      }
-    in_.require_end("Entities");
-  }
-  void nodes() {
-    const auto fail = [&](const std::string& what) { in_.fail(what); };
-    const long blocks = in_.count(in_.size(), 2);
-    for (int i = 0; i < 3; ++i) in_.size();
-    for (long b = 0; b < blocks; ++b) {
-      const long dimension = in_.integer();
-      in_.integer();
-      const long parametric = in_.integer(), count = in_.count(in_.size(), 6);
-      if (dimension < 0 || dimension > 3) in_.fail("an entity of " + std::to_string(dimension) + " dimensions.");
-      std::vector<long> tags;
-      for (long i = 0; i < count; ++i) tags.push_back(in_.size());
-      for (const long tag : tags) {
-        Vector3d x;
-        for (int k = 0; k < 3; ++k) x(k) = in_.real();
-        for (long k = 0; parametric != 0 && k < dimension; ++k) in_.real();
-        mesh_.add_node(tag, x, fail);
-      }
-    }
-    in_.require_end("Nodes");
-  }
-  void old_nodes() {
-    const auto fail = [&](const std::string& what) { in_.fail(what); };
-    const long count = in_.count(in_.whole_word(), 6);
-    in_.begin_data();
-    for (long i = 0; i < count; ++i) {
-      const long tag = in_.integer();
-      Vector3d x;
-      for (int k = 0; k < 3; ++k) x(k) = in_.real();
-      mesh_.add_node(tag, x, fail);
-    }
-    in_.require_end("Nodes");
-  }
-  void elements() {
-    const long blocks = in_.count(in_.size(), 2);
-    for (int i = 0; i < 3; ++i) in_.size();
-    for (long b = 0; b < blocks; ++b) {
-      const long dimension = in_.integer(), entity = in_.integer(), type = in_.integer();
-      const long count = in_.count(in_.size(), 2);
-      for (long i = 0; i < count; ++i) {
-        in_.size();
-        element(
-            type, [&] { return in_.size(); }, groups_[{dimension, entity}]);
-      }
-    }
-    in_.require_end("Elements");
-  }
-  void old_elements() {
-    const long count = in_.count(in_.whole_word(), 4);
-    in_.begin_data();
-    const auto one = [&](long type, long tags) {
-      std::vector<long> groups;
-      for (long t = 0; t < tags; ++t) {
-        const long tag = in_.integer();
-        if (t == 0 && tag != 0) groups.push_back(tag);
-      }
-      element(
-          type, [&] { return in_.integer(); }, groups);
-    };
-    for (long i = 0; i < count;) {
-      if (!in_.binary) {
-        in_.integer();
-        const long type = in_.integer();
-        one(type, in_.count(in_.integer(), 1));
-        ++i;
-        continue;
-      }
-      const long type = in_.integer(), block = in_.count(in_.integer(), 8), tags = in_.count(in_.integer(), 4);
-      if (block < 1) in_.fail("a block of " + std::to_string(block) + " elements. Export the mesh again.");
-      for (long k = 0; k < block; ++k, ++i) {
-        in_.integer();
-        one(type, tags);
-      }
-    }
-    in_.require_end("Elements");
-  }
-  template <class Next>
-  void element(long type, const Next& next, const std::vector<long>& groups) {
-    const auto fail = [&](const std::string& what) { in_.fail(what); };
-    const auto [dimension, count] = gmsh_type(type);
-    if (count == 0)
-      in_.fail("element type " + std::to_string(type) +
-               " of gmsh, expected one of order 1 or 2. Mesh with order 1 or 2.");
-    std::vector<long> ids;
-    for (int k = 0; k < count; ++k) ids.push_back(next());
-    const int index = dimension == 0 ? -1 : mesh_.add_element(dimension, ids, kGmsh, fail);
-    for (const long group : groups) {
-      const auto name = names_.find({dimension, group});
-      const std::string set = name == names_.end() ? std::to_string(group) : name->second;
-      if (dimension == 0) mesh_.add_to_set(set, mesh_.node(ids[0], fail));
-      mesh_.add_element_to_set(set, index);
-    }
-  }
-
-  MshBytes in_;
-  MeshBuilder mesh_;
-  bool old_ = false;
-  std::map<std::pair<long, long>, std::string> names_;         // by dimension and physical group
-  std::map<std::pair<long, long>, std::vector<long>> groups_;  // by dimension and entity
-};
 
 // --- CalculiX results.
 
@@ -754,7 +507,7 @@ bool is_fe_mesh_name(const std::string& file) {
 
 FeMesh parse_fe_mesh(const std::string& bytes, const std::string& file) {
   const std::string end = mesh_extension(file);
-  FeMesh mesh = end == ".msh"           ? MshFile(bytes, file).read()
+  FeMesh mesh = end == ".msh"           ? gmsh_mesh(bytes, file)
                 : end == ".inp"         ? inp_mesh(bytes, file)
                 : end == ".frd"         ? frd_mesh(bytes, file)
                 : is_fe_mesh_name(file) ? bdf_mesh(bytes, file)

@@ -1,7 +1,7 @@
 #pragma once
 // Meshes of other finite-element codes: nodes with their numbers, elements, named sets, and the skin as triangles.
 //
-// gmsh .msh (2.2 and 4.1, text and binary), Abaqus and CalculiX .inp, Nastran .bdf (.nas, .dat, .pch), CalculiX .frd.
+// gmsh .msh (2.2, 4.0 and 4.1, text and binary), Abaqus and CalculiX .inp, Nastran .bdf (.nas, .dat, .pch), CalculiX .frd.
 
 #include <Eigen/Dense>
 #include <map>

@@ -29,6 +29,8 @@ inline constexpr MessageCode kRobotFolder{"E0709", "robot-folder"};
 inline constexpr MessageCode kRobotGround{"E0710", "robot-ground"};
 // An element or attribute is none of its format, or is missing. Correct it.
 inline constexpr MessageCode kRobotElement{"E0711", "robot-element"};
+// Nothing in the file moves: all is static or without mass. Import the robot itself, not its surroundings.
+inline constexpr MessageCode kRobotStill{"E0712", "robot-still"};
 // Something of the file is not in the scene, or is there as an approximation. The message says what and where.
 inline constexpr MessageCode kRobotNotTaken{"W0700", "robot-not-taken"};
 

@@ -70,6 +70,10 @@ int import_command(const ImportArguments& arguments) {
       return std::string("read");
     });
   Robot robot = read();
+  if (robot.links.empty())
+    throw InputError(code::kRobotStill, arguments.file +
+                                            ":1: no part of \"" + robot.name + "\" can move: it is static, or without mass; a "
+                                            "scene needs a body. Export the robot itself, not its surroundings");
   const std::vector<SceneFile> files = write_robot_scene(robot, arguments.options);
   std::stable_sort(robot.not_taken.begin(), robot.not_taken.end(), [](const NotTaken& a, const NotTaken& b) {
     return std::tie(a.origin.file, a.origin.line) < std::tie(b.origin.file, b.origin.line);

@@ -152,6 +152,12 @@ void MjcfSource::take_what_is_for_looks() {
     } else if (is_one_of(name, {"composite", "flexcomp", "flex"}) || skin) {
       leave_out(node, "a scene has no soft bodies of many parts; see flexible bodies", skin);
       node.parent().remove_child(node);
+    } else if ((is_one_of(name, {"frame", "replicate", "attach"}) && !is_one_of(above, {"sensor", "default"})) ||
+               (name == "model" && above == "asset")) {
+      throw InputError(code::kRobotRefused,
+                       origin(node).place() + ": " + title_of(node) +
+                           " is of later versions than MuJoCo 2.2.2, which reads the file; load it there, save it by "
+                           "mj_saveLastXML, which resolves such elements, and import that file");
     } else if (name == "plugin") {
       leave_out(node, "is code of MuJoCo");
       node.parent().remove_child(node);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
+#include <optional>
 #include <sdf/sdf.hh>
 
 #include "coupler/base/text.h"
@@ -27,7 +29,7 @@ const std::map<std::string, KnownElement>& sdf_elements() {
        {{"name"},
         {"model", "gravity", "include", "frame"},
         {"light", "scene", "gui", "physics", "spherical_coordinates", "magnetic_field", "atmosphere"}}},
-      {"include", {{}, {"uri", "name", "pose", "static", "placement_frame"}, {}}},
+      {"include", {{"merge"}, {"uri", "name", "pose", "static", "placement_frame"}, {}}},
       {"model",
        {{"name", "canonical_link", "placement_frame"},
         {"static", "self_collide", "pose", "link", "joint", "frame", "model", "include"},
@@ -185,21 +187,33 @@ class SdfRobot {
     return text;
   }
 
-  // The element of this kind and name; the root where it comes from an included file.
-  pugi::xml_node node_of(const char* kind, const std::string& name) const {
+  // The element of this kind and name; of several, in nested models, the one of sdformat's line. The root where it comes from an
+  // included file.
+  pugi::xml_node node_of(const char* kind, const std::string& name, const sdf::ElementPtr& element) const {
     struct Walker : pugi::xml_tree_walker {
       std::string kind, name;
-      pugi::xml_node found;
+      std::vector<pugi::xml_node> found;
       bool for_each(pugi::xml_node& node) override {
-        if (kind == node.name() && name == node.attribute("name").value()) found = node;
-        return !found;
+        if (kind == node.name() && name == node.attribute("name").value()) found.push_back(node);
+        return true;
       }
     } walker;
     walker.kind = kind;
     walker.name = name;
     pugi::xml_node root = xml_.root();
     root.traverse(walker);
-    return walker.found ? walker.found : root;
+    for (const pugi::xml_node& node : walker.found)
+      if (element && xml_.origin(node).line == element->LineNumber().value_or(0)) return node;
+    return walker.found.size() == 1 ? walker.found[0] : root;
+  }
+
+  // The value of an element within others, where the file gives it.
+  static std::optional<double> given(sdf::ElementPtr element, std::initializer_list<const char*> path) {
+    for (const char* name : path) {
+      if (!element || !element->HasElement(name)) return std::nullopt;
+      element = element->GetElement(name);
+    }
+    return element->Get<double>();
   }
 
   int link_index(const std::string& name) const {
@@ -228,7 +242,7 @@ class SdfRobot {
   }
 
   void add_link(const sdf::Link& link, const RigidFrame& X_DM, const std::string& prefix, bool still) {
-    const pugi::xml_node node = node_of("link", link.Name());
+    const pugi::xml_node node = node_of("link", link.Name(), link.Element());
     ignition::math::Pose3d pose;
     report(link.SemanticPose().Resolve(pose, "__model__"));
     RobotLink made;
@@ -241,9 +255,7 @@ class SdfRobot {
       report(of.SemanticPose().Resolve(in_link, link.Name()));
       add_geometry(made, *of.Geom(), placement(in_link),
                    node.find_child_by_attribute("collision", "name", of.Name().c_str()), true);
-      const pugi::xml_node of_node = node.find_child_by_attribute("collision", "name", of.Name().c_str());
-      if (const pugi::xml_node mu = of_node.child("surface").child("friction").child("ode").child("mu"))
-        made.friction = mu.text().as_double();
+      if (const std::optional<double> mu = given(of.Element(), {"surface", "friction", "ode", "mu"})) made.friction = mu;
     }
     for (std::uint64_t k = 0; k < link.VisualCount(); ++k) {
       const sdf::Visual& of = *link.VisualByIndex(k);
@@ -359,7 +371,7 @@ class SdfRobot {
   }
 
   void add_joint(const sdf::Joint& joint, const RigidFrame& X_DM, const std::string& prefix) {
-    const pugi::xml_node node = node_of("joint", joint.Name());
+    const pugi::xml_node node = node_of("joint", joint.Name(), joint.Element());
     std::string parent, child;
     report(joint.ResolveParentLink(parent));
     report(joint.ResolveChildLink(child));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "mbd_solver/base/pi.h"
@@ -260,6 +261,7 @@ class UrdfRobot {
     robot_.file = xml_.file();
     robot_.name = model.getName();
     list_unread(xml_, urdf_elements(), robot_);
+    model_ = &model;
     const urdf::Link& root = *model.getRoot();
     if (root.name == "world" && !root.inertial) {
       add_children(root, -1, {});
@@ -309,9 +311,24 @@ class UrdfRobot {
     for (const auto& child : children) {
       const urdf::Joint& joint = *child->parent_joint;
       RigidFrame X = X_DL * placement(joint.parent_to_joint_origin_transform);
-      if (joint.mimic) X = X * displaced(joint, joint.mimic->offset);
+      if (joint.mimic) X = X * displaced(joint, drawn(joint));
       add_link(*child, index, X);
     }
+  }
+
+  // Coordinate in the drawing: those of joints that follow no other one are zero.
+  double drawn(const urdf::Joint& joint) const {
+    double value = 0.0, factor = 1.0;
+    std::set<std::string> followed;
+    for (const urdf::Joint* at = &joint; at != nullptr && at->mimic;
+         at = model_->getJoint(at->mimic->joint_name).get()) {
+      if (!followed.insert(at->name).second)
+        xml_.fail(code::kRobotTree, joint_nodes_.at(joint.name).child("mimic"),
+                  "joints follow each other in a circle; one of them must move by itself");
+      value += factor * at->mimic->offset;
+      factor *= at->mimic->multiplier;
+    }
+    return value;
   }
 
   static Eigen::Vector3d axis_of(const urdf::Joint& joint) {
@@ -370,7 +387,7 @@ class UrdfRobot {
         q.friction = joint.dynamics->friction;
       }
       if (joint.mimic) {
-        q.zero = joint.mimic->offset;
+        q.zero = drawn(joint);
         mimics_.emplace_back(static_cast<int>(robot_.joints.size()), joint.mimic.get());
       }
       made.coordinates.push_back(q);
@@ -395,9 +412,6 @@ class UrdfRobot {
     const RobotJoint& leading = robot_.joints[static_cast<std::size_t>(leader)];
     if (leading.coordinates.size() != 1)
       xml_.fail(code::kRobotName, node, "joint = \"" + mimic.joint_name + "\" has no single coordinate to follow");
-    if (leading.coordinates[0].zero != 0.0)
-      robot_.leave_out(xml_.origin(node), title_of(joint_nodes_.at(driven.name)) + " mimic",
-                       "follows a joint that follows another one with an offset: its own offset is counted from there");
     if (mimic.multiplier == 0.0) {
       robot_.joints[static_cast<std::size_t>(follower)].kind = RobotJointKind::kFixed;
       robot_.joints[static_cast<std::size_t>(follower)].coordinates.clear();
@@ -451,6 +465,7 @@ class UrdfRobot {
   const NodesByName &link_nodes_, &joint_nodes_;
   const ImportOptions& options_;
   Robot robot_;
+  const urdf::ModelInterface* model_ = nullptr;
   std::vector<std::pair<int, const urdf::JointMimic*>> mimics_;
 };
 

@@ -115,10 +115,16 @@ Links of_urdfdom(const std::string& file) {
     for (urdf::LinkSharedPtr at = link; at->parent_joint; at = at->getParent()) {
       const urdf::Joint& j = *at->parent_joint;
       Eigen::Affine3d X_J = affine(j.parent_to_joint_origin_transform);
+      double q = 0.0, factor = 1.0;
+      for (const urdf::Joint* leader = &j; leader != nullptr && leader->mimic;
+           leader = model->getJoint(leader->mimic->joint_name).get()) {
+        q += factor * leader->mimic->offset;
+        factor *= leader->mimic->multiplier;
+      }
       if (j.mimic && j.type != urdf::Joint::PRISMATIC)
-        X_J.rotate(Eigen::AngleAxisd(j.mimic->offset, Eigen::Vector3d(j.axis.x, j.axis.y, j.axis.z).normalized()));
+        X_J.rotate(Eigen::AngleAxisd(q, Eigen::Vector3d(j.axis.x, j.axis.y, j.axis.z).normalized()));
       if (j.mimic && j.type == urdf::Joint::PRISMATIC)
-        X_J.translate(j.mimic->offset * Eigen::Vector3d(j.axis.x, j.axis.y, j.axis.z).normalized());
+        X_J.translate(q * Eigen::Vector3d(j.axis.x, j.axis.y, j.axis.z).normalized());
       X = X_J * X;
     }
     const urdf::Inertial& i = *link->inertial;

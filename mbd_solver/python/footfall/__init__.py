@@ -14,12 +14,12 @@
 All numbers are SI: m, kg, s, N, rad, K.
 """
 
-from .errors import Error, FileError, Finding, InputError, InternalError, NumericalError, PartnerError
+from .errors import ArgumentError, Error, FileError, Finding, InputError, InternalError, NumericalError, PartnerError
 from .runs import History, Run, Sweep, load, program, run, sweep
 from .scene import Entries, Entry, Scene
 from .simulation import Simulation, State
 
 __all__ = [
-    "Entries", "Entry", "Error", "FileError", "Finding", "History", "InputError", "InternalError", "NumericalError",
+    "ArgumentError", "Entries", "Entry", "Error", "FileError", "Finding", "History", "InputError", "InternalError", "NumericalError",
     "PartnerError", "Run", "Scene", "Simulation", "State", "Sweep", "load", "program", "run", "sweep",
 ]

@@ -1,6 +1,9 @@
 """Errors and findings: each has its code, place and advice, as docs/reference/messages.md describes messages."""
 
 import functools
+import math
+import operator
+import os
 import pathlib
 from typing import NamedTuple
 
@@ -52,6 +55,10 @@ class InputError(Error, ValueError):
     """The user can correct it (exit code 2 of the command line)."""
 
 
+class ArgumentError(InputError, TypeError):
+    """An argument of a call is of another type than expected, or outside of its range."""
+
+
 class NumericalError(Error, ArithmeticError):
     """A solver failed; the message has time and body or joint (exit code 1)."""
 
@@ -71,3 +78,59 @@ class InternalError(Error, RuntimeError):
 def made(kind, message, findings):
     """The exception of this kind; findings: tuples in the order of Finding."""
     return globals()[kind](message, [Finding(*finding) for finding in findings])
+
+
+def refuse(kind, code, name, text):
+    """Raises the exception of this kind with one finding."""
+    message = f"{text} [{code} {name}]"
+    raise made(kind, message, [("error", code, name, "", 0, "", text, message)])
+
+
+def wrong_argument(name, value, expected):
+    """Raises ArgumentError."""
+    shown = repr(value)
+    shown = shown if len(shown) <= 60 else shown[:57] + "..."
+    refuse("ArgumentError", "E0727", "wrong-argument", f"{name} is {shown} ({type(value).__name__}), expected {expected}")
+
+
+def number_of(name, value, expected="a number", above=-math.inf, finite=False):
+    """The value as a float; `above`: it must be larger."""
+    try:
+        number = float(value) if not isinstance(value, (str, bytes, bool)) else None
+    except (TypeError, ValueError, OverflowError):
+        number = None
+    if number is None or number <= above or (finite and not math.isfinite(number)):
+        wrong_argument(name, value, expected)
+    return number
+
+
+def whole_of(name, value, least=1):
+    """The value as an int."""
+    try:
+        whole = operator.index(value) if not isinstance(value, bool) else None
+    except TypeError:
+        whole = None
+    if whole is None or whole < least:
+        wrong_argument(name, value, f"a whole number from {least} on")
+    return whole
+
+
+def path_of(name, value, expected="a path"):
+    """The value as the text of a path."""
+    if not isinstance(value, (str, os.PathLike)) or not os.fspath(value):
+        wrong_argument(name, value, expected)
+    return os.fspath(value)
+
+
+def names_of(name, value, expected="a list of names"):
+    """A list of texts; one text is a list of one."""
+    names = [value] if isinstance(value, str) else None
+    if names is None:
+        try:
+            names = list(value)
+        except TypeError:
+            wrong_argument(name, value, expected)
+    for each in names:
+        if not isinstance(each, str):
+            wrong_argument(name, value, expected)
+    return [str(each) for each in names]

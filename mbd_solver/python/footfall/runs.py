@@ -16,7 +16,7 @@ from collections.abc import Mapping
 import numpy
 
 from . import _core
-from .errors import Finding, InputError, made
+from .errors import Finding, InputError, made, names_of, number_of, path_of, whole_of
 from .scene import as_scene
 
 _ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
@@ -50,7 +50,7 @@ def error_of(code, said):
 def new_folder(out, scene):
     """A folder of results: `out`, or the first free one of runs/NAME, runs/NAME-2 ..."""
     if out is not None:
-        return os.fspath(out)
+        return path_of("out", out, "a folder")
     path = pathlib.Path(scene.file or "scene")
     name = path.resolve().name if path.is_dir() else path.parent.resolve().name if path.name == "scene.toml" else path.stem
     number = 1
@@ -121,6 +121,9 @@ def run(scene, ranks=None, out=None, progress=False, until=None, force=False, tr
     force: into the folder of an earlier run. options: more words of the command line. Raises InputError, NumericalError, PartnerError;
     a run whose requirements are not met is returned (run.exit_code 4)."""
     scene = as_scene(scene)
+    ranks = whole_of("ranks", ranks) if ranks is not None else None
+    until = number_of("until", until, "a time above zero [s]", above=0.0) if until is not None else None
+    options = names_of("options", options, 'a list of words such as ["--view"]')
     out = new_folder(out, scene)
     code, said = _execute(command_of(scene, out, ranks, until, not progress, force, trust_script, options), progress)
     if code in (1, 2, 3):
@@ -130,7 +133,7 @@ def run(scene, ranks=None, out=None, progress=False, until=None, force=False, tr
 
 def load(folder):
     """The Run or Sweep whose results are in this folder, also one that is under way."""
-    folder = os.fspath(folder)
+    folder = path_of("folder", folder, "the folder of a run or of a sweep")
     if os.path.exists(os.path.join(folder, "history.csv")):
         return Run(folder)
     if os.path.exists(os.path.join(folder, "runs.csv")):
@@ -277,13 +280,17 @@ def _column(texts):
 def sweep(file, out=None, jobs=None, progress=False, options=()):
     """What `footfall sweep` does with this file, or with a dict of its keys (its scene: a path). Returns the Sweep. options: more words
     of the command line, such as "--short". Runs that are done already are kept, as from the command line."""
+    out = path_of("out", out, "a folder") if out is not None else None
+    options = names_of("options", options, 'a list of words such as ["--short"]')
+    jobs = whole_of("jobs", jobs) if jobs is not None else None
     if isinstance(file, Mapping):
         from .scene import _text_of
         path = pathlib.Path((out or "sweep") + ".sweep.toml")
         path.write_text(_text_of(file), encoding="utf-8")
         file = path
-    out = os.fspath(out) if out is not None else os.path.join("runs", "sweeps", pathlib.Path(file).stem)
-    words = [program(), "sweep", os.fspath(file), "--out", out]
+    file = path_of("file", file, "the file of a sweep, or a dict of its keys")
+    out = out if out is not None else os.path.join("runs", "sweeps", pathlib.Path(file).stem)
+    words = [program(), "sweep", file, "--out", out]
     words += ["--jobs", str(jobs)] if jobs is not None else []
     code, said = _execute(words + list(options), progress)
     if not os.path.exists(os.path.join(out, "runs.csv")):

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 import numpy
 
 from . import _core
-from .errors import Finding, InputError
+from .errors import Finding, InputError, path_of, refuse, wrong_argument
 
 
 def _toml(value, where):
@@ -104,11 +104,16 @@ class Scene:
             self.file, self.text, folder = source.file, source.text, folder or source.folder
         elif isinstance(source, Mapping):
             self.text = _text_of(source)
+        elif not isinstance(source, (str, os.PathLike)):
+            wrong_argument("source", source, "a scene file or folder, the text of a scene, or a dict of its keys")
         elif isinstance(source, os.PathLike) or ("\n" not in source and "=" not in source) or os.path.exists(source):
             self.file = os.fspath(source)
         else:
             self.text = source
-        self.folder = os.fspath(folder) if folder is not None else os.getcwd()
+        self.folder = path_of("folder", folder) if folder is not None else os.getcwd()
+        if settings is not None and not isinstance(settings, Mapping):
+            wrong_argument("settings", settings, 'a dict such as {"solver.rtol": 1e-7}')
+        self._begun = False
         self._settings = dict(source._settings) if isinstance(source, Scene) else {}
         self._json = None
         for key, value in (settings or {}).items():
@@ -117,6 +122,11 @@ class Scene:
     def set(self, key, value):
         """Changes one value, as --set does: scene.set("initial.velocity", [0, 0, -5]). Entries of lists are addressed by their
         names: "bodies.cabin.mass". A later value replaces an earlier one of the same key. Returns the scene."""
+        if not isinstance(key, str):
+            wrong_argument("key", key, 'a text such as "solver.rtol"')
+        if self._begun:
+            refuse("InputError", "E0727", "wrong-argument", f"{key} cannot change in a simulation that has begun: set it in a copy, "
+                   "sim.scene.copy(), for a simulation of its own; what changes within a run is a signal")
         self._settings.pop(key, None)
         self._settings[key] = _toml(value, key)
         self._json = None
@@ -148,6 +158,8 @@ class Scene:
 
     def get(self, key):
         """The value of a key such as "solver.rtol" or "bodies.cabin.mass", with its default if it is not given."""
+        if not isinstance(key, str):
+            wrong_argument("key", key, 'a text such as "solver.rtol"')
         value = self.values
         for part in key.split("."):
             if isinstance(value, list):

@@ -6,8 +6,10 @@ from typing import NamedTuple
 import numpy
 
 from . import _core
-from .errors import InputError
+from .errors import InputError, names_of, number_of, whole_of, wrong_argument
 from .scene import as_scene
+
+_MOST_ROWS = 10**8  # of sample()
 
 
 class State(NamedTuple):
@@ -30,8 +32,10 @@ class Simulation:
     """
 
     def __init__(self, scene, ranks=None, out=None, record=False, trust_script=False):
-        scene = as_scene(scene)
-        self.scene = scene
+        self.scene = scene = as_scene(scene).copy()
+        scene._begun = True
+        if ranks is not None:
+            ranks = whole_of("ranks", ranks)
         if scene.has_grains:
             from .pair import Pair
             self._core = Pair(scene, ranks, out, trust_script)
@@ -72,15 +76,19 @@ class Simulation:
     def step(self, until):
         """Goes on to the time `until` [s], at most to the end of the scene. With grains to the end of the DEM step in which it lies.
         Raises NumericalError; columns and state are those before the step then, and only restore() lets the simulation go on."""
-        self._core.step(until)
+        self._core.step(number_of("until", until, "a time [s]"))
 
     def sample(self, until, every, columns=None):
         """Goes on to `until` [s] and reads columns now, then every `every` [s] and at `until`. columns: names, default all.
         Returns {name: numpy array (rows)}; a column "time" is always there."""
-        names = list(columns if columns is not None else self._names)
+        names = names_of("columns", columns if columns is not None else self._names, "names of columns")
+        until = number_of("until", until, "a time [s]", finite=True)
+        every = number_of("every", every, "a time above zero [s]", above=0.0)
+        if (until - self.time) / every > _MOST_ROWS:
+            wrong_argument("every", every, f"a time [s] that gives at most {_MOST_ROWS} rows")
         if "time" not in names:
             names.insert(0, "time")
-        rows = self._core.sample(float(until), float(every), names)
+        rows = self._core.sample(until, every, names)
         return {name: rows[:, i].copy() for i, name in enumerate(names)}
 
     # ---- what is measured ----
@@ -109,7 +117,7 @@ class Simulation:
         """One column now: sim["cabin.az"] is a float, sim[["cabin.x", "cabin.z"]] a numpy array (2)."""
         if isinstance(name, str):
             return self._core.value(name)
-        return numpy.array([self._core.value(each) for each in name])
+        return numpy.array([self._core.value(each) for each in names_of("column", name, "the name of a column, or a list of names")])
 
     @property
     def state(self):
@@ -125,7 +133,9 @@ class Simulation:
 
     def set_signal(self, name, value):
         """A signal of kind "host" has this value from now on, until it is set again."""
-        self._core.set_signal(name, float(value))
+        if not isinstance(name, str):
+            wrong_argument("name", name, "the name of a signal")
+        self._core.set_signal(name, number_of(f'value of signal "{name}"', value))
 
     # ---- saved states ----
 
@@ -137,6 +147,8 @@ class Simulation:
 
     def restore(self, state):
         """Returns to a state of save(). Not with grains: resume the folder of results instead."""
+        if not isinstance(state, bytes) and not self.scene.has_grains:
+            wrong_argument("state", state, "bytes of save()")
         self._core.restore(state)
 
     # ---- how good it is ----
