@@ -20,6 +20,6 @@ inline constexpr MessageCode kNotRecorded{"E0725", "not-recorded"};
 // A saved state belongs to another scene, or to other settings. Restore it into a simulation of its own scene.
 inline constexpr MessageCode kStateOfAnother{"E0726", "state-of-another"};
 // An argument of a call in Python is of another type than expected, or outside of its range. The message says what is expected.
-inline constexpr MessageCode kWrongArgument{"E0727", "wrong-argument"};
+inline constexpr MessageCode kWrongArgument{"E0728", "wrong-argument"};
 
 }  // namespace footfall::code

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "coupler/base/text.h"
+#include "mbd_solver/embed/codes.h"
 #include "mbd_solver/embed/embedded_simulation.h"
 #include "mbd_solver/embed/error_report.h"
 #include "mbd_solver/run/output/history.h"
@@ -38,8 +40,15 @@ const char* name_of(ErrorReport::Kind kind) {
   return "InternalError";
 }
 
+// Text whose bytes may be no UTF-8, such as those of a damaged file.
+py::str text_of(const std::string& bytes) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(bytes.data(), static_cast<Py_ssize_t>(bytes.size()), "replace"));
+}
+
 py::tuple tuple_of(const char* severity, const ErrorReport& r) {
-  return py::make_tuple(severity, r.code, r.name, r.file, r.line, r.key, r.text, r.message);
+  return py::make_tuple(severity, r.code, r.name, text_of(r.file), r.line, text_of(r.key), text_of(r.text),
+                        text_of(r.message));
 }
 
 py::list tuples_of(const std::vector<ErrorReport>& reports) {
@@ -51,9 +60,8 @@ py::list tuples_of(const std::vector<ErrorReport>& reports) {
 // As an exception of footfall.errors.
 void raise(const std::exception& error) {
   const std::vector<ErrorReport> reports = reports_of(error);
-  const py::object raised =
-      py::module_::import("footfall.errors")
-          .attr("made")(name_of(reports.front().kind), std::string(error.what()), tuples_of(reports));
+  const py::object raised = py::module_::import("footfall.errors")
+                                .attr("made")(name_of(reports.front().kind), text_of(error.what()), tuples_of(reports));
   PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(raised.ptr())), raised.ptr());
 }
 
@@ -88,6 +96,8 @@ void step(EmbeddedSimulation& simulation, double until) {
 
 // Rows of the chosen columns at the present time and every `every` [s] after it, to `until`.
 Array sample(EmbeddedSimulation& simulation, double until, double every, const std::vector<std::string>& names) {
+  if (!(every > 0.0))
+    throw InputError(code::kWrongArgument, "every is " + number_text(every) + " s, expected a time above zero");
   std::vector<std::size_t> places;
   for (const std::string& name : names) places.push_back(simulation.column(name));
   std::vector<double> values;

@@ -178,6 +178,98 @@ class Simulations(unittest.TestCase):
         self.assertIn(b"KeyboardInterrupt", said)
 
 
+# What a newcomer does wrong: each one an exception with its code, at once, and nothing changes.
+class Mistakes(unittest.TestCase):
+    def refused(self, code, call, kind=None):
+        with self.assertRaises(kind or ff.InputError) as caught:
+            call()
+        self.assertEqual(caught.exception.code, code, caught.exception)
+        self.assertTrue(caught.exception.advice and code in str(caught.exception))
+
+    def test_with_sources_and_settings(self):
+        for source in (None, 3.5, [1, 2], b"end_time = 1"):
+            self.refused("E0728", lambda: ff.Scene(source), ff.ArgumentError)
+        self.refused("E0728", lambda: ff.Scene(TEXT, folder=3))
+        self.refused("E0728", lambda: ff.Scene(TEXT, settings=["a=1"]))
+        self.refused("E0728", lambda: ff.Scene(TEXT).set(3, 1))
+        self.refused("E0728", lambda: ff.Scene(TEXT).get(5))
+        self.refused("E0103", lambda: ff.Simulation(ff.Scene(TEXT).set("solver.rtool", 1)))
+        for value in (None, {1, 2}, 1j, lambda: 1):
+            with self.assertRaises(TypeError):
+                ff.Scene(TEXT).set("end_time", value)
+        self.assertTrue(issubclass(ff.ArgumentError, (TypeError, ValueError)))
+
+    def test_with_steps_samples_columns_and_signals(self):
+        sim = ff.Simulation(PUSHED)
+        sim.step(0.1)
+        row = sim.row
+        for until in ("0.1", None, numpy.array([0.1, 0.2]), True):
+            self.refused("E0728", lambda: sim.step(until))
+        for until in (0.05, float("nan"), float("inf")):
+            self.refused("E0721", lambda: sim.step(until))
+        for every in (0, -0.01, float("nan"), 1e-300, "fast"):
+            self.refused("E0728", lambda: sim.sample(0.2, every))
+        self.refused("E0721", lambda: sim.sample(0.05, 0.01))
+        self.refused("E0728", lambda: sim.sample(float("nan"), 0.01))
+        self.refused("E0728", lambda: sim.sample(0.2, 0.01, [1]))
+        self.refused("E0681", lambda: sim.sample(0.2, 0.01, ["b.q"]))
+        for name in (3, [1], None):
+            self.refused("E0728", lambda: sim[name])
+        self.refused("E0681", lambda: sim["b.q"])
+        self.refused("E0723", lambda: sim.set_signal("trust", 1))
+        self.refused("E0724", lambda: sim.set_signal("thrust", float("nan")))
+        for value in ("full", None, numpy.array([1.0, 2.0])):
+            self.refused("E0728", lambda: sim.set_signal("thrust", value))
+        self.refused("E0728", lambda: sim.set_signal(1, 1))
+        numpy.testing.assert_array_equal(sim.row, row)
+        sim.step(0.2)
+
+    def test_with_states_and_closed_simulations(self):
+        sim = ff.Simulation(PUSHED)
+        state = bytearray(sim.save())
+        self.refused("E0728", lambda: sim.restore("state"))
+        self.refused("E0726", lambda: sim.restore(b"state"))
+        state[-40:] = b"\xff" * 40  # no UTF-8 either
+        self.refused("E0402", lambda: sim.restore(bytes(state)))
+        self.refused("E0728", lambda: sim.scene.set("bodies.b.mass", 5.0))  # would change nothing
+        self.assertEqual(sim.scene.copy().set("bodies.b.mass", 5.0).bodies["b"].mass, 5.0)
+        self.refused("E0728", lambda: ff.Simulation(PUSHED, ranks=2))
+        sim.close()
+        for call in (lambda: sim.step(0.3), sim.save, lambda: sim.set_signal("thrust", 1)):
+            self.refused("E0722", call)
+
+    def test_with_runs_and_folders(self):
+        place = folder()
+        scene = ff.Scene(TEXT, folder=place)
+        for ranks in ("two", 0, 1.5):
+            self.refused("E0728", lambda: ff.run(scene, ranks=ranks, out=os.path.join(place, "run")))
+        for until in ("soon", -1, float("nan")):
+            self.refused("E0728", lambda: ff.run(scene, until=until, out=os.path.join(place, "run")))
+        self.refused("E0728", lambda: ff.run(scene, out=5))
+        self.refused("E0500", lambda: ff.run(scene, out=os.path.join(place, "run"), options=["--fast"]))
+        self.refused("E0401", lambda: ff.run(ff.Scene(TEXT, folder=os.path.join(place, "gone")), out="run"), ff.FileError)
+        self.refused("E0433", lambda: ff.load(os.path.join(place, "none")))
+        self.refused("E0728", lambda: ff.load(None))
+        self.refused("E0728", lambda: ff.sweep(3))
+        self.refused("E0728", lambda: ff.sweep({"scene": "x"}, out=place, jobs="many"))
+        for name, content in (("history.csv", ""), ("summary.json", '{"status":'), ("runs.csv", "")):
+            with open(os.path.join(place, name), "w") as out:
+                out.write(content)
+        self.refused("E0680", lambda: ff.load(place).history["x"])
+        self.refused("E0684", lambda: ff.load(place).summary)
+        self.assertIn("damaged", repr(ff.load(place)))
+        self.refused("E0684", lambda: ff.Sweep(place).table)
+        self.assertEqual(os.path.exists(os.path.join(place, "run")), False)
+
+    def test_with_progress_end_the_run(self):
+        def fails(share):
+            raise RuntimeError("of the progress")
+
+        text = TEXT.replace("end_time = 0.2", "end_time = 1e3")
+        with self.assertRaisesRegex(RuntimeError, "of the progress"):
+            ff.run(ff.Scene(text, folder=folder()), out=os.path.join(folder(), "run"), progress=fails)
+
+
 class Stub(unittest.TestCase):
     def test_names_what_the_package_has(self):
         tree = ast.parse((ROOT / "mbd_solver/python/footfall/__init__.pyi").read_text())
@@ -213,6 +305,7 @@ class Runs(unittest.TestCase):
         self.assertTrue(os.path.getsize(run.plot("bob.x")) > 1000)
         self.assertTrue(os.path.exists(run.view(show=False)))
         self.assertIn("Run(", run._repr_html_())
+        self.assertIn('<img src="data:image/svg+xml;base64,', run._repr_html_(), "each picture has identifiers of its own")
         with self.assertRaises(KeyError):
             run.history["bob.q"]
 
@@ -228,7 +321,10 @@ class Runs(unittest.TestCase):
                 __import__(module)
             except ImportError:
                 continue
-            numpy.testing.assert_array_equal(numpy.asarray(convert()["bob.x"]), self.run_["bob.x"])
+            table = convert()
+            numpy.testing.assert_array_equal(numpy.asarray(table["bob.x"]), self.run_["bob.x"])
+            numpy.testing.assert_array_equal(numpy.asarray(table["bob.x"].index if module == "pandas" else table.time), self.run_["time"])
+            self.assertEqual((table.attrs["units"]["bob.x"] if module == "pandas" else table["bob.x"].attrs["units"]), "m")
 
     def test_refusals_of_the_programs_are_exceptions(self):
         with self.assertRaises(ff.InputError) as caught:
@@ -243,11 +339,14 @@ class Runs(unittest.TestCase):
         with open(file, "w") as out:
             out.write('scene = "scene.toml"\nparameters = [{ name = "mass", settings = ["bodies.bob.mass={value}"], values = [1.0, 2.0] }]\n'
                       'figures = [{ name = "descent", key = "max_descent_m" }]\n')
-        sweep = ff.sweep(file, out=os.path.join(place, "out"), jobs=1)
+        shares = []
+        sweep = ff.sweep(file, out=os.path.join(place, "out"), jobs=1, progress=shares.append)
         self.assertEqual(sweep.exit_code, 0)
         # Both masses fall alike: the hinge is at rest, and inertia is small beside m r2 = 2 and 1 kg m2.
         self.assertEqual(len(sweep.table["descent"]), 2)
         self.assertEqual(len(sweep.runs), 2)
+        self.assertIn("Sweep(", sweep._repr_html_())
+        self.assertEqual(shares, [0.5, 1.0])
         self.assertEqual(type(ff.load(sweep.folder)), ff.Sweep)
 
 

@@ -90,7 +90,7 @@ def wrong_argument(name, value, expected):
     """Raises ArgumentError."""
     shown = repr(value)
     shown = shown if len(shown) <= 60 else shown[:57] + "..."
-    refuse("ArgumentError", "E0727", "wrong-argument", f"{name} is {shown} ({type(value).__name__}), expected {expected}")
+    refuse("ArgumentError", "E0728", "wrong-argument", f"{name} is {shown} ({type(value).__name__}), expected {expected}")
 
 
 def number_of(name, value, expected="a number", above=-math.inf, finite=False):
@@ -99,7 +99,7 @@ def number_of(name, value, expected="a number", above=-math.inf, finite=False):
         number = float(value) if not isinstance(value, (str, bytes, bool)) else None
     except (TypeError, ValueError, OverflowError):
         number = None
-    if number is None or number <= above or (finite and not math.isfinite(number)):
+    if number is None or (above > -math.inf and not number > above) or (finite and not math.isfinite(number)):
         wrong_argument(name, value, expected)
     return number
 
@@ -113,6 +113,14 @@ def whole_of(name, value, least=1):
     if whole is None or whole < least:
         wrong_argument(name, value, f"a whole number from {least} on")
     return whole
+
+
+def write_text(path, text):
+    """The file with this text."""
+    try:
+        pathlib.Path(path).write_text(text, encoding="utf-8")
+    except OSError as error:
+        refuse("FileError", "E0401", "file-not-written", f"{path}: cannot be written: {error.strerror}; choose another folder")
 
 
 def path_of(name, value, expected="a path"):

@@ -1,7 +1,9 @@
 """Runs, folders of results and sweeps, by the programs of footfall."""
 
+import base64
 import functools
 import html
+import importlib
 import json
 import os
 import pathlib
@@ -16,7 +18,7 @@ from collections.abc import Mapping
 import numpy
 
 from . import _core
-from .errors import Finding, InputError, made, names_of, number_of, path_of, whole_of
+from .errors import Finding, InputError, made, names_of, number_of, path_of, refuse, whole_of, write_text
 from .scene import as_scene
 
 _ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
@@ -87,6 +89,8 @@ class _Bar:
     def see(self, line):
         found = re.search(r" of \S+(?: s)? \((\d+(?:\.\d+)?) %\)", line)  # other lines have shares of other things
         share = float(found.group(1)) / 100 if found else None
+        found = re.search(r" \((\d+) of (\d+)\)$", line)  # of a sweep
+        share = int(found.group(1)) / int(found.group(2)) if found else share
         if self.call and share is not None:
             self.call(share)
         elif self.widget is not None and share is not None:
@@ -105,7 +109,7 @@ def _execute(words, progress=None):
             for line in process.stdout:
                 said.append(line)
                 bar.see(line.rstrip("\n"))
-        except KeyboardInterrupt:
+        except BaseException:  # Ctrl-C, or a failure of the function that is told the progress
             process.terminate()
             process.wait()
             raise
@@ -138,7 +142,22 @@ def load(folder):
         return Run(folder)
     if os.path.exists(os.path.join(folder, "runs.csv")):
         return Sweep(folder)
-    raise InputError(f"{folder}: has neither history.csv nor runs.csv, expected the folder of a run or of a sweep")
+    refuse("InputError", "E0433", "no-such-file", f"{folder}: has neither history.csv nor runs.csv, expected the folder of a run or of a sweep")
+
+
+def _module(name):
+    """A module that footfall uses when it is there."""
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        raise ImportError(f"{name} is not installed; install it (Debian: python3-{name}), or use the numpy arrays", name=name) from None
+
+
+def _html_of(what, folder):
+    """The name of a result and its pictures. Each picture is a document of its own, as their identifiers repeat."""
+    files = sorted(pathlib.Path(folder).glob("plots/*.svg")) or sorted(pathlib.Path(folder).glob("*.svg"))
+    pictures = [base64.b64encode(file.read_bytes()).decode() for file in files]
+    return f"<p>{html.escape(repr(what))}</p>" + "".join(f'<img src="data:image/svg+xml;base64,{picture}">' for picture in pictures)
 
 
 class History(Mapping):
@@ -173,15 +192,17 @@ class History(Mapping):
         return dict(zip(self._all()["columns"], self._all()["units"]))
 
     def to_pandas(self):
-        """A pandas.DataFrame with the time as index."""
-        import pandas
+        """A pandas.DataFrame (a copy) with the time as index; attrs["units"] has the units."""
         columns = self._all()["columns"]
-        return pandas.DataFrame({name: values for name, values in columns.items() if name != "time"},
-                                index=pandas.Index(columns["time"], name="time"))
+        pandas = _module("pandas")
+        table = pandas.DataFrame({name: values for name, values in columns.items() if name != "time"},
+                                 index=pandas.Index(columns["time"], name="time"))
+        table.attrs["units"] = self.units
+        return table
 
     def to_xarray(self):
         """An xarray.Dataset over time, units as attributes."""
-        import xarray
+        xarray = _module("xarray")
         columns, units = self._all()["columns"], self.units
         data = {name: ("time", values, {"units": units[name]}) for name, values in columns.items() if name != "time"}
         return xarray.Dataset(data, coords={"time": ("time", columns["time"], {"units": "s"})})
@@ -198,11 +219,14 @@ class Run:
     @functools.cached_property
     def summary(self):
         """summary.json (docs/reference/summary.md) as a dict."""
+        path = os.path.join(self.folder, "summary.json")
         try:
-            with open(os.path.join(self.folder, "summary.json"), encoding="utf-8") as file:
+            with open(path, encoding="utf-8") as file:
                 return json.load(file)
         except FileNotFoundError:
-            raise InputError(f"{self.folder}: has no summary.json; the run has not ended") from None
+            refuse("InputError", "E0433", "no-such-file", f"{path}: there is none; the run has not ended")
+        except ValueError as error:
+            refuse("InputError", "E0684", "summary-damaged", f"{path}:{getattr(error, 'lineno', 1)}: is damaged; repeat the run")
 
     def __getitem__(self, column):
         return self.history[column]
@@ -219,6 +243,7 @@ class Run:
 
     def plot(self, *columns, file=None, options=()):
         """A picture of columns, as `footfall plot` draws it; without columns those that a run draws. Returns its path (.svg)."""
+        columns, options = names_of("columns", columns), names_of("options", options)
         file = file or os.path.join(tempfile.mkdtemp(prefix="footfall-"), "plot.svg")
         code, said = _execute([program(), "plot", self.folder, *columns, "--out", os.fspath(file), *options])
         if code:
@@ -226,11 +251,13 @@ class Run:
         return file
 
     def _repr_html_(self):
-        pictures = sorted(pathlib.Path(self.folder).glob("plots/*.svg"))
-        return f"<p>{html.escape(repr(self))}</p>" + "".join(picture.read_text(encoding="utf-8") for picture in pictures)
+        return _html_of(self, self.folder)
 
     def __repr__(self):
-        status = self.summary.get("status") if os.path.exists(os.path.join(self.folder, "summary.json")) else "under way"
+        try:
+            status = self.summary.get("status") if os.path.exists(os.path.join(self.folder, "summary.json")) else "under way"
+        except InputError:
+            status = "damaged"
         return f"Run({self.folder!r}, {status})"
 
     def to_pandas(self):
@@ -255,6 +282,8 @@ class Sweep:
         import csv
         with open(os.path.join(self.folder, "runs.csv"), encoding="utf-8", newline="") as file:
             rows = [row for row in csv.reader(file) if row and not row[0].startswith("#")]
+        if not rows:
+            refuse("InputError", "E0684", "summary-damaged", f"{os.path.join(self.folder, 'runs.csv')}:1: has no head; repeat the sweep")
         return {name: _column([row[i] if i < len(row) else "" for row in rows[1:]]) for i, name in enumerate(rows[0])}
 
     @property
@@ -265,6 +294,13 @@ class Sweep:
             for history in sorted(pathlib.Path(self.folder, name).glob("*/history.csv")):
                 found[history.parent.name] = Run(history.parent)
         return found
+
+    def to_pandas(self):
+        """The table as a pandas.DataFrame, one row per run."""
+        return _module("pandas").DataFrame(self.table)
+
+    def _repr_html_(self):
+        return _html_of(self, self.folder)
 
     def __repr__(self):
         return f"Sweep({self.folder!r})"
@@ -286,7 +322,7 @@ def sweep(file, out=None, jobs=None, progress=False, options=()):
     if isinstance(file, Mapping):
         from .scene import _text_of
         path = pathlib.Path((out or "sweep") + ".sweep.toml")
-        path.write_text(_text_of(file), encoding="utf-8")
+        write_text(path, _text_of(file))
         file = path
     file = path_of("file", file, "the file of a sweep, or a dict of its keys")
     out = out if out is not None else os.path.join("runs", "sweeps", pathlib.Path(file).stem)

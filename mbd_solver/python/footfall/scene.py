@@ -9,7 +9,7 @@ from collections.abc import Mapping
 import numpy
 
 from . import _core
-from .errors import Finding, InputError, path_of, refuse, wrong_argument
+from .errors import Finding, InputError, path_of, refuse, write_text, wrong_argument
 
 
 def _toml(value, where):
@@ -125,7 +125,7 @@ class Scene:
         if not isinstance(key, str):
             wrong_argument("key", key, 'a text such as "solver.rtol"')
         if self._begun:
-            refuse("InputError", "E0727", "wrong-argument", f"{key} cannot change in a simulation that has begun: set it in a copy, "
+            refuse("InputError", "E0728", "wrong-argument", f"{key} cannot change in a simulation that has begun: set it in a copy, "
                    "sim.scene.copy(), for a simulation of its own; what changes within a run is a signal")
         self._settings.pop(key, None)
         self._settings[key] = _toml(value, key)
@@ -212,7 +212,7 @@ class Scene:
         if self.file:
             return self.file
         path = pathlib.Path(self.folder) / (pathlib.Path(out).name + ".scene.toml")
-        path.write_text(self.text, encoding="utf-8")
+        write_text(path, self.text)
         return os.fspath(path)
 
     def __repr__(self):

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy
 
 from . import _core
-from .errors import InputError, names_of, number_of, whole_of, wrong_argument
+from .errors import names_of, number_of, refuse, whole_of, wrong_argument
 from .scene import as_scene
 
 _MOST_ROWS = 10**8  # of sample()
@@ -40,10 +40,12 @@ class Simulation:
             from .pair import Pair
             self._core = Pair(scene, ranks, out, trust_script)
         elif ranks is not None or out is not None:
-            raise InputError("ranks and out belong to scenes with grains; this one is integrated in this process and writes no files")
+            refuse("InputError", "E0728", "wrong-argument",
+                   "ranks and out belong to scenes with grains; this one is integrated in this process and writes no files")
         else:
             self._core = _core.Simulation(scene._source, record, trust_script)
         self._names = self._core.names
+        self._closed = False
 
     def __enter__(self):
         return self
@@ -53,8 +55,14 @@ class Simulation:
 
     def close(self):
         """Ends the simulation, with grains also the programs. Nothing but the columns can be read any more."""
+        self._closed = True
         if hasattr(self._core, "close"):
             self._core.close()
+
+    def _led(self):
+        if self._closed:
+            refuse("InputError", "E0722", "cannot-go-on", "the simulation has been closed; make a new one")
+        return self._core
 
     # ---- time ----
 
@@ -76,7 +84,7 @@ class Simulation:
     def step(self, until):
         """Goes on to the time `until` [s], at most to the end of the scene. With grains to the end of the DEM step in which it lies.
         Raises NumericalError; columns and state are those before the step then, and only restore() lets the simulation go on."""
-        self._core.step(number_of("until", until, "a time [s]"))
+        self._led().step(number_of("until", until, "a time [s]"))
 
     def sample(self, until, every, columns=None):
         """Goes on to `until` [s] and reads columns now, then every `every` [s] and at `until`. columns: names, default all.
@@ -84,11 +92,13 @@ class Simulation:
         names = names_of("columns", columns if columns is not None else self._names, "names of columns")
         until = number_of("until", until, "a time [s]", finite=True)
         every = number_of("every", every, "a time above zero [s]", above=0.0)
+        if until < self.time:
+            self._led().step(until)
         if (until - self.time) / every > _MOST_ROWS:
             wrong_argument("every", every, f"a time [s] that gives at most {_MOST_ROWS} rows")
         if "time" not in names:
             names.insert(0, "time")
-        rows = self._core.sample(until, every, names)
+        rows = self._led().sample(until, every, names)
         return {name: rows[:, i].copy() for i, name in enumerate(names)}
 
     # ---- what is measured ----
@@ -135,7 +145,7 @@ class Simulation:
         """A signal of kind "host" has this value from now on, until it is set again."""
         if not isinstance(name, str):
             wrong_argument("name", name, "the name of a signal")
-        self._core.set_signal(name, number_of(f'value of signal "{name}"', value))
+        self._led().set_signal(name, number_of(f'value of signal "{name}"', value))
 
     # ---- saved states ----
 
@@ -143,13 +153,13 @@ class Simulation:
         """The whole state, as bytes that restore() takes in any process with this version, scene and settings. The simulation goes
         on as one that restores it, in the same digits. With grains: writes a checkpoint at the end of the next window, and returns
         its folder."""
-        return self._core.save()
+        return self._led().save()
 
     def restore(self, state):
         """Returns to a state of save(). Not with grains: resume the folder of results instead."""
         if not isinstance(state, bytes) and not self.scene.has_grains:
             wrong_argument("state", state, "bytes of save()")
-        self._core.restore(state)
+        self._led().restore(state)
 
     # ---- how good it is ----
 
