@@ -24,7 +24,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kMostIncludes = 8;  // files within files
+constexpr std::size_t kMostIncludes = 8;  // files within files
 
 // --- Abaqus and CalculiX.
 
@@ -58,6 +58,7 @@ struct InpState {
   std::unordered_map<long, int> elements;  // number -> index
   std::map<std::string, std::vector<int>> element_sets;
   std::map<std::string, std::string> spellings;  // of names of sets: upper case -> the first one
+  std::vector<std::string> open;                 // files that are being read
   bool in_part = false, part_had_nodes = false;
   // Abaqus and CalculiX tell names apart without their case.
   const std::string& named(const std::string& set) { return spellings.try_emplace(upper_case(set), set).first->second; }
@@ -163,7 +164,21 @@ std::vector<int> inp_set(ModelText& text, const InpKeyword& keyword, const std::
   return found;
 }
 
-void parse_inp(ModelText& text, InpState& state, int depth) {
+// The path of a file within this one, which joins those that are being read. The caller takes it away again.
+std::string path_within(const ModelText& text, const std::string& name, std::vector<std::string>& open) {
+  const std::string path = (std::filesystem::path(text.name()).parent_path() / name).lexically_normal().string();
+  if (std::find(open.begin(), open.end(), path) != open.end() || open.size() > kMostIncludes)
+    text.fail("includes \"" + name.substr(0, 100) + "\", " +
+              (open.size() > kMostIncludes ? "more than " + std::to_string(kMostIncludes) + " files within files."
+                                           : std::string("which is being read: files include each other.")));
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none))
+    text.fail("includes \"" + name.substr(0, 100) + "\", but there is no file " + path + ".");
+  open.push_back(path);
+  return path;
+}
+
+void parse_inp(ModelText& text, InpState& state) {
   const auto fail = [&](const std::string& what) { text.fail(what); };
   while (text.next()) {
     if (text.line().compare(0, 2, "**") == 0 || is_inp_data(text)) continue;
@@ -216,12 +231,10 @@ void parse_inp(ModelText& text, InpState& state, int depth) {
     } else if (keyword.name == "INCLUDE") {
       const std::string name = keyword.value("INPUT");
       if (name.empty()) fail("*INCLUDE without INPUT.");
-      if (depth >= kMostIncludes)
-        fail("more than " + std::to_string(kMostIncludes) +
-             " files within files, expected fewer. Does one name itself?");
-      const std::string path = (std::filesystem::path(text.name()).parent_path() / name).string();
+      const std::string path = path_within(text, name, state.open);
       ModelText included(bytes_of_model(path), path);
-      parse_inp(included, state, depth + 1);
+      parse_inp(included, state);
+      state.open.pop_back();
     }
   }
 }
@@ -229,7 +242,8 @@ void parse_inp(ModelText& text, InpState& state, int depth) {
 FeMesh inp_mesh(const std::string& bytes, const std::string& file) {
   ModelText text(bytes, file);
   InpState state;
-  parse_inp(text, state, 0);
+  state.open.push_back(std::filesystem::path(file).lexically_normal().string());
+  parse_inp(text, state);
   for (const auto& [name, elements] : state.element_sets) {
     if (state.mesh.mesh().sets.count(name) > 0) continue;  // Abaqus writes both under one name: that of nodes is meant
     for (const int e : elements) state.mesh.add_element_to_set(name, e);
@@ -253,6 +267,7 @@ struct BdfState {
     std::string place;
   };
   MeshBuilder mesh;
+  std::vector<std::string> open;  // files that are being read
   std::vector<Pending> elements;
   struct Set {
     std::string name;
@@ -317,7 +332,7 @@ void case_control_sets(const std::string& bytes, const std::string& file, BdfSta
   }
 }
 
-void parse_bdf(const std::string& bytes, const std::string& file, int depth, BdfState& state) {
+void parse_bdf(const std::string& bytes, const std::string& file, BdfState& state) {
   case_control_sets(bytes, file, state);
   ModelText text(bytes, file);
   NastranCards cards(text);
@@ -348,19 +363,17 @@ void parse_bdf(const std::string& bytes, const std::string& file, int depth, Bdf
                             {}});
     } else if (name == "INCLUDE") {
       std::string path;
-      for (const char c : text.line().substr(text.line().find_first_not_of(" \t") + 7))
-        if (std::strchr("'\" \t", c) == nullptr) path += c;
+      for (std::size_t i = std::strlen("INCLUDE"); i < cards.line().size(); ++i)
+        if (std::strchr("'\" \t", cards.line()[i]) == nullptr) path += cards.line()[i];
       if (path.empty()) fail("INCLUDE without a file.");
-      if (depth >= kMostIncludes)
-        fail("more than " + std::to_string(kMostIncludes) +
-             " files within files, expected fewer. Does one name itself?");
-      path = (std::filesystem::path(file).parent_path() / path).string();
-      parse_bdf(bytes_of_model(path), path, depth + 1, state);
+      path = path_within(text, path, state.open);
+      parse_bdf(bytes_of_model(path), path, state);
+      state.open.pop_back();
     } else {
       const auto card =
           std::find_if(std::begin(kCards), std::end(kCards), [&](const NastranCard& c) { return name == c.name; });
       if (card == std::end(kCards)) continue;
-      BdfState::Pending pending{card, {}, file};
+      BdfState::Pending pending{card, {}, text.place()};
       for (int i = 0; i < card->most; ++i) {
         const std::size_t field = card->first + static_cast<std::size_t>(i);
         if (i >= card->corners && !cards.given(field)) {
@@ -379,7 +392,8 @@ void parse_bdf(const std::string& bytes, const std::string& file, int depth, Bdf
 
 FeMesh bdf_mesh(const std::string& bytes, const std::string& file) {
   BdfState state;
-  parse_bdf(bytes, file, 0, state);
+  state.open.push_back(std::filesystem::path(file).lexically_normal().string());
+  parse_bdf(bytes, file, state);
   MeshBuilder& mesh = state.mesh;
   const auto& index = mesh.mesh().index;
   for (const BdfState::Pending& p : state.elements)

@@ -384,6 +384,13 @@ std::string elsewhere_text(const std::vector<RowLabel>& rows, const std::string&
 Places places_of(ForeignMatrix& K, ForeignMatrix& M, const FeMesh& mesh, const ForeignFiles& files) {
   const auto refuse = [](const std::string& what) { throw InputError(code::kModelFile, what); };
   const std::string from = rows_file(files);
+  // CalculiX writes all diagonal terms, also zeros.
+  const auto ends_in = [](const std::string& file, const char* end) {
+    return std::filesystem::path(file).extension() == end;
+  };
+  if (ends_in(files.stiffness, ".sti") && ends_in(files.mass, ".mas") && K.size != M.size)
+    refuse(files.mass + ": " + std::to_string(M.size) + " rows, expected " + std::to_string(K.size) + " as in " +
+           files.stiffness + ". Name the two files of one run.");
   if (!from.empty())
     for (ForeignMatrix* matrix : {&K, &M})
       if (matrix->rows.empty()) {

@@ -94,9 +94,9 @@ long ModelText::whole(const std::string& word, long low, long high) const {
   return value;
 }
 
-void ModelText::fail(const std::string& what) const {
-  throw InputError(code::kModelFile, name_ + ":" + std::to_string(number_) + ": " + what);
-}
+std::string ModelText::place() const { return name_ + ":" + std::to_string(number_ - (again_ ? 1 : 0)); }
+
+void ModelText::fail(const std::string& what) const { throw InputError(code::kModelFile, place() + ": " + what); }
 
 namespace {
 
@@ -148,6 +148,11 @@ bool NastranCards::next() {
     const std::string& line = text_.line();
     const std::size_t from = line.find_first_not_of(" \t");
     if (from == std::string::npos || line[from] == '$' || continues(line)) continue;
+    line_ = trimmed(line);
+    if (upper_case(line_.substr(0, std::strlen("INCLUDE"))) == "INCLUDE") {  // wherever it begins
+      fields_ = {"INCLUDE"};
+      return true;
+    }
     bool large = false;
     fields_ = fields_of_line(line, large);
     std::string& name = fields_[0];

@@ -32,7 +32,8 @@ class ModelText {
 
   const std::string& name() const { return name_; }
   std::size_t size() const { return bytes_.size(); }
-  [[noreturn]] void fail(const std::string& what) const;  // at this line
+  std::string place() const;                              // "name:line" of what was read last
+  [[noreturn]] void fail(const std::string& what) const;  // at this place
 
  private:
   std::string bytes_, name_, line_;
@@ -49,6 +50,8 @@ class NastranCards {
 
   bool next();
   const std::vector<std::string>& fields() const { return fields_; }
+  // The card's first line, without blanks at its ends.
+  const std::string& line() const { return line_; }
   // Field i as a number; an empty or missing one is `otherwise`.
   double number(std::size_t i, double otherwise) const;
   long whole(std::size_t i, long low, long high) const;
@@ -58,6 +61,7 @@ class NastranCards {
  private:
   ModelText& text_;
   std::vector<std::string> fields_;
+  std::string line_;
 };
 
 std::string upper_case(std::string text);

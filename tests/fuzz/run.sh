@@ -38,7 +38,7 @@ fuzz() { FOOTFALL_FUZZ_TARGET=$1 "$build/bin/libfuzzer" "${@:2}"; } # TARGET OPT
 
 one() { # TARGET
   local name=$1 failed=0 end=$((SECONDS + seconds)) runs=0 spent=0 log=$build/findings/$1.log late
-  mkdir -p "$build/corpus/$name" "$build/findings/$name"
+  mkdir -p "$build/corpus/$name" "$build/findings/$name" "$work/grown/$name"
   find "$work/corpus/$name" "$work/grown/$name" -type f 2>/dev/null | sort | paste -sd, >"$work/$name.begin" # in an order that does not depend on the disk
   while ((end > SECONDS)); do
     rm -f "$build/findings/$name"/timeout-*

@@ -89,6 +89,16 @@ void mtx(const std::string& bytes) {
     read_matrix_market(path, path, nodes);
   });
 }
+// Rows of the matrices of a bar of two nodes, as CalculiX lists them.
+void dof(const std::string& bytes) {
+  as_file("matrix.dof", bytes, [](const std::string& path) {
+    ForeignFiles files;
+    files.stiffness = files.mass = file_of("matrix.sti", "1 1 1.0\n1 4 -1.0\n4 4 1.0\n2 2 1.0\n6 6 1.0\n");
+    files.nodes = file_of("nodes", "1 0 0 0\n2 1 0 0\n");
+    files.rows = path;
+    read_foreign_model(files);
+  });
+}
 // Meshes of finite-element codes, with the modes of the results.
 void fe_mesh(const std::string& bytes, const char* name) {
   allowed([&] {
@@ -182,14 +192,28 @@ void messages(const std::string& bytes) {
 }  // namespace
 
 const std::vector<Target>& targets() {
-  static const std::vector<Target> all = {
-      {"scene", scene},       {"experiment", experiment}, {"calibration", calibration},
-      {"fll", fll},           {"mesh_stl", mesh_stl},     {"mesh_obj", mesh_obj},
-      {"mesh_ply", mesh_ply}, {"mesh_off", mesh_off},     {"fe_inp", fe_inp},
-      {"fe_msh", fe_msh},     {"fe_bdf", fe_bdf},         {"fe_frd", fe_frd},
-      {"mtx", mtx},           {"modal", modal},           {"two_columns", two_columns},
-      {"history", history},   {"summary", summary},       {"start", start},
-      {"bed", bed},           {"checkpoint", checkpoint}, {"messages", messages}};
+  static const std::vector<Target> all = {{"scene", scene},
+                                          {"experiment", experiment},
+                                          {"calibration", calibration},
+                                          {"fll", fll},
+                                          {"mesh_stl", mesh_stl},
+                                          {"mesh_obj", mesh_obj},
+                                          {"mesh_ply", mesh_ply},
+                                          {"mesh_off", mesh_off},
+                                          {"fe_inp", fe_inp},
+                                          {"fe_msh", fe_msh},
+                                          {"fe_bdf", fe_bdf},
+                                          {"fe_frd", fe_frd},
+                                          {"mtx", mtx},
+                                          {"dof", dof},
+                                          {"modal", modal},
+                                          {"two_columns", two_columns},
+                                          {"history", history},
+                                          {"summary", summary},
+                                          {"start", start},
+                                          {"bed", bed},
+                                          {"checkpoint", checkpoint},
+                                          {"messages", messages}};
   return all;
 }
 

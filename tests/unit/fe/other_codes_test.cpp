@@ -370,16 +370,14 @@ TEST(CalculixModels, AreTheSameBodyConsistentLumpedAndReducedByGuyan) {
 
       const double density_unit = mass_unit(sample.units), area = sample.length * sample.length;
       const VectorXd& printed = results.frequencies.at(prefix + "inertia");
-      const MassProperties body = mass_properties(read_foreign_model(files_of(sample, form == Form::kLumped))),
-                           moved = mass_properties(model);
-      EXPECT_NEAR(moved.mass, density_unit * printed(0), 1e-6 * body.mass) << who;
+      const MassProperties moved = mass_properties(model);
+      EXPECT_NEAR(moved.mass, density_unit * printed(0), 1e-6 * moved.mass) << who;
       EXPECT_LT((moved.centre - sample.length * printed.segment<3>(1)).norm(), 1e-6 * extent(reduced.body)) << who;
       Eigen::Matrix3d S;
       S << printed(4), printed(7), printed(8), printed(7), printed(5), printed(9), printed(8), printed(9), printed(6);
       S *= density_unit * area;
       const Eigen::Matrix3d inertia = S.trace() * Eigen::Matrix3d::Identity() - S;
       EXPECT_LT((moved.inertia - inertia).norm(), 1e-6 * inertia.norm()) << who;
-      EXPECT_LT((moved.inertia - body.inertia).norm(), 1e-6 * inertia.norm()) << who;
     }
 }
 
@@ -785,7 +783,6 @@ TEST(FeMeshes, HaveSetsByName) {
       "*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n*ELEMENT,TYPE=C3D4,ELSET=Eall\n7,1,2,3,4\n*NSET,NSET=Foot\n1\n"
       "*Nset, nset=FOOT\n2\n*Elset, elset=Foot\n7\n*NSET, NSET=all, ELSET=EALL\n",
       "a.inp");
-  EXPECT_EQ(twice.set("Foot", ""), (std::vector<int>{0, 1}));
   EXPECT_EQ(twice.set("FOOT", ""), (std::vector<int>{0, 1}));
   EXPECT_EQ(twice.set("ALL", "").size(), 4u);
   // Nastran: sets of the case control, and SET3.
@@ -797,10 +794,13 @@ TEST(FeMeshes, HaveSetsByName) {
   EXPECT_EQ(control.set("8", ""), (std::vector<int>{3, 1}));
   EXPECT_EQ(control.set("10", ""), (std::vector<int>{2, 3}));
   EXPECT_EQ(control.sets.size(), 3u);
-  // Files within files.
   const Files files;
   files.add("grids.bdf", "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\n");
-  EXPECT_EQ(mesh_of(files.add("whole.bdf", "INCLUDE 'grids.bdf'\nGRID,3,,0.,1.,0.\n")).ids.size(), 3u);
+  const std::string self = files.add("self.inp", "*INCLUDE,INPUT=./self.inp\n"),
+                    other = files.add("self.bdf", "INCLUDE 'self.bdf'\n");
+  EXPECT_TRUE(names(refusal([&] { mesh_of(self); }), {"self.inp:1: ", "E0328"}));
+  EXPECT_TRUE(names(refusal([&] { mesh_of(other); }), {"self.bdf:1: ", "E0328"}));
+  EXPECT_EQ(mesh_of(files.add("whole.bdf", "  INCLUDE 'grids.bdf'\nGRID,3,,0.,1.,0.\n")).ids.size(), 3u);
   EXPECT_EQ(skin_of(bdf).size(), 4u);
   EXPECT_EQ(bdf.points[2], Vector3d(0, 1, 0));
 }
@@ -819,7 +819,7 @@ TEST(FeMeshes, NameFileAndLineOfWhatIsWrong) {
       {"a.inp", "*NODE\n1,0,0,0\n*ELEMENT,TYPE=C3D4\n1,1,2,3,4\n", 4},
       {"a.inp", "*NODE\n1,0,0,0\n*ELEMENT,TYPE=C3D4\n1,1,1\n", 4},
       {"a.inp", "*NODE\n1,0,0,0\n*ELEMENT\n1,1\n", 3},
-      {"a.inp", "*NODE\n1,0,0,0\n*INCLUDE,INPUT=not_there.inp\n", 0},
+      {"a.inp", "*NODE\n1,0,0,0\n*INCLUDE,INPUT=not_there.inp\n", 3},
       {"a.inp", "*NODE\n1,0,0,0\n*NSET,NSET=A\nunknown\n", 4},
       {"a.inp", "*NODE\n1,0,0,0\n*INSTANCE,NAME=a,PART=b\n1,0,0\n", 4},
       {"a.inp", "*NODE\n1,0,0,0\n*NSET,NSET=A\n1,2\n", 4},
@@ -832,12 +832,11 @@ TEST(FeMeshes, NameFileAndLineOfWhatIsWrong) {
       {"a.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n1\n1 31 2 0 0 1\n",
        10},
       {"a.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n", 7},
-      {"a.bdf", "GRID,1,,0.,x,0.\n", 1},
+      {"a.bdf", "GRID,1,,0.,0.,0.\nGRID,2,,0.,x,0.\nGRID,3,,0.,0.,0.\n", 2},
       {"a.bdf", "GRID,1,3,0.,0.,0.\n", 1},
-      {"a.bdf", "GRID,1,,0.,0.,0.\nINCLUDE 'none.bdf'\n", 0},
       {"a.bdf", "GRID,1,,0.,0.,0.\nINCLUDE\n", 2},
       {"a.bdf", "GRID,1,,0.,0.,0.\nSET1,1,THRU,5\n", 2},
-      {"a.bdf", "GRID,1,,0.,0.,0.\nCTRIA3,1,1,1,1,2\n", 0},
+      {"a.bdf", "GRID,1,,0.,0.,0.\nCTRIA3,1,1,1,1,2\n", 2},
       {"a.frd",
        "    2C                             1                                     1\n -1         1 0.00000E+00 "
        "0.00000E+00\n",
@@ -890,6 +889,9 @@ TEST(ForeignMatrices, NameFileAndLineOfWhatIsWrong) {
   f.rows = files.add("twice.dof", bytes_of_model(data("bar.dof")).replace(4, 3, "1.1"));  // as of expanded shells
   EXPECT_TRUE(names(refusal([&] { read_foreign_model(f); }), {"E0328", "1.1"}));
   f.rows.clear();
+  f.mass = data("leg.mas");
+  EXPECT_TRUE(names(refusal([&] { read_foreign_model(f); }), {"E0328", "leg.mas", "168", "180"}));
+  f = files_of(kSamples[0]);
   f.units = UnitSystem::kMillimetreTonne;
   EXPECT_NEAR(mass_properties(read_foreign_model(f)).mass, 1e3 * mass_properties(bar).mass, 1e-6);
 }
