@@ -20,6 +20,7 @@ constexpr int kSurplusWindows = 10;     // bodies times windows
 constexpr double kUnresolved = 0.1;     // of the impulse on a body
 constexpr double kWindowsPerTouch = 10.0;
 constexpr double kFloor = 1e-3;             // of the energy that a window's impulse can give
+constexpr double kDamped = 1.8;             // 2 zeta of a restitution of 0.2, over 0.5
 constexpr double kMuchLarger = 1.25;        // than what has been reported
 constexpr double kForceError = 0.05;        // of the largest force on a body
 constexpr double kOfPeaks = 0.2;            // of the window that hides a peak: shows it
@@ -88,6 +89,7 @@ void CouplingWatch::Record::visit(Archive& archive) {
   archive("most_excess", most_excess);
   archive("worst_omega_h", worst_omega_h);
   archive("worst_n", worst_n);
+  archive("worst_damping", worst_damping);
   archive("warned_of_omega_h", warned_of_omega_h);
   archive("work", work);
   archive("touch", touch);
@@ -99,7 +101,7 @@ void CouplingWatch::Record::visit(Archive& archive) {
   archive("given", given);
   archive("force", force);
   archive("change", change);
-  archive("rise", rise);
+  archive("sizes", sizes);
   archive("largest_force", largest_force);
   archive("smoothed", smoothed);
   archive("smoothed_n", smoothed_n);
@@ -127,7 +129,7 @@ void CouplingWatch::visit(Archive& archive) {
   archive("deepest", deepest_);
   archive("n_before", n_before_);
   archive("n_longest", n_longest_);
-  archive("H_before", H_before_);
+  archive("lengths", lengths_);
   archive("advised", advised_);
   archive("largest_overlap", largest_overlap_);
   archive("largest_patch", largest_patch_);
@@ -149,7 +151,7 @@ void CouplingWatch::observe(const Window& window, const Load& load, const std::v
     const BodyLoad& body = load.bodies[i];
     records_[i].largest_force = std::max(records_[i].largest_force, body.mean.F_W.norm());
     largest_force_ = std::max(largest_force_, records_[i].largest_force);
-    watch_omega_h(records_[i], window, body.contact_stiffness, bodies[i].mass);
+    watch_omega_h(records_[i], window, body, bodies[i].mass);
     watch_chatter(records_[i], body.mean.F_W, window, !std::isinf(bodies[i].mass));
     if (!std::isinf(bodies[i].mass)) watch_touch(records_[i], window, body);
   }
@@ -157,13 +159,15 @@ void CouplingWatch::observe(const Window& window, const Load& load, const std::v
   watch_grains(window, load);
   watch_energy(window, load, bodies);
   n_before_ = window.n;
-  H_before_ = window.H;
+  lengths_ = Eigen::Vector3d(window.H, lengths_[0], lengths_[1]);
 }
 
 // A body on contacts of stiffness K: omega = sqrt(K / m). Reported when it first exceeds its limit, and at the end if it
-// became much larger.
-void CouplingWatch::watch_omega_h(Record& record, const Window& window, double stiffness, double mass) {
-  record.omega_h = std::sqrt(std::max(0.0, stiffness) / mass) * window.H;
+// became much larger. The damping of N contacts follows the masses m_g of the grains and acts on the body, which may be
+// lighter; at a restitution of 0.2 (zeta = 0.45) c H / m is 0.9 sqrt(N m_g / m) omega H, and a mean misses half of that of the
+// force that decays. Advice keeps omega H below the limit, and c H / m below half of it.
+void CouplingWatch::watch_omega_h(Record& record, const Window& window, const BodyLoad& load, double mass) {
+  record.omega_h = std::sqrt(std::max(0.0, load.contact_stiffness) / mass) * window.H;
   const double excess = record.omega_h / omega_h_limit_.at(window.n);
   record.largest_omega_h = std::max(record.largest_omega_h, record.omega_h);
   const bool much_larger = record.warned_of_omega_h && window.last && record.most_excess > kMuchLarger;
@@ -171,14 +175,17 @@ void CouplingWatch::watch_omega_h(Record& record, const Window& window, double s
     record.most_excess = excess;
     record.worst_omega_h = record.omega_h;
     record.worst_n = window.n;
+    const double contacts = std::max(static_cast<double>(load.contacts), load.mean_contacts);
+    record.worst_damping = std::min(1.0, 1.0 / (kDamped * std::sqrt(contacts * load.grain_mass / mass)));
   }
   if (!much_larger && (record.warned_of_omega_h || excess <= 1.0)) return;
   record.warned_of_omega_h = true;
-  warn(with_code(code::kIntervalTooLong,
-                 (much_larger ? "t = 0 to " + number(window.time) + " s: " : at(window.time)) + "body " + record.name +
-                     " has omega H = " + number(record.worst_omega_h) + (much_larger ? " at most" : "") + ", above " +
-                     number(omega_h_limit_.at(record.worst_n)) + ": a coupling interval of " + steps(record.worst_n) +
-                     " is too long for this contact stiffness; " + shorter(1.0 / record.most_excess, window)));
+  warn(with_code(code::kIntervalTooLong, (much_larger ? "t = 0 to " + number(window.time) + " s: " : at(window.time)) +
+                                             "body " + record.name + " has omega H = " + number(record.worst_omega_h) +
+                                             (much_larger ? " at most" : "") + ", above " +
+                                             number(omega_h_limit_.at(record.worst_n)) + ": a coupling interval of " +
+                                             steps(record.worst_n) + " is too long for this contact stiffness; " +
+                                             shorter(record.worst_damping / record.most_excess, window)));
 }
 
 void CouplingWatch::watch_energy(const Window& window, const Load& load, const std::vector<Body>& bodies) {
@@ -332,22 +339,41 @@ void CouplingWatch::watch_grains(const Window& window, const Load& load) {
   }
 }
 
-// A mean over a window of length H leaves out F'' H^2 / 24 of a peak of the force F.
+// What means over windows leave out of a peak of the force: of a parabola of curvature c, whose slope is s in the middle of
+// the window of the largest mean,
+//   c H^2 / 24 + s^2 / 2c,   |s| <= c H / 2
+// c is the smaller one of two estimates that overlap, so that a jump to a plateau is no peak: of the falls to both sides of
+// one window, or of the bends at two neighbours. sizes: of the last three windows, newest first; then one of `size`, H long.
+double CouplingWatch::left_out_of_peak(const Eigen::Vector3d& sizes, double size, double H) const {
+  const Eigen::Vector3d before = (lengths_.array() > 0.0).select(lengths_, H);
+  const double fall = (sizes[0] - size) / (0.5 * (H + before[0]));               // [N/s]
+  const double rise = (sizes[0] - sizes[1]) / (0.5 * (before[0] + before[1]));   // before the newest of the three
+  const double start = (sizes[1] - sizes[2]) / (0.5 * (before[1] + before[2]));  // before the middle one
+  if (!(lengths_[0] > 0.0 && fall > 0.0)) return 0.0;
+  const double one = 2.0 * std::min(rise, fall) / before[0];  // curvature [N/s2]
+  double most = rise > 0.0 ? one * before[0] * before[0] / 24.0 : 0.0;
+  const double between = 0.5 * (before[0] + before[1]);
+  const double c = std::min((fall + rise) / (0.5 * (0.5 * (H + before[0]) + between)),
+                            (start - rise) / (0.5 * (between + 0.5 * (before[1] + before[2]))));
+  if (c > 0.0 && start > 0.0) {
+    const bool newer = rise > 0.0;
+    const double length = newer ? before[0] : before[1];
+    const double s = std::abs(rise + (newer ? -0.5 : 0.5) * c * between);
+    most = std::max(most, c * length * length / 24.0 + std::min(s * s / (2.0 * c), c * length * length / 8.0));
+  }
+  return most;
+}
+
 // free: nothing holds the body, so that its contacts can chatter.
 void CouplingWatch::watch_chatter(Record& record, const Eigen::Vector3d& force, const Window& window, bool free) {
   const Eigen::Vector3d change = force - record.force;
   const double larger = std::max(force.norm(), record.force.norm());
-  // At a peak in the window before: the smaller fall to either side, so that a jump to a plateau is none.
-  const double fall = record.force.norm() - force.norm();
-  if (H_before_ > 0.0 && record.rise > 0.0 && fall > 0.0) {
-    const double second = 2.0 * std::min(record.rise, fall / (0.5 * (window.H + H_before_))) / H_before_;
-    const double left_out = second * H_before_ * H_before_ / 24.0;
-    if (left_out > record.smoothed) {
-      record.smoothed = left_out;
-      record.smoothed_n = n_before_;
-    }
+  const double left_out = left_out_of_peak(record.sizes, force.norm(), window.H);
+  if (left_out > record.smoothed) {
+    record.smoothed = left_out;
+    record.smoothed_n = n_before_;
   }
-  record.rise = -fall / (0.5 * (window.H + H_before_));
+  record.sizes = Eigen::Vector3d(force.norm(), record.sizes[0], record.sizes[1]);
   const bool alternates = free && change.dot(record.change) < 0.0 && change.norm() > 0.5 * larger &&
                           larger > kChatterForceShare * largest_force_;
   record.alternations = alternates ? record.alternations + 1 : 0;

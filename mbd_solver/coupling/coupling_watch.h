@@ -93,6 +93,7 @@ class CouplingWatch {
     double most_excess = 1.0;                     // largest omega H over its limit [-]
     double worst_omega_h = 0.0;                   // in that window [-]
     int worst_n = 1;                              // DEM steps of that window
+    double worst_damping = 1.0;  // share by which damping of its contacts shortens intervals that are right [-]
     bool warned_of_omega_h = false;
     Work work;
     Touch touch;                                                // the present one
@@ -104,7 +105,7 @@ class CouplingWatch {
     double given = 0.0;                                         // impulse of the grains, likewise [N s]
     Eigen::Vector3d force = Eigen::Vector3d::Zero();            // mean of the last window [N]
     Eigen::Vector3d change = Eigen::Vector3d::Zero();           // of that, from the window before [N]
-    double rise = 0.0;                                          // of |force| likewise, over the time between [N/s]
+    Eigen::Vector3d sizes = Eigen::Vector3d::Zero();            // |force| of the last three windows, newest first [N]
     double largest_force = 0.0;                                 // [N]
     double smoothed = 0.0;                                      // largest part of a peak that a mean leaves out [N]
     double error = 0.0, error_before = 0.0;                     // largest and last force_error [N]
@@ -113,12 +114,13 @@ class CouplingWatch {
     void visit(Archive& archive);
   };
 
-  void watch_omega_h(Record& record, const Window& window, double stiffness, double mass);
+  void watch_omega_h(Record& record, const Window& window, const BodyLoad& load, double mass);
   void watch_energy(const Window& window, const Load& load, const std::vector<Body>& bodies);
   void watch_touch(Record& record, const Window& window, const BodyLoad& load);
   void watch_grains(const Window& window, const Load& load);
   void watch_chatter(Record& record, const Eigen::Vector3d& force, const Window& window, bool free);
   void watch_peaks(Record& record, const Window& window, double force_error);
+  double left_out_of_peak(const Eigen::Vector3d& sizes, double size, double H) const;  // [N]
   // "use `every 3` or less": to windows of this share of the longest of late, or to shorter DEM steps. Of several
   // messages none advises longer windows than those before.
   std::string shorter(double share, const Window& window);
@@ -127,13 +129,13 @@ class CouplingWatch {
   CouplingSpec limits_;
   OmegaHLimit omega_h_limit_;
   Setting setting_;
-  int n_before_ = 0, n_longest_ = 1;                // DEM steps of the last window; of the longer one of the last two
-  int advised_ = std::numeric_limits<int>::max();   // DEM steps
-  double H_before_ = 0.0;                           // of the last window [s]
-  std::vector<Record> records_;                     // per coupled body
-  double sum_ = 0.0;                                // of work on the boundary - work received [J]
-  double residual_ = 0.0, largest_residual_ = 0.0;  // [J]
-  double largest_kick_ = 0.0;                       // sum over bodies of J^2 / 2m, largest of any window [J]
+  int n_before_ = 0, n_longest_ = 1;               // DEM steps of the last window; of the longer one of the last two
+  int advised_ = std::numeric_limits<int>::max();  // DEM steps
+  Eigen::Vector3d lengths_ = Eigen::Vector3d::Zero();  // of the last three windows, newest first [s]; 0: none yet
+  std::vector<Record> records_;                        // per coupled body
+  double sum_ = 0.0;                                   // of work on the boundary - work received [J]
+  double residual_ = 0.0, largest_residual_ = 0.0;     // [J]
+  double largest_kick_ = 0.0;                          // sum over bodies of J^2 / 2m, largest of any window [J]
   bool began_ = false;
   bool warned_of_gain_ = false, warned_of_loss_ = false, warned_of_overlap_ = false, warned_of_facets_ = false;
   bool warned_of_surplus_ = false;

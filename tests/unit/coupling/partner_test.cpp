@@ -322,6 +322,7 @@ class Watched {
     load.bodies[0].max_overlap_over_radius = overlap;
     load.bodies[0].max_patch_over_facet = patch;
     load.bodies[0].grain_energy = grain_energy;
+    load.bodies[0].grain_mass = grain_mass;
     const double H = kH * told.n / 10;
     time_ += H;
     watch.observe({time_, H, told.n, told.last}, load,
@@ -333,7 +334,7 @@ class Watched {
       if (warning.find(code.number) != std::string::npos && warning.find(number) != std::string::npos) return true;
     return false;
   }
-  double overlap = 0.0, patch = 0.0, grain_energy = 0.0, force_error = 0.0;
+  double overlap = 0.0, patch = 0.0, grain_energy = 0.0, force_error = 0.0, grain_mass = 0.0;
   const std::unique_ptr<Scheme> scheme = make_scheme("css-trapezoid");
   CouplingWatch watch{{"plate"}, CouplingSpec{}, *scheme, CouplingWatch::Setting::kScript};
 
@@ -480,6 +481,14 @@ TEST(CouplingWatch, AdvisesTheIntervalThatKeepsTheLimitOfOmegaH) {
   EXPECT_TRUE(light.warns(code::kIntervalTooLong, "`every 5`"));
 }
 
+// Sixteen grains as heavy as the body: their damping, 0.9 sqrt(16) omega H, must be below 0.25 too.
+TEST(CouplingWatch, AdvisesTheIntervalThatFollowsTheDampingOfManyGrains) {
+  Watched light(0.01);  // omega H = 1
+  light.grain_mass = 0.01;
+  light.window({1.0, 0.0, 0.0, 0.0, 16, 16.0});
+  EXPECT_TRUE(light.warns(code::kIntervalTooLong, "`every 1`"));
+}
+
 // A run whose end cuts its last interval to one step: the message is about the intervals that were too long.
 TEST(CouplingWatch, SumsUpTheIntervalThatWasTooLong) {
   Watched body(0.01);  // omega H = 1
@@ -509,9 +518,14 @@ TEST(CouplingWatch, WarnsOfForcesThatWindowsDoNotResolve) {
     body.window(end);
     return body.warns(code::kForceNotResolved);
   };
-  Watched peak(kHeld), slow(kHeld), missed(1.0), followed(1.0);
+  Watched peak(kHeld), between(kHeld), plateau(kHeld), slow(kHeld), missed(1.0), followed(1.0);
   for (const double force : {0.0, 0.0, 10.0, 0.0, 0.0}) peak.window({force});
   EXPECT_TRUE(last_warns(peak));
+  // Means of a parabola that has its peak of 10 between two windows: the means leave out a twelfth of the fall.
+  for (const double force : {0.0, 9.0, 9.0, 3.0, 0.0}) between.window({force});
+  EXPECT_TRUE(last_warns(between));
+  for (const double force : {0.0, 10.0, 10.0, 10.0, 10.0}) plateau.window({force});
+  EXPECT_FALSE(last_warns(plateau));
   for (int k = 0; k <= 10; ++k) slow.window({10.0 * std::sin(0.1 * M_PI * k)});
   EXPECT_FALSE(last_warns(slow));
   for (Watched* body : {&missed, &followed}) {
