@@ -71,8 +71,8 @@ int import_command(const ImportArguments& arguments) {
     });
   Robot robot = read();
   if (robot.links.empty())
-    throw InputError(code::kRobotStill, arguments.file +
-                                            ":1: no part of \"" + robot.name + "\" can move: it is static, or without mass; a "
+    throw InputError(code::kRobotStill, arguments.file + ":1: no part of \"" + robot.name +
+                                            "\" can move: it is static, or without mass; a "
                                             "scene needs a body. Export the robot itself, not its surroundings");
   const std::vector<SceneFile> files = write_robot_scene(robot, arguments.options);
   std::stable_sort(robot.not_taken.begin(), robot.not_taken.end(), [](const NotTaken& a, const NotTaken& b) {

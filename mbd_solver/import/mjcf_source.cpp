@@ -158,12 +158,15 @@ void MjcfSource::take_what_is_for_looks() {
                        origin(node).place() + ": " + title_of(node) +
                            " is of later versions than MuJoCo 2.2.2, which reads the file; load it there, save it by "
                            "mj_saveLastXML, which resolves such elements, and import that file");
+    } else if (name == "adhesion" && above == "actuator" && !node.attribute("ctrlrange")) {
+      node.append_attribute("ctrlrange") = "0 1";  // MuJoCo 2.2.2 wants it here, later ones take that of a class
     } else if (name == "plugin") {
       leave_out(node, "is code of MuJoCo");
       node.parent().remove_child(node);
     } else if (name == "hfield" && above == "asset") {
       leave_out(node, "a scene has no height fields; its ground is a plane or grains");
-      const std::string field = node.attribute("name").value();
+      std::string field = node.attribute("name").value();
+      if (field.empty()) field = fs::path(node.attribute("file").value()).stem().string();
       node.parent().remove_child(node);
       for_each(mujoco, [&](pugi::xml_node geom) {
         if (field != geom.attribute("hfield").value() || field.empty()) return;

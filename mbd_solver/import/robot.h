@@ -173,6 +173,9 @@ TriangleMesh geometry_mesh(const RobotGeometry& geometry);
 // file.
 std::string find_mesh(const std::string& uri, const std::string& robot_file, const ImportOptions& options);
 
+// Folder of the model that an <include> of SDF names, or its file; empty where there is none.
+std::string find_model(const std::string& uri, const std::string& robot_file, const ImportOptions& options);
+
 // Files of the scene: name relative to its folder, and content.
 struct SceneFile {
   std::string name, content;

@@ -188,7 +188,34 @@ TriangleMesh cleaned(const TriangleMesh& raw) {
   return welded(mesh, 1e-6 * across);
 }
 
+// Folders that may hold packages and models: those that are named, of the environment, and all above the robot's own.
+std::vector<fs::path> package_places(const fs::path& folder, const ImportOptions& options) {
+  std::vector<fs::path> places(options.packages.begin(), options.packages.end());
+  for (const char* name : {"ROS_PACKAGE_PATH", "GAZEBO_MODEL_PATH", "GZ_SIM_RESOURCE_PATH"})
+    if (const char* list = std::getenv(name))
+      for (const std::string& one : split(list, ':')) places.emplace_back(one);
+  for (fs::path up = folder;; up = up.parent_path()) {
+    places.push_back(up);
+    if (!up.has_relative_path()) break;
+  }
+  return places;
+}
+
 }  // namespace
+
+std::string find_model(const std::string& uri, const std::string& robot_file, const ImportOptions& options) {
+  const fs::path folder = fs::absolute(robot_file).parent_path();
+  const std::size_t scheme = uri.find("://");
+  const fs::path path = scheme == std::string::npos ? uri : uri.substr(scheme + 3);
+  std::error_code error;
+  for (const fs::path& place : package_places(folder, options))
+    for (const fs::path& candidate : {place / path, place / "share" / path}) {
+      if (fs::is_regular_file(candidate, error)) return candidate.string();
+      for (const char* config : {"model.config", "manifest.xml", "model.sdf"})
+        if (fs::is_regular_file(candidate / config, error)) return candidate.string();
+    }
+  return "";
+}
 
 std::string find_mesh(const std::string& uri, const std::string& robot_file, const ImportOptions& options) {
   const fs::path folder = fs::absolute(robot_file).parent_path();
@@ -202,15 +229,7 @@ std::string find_mesh(const std::string& uri, const std::string& robot_file, con
   if (kind != "package" && kind != "model") return "";
   const std::string package = path.substr(0, path.find('/'));
   const std::string inside = package.size() < path.size() ? path.substr(package.size() + 1) : "";
-  std::vector<fs::path> places(options.packages.begin(), options.packages.end());
-  for (const char* name : {"ROS_PACKAGE_PATH", "GAZEBO_MODEL_PATH", "GZ_SIM_RESOURCE_PATH"})
-    if (const char* list = std::getenv(name))
-      for (const std::string& one : split(list, ':')) places.emplace_back(one);
-  for (fs::path up = folder;; up = up.parent_path()) {
-    places.push_back(up);
-    if (!up.has_relative_path()) break;
-  }
-  for (const fs::path& place : places) {
+  for (const fs::path& place : package_places(folder, options)) {
     for (const fs::path& candidate : {place / path, place / "share" / path})
       if (const std::string found = existing(candidate); !found.empty()) return found;
     if (place.filename() == package || fs::exists(place / "package.xml") || fs::exists(place / "model.config"))

@@ -1,8 +1,10 @@
 // SDF, by sdformat: it converts old versions, resolves frames (relative_to, expressed_in) and included models. Lines come from
 // the XML. The drawing shows all joints at zero.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <initializer_list>
 #include <optional>
@@ -16,9 +18,8 @@
 namespace footfall {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr double kNoLimit = 1e15;  // limits beyond it are none
+constexpr std::size_t kLongestMessage = 300;  // of sdformat [bytes]
+constexpr double kNoLimit = 1e15;             // limits beyond it are none
 
 // What is read: sdformat.org/spec. Elements that a simulator of its own reads are not.
 const std::map<std::string, KnownElement>& sdf_elements() {
@@ -69,6 +70,25 @@ RigidFrame placement(const ignition::math::Pose3d& pose) {
   return {vector(pose.Pos()), Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).normalized().toRotationMatrix()};
 }
 
+// Silences what sdformat prints beside the errors that it returns.
+class Hush {
+ public:
+  Hush() : kept_(dup(STDERR_FILENO)) {
+    const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nothing >= 0) dup2(nothing, STDERR_FILENO);
+    if (nothing >= 0) close(nothing);
+  }
+  ~Hush() {
+    if (kept_ >= 0) dup2(kept_, STDERR_FILENO);
+    if (kept_ >= 0) close(kept_);
+  }
+  Hush(const Hush&) = delete;
+  Hush& operator=(const Hush&) = delete;
+
+ private:
+  int kept_;
+};
+
 class SdfRobot {
  public:
   SdfRobot(const XmlSource& xml, const ImportOptions& options) : xml_(xml), options_(options) {
@@ -77,14 +97,15 @@ class SdfRobot {
   }
 
   Robot made() {
-    const std::string text = without_lost_includes();
+    const std::string text = text_for_sdformat();
     list_unread(xml_, sdf_elements(), robot_);
     sdf::Console::Instance()->SetQuiet(true);
     sdf::ParserConfig config;
-    config.SetFindCallback([this](const std::string& uri) { return find_model(uri); });
+    config.SetFindCallback([this](const std::string& uri) { return found_model(uri); });
     sdf::Root root;
     sdf::Errors errors;
     try {
+      const Hush hush;
       errors = root.LoadSdfString(text, config);
     } catch (const std::exception& error) {
       throw InputError(code::kRobotRefused, xml_.origin(xml_.root()).place() + ": sdformat refuses the file: " +
@@ -122,6 +143,8 @@ class SdfRobot {
       if (error.Code() == sdf::ErrorCode::LINK_INERTIA_INVALID) continue;
       std::string text = error.Message();
       std::replace(text.begin(), text.end(), '\n', ' ');
+      if (text.size() > kLongestMessage)
+        text = text.substr(0, kLongestMessage) + " ...";  // it may quote the whole file
       const std::string place = xml_.file() + ":" + std::to_string(error.LineNumber().value_or(line_of_name_in(text)));
       throw InputError(code::kRobotRefused, place + ": sdformat refuses the file: " + trimmed(text) +
                                                 "; correct it there (sdformat.org/spec)");
@@ -145,44 +168,55 @@ class SdfRobot {
     return xml_.origin(walker.found ? walker.found : root).line;
   }
 
-  std::string find_model(const std::string& uri) const {
-    const std::size_t scheme = uri.find("://");
-    const std::string path = scheme == std::string::npos ? uri : uri.substr(scheme + 3);
-    for (const char* config : {"/model.config", "/manifest.xml"}) {
-      const std::string found = find_mesh("model://" + path + config, xml_.file(), options_);
-      if (!found.empty()) return fs::path(found).parent_path().string();
-    }
-    return find_mesh("model://" + path, xml_.file(), options_);
-  }
+  std::string found_model(const std::string& uri) const { return find_model(uri, xml_.file(), options_); }
 
-  // The text with blanks where it includes what is not there.
-  std::string without_lost_includes() {
+  // The text with blanks in the place of: a declaration behind a comment, which sdformat does not take; what it would judge and no
+  // scene has; includes of what is not there.
+  std::string text_for_sdformat() {
     std::string text = xml_.text();
+    const auto blank = [&](std::size_t from, std::size_t to) {
+      for (std::size_t k = from; k < std::min(to, text.size()); ++k)
+        if (text[k] != '\n') text[k] = ' ';
+    };
+    if (const std::size_t from = text.find("<?xml"); from != std::string::npos && from > 0)
+      blank(from, text.find("?>", from) + 2);
     struct Walker : pugi::xml_tree_walker {
-      std::vector<pugi::xml_node> includes;
+      std::vector<pugi::xml_node> includes, others;
       bool for_each(pugi::xml_node& node) override {
-        if (std::string(node.name()) == "include") includes.push_back(node);
+        const std::string name = node.name();
+        if (name == "include") includes.push_back(node);
+        if (name == "material" || name == "plugin" || name == "sensor") others.push_back(node);
         return true;
       }
     } walker;
     pugi::xml_node root = xml_.root();
     root.traverse(walker);
+    // From the element's first character to the end of its tag, which follows its last descendant.
+    const auto blank_element = [&](const pugi::xml_node& node) {
+      const auto begin = [](const pugi::xml_node& of) {
+        return static_cast<std::size_t>(std::max<std::ptrdiff_t>(of.offset_debug(), 1)) - 1;
+      };
+      pugi::xml_node last = node;
+      while (last.last_child()) last = last.last_child();
+      const std::size_t open = text.find('>', begin(node));
+      if (open == std::string::npos || text[begin(node)] != '<') return;
+      const bool empty = text[open - 1] == '/';
+      const std::string end = std::string("</") + node.name();
+      const std::size_t close = empty ? open : text.find('>', text.find(end, std::max(begin(last), begin(node))));
+      if (close != std::string::npos) blank(begin(node), close + 1);
+    };
+    for (const pugi::xml_node& node : walker.others) blank_element(node);
     for (const pugi::xml_node& include : walker.includes) {
       const std::string uri = trimmed(include.child("uri").text().get());
       const bool plane = uri.find("ground_plane") != std::string::npos;
       const bool sun = uri.size() >= 3 && uri.compare(uri.size() - 3, 3, "sun") == 0;
-      if (!plane && !sun && !find_model(uri).empty()) continue;
+      if (!plane && !sun && !found_model(uri).empty()) continue;
       if (plane)
         robot_.plane = true;
       else
         robot_.leave_out(xml_.origin(include), "<include> of \"" + uri + "\"",
                          sun ? "is for pictures" : "there is no such model; give its folder with --package", sun);
-      const auto from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(include.offset_debug(), 1)) - 1;
-      const std::string end = "</include>";
-      const std::size_t to = text.find(end, from);
-      if (to == std::string::npos) continue;
-      for (std::size_t k = from; k < to + end.size(); ++k)
-        if (text[k] != '\n') text[k] = ' ';
+      blank_element(include);
     }
     return text;
   }
@@ -255,7 +289,8 @@ class SdfRobot {
       report(of.SemanticPose().Resolve(in_link, link.Name()));
       add_geometry(made, *of.Geom(), placement(in_link),
                    node.find_child_by_attribute("collision", "name", of.Name().c_str()), true);
-      if (const std::optional<double> mu = given(of.Element(), {"surface", "friction", "ode", "mu"})) made.friction = mu;
+      if (const std::optional<double> mu = given(of.Element(), {"surface", "friction", "ode", "mu"}))
+        made.friction = mu;
     }
     for (std::uint64_t k = 0; k < link.VisualCount(); ++k) {
       const sdf::Visual& of = *link.VisualByIndex(k);
@@ -388,8 +423,16 @@ class SdfRobot {
                        made.origin.place() + ": " + title_of(node) + " names a link that moves with no model here");
     made.loop = std::any_of(robot_.joints.begin(), robot_.joints.end(),
                             [&](const RobotJoint& other) { return other.child == made.child; });
+    const sdf::JointType type = joint.Type();
+    const bool two = type == sdf::JointType::UNIVERSAL || type == sdf::JointType::REVOLUTE2;
+    const bool one = two || type == sdf::JointType::REVOLUTE || type == sdf::JointType::CONTINUOUS ||
+                     type == sdf::JointType::PRISMATIC || type == sdf::JointType::SCREW ||
+                     type == sdf::JointType::GEARBOX;
+    if ((one && joint.Axis(0) == nullptr) || (two && joint.Axis(1) == nullptr))
+      throw InputError(code::kRobotElement, made.origin.place() + ": " + title_of(node) + " has no <" +
+                                                (joint.Axis(0) == nullptr ? "axis" : "axis2") + ">, expected one");
     if (joint.Axis(0) != nullptr) made.axis = axis_in_D(*joint.Axis(0), X_DM);
-    switch (joint.Type()) {
+    switch (type) {
       case sdf::JointType::FIXED: break;
       case sdf::JointType::BALL: made.kind = RobotJointKind::kSpherical; break;
       case sdf::JointType::REVOLUTE:

@@ -88,6 +88,12 @@ TEST_F(BadRobots, Urdf) {
   EXPECT_TRUE(test::names(
       message("r.urdf", robot(a + b + "<joint name='j' type='continuous'>" + ab + "<mimic joint='x'/></joint>")),
       {"r.urdf:4", "E0703"}));
+  const std::string c = std::string("<link name='c'>") + kMassOfOne + "</link>\n";
+  EXPECT_TRUE(test::names(
+      message("r.urdf", robot(a + b + c + "<joint name='j' type='continuous'>" + ab + "<mimic joint='k'/></joint>\n" +
+                              "<joint name='k' type='continuous'><parent link='a'/><child link='c'/><mimic "
+                              "joint='j'/></joint>")),
+      {"r.urdf:", "E0705"}));
 }
 
 TEST_F(BadRobots, Mjcf) {
@@ -100,6 +106,11 @@ TEST_F(BadRobots, Mjcf) {
       test::names(message("r.xml", "<mujoco>\n<worldbody>\n<thing/></worldbody></mujoco>"), {"r.xml:3", "E0707"}));
   EXPECT_TRUE(test::names(message("r.xml", "<mujoco>\n<include file='none.xml'/></mujoco>"), {"r.xml:2", "E0703"}));
   EXPECT_TRUE(test::names(message("r.xml", "<mujoco>\n<include file='r.xml'/></mujoco>"), {"r.xml:2", "E0705"}));
+  EXPECT_TRUE(test::names(
+      message("r.xml", "<mujoco><worldbody>\n<replicate count='2'><body/></replicate></worldbody></mujoco>"),
+      {"r.xml:2", "mj_saveLastXML", "E0707"}));
+  EXPECT_TRUE(
+      test::names(message("r.xml", "<mujoco><worldbody><geom size='1'/></worldbody></mujoco>"), {"r.xml:1", "E0712"}));
   EXPECT_TRUE(test::names(message("r.xml",
                                   "<mujoco><worldbody><body name='a'><geom size='1'/></body><body name='a'><geom "
                                   "size='1'/></body></worldbody></mujoco>"),

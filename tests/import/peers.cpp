@@ -400,7 +400,10 @@ int carry_out(const std::string& file) {
   Model m(nullptr, mj_deleteModel);
   if (robot.format == "URDF") {
     add(of_urdfdom(file));
-    add(of_urdf_in_mujoco(file), 1e-3);
+    const bool at_offset = std::any_of(robot.joints.begin(), robot.joints.end(), [](const RobotJoint& j) {
+      return j.coordinates.size() == 1 && j.coordinates[0].zero != 0.0;
+    });
+    if (!at_offset) add(of_urdf_in_mujoco(file), 1e-3);  // MuJoCo leaves mimic out
   } else if (robot.format == "SDF") {
     add(of_sdformat(file));
   } else {

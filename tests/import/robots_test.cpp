@@ -163,6 +163,22 @@ TEST_F(Robots, UrdfMimicIsAGearAndIsDrawnAtItsOffset) {
   EXPECT_LT((axes(*s.body("c")) - rz(0.5)).norm(), kExact);
 }
 
+// c follows b, which follows a's joint: at zero of that, b stands at 0.5 rad and c at 0.25 - 2 0.5 rad.
+TEST_F(Robots, UrdfMimicOfAMimicIsDrawnWhereBothPutIt) {
+  const auto follow = [](const std::string& leader, double multiplier, double offset) {
+    return "<axis xyz='0 0 1'/><mimic joint='" + leader + "' multiplier='" + std::to_string(multiplier) + "' offset='" +
+           std::to_string(offset) + "'/>";
+  };
+  const Scene s = imported("r.urdf", urdf(link("a") + link("b") + link("c") + link("d") +
+                                          joint("continuous", "<axis xyz='0 0 1'/>", "a", "b", "lead") +
+                                          joint("continuous", follow("lead", 3.0, 0.5), "a", "c", "first") +
+                                          joint("continuous", follow("first", -2.0, 0.25), "a", "d", "second")));
+  ASSERT_EQ(s.gears.size(), 2u);
+  EXPECT_LT((axes(*s.body("c")) - rz(0.5)).norm(), kExact);
+  EXPECT_LT((axes(*s.body("d")) - rz(-0.75)).norm(), kExact);
+  EXPECT_FALSE(test::names(scene_text_, {"Not in this scene"}));
+}
+
 TEST_F(Robots, MasslessLinksJoinTheirNeighbours) {
   const Scene s =
       imported("r.urdf", urdf("<link name='world'/><link name='foot'/><link name='tool'/>" + link("a") + link("b") +

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/import/import_command.h"
@@ -174,6 +175,83 @@ TEST_F(Sdf, BadFiles) {
   EXPECT_TRUE(test::names(
       refused("<sdf version='1.9'><model name='m'>\n<link name='a'>\n<pose>0 0 x 0 0 0</pose></link></model></sdf>"),
       {"bad.sdf:3", "E0707"}));
+}
+
+// Models within models may have links of one name: each keeps its own line, friction and place.
+TEST_F(Sdf, NestedModelsKeepTheirOwnLinks) {
+  const auto slippery = [](const std::string& mu) {
+    return std::string(kBall) +
+           "<collision "
+           "name='c'><geometry><sphere><radius>0.1</radius></sphere></geometry><surface><friction><ode><mu>" +
+           mu + "</mu></ode></friction></surface></collision>";
+  };
+  ImportArguments a;
+  a.file = write("m.sdf",
+                 "<!-- first a comment -->\n<?xml version='1.0'?>\n<sdf version='1.8'><world name='w'>\n"
+                 "<frame name='deck'><pose>1 2 3 0 0 0.5</pose></frame>\n"
+                 "<model name='m' placement_frame='base'><pose relative_to='deck'>0.3 0 0 0 0 0</pose>\n" +
+                     link("base", "0.5 0 0.2 0 0.1 0", slippery("0.3")) +
+                     "<model name='arm'><pose relative_to='base'>0 0 1 0 0 0</pose>\n" +
+                     link("base", "0 0 0.1 0 0 0", slippery("0.9")) + "</model>\n" +
+                     joint("revolute", "<axis><xyz expressed_in='base'>0 1 0</xyz></axis>", "j", "base", "arm::base") +
+                     "</model></world></sdf>\n");
+  a.out = file("nested");
+  a.quiet = true;
+  a.options.ground = "plane";
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(import_command(a), 0);
+  ::testing::internal::GetCapturedStdout();
+  const std::string said = text("nested/scene.toml");
+  EXPECT_TRUE(test::names(said, {"m.sdf:6 link \"base\"", "m.sdf:8 link \"arm::base\"", "friction = 0.9"})) << said;
+  const Scene s = read_scene(a.out);
+  // The frame "base" of m is 0.3 m along x of the deck, and its axes are those of the deck.
+  const Eigen::Vector3d base(1.0 + 0.3 * std::cos(0.5), 2.0 + 0.3 * std::sin(0.5), 3.0);
+  EXPECT_LT((s.body("base")->position - base).norm(), kExact);
+  EXPECT_LT((axes(*s.body("base")) - rpy(0, 0, 0.5)).norm(), kExact);
+  EXPECT_LT((s.body("arm__base")->position - base - Eigen::Vector3d(0, 0, 1.1)).norm(), kExact);
+  EXPECT_LT((s.joint("j")->axis - Eigen::Vector3d(-std::sin(0.5), std::cos(0.5), 0)).norm(), kExact);
+}
+
+// A model in a folder of models includes another one of them, not itself; colours that sdformat would refuse are not judged.
+TEST_F(Sdf, IncludesTheModelThatItNames) {
+  const std::string config = "<model><name>x</name><sdf>model.sdf</sdf></model>";
+  for (const char* name : {"cart", "ball"}) {
+    std::filesystem::create_directories(file(std::string("models/") + name));
+    write(std::string("models/") + name + "/model.config", config);
+  }
+  write("models/ball/model.sdf",
+        "<sdf version='1.5'><model name='ball'>" + link("b", "0 0 0 0 0 0", kBall) + "</model></sdf>");
+  ImportArguments a;
+  a.file = write("models/cart/model.sdf",
+                 "<sdf version='1.5'><model name='cart'>\n" +
+                     link("a", "0 0 0 0 0 0",
+                          std::string(kBall) +
+                              "<visual name='v'><geometry><sphere><radius>1</radius></sphere></geometry><material>"
+                              "<script><name>Red</name></script></material></visual>") +
+                     "<include><uri>model://ball</uri><pose>0 0 2 0 0 0</pose></include>\n"
+                     "<include><uri>model://none</uri></include>\n" +
+                     joint("revolute", "<axis><xyz>0 0 1</xyz></axis>", "j", "a", "ball::b") + "</model></sdf>\n");
+  a.out = file("included");
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(import_command(a), 0);
+  ::testing::internal::GetCapturedStdout();
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(test::names(said, {"model.sdf:4: <include> of \"model://none\""})) << said;
+  EXPECT_EQ(said.find("Error Code"), std::string::npos) << said;
+  const Scene s = read_scene(a.out);
+  ASSERT_EQ(s.bodies.size(), 2u);
+  EXPECT_EQ(s.joints.size(), 1u);
+  EXPECT_EQ(s.bodies[0].position.z() + s.bodies[1].position.z(), 2.0);
+}
+
+TEST_F(Sdf, WithoutAMovingPartOrAnAxisIsRefused) {
+  const auto model = [](const std::string& inside) {
+    return "<sdf version='1.9'>\n<model name='m'>\n" + inside + "</model></sdf>\n";
+  };
+  EXPECT_TRUE(test::names(refused(model("<static>true</static>" + link("a"))), {"bad.sdf:1", "E0712"}));
+  for (const char* type : {"universal", "revolute2", "screw", "gearbox", "prismatic"})
+    EXPECT_TRUE(test::names(refused(model(link("a") + link("b") + joint(type, ""))), {"bad.sdf:5"})) << type;
 }
 
 }  // namespace
