@@ -4,6 +4,7 @@
 
 #include <zip.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -22,6 +23,7 @@ constexpr const char* kDescription = "modelDescription.xml";
 constexpr zip_uint64_t kLargestDescription = 256ull << 20;  // [bytes]
 constexpr zip_uint64_t kLargestFmu = 8ull << 30;            // unpacked [bytes]
 constexpr zip_int64_t kMostEntries = 100000;
+constexpr std::size_t kElfHead = 4;  // [bytes]
 
 #if defined(__x86_64__)
 constexpr const char *kPlatform3 = "x86_64-linux", *kPlatform2 = "linux64";
@@ -73,6 +75,24 @@ std::set<std::string> platforms(zip_t* zip) {
   return names;
 }
 
+// Where an entry is unpacked, relative to the folder. Throws FmuProblem for a place outside of it.
+fs::path place_of(const std::string& name) {
+  fs::path inside = fs::path(name).lexically_normal();
+  if (inside.is_absolute() || inside.empty() || *inside.begin() == ".." || name.find('\\') != std::string::npos)
+    throw FmuProblem("file", "has the entry \"" + name + "\", which lies outside of the archive; export it again");
+  return inside;
+}
+
+// Reads the library whole, which compares its sum, and looks at its first bytes: those of an ELF file of this machine.
+void check_library(zip_t* zip, zip_uint64_t index, const std::string& name) {
+  std::string head;
+  read_entry(zip, index, kLargestFmu, [&](const char* bytes, std::size_t count) {
+    if (head.size() < kElfHead) head.append(bytes, std::min(count, kElfHead));
+  });
+  if (head != "\177ELF")
+    throw FmuProblem("file", "its entry " + name + " is no library of Linux; export or compile it again");
+}
+
 }  // namespace
 
 std::string library_path(const FmuDescription& d) {
@@ -89,10 +109,15 @@ FmuDescription read_fmu(const std::string& file) {
   read_entry(zip.get(), static_cast<zip_uint64_t>(index), kLargestDescription,
              [&](const char* bytes, std::size_t count) { xml.append(bytes, count); });
   FmuDescription description = parse_model_description(xml);
-  if (description.obstacle.empty() && zip_name_locate(zip.get(), library_path(description).c_str(), 0) < 0) {
+  for (zip_int64_t i = 0; i < std::min(zip_get_num_entries(zip.get(), 0), kMostEntries); ++i)
+    place_of(zip_get_name(zip.get(), static_cast<zip_uint64_t>(i), 0));
+  const std::string path = library_path(description);
+  const zip_int64_t library = zip_name_locate(zip.get(), path.c_str(), 0);
+  if (description.obstacle.empty() && library >= 0) check_library(zip.get(), static_cast<zip_uint64_t>(library), path);
+  if (description.obstacle.empty() && library < 0) {
     const std::set<std::string> found = platforms(zip.get());
     description.obstacle =
-        "platform the FMU has no " + library_path(description) + ", which this machine needs; it has " +
+        "platform the FMU has no " + path + ", which this machine needs; it has " +
         (found.empty() ? "no libraries at all" : "libraries for " + joined({found.begin(), found.end()})) +
         ": export or compile it for this platform";
   }
@@ -107,10 +132,7 @@ void unpack_fmu(const std::string& file, const std::string& folder) {
   for (zip_int64_t i = 0; i < count; ++i) {
     const auto index = static_cast<zip_uint64_t>(i);
     const std::string name = zip_get_name(zip.get(), index, 0);
-    const fs::path inside = fs::path(name).lexically_normal();
-    if (inside.is_absolute() || inside.empty() || *inside.begin() == ".." || name.find('\\') != std::string::npos)
-      throw FmuProblem("file", "has the entry \"" + name + "\", which lies outside of the archive; export it again");
-    const fs::path path = fs::path(folder) / inside;
+    const fs::path path = fs::path(folder) / place_of(name);
     if (name.back() == '/') {
       fs::create_directories(path);
       continue;

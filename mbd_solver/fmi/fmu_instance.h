@@ -70,4 +70,67 @@ class FmuLog {
 template <class Value>
 Value value_as(const FmuVariable& variable, double number);
 
+// What is the same in both versions but for the names. Api has Status, Byte, kPrefix ("fmi3"), kState ("FMUState"), kDeserialize;
+// values of both Status are OK, Warning, Discard, Error, Fatal, Pending.
+template <class Api>
+class FmuInstanceOf : public FmuInstance {
+ public:
+  FmuInstanceOf(const FmuDescription& description, const std::string& folder)
+      : description_(description), library_(description, folder) {}
+  ~FmuInstanceOf() override { free(); }
+
+  std::string state() override {
+    void* state = nullptr;
+    call<Status(void*, void**)>("Get" + kState, &state);
+    std::size_t size = 0;
+    call<Status(void*, void*, std::size_t*)>("Serialized" + kState + "Size", state, &size);
+    std::string bytes(size, '\0');
+    call<Status(void*, void*, Byte*, std::size_t)>("Serialize" + kState, state, reinterpret_cast<Byte*>(bytes.data()),
+                                                   size);
+    call<Status(void*, void**)>("Free" + kState, &state);
+    return bytes;
+  }
+  void restore(const std::string& bytes) override {
+    void* state = nullptr;
+    call<Status(void*, const Byte*, std::size_t, void**)>(
+        Api::kDeserialize + kState, reinterpret_cast<const Byte*>(bytes.data()), bytes.size(), &state);
+    call<Status(void*, void*)>("Set" + kState, state);
+    call<Status(void*, void**)>("Free" + kState, &state);
+  }
+
+ protected:
+  using Status = typename Api::Status;
+  using Byte = typename Api::Byte;
+
+  // Calls the function, whose name goes on like this, for the instance. Throws FmuError unless the status is OK or Warning.
+  template <class Function, class... Values>
+  void call(const std::string& name, Values... values) {
+    check(library_.template function<Function>(Api::kPrefix + name)(instance_, values...), Api::kPrefix + name);
+  }
+  void mode(const std::string& name) { call<Status(void*)>(name); }
+  void check(Status status, const std::string& function) const {
+    constexpr const char* kNames[] = {"OK", "Warning", "Discard", "Error", "Fatal", "Pending"};
+    const int number = static_cast<int>(status);
+    if (number == 0 || number == 1) return;
+    throw FmuError(function + " returned " +
+                   (number > 1 && number < 6 ? std::string(Api::kPrefix) + kNames[number] : "an unknown status") +
+                   log_.last());
+  }
+  // Takes a new instance in the place of an earlier one.
+  void take(void* instance, const std::string& function) {
+    instance_ = instance;
+    if (!instance_) throw FmuError(Api::kPrefix + function + " made no instance" + log_.last());
+  }
+  void free() {
+    if (instance_) library_.template function<void(void*)>(std::string(Api::kPrefix) + "FreeInstance")(instance_);
+    instance_ = nullptr;
+  }
+
+  const std::string kState = Api::kState;
+  const FmuDescription& description_;
+  FmuLibrary library_;
+  FmuLog log_;
+  void* instance_ = nullptr;
+};
+
 }  // namespace footfall

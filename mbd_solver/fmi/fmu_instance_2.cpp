@@ -22,10 +22,11 @@ void log_message_2(fmi2ComponentEnvironment log, fmi2String, fmi2Status status, 
   static_cast<FmuLog*>(log)->add(text);
 }
 
-const char* name_of_status(fmi2Status status) {
-  constexpr const char* kNames[] = {"fmi2OK", "fmi2Warning", "fmi2Discard", "fmi2Error", "fmi2Fatal", "fmi2Pending"};
-  return status >= fmi2OK && status <= fmi2Pending ? kNames[status] : "an unknown status";
-}
+struct Fmi2 {
+  using Status = fmi2Status;
+  using Byte = fmi2Byte;
+  static constexpr const char *kPrefix = "fmi2", *kState = "FMUstate", *kDeserialize = "DeSerialize";
+};
 
 // A folder as a URI: RFC 3986.
 std::string uri_of(const std::string& path) {
@@ -43,28 +44,24 @@ std::string uri_of(const std::string& path) {
   return uri;
 }
 
-class Instance2 final : public FmuInstance {
+class Instance2 final : public FmuInstanceOf<Fmi2> {
  public:
   Instance2(const FmuDescription& description, const std::string& folder)
-      : description_(description), resources_(uri_of(folder + "/resources")), library_(description, folder) {
+      : FmuInstanceOf(description, folder), resources_(uri_of(folder + "/resources")) {
     callbacks_ = {log_message_2, std::calloc, std::free, nullptr, &log_};
-  }
-  ~Instance2() override {
-    if (instance_) library_.function<fmi2FreeInstanceTYPE>("fmi2FreeInstance")(instance_);
   }
 
   void begin(double time, const std::function<void()>&, const std::function<void()>& at_start,
              const std::function<void()>& inputs) override {
-    if (instance_) library_.function<fmi2FreeInstanceTYPE>("fmi2FreeInstance")(instance_);
-    instance_ = library_.function<fmi2InstantiateTYPE>("fmi2Instantiate")(
-        "footfall", fmi2CoSimulation, description_.token.c_str(), resources_.c_str(), &callbacks_, 0, 0);
-    if (!instance_) throw FmuError("fmi2Instantiate made no instance" + log_.last());
-    check(library_.function<fmi2SetupExperimentTYPE>("fmi2SetupExperiment")(instance_, 0, 0.0, time, 0, 0.0),
-          "fmi2SetupExperiment");
+    free();
+    take(library_.function<fmi2InstantiateTYPE>("fmi2Instantiate")(
+             "footfall", fmi2CoSimulation, description_.token.c_str(), resources_.c_str(), &callbacks_, 0, 0),
+         "Instantiate");
+    call<fmi2SetupExperimentTYPE>("SetupExperiment", 0, 0.0, time, 0, 0.0);
     at_start();
-    mode("fmi2EnterInitializationMode");
+    mode("EnterInitializationMode");
     inputs();
-    mode("fmi2ExitInitializationMode");
+    mode("ExitInitializationMode");
   }
 
   void step(double from, double to) override {
@@ -87,16 +84,11 @@ class Instance2 final : public FmuInstance {
   void set(const FmuVariable& v, const std::vector<double>& values) override {
     const fmi2ValueReference reference = v.reference;
     if (v.type == "Real") {
-      const fmi2Real value = values[0];
-      check(library_.function<fmi2SetTYPE<fmi2Real>>("fmi2SetReal")(instance_, &reference, 1, &value), "fmi2SetReal");
-    } else if (v.type == "Boolean") {
-      const fmi2Boolean value = values[0] != 0.0 ? 1 : 0;
-      check(library_.function<fmi2SetTYPE<fmi2Boolean>>("fmi2SetBoolean")(instance_, &reference, 1, &value),
-            "fmi2SetBoolean");
+      call<fmi2SetTYPE<fmi2Real>>("SetReal", &reference, 1, values.data());
     } else {
-      const fmi2Integer value = value_as<fmi2Integer>(v, values[0]);
-      check(library_.function<fmi2SetTYPE<fmi2Integer>>("fmi2SetInteger")(instance_, &reference, 1, &value),
-            "fmi2SetInteger");
+      const bool flag = v.type == "Boolean";
+      const int value = flag ? (values[0] != 0.0 ? 1 : 0) : value_as<fmi2Integer>(v, values[0]);
+      call<fmi2SetTYPE<int>>(flag ? "SetBoolean" : "SetInteger", &reference, 1, &value);
     }
   }
 
@@ -104,57 +96,24 @@ class Instance2 final : public FmuInstance {
     const fmi2ValueReference reference = v.reference;
     if (v.type == "Real") {
       fmi2Real value = 0.0;
-      check(library_.function<fmi2GetTYPE<fmi2Real>>("fmi2GetReal")(instance_, &reference, 1, &value), "fmi2GetReal");
+      call<fmi2GetTYPE<fmi2Real>>("GetReal", &reference, 1, &value);
       return {value};
     }
     const bool flag = v.type == "Boolean";
-    const char* const name = flag ? "fmi2GetBoolean" : "fmi2GetInteger";
     int value = 0;
-    check(library_.function<fmi2GetTYPE<int>>(name)(instance_, &reference, 1, &value), name);
+    call<fmi2GetTYPE<int>>(flag ? "GetBoolean" : "GetInteger", &reference, 1, &value);
     return {flag ? (value != 0 ? 1.0 : 0.0) : static_cast<double>(value)};
   }
 
   void set_text(const FmuVariable& v, const std::string& value) override {
     const fmi2ValueReference reference = v.reference;
     const fmi2String text = value.c_str();
-    check(library_.function<fmi2SetStringTYPE>("fmi2SetString")(instance_, &reference, 1, &text), "fmi2SetString");
-  }
-
-  std::string state() override {
-    fmi2FMUstate state = nullptr;
-    check(library_.function<fmi2GetFMUstateTYPE>("fmi2GetFMUstate")(instance_, &state), "fmi2GetFMUstate");
-    std::size_t size = 0;
-    check(library_.function<fmi2SerializedFMUstateSizeTYPE>("fmi2SerializedFMUstateSize")(instance_, state, &size),
-          "fmi2SerializedFMUstateSize");
-    std::string bytes(size, '\0');
-    check(library_.function<fmi2SerializeFMUstateTYPE>("fmi2SerializeFMUstate")(instance_, state, bytes.data(), size),
-          "fmi2SerializeFMUstate");
-    check(library_.function<fmi2FreeFMUstateTYPE>("fmi2FreeFMUstate")(instance_, &state), "fmi2FreeFMUstate");
-    return bytes;
-  }
-
-  void restore(const std::string& bytes) override {
-    fmi2FMUstate state = nullptr;
-    check(library_.function<fmi2DeSerializeFMUstateTYPE>("fmi2DeSerializeFMUstate")(instance_, bytes.data(),
-                                                                                    bytes.size(), &state),
-          "fmi2DeSerializeFMUstate");
-    check(library_.function<fmi2SetFMUstateTYPE>("fmi2SetFMUstate")(instance_, state), "fmi2SetFMUstate");
-    check(library_.function<fmi2FreeFMUstateTYPE>("fmi2FreeFMUstate")(instance_, &state), "fmi2FreeFMUstate");
+    call<fmi2SetStringTYPE>("SetString", &reference, 1, &text);
   }
 
  private:
-  void check(fmi2Status status, const char* function) {
-    if (status == fmi2OK || status == fmi2Warning) return;
-    throw FmuError(std::string(function) + " returned " + name_of_status(status) + log_.last());
-  }
-  void mode(const char* function) { check(library_.function<fmi2ModeTYPE>(function)(instance_), function); }
-
-  const FmuDescription& description_;
   std::string resources_;
-  FmuLibrary library_;
-  FmuLog log_;
   fmi2CallbackFunctions callbacks_;
-  fmi2Component instance_ = nullptr;
 };
 
 }  // namespace

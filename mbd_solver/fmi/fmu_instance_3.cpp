@@ -17,40 +17,33 @@ void log_message_3(fmi3InstanceEnvironment log, fmi3Status status, fmi3String, f
   if (log && message && status != fmi3OK) static_cast<FmuLog*>(log)->add(message);
 }
 
-const char* name_of_status(fmi3Status status) {
-  constexpr const char* kNames[] = {"fmi3OK", "fmi3Warning", "fmi3Discard", "fmi3Error", "fmi3Fatal"};
-  return status >= fmi3OK && status <= fmi3Fatal ? kNames[status] : "an unknown status";
-}
+struct Fmi3 {
+  using Status = fmi3Status;
+  using Byte = fmi3Byte;
+  static constexpr const char *kPrefix = "fmi3", *kState = "FMUState", *kDeserialize = "Deserialize";
+};
 
-class Instance3 final : public FmuInstance {
+class Instance3 final : public FmuInstanceOf<Fmi3> {
  public:
   Instance3(const FmuDescription& description, const std::string& folder, bool sets_structure)
-      : description_(description),
-        resources_(folder + "/resources/"),
-        library_(description, folder),
-        sets_structure_(sets_structure) {}
-  ~Instance3() override {
-    if (instance_) library_.function<fmi3FreeInstanceTYPE>("fmi3FreeInstance")(instance_);
-  }
+      : FmuInstanceOf(description, folder), resources_(folder + "/resources/"), sets_structure_(sets_structure) {}
 
   void begin(double time, const std::function<void()>& structure, const std::function<void()>& at_start,
              const std::function<void()>& inputs) override {
-    if (instance_) library_.function<fmi3FreeInstanceTYPE>("fmi3FreeInstance")(instance_);
-    instance_ = library_.function<fmi3InstantiateCoSimulationTYPE>("fmi3InstantiateCoSimulation")(
-        "footfall", description_.token.c_str(), resources_.c_str(), false, false, false, false, nullptr, 0, &log_,
-        log_message_3, nullptr);
-    if (!instance_) throw FmuError("fmi3InstantiateCoSimulation made no instance" + log_.last());
+    free();
+    take(library_.function<fmi3InstantiateCoSimulationTYPE>("fmi3InstantiateCoSimulation")(
+             "footfall", description_.token.c_str(), resources_.c_str(), false, false, false, false, nullptr, 0, &log_,
+             log_message_3, nullptr),
+         "InstantiateCoSimulation");
     if (sets_structure_) {
-      mode("fmi3EnterConfigurationMode");
+      mode("EnterConfigurationMode");
       structure();
-      mode("fmi3ExitConfigurationMode");
+      mode("ExitConfigurationMode");
     }
     at_start();
-    check(library_.function<fmi3EnterInitializationModeTYPE>("fmi3EnterInitializationMode")(instance_, false, 0.0, time,
-                                                                                            false, 0.0),
-          "fmi3EnterInitializationMode");
+    call<fmi3EnterInitializationModeTYPE>("EnterInitializationMode", false, 0.0, time, false, 0.0);
     inputs();
-    mode("fmi3ExitInitializationMode");
+    mode("ExitInitializationMode");
   }
 
   void step(double from, double to) override {
@@ -110,62 +103,26 @@ class Instance3 final : public FmuInstance {
   void set_text(const FmuVariable& v, const std::string& value) override {
     const fmi3ValueReference reference = v.reference;
     const fmi3String text = value.c_str();
-    check(library_.function<fmi3SetStringTYPE>("fmi3SetString")(instance_, &reference, 1, &text, 1), "fmi3SetString");
-  }
-
-  std::string state() override {
-    fmi3FMUState state = nullptr;
-    check(library_.function<fmi3GetFMUStateTYPE>("fmi3GetFMUState")(instance_, &state), "fmi3GetFMUState");
-    std::size_t size = 0;
-    check(library_.function<fmi3SerializedFMUStateSizeTYPE>("fmi3SerializedFMUStateSize")(instance_, state, &size),
-          "fmi3SerializedFMUStateSize");
-    std::string bytes(size, '\0');
-    check(library_.function<fmi3SerializeFMUStateTYPE>("fmi3SerializeFMUState")(
-              instance_, state, reinterpret_cast<fmi3Byte*>(bytes.data()), size),
-          "fmi3SerializeFMUState");
-    check(library_.function<fmi3FreeFMUStateTYPE>("fmi3FreeFMUState")(instance_, &state), "fmi3FreeFMUState");
-    return bytes;
-  }
-
-  void restore(const std::string& bytes) override {
-    fmi3FMUState state = nullptr;
-    check(library_.function<fmi3DeserializeFMUStateTYPE>("fmi3DeserializeFMUState")(
-              instance_, reinterpret_cast<const fmi3Byte*>(bytes.data()), bytes.size(), &state),
-          "fmi3DeserializeFMUState");
-    check(library_.function<fmi3SetFMUStateTYPE>("fmi3SetFMUState")(instance_, state), "fmi3SetFMUState");
-    check(library_.function<fmi3FreeFMUStateTYPE>("fmi3FreeFMUState")(instance_, &state), "fmi3FreeFMUState");
+    call<fmi3SetStringTYPE>("SetString", &reference, 1, &text, 1);
   }
 
  private:
-  void check(fmi3Status status, const char* function) {
-    if (status == fmi3OK || status == fmi3Warning) return;
-    throw FmuError(std::string(function) + " returned " + name_of_status(status) + log_.last());
-  }
-  void mode(const char* function) { check(library_.function<fmi3ModeTYPE>(function)(instance_), function); }
-
   template <class Value>
   void set_as(const FmuVariable& v, const std::vector<double>& values, const char* type = nullptr) {
     const std::unique_ptr<Value[]> list(new Value[values.size()]);
     for (std::size_t i = 0; i < values.size(); ++i) list[i] = value_as<Value>(v, values[i]);
     const fmi3ValueReference reference = v.reference;
-    const std::string name = std::string("fmi3Set") + (type ? type : v.type);
-    check(library_.function<fmi3SetTYPE<Value>>(name)(instance_, &reference, 1, list.get(), values.size()),
-          name.c_str());
+    call<fmi3SetTYPE<Value>>("Set" + (type ? type : v.type), &reference, 1, list.get(), values.size());
   }
   template <class Value>
   std::vector<double> get_as(const FmuVariable& v, std::size_t count, const char* type = nullptr) {
     const std::unique_ptr<Value[]> list(new Value[count]());
     const fmi3ValueReference reference = v.reference;
-    const std::string name = std::string("fmi3Get") + (type ? type : v.type);
-    check(library_.function<fmi3GetTYPE<Value>>(name)(instance_, &reference, 1, list.get(), count), name.c_str());
+    call<fmi3GetTYPE<Value>>("Get" + (type ? type : v.type), &reference, 1, list.get(), count);
     return {list.get(), list.get() + count};
   }
 
-  const FmuDescription& description_;
   std::string resources_;
-  FmuLibrary library_;
-  FmuLog log_;
-  fmi3Instance instance_ = nullptr;
   bool sets_structure_;
 };
 

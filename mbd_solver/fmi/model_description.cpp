@@ -2,8 +2,11 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <pugixml.hpp>
+#include <set>
 
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/fmi/fmu_file.h"
 
@@ -15,8 +18,39 @@ bool is_true(const pugi::xml_node& node, const char* attribute) {
   return value == "true" || value == "1";
 }
 
+[[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) {
+  throw FmuProblem("file", std::string("the variable \"") + node.attribute("name").value() +
+                               "\" of its modelDescription.xml " + what + "; export it again");
+}
+
 unsigned reference_of(const pugi::xml_node& node, const char* attribute) {
-  return static_cast<unsigned>(std::strtoul(node.attribute(attribute).value(), nullptr, 10));
+  const std::string text = node.attribute(attribute).value();
+  constexpr std::size_t kMostDigits = 10;
+  const bool digits = !text.empty() && text.size() <= kMostDigits && text.find_first_not_of("0123456789") == text.npos;
+  const unsigned long value = digits ? std::strtoul(text.c_str(), nullptr, 10) : 0;
+  if (!digits || value > std::numeric_limits<unsigned>::max())
+    fail(node,
+         std::string("has the ") + attribute + " \"" + text.substr(0, 40) + "\", expected a whole number of 32 bits");
+  return static_cast<unsigned>(value);
+}
+
+// Names are given once; start values of numbers are numbers (or true and false).
+void check_variables(const pugi::xml_node& variables, const FmuDescription& d) {
+  std::set<std::string> names;
+  auto node = variables.children().begin();
+  for (const FmuVariable& v : d.variables) {
+    while (node->type() != pugi::node_element) ++node;
+    if (v.name.empty() || !names.insert(v.name).second)
+      fail(*node, v.name.empty() ? "has no name" : "is there twice, expected each name once");
+    for (const std::string& word : split(v.start, ' ')) {
+      char* end = nullptr;
+      const bool number = word.empty() || word == "true" || word == "false" ||
+                          (read_number(word.c_str(), &end), end != word.c_str() && *end == '\0');
+      if (v.is_number() && !number)
+        fail(*node, "has the start value \"" + word.substr(0, 40) + "\", expected a number");
+    }
+    ++node;
+  }
 }
 
 const std::string& or_default(const std::string& value, const std::string& otherwise) {
@@ -99,6 +133,7 @@ FmuDescription parse_model_description(const std::string& xml) {
                   is_true(simulation, three ? "canSerializeFMUState" : "canSerializeFMUstate");
   for (const pugi::xml_node& node : root.child("ModelVariables").children())
     if (node.type() == pugi::node_element) d.variables.push_back(three ? variable_3(node) : variable_2(node));
+  check_variables(root.child("ModelVariables"), d);
   return d;
 }
 

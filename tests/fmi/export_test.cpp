@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
+#include <type_traits>
 
 #include "mbd_solver/fmi/export/fmu_command.h"
 #include "mbd_solver/fmi/fmi3_interface.h"
@@ -247,8 +249,28 @@ TEST(ExportedFmu, RefusesBadCallsAndKeepsItsState) {
   EXPECT_EQ(fmu.step(0.3, 0.1), fmi3Error) << "the model is at 0.1 s";
   EXPECT_EQ(fmu.step(0.1, -0.1), fmi3Error);
   EXPECT_EQ(fmu.get("block.x"), x);
+  // States that are none, or hold nothing, and times that are none.
+  const auto call = [&](const char* name, auto* type, auto... values) {
+    return fmu.library().function<std::remove_pointer_t<decltype(type)>>(name)(fmu.instance, values...);
+  };
+  constexpr fmi3SetFMUStateTYPE* kSet = nullptr;
+  constexpr fmi3GetFMUStateTYPE* kGet = nullptr;
+  constexpr fmi3DeserializeFMUStateTYPE* kRead = nullptr;
+  EXPECT_EQ(call("fmi3SetFMUState", kSet, nullptr), fmi3Error);
+  EXPECT_EQ(call("fmi3GetFMUState", kGet, nullptr), fmi3Error);
+  const std::array<fmi3Byte, 4 * sizeof(double)> nothing{};
+  fmi3FMUState state = nullptr;
+  EXPECT_EQ(call("fmi3DeserializeFMUState", kRead, nothing.data(), std::size_t{7}, &state), fmi3Error);
+  ASSERT_EQ(call("fmi3DeserializeFMUState", kRead, nothing.data(), nothing.size(), &state), fmi3OK);
+  EXPECT_EQ(call("fmi3SetFMUState", kSet, state), fmi3Error);
+  EXPECT_EQ(call("fmi3FreeFMUState", kGet, &state), fmi3OK);
+  EXPECT_EQ(fmu.get("block.x"), x);
   EXPECT_EQ(fmu.step(0.1, 0.1), fmi3OK) << fmu.log.text;
   EXPECT_EQ(fmu.mode("fmi3Terminate"), fmi3OK);
+  ASSERT_EQ(fmu.mode("fmi3Reset"), fmi3OK);
+  constexpr fmi3EnterInitializationModeTYPE* kEnter = nullptr;
+  for (const double start : {std::nan(""), std::numeric_limits<double>::infinity(), 2.0})
+    EXPECT_EQ(call("fmi3EnterInitializationMode", kEnter, false, 0.0, start, true, 1.0), fmi3Error) << start;
 }
 
 // Free fall to z = -0.5 m switches the state at t = sqrt(2 0.5 / 9.81).

@@ -142,6 +142,20 @@ TEST(ModelDescription, ProblemsHaveTheirKind) {
       "file");
 }
 
+TEST(ModelDescription, VariablesAreNamedOnceAndHaveNumbers) {
+  const auto with = [](const std::string& variables) {
+    return described("<fmiModelDescription fmiVersion='3.0'><CoSimulation modelIdentifier='m'/><ModelVariables>" +
+                     variables + "</ModelVariables></fmiModelDescription>");
+  };
+  const std::string x = "<Float64 name='x' valueReference='1' start='1 true NaN'/>";
+  EXPECT_THAT(with(x), HasSubstr("x"));
+  EXPECT_EQ(with(x + x), "file");
+  EXPECT_EQ(with("<Float64 valueReference='1'/>"), "file");
+  for (const char* reference : {"", "one", "-1", "1.5", "4294967296", "40000000000"})
+    EXPECT_EQ(with(std::string("<Float64 name='x' valueReference='") + reference + "'/>"), "file") << reference;
+  EXPECT_EQ(with("<Float64 name='x' valueReference='1' start='soon'/>"), "file");
+}
+
 TEST(ModelDescription, IsReadBackFromItsLines) {
   for (const char* name : {"types_3", "types_2", "oscillator_3"}) {
     const FmuDescription fmu = read_fmu(kFmus + name + ".fmu");
@@ -166,6 +180,23 @@ TEST(ModelDescription, OtherFilesAreNoFmu) {
   const std::string bytes{std::istreambuf_iterator<char>(whole), {}};
   EXPECT_EQ(kind_of(bytes), "fmu");
   EXPECT_EQ(kind_of(bytes.substr(0, bytes.size() / 2)), "file");
+  // A library that is none, and an entry that would lie beside the folder: told before anything runs.
+  const std::string text =
+      "<fmiModelDescription fmiVersion='3.0'><CoSimulation modelIdentifier='m'/></fmiModelDescription>";
+  const auto archive = [&](const std::string& library, const std::string& more) {
+    const std::string file = (folder.folder_ / "made.fmu").string();
+    write_fmu(file, {{"modelDescription.xml", "", text}, {"binaries/x86_64-linux/m.so", "", library}, {more, "", "x"}});
+    try {
+      return read_fmu(file).obstacle;
+    } catch (const FmuProblem& problem) {
+      return problem.kind;
+    }
+  };
+#if defined(__x86_64__)
+  EXPECT_EQ(archive("\177ELF and more", "resources/a.txt"), "");
+  EXPECT_EQ(archive("text", "resources/a.txt"), "file");
+#endif
+  EXPECT_EQ(archive("\177ELF", "../a.txt"), "file");
 }
 
 // [1,1] [1,2] [2,1] [2,2] of an array of two by two whose size is a parameter.

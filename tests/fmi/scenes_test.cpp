@@ -225,6 +225,7 @@ TEST(FmuScene, CheckNamesEveryMistake) {
           "E0270");
   refused("[[signals]]\nname = \"push\"\nkind = \"fmu\"\nfile = \"none.fmu\"\nperiod = 1\noutputs = [\"y\"]\n",
           "E0108");
+  EXPECT_EQ(app::count(folder.footfall("check scene.toml").text, "\\[E"), 1) << "one message";
   refused("[[signals]]\nname = \"push\"\nkind = \"fmu\"\nfile = \"empty.fmu\"\noutputs = [\"y\"]\n", "E0106");
   folder.write(
       "scene.toml",

@@ -115,10 +115,15 @@ class Instance {
       if (next + v.start.size() > value_count) throw std::runtime_error("there is room for too few values");
       for (std::size_t k = 0; k < v.start.size(); ++k) values[next++] = state_.values[v.reference + k];
     }
+    if (next != value_count) throw std::runtime_error("there is room for too many values");
   }
 
   void enter_initialization(double start, bool stop_defined, double stop) {
     require(Phase::kInstantiated, "fmi3EnterInitializationMode");
+    if (!std::isfinite(start) || (stop_defined && !(stop > start)))
+      throw std::runtime_error("fmi3EnterInitializationMode from " + exact_text(start) + " s" +
+                               (stop_defined ? " to " + exact_text(stop) + " s" : "") +
+                               ", expected a finite start time, and a stop time behind it");
     phase_ = Phase::kInitializing;
     state_.start = state_.time = start;
     duration_ = stop_defined ? stop - start : 0.0;
@@ -166,6 +171,10 @@ class Instance {
     return saved;
   }
   void restore(const State& saved) {
+    const auto finite = [](double x) { return std::isfinite(x); };
+    if (saved.values.size() != state_.values.size() || !std::isfinite(saved.time) || !std::isfinite(saved.start) ||
+        !std::all_of(saved.values.begin(), saved.values.end(), finite))
+      throw std::runtime_error("the state is damaged, or belongs to another FMU");
     if (saved.initialized) take_values("R" + saved.simulation);
     state_ = saved;
     phase_ = saved.initialized ? Phase::kStepping : Phase::kInstantiated;
@@ -310,6 +319,17 @@ fmi3Status guarded_call(fmi3Instance instance, const Work& work) {
   return fmi3Error;
 }
 
+State& state_at(fmi3FMUState state) {
+  if (!state) throw std::runtime_error("no state is given, expected one of fmi3GetFMUState or fmi3DeserializeFMUState");
+  return *static_cast<State*>(state);
+}
+
+template <class Value>
+Value* given(Value* pointer, const char* what) {
+  if (!pointer) throw std::runtime_error(std::string("no place for the ") + what + " is given");
+  return pointer;
+}
+
 std::string bytes_of_state(const State& s) {
   std::string bytes;
   const auto number = [&](double value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
@@ -364,6 +384,8 @@ FMI3 fmi3Instance fmi3InstantiateCoSimulation(fmi3String, fmi3String token, fmi3
     if (path.rfind("file://", 0) == 0) path = path.substr(7);
     if (events) return refuse("the event mode is not supported (hasEventMode is false)");
     const std::string own = text_in(path + "/token.txt");
+    if (own.empty())
+      return refuse(path + "/token.txt cannot be read: expected the path of the resources of the unpacked FMU");
     if (!token || own != token) return refuse("the instantiation token is not that of this FMU");
     return new Instance(path, early, environment, log);
   } catch (const std::exception& error) {
@@ -405,13 +427,14 @@ FMI3 fmi3Status fmi3GetFloat64(fmi3Instance i, const fmi3ValueReference* r, std:
 }
 FMI3 fmi3Status fmi3GetFMUState(fmi3Instance i, fmi3FMUState* state) {
   return guarded_call(i, [&](Instance& model) {
+    given(state, "state");
     std::unique_ptr<State> saved = model.save();
     delete static_cast<State*>(*state);
     *state = saved.release();
   });
 }
 FMI3 fmi3Status fmi3SetFMUState(fmi3Instance i, fmi3FMUState state) {
-  return guarded_call(i, [&](Instance& model) { model.restore(*static_cast<State*>(state)); });
+  return guarded_call(i, [&](Instance& model) { model.restore(state_at(state)); });
 }
 FMI3 fmi3Status fmi3FreeFMUState(fmi3Instance, fmi3FMUState* state) {
   if (!state) return fmi3OK;
@@ -420,19 +443,19 @@ FMI3 fmi3Status fmi3FreeFMUState(fmi3Instance, fmi3FMUState* state) {
   return fmi3OK;
 }
 FMI3 fmi3Status fmi3SerializedFMUStateSize(fmi3Instance i, fmi3FMUState state, std::size_t* size) {
-  return guarded_call(i, [&](Instance&) { *size = bytes_of_state(*static_cast<State*>(state)).size(); });
+  return guarded_call(i, [&](Instance&) { *given(size, "size") = bytes_of_state(state_at(state)).size(); });
 }
 FMI3 fmi3Status fmi3SerializeFMUState(fmi3Instance i, fmi3FMUState state, fmi3Byte* bytes, std::size_t size) {
   return guarded_call(i, [&](Instance&) {
-    const std::string text = bytes_of_state(*static_cast<State*>(state));
+    const std::string text = bytes_of_state(state_at(state));
     if (text.size() != size) throw std::runtime_error("the state has another size");
-    std::memcpy(bytes, text.data(), size);
+    std::memcpy(given(bytes, "bytes"), text.data(), size);
   });
 }
 FMI3 fmi3Status fmi3DeserializeFMUState(fmi3Instance i, const fmi3Byte* bytes, std::size_t size, fmi3FMUState* state) {
   return guarded_call(i, [&](Instance&) {
-    auto read = std::make_unique<State>(state_of_bytes({reinterpret_cast<const char*>(bytes), size}));
-    *state = read.release();
+    auto read = std::make_unique<State>(state_of_bytes({reinterpret_cast<const char*>(given(bytes, "bytes")), size}));
+    *given(state, "state") = read.release();
   });
 }
 

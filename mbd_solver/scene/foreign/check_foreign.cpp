@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <set>
 
 #include "coupler/base/files.h"
@@ -181,7 +182,9 @@ void check_foreign(const Scene& scene, const SignalSpec& s, const EntryFindings&
       at.error_if(other.name == name, kDuplicateName, "outputs",
                   "makes the signal \"" + name + "\", which is another signal as well; rename one of them");
   }
-  if (s.kind == SignalKind::kFmu && !s.file.empty() && !refused("file") && !fmu_host().empty()) check_fmu(s, at);
+  std::error_code none;
+  const bool there = std::filesystem::is_regular_file(s.file, none);  // another check tells of a file that is not
+  if (s.kind == SignalKind::kFmu && there && !refused("file") && !fmu_host().empty()) check_fmu(s, at);
 }
 
 bool runs_foreign_code(const Scene& scene) {
