@@ -252,6 +252,12 @@ std::unique_ptr<Sensor> sensor_of(const Mechanism& mechanism, const std::string&
     if (is(name, entry.name, "stroke")) return std::make_unique<StrutSensor>(strut, StrutSensor::Reads::kStroke);
     if (is(name, entry.name, "rate")) return std::make_unique<StrutSensor>(strut, StrutSensor::Reads::kRate);
   }
+  for (const CableEntry& entry : mechanism.cables)
+    if (entry.name == owner)
+      for (const auto& column : kCableEntries)
+        if (is(name, owner, std::string(column.pattern).substr(std::string("<cable>.").size())))
+          return std::make_unique<CableSensor>(static_cast<const Cable&>(model.force(entry.force)), entry.force,
+                                               column.value);
   return nullptr;
 }
 
@@ -264,6 +270,7 @@ std::vector<std::string> continuous_names(const Mechanism& mechanism) {
     names.push_back(entry.name + "." + std::string(name_of(entry.coordinate)));
   for (int i = 0; i < mechanism.model.body_count(); ++i) names.push_back(mechanism.model.body(i).name() + ".z");
   for (const StrutEntry& entry : mechanism.struts) names.push_back(entry.name + ".stroke");
+  for (const CableEntry& entry : mechanism.cables) names.push_back(entry.name + ".force");
   return names;
 }
 
@@ -280,7 +287,7 @@ void add_continuous(const Scene& scene, SignalChain chain, Mechanism& mechanism)
       throw InputError(
           code::kNotContinuous,
           where_read(scene, name) + "a continuous signal cannot read \"" + name +
-              "\", expected time, positions and velocities of bodies, joints and struts, or other signals. "
+              "\", expected time, positions and velocities of bodies, joints and struts, cables, or other signals. "
               "For accelerations, forces and contacts give the signal a period, for example period_ms = 1." +
               known_names("names", name, continuous_names(mechanism)));
     sources.push_back({SignalSource::Kind::kSensor, sensors.size()});

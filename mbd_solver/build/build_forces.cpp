@@ -159,8 +159,13 @@ CablePart cable_part(const std::vector<CablePlace>& places, const std::vector<in
   return out;
 }
 
-std::unique_ptr<Cable> build(const CableSpec& spec, const std::string& name, std::size_t first, std::size_t last,
-                             const Placement& placement, const Scene& scene, const Model& model) {
+struct BuiltCable {
+  std::unique_ptr<Cable> cable;
+  Eigen::Vector3d out_of_first, in_of_last;  // directions of the contact points at its ends, in W
+};
+
+BuiltCable build(const CableSpec& spec, const std::string& name, std::size_t first, std::size_t last,
+                 const Placement& placement, const Scene& scene, const Model& model) {
   std::vector<CablePlace> places;
   std::vector<int> turns;
   for (std::size_t i = first; i <= last; ++i) {
@@ -189,7 +194,32 @@ std::unique_ptr<Cable> build(const CableSpec& spec, const std::string& name, std
   if (!(parameters.length > 0.0))
     throw InputError(code::kNoLength, "tension: stretches the cable by more than its way of " +
                                           number_text(part.length) + " m; make it smaller, or the cable stiffer");
-  return std::make_unique<Cable>(name, std::move(guides), parameters);
+  return {std::make_unique<Cable>(name, std::move(guides), parameters), part.touches.front().out,
+          part.touches.back().in};
+}
+
+}  // namespace
+
+namespace {
+
+// A pulley between the last two cables of the mechanism, which it divides.
+void add_grip(const Scene& scene, const CableSpec& spec, std::size_t guide, const Eigen::Vector3d& in,
+              const Eigen::Vector3d& out, const Placement& placement, Mechanism& mechanism) {
+  const CableGuideSpec& round = spec.path[guide];
+  GripEntry grip;
+  grip.name = "cable \"" + spec.name + "\": guide " + std::to_string(guide + 1) + " of its path, on body \"" +
+              round.body + "\"";
+  grip.after = mechanism.cables.back().force;
+  grip.before = mechanism.cables[mechanism.cables.size() - 2].force;
+  grip.wrap =
+      wrap_between(in, out, placement.R_WD * round.axis.value_or(Eigen::Vector3d::UnitZ())) + 2.0 * kPi * round.turns;
+  if (grip.wrap < -kLeastWrap)
+    mechanism.warnings.push_back(with_code(
+        code::kGripWithoutWrap, place_of(scene.file, spec.source) + grip.name +
+                                    ": the cable passes this pulley on the other side and holds it all the same, "
+                                    "because grip = true; give axis "
+                                    "the opposite sign, or turns, or remove grip if the cable may leave the pulley"));
+  mechanism.grips.push_back(std::move(grip));
 }
 
 }  // namespace
@@ -200,11 +230,14 @@ void add_cables(const Scene& scene, Mechanism& mechanism) {
     for (const CableGuideSpec& guide : spec.path) still = still || stands_still(scene, guide.body);
     const Placement placement = still ? Placement() : mechanism.placement;
     const std::vector<std::size_t> ends = spec.ends();
+    Eigen::Vector3d in = Eigen::Vector3d::Zero();  // of the part before
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
       const std::string name = ends.size() == 2 ? spec.name : spec.name + "." + std::to_string(k + 1);
       try {
-        mechanism.cables.push_back({name, mechanism.model.add_force(build(spec, name, ends[k], ends[k + 1], placement,
-                                                                          scene, mechanism.model))});
+        BuiltCable built = build(spec, name, ends[k], ends[k + 1], placement, scene, mechanism.model);
+        mechanism.cables.push_back({name, mechanism.model.add_force(std::move(built.cable))});
+        if (k > 0) add_grip(scene, spec, ends[k], in, built.out_of_first, placement, mechanism);
+        in = built.in_of_last;
       } catch (const InputError& error) {
         throw InputError(place_of(scene.file, spec.source) + error.what());
       }

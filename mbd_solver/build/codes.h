@@ -37,5 +37,7 @@ inline constexpr MessageCode kBendsUnderWeight{"W0266", "bends-under-weight"};
 inline constexpr MessageCode kNotCarried{"W0267", "not-carried"};
 // A map has a step steeper than a round edge can feel. Spread it over more samples, or make it of rocks or bodies.
 inline constexpr MessageCode kStepNotFelt{"W0268", "step-not-felt"};
+// A pulley with grip holds a cable that would leave it. Remove grip, or place the pulley so that the cable stays on it.
+inline constexpr MessageCode kGripWithoutWrap{"W0269", "grip-without-wrap"};
 
 }  // namespace footfall::code

@@ -68,6 +68,15 @@ struct CableEntry {
   int force = 0;     // index of the Cable in the model
 };
 
+// A pulley that a cable turns, and so divides the cable: it never leaves the pulley.
+struct GripEntry {
+  std::string name;           // for messages
+  int before = 0, after = 0;  // indices of the two Cables in the model
+  double wrap = 0.0;          // in the reference configuration; it grows by the first angle of `after` and falls by the
+                              // last one of `before` [rad]
+};
+inline constexpr double kLeastWrap = 1e-6;  // below minus this a cable would leave the pulley [rad]
+
 struct StrutEntry {
   std::string name;
   int force = 0;  // index of the Strut in the model
@@ -131,6 +140,7 @@ struct Mechanism {
   std::vector<BodyBoundary> boundaries;
   std::vector<StrutEntry> struts;
   std::vector<CableEntry> cables;
+  std::vector<GripEntry> grips;
   std::vector<int> planes;        // force indices of rigid-plane contacts, one per touching body
   std::vector<int> plane_bodies;  // their bodies; a body may touch several planes
   std::vector<int> terrains;      // force indices of contacts with uneven rigid ground, one per touching body
@@ -210,7 +220,7 @@ void warn_of_overlaps(const Scene& scene, Mechanism& mechanism);
 
 // Where the value of a name is found among the inputs of a run, or the time; nothing for other names.
 std::optional<SignalSource> signal_source(const Mechanism& mechanism, const std::string& name);
-// The sensor of a position or velocity of bodies, joints or struts; null for other names.
+// The sensor of a position or velocity of bodies, joints or struts, or of a cable; null for other names.
 std::unique_ptr<Sensor> sensor_of(const Mechanism& mechanism, const std::string& name);
 // Signals that are evaluated together, in order. Throws InputError with the place of the signals in the scene.
 SignalChain chain_of_signals(const Scene& scene, std::vector<SignalNode> nodes);

@@ -581,13 +581,14 @@ struct SignalValues {
   std::vector<double> values, rates;  // of what an influence changes
 };
 
-// The kinematics with one body changed.
+// The instant of a state, with one body changed.
 struct Changed {
-  const Kinematics& base;
+  const Instant& base;
   const BodyKinematics& was;
   BodyKinematics now;
-  const BodyKinematics* of(int body) const { return &base.of(body) == &was ? &now : &base.of(body); }
-  PairMotion pair(int body_1, int body_2) const { return {{of(body_1), of(body_2)}}; }
+  const BodyKinematics& of(int body) const { return &base.of(body) == &was ? now : base.of(body); }
+  PairMotion pair(int body_1, int body_2) const { return {{&of(body_1), &of(body_2)}}; }
+  Eigen::Ref<const Eigen::VectorXd> states(int force) const { return base.states(force); }
 };
 
 // Moves coordinate j of dx = [dr; dtheta; da], or of v = [dr; w; da].
@@ -613,8 +614,8 @@ const Eigen::VectorXd& Equations::input_values_at(double t, const Eigen::Ref<con
   if (!signals) return inputs.values;
   Workspace& w = *work_;
   w.values = inputs.values;
-  signals->evaluate(t, w.kinematics, y.segment(layout_.z0() + layout_.signal_z, w.signal_rates.size()), w.values,
-                    w.signal_rates);
+  const Instant instant{w.kinematics, layout_, model_, y.segment(layout_.z0(), layout_.z_size)};
+  signals->evaluate(t, instant, instant.z.tail(w.signal_rates.size()), w.values, w.signal_rates);
   return w.values;
 }
 
@@ -623,7 +624,8 @@ void Equations::signals(const State& state, const Inputs& inputs, Eigen::VectorX
   if (!model_.signals()) return;
   Workspace& w = *work_;
   load(state);
-  model_.signals()->evaluate(state.time, w.kinematics, state.z.tail(w.signal_rates.size()), out, w.signal_rates);
+  model_.signals()->evaluate(state.time, Instant{w.kinematics, layout_, model_, state.z},
+                             state.z.tail(w.signal_rates.size()), out, w.signal_rates);
 }
 
 void Equations::settle_signals(const Eigen::VectorXd* before, const Inputs& inputs, State& state) {
@@ -631,7 +633,8 @@ void Equations::settle_signals(const Eigen::VectorXd* before, const Inputs& inpu
   Workspace& w = *work_;
   load(state);
   w.values = inputs.values;
-  model_.signals()->settle(state.time, w.kinematics, before, state.z.tail(w.signal_rates.size()), w.values);
+  model_.signals()->settle(state.time, Instant{w.kinematics, layout_, model_, state.z}, before,
+                           state.z.tail(w.signal_rates.size()), w.values);
 }
 
 double Equations::mode_value(const State& state, const Inputs& inputs) {
@@ -678,6 +681,7 @@ void Equations::remember(const Inputs& inputs, State& state) {
 void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y) {
   Workspace& w = *work_;
   const ContinuousSignals& signals = *model_.signals();
+  const Instant given_instant{w.kinematics, layout_, model_, y.segment(layout_.z0(), layout_.z_size)};
   Eigen::VectorXd z = y.segment(layout_.z0() + layout_.signal_z, w.signal_rates.size());
   SignalValues plus, minus;
 
@@ -724,14 +728,12 @@ void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::V
 
   for (const SignalPlaces& places : w.pattern.signals) {
     const ContinuousSignals::Influence& of = places.of;
-    const auto evaluate = [&](const auto& kinematics) {
-      signals.evaluate(of, kinematics, z, w.values, w.signal_rates);
-    };
+    const auto evaluate = [&](const auto& instant) { signals.evaluate(of, instant, z, w.values, w.signal_rates); };
     if (of.body != kGround) {
       const BodyKinematics& body = w.kinematics.of(of.body);
       for (const bool position : {true, false}) {
         for (int j = 0; j < body.size(); ++j) {
-          Changed changed{w.kinematics, body, body};
+          Changed changed{given_instant, body, body};
           move(changed.now, position, j, kDifference);
           evaluate(changed);
           read(of, plus);
@@ -747,15 +749,15 @@ void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::V
       double& state = z[of.first_state + j];
       const double given = state, step = kDifference * (1.0 + std::abs(given));
       state = given + step;
-      evaluate(w.kinematics);
+      evaluate(given_instant);
       read(of, plus);
       state = given - step;
-      evaluate(w.kinematics);
+      evaluate(given_instant);
       read(of, minus);
       state = given;
       add_column(places, w.pattern.lower.valuePtr(), j, step);
     }
-    evaluate(w.kinematics);
+    evaluate(given_instant);
   }
 }
 

@@ -65,6 +65,22 @@ inline ElementInput element_input(const ForceElement& element, const Kinematics&
   return in;
 }
 
+// What sensors of signals read of a state (measured_by()).
+struct Instant {
+  const Kinematics& kinematics;
+  const Layout& layout;
+  const Model& model;
+  Eigen::Ref<const Eigen::VectorXd> z;  // all inner states
+
+  const BodyKinematics& of(int body) const { return kinematics.of(body); }
+  PairMotion pair(int body_1, int body_2) const { return kinematics.pair(body_1, body_2); }
+  // Of a force element of the model; none of -1.
+  Eigen::Ref<const Eigen::VectorXd> states(int force) const {
+    return force < 0 ? z.head(0)
+                     : z.segment(layout.force_z[static_cast<std::size_t>(force)], model.force(force).state_count());
+  }
+};
+
 // Position, velocity and acceleration of a body as a message. `motion` is sized for the body's modes, or for none if its
 // boundary is rigid. No allocation.
 void fill_motion(const BodyKinematics& body, BodyMotion& motion);

@@ -172,6 +172,7 @@ class RunSession {
     if (coupled_) coupling_warnings_.skip(coupled_->watch().warnings());
     body_warnings_.skip(files_.observation().flexible().warnings());
     joint_warnings_.skip(files_.observation().joints().warnings());
+    grip_warnings_.skip(files_.observation().grips().warnings());
   }
 
   void observe(const Sample& sample) {
@@ -181,6 +182,7 @@ class RunSession {
     if (coupled_) coupling_warnings_.print(coupled_->watch().warnings());
     body_warnings_.print(files_.observation().flexible().warnings());
     joint_warnings_.print(files_.observation().joints().warnings());
+    grip_warnings_.print(files_.observation().grips().warnings());
     time_warnings_.print(simulation_.time_warnings());
     signal_warnings_.print(simulation_.signal_warnings());
     if (leader_) leader_->observe(sample, metrics_.metrics().energy_balance_relative());
@@ -246,7 +248,7 @@ class RunSession {
   RunFiles files_;
   MetricRecorder metrics_;
   Progress progress_;
-  WarningPrinter coupling_warnings_, body_warnings_, joint_warnings_, time_warnings_, signal_warnings_;
+  WarningPrinter coupling_warnings_, body_warnings_, joint_warnings_, grip_warnings_, time_warnings_, signal_warnings_;
   Trial trial_;
   volatile std::sig_atomic_t trial_ends_ = 0;
   CheckpointFolder checkpoints_;

@@ -108,6 +108,7 @@ Json warnings_of(const Simulation& simulation, const MetricRecorder& recorder, c
   if (simulation.coupled()) add(simulation.coupled()->watch().warnings());
   add(observation.flexible().warnings());
   add(observation.joints().warnings());
+  add(observation.grips().warnings());
   if (const std::string text = recorder.balance_warning(); !text.empty()) warnings.push_back(text);
   if (const std::string text = simulation.integrator().warning(); !text.empty()) warnings.push_back(text);
   return warnings;

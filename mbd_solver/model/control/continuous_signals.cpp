@@ -11,8 +11,13 @@
 
 namespace footfall {
 
-double CoordinateSensor::value(const PairMotion& pair, double z) const {
-  const double q = JointCoordinate(coordinate_, pair, m1_, m2_).value();
+const std::vector<int>& Sensor::further_bodies() const {
+  static const std::vector<int> kNone;
+  return kNone;
+}
+
+double CoordinateSensor::value(const ElementInput& in, double z) const {
+  const double q = JointCoordinate(coordinate_, in.pair, m1_, m2_).value();
   return coordinate_ == Coordinate::kAngle ? nearest_turn(q, z) : q;
 }
 
@@ -108,9 +113,12 @@ void ContinuousSignals::complete(Influence& influence, std::vector<bool>& visite
 
 std::vector<ContinuousSignals::Influence> ContinuousSignals::influences() const {
   std::map<int, Influence> of_bodies;
-  for (std::size_t i = 0; i < sensors_.size(); ++i)
-    for (const int body : std::set<int>{sensors_[i]->bodies()[0], sensors_[i]->bodies()[1]})
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    std::set<int> bodies{sensors_[i]->bodies()[0], sensors_[i]->bodies()[1]};
+    bodies.insert(sensors_[i]->further_bodies().begin(), sensors_[i]->further_bodies().end());
+    for (const int body : bodies)
       if (body != kGround) of_bodies[body].sensors.push_back(i);
+  }
   std::vector<Influence> out;
   for (auto& [body, influence] : of_bodies) {
     influence.body = body;

@@ -8,6 +8,7 @@
 
 #include "mbd_solver/model/body.h"
 #include "mbd_solver/model/control/signal_chain.h"
+#include "mbd_solver/model/elements/cable.h"
 #include "mbd_solver/model/elements/joint.h"
 #include "mbd_solver/model/elements/joint_coordinate.h"
 #include "mbd_solver/model/elements/strut.h"
@@ -48,24 +49,43 @@ inline constexpr Entry<BodyKinematics> kAttitudeEntries[] = {
     {"<body>.qy", "-", [](const BodyKinematics& b) { return b.L(2) / b.L.norm(); }},
     {"<body>.qz", "-", [](const BodyKinematics& b) { return b.L(3) / b.L.norm(); }}};
 
-// A measurement of a continuous signal within a step: positions and velocities, never accelerations or forces, because
-// signals belong to the right-hand side of the equations of motion. A sensor may have one inner state.
+inline constexpr Entry<CableSample> kCableEntries[] = {
+    {"<cable>.length", "m", [](const CableSample& s) { return s.length; }},
+    {"<cable>.force", "N", [](const CableSample& s) { return s.force; }},
+    {"<cable>.slack", "m", [](const CableSample& s) { return s.stretch < 0.0 ? -s.stretch : 0.0; }},
+    {"<cable>.unstretched", "m", [](const CableSample& s) { return s.unstretched; }}};
+
+// A measurement of a continuous signal within a step: positions, velocities and what follows from them alone, never
+// accelerations, because signals belong to the right-hand side of the equations of motion. A sensor may have one inner state.
 class Sensor {
  public:
   virtual ~Sensor() = default;
   virtual std::array<int, 2> bodies() const = 0;  // whose motion it measures; kGround if one is enough
+  virtual const std::vector<int>& further_bodies() const;
+  virtual int element() const { return -1; }  // the force element of the model whose states it reads; -1: none
   virtual bool has_state() const { return false; }
-  // z: its state, if it has one.
-  virtual double value(const PairMotion& pair, double z) const = 0;
+  // in: its bodies and the states of its element; z: its own state, if it has one.
+  virtual double value(const ElementInput& in, double z) const = 0;
   virtual double rate_of_state(const PairMotion&, double) const { return 0.0; }
 };
+
+// Its value now; z: its own state. instant: has pair(body_1, body_2), of(body) and states(force element). No allocation.
+template <class Instant>
+double measured_by(const Sensor& sensor, const Instant& instant, double z) {
+  static const Eigen::VectorXd kNone;
+  const std::array<int, 2> bodies = sensor.bodies();
+  ElementInput in{instant.pair(bodies[0], bodies[1]), instant.states(sensor.element()), kNone};
+  const std::vector<int>& further = sensor.further_bodies();
+  for (std::size_t i = 0; i < further.size(); ++i) in.further[i] = &instant.of(further[i]);
+  return sensor.value(in, z);
+}
 
 // A number of one body's motion.
 class BodySensor final : public Sensor {
  public:
   BodySensor(int body, double (*reads)(const BodyKinematics&)) : body_(body), reads_(reads) {}
   std::array<int, 2> bodies() const override { return {kGround, body_}; }
-  double value(const PairMotion& pair, double) const override { return reads_(*pair.body[1]); }
+  double value(const ElementInput& in, double) const override { return reads_(*in.pair.body[1]); }
 
  private:
   int body_;
@@ -78,7 +98,7 @@ class CoordinateSensor final : public Sensor {
   CoordinateSensor(const Joint& joint, Coordinate coordinate) : m1_(joint.m1), m2_(joint.m2), coordinate_(coordinate) {}
   std::array<int, 2> bodies() const override { return {m1_.body, m2_.body}; }
   bool has_state() const override { return coordinate_ == Coordinate::kAngle; }
-  double value(const PairMotion& pair, double z) const override;
+  double value(const ElementInput& in, double z) const override;
   double rate_of_state(const PairMotion& pair, double z) const override;
 
  private:
@@ -92,8 +112,8 @@ class CoordinateRateSensor final : public Sensor {
   CoordinateRateSensor(const Joint& joint, Coordinate coordinate)
       : m1_(joint.m1), m2_(joint.m2), coordinate_(coordinate) {}
   std::array<int, 2> bodies() const override { return {m1_.body, m2_.body}; }
-  double value(const PairMotion& pair, double) const override {
-    return JointCoordinate(coordinate_, pair, m1_, m2_).rate();
+  double value(const ElementInput& in, double) const override {
+    return JointCoordinate(coordinate_, in.pair, m1_, m2_).rate();
   }
 
  private:
@@ -107,14 +127,32 @@ class StrutSensor final : public Sensor {
   enum class Reads { kStroke, kRate };
   StrutSensor(const Strut& strut, Reads reads) : strut_(strut), reads_(reads) {}
   std::array<int, 2> bodies() const override { return strut_.bodies(); }
-  double value(const PairMotion& pair, double) const override {
-    const StrutMotion at = strut_.motion(pair);
+  double value(const ElementInput& in, double) const override {
+    const StrutMotion at = strut_.motion(in.pair);
     return reads_ == Reads::kStroke ? at.stroke : at.rate;
   }
 
  private:
   const Strut& strut_;
   Reads reads_;
+};
+
+// A number of a cable, which must outlive this. Its angles at rounds are derivatives of positions; its states only count
+// their whole turns.
+class CableSensor final : public Sensor {
+ public:
+  // element: of the cable, in the model.
+  CableSensor(const Cable& cable, int element, double (*reads)(const CableSample&))
+      : cable_(cable), element_(element), reads_(reads) {}
+  std::array<int, 2> bodies() const override { return cable_.bodies(); }
+  const std::vector<int>& further_bodies() const override { return cable_.further_bodies(); }
+  int element() const override { return element_; }
+  double value(const ElementInput& in, double) const override { return reads_(cable_.sample(in)); }
+
+ private:
+  const Cable& cable_;
+  int element_;
+  double (*reads_)(const CableSample&);
 };
 
 // The source of a named value.
@@ -151,22 +189,22 @@ class ContinuousSignals {
   // Of all bodies that are measured, in rising order, then of all states.
   std::vector<Influence> influences() const;
 
-  // Writes the signals into their places among the input `values`, and the rates of the states into dz. kinematics: has
-  // pair(body_1, body_2). Throws NumericalError. No allocation.
-  template <class Kinematics>
-  void evaluate(double t, const Kinematics& kinematics, const Eigen::Ref<const Eigen::VectorXd>& z,
+  // Writes the signals into their places among the input `values`, and the rates of the states into dz. instant: as of
+  // measured_by(). Throws NumericalError. No allocation.
+  template <class Instant>
+  void evaluate(double t, const Instant& instant, const Eigen::Ref<const Eigen::VectorXd>& z,
                 Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> dz) const {
-    for (std::size_t i = 0; i < sensors_.size(); ++i) measure(i, kinematics, z, dz);
+    for (std::size_t i = 0; i < sensors_.size(); ++i) measure(i, instant, z, dz);
     set_names(t, values);
     for (std::size_t k = 0; k < chain_.size(); ++k) set_value(k, z, values);
     for (std::size_t k = 0; k < chain_.size(); ++k) set_rates(k, z, dz);
   }
   // The same where only what has this influence differs from the last evaluation.
-  template <class Kinematics>
-  void evaluate(const Influence& changed, const Kinematics& kinematics, const Eigen::Ref<const Eigen::VectorXd>& z,
+  template <class Instant>
+  void evaluate(const Influence& changed, const Instant& instant, const Eigen::Ref<const Eigen::VectorXd>& z,
                 Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> dz) const {
     for (const std::size_t i : changed.sensors) {
-      measure(i, kinematics, z, dz);
+      measure(i, instant, z, dz);
       chain_.set(name_of_sensor_[i], measured_[static_cast<Eigen::Index>(i)]);
     }
     for (const std::size_t k : changed.nodes) set_value(k, z, values);
@@ -174,22 +212,22 @@ class ContinuousSignals {
   }
   // Settles the states of every signal (before null), or of those that were inactive under the inputs `before`. Throws
   // NumericalError; at the start, with before null, InputError.
-  template <class Kinematics>
-  void settle(double t, const Kinematics& kinematics, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
+  template <class Instant>
+  void settle(double t, const Instant& instant, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
               Eigen::Ref<Eigen::VectorXd> values) const {
-    for (std::size_t i = 0; i < sensors_.size(); ++i) measure(i, kinematics, z, scratch_);
+    for (std::size_t i = 0; i < sensors_.size(); ++i) measure(i, instant, z, scratch_);
     start(t, before, z, values);
   }
 
  private:
-  template <class Kinematics>
-  void measure(std::size_t i, const Kinematics& kinematics, const Eigen::Ref<const Eigen::VectorXd>& z,
+  template <class Instant>
+  void measure(std::size_t i, const Instant& instant, const Eigen::Ref<const Eigen::VectorXd>& z,
                Eigen::Ref<Eigen::VectorXd> dz) const {
-    const std::array<int, 2> bodies = sensors_[i]->bodies();
-    const PairMotion pair = kinematics.pair(bodies[0], bodies[1]);
     const int state = sensor_state_[i];
-    measured_[static_cast<Eigen::Index>(i)] = sensors_[i]->value(pair, state >= 0 ? z[state] : 0.0);
-    if (state >= 0) dz[state] = sensors_[i]->rate_of_state(pair, z[state]);
+    measured_[static_cast<Eigen::Index>(i)] = measured_by(*sensors_[i], instant, state >= 0 ? z[state] : 0.0);
+    if (state < 0) return;
+    const std::array<int, 2> bodies = sensors_[i]->bodies();
+    dz[state] = sensors_[i]->rate_of_state(instant.pair(bodies[0], bodies[1]), z[state]);
   }
   // Adds the nodes that read its sensors or nodes, and the places and rates of all.
   void complete(Influence& influence, std::vector<bool>& visited) const;

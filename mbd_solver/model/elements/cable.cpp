@@ -516,7 +516,8 @@ CableSample Cable::sample(const ElementInput& in) const {
   Way way;
   measure(in, false, way);
   const Force f = force(way);
-  return {way.length, f.e, f.rate, f.total};
+  const auto angle = [&](int state) { return state < 0 ? 0.0 : way.counted[static_cast<std::size_t>(state)]; };
+  return {way.length, f.e, f.rate, f.total, f.s, angle(state_of_.front()), angle(state_of_.back())};
 }
 
 std::vector<CablePoint> Cable::points(const ElementInput& in) const {

@@ -34,10 +34,12 @@ struct CableParameters {
 };
 
 struct CableSample {
-  double length = 0.0;   // of the way between the ends [m]
-  double stretch = 0.0;  // e [m]; negative: slack
-  double rate = 0.0;     // e' [m/s]
-  double force = 0.0;    // F [N] >= 0
+  double length = 0.0;             // of the way between the ends [m]
+  double stretch = 0.0;            // e [m]; negative: slack
+  double rate = 0.0;               // e' [m/s]
+  double force = 0.0;              // F [N] >= 0
+  double unstretched = 0.0;        // s [m]
+  double first = 0.0, last = 0.0;  // theta of the ends, since the start where they are rounds [rad]
 };
 
 // A point of the way in W [m], and the guide at which it is, with its centre [m] and axis in W.

@@ -74,11 +74,6 @@ constexpr Entry<StrutSample> kStrut[] = {{"<strut>.stroke", "m", [](const StrutS
                                          {"<strut>.rate", "m/s", [](const StrutSample& s) { return s.rate; }},
                                          {"<strut>.force", "N", [](const StrutSample& s) { return s.force; }}};
 
-constexpr Entry<CableSample> kCable[] = {
-    {"<cable>.length", "m", [](const CableSample& s) { return s.length; }},
-    {"<cable>.force", "N", [](const CableSample& s) { return s.force; }},
-    {"<cable>.slack", "m", [](const CableSample& s) { return std::max(0.0, -s.stretch); }}};
-
 constexpr Entry<double> kControllerOutput[] = {{"<controller>.<output>", "-", itself}};
 
 constexpr Entry<double> kSignal[] = {{"signal.<signal>", "-", itself}};
@@ -125,8 +120,8 @@ void for_each_table(Visit visit) {
   visit(kTime), visit(kBodyEntries), visit(kAttitudeEntries), visit(kFlexible), visit(kContact), visit(kModalForce),
       visit(kAngle), visit(kDisplacement), visit(kDisplacementX), visit(kDisplacementY), visit(kReaction),
       visit(kDriveTorque), visit(kDriveForce), visit(kDrivePower), visit(kGearTorque), visit(kGearForce), visit(kStrut),
-      visit(kCable), visit(kControllerOutput), visit(kSignal), visit(kState), visit(kStateSince), visit(kLanding),
-      visit(kClearance);
+      visit(kCableEntries), visit(kControllerOutput), visit(kSignal), visit(kState), visit(kStateSince),
+      visit(kLanding), visit(kClearance);
   visit(kStored), visit(kEnergyTotal);
   visit(kDissipated), visit(kWork), visit(kSupplied), visit(kCoupling), visit(kFollowingBed), visit(kChosenWindows),
       visit(kOmegaH);
@@ -258,7 +253,7 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
       return static_cast<const Strut&>(subject.mechanism.model.force(force)).sample(element_input(subject, s, force));
     });
   for (const CableEntry& cable : mechanism.cables)
-    out.add(kCable, {cable.name}, [subject, force = cable.force](const Sample& s) {
+    out.add(kCableEntries, {cable.name}, [subject, force = cable.force](const Sample& s) {
       return static_cast<const Cable&>(subject.mechanism.model.force(force)).sample(element_input(subject, s, force));
     });
   for (const ControllerEntry& controller : mechanism.controllers)

@@ -8,6 +8,8 @@
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/build/codes.h"
+#include "mbd_solver/model/elements/cable.h"
 #include "mbd_solver/model/elements/soil_contact.h"
 #include "mbd_solver/model/elements/terrain_contact.h"
 #include "mbd_solver/model/modal_body.h"
@@ -130,6 +132,31 @@ void JointObserver::update(const Sample& sample) {
       "joint \"" + model.joint(uncertain).name + "\": by t = " + number_text(sample.state.time, 6) +
           " s it turned too fast in one integration step for its turns to be counted; angles may be off by whole "
           "turns: reduce solver.max_step"));
+}
+
+GripWatch::GripWatch(const Subject& subject) : subject_(subject) {
+  for (const GripEntry& grip : subject.mechanism.grips) told_.push_back(grip.wrap < -kLeastWrap ? 1 : 0);
+}
+
+void GripWatch::update(const Sample& sample) {
+  for (std::size_t k = 0; k < told_.size(); ++k) {
+    if (told_[k] != 0) continue;
+    const GripEntry& grip = subject_.mechanism.grips[k];
+    const auto of = [&](int force) {
+      return static_cast<const Cable&>(subject_.mechanism.model.force(force))
+          .sample(element_input(subject_, sample, force));
+    };
+    const CableSample before = of(grip.before), after = of(grip.after);
+    const double wrap = grip.wrap + after.first - before.last, tension = std::max(before.force, after.force);
+    if (!(wrap < -kLeastWrap && tension > 0.0)) continue;
+    told_[k] = 1;
+    warnings_.push_back(with_code(
+        code::kGripWithoutWrap,
+        "t = " + number_text(sample.state.time, 6) + " s: " + grip.name +
+            ": the cable would leave this pulley with a tension of " + number_text(tension, 3) +
+            " N, but grip = true holds it there: motion and tensions are wrong from here on. Remove grip, so that the "
+            "cable slides over the pulley and leaves it, or place the pulley so that the cable stays on it"));
+  }
 }
 
 template <>

@@ -89,6 +89,26 @@ class JointObserver {
   std::vector<Vector6d> reactions_;
 };
 
+// Pulleys with grip hold their cables also where these would leave them: told once of each.
+class GripWatch {
+ public:
+  // What the subject views must outlive this.
+  explicit GripWatch(const Subject& subject);
+
+  void update(const Sample& sample);
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  bool empty() const { return told_.empty(); }
+  void visit(Archive& archive) {
+    archive("told", told_);
+    archive("warnings", warnings_);
+  }
+
+ private:
+  Subject subject_;
+  std::vector<int> told_;  // per grip: 1 once it has been told of
+  std::vector<std::string> warnings_;
+};
+
 // Largest acceptable error of the energy balance, of the energy exchanged: usual tolerances reach less.
 inline constexpr double kGoodBalance = 0.01;
 

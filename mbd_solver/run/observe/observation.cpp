@@ -92,6 +92,7 @@ Observation::Observation(const Subject& subject)
     : flexible_(subject),
       joints_(subject),
       landing_(landing_of(subject)),
+      grips_(subject),
       columns_(history_columns(subject, flexible_, joints_, pointer_to(landing_))),
       row_(columns_.size()) {}
 
@@ -116,6 +117,7 @@ const std::vector<double>& Observation::row(const Sample& sample) {
 }
 
 void Observation::watch(const Sample& sample) {
+  grips_.update(sample);
   if (landing_) landing_->update(sample);
 }
 

@@ -57,7 +57,7 @@ class Observation {
   std::vector<std::string> units() const;
   // One row, in the order of the names. The reference is valid until the next call.
   const std::vector<double>& row(const Sample& sample);
-  // What is kept of a landing, at a sample for which no row is computed.
+  // What is kept of a landing and of pulleys, at a sample for which no row is computed.
   void watch(const Sample& sample);
   // Of all flexible bodies, over the rows so far.
   const FlexibleBodies& flexible() const { return flexible_; }
@@ -65,14 +65,17 @@ class Observation {
     archive("flexible", flexible_);
     archive("joints", joints_);
     if (landing_) archive("landing", *landing_);
+    if (!grips_.empty()) archive("grips", grips_);
   }
   const JointObserver& joints() const { return joints_; }
+  const GripWatch& grips() const { return grips_; }
   const LandingWatch* landing() const { return landing_ ? &*landing_ : nullptr; }  // null where the scene has none
 
  private:
   FlexibleBodies flexible_;
   JointObserver joints_;
   std::optional<LandingWatch> landing_;
+  GripWatch grips_;
   std::vector<Column> columns_;
   std::vector<double> row_;
 };

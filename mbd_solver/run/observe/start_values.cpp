@@ -35,8 +35,7 @@ class StartedMechanism {
 
   // For sensors of positions and velocities.
   double measure(const Sensor& sensor) const {
-    const std::array<int, 2> bodies = sensor.bodies();
-    return sensor.value(still_.pair(bodies[0], bodies[1]), 0.0);
+    return measured_by(sensor, Instant{still_, equations_.layout(), equations_.model(), state_.z}, 0.0);
   }
   // With accelerations and forces; null where a law is undefined.
   const Sample* sample() {

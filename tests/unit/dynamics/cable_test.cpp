@@ -9,7 +9,9 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/codes.h"
+#include "mbd_solver/model/control/continuous_signals.h"
 #include "mbd_solver/model/elements/cable.h"
+#include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/joint.h"
 #include "tests/support/refused.h"
 #include "tests/unit/dynamics/jacobian_check.h"
@@ -91,6 +93,52 @@ TEST_P(ObliqueCable, HasTheDerivativesOfItsForces) {
   EXPECT_GT(cable.sample(equations.element_input(0, assembly.state, inputs)).force, 1.0);
   std::string where;
   EXPECT_LT(test::jacobian_error(equations, y, ydot, 20.0, inputs, &where), 1e-8) << where;  // error of the differences
+}
+
+// Each number of the cable pushes a body, through a signal.
+TEST_P(ObliqueCable, IsReadByContinuousSignalsWithTheirDerivatives) {
+  const auto& cable = static_cast<const Cable&>(model_.force(0));
+  std::vector<SignalNode> nodes;
+  for (const auto& entry : kCableEntries) {
+    const int k = static_cast<int>(nodes.size());
+    SignalNode node;
+    node.name = "s" + std::to_string(k);
+    node.block = std::make_unique<Saturation>(-1e6, 1e6);
+    node.inputs = {"0.1 * n" + std::to_string(k) + ".x"};
+    node.place = k;
+    nodes.push_back(std::move(node));
+    model_.add_force(std::make_unique<AppliedForce>("f" + std::to_string(k), model_.marker_at(k, model_.initial(k).r),
+                                                    Eigen::Vector3d(0.0, 0.6, 0.8), Magnitude(nullptr, k),
+                                                    Magnitude()));
+    (void)entry;
+  }
+  SignalChain chain(std::move(nodes));
+  std::vector<SignalSource> sources;
+  std::vector<std::unique_ptr<Sensor>> sensors;
+  for (const std::string& name : chain.names()) {
+    sources.push_back({SignalSource::Kind::kSensor, sensors.size()});
+    sensors.push_back(
+        std::make_unique<CableSensor>(cable, 0, kCableEntries[static_cast<std::size_t>(name[1] - '0')].value));
+  }
+  model_.set_signals(
+      std::make_shared<const ContinuousSignals>(std::move(chain), std::move(sources), std::move(sensors)));
+  const Assembly assembly = test::as_given(model_);
+  Equations equations(model_, assembly);
+  Eigen::VectorXd y(equations.layout().size());
+  equations.pack(assembly.state, Eigen::VectorXd(), y);
+  const Eigen::VectorXd ydot = random_.vector_x(y.size());
+  Inputs inputs;
+  inputs.values = Eigen::VectorXd::Zero(4);
+  Eigen::VectorXd values;
+  equations.signals(assembly.state, inputs, values);
+  equations.load(assembly.state);
+  const CableSample sample = cable.sample(equations.element_input(0, assembly.state, inputs));
+  EXPECT_NEAR(values[1], 0.1 * sample.force, 1e-13 * sample.force);
+  EXPECT_GT(values[1], 0.1);
+  EXPECT_NEAR(values[3], 0.1 * (sample.length - sample.stretch), 1e-13);
+  std::string where;
+  // Signals are differentiated with steps of 1e-6 of the forces, whose second derivatives are like the first.
+  EXPECT_LT(test::jacobian_error(equations, y, ydot, 20.0, inputs, &where), 1e-8) << where;
 }
 
 TEST_P(ObliqueCable, StoresOrDissipatesWhatItTakes) {

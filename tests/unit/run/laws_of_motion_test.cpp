@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/build/codes.h"
 #include "mbd_solver/run/observe/attached_damping.h"
 #include "tests/unit/build/kind_scenes.h"
 #include "tests/unit/run/recorded.h"
@@ -344,6 +345,124 @@ TEST(AttachedDamping, IsToldWithTheValueThatGivesTheRatio) {
   const std::vector<AttachedDamping> mended = found(beam(clamp), {"bodies.b.flexible.damping=" + text(other)});
   ASSERT_EQ(mended.size(), 1u);
   EXPECT_NEAR(mended[0].ratio, 0.02, 1e-6);
+}
+
+// --- Cables that signals read, and that leave pulleys.
+
+// A mass hangs in a cable of k = 800 N/m, and a force that a continuous signal makes of the tension pulls it up as well:
+//   m z'' = (1 + s) k (z_0 - z) - m g
+TEST(Cable, WhoseTensionASignalReadsSwingsAsTheStifferOne) {
+  const double m = 2.0, k = 800.0, s = 1.25, g = 9.81, start = 0.005;
+  const test::Ran ran(R"(end_time = 0.8
+gravity = [0, 0, -9.81]
+bodies = [{ name = "load", mass = 2, inertia = [1, 1, 1], position = [0, 0, -1] }]
+cables = [{ name = "rope", stiffness = 800, tension = 4, path = [{ body = "ground", point = [0, 0, 0] }, { body = "load", point = [0, 0, -1] }] }]
+signals = [{ name = "lift", kind = "expression", input = "1.25 * rope.force" },
+           { name = "way", kind = "expression", input = "rope.length + rope.slack + rope.unstretched" }]
+forces = [{ name = "winch", body = "load", direction = [0, 0, 1], force = { signal = "lift" } }]
+[solver]
+rtol = 1e-8
+[output]
+interval = 0.01
+)");
+  const double rest = m * g / ((1.0 + s) * k), w = std::sqrt((1.0 + s) * k / m);  // stretch of the rest; 30 rad/s
+  for (std::size_t row = 0; row < ran.rows.size(); ++row) {
+    const double stretch = rest + (start - rest) * std::cos(w * ran.value(row, "time"));
+    EXPECT_NEAR(ran.value(row, "load.z"), -1.0 + start - stretch, 1e-7) << row;  // tolerance of the integrator
+    EXPECT_NEAR(ran.value(row, "signal.lift"), s * k * stretch, 1e-3) << row;
+    EXPECT_NEAR(ran.value(row, "signal.way"), 2.0 - 2.0 * start + stretch, 1e-6) << row;
+  }
+}
+
+// A drum of 0.1 m takes up a cable with more than a whole turn; a continuous signal reads what the column has.
+TEST(Cable, OnADrumIsReadOverWholeTurns) {
+  const test::Ran ran(R"(end_time = 2.0
+gravity = [0, 0, -9.81]
+bodies = [{ name = "drum", mass = 1, inertia = [1, 1, 1], position = [0, 0, 0] },
+          { name = "load", mass = 1, inertia = [1, 1, 1], position = [0.1, 0, -3] }]
+cables = [{ name = "rope", EA = 1e5, damping = 200, tension = 9.81, path = [{ body = "drum", point = [0, 0, 0], radius = 0.1, axis = "y" }, { body = "load", point = [0.1, 0, -3] }] }]
+signals = [{ name = "left", kind = "expression", input = "rope.unstretched" },
+           { name = "pull", kind = "expression", input = "rope.force" }]
+[[joints]]
+name = "guide"
+kind = "prismatic"
+bodies = ["ground", "load"]
+point = [0.1, 0, -3]
+axis = "z"
+[[joints]]
+name = "axle"
+kind = "prescribed"
+bodies = ["ground", "drum"]
+point = [0, 0, 0]
+axis = "y"
+axis2 = "x"
+[joints.motion]
+x = { polynomial = [0] }
+y = { polynomial = [0] }
+z = { polynomial = [0] }
+rotation = { polynomial = [0, -5] }
+hold_other_rotations = true
+)");
+  EXPECT_NEAR(ran.value(0, "signal.left"), ran.value(0, "rope.unstretched"), 1e-12);
+  EXPECT_NEAR(ran.last("rope.unstretched"), ran.value(0, "rope.unstretched") - 0.1 * 5 * 2.0, 1e-6);
+  for (std::size_t row = 0; row < ran.rows.size(); ++row) {
+    EXPECT_NEAR(ran.value(row, "signal.left"), ran.value(row, "rope.unstretched"), 1e-12) << row;
+    EXPECT_NEAR(ran.value(row, "signal.pull"), ran.value(row, "rope.force"), 1e-9) << row;
+  }
+}
+
+// From (-1, 0, 0) over a pulley of R = 0.2 m at the origin, along its top, to a load at x = 1 that is driven up at 1 m/s: the cable
+// would leave the pulley where the load is on the tangent through the fixed end, z = 2 R / sqrt(1 - R^2).
+std::string lifted(const std::string& grip, double end) {
+  return "end_time = " + std::to_string(end) + R"(
+bodies = [{ name = "pulley", mass = 1, inertia = [1, 1, 1], position = [0, 0, 0] },
+          { name = "load", mass = 1, inertia = [1, 1, 1], position = [1, 0, 0] }]
+[[cables]]
+name = "rope"
+stiffness = 100
+damping = 5
+tension = 50
+path = [{ body = "ground", point = [-1, 0, 0] }, { body = "pulley", point = [0, 0, 0], radius = 0.2, axis = "y")" +
+         grip + R"( }, { body = "load", point = [1, 0, 0] }]
+[[joints]]
+name = "axle"
+kind = "revolute"
+bodies = ["ground", "pulley"]
+point = [0, 0, 0]
+axis = "y"
+[[joints]]
+name = "lift"
+kind = "prescribed"
+bodies = ["ground", "load"]
+point = [1, 0, 0]
+axis = "z"
+axis2 = "x"
+[joints.motion]
+x = { polynomial = [0] }
+y = { polynomial = [0] }
+z = { polynomial = [0, 1] }
+rotation = { polynomial = [0] }
+hold_other_rotations = true
+)";
+}
+
+TEST(Cable, LeavesAPulleyAndTellsWhereGripHoldsIt) {
+  const double R = 0.2, leaves = 2.0 * R / std::sqrt(1.0 - R * R);  // [s]
+  // Free, it is straight behind that, and turns nothing.
+  const test::Ran free(lifted("", 0.8));
+  EXPECT_NEAR(free.last("rope.length"), std::hypot(2.0, 0.8), 1e-9);
+  EXPECT_NEAR(free.last("pulley.wy"), 0.0, 1e-12);
+  EXPECT_TRUE(free.observation.grips().warnings().empty());
+  // Held, nothing is told while it would stay, and once what happens then.
+  EXPECT_TRUE(test::Ran(lifted(", grip = true", leaves - 0.01)).observation.grips().warnings().empty());
+  const test::Ran held(lifted(", grip = true", leaves + 0.05), {"solver.max_step=0.01"});
+  ASSERT_EQ(held.observation.grips().warnings().size(), 1u);
+  const std::string& told = held.observation.grips().warnings().front();
+  EXPECT_NE(told.find(code::kGripWithoutWrap.number), std::string::npos) << told;
+  // At a row or the end of a step behind it.
+  const double when = std::stod(told.substr(told.find("t = ") + 4));
+  EXPECT_GT(when, leaves - 1e-4);
+  EXPECT_LT(when, leaves + 0.011);
 }
 
 }  // namespace
