@@ -34,7 +34,7 @@ namespace code = footfall::code;
 
 // Index of f_ID[...], from 0.
 constexpr int kForceAndMoment = 6;  // columns of f_ID before the modal forces
-enum OutputIndex { kWindows, kEnergyResidual, kWork, kOverlap, kContacts, kOutputs };
+enum OutputIndex { kWindows, kEnergyResidual, kWork, kOverlap, kContacts, kInserted, kLeft, kChanged, kOutputs };
 
 }  // namespace
 
@@ -262,12 +262,18 @@ void FixCoupleMbd::order_as_after_restart(TriMesh* mesh) const {
 
 void FixCoupleMbd::post_run() { grain_changes_.run_ended(); }
 
+// In the order of the ranks.
+double FixCoupleMbd::over_ranks(double share) { return sum_over_ranks({share}).front(); }
+
 double FixCoupleMbd::compute_vector(int n) {
   switch (static_cast<OutputIndex>(n)) {
     case kWindows: return static_cast<double>(link_.windows());
     case kEnergyResidual: return link_.energy_residual();
     case kWork: return link_.work();
     case kOverlap: return link_.max_overlap_over_radius();
+    case kInserted: return over_ranks(link_.changes_here().inserted) + link_.changes().inserted;
+    case kLeft: return over_ranks(link_.changes_here().left) + link_.changes().left;
+    case kChanged: return over_ranks(link_.changes_here().changed) + link_.changes().changed;
     case kContacts:
     case kOutputs: break;
   }

@@ -7,7 +7,8 @@
 //
 // Output: f_ID[1] windows done, [2] interface energy residual [J] (work of the grains on the boundaries minus the work
 // received by the multibody side, over all windows but the last), [3] work of the grains on the boundaries [J], [4]
-// largest overlap over grain radius, [5] contacts. f_ID[i][1..6]: mean force [N] and mean moment about Bo [N m], both in
+// largest overlap over grain radius, [5] contacts, [6] [7] [8] energy that grains have brought, taken along (negative) and got by
+// commands up to this step [J]. f_ID[i][1..6]: mean force [N] and mean moment about Bo [N m], both in
 // W, of the last window ON the i-th body that the `mesh` pairs name; then on the bodies that only have beams, in the
 // order of their fixes. f_ID[i][7..]: mean modal forces Q_a [J per unit of a] of a flexible body.
 
@@ -54,6 +55,7 @@ class FixCoupleMbd : public Fix, private footfall::DeferredBoundaryMotion, priva
   void overlap_or_wait(bool report);
   void gather(const std::vector<double>& row);
   std::vector<double> sum_over_ranks(const std::vector<double>& row);
+  double over_ranks(double share);
   void write_checkpoint(const std::string& folder);
   void continue_as_after_restart();
   void order_as_after_restart(TriMesh* mesh) const;

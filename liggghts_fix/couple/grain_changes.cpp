@@ -15,6 +15,7 @@
 #include "domain.h"
 #include "fix_multisphere.h"
 #include "modify.h"
+#include "update.h"
 
 namespace LAMMPS_NS {
 namespace {
@@ -78,7 +79,8 @@ GrainChanges changes(const GrainSum& before, const GrainSum& now) {
 }  // namespace
 
 // Each sphere of a clump has an equal share of it.
-GrainSum sum_of_grains(LAMMPS* lmp, const Eigen::Vector3d& g, bool only_outside) {
+GrainSum sum_of_grains(LAMMPS* lmp, const Eigen::Vector3d& g, bool only_outside, double ahead) {
+  const double more[3] = {ahead * g[0], ahead * g[1], ahead * g[2]};
   const Atom& atom = *lmp->atom;
   GrainSum sum;
   if (atom.rmass == nullptr || atom.radius == nullptr) return sum;
@@ -90,7 +92,8 @@ GrainSum sum_of_grains(LAMMPS* lmp, const Eigen::Vector3d& g, bool only_outside)
     if (clump < 0) {
       const double m = atom.rmass[i], r = atom.radius[i];
       const double rotation = atom.omega == nullptr ? 0.0 : 0.4 * m * r * r * square(atom.omega[i]);
-      add(sum, 1.0, 0.5 * (m * square(atom.v[i]) + rotation), m, g, atom.x[i]);
+      const double v[3] = {atom.v[i][0] + more[0], atom.v[i][1] + more[1], atom.v[i][2] + more[2]};
+      add(sum, 1.0, 0.5 * (m * square(v) + rotation), m, g, atom.x[i]);
       continue;
     }
     const int body = clumps->data().map(clump);
@@ -100,6 +103,7 @@ GrainSum sum_of_grains(LAMMPS* lmp, const Eigen::Vector3d& g, bool only_outside)
     clumps->data().vcm(v, body);
     clumps->data().omega(w, body);
     clumps->data().angmom(spin, body);
+    for (int c = 0; c < 3; ++c) v[c] += more[c];
     const double m = clumps->data().mass(body);
     add(sum, 1.0 / clumps->data().nrigid(body),
         0.5 * (m * square(v) + w[0] * spin[0] + w[1] * spin[1] + w[2] * spin[2]), m, g, x);
@@ -111,6 +115,7 @@ GrainChangeWatch::~GrainChangeWatch() { footfall::set_listener<GrainChangeListen
 
 bool GrainChangeWatch::watches(Fix& fix, When when) {
   const std::string_view style = fix.style;
+  ahead_ = when == When::kExchange ? 0.5 * update->dt : 0.0;
   if (when == When::kExchange)
     return std::none_of(kHarmless.begin(), kHarmless.end(), [&](std::string_view one) { return begins(style, one); });
   return std::any_of(kChangers.begin(), kChangers.end(),
@@ -150,12 +155,14 @@ void GrainChangeWatch::run_ended() {
   if (link_.counts_changes()) at_end_ = sum_of_grains(lmp, link_.script_gravity());
 }
 
+GrainSum GrainChangeWatch::sum() const { return sum_of_grains(lmp, link_.script_gravity(), false, ahead_); }
+
 void GrainChangeWatch::before() {
-  if (link_.counts_changes()) before_ = sum_of_grains(lmp, link_.script_gravity());
+  if (link_.counts_changes()) before_ = sum();
 }
 
 void GrainChangeWatch::after() {
-  if (link_.counts_changes()) link_.grains_changed(changes(before_, sum_of_grains(lmp, link_.script_gravity())));
+  if (link_.counts_changes()) link_.grains_changed(changes(before_, sum()));
 }
 
 }  // namespace LAMMPS_NS

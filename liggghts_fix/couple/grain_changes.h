@@ -20,8 +20,9 @@ struct GrainSum {
   double mass = 0.0;    // [kg]
   long count = 0;
 };
-// only_outside: grains beyond fixed sides of the box, which LIGGGHTS is about to lose.
-GrainSum sum_of_grains(LAMMPS* lmp, const Eigen::Vector3d& g, bool only_outside = false);
+// only_outside: grains beyond fixed sides of the box, which LIGGGHTS is about to lose. ahead: g has acted on the velocities for so
+// much less [s]; at the exchange of grains half a step, because they have been advanced to the middle of the step.
+GrainSum sum_of_grains(LAMMPS* lmp, const Eigen::Vector3d& g, bool only_outside = false, double ahead = 0.0);
 
 class GrainChangeWatch final : protected Pointers, public footfall::GrainChangeListener {
  public:
@@ -41,7 +42,10 @@ class GrainChangeWatch final : protected Pointers, public footfall::GrainChangeL
  private:
   bool any_watched() const;
 
+  GrainSum sum() const;
+
   footfall::DemLink& link_;
+  double ahead_ = 0.0;  // of the watched fix [s]
   GrainSum before_;
   std::optional<GrainSum> at_end_;  // of the last run, or when last initialized; none within a run
 };

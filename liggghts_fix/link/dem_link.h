@@ -92,6 +92,9 @@ class DemLink {
   void grains_changed(const GrainChanges& more);
   void count_changes() { counts_changes_ = started(); }
   bool counts_changes() const { return counts_changes_ && !finished_; }
+  // Until the end of the last window, of all ranks; since then, of this rank.
+  const GrainChanges& changes() const { return load_.changes; }
+  const GrainChanges& changes_here() const { return changes_here_; }
   // Of a grain of this rank; the first since the last row counts.
   void grain_fault(const GrainFault& fault) {
     if (fault_.kind == GrainFault::kNone) fault_ = fault;

@@ -8,13 +8,14 @@
 #include "liggghts_fix/liggghts_access.h"
 #include "liggghts_fix/link/dem_link.h"
 #include "liggghts_fix/replaced/next_definition.h"
+#include "update.h"
 
 void LAMMPS_NS::Comm::exchange() {
   static const auto exchange = footfall::next_definition<void (*)(Comm*)>("_ZN9LAMMPS_NS4Comm8exchangeEv");
   const int before = atom->nlocal;
   footfall::DemLink* const link = footfall::find_dem_link(lmp);
   if (link != nullptr && link->started() && !link->finished()) {
-    const GrainSum lost = sum_of_grains(lmp, link->script_gravity(), true);
+    const GrainSum lost = sum_of_grains(lmp, link->script_gravity(), true, 0.5 * lmp->update->dt);
     footfall::GrainChanges changes;
     changes.left = -lost.energy;
     changes.lost_mass = lost.mass;

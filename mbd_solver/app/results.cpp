@@ -78,7 +78,13 @@ GrainEnergies read_grain_energies(const std::string& path) {
     grains.time.push_back(time);
     grains.kinetic.push_back(kinetic + rotation);
     grains.gravity.push_back(gravity);
+    if (double inserted, left, changed; words >> inserted >> left >> changed) {
+      grains.inserted.push_back(inserted);
+      grains.left.push_back(left);
+      grains.changed.push_back(changed);
+    }
   }
+  if (grains.changed.size() != grains.time.size()) grains.inserted = grains.left = grains.changed = {};
   return grains;
 }
 
@@ -141,9 +147,13 @@ History energy_ledger(const History& run, const GrainEnergies& grains) {
         dissipated.push_back(to_grains[k] - interface[k] - kinetic[k] - gravity[k]);
       for (const std::string& name : run.names) {
         if (name.rfind(kChanges, 0) != 0) continue;
-        const std::vector<double> change = since_start(from_run(name), rows);
+        const std::string what = name.substr(kChanges.size());
+        const std::vector<double>& at_step = what == "inserted" ? grains.inserted
+                                             : what == "left"   ? grains.left
+                                                                : grains.changed;
+        const std::vector<double> change = since_start(at_step.empty() ? from_run(name) : at_step, rows);
         for (std::size_t k = 0; k < rows; ++k) dissipated[k] += change[k];
-        add("grains." + name.substr(kChanges.size()), "J", change);
+        add("grains." + what, "J", change);
       }
       add("grains.kinetic", "J", kinetic);
       add("grains.gravity", "J", gravity);

@@ -23,16 +23,20 @@ struct GrainEnergies {          // one entry per row; empty: unknown
   std::vector<double> time;     // [s], rising
   std::vector<double> kinetic;  // translation and rotation [J]
   std::vector<double> gravity;  // sum of m g z, relative to any level [J]
+  // Where the script writes them: what grains have brought, taken along and got by commands, at the very step [J].
+  std::vector<double> inserted = {}, left = {}, changed = {};
 };
 
-// Reads grains_energy.txt: rows "step time kinetic rotation gravity". Ignores an incomplete last row. Throws InputError.
+// Reads grains_energy.txt: rows "step time kinetic rotation gravity", or with "inserted left changed" behind. Ignores an
+// incomplete last row. Throws InputError.
 GrainEnergies read_grain_energies(const std::string& path);
 
 // Columns [J] besides time [s] and closing_error [-]:
 //   mechanism.kinetic, .gravity, .strain, .gas, .contact (elastic, of a rigid plane); dissipated.* as in history.csv
 //   work.motion            work of prescribed motions so far
 //   with particles:        work.to_grains (work of the mechanism on them) and interface (the part they did not receive)
-//   with `grains`:         grains.inserted, .left, .changed, .kinetic, .gravity, .dissipated: changes since the first row
+//   with `grains`:         grains.inserted, .left, .changed, .kinetic, .gravity, .dissipated: changes since the first row;
+//                          the first three from `grains` if it has them, else from `run`, which has them at ends of windows
 //   sum                    mechanism + dissipated - work.motion + work.to_grains
 //   closing_error          change of the sum over reference_energy
 // Rows at the times of `grains`, with the mechanism's values interpolated linearly; without grains at those of `run`.
