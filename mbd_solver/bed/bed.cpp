@@ -34,6 +34,7 @@
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/bed/script_safety.h"
 #include "mbd_solver/scene/particle_script.h"
+#include "mbd_solver/scene/shipped_files.h"
 
 namespace footfall {
 
@@ -185,6 +186,12 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, bool trusted, double l
       (end.code == kExitFailed && output.find(kStoppedLine) != std::string::npos && liggghts_errors(log).empty()))
     throw Interrupted(code::kBedInterrupted, "interrupted while making the bed; nothing of it is stored");
   if (!end.given_up.empty()) throw PartnerError("making the bed: " + end.given_up);
+  if (!liggghts_errors(log).empty() && spec.script == shipped_file("inputs/box/in.bed"))
+    throw InputError(
+        code::kBedScriptFailed,
+        "the bed of [particles.box] could not be made: LIGGGHTS ended with \"" + liggghts_errors(log) +
+            "\". Grains that are lost or too fast mostly have forces that a step cannot resolve: lower "
+            "box.material.cohesion, give a smaller box.time_step, or leave out what differs from the defaults");
   if (!liggghts_errors(log).empty())
     throw InputError(code::kBedScriptFailed, "the bed's script " + spec.script + " failed in LIGGGHTS, at " +
                                                  why_liggghts_stopped(log, spec.script, spec.variables));

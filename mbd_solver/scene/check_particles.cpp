@@ -274,8 +274,9 @@ void check_bodies_named(const ScriptCommand& command, bool straight, const Names
   if (command.is_fix("couple/mbd/geometry") || command.is_fix("wall/gran/beam"))
     named = named_after("body", 1, command);
   if (command.is_fix("couple/mbd") && straight) named = named_after("mesh", 2, command);
+  // The script of [particles.box] names the bodies of the scene itself, and none where nothing has a boundary.
   for (const std::string& body : named)
-    if (!is_in(known, body))
+    if (!is_in(known, body) && !(known.empty() && at.given("box")))
       at.error(kScriptName, "script",
                command.place() + " names the body \"" + body + "\", which has no boundary in this scene." +
                    known_names("boundaries", body, known));

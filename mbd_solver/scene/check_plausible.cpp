@@ -10,6 +10,7 @@
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
@@ -168,6 +169,7 @@ class Plausibility {
   void check() {
     check_gravity();
     for (const MaterialSpec& material : scene_.materials) check_density(material);
+    if (scene_.particles && scene_.particles->box) check_box(*scene_.particles->box);
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
       check_mass(scene_.bodies[i]);
       check_inertia(scene_.bodies[i], outlines_[i]);
@@ -192,6 +194,23 @@ class Plausibility {
       findings_.warning(kImplausibleMass, material.source, "density",
                         "is " + number_text(material.density) + " kg/m3, more than that of any solid, " +
                             number_text(kDensest) + " kg/m3; write kg/m3, or use the suffix _g_cm3");
+  }
+
+  void check_box(const BoxSpec& box) {
+    const double density = box.material.density;
+    if (density > kDensest || density < kLightest)
+      findings_.warning(kImplausibleMass, scene_.particles->source, "box.material.density",
+                        "is " + number_text(density) + " kg/m3, " +
+                            (density < kLightest ? "lighter than air" : "more than that of any solid") +
+                            "; it is that of a grain, not of the bed, in kg/m3");
+    const double interval = box.every.value_or(0) * box_numbers(scene_).time_step;
+    if (interval > scene_.end_time)
+      findings_.error(
+          kOutOfRange, scene_.particles->source, "box.exchange_steps",
+          "is " + std::to_string(box.every.value_or(0)) + " steps of the grains, " + number_text(interval, 3) +
+              " s, longer than the scene, " + number_text(scene_.end_time, 3) +
+              " s: the mechanism would never meet the grains. Remove it: the interval is then chosen during "
+              "the run");
   }
 
   void check_mass(const BodySpec& body) {

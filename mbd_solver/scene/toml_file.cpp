@@ -162,8 +162,13 @@ void rename_key(ConfigNode& table, const std::string& second, const std::string&
 }  // namespace
 
 void rename_second_spellings(ConfigNode& root) {
-  if (ConfigNode* const joints = root.find("joints"))
-    for (ConfigNode& joint : joints->list) rename_key(joint, "type", "kind");
+  for (const char* list : {"joints", "springs", "drives", "signals", "controllers"})
+    if (ConfigNode* const entries = root.find(list))
+      for (ConfigNode& entry : entries->list) rename_key(entry, "type", "kind");
+  if (ConfigNode* const bodies = root.find("bodies"))
+    for (ConfigNode& body : bodies->list)
+      if (ConfigNode* const shape = body.find("shape")) rename_key(*shape, "type", "kind");
+  if (ConfigNode* const ground = root.find("ground")) rename_key(*ground, "type", "kind");
   ConfigNode* const particles = root.find("particles");
   ConfigNode* const box = particles ? particles->find("box") : nullptr;
   if (box == nullptr) return;

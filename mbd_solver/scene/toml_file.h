@@ -30,7 +30,7 @@ struct ConfigNode {
 
 class Findings;
 
-// Gives keys of a scene that have a second spelling their own: `type` of joints, `every` and `frames` of [particles.box]. Where
+// Gives keys of a scene that have a second spelling their own: `type` for `kind`, `every` and `frames` of [particles.box]. Where
 // both are given, that of --set counts; otherwise the second one remains and is an unknown key.
 void rename_second_spellings(ConfigNode& root);
 

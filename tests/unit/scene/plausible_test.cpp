@@ -153,5 +153,24 @@ TEST(SceneCheck, NeedsAsMuchMemoryPerEntryInLongScenesAsInShortOnes) {
   EXPECT_LT(requests(200), 1.2 * requests(50));  // names copied for every entry: 4 times
 }
 
+// Grains of [particles.box] lighter than air or heavier than osmium, and an exchange at the end of the run alone.
+TEST(Plausible, NumbersOfABoxAreOfGrainsAndWithinTheRun) {
+  const std::string box = kBall + R"([[boundaries]]
+body = "bob"
+surface = {}
+[ground]
+kind = "particles"
+[particles.box]
+size = [3, 1]
+depth = 0.5
+radius = 0.05
+)";
+  EXPECT_THAT(warnings(box), IsEmpty());
+  EXPECT_THAT(warnings(box, {"particles.box.material.density=1e-3", "particles.box.time_step=1e-7"}),
+              ElementsAre(says(code::kImplausibleMass, "particles.box.material.density")));
+  EXPECT_THAT(SceneText().findings(box, {"particles.box.exchange_steps=10000000"}),
+              says(code::kOutOfRange, "particles.box.exchange_steps"));
+}
+
 }  // namespace
 }  // namespace footfall

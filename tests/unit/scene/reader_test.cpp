@@ -466,6 +466,21 @@ TEST(SecondSpellings, AreReadWithAWarning) {
   EXPECT_NE(text.findings(second + "kind = \"revolute\"\n"), "");  // both
 }
 
+TEST(SecondSpellings, OfKindAreThoseOfAllLists) {
+  const SceneText text;
+  const std::string body = "bodies = [{ name = \"b\", mass = 1, shape = { type = \"sphere\", radius = 0.1 } }]\n",
+                    joint =
+                        "joints = [{ name = \"j\", type = \"prismatic\", bodies = [\"ground\", \"b\"], point = [0, 0, "
+                        "0], axis = \"x\" }]\n",
+                    drive =
+                        "drives = [{ name = \"d\", type = \"torque\", joint = \"j\", command = { signal = \"s\" } }]\n",
+                    signal = "signals = [{ name = \"s\", type = \"expression\", input = \"time\" }]\n",
+                    ground = "[ground]\ntype = \"none\"\n";
+  const Scene scene = text.read("end_time = 1\n" + body + joint + drive + signal + ground);
+  ASSERT_EQ(scene.warnings.size(), 1u);  // of all
+  EXPECT_TRUE(test::names(scene.warnings[0], {"type", "kind", "W0171"}));
+}
+
 TEST(SecondSpellings, ASettingInEitherChangesTheScene) {
   const SceneText text;
   for (const char* setting : {"joints.hinge.kind=fixed", "joints.hinge.type=fixed"}) {
