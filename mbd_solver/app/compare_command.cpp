@@ -20,6 +20,7 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/mechanism_shape.h"
 #include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed.h"
@@ -474,7 +475,8 @@ void write(const fs::path& file, const std::string& text) {
 // The summary of a coupled run with recorded motion.
 Json coupled_summary(const std::string& run) {
   const fs::path summary = fs::path(run) / "summary.json";
-  if (!fs::exists(summary)) throw InputError(code::kNoRun, run + ": no summary.json; expected the folder of a run");
+  if (!fs::exists(summary))
+    throw InputError(code::kNoRun, without_summary(run, "no summary.json; expected the folder of a run"));
   const Json json = read_summary(summary.string());
   if (!json.contains("dt_dem_s")) throw InputError(code::kNotCoupled, run + ": a run without grains has no bed");
   if (recorded_bodies((fs::path(run) / "motion").string()).empty())

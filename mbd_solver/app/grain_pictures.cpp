@@ -15,6 +15,8 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/mechanism_shape.h"
 #include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/run_folder.h"
+#include "mbd_solver/app/view_page.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/codes.h"
@@ -280,10 +282,9 @@ struct Moment {
 std::vector<Moment> read_moments(const PicturesArguments& a, const Json& summary) {
   const std::map<long, std::string> frames = find_bed_frames(a.run);
   if (frames.empty() || !summary.contains("dt_dem_s"))
-    throw InputError(code::kNoDumps, a.run +
-                                         ": no dumps of grains; run the scene with frames: --set "
-                                         "particles.box.frame_interval=0.05, in inputs/landing_mr --set "
-                                         "particles.variables.frames=0.05");
+    throw InputError(code::kNoDumps, a.run + ": the run has no dumps of grains, which --pictures draws. " +
+                                         how_to_dump(summary.value("scene", Json::object())) +
+                                         " `view --png FILE` draws the mechanism without them.");
   const double dt = summary.at("dt_dem_s");
   std::vector<double> times;
   std::vector<std::string> files;
@@ -311,7 +312,7 @@ std::vector<Moment> read_moments(const PicturesArguments& a, const Json& summary
 int draw_pictures(const PicturesArguments& a) {
   const fs::path folder(a.run);
   if (!fs::exists(folder / "summary.json"))
-    throw InputError(code::kNoRun, a.run + ": no summary.json; expected the folder of a run");
+    throw InputError(code::kNoRun, without_summary(a.run, "no summary.json; expected the folder of a run"));
   const Json summary = read_summary((folder / "summary.json").string());
   const std::vector<Moment> moments = read_moments(a, summary);
 

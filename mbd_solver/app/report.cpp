@@ -15,6 +15,7 @@
 #include "mbd_solver/app/grain_pictures.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/results.h"
+#include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/app/view_page.h"
 #include "mbd_solver/app/viewer_scripts.h"
 #include "mbd_solver/base/csv.h"
@@ -482,8 +483,9 @@ std::string write_report(const std::string& folder) {
   } else if (fs::exists(path / "runs.csv")) {
     text = with_summary_of(path.string(), [&] { return sweep_page(path); });
   } else {
-    throw InputError(code::kNoRun,
-                     folder + ": neither summary.json nor runs.csv; expected the folder of a run or a sweep");
+    throw InputError(
+        code::kNoRun,
+        without_summary(folder, "neither summary.json nor runs.csv; expected the folder of a run or a sweep"));
   }
   const fs::path file = path / "report.html";
   write_whole_file(file.string(), text, "is the disk full?");

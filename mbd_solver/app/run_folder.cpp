@@ -143,6 +143,14 @@ RunFolder::RunFolder(const std::string& folder) {
                        (fs::path(folder) / name).string() + ": cannot be written: " + reason_of(ELOOP));
 }
 
+std::string without_summary(const std::string& folder, const std::string& expected) {
+  if (fs::exists(fs::path(folder) / "run.json") && !fs::exists(fs::path(folder) / "summary.json"))
+    return folder +
+           ": the run has not ended, or was killed, and has no summary.json yet; follow it with `footfall view " +
+           folder + " --follow`, resume it with `footfall run --resume " + folder + "`, or repeat it";
+  return folder + ": " + expected;
+}
+
 std::string new_run_folder(const std::string& name) {
   make_folder("runs");
   fs::path folder = fs::path("runs") / name;

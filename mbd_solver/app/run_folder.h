@@ -23,6 +23,9 @@ class RunFolder {
 // The files in the folder that runs and the commands on them write, by their names; those of the user have others.
 std::vector<std::string> files_of_run(const std::string& folder);
 
+// "FOLDER: " and why it cannot be read: a run that has not ended, or what was expected.
+std::string without_summary(const std::string& folder, const std::string& expected);
+
 // Creates runs/NAME, runs/NAME-2, ...: the first that is free. Throws InputError.
 std::string new_run_folder(const std::string& name);
 

@@ -13,6 +13,7 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/packed_series.h"
 #include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/app/viewer_scripts.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed_frames.h"
@@ -441,12 +442,7 @@ std::vector<std::string> missing_of(const Json& summary, const PageParts& parts)
   std::vector<std::string> missing;
   const Json scene = summary.value("scene", Json::object());
   if (parts.run.at("grains").is_null() && touches_grains(scene))
-    missing.push_back(
-        "The run has no dumps of grains, so none are shown. " +
-        std::string(scene.value("particles", Json::object()).contains("box")
-                        ? "Run it with --set particles.box.frame_interval=0.01."
-                        : "Run it with --set particles.variables.frames=0.01 if its script has this variable; "
-                          "otherwise add a dump of id x y z vx vy vz radius to the script."));
+    missing.push_back("The run has no dumps of grains, so none are shown. " + how_to_dump(scene));
   if (parts.run.at("bodies").is_null())
     missing.push_back(parts.run.at("marks").is_null()
                           ? "There are no drawings of bodies: output.vtk was false, or no body of the scene has a "
@@ -531,10 +527,20 @@ std::string view_of(const ViewArguments& a, const fs::path& folder) {
 
 }  // namespace
 
+std::string how_to_dump(const Json& scene) {
+  if (!touches_grains(scene)) return "It has no grains.";
+  return scene.value("particles", Json::object()).contains("box")
+             ? "Run it with --set particles.box.frame_interval=0.01."
+             : "Run it with --set particles.variables.frames=0.01 if its script has this variable; otherwise add a "
+               "dump of "
+               "id x y z vx vy vz radius to the script.";
+}
+
 std::string write_view(const ViewArguments& arguments) {
   const fs::path folder = fs::absolute(arguments.run).lexically_normal();
   if (!fs::exists(folder / "summary.json") || !fs::exists(folder / "history.csv"))
-    throw InputError(code::kNoRun, arguments.run + ": no summary.json and history.csv; expected the folder of a run");
+    throw InputError(code::kNoRun,
+                     without_summary(arguments.run, "no summary.json and history.csv; expected the folder of a run"));
   const std::string text = with_summary_of(arguments.run, [&] { return view_of(arguments, folder); });
   const std::string file = arguments.file.empty() ? (folder / "view.html").string() : arguments.file;
   write_whole_file(file, text, "is the disk full?");

@@ -75,4 +75,7 @@ std::string write_view(const ViewArguments& arguments);
 // True when there are grains or bodies to be played.
 bool has_frames(const std::string& run);
 
+// What gives a run of this scene dumps of grains: a sentence.
+std::string how_to_dump(const nlohmann::ordered_json& scene);
+
 }  // namespace footfall

@@ -55,6 +55,9 @@ inline constexpr MessageCode kTurnsNotCounted{"W0665", "turns-not-counted"};
 // Joints change the damping ratio of a flexible body's lowest mode. Give the damping that the message computes, if that is meant.
 inline constexpr MessageCode kAttachedDamping{"W0666", "attached-damping"};
 
+// A requirement states another unit than that of the number that it reads; nothing is converted. Convert the value, or state its unit.
+inline constexpr MessageCode kRequirementUnit{"W0669", "requirement-unit"};
+
 // A signal of another program (FMU, Python file) answers motion like a stiff spring: its period is too long. Shorten it, or use a spring of the scene.
 inline constexpr MessageCode kSignalOmegaH{"W0668", "signal-omega-h"};
 

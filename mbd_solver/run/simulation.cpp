@@ -13,6 +13,8 @@
 #include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/observe/attached_damping.h"
 #include "mbd_solver/run/observe/carry_over.h"
+#include "mbd_solver/run/observe/observation.h"
+#include "mbd_solver/run/observe/requirements.h"
 #include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/run/settle.h"
 
@@ -107,6 +109,11 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
       checkpoints_(scene.output.checkpoint_interval, scene.output.checkpoint_interval) {
   for (std::string& warning : damping_warnings_of_run(scene, mechanism_))
     mechanism_.warnings.push_back(std::move(warning));
+  if (!scene.requirements.empty()) {
+    const Observation observation(subject());
+    for (std::string& warning : requirement_unit_warnings(scene, observation.names(), observation.units()))
+      mechanism_.warnings.push_back(std::move(warning));
+  }
   if (!scene.initial.from.empty() && resume.empty())  // the angles, which the assembly has counted from zero
     carry_over(scene, mechanism_.model, equations_.layout(), state_, &mechanism_.warnings);
   stiff_signals_ = std::make_unique<StiffSignals>(scene, mechanism_, assembly_, baumgarte(scene.solver));

@@ -14,6 +14,15 @@ for run in plate plane; do "$footfall" view "$out/$run" >/dev/null; done
 command -v node >/dev/null && node "$here/view_read_back.mjs" "$out/plate"
 command -v chromium >/dev/null || exit 0
 
+# The number of pixels that differ by more than `least` of 255 in a colour.
+pixels='<script>
+const pixels = (a, b, least) => {
+  let count = 0;
+  for (let k = 0; k < a.length; k += 4) if (Math.max(...[0, 1, 2].map((c) => Math.abs(a[k + c] - b[k + c]))) > least) ++count;
+  return count;
+};
+</script>'
+
 profile=$(mktemp -d); trap 'rm -rf "$profile"' EXIT
 opened() { # PAGE: its elements when it is ready
   timeout 280 chromium --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$profile" --host-resolver-rules="MAP * ~NOTFOUND" \
@@ -28,6 +37,7 @@ for run in plate plane; do
 done
 opened "$out/plate/report.html"
 cp "$out/plate/view.html" "$out/painted.html"
+echo "$pixels" >>"$out/painted.html"
 cat >>"$out/painted.html" <<'JS'
 <script>
 (async () => {
@@ -40,11 +50,6 @@ cat >>"$out/painted.html" <<'JS'
     const gl = stage.renderer.getContext(), { width, height } = stage.renderer.domElement, bytes = new Uint8Array(4 * width * height);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
     return bytes;
-  };
-  const pixels = (a, b, least) => {
-    let count = 0;
-    for (let k = 0; k < a.length; k += 4) if (Math.max(...[0, 1, 2].map((c) => Math.abs(a[k + c] - b[k + c]))) > least) ++count;
-    return count;
   };
   document.body.dataset.paints = stage.paints;
   player.seek(0.5 * (player.start + player.end));
@@ -64,6 +69,7 @@ value() { sed -n "s/.* data-$1=\"\([^\"]*\)\".*/\1/p" <<<"$body"; }
 # While it plays, the mechanism that the page paints among the grains is that of its shaders. A colour of the painter is a 63rd, half of which is 2 of 255;
 # where edges fall between pixels, and lines end, both may choose differently: 2 % of the pixels.
 cp "$out/plate/view.html" "$out/facets.html"
+echo "$pixels" >>"$out/facets.html"
 cat >>"$out/facets.html" <<'JS'
 <script>
 (async () => {
@@ -78,11 +84,6 @@ cat >>"$out/facets.html" <<'JS'
     const { width, height } = stage.renderer.domElement, bytes = new Uint8Array(4 * width * height);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
     return bytes;
-  };
-  const pixels = (a, b, least) => {
-    let count = 0;
-    for (let k = 0; k < a.length; k += 4) if (Math.max(...[0, 1, 2].map((c) => Math.abs(a[k + c] - b[k + c]))) > least) ++count;
-    return count;
   };
   player.seek(0.5 * (player.start + player.end));
   for (const mesh of stage.symbols.solids.ghosts) mesh.removeFromParent();  // they are not shown while it plays

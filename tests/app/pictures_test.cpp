@@ -196,6 +196,8 @@ TEST_F(Pictures, OfThePageNeedABrowser) {
   }
   EXPECT_TRUE(holds(video.text, "ffmpeg"));
   folder.refused("view " + run + " --png a.gif", "E0500");
+  for (const char* show : {"speed", "grain=force", "names", "grains=force&colour=red"})
+    folder.refused("view " + run + " --png a.png --show " + app::quoted(show), "E0500");
   folder.refused("view " + run + " --video a.avi", "E0500");
   folder.refused("view " + run + " --video missing/a.mp4", "E0500");
   folder.refused("view " + run + " --video a.mp4 --size 641,480", "E0500");

@@ -82,6 +82,52 @@ std::string link_of(const FilmArguments& a) {
   return a.show.empty() ? link : link + "&" + a.show;
 }
 
+// The entries of --show: key and value.
+std::vector<std::pair<std::string, std::string>> entries_of(const std::string& show) {
+  std::vector<std::pair<std::string, std::string>> entries;
+  for (const std::string& part : split(show, '&')) {
+    const std::size_t equals = part.find('=');
+    entries.emplace_back(part.substr(0, equals), equals == std::string::npos ? "" : part.substr(equals + 1));
+  }
+  return entries;
+}
+
+void require_known_entries(const std::string& show) {
+  constexpr const char* kKeys[] = {"grains", "bodies", "track", "hide", "names", "clip"};
+  if (show.empty()) return;
+  for (const auto& [key, value] : entries_of(show))
+    if (std::find(std::begin(kKeys), std::end(kKeys), key) == std::end(kKeys) || value.empty())
+      throw InputError(code::kWrongOption,
+                       "--show: is \"" + show + "\", where \"" + key +
+                           "\" is no entry; expected entries such as grains=force&names=1 of grains, "
+                           "bodies, track, hide, names and clip");
+}
+
+// What a page chooses from: it ignores values that it does not have.
+void require_followed(PageCamera& camera, const std::string& show) {
+  constexpr const char* kChoices[][2] = {
+      {"grains", "grainColour"}, {"bodies", "bodyColour"}, {"track", "track"}, {"clip", "clip"}};
+  if (show.empty()) return;
+  for (const auto& [key, value] : entries_of(show)) {
+    for (const auto& [name, select] : kChoices) {
+      if (key != name) continue;
+      const Json known = camera.evaluate(std::string("[...(footfall.controls.") + select +
+                                         "?.options ?? [])].map((option) => option.value)");
+      const std::string wanted = key == "clip" ? value.substr(0, value.find(',')) : value;
+      std::vector<std::string> values;
+      for (const Json& one : known)
+        if (!one.get<std::string>().empty()) values.push_back(one.get<std::string>());
+      const auto has = [&](const std::string& one) {
+        return std::find(values.begin(), values.end(), one) != values.end();
+      };
+      if (has(wanted) || has("body:" + wanted)) continue;
+      throw InputError(code::kWrongOption, "--show: " + key + " is \"" + wanted + "\", expected " +
+                                               (values.empty() ? "none: this page has nothing to choose there"
+                                                               : "one of " + joined(values)));
+    }
+  }
+}
+
 // The page of a run in a folder of its own, with the first and the last time that it shows [s].
 struct FilmPage {
   ScratchFolder folder{"footfall_film"};
@@ -111,6 +157,7 @@ struct ShownRun {
         span{times.at(0).get<double>(), times.at(1).get<double>()} {
     // picture(t) draws at once; the page must not draw each time again with the next turn of the screen.
     camera.evaluate("void (footfall.stage.wish = () => {})");
+    require_followed(camera, a.show);
   }
   RunPage page;
   PageCamera camera;
@@ -144,6 +191,7 @@ int draw_page_picture(const FilmArguments& a) {
     throw InputError(code::kWrongOption, "--png: is \"" + a.file + "\", expected the name of a .png file");
   require_writable("--png", a.file);
   const PageSize size = size_of_picture(a, false);
+  require_known_entries(a.show);
   if (chromium_program().empty())
     throw InputError(code::kProgramMissing,
                      "--png needs Chromium, which draws the page: apt install chromium. `view --pictures` draws grains "
@@ -264,6 +312,7 @@ int make_video(const FilmArguments& a) {
     throw InputError(code::kWrongOption, "--video: is \"" + a.file + "\", expected the name of a .mp4 or .webm file");
   require_writable("--video", a.file);
   const PageSize size = size_of_picture(a, true);
+  require_known_entries(a.show);
   const std::string ffmpeg = program_in_path({"ffmpeg"});
   std::string missing;
   if (chromium_program().empty()) missing = "chromium";

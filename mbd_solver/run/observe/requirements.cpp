@@ -127,7 +127,48 @@ double value_with_ledger(const std::string& text, std::optional<Reduce> reduce, 
   return reduced_column(each, *reduce);
 }
 
+// Units that a requirement may state. The same quantity has several; unlike texts of this list are unlike units.
+constexpr const char* kKnownUnits[] = {"rad",  "deg",  "m",    "mm", "cm",  "km",   "N",     "kN",   "Pa",
+                                       "kPa",  "MPa",  "J",    "kJ", "s",   "ms",   "kg",    "t",    "m/s",
+                                       "mm/s", "km/h", "m/s2", "g",  "N m", "kN m", "rad/s", "deg/s"};
+
+bool is_known_unit(const std::string& unit) {
+  return std::find(std::begin(kKnownUnits), std::end(kKnownUnits), unit) != std::end(kKnownUnits);
+}
+
+// By the end of its name: "max_descent_m"; empty where it tells none.
+std::string unit_of_figure(const std::string& name) {
+  for (const char* unit : {"rad", "m", "N", "s", "J", "kg", "g"}) {
+    const std::string end = std::string("_") + unit;
+    if (name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0) return unit;
+  }
+  return "";
+}
+
 }  // namespace
+
+std::vector<std::string> requirement_unit_warnings(const Scene& scene, const std::vector<std::string>& names,
+                                                   const std::vector<std::string>& units) {
+  std::vector<std::string> warnings;
+  for (const RequirementSpec& spec : scene.requirements) {
+    const std::vector<std::string> read = Expression::names_in(spec.value);
+    if (read.size() != 1 || read.front() != trimmed(spec.value) || !is_known_unit(spec.unit)) continue;
+    const auto split = reduced_name(read.front());
+    const auto column = std::find(names.begin(), names.end(), split ? split->first : read.front());
+    const std::string unit =
+        column != names.end() ? units[static_cast<std::size_t>(column - names.begin())] : unit_of_figure(read.front());
+    if (!is_known_unit(unit) || unit == spec.unit) continue;
+    const bool angle = unit == "rad" && spec.unit == "deg";
+    warnings.push_back(
+        with_code(code::kRequirementUnit, place_of(scene.file, spec.source, "unit") + "is \"" + spec.unit + "\", but " +
+                                              read.front() + " is in " + unit +
+                                              ", and nothing is converted: its bounds are taken in " + unit + ". " +
+                                              (angle ? "Write value = \"" + read.front() + " / deg\""
+                                                     : std::string("Convert the value in its expression")) +
+                                              ", or bounds and unit in " + unit));
+  }
+  return warnings;
+}
 
 void judge_ledger(Json& summary, const History& history, const History& ledger) {
   if (!summary.contains("requirements") || summary.value("status", "") != "done") return;

@@ -21,6 +21,11 @@
 
 namespace footfall {
 
+// Of requirements whose value is one column or figure in another unit than they state: nothing is converted. names, units: of the
+// columns.
+std::vector<std::string> requirement_unit_warnings(const Scene& scene, const std::vector<std::string>& names,
+                                                   const std::vector<std::string>& units);
+
 class Requirements {
  public:
   // columns: of history.csv, the first is time. The scene must outlive this. Throws InputError with a line "FILE:LINE: ..."

@@ -8,6 +8,8 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/build/grain_dump.h"
 #include "mbd_solver/run/observe/attached_damping.h"
+#include "mbd_solver/run/observe/observation.h"
+#include "mbd_solver/run/observe/requirements.h"
 #include "mbd_solver/run/observe/start_overlaps.h"
 #include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/scene/findings.h"
@@ -34,6 +36,10 @@ void check_by_building(Scene scene, bool judges, const std::function<void(const 
     if (scene.touches_particles() && !scene.particles->grains.empty()) grains = read_grains(scene.particles->grains);
     for (const std::string& warning : overlaps_at_start(scene, mechanism, grains)) warn(warning);
     for (const std::string& warning : damping_warnings(scene, mechanism)) warn(warning);
+    const Layout layout(mechanism.model);
+    const Observation observation({scene, mechanism, layout});
+    for (const std::string& warning : requirement_unit_warnings(scene, observation.names(), observation.units()))
+      warn(warning);
   } catch (const InputError& error) {
     const std::string what = error.what();
     throw InputError(what.front() == '/' || names_a_place(scene.file, what) ? what : scene.file + ": " + what);

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -15,6 +16,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/run_directory.h"
@@ -127,6 +129,21 @@ const std::vector<double>& History::column(const std::string& name) const {
   return columns[static_cast<std::size_t>(index)];
 }
 
+namespace {
+
+// The number of the last line of the history of a run in progress, or that was killed, if it is not whole: it has no end, and the
+// folder no summary. Otherwise 0.
+int line_of_unfinished_row(const std::string& path) {
+  if (std::filesystem::exists(std::filesystem::path(path).parent_path() / "summary.json")) return 0;
+  std::ifstream file(path, std::ios::binary);
+  const auto ends = std::count(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>(), '\n');
+  file.clear();
+  file.seekg(-1, std::ios::end);
+  return file && file.get() != '\n' ? static_cast<int>(ends) + 1 : 0;
+}
+
+}  // namespace
+
 History read_history(const std::string& path) {
   CsvReader csv(path, "the history.csv of a run");
   History history;
@@ -141,7 +158,9 @@ History read_history(const std::string& path) {
     csv.fail(code::kHistoryDamaged, "has " + std::to_string(history.names.size()) + " names for " +
                                         std::to_string(history.units.size()) + " units");
   history.columns.resize(history.names.size());
+  const int cut_off = line_of_unfinished_row(path);
   while (csv.next()) {
+    if (csv.line() == cut_off) break;
     csv.require_width(history.names.size());
     for (std::size_t i = 0; i < history.names.size(); ++i) history.columns[i].push_back(csv.number(i));
   }

@@ -169,6 +169,11 @@ History filtered_history(const History& history, const std::vector<std::string>&
                      file + ": has rows every " + number_text(times.step, 4) + " s, expected at most " +
                          number_text(1.0 / (kRate * channel_class), 4) + " s for CFC " + std::to_string(channel_class) +
                          " (SAE J211: ten samples per period of the class); run again with a shorter output.interval");
+  if (static_cast<double>(times.rows) * times.step * channel_class < 1.0)
+    throw InputError(code::kRowsForSpectrum,
+                     file + ": lasts " + number_text(static_cast<double>(times.rows) * times.step, 4) +
+                         " s, expected at least a period of CFC " + std::to_string(channel_class) + ", " +
+                         number_text(1.0 / channel_class, 4) + " s: what the filter makes of less is its own start");
   History filtered;
   const auto add = [&](const std::string& name, std::vector<double> values) {
     filtered.names.push_back(name);

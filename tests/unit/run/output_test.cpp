@@ -83,6 +83,17 @@ TEST_F(OutputTest, BrokenHistoryIsNamedWithItsLine) {
   EXPECT_TRUE(test::names(input_error([&] { read_history(file("h.csv")); }), {"h.csv:4:"}));
 }
 
+// A run that is killed leaves a row without its end, be it short or cut within a number.
+TEST_F(OutputTest, HistoryOfAKilledRunEndsWithItsLastWholeRow) {
+  for (const char* cut : {"1", "1,0.", "1,2.5"}) {
+    std::ofstream(file("h.csv")) << "# units: s,m\ntime,z\n0,1\n0.5,1.5\n" << cut;
+    EXPECT_EQ(read_history(file("h.csv")).column("z"), (std::vector<double>{1.0, 1.5})) << cut;
+  }
+  // Of a run that has ended every row counts.
+  write_summary(file("summary.json"), {{"status", "done"}});
+  EXPECT_EQ(read_history(file("h.csv")).column("z"), (std::vector<double>{1.0, 1.5, 2.5}));
+}
+
 TEST_F(OutputTest, SummaryIsWholeOrAbsent) {
   write_summary(file("s.json"), {{"status", "done"}, {"peak_acceleration_g", 1.25}});
   EXPECT_EQ(read_summary(file("s.json"))["peak_acceleration_g"], 1.25);

@@ -110,5 +110,29 @@ TEST(Requirements, KnowTheFiguresOfASummary) {
   }
 }
 
+// One number in another unit than is stated is told; expressions are the user's.
+TEST(Requirements, TellOfUnitsThatTheirNumberDoesNotHave) {
+  const auto warnings = [](const std::string& value, const std::string& unit) {
+    const SceneText folder;
+    const Scene scene = folder.read(kThrown + requirement("r", value, "unit = \"" + unit + "\"\nmost = 1\n"));
+    return requirement_unit_warnings(scene, {"time", "ball.z", "ball.roll", "ball.vx"}, {"s", "m", "rad", "m/s"});
+  };
+  const std::pair<const char*, const char*> told[] = {{"ball.roll.max", "deg"},
+                                                      {"ball.z.final", "mm"},
+                                                      {"ball.z.max", "N"},
+                                                      {"max_descent_m", "cm"},
+                                                      {"peak_acceleration_g", "m/s2"}};
+  for (const auto& [value, unit] : told) {
+    ASSERT_EQ(warnings(value, unit).size(), 1u) << value;
+    EXPECT_TRUE(test::names(warnings(value, unit)[0], {"W0669", unit}));
+  }
+  const std::pair<const char*, const char*> fine[] = {{"ball.roll.max", "rad"},
+                                                      {"ball.roll.max / deg", "deg"},
+                                                      {"ball.z.final", "metres"},
+                                                      {"max_descent_m", "m"},
+                                                      {"steps", "N"}};
+  for (const auto& [value, unit] : fine) EXPECT_TRUE(warnings(value, unit).empty()) << value;
+}
+
 }  // namespace
 }  // namespace footfall

@@ -130,6 +130,9 @@ TEST(ClassFilter, NeedsTenRowsPerPeriodOfItsClass) {
   EXPECT_EQ(filtered_history(with_rows(time), {"a.az"}, 60, "f").columns[1].size(), 100u);
   EXPECT_TRUE(test::names(test::error_of([&] { filtered_history(with_rows(time), {"a.az"}, 180, "f"); }),
                           {"CFC 180", "E0687"}));
+  time.resize(15);  // less than 1/60 s
+  EXPECT_TRUE(test::names(test::error_of([&] { filtered_history(with_rows(time), {"a.az"}, 60, "f"); }),
+                          {"CFC 60", "0.015 s", "E0687"}));
 }
 
 }  // namespace
