@@ -212,6 +212,7 @@ void read_substructure(ModelText& text, const std::string& type, ForeignMatrix& 
     if (!in_element || text.blank()) continue;
     std::vector<long> numbers;
     for (const std::string& cell : text.cells()) numbers.push_back(text.whole(cell, 0, kMostNumber));
+    if (numbers.empty()) continue;  // commas alone
     const bool first = dofs.empty();
     std::vector<int>& of = dofs[first ? 1 : numbers[0]];
     of.clear();

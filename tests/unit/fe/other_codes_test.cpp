@@ -860,7 +860,7 @@ TEST(ForeignMatrices, NameFileAndLineOfWhatIsWrong) {
       {"k.sti", "1 1 one\n", 1},
       {"k.mtx", "1,1, 1,1, 1.0\n1,1, 2\n", 2},
       {"k.mtx", "*USER ELEMENT,NODES=1\n** ELEMENT NODES\n** 1,\n1,2,3\n*MATRIX,TYPE=STIFFNESS\n1.,\n0., 1.,\n", 7},
-      {"k.mtx", "*USER ELEMENT,NODES=1\n** ELEMENT NODES\n** 1,\n1\n*MATRIX,TYPE=DAMPING\n1.,\n", 0},
+      {"k.mtx", "*USER ELEMENT,NODES=1\n** ELEMENT NODES\n** 1,\n1\n,,\n*MATRIX,TYPE=DAMPING\n1.,\n", 0},
       {"k.pch", "DMIG    KAAX           0       6       4       0\n", 1},
       {"k.pch", "DMIG    BAAX           0       6       2       0\n", 0},
       {"k.pch",
