@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -55,9 +56,17 @@ std::optional<std::string> read_whole_file(const std::string& path) {
   require_regular_file(path);
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  std::string text(unknown ? 0 : static_cast<std::size_t>(size), '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (file) {  // files of /proc have no size, others grow
+    std::ostringstream rest;
+    rest << file.rdbuf();
+    text += rest.str();
+  }
+  return text;
 }
 
 void write_whole_file(const std::string& path, const std::string& text, const std::string& advice) {

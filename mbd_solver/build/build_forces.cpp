@@ -478,12 +478,9 @@ void add_plane(const Scene& scene, Mechanism& mechanism) {
   const bool rocks = scene.ground.kind == GroundKind::kSoil && mechanism.terrain && !mechanism.terrain->rocks().empty();
   if (scene.ground.kind != GroundKind::kPlane && !rocks) return;
   const PlaneSpec& spec = *scene.ground.plane;
-  if (mechanism.terrain) {
-    const auto& map = scene.ground.terrain->map;
+  if (mechanism.terrain)
     return add_terrain_contacts(contact_law(spec, scene, mechanism),
-                                rocks ? TerrainContact::Touches::kRocks : TerrainContact::Touches::kAll,
-                                map ? map->grid.get() : nullptr, mechanism);
-  }
+                                rocks ? TerrainContact::Touches::kRocks : TerrainContact::Touches::kAll, mechanism);
   const RigidPlane::Parameters p = plane_parameters(contact_law(spec, scene, mechanism), spec.point, spec.normal);
   for (const BodyBoundary& entry : mechanism.boundaries) {
     if (entry.points.empty() && entry.rims.empty()) continue;

@@ -4,10 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "coupler/base/errors.h"
-#include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/build/codes.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/elements/terrain_contact.h"
 #include "mbd_solver/scene/resolve.h"
@@ -68,56 +65,7 @@ double fall_to(const Terrain& terrain, const BodyBoundary& entry, const Eigen::V
   return least;
 }
 
-namespace {
-
-// Round edges seek the ground from their own places: a ridge of the map whose radius is below a sixtieth of theirs can be passed
-// unfelt. Between two samples the map turns by an angle, within about the shorter of the two ways to them.
-void warn_of_steep_steps(const HeightGrid* map, Mechanism& mechanism) {
-  constexpr double kFelt = 1.0 / 60.0;
-  double largest = 0.0;
-  std::string edge;
-  for (const BodyBoundary& entry : mechanism.boundaries)
-    for (const ContactRim& rim : entry.rims)
-      if (rim.radius > largest) {
-        largest = rim.radius;
-        edge = entry.boundary.name();
-      }
-  if (map == nullptr || largest == 0.0) return;
-  double sharpest = kFelt * largest;  // radius [m]
-  Eigen::Vector2d place;
-  bool any = false;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double step = map->step[axis];
-    const int dx = axis == 0 ? 1 : 0, dy = 1 - dx;
-    for (int row = dy; row < map->rows - dy; ++row)
-      for (int column = dx; column < map->columns - dx; ++column) {
-        const double before = map->at(column - dx, row - dy), after = map->at(column + dx, row + dy);
-        const double bend = (2.0 * map->at(column, row) - before - after) / (step * step);
-        if (!(bend * sharpest > 1.0)) continue;
-        const double rise = map->at(column, row) - before, fall = map->at(column, row) - after;
-        const double turn = std::atan(rise / step) + std::atan(fall / step);
-        const double radius = std::min(std::hypot(step, rise), std::hypot(step, fall)) / turn;
-        if (radius >= sharpest) continue;
-        sharpest = radius;
-        place = map->first + Eigen::Vector2d(column * map->step.x(), row * map->step.y());
-        any = true;
-      }
-  }
-  if (!any) return;
-  place += mechanism.terrain->parts().origin.head<2>();
-  mechanism.warnings.push_back(with_code(
-      code::kStepNotFelt,
-      "the map of the ground has a step at x = " + number_text(place.x(), 4) + " m, y = " + number_text(place.y(), 4) +
-          " m that is round by " + number_text(sharpest, 2) + " m only; the round edge of body \"" + edge + "\", " +
-          number_text(largest, 3) + " m in radius, can pass over steps below " + number_text(kFelt * largest, 2) +
-          " m unfelt. Spread the step over more samples of the map, or make it of rocks or bodies"));
-}
-
-}  // namespace
-
-void add_terrain_contacts(const ContactLaw& law, TerrainContact::Touches touches, const HeightGrid* map,
-                          Mechanism& mechanism) {
-  if (touches == TerrainContact::Touches::kAll) warn_of_steep_steps(map, mechanism);
+void add_terrain_contacts(const ContactLaw& law, TerrainContact::Touches touches, Mechanism& mechanism) {
   for (const BodyBoundary& entry : mechanism.boundaries) {
     if (entry.points.empty() && entry.rims.empty()) continue;
     mechanism.terrains.push_back(mechanism.model.add_force(std::make_unique<TerrainContact>(

@@ -35,8 +35,6 @@ inline constexpr MessageCode kThrownAtStart{"W0265", "thrown-at-start"};
 inline constexpr MessageCode kBendsUnderWeight{"W0266", "bends-under-weight"};
 // initial.from does not carry this over. Nothing, if this is intended.
 inline constexpr MessageCode kNotCarried{"W0267", "not-carried"};
-// A map has a step steeper than a round edge can feel. Spread it over more samples, or make it of rocks or bodies.
-inline constexpr MessageCode kStepNotFelt{"W0268", "step-not-felt"};
 // A pulley with grip holds a cable that would leave it. Remove grip, or place the pulley so that the cable stays on it.
 inline constexpr MessageCode kGripWithoutWrap{"W0269", "grip-without-wrap"};
 

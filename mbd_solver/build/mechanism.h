@@ -206,9 +206,7 @@ void add_springs(const Scene& scene, Mechanism& mechanism);
 void add_forces(const Scene& scene, Mechanism& mechanism);
 void add_plane(const Scene& scene, Mechanism& mechanism);
 // Uneven rigid ground, or the rocks in a soil.
-// map: of the terrain, null without one; its steps that round edges may not feel are warned of.
-void add_terrain_contacts(const ContactLaw& law, TerrainContact::Touches touches, const HeightGrid* map,
-                          Mechanism& mechanism);
+void add_terrain_contacts(const ContactLaw& law, TerrainContact::Touches touches, Mechanism& mechanism);
 void add_soil_contacts(const Scene& scene, Mechanism& mechanism);
 void add_contacts(const Scene& scene, Mechanism& mechanism);
 void add_controllers(const Scene& scene, Mechanism& mechanism);

@@ -83,18 +83,26 @@ bool CondensedMatrix::update() {
   for (std::size_t k = 0; k < from_.size(); ++k) out[to_[k]] = values[from_[k]];
   for (Block& block : blocks_) {
     const auto entry = [&](std::size_t k) { return values[block.D[k]]; };
-    Eigen::Matrix2d D = Eigen::Matrix2d::Identity();
-    if (block.size == 1)
-      D(0, 0) = entry(0);
-    else
-      D << entry(0), entry(1), entry(2), entry(3);
-    const double determinant = D.determinant();
+    double determinant = 0.0;
+    if (block.size == 3) {
+      Eigen::Matrix3d D;
+      D << entry(0), entry(1), entry(2), entry(3), entry(4), entry(5), entry(6), entry(7), entry(8);
+      determinant = D.determinant();
+      block.inverse = D.inverse();
+    } else {
+      Eigen::Matrix2d D = Eigen::Matrix2d::Identity();
+      if (block.size == 1)
+        D(0, 0) = entry(0);
+      else
+        D << entry(0), entry(1), entry(2), entry(3);
+      determinant = D.determinant();
+      block.inverse.topLeftCorner<2, 2>() = D.inverse();
+    }
     if (!std::isfinite(determinant) || determinant == 0.0) return false;
-    block.inverse = D.inverse();
-    bool couples[2] = {false, false};
-    for (Entry& b : block.B) couples[0] = (b.value = values[b.place]) != 0.0 || couples[0];
-    for (Entry& c : block.C) couples[1] = (c.value = values[c.place]) != 0.0 || couples[1];
-    if (!couples[0] || !couples[1]) continue;
+    block.acts = block.feels = false;
+    for (Entry& b : block.B) block.acts = (b.value = values[b.place]) != 0.0 || block.acts;
+    for (Entry& c : block.C) block.feels = (c.value = values[c.place]) != 0.0 || block.feels;
+    if (!block.acts || !block.feels) continue;
     std::size_t at = 0;
     for (const Entry& b : block.B)
       for (const Entry& c : block.C) out[block.change[at++]] -= b.value * block.inverse(b.local, c.local) * c.value;
@@ -110,15 +118,24 @@ void CondensedMatrix::solve(Eigen::Ref<Eigen::VectorXd> x,
   }
   for (std::size_t k = 0; k < stays_.size(); ++k) small_[static_cast<Eigen::Index>(k)] = x[stays_[k]];
   for (const Block& block : blocks_) {
-    auto z = x.segment(block.first, block.size);
-    z = (block.inverse.topLeftCorner(block.size, block.size) * z).eval();  // D^-1 g
+    double* const z = x.data() + block.first;
+    const Eigen::Vector3d g(z[0], block.size > 1 ? z[1] : 0.0, block.size > 2 ? z[2] : 0.0);
+    for (int i = 0; i < block.size; ++i) {  // D^-1 g
+      z[i] = block.inverse(i, 0) * g[0];
+      for (int j = 1; j < block.size; ++j) z[i] += block.inverse(i, j) * g[j];
+    }
+    if (!block.acts) continue;
     for (const Entry& b : block.B) small_[b.other] -= b.value * z[b.local];
   }
   inner(small_);
   for (std::size_t k = 0; k < stays_.size(); ++k) x[stays_[k]] = small_[static_cast<Eigen::Index>(k)];
   for (const Block& block : blocks_) {
-    auto z = x.segment(block.first, block.size);
-    for (const Entry& c : block.C) z -= block.inverse.col(c.local).head(block.size) * (c.value * small_[c.other]);
+    if (!block.feels) continue;
+    double* const z = x.data() + block.first;
+    for (const Entry& c : block.C) {
+      const double value = c.value * small_[c.other];
+      for (int i = 0; i < block.size; ++i) z[i] -= block.inverse(i, c.local) * value;
+    }
   }
 }
 

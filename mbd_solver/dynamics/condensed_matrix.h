@@ -18,7 +18,7 @@ struct LocalUnknowns {
 
 class CondensedMatrix {
  public:
-  static constexpr int kLargestBlock = 2;
+  static constexpr int kLargestBlock = 3;
 
   // `whole` must outlive this object; its pattern stays.
   CondensedMatrix(const Eigen::SparseMatrix<double>& whole, const std::vector<LocalUnknowns>& local);
@@ -45,7 +45,8 @@ class CondensedMatrix {
     std::vector<int> D;  // places in the values of the whole matrix, row by row
     std::vector<int>
         change;  // places in the values of the condensed matrix, of B.size() x C.size() products, row by row
-    Eigen::Matrix2d inverse = Eigen::Matrix2d::Identity();  // D_k^-1; of a single unknown its first entry
+    Eigen::Matrix3d inverse = Eigen::Matrix3d::Identity();  // D_k^-1; of smaller blocks its first entries
+    bool acts = false, feels = false;                       // B_k, C_k are not 0
   };
 
   const Eigen::SparseMatrix<double>& whole_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 
@@ -15,10 +16,16 @@
 namespace footfall {
 namespace {
 
-constexpr int kTile = 16;                         // cells of a map along each side of a tile
+constexpr int kPart = 16;  // cells of a map along each side of a part, of which a bound of the bends is known
+constexpr int kTile = 64;  // cells along each side of a tile, of which the coefficients are found at once
+constexpr int kFade = 32;  // samples around a tile that have a share in its coefficients: the next has 0.27^32 = 5e-19
 constexpr int kFootSteps = 30;                    // of Newton's method, at most; three are usual
 constexpr double kFootFound = 1e-14;              // of a step, relative to the sizes of the numbers
+constexpr double kLastStep = 1e-9;                // a step below this needs no further look at the field [m]
+constexpr double kAbove = 1e-9;                   // a place above this height does not touch, round-off included [m]
 constexpr int kSeeds = 12;                        // directions in which a ball looks for further contacts
+constexpr double kSharpRidge = 30.0;              // times its radius: a ball looks for ridges of more curvature
+constexpr int kRays = 24;                         // along which it looks for them
 constexpr double kOneFoot = 0.93969262078590838;  // cos 20 degrees: feet with closer normals are one contact
 constexpr double kBowl = 0.9;  // a ball of this share of the least radius of curvature has one contact
 
@@ -63,93 +70,131 @@ void find_coefficients(double* c, int samples, std::ptrdiff_t stride, std::vecto
   at(last + 1) = 2.0 * at(last) - at(last - 1);
 }
 
-struct SplineGrid {
-  int columns, rows, stride;
-  Eigen::Vector2d first, step;
-  std::vector<double> c;  // (rows + 2) x (columns + 2)
-  int tiles_x, tiles_y;
-  std::vector<double> bend;  // of each tile, largest
-
-  explicit SplineGrid(const HeightGrid& grid)
-      : columns(grid.columns), rows(grid.rows), stride(grid.columns + 2), first(grid.first), step(grid.step) {
-    FOOTFALL_DEMAND(columns >= 2 && rows >= 2 && step.minCoeff() > 0.0);
-    c.assign(static_cast<std::size_t>(stride) * static_cast<std::size_t>(rows + 2), 0.0);
-    for (int j = 0; j < rows; ++j)
-      for (int i = 0; i < columns; ++i) of(i + 1, j + 1) = grid.at(i, j);
-    std::vector<double> factor;
-    for (int j = 1; j <= rows; ++j) find_coefficients(&of(0, j), columns, 1, factor);
-    for (int i = 0; i < stride; ++i) find_coefficients(&of(i, 0), rows, stride, factor);
-    find_bends();
+// Coefficients are found tile by tile, where a body comes: most of a large map is never looked at.
+class SplineGrid {
+ public:
+  explicit SplineGrid(std::shared_ptr<const HeightGrid> samples) : grid_(std::move(samples)) {
+    const HeightGrid& grid = *grid_;
+    FOOTFALL_DEMAND(grid.columns >= 2 && grid.rows >= 2 && grid.step.minCoeff() > 0.0);
+    tiles_x_ = (grid.columns - 2) / kTile + 1;
+    tiles_y_ = (grid.rows - 2) / kTile + 1;
+    parts_x_ = (grid.columns - 2) / kPart + 1;
+    parts_y_ = (grid.rows - 2) / kPart + 1;
+    tiles_.resize(static_cast<std::size_t>(tiles_x_) * static_cast<std::size_t>(tiles_y_));
   }
-  double& of(int i, int j) {
-    return c[static_cast<std::size_t>(j) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(i)];
-  }
-  double of(int i, int j) const {
-    return c[static_cast<std::size_t>(j) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(i)];
-  }
-
-  // A second derivative is between those differences of the coefficients around it.
-  void find_bends() {
-    tiles_x = (columns - 2) / kTile + 1;
-    tiles_y = (rows - 2) / kTile + 1;
-    bend.assign(static_cast<std::size_t>(tiles_x) * static_cast<std::size_t>(tiles_y), 0.0);
-    const double xx = 1.0 / (step.x() * step.x()), yy = 1.0 / (step.y() * step.y()), xy = 1.0 / (step.x() * step.y());
-    for (int b = 0; b < tiles_y; ++b) {
-      for (int a = 0; a < tiles_x; ++a) {
-        double h_xx = 0.0, h_yy = 0.0, h_xy = 0.0;
-        const int i_end = std::min((a + 1) * kTile + 2, columns + 1), j_end = std::min((b + 1) * kTile + 2, rows + 1);
-        for (int j = b * kTile; j <= j_end; ++j) {
-          for (int i = a * kTile; i <= i_end; ++i) {
-            const double here = of(i, j);
-            if (i > 0 && i < stride - 1) h_xx = std::max(h_xx, std::abs(of(i - 1, j) - 2.0 * here + of(i + 1, j)));
-            if (j > 0 && j < rows + 1) h_yy = std::max(h_yy, std::abs(of(i, j - 1) - 2.0 * here + of(i, j + 1)));
-            if (i < i_end && j < j_end)
-              h_xy = std::max(h_xy, std::abs(here - of(i + 1, j) - of(i, j + 1) + of(i + 1, j + 1)));
-          }
-        }
-        bend[static_cast<std::size_t>(b * tiles_x + a)] = std::max(h_xx * xx, h_yy * yy) + h_xy * xy;
-      }
-    }
-  }
+  const HeightGrid& grid() const { return *grid_; }
 
   void add(const Eigen::Vector2d& place, Terrain::Height& out) const {
-    const Weights x = weights_at((place.x() - first.x()) / step.x(), columns);
-    const Weights y = weights_at((place.y() - first.y()) / step.y(), rows);
-    double h = 0.0, h_x = 0.0, h_y = 0.0, h_xx = 0.0, h_yy = 0.0, h_xy = 0.0;
-    for (std::size_t j = 0; j < 4; ++j) {
-      const double* row =
-          &c[static_cast<std::size_t>(y.first + static_cast<int>(j)) * static_cast<std::size_t>(stride) +
-             static_cast<std::size_t>(x.first)];
-      double value = 0.0, slope = 0.0, curve = 0.0;
-      for (std::size_t i = 0; i < 4; ++i) {
-        value += x.value[i] * row[i];
-        slope += x.slope[i] * row[i];
-        curve += x.bend[i] * row[i];
-      }
-      h += y.value[j] * value;
-      h_x += y.value[j] * slope;
-      h_xx += y.value[j] * curve;
-      h_y += y.slope[j] * value;
-      h_xy += y.slope[j] * slope;
-      h_yy += y.bend[j] * value;
+    const HeightGrid& grid = *grid_;
+    const Weights x = weights_at((place.x() - grid.first.x()) / grid.step.x(), grid.columns);
+    const Weights y = weights_at((place.y() - grid.first.y()) / grid.step.y(), grid.rows);
+    const Tile& tile = tile_at(x.first / kTile, y.first / kTile);
+    const double* row = &tile.c[static_cast<std::size_t>((y.first % kTile) * tile.stride + x.first % kTile)];
+    using Four = Eigen::Array4d;
+    Four value = Four::Zero(), slope = Four::Zero(), bend = Four::Zero();
+    for (std::size_t j = 0; j < 4; ++j, row += tile.stride) {
+      const Four c = Eigen::Map<const Four>(row);
+      value += y.value[j] * c;
+      slope += y.slope[j] * c;
+      bend += y.bend[j] * c;
     }
-    out.h += h;
-    out.slope += Eigen::Vector2d(h_x / step.x(), h_y / step.y());
-    out.bend +=
-        Eigen::Vector3d(h_xx / (step.x() * step.x()), h_yy / (step.y() * step.y()), h_xy / (step.x() * step.y()));
+    const Four u = Eigen::Map<const Four>(x.value.data()), u_1 = Eigen::Map<const Four>(x.slope.data()),
+               u_2 = Eigen::Map<const Four>(x.bend.data());
+    const double by_x = 1.0 / grid.step.x(), by_y = 1.0 / grid.step.y();
+    out.h += (u * value).sum();
+    out.slope += Eigen::Vector2d((u_1 * value).sum() * by_x, (u * slope).sum() * by_y);
+    out.bend += Eigen::Vector3d((u_2 * value).sum() * (by_x * by_x), (u * bend).sum() * (by_y * by_y),
+                                (u_1 * slope).sum() * (by_x * by_y));
   }
 
   double largest_bend(const Eigen::Vector2d& place, double reach) const {
-    const auto tile = [&](double x, int axis, int tiles) {
-      const double t = std::floor((x - first[axis]) / step[axis] / kTile);
-      return static_cast<int>(std::clamp(t, 0.0, static_cast<double>(tiles - 1)));
+    const HeightGrid& grid = *grid_;
+    const auto part = [&](double x, int axis, int parts) {
+      const double t = std::floor((x - grid.first[axis]) / grid.step[axis] / kPart);
+      return static_cast<int>(std::clamp(t, 0.0, static_cast<double>(parts - 1)));
     };
+    constexpr int kAcross = kTile / kPart;
+    const int a_0 = part(place.x() - reach, 0, parts_x_), a_1 = part(place.x() + reach, 0, parts_x_);
+    const int b_0 = part(place.y() - reach, 1, parts_y_), b_1 = part(place.y() + reach, 1, parts_y_);
     double largest = 0.0;
-    for (int b = tile(place.y() - reach, 1, tiles_y); b <= tile(place.y() + reach, 1, tiles_y); ++b)
-      for (int a = tile(place.x() - reach, 0, tiles_x); a <= tile(place.x() + reach, 0, tiles_x); ++a)
-        largest = std::max(largest, bend[static_cast<std::size_t>(b * tiles_x + a)]);
+    for (int b = b_0; b <= b_1; ++b)
+      for (int a = a_0; a <= a_1; ++a)
+        largest = std::max(
+            largest,
+            tile_at(a / kAcross, b / kAcross).bend[static_cast<std::size_t>((b % kAcross) * kAcross + a % kAcross)]);
     return largest;
   }
+  double largest_bend() const {
+    double largest = 0.0;
+    for (int b = 0; b < tiles_y_; ++b)
+      for (int a = 0; a < tiles_x_; ++a)
+        for (const double bend : tile_at(a, b).bend) largest = std::max(largest, bend);
+    return largest;
+  }
+
+ private:
+  struct Tile {
+    int stride = 0;         // coefficients in a row: one more than cells on the left, two on the right
+    std::vector<double> c;  // row after row
+    std::array<double, (kTile / kPart) * (kTile / kPart)> bend{};  // of each part, largest [1/m]
+  };
+
+  const Tile& tile_at(int a, int b) const {
+    std::unique_ptr<const Tile>& tile =
+        tiles_[static_cast<std::size_t>(b) * static_cast<std::size_t>(tiles_x_) + static_cast<std::size_t>(a)];
+    if (!tile) tile = make_tile(a, b);
+    return *tile;
+  }
+
+  std::unique_ptr<const Tile> make_tile(int a, int b) const {
+    const HeightGrid& grid = *grid_;
+    const int i_0 = a * kTile, i_1 = std::min(i_0 + kTile, grid.columns - 1);  // samples at its edges
+    const int j_0 = b * kTile, j_1 = std::min(j_0 + kTile, grid.rows - 1);
+    const int left = std::max(0, i_0 - kFade), right = std::min(grid.columns - 1, i_1 + kFade);
+    const int low = std::max(0, j_0 - kFade), high = std::min(grid.rows - 1, j_1 + kFade);
+    const int columns = right - left + 1, rows = high - low + 1, wide = columns + 2;
+    std::vector<double> all(static_cast<std::size_t>(wide) * static_cast<std::size_t>(rows + 2), 0.0);
+    const auto of = [&](int i, int j) -> double& {  // sample i, j of the map
+      return all[static_cast<std::size_t>(j - low + 1) * static_cast<std::size_t>(wide) +
+                 static_cast<std::size_t>(i - left + 1)];
+    };
+    for (int j = low; j <= high; ++j)
+      for (int i = left; i <= right; ++i) of(i, j) = grid.at(i, j);
+    std::vector<double> factor;
+    for (int j = low; j <= high; ++j) find_coefficients(&of(left - 1, j), columns, 1, factor);
+    for (int i = i_0 - 1; i <= i_1 + 1; ++i) find_coefficients(&of(i, low - 1), rows, wide, factor);
+
+    auto tile = std::make_unique<Tile>();
+    tile->stride = i_1 - i_0 + 3;
+    tile->c.reserve(static_cast<std::size_t>(tile->stride) * static_cast<std::size_t>(j_1 - j_0 + 3));
+    for (int j = j_0 - 1; j <= j_1 + 1; ++j)
+      for (int i = i_0 - 1; i <= i_1 + 1; ++i) tile->c.push_back(of(i, j));
+    // A second derivative is between those differences of the coefficients around it.
+    const double xx = 1.0 / (grid.step.x() * grid.step.x()), yy = 1.0 / (grid.step.y() * grid.step.y()),
+                 xy = 1.0 / (grid.step.x() * grid.step.y());
+    std::size_t part = 0;
+    for (int y = j_0; y < j_0 + kTile; y += kPart) {
+      for (int x = i_0; x < i_0 + kTile; x += kPart, ++part) {
+        const int x_1 = std::min(x + kPart, i_1), y_1 = std::min(y + kPart, j_1);
+        double h_xx = 0.0, h_yy = 0.0, h_xy = 0.0;
+        for (int j = y - 1; j <= y_1 + 1 && x < i_1 && y < j_1; ++j) {
+          for (int i = x - 1; i <= x_1 + 1; ++i) {
+            const double here = of(i, j);
+            if (i >= x && i <= x_1) h_xx = std::max(h_xx, std::abs(of(i - 1, j) - 2.0 * here + of(i + 1, j)));
+            if (j >= y && j <= y_1) h_yy = std::max(h_yy, std::abs(of(i, j - 1) - 2.0 * here + of(i, j + 1)));
+            if (i <= x_1 && j <= y_1)
+              h_xy = std::max(h_xy, std::abs(here - of(i + 1, j) - of(i, j + 1) + of(i + 1, j + 1)));
+          }
+        }
+        tile->bend[part] = std::max(h_xx * xx, h_yy * yy) + h_xy * xy;
+      }
+    }
+    return tile;
+  }
+
+  std::shared_ptr<const HeightGrid> grid_;
+  int tiles_x_, tiles_y_, parts_x_, parts_y_;
+  mutable std::vector<std::unique_ptr<const Tile>> tiles_;  // made where they are first looked at
 };
 
 }  // namespace
@@ -168,7 +213,8 @@ struct Terrain::Map {
     double k = 0.0;
     for (std::size_t i = first; i < waves.size(); ++i) k = std::max(k, waves[i].k.norm());
     const int count = static_cast<int>(std::ceil(kPerWave * period * k / (2.0 * kPi)));
-    HeightGrid grid;
+    auto samples = std::make_shared<HeightGrid>();
+    HeightGrid& grid = *samples;
     grid.columns = grid.rows = count + 2 * kMargin;
     grid.step = Eigen::Vector2d::Constant(period / count);
     grid.first = -kMargin * grid.step;
@@ -188,8 +234,8 @@ struct Terrain::Map {
         for (std::size_t a = 0; a < n; ++a) grid.heights[b * n + a] += sine[a] * c + cosine[a] * s;
       }
     }
-    rough.emplace(grid);
-    rough_bend = *std::max_element(rough->bend.begin(), rough->bend.end());
+    rough.emplace(std::move(samples));
+    rough_bend = rough->largest_bend();
   }
   void add(const Eigen::Vector2d& place, Height& out) const {
     if (site) site->add(place, out);
@@ -233,13 +279,12 @@ Terrain::Terrain(TerrainParts parts) : parts_(std::move(parts)) {
                                    [](const GroundWave& wave) { return wave.amplitude == 0.0; });
   if (parts_.map || random != parts_.waves.end()) {
     auto map = std::make_unique<Map>();
-    if (parts_.map) map->site.emplace(*parts_.map);
+    if (parts_.map) map->site.emplace(parts_.map);
     if (random != parts_.waves.end()) {
       map->sample(parts_.waves, static_cast<std::size_t>(random - parts_.waves.begin()) + 1);
       parts_.waves.erase(random, parts_.waves.end());
     }
     map_ = std::move(map);
-    parts_.map.reset();  // its coefficients are enough
   }
   for (const GroundWave& wave : parts_.waves) wave_bend_ += std::abs(wave.amplitude) * wave.k.squaredNorm();
   if (parts_.rocks.empty()) return;
@@ -313,28 +358,39 @@ double Terrain::top(double x, double y) const {
   return top;
 }
 
-// Newton's method for the least distance, from the place `start`; false where it ends in no minimum.
-bool Terrain::descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Foot& out) const {
+// Newton's method for the least distance, from the place `start` at which the field is `here`; false where it ends in no minimum.
+bool Terrain::descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Height here, With with, Foot& out) const {
   Eigen::Vector2d place = start;
-  Height here = at(place.x(), place.y());
   const auto merit = [&](const Eigen::Vector2d& c, double h) {
     return 0.5 * ((c - p.head<2>()).squaredNorm() + (h - p.z()) * (h - p.z()));
   };
   double least = merit(place, here.h);
-  Eigen::Matrix2d J;
   bool minimum = false;
   for (int i = 0; i < kFootSteps; ++i) {
-    const Eigen::Vector2d& g = here.slope;
+    const Eigen::Vector2d g = here.slope;
     const double d = here.h - p.z();
     const Eigen::Vector2d r = place - p.head<2>() + d * g;
-    J << 1.0 + g.x() * g.x() + d * here.bend[0], g.x() * g.y() + d * here.bend[2], 0.0,
-        1.0 + g.y() * g.y() + d * here.bend[1];
-    J(1, 0) = J(0, 1);
-    minimum = J(0, 0) > 0.0 && J.determinant() > 0.0;
-    const Eigen::Matrix2d used = minimum ? J : Eigen::Matrix2d(Eigen::Matrix2d::Identity() + g * g.transpose());
-    Eigen::Vector2d step = -(used.inverse() * r);
+    double xx = 1.0 + g.x() * g.x() + d * here.bend[0], xy = g.x() * g.y() + d * here.bend[2],
+           yy = 1.0 + g.y() * g.y() + d * here.bend[1];
+    double determinant = xx * yy - xy * xy;
+    minimum = xx > 0.0 && determinant > 0.0;
+    if (!minimum) {
+      xx = 1.0 + g.x() * g.x();
+      xy = g.x() * g.y();
+      yy = 1.0 + g.y() * g.y();
+      determinant = xx * yy - xy * xy;
+    }
+    const Eigen::Vector2d step =
+        Eigen::Vector2d(xy * r.y() - yy * r.x(), xy * r.x() - xx * r.y()) * (1.0 / determinant);
     const double size = step.norm();
     if (size <= kFootFound * (place.norm() + std::abs(d) + 1.0)) break;
+    if (minimum && size <= kLastStep) {  // what the field has beyond these terms is below round-off
+      place += step;
+      here.h += g.dot(step);
+      here.slope += Eigen::Vector2d(here.bend[0] * step.x() + here.bend[2] * step.y(),
+                                    here.bend[2] * step.x() + here.bend[1] * step.y());
+      break;
+    }
     double share = 1.0;
     for (int half = 0; half < 12; ++half, share *= 0.5) {
       const Eigen::Vector2d next = place + share * step;
@@ -354,6 +410,7 @@ bool Terrain::descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Fo
   out.distance = n.dot(p - Eigen::Vector3d(place.x(), place.y(), here.h));
   out.place = place;
   out.rock = -1;
+  if (with == With::kNormal) return minimum;
   // dn/dp = -T G^-1 B (G - phi B / |N|)^-1 T^T / |N|,  T = dc/d(x, y), G = T^T T, B = h'', |N| = sqrt(1 + g^2)
   Eigen::Matrix2d B, G;
   B << here.bend[0], here.bend[2], here.bend[2], here.bend[1];
@@ -368,8 +425,21 @@ bool Terrain::descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Fo
 
 Terrain::Foot Terrain::foot(const Eigen::Vector3d& p) const {
   Foot out;
-  descend(p, p.head<2>(), out);
+  descend(p, p.head<2>(), at(p.x(), p.y()), With::kBend, out);
   return out;
+}
+
+bool Terrain::below(const Eigen::Vector3d& p, With with, Foot& out) const {
+  const Height here = at(p.x(), p.y());
+  if (p.z() > here.h + kAbove) return false;
+  descend(p, p.head<2>(), here, with, out);
+  return true;
+}
+
+bool Terrain::may_touch(const Eigen::Vector3d& p, double radius) const {
+  const Height here = at(p.x(), p.y());
+  const double clear = p.z() - here.h - radius * std::sqrt(1.0 + here.slope.squaredNorm());
+  return clear <= kAbove || clear <= kAbove + 0.5 * bend_within(p.head<2>(), radius) * radius * radius;
 }
 
 Terrain::Foot Terrain::foot(const Eigen::Vector3d& p, int rock) const {
@@ -388,8 +458,9 @@ Terrain::Foot Terrain::foot(const Eigen::Vector3d& p, int rock) const {
 void Terrain::feet(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) const {
   out.clear();
   Foot one;
-  const bool good = descend(p, p.head<2>(), one);
-  if (radius == 0.0 || one.distance <= 0.0 || radius * bend_within(p.head<2>(), 2.0 * radius) < kBowl) {
+  const bool good = descend(p, p.head<2>(), at(p.x(), p.y()), With::kBend, one);
+  const double bend = radius == 0.0 ? 0.0 : bend_within(p.head<2>(), 2.0 * radius);
+  if (radius == 0.0 || one.distance <= 0.0 || radius * bend < kBowl) {
     out.push_back(one);
     return;
   }
@@ -397,7 +468,30 @@ void Terrain::feet(const Eigen::Vector3d& p, double radius, std::vector<Foot>& o
   for (int k = 0; k < kSeeds; ++k) {
     const double angle = 2.0 * kPi * k / kSeeds;
     const Eigen::Vector2d start = p.head<2>() + 0.7 * radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    if (descend(p, start, one) && one.distance < radius) out.push_back(one);
+    if (descend(p, start, at(start.x(), start.y()), With::kBend, one) && one.distance < radius) out.push_back(one);
+  }
+  // Ridges of a map are too narrow for these starts: from each place along a ray that is nearer than its neighbours.
+  const double step = parts_.map ? 0.5 * parts_.map->step.minCoeff() : radius / 100.0;
+  const int count = std::min(static_cast<int>(radius / step) + 1, 400);
+  for (int k = 0; k < kRays && radius * bend > kSharpRidge; ++k) {
+    const double angle = 2.0 * kPi * k / kRays, apart = radius / count;
+    const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
+    const double nearly = 1.02 * radius + apart;                          // between the rays it may be nearer
+    double before = 0.0, here = std::numeric_limits<double>::infinity();  // squares of distances
+    double rise = 0.0, last = 0.0;  // of the ground from place to place, its height [m]
+    for (int i = 0; i <= count + 1; ++i) {
+      const Eigen::Vector2d place = p.head<2>() + (i * apart) * along;
+      const double up = at(place.x(), place.y()).h - p.z(), after = i * apart * (i * apart) + up * up;
+      const bool steep = std::max(std::abs(rise), std::abs(up - last)) > 4.0 * apart;
+      if (i > 1 && here < before && here <= after && (steep || here < nearly * nearly)) {
+        const Eigen::Vector2d start = place - apart * along;
+        if (descend(p, start, at(start.x(), start.y()), With::kBend, one) && one.distance < radius) out.push_back(one);
+      }
+      before = here;
+      here = after;
+      rise = up - last;
+      last = up;
+    }
   }
   std::sort(out.begin(), out.end(), [](const Foot& a, const Foot& b) { return a.distance < b.distance; });
   std::vector<Foot> kept;
@@ -447,7 +541,7 @@ bool Terrain::Lid::above(const Eigen::Vector3d& centre, double reach) const {
 
 bool Terrain::inside_map(double x, double y) const {
   if (!map_ || !map_->site) return true;
-  const SplineGrid& map = *map_->site;
+  const HeightGrid& map = map_->site->grid();
   const Eigen::Vector2d u = (Eigen::Vector2d(x, y) - parts_.origin.head<2>() - map.first).cwiseQuotient(map.step);
   return u.minCoeff() >= 0.0 && u.x() <= map.columns - 1 && u.y() <= map.rows - 1;
 }

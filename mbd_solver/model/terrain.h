@@ -90,6 +90,10 @@ class Terrain {
   double top(double x, double y) const;  // with rocks
   // Of the field near p, from below or above.
   Foot foot(const Eigen::Vector3d& p) const;
+  enum class With { kNormal, kBend };
+  // The foot of a place below the field, on demand without bend; false if p is above it, out stays.
+  bool below(const Eigen::Vector3d& p, With with, Foot& out) const;
+  bool may_touch(const Eigen::Vector3d& p, double radius) const;  // false: a ball of this radius > 0 is above the field
   Foot foot(const Eigen::Vector3d& p, int rock) const;
   // Where a ball of this radius >= 0 about p touches the field: a local minimum of the distance each; overwrites out.
   void feet(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) const;
@@ -104,7 +108,7 @@ class Terrain {
  private:
   struct Map;
   struct RockCells;
-  bool descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Foot& out) const;
+  bool descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Height here, With with, Foot& out) const;
   double bend_within(const Eigen::Vector2d& place, double reach) const;  // of the field, at most [1/m]
 
   TerrainParts parts_;

@@ -66,6 +66,12 @@ ContactLaw::Clipped ContactLaw::clip(const Eigen::Vector3d& u) const {
   return {most * e, (most / size) * (Eigen::Matrix3d::Identity() - e * e.transpose())};
 }
 
+Eigen::Vector3d ContactLaw::clipped(const Eigen::Vector3d& u) const {
+  const double size = u.norm(), most = kStretch * slip_speed;
+  if (size <= most) return u;
+  return most * (u / size);
+}
+
 ContactLaw::Normal ContactLaw::normal_force(double overlap, double closing) const {
   const double root = std::sqrt(overlap);
   const Approach g = approach(damping * closing);

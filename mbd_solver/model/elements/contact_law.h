@@ -33,6 +33,7 @@ struct ContactLaw {
   };
   // clip(u) = u where |u| <= 10 v_s, else 10 v_s u / |u|, and its derivative.
   Clipped clip(const Eigen::Vector3d& u) const;
+  Eigen::Vector3d clipped(const Eigen::Vector3d& u) const;  // the value alone
 
   struct Normal {
     double elastic = 0.0;     // k delta^1.5 [N]

@@ -185,7 +185,7 @@ void RigidPlane::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q
   each_contact(in, [&](const Contact& at) {
     at.p.add_transposed(at.force, Q);
     Q.segment<3>(3) -= at.radius * parameters_.normal.cross(at.force);
-    if (springs) dz.segment<2>(2 * at.place) += tangents_.transpose() * parameters_.clip(at.u).value;
+    if (springs) dz.segment<2>(2 * at.place) += tangents_.transpose() * parameters_.clipped(at.u);
   });
 }
 
@@ -249,7 +249,7 @@ void RigidPlane::add_energy(const ElementInput& in, StoredEnergy& stored, Dissip
     if (tau == 0.0) return;
     // Stored mu f psi(xi), f = k delta^1.5: its rate is not dissipated.
     const double root = std::sqrt(at.spring.squaredNorm() + v_s * v_s), psi = tau * (root - v_s);
-    const Eigen::Vector3d rate = parameters_.clip(at.u).value - at.spring;  // xi'
+    const Eigen::Vector3d rate = parameters_.clipped(at.u) - at.spring;  // xi'
     stored[Stored::kContact] += mu * at.elastic * psi;
     power[Dissipation::kFriction] -=
         mu * (at.elastic * at.spring.dot(rate) / root + 1.5 * at.elastic / at.overlap * at.closing * psi);

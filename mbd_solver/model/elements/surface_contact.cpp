@@ -88,7 +88,7 @@ void SurfaceContact::each_place(const ElementInput& in, Use use) const {
 
 Eigen::Vector3d SurfaceContact::spring_rate(const Contact* contacts, int count) const {
   Eigen::Vector3d rate = Eigen::Vector3d::Zero();
-  for (int i = 0; i < count; ++i) rate += (law_.clip(contacts[i].u).value - contacts[i].held) / count;
+  for (int i = 0; i < count; ++i) rate += (law_.clipped(contacts[i].u) - contacts[i].held) / count;
   return rate;
 }
 

@@ -20,17 +20,165 @@ constexpr int kEdgePlaces = 12;        // of an edge that lies on the ground, an
 constexpr int kEdgeSamples = 36;       // at which an edge looks for minima
 constexpr double kStands = 0.5;        // sine of the angle to the ground above which an edge stands up
 constexpr double kAboveGround = 1e-9;  // a place above this height does not touch, round-off included [m]
+constexpr double kSharp = 30.0;  // times its radius: an edge looks for ridges of the ground whose curvature may be more
+constexpr int kMostCuts = 400;   // places of the ground at which an edge looks for them
 constexpr double kTurnsFreely = 1e-9;  // curvature of the distance along an edge below which its minimum has no place
+
+// Directions of the places of an edge that lies.
+const std::array<Eigen::Vector2d, kEdgePlaces>& edge_directions() {
+  static const std::array<Eigen::Vector2d, kEdgePlaces> directions = [] {
+    std::array<Eigen::Vector2d, kEdgePlaces> out;
+    for (int k = 0; k < kEdgePlaces; ++k) {
+      const double angle = 2.0 * kPi * k / kEdgePlaces;
+      out[static_cast<std::size_t>(k)] = {std::cos(angle), std::sin(angle)};
+    }
+    return out;
+  }();
+  return directions;
+}
+
+// A circle of radius R about `centre` in the plane across the axis a, and a ridge of the field that reaches into it. The places p on
+// the circle and c on the field face each other:
+//   (p - c).T_x = 0,  (p - c).T_y = 0,  N.t = 0;   T_x = (1, 0, h_x), T_y = (0, 1, h_y), N = (-h_x, -h_y, 1), t = a x e, p = centre + R e
+// This is the minimum of phi along the circle, and regular also where the circle is beyond the centres of curvature of the ridge,
+// where the foot of p has ended: for any sharpness. Between two minima within the circle is a saddle, whose contact counts with the
+// opposite sign: a minimum that ends does so in a saddle of the same overlap, and the energy does not jump; nor do ripples of the map
+// on a level count as many grounds.
+struct Ridge {
+  double sign = 1.0;     // -1: of a saddle
+  Eigen::Vector3d e;     // from the centre to p
+  double overlap = 0.0;  // [m]
+  Eigen::Vector3d n;     // of the field at c
+  Terrain::Height at_c;  // its height, slope, bend
+  Eigen::Vector3d c;     // [m]
+  Eigen::Matrix3d J;     // of the three equations by the place of c, x and y, and the angle of p
+  void differentiate(double R, const Eigen::Vector3d& t, const Eigen::Vector3d& p);
+  // By [dr; dtheta] of the body: of p along the circle, and of n.
+  void find_ways(double R, const Eigen::Vector3d& t, const Eigen::Vector3d& arm, Eigen::Matrix<double, 3, 6>& of_p,
+                 Eigen::Matrix<double, 3, 6>& of_n) const;
+};
+
+void Ridge::differentiate(double R, const Eigen::Vector3d& t, const Eigen::Vector3d& p) {
+  const Eigen::Vector3d T_x(1.0, 0.0, at_c.slope.x()), T_y(0.0, 1.0, at_c.slope.y()),
+      N(-at_c.slope.x(), -at_c.slope.y(), 1.0);
+  const double d = p.z() - c.z();
+  J << -T_x.squaredNorm() + d * at_c.bend[0], -T_x.dot(T_y) + d * at_c.bend[2], R * t.dot(T_x),
+      -T_x.dot(T_y) + d * at_c.bend[2], -T_y.squaredNorm() + d * at_c.bend[1], R * t.dot(T_y),
+      -(at_c.bend[0] * t.x() + at_c.bend[2] * t.y()), -(at_c.bend[2] * t.x() + at_c.bend[1] * t.y()), -N.dot(e);
+}
+
+// J d(x, y, angle) = -[T_x.dp; T_y.dp; (t x N).dtheta],  dp = dr - arm~ dtheta
+void Ridge::find_ways(double R, const Eigen::Vector3d& t, const Eigen::Vector3d& arm, Eigen::Matrix<double, 3, 6>& of_p,
+                      Eigen::Matrix<double, 3, 6>& of_n) const {
+  const Eigen::Vector3d T_x(1.0, 0.0, at_c.slope.x()), T_y(0.0, 1.0, at_c.slope.y()),
+      N(-at_c.slope.x(), -at_c.slope.y(), 1.0);
+  Eigen::Matrix<double, 3, 6> by_body = Eigen::Matrix<double, 3, 6>::Zero();
+  by_body.block<1, 3>(0, 0) = T_x.transpose();
+  by_body.block<1, 3>(1, 0) = T_y.transpose();
+  by_body.block<1, 3>(0, 3) = -(T_x.transpose() * skew(arm));
+  by_body.block<1, 3>(1, 3) = -(T_y.transpose() * skew(arm));
+  by_body.block<1, 3>(2, 3) = t.cross(N).transpose();
+  const Eigen::Matrix<double, 3, 6> ways = -(J.inverse() * by_body);
+  of_p = (R * t) * ways.row(2);
+  Eigen::Matrix<double, 3, 6> by_N = Eigen::Matrix<double, 3, 6>::Zero();
+  by_N.row(0) = -(at_c.bend[0] * ways.row(0) + at_c.bend[2] * ways.row(1));
+  by_N.row(1) = -(at_c.bend[2] * ways.row(0) + at_c.bend[1] * ways.row(1));
+  of_n = (by_N - n * (n.transpose() * by_N)) / N.norm();
+}
+
+// The places at which the ground, cut by the plane of the circle, comes nearest to its centre are near those; u is level, v rises.
+void find_ridges(const Terrain& terrain, const Eigen::Vector3d& centre, double R, const Eigen::Vector3d& a,
+                 std::vector<Ridge>& ridges) {
+  const std::shared_ptr<const HeightGrid>& map = terrain.parts().map;
+  const double step = map ? map->step.minCoeff() : R / 100.0;
+  const Eigen::Vector3d u = a.cross(Eigen::Vector3d::UnitZ()).normalized(), v = u.cross(a);
+  struct Cut {
+    double w = 0.0, square = 0.0,
+           slope = 0.0;  // height along v [m], distance from the centre squared, half its derivative by s
+  };
+  const auto cut_at = [&](double s, double w) {
+    Cut cut;
+    Terrain::Height here;
+    for (int i = 0; i < 12; ++i) {
+      const Eigen::Vector3d c = centre + s * u + w * v;
+      here = terrain.at(c.x(), c.y());
+      const double rise = v.z() - here.slope.dot(v.head<2>());
+      const double more = (here.h - c.z()) / (rise > 0.3 * v.z() ? rise : v.z());
+      w += more;
+      if (std::abs(more) < 1e-13 || (v.head<2>().squaredNorm() < 1e-24)) break;
+    }
+    cut.w = w;
+    cut.square = s * s + w * w;
+    const double rise = v.z() - here.slope.dot(v.head<2>());
+    cut.slope = s + w * here.slope.dot(u.head<2>()) / (rise > 0.3 * v.z() ? rise : v.z());
+    return cut;
+  };
+  const int count = std::clamp(static_cast<int>(std::ceil(4.0 * R / step)), 36, kMostCuts);
+  const double apart = 2.0 * R / count;
+  Cut before = cut_at(-R - apart, 0.0), here = cut_at(-R, before.w);
+  for (int k = 0; k <= count; ++k) {
+    const double s = -R + k * apart;
+    const Cut after = cut_at(s + apart, here.w);
+    const bool least = here.square <= before.square && here.square < after.square;
+    const bool most = here.square >= before.square && here.square > after.square;
+    const Cut middle = here;
+    const bool steep = std::max(std::abs(here.w - before.w), std::abs(after.w - here.w)) > 4.0 * apart;
+    before = here;
+    here = after;
+    if (!(least || most) || (middle.square > (R + apart) * (R + apart) && !steep)) continue;
+    double low = s - apart, high = s + apart, w = middle.w;
+    for (int i = 0; i < 60 && high - low > 1e-9 * R; ++i) {
+      const double half = 0.5 * (low + high);
+      const Cut cut = cut_at(half, w);
+      w = cut.w;
+      ((cut.slope < 0.0) == least ? low : high) = half;
+    }
+    const double at = 0.5 * (low + high);
+    const Cut found = cut_at(at, w);
+    if (found.square >= R * R || found.square == 0.0) continue;
+    Ridge one;
+    one.sign = least ? 1.0 : -1.0;
+    one.e = (at * u + found.w * v) / std::sqrt(found.square);
+    Eigen::Vector2d place = (centre + at * u + found.w * v).head<2>();
+    for (int i = 0; i < 20; ++i) {
+      one.at_c = terrain.at(place.x(), place.y());
+      one.c = {place.x(), place.y(), one.at_c.h};
+      const Eigen::Vector3d p = centre + R * one.e, t = a.cross(one.e);
+      one.differentiate(R, t, p);
+      const Eigen::Vector2d& g = one.at_c.slope;
+      const Eigen::Vector3d d = p - one.c;
+      const Eigen::Vector3d r(d.x() + d.z() * g.x(), d.y() + d.z() * g.y(), t.z() - g.dot(t.head<2>()));
+      Eigen::Vector3d change = -(one.J.inverse() * r);
+      const double size = std::max(change.head<2>().norm(), R * std::abs(change[2]));
+      if (!(size > 1e-14 * (1.0 + place.norm()))) break;
+      if (size > 0.5 * step) change *= 0.5 * step / size;
+      place += change.head<2>();
+      one.e = (std::cos(change[2]) * one.e + std::sin(change[2]) * t).eval();
+    }
+    one.n = Eigen::Vector3d(-one.at_c.slope.x(), -one.at_c.slope.y(), 1.0).normalized();
+    one.overlap = one.n.dot(one.c - centre - R * one.e);
+    const bool stayed = (one.c - centre - at * u - found.w * v).norm() < 4.0 * apart;
+    if (!stayed || !(one.overlap > 0.0) || !(one.n.dot(one.e) < 0.0)) continue;
+    const bool known = std::any_of(ridges.begin(), ridges.end(), [&](const Ridge& other) {
+      return other.sign == one.sign && (other.c - one.c).norm() < 1e-6 * R;
+    });
+    if (!known) ridges.push_back(one);
+  }
+}
 
 }  // namespace
 
 struct TerrainContact::Contact : CurvedContact {
   const Marker* marker = nullptr;
   MovingPoint p;
-  bool wanders = false;
-  // p moves along its edge by wander [dr; dtheta] as the body moves.
-  Eigen::Matrix<double, 3, 6> wander = Eigen::Matrix<double, 3, 6>::Zero();
+  bool wanders = false, turns = false;
+  // p moves along its edge by wander [dr; dtheta] as the body moves; on a ridge n turns by turn [dr; dtheta], instead of H dp.
+  Eigen::Matrix<double, 3, 6> wander = Eigen::Matrix<double, 3, 6>::Zero(), turn = Eigen::Matrix<double, 3, 6>::Zero();
   bool on_rock = false;
+  void count_off() {
+    normal = {-normal.elastic, -normal.force, -normal.by_overlap, -normal.by_closing};
+    force = -force;
+  }
 };
 
 TerrainContact::TerrainContact(std::string name, std::vector<ContactPoint> points, const ContactLaw& law,
@@ -66,9 +214,9 @@ int TerrainContact::place_count() const { return static_cast<int>(points_.size()
 
 void TerrainContact::add_contact(const ElementInput& in, const Marker& marker, double radius, const Terrain::Foot& foot,
                                  int place) const {
-  Contact at;
+  if (radius - foot.distance <= 0.0) return;
+  Contact& at = contacts_.emplace_back();
   at.overlap = radius - foot.distance;
-  if (at.overlap <= 0.0) return;
   const BodyKinematics& body = *in.pair.body[0];
   at.marker = &marker;
   at.p = MovingPoint(body, marker);
@@ -80,7 +228,6 @@ void TerrainContact::add_contact(const ElementInput& in, const Marker& marker, d
   at.closing = -at.n.dot(at.g);
   if (law_.stick_time > 0.0) at.spring = in.z.segment<3>(3 * place) / law_.stick_time;
   at.apply(law_);
-  contacts_.push_back(at);
 }
 
 // From an angle near a minimum of the distance along the edge to the minimum.
@@ -107,7 +254,7 @@ double TerrainContact::find_place_on_rim(const Eigen::Vector3d& centre, double r
 
 template <class Use>
 void TerrainContact::each_rim_place(const ElementInput& in, const ContactRim& rim, int first_place,
-                                    const Terrain::Lid& lid, Use use) const {
+                                    const Terrain::Lid& lid, Terrain::With with, Use use) const {
   const BodyKinematics& body = *in.pair.body[0];
   const Eigen::Vector3d a = body.A * rim.marker.axes.col(2), centre = body.r + body.A * rim.marker.s0;
   const double R = rim.radius;
@@ -117,8 +264,11 @@ void TerrainContact::each_rim_place(const ElementInput& in, const ContactRim& ri
   const double above = centre.z() - lid.height - lid.slope.dot(away) - 0.5 * lid.bend * far * far;
   if (above > R * up.cross(a).norm() && lid.rocks.empty()) return;
 
+  const bool sharp =
+      field_ && lid.bend * R > kSharp && a.head<2>().norm() > kStands && terrain_->lid(centre, R).bend * R > kSharp;
   const Terrain::Height below = terrain_->at(centre.x(), centre.y());
-  const Eigen::Vector3d n = Eigen::Vector3d(-below.slope.x(), -below.slope.y(), 1.0).normalized();
+  const Eigen::Vector3d n =
+      sharp ? Eigen::Vector3d(0.0, 0.0, 1.0) : Eigen::Vector3d(-below.slope.x(), -below.slope.y(), 1.0).normalized();
   const auto touch_rocks = [&](const Eigen::Vector3d& p, int place) {
     for (const int rock : lid.rocks) {
       const Terrain::Foot foot = terrain_->foot(p, rock);
@@ -127,13 +277,12 @@ void TerrainContact::each_rim_place(const ElementInput& in, const ContactRim& ri
   };
   if (n.cross(a).norm() < kStands) {
     for (int k = 0; k < kEdgePlaces; ++k) {
-      const double angle = 2.0 * kPi * k / kEdgePlaces;
-      on_rim_.s0 =
-          rim.marker.s0 + R * (std::cos(angle) * rim.marker.axes.col(0) + std::sin(angle) * rim.marker.axes.col(1));
+      const Eigen::Vector2d& e = edge_directions()[static_cast<std::size_t>(k)];
+      on_rim_.s0 = rim.marker.s0 + R * (e.x() * rim.marker.axes.col(0) + e.y() * rim.marker.axes.col(1));
       const Eigen::Vector3d p = body.r + body.A * on_rim_.s0;
       contacts_.clear();
-      if (field_ && p.z() - terrain_->at(p.x(), p.y()).h < kAboveGround)
-        add_contact(in, on_rim_, 0.0, terrain_->foot(p), first_place + k);
+      Terrain::Foot foot;
+      if (field_ && terrain_->below(p, with, foot)) add_contact(in, on_rim_, 0.0, foot, first_place + k);
       touch_rocks(p, first_place + k);
       if (!contacts_.empty()) use(first_place + k, contacts_.data(), static_cast<int>(contacts_.size()));
     }
@@ -147,29 +296,44 @@ void TerrainContact::each_rim_place(const ElementInput& in, const ContactRim& ri
   struct Minimum {
     double angle;
     Terrain::Foot foot;
+    const Ridge* ridge = nullptr;
   };
   std::array<std::vector<Minimum>, kEdgePlaces> minima;
   bool any = false;
+  const auto near = [&](double angle) -> std::vector<Minimum>& {
+    const int turn = static_cast<int>(std::lround(angle * kEdgePlaces / (2.0 * kPi)));
+    return minima[static_cast<std::size_t>(((turn % kEdgePlaces) + kEdgePlaces) % kEdgePlaces)];
+  };
   const auto add = [&](double start, int rock) {
     Minimum one;
     one.angle = find_place_on_rim(centre, R, e_0, b, start, rock, one.foot);
     if (!(one.foot.distance < 0.0)) return;
-    const int turn = static_cast<int>(std::lround(one.angle * kEdgePlaces / (2.0 * kPi)));
-    std::vector<Minimum>& here = minima[static_cast<std::size_t>(((turn % kEdgePlaces) + kEdgePlaces) % kEdgePlaces)];
+    std::vector<Minimum>& here = near(one.angle);
     for (const Minimum& known : here)
       if (known.foot.rock == rock && std::abs(std::remainder(known.angle - one.angle, 2.0 * kPi)) < 1e-6) return;
     here.push_back(one);
     any = true;
   };
+  std::vector<Ridge> ridges;
+  if (sharp) find_ridges(*terrain_, centre, R, a, ridges);
+  for (const Ridge& ridge : ridges) {
+    Minimum one;
+    one.angle = std::atan2(ridge.e.dot(b), ridge.e.dot(e_0));
+    one.foot.distance = -ridge.overlap;
+    one.foot.normal = ridge.n;
+    one.ridge = &ridge;
+    near(one.angle).push_back(one);
+    any = true;
+  }
   std::array<double, kEdgeSamples> gap{};
-  for (int i = 0; i < kEdgeSamples && field_; ++i) {
+  for (int i = 0; i < kEdgeSamples && field_ && !sharp; ++i) {
     const double angle = 2.0 * kPi * i / kEdgeSamples;
     const Eigen::Vector3d p = centre + R * (std::cos(angle) * e_0 + std::sin(angle) * b);
     const Terrain::Height here = terrain_->at(p.x(), p.y());
     gap[static_cast<std::size_t>(i)] = (p.z() - here.h) / std::sqrt(1.0 + here.slope.squaredNorm());
   }
   const double arc = 2.0 * kPi * R / kEdgeSamples;
-  for (int i = 0; i < kEdgeSamples && field_; ++i) {
+  for (int i = 0; i < kEdgeSamples && field_ && !sharp; ++i) {
     const double here = gap[static_cast<std::size_t>(i)];
     if (here > arc || here > gap[static_cast<std::size_t>((i + 1) % kEdgeSamples)] ||
         here > gap[static_cast<std::size_t>((i + kEdgeSamples - 1) % kEdgeSamples)])
@@ -182,29 +346,44 @@ void TerrainContact::each_rim_place(const ElementInput& in, const ContactRim& ri
     add(std::atan2(d.dot(b), d.dot(e_0)), rock);
   }
   if (!any) return;
+  std::vector<Marker> places;
   for (int k = 0; k < kEdgePlaces; ++k) {
-    for (const Minimum& one : minima[static_cast<std::size_t>(k)]) {
-      const Eigen::Vector3d e = std::cos(one.angle) * e_0 + std::sin(one.angle) * b, t = a.cross(e);
-      on_rim_.s0 = rim.marker.s0 + R * (body.A.transpose() * e);
-      contacts_.clear();
-      add_contact(in, on_rim_, 0.0, one.foot, first_place + k);
-      if (contacts_.empty()) continue;
+    const std::vector<Minimum>& here = minima[static_cast<std::size_t>(k)];
+    if (here.empty()) continue;
+    places.assign(here.size(), on_rim_);
+    contacts_.clear();
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      const Minimum& one = here[i];
+      const Eigen::Vector3d e =
+          one.ridge != nullptr ? one.ridge->e : Eigen::Vector3d(std::cos(one.angle) * e_0 + std::sin(one.angle) * b);
+      const Eigen::Vector3d t = a.cross(e);
+      places[i].s0 = rim.marker.s0 + R * (body.A.transpose() * e);
+      const std::size_t known = contacts_.size();
+      add_contact(in, places[i], 0.0, one.foot, first_place + k);
+      if (contacts_.size() == known) continue;
       Contact& at = contacts_.back();
+      const Eigen::Vector3d arm = centre + R * e - body.r;
+      if (one.ridge != nullptr) {
+        one.ridge->find_ways(R, t, arm, at.wander, at.turn);
+        at.wanders = at.turns = true;
+        if (one.ridge->sign < 0.0) at.count_off();
+        continue;
+      }
       const double curve = R * t.dot(at.H * t) - at.n.dot(e);
       if (curve > kTurnsFreely) {
         Eigen::Matrix<double, 1, 6> turn;
         turn.head<3>() = -(t.transpose() * at.H) / curve;
-        turn.tail<3>() = (t.transpose() * at.H * skew(centre + R * e - body.r) - t.cross(at.n).transpose()) / curve;
+        turn.tail<3>() = (t.transpose() * at.H * skew(arm) - t.cross(at.n).transpose()) / curve;
         at.wander = (R * t) * turn;
         at.wanders = true;
       }
-      use(first_place + k, contacts_.data(), 1);
     }
+    if (!contacts_.empty()) use(first_place + k, contacts_.data(), static_cast<int>(contacts_.size()));
   }
 }
 
 template <class Use>
-void TerrainContact::each_place(const ElementInput& in, Use use) const {
+void TerrainContact::each_place(const ElementInput& in, Terrain::With with, Use use) const {
   const BodyKinematics& body = *in.pair.body[0];
   const double reach = body.modes == 0 ? reach_ : reach_ + flexible_reach_ * body.a.norm();
   const Terrain::Lid lid = terrain_->lid(body.r, reach);
@@ -221,9 +400,12 @@ void TerrainContact::each_place(const ElementInput& in, Use use) const {
     const double wide = across.norm() + point.radius;
     const double above = p.z() - lid.height - lid.slope.dot(across) - 0.5 * lid.bend * wide * wide - point.radius * up;
     contacts_.clear();
-    if (field_ && above <= kAboveGround) {
+    if (!field_ || above > kAboveGround) {
+    } else if (Terrain::Foot foot; point.radius == 0.0) {
+      if (terrain_->below(p, with, foot)) add_contact(in, m, 0.0, foot, place);
+    } else if (terrain_->may_touch(p, point.radius)) {
       terrain_->feet(p, point.radius, feet_);
-      for (const Terrain::Foot& foot : feet_) add_contact(in, m, point.radius, foot, place);
+      for (const Terrain::Foot& one : feet_) add_contact(in, m, point.radius, one, place);
     }
     for (const int rock : lid.rocks) {
       const Terrain::Sphere& sphere = terrain_->rocks()[static_cast<std::size_t>(rock)];
@@ -234,14 +416,14 @@ void TerrainContact::each_place(const ElementInput& in, Use use) const {
   }
   ++place;
   for (const ContactRim& rim : rims_) {
-    each_rim_place(in, rim, place, lid, use);
+    each_rim_place(in, rim, place, lid, with, use);
     place += kEdgePlaces;
   }
 }
 
 Eigen::Vector3d TerrainContact::spring_rate(const Contact* contacts, int count) const {
   Eigen::Vector3d rate = Eigen::Vector3d::Zero();
-  for (int i = 0; i < count; ++i) rate += (law_.clip(contacts[i].u).value - contacts[i].held) / count;
+  for (int i = 0; i < count; ++i) rate += (law_.clipped(contacts[i].u) - contacts[i].held) / count;
   return rate;
 }
 
@@ -249,7 +431,7 @@ void TerrainContact::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorX
                                Eigen::Ref<Eigen::VectorXd> dz) const {
   const bool springs = law_.stick_time > 0.0;
   if (springs) dz = -in.z / law_.stick_time;
-  each_place(in, [&](int place, const Contact* contacts, int count) {
+  each_place(in, Terrain::With::kNormal, [&](int place, const Contact* contacts, int count) {
     for (int i = 0; i < count; ++i) {
       const Contact& at = contacts[i];
       at.p.add_transposed(at.force, Q);
@@ -263,7 +445,7 @@ bool TerrainContact::add_derivatives(const ElementInput& in, ElementDerivatives&
   const bool springs = law_.stick_time > 0.0;
   bool any = springs;
   if (springs) out.ddz_dz.noalias() -= Eigen::Matrix3d::Identity().replicate(place_count(), 1) / law_.stick_time;
-  each_place(in, [&](int place, const Contact* contacts, int count) {
+  each_place(in, Terrain::With::kBend, [&](int place, const Contact* contacts, int count) {
     any = true;
     if (springs) out.ddz_dz.middleRows<3>(3 * place) += Eigen::Matrix3d::Identity() / law_.stick_time;
     for (int i = 0; i < count; ++i) add_derivatives(in, contacts[i], place, 1.0 / count, out);
@@ -286,7 +468,10 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
   p.add_jacobian(X_);
   D_ = X_;
   if (at.wanders) D_.leftCols<6>() += at.wander;
-  N_.noalias() = at.H.lazyProduct(D_);
+  if (at.turns)
+    N_.leftCols<6>() = at.turn;
+  else
+    N_.noalias() = at.H.lazyProduct(D_);
   G_ = X_;
   G_.middleCols<3>(3) += at.radius * skew(at.n);
   p.add_rate_jacobian(g_x_);
@@ -321,13 +506,15 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
 
 void TerrainContact::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
   const BodyKinematics& body = *in.pair.body[0];
-  each_place(in, [&](int, const Contact* contacts, int count) {
+  each_place(in, Terrain::With::kBend, [&](int, const Contact* contacts, int count) {
     const Eigen::Vector3d xi_rate = spring_rate(contacts, count);
     for (int i = 0; i < count; ++i) {
       const Contact& at = contacts[i];
       Eigen::Vector3d way = at.p.rate();
       if (at.wanders) way += at.wander.leftCols<3>() * body.dr + at.wander.rightCols<3>() * body.w;
-      const Eigen::Vector3d rate = xi_rate - law_.stick_time * at.n.dot(at.spring) * (at.H * way);
+      Eigen::Vector3d turning = at.H * way;
+      if (at.turns) turning = at.turn.leftCols<3>() * body.dr + at.turn.rightCols<3>() * body.w;
+      const Eigen::Vector3d rate = xi_rate - law_.stick_time * at.n.dot(at.spring) * turning;
       at.add_energy(law_, rate, stored, power);
     }
   });
@@ -335,7 +522,7 @@ void TerrainContact::add_energy(const ElementInput& in, StoredEnergy& stored, Di
 
 Eigen::Matrix<double, 6, 1> TerrainContact::wrench(const ElementInput& in) const {
   Eigen::Matrix<double, 6, 1> out = Eigen::Matrix<double, 6, 1>::Zero();
-  each_place(in, [&](int, const Contact* contacts, int count) {
+  each_place(in, Terrain::With::kNormal, [&](int, const Contact* contacts, int count) {
     for (int i = 0; i < count; ++i) {
       const Contact& at = contacts[i];
       const Eigen::Vector3d arm = at.p.value() - at.radius * at.n - in.pair.body[0]->r;
@@ -348,7 +535,7 @@ Eigen::Matrix<double, 6, 1> TerrainContact::wrench(const ElementInput& in) const
 
 double TerrainContact::largest_overlap(const ElementInput& in) const {
   double largest = 0.0;
-  each_place(in, [&](int, const Contact* contacts, int count) {
+  each_place(in, Terrain::With::kNormal, [&](int, const Contact* contacts, int count) {
     for (int i = 0; i < count; ++i) largest = std::max(largest, contacts[i].overlap);
   });
   return largest;
@@ -356,7 +543,7 @@ double TerrainContact::largest_overlap(const ElementInput& in) const {
 
 bool TerrainContact::touches_rock(const ElementInput& in) const {
   bool any = false;
-  each_place(in, [&](int, const Contact* contacts, int count) {
+  each_place(in, Terrain::With::kNormal, [&](int, const Contact* contacts, int count) {
     for (int i = 0; i < count; ++i) any = any || contacts[i].on_rock;
   });
   return any;

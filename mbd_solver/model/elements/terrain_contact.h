@@ -7,6 +7,8 @@
 // A circular edge (radius R about c, axis a) that stands up from the ground touches where its distance from the ground has local
 // minima, n.t = 0 with the tangent t = a x e: it rolls without facets, also over a step. As the body turns by dtheta and moves
 // by dr the place moves along the edge by R t dpsi, (R t.H t - n.e) dpsi = -t.H dp - (t x n).dtheta; this does no work.
+// Where a ridge of the ground may be sharper than a thirtieth of R the edge meets it by pairs of places that face each other, which
+// the ridge's own curvature does not end; saddles between them count with the opposite sign (terrain_contact.cpp).
 // An edge that lies within 30 degrees of the ground touches at 12 places of its own.
 
 #include <memory>
@@ -44,10 +46,10 @@ class TerrainContact : public ForceElement {
   int place_count() const;
   // use(place, contacts, count) for every place with contacts.
   template <class Use>
-  void each_place(const ElementInput& in, Use use) const;
+  void each_place(const ElementInput& in, Terrain::With with, Use use) const;
   template <class Use>
   void each_rim_place(const ElementInput& in, const ContactRim& rim, int first_place, const Terrain::Lid& lid,
-                      Use use) const;
+                      Terrain::With with, Use use) const;
   void add_contact(const ElementInput& in, const Marker& marker, double radius, const Terrain::Foot& foot,
                    int place) const;
   void add_derivatives(const ElementInput& in, const Contact& at, int place, double share,

@@ -3,6 +3,7 @@
 #include "mbd_solver/scene/ground/terrain_file.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -30,49 +31,78 @@ constexpr const char* kCoarser = "cut or thin it first, for example by gdal_tran
 // Words of a text, with the line of each.
 class MapWords {
  public:
-  MapWords(const std::string& file, std::string_view text) : file_(file), at_(text.data()), end_(at_ + text.size()) {}
+  MapWords(const std::string& file, std::string_view text)
+      : file_(file), at_(text.data()), end_(at_ + text.size()), counted_(at_) {}
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(code::kTerrainMap, file_ + ":" + std::to_string(line_) + ": " + what);
+  [[noreturn]] void fail(const std::string& what) {
+    throw InputError(code::kTerrainMap, file_ + ":" + std::to_string(line()) + ": " + what);
   }
   // The next word, of this line alone or of any; empty at the end.
   std::string_view next(bool this_line = false) {
-    while (at_ < end_ && is_gap(*at_)) {
-      if (*at_ == '\n') {
-        if (this_line) return {};
-        ++line_;
-      }
-      ++at_;
-    }
+    for (; at_ < end_ && is_gap(*at_); ++at_)
+      if (*at_ == '\n' && this_line) return {};
     const char* const from = at_;
     while (at_ < end_ && !is_gap(*at_)) ++at_;
     return {from, static_cast<std::size_t>(at_ - from)};
   }
   std::string_view peek() {
     const char* const at = at_;
-    const int line = line_;
     const std::string_view word = next();
     at_ = at;
-    line_ = line;
     return word;
   }
   void skip_line() {
     while (at_ < end_ && *at_ != '\n') ++at_;
+  }
+  // The next word as a plain number: digits, at most one point, no more than 15 of them, so that both parts of the quotient, and
+  // with them the nearest double, are exact [Clinger, PLDI 1990]. False, and nothing is passed, for a hole and all others.
+  bool plain_number(double hole, double& value) {
+    static constexpr std::array<double, 16> kTens = {1.0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                     1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    const char* at = at_;
+    while (at < end_ && is_gap(*at)) ++at;
+    const bool negative = at < end_ && *at == '-';
+    if (negative) ++at;
+    std::uint64_t digits = 0;
+    const char* const first = at;
+    for (; at < end_ && is_digit(*at); ++at) digits = 10 * digits + static_cast<unsigned>(*at - '0');
+    std::ptrdiff_t count = at - first, behind = 0;
+    if (at < end_ && *at == '.') {
+      const char* const point = at++;
+      for (; at < end_ && is_digit(*at); ++at) digits = 10 * digits + static_cast<unsigned>(*at - '0');
+      behind = at - point - 1;
+      count += behind;
+    }
+    if (count == 0 || count > 15 || (at < end_ && !is_gap(*at))) return false;
+    value = static_cast<double>(digits) / kTens[static_cast<std::size_t>(behind)];
+    if (negative) value = -value;
+    if (value == hole) return false;
+    at_ = at;
+    return true;
   }
   bool number(std::string_view word, double& value) const {
     if (!word.empty() && word.front() == '+') word.remove_prefix(1);
     const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
     return result.ec == std::errc() && result.ptr == word.data() + word.size();
   }
-  int line() const { return line_; }
-  void set_line(int line) { line_ = line; }
+  int line() {  // of the last word
+    line_ += static_cast<int>(std::count(counted_, at_, '\n'));
+    counted_ = at_;
+    return line_;
+  }
+  void set_line(int line) {
+    line_ = line;
+    counted_ = at_;
+  }
 
  private:
+  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
   static bool is_gap(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == ',' || c == ';'; }
 
   const std::string& file_;
   const char* at_;
   const char* end_;
+  const char* counted_;  // line ends up to here are in line_
   int line_ = 1;
 };
 
@@ -87,7 +117,7 @@ struct RawMap {
   double x = 0.0, y = 0.0;  // of the first sample, in coordinates of the file [m]
 };
 
-void judge_size(const MapWords& words, double columns, double rows) {
+void judge_size(MapWords& words, double columns, double rows) {
   if (!(columns >= 2.0 && rows >= 2.0))
     words.fail("the map has " + number_text(columns) + " columns and " + number_text(rows) +
                " rows, expected at least 2 of each: one row has no slope across it");
@@ -161,6 +191,7 @@ RawMap read_esri(MapWords& words) {
     double* const heights =
         &map.grid.heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.grid.columns)];
     for (int column = 0; column < map.grid.columns; ++column) {
+      if (words.plain_number(hole, heights[column])) continue;
       const std::string_view word = words.next();
       const auto where = [&] {
         return "row " + std::to_string(map.grid.rows - row) + " from the top, column " + std::to_string(column + 1);

@@ -125,36 +125,6 @@ TEST(PlanarJoints, HaveLawsDrivesAndGearsOnTheirThreeCoordinates) {
 }
 
 // The tests of tests/unit/dynamics take their joints, between flexible bodies too, from one list.
-// A wheel of 0.15 m: a step over 1 mm of a map is round by less than 2.5 mm, one over 4 cm is not.
-TEST(SteepSteps, ThatAWheelMayNotFeelAreNamed) {
-  for (const double width : {0.001, 0.04}) {
-    const SceneText text;
-    std::string map = "ncols 60\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize " + std::to_string(width) + "\n";
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 60; ++column) map += column < 30 ? "0 " : "0.03 ";
-      map += "\n";
-    }
-    text.write("step.asc", map);
-    const Mechanism mechanism = build_mechanism(text.read(R"(end_time = 1.0
-[[bodies]]
-name = "wheel"
-mass = 1.0
-shape = { kind = "cylinder", centre = [-0.5, 0, 0.5], axis = "y", radius = 0.15, length = 0.05 }
-[[boundaries]]
-body = "wheel"
-surface = {}
-[ground]
-kind = "plane"
-[ground.plane]
-young = 1e6
-[ground.terrain.map]
-file = "step.asc"
-)"));
-    const auto named = [](const std::string& warning) { return warning.find("W0268") != std::string::npos; };
-    EXPECT_EQ(std::count_if(mechanism.warnings.begin(), mechanism.warnings.end(), named), width < 0.01 ? 1 : 0);
-  }
-}
-
 TEST(JointSpecimens, AreOneOfEachType) {
   test::Random random(1);
   const Model model = test::random_bodies(random);

@@ -56,6 +56,23 @@ TEST_F(Condensed, SolvesTheWhole) {
   }
 }
 
+TEST_F(Condensed, SolvesBlocksOfThree) {
+  for (const int first : {4, 7})  // 4 to 9, which act on each other within three from now on
+    for (int i = first; i < first + 3; ++i)
+      for (int j = first; j < first + 3; ++j) whole.coeffRef(i, j) = i == j ? 3.0 + 0.1 * i : 0.3 * i - 0.2 * j;
+  whole.coeffRef(6, 7) = whole.coeffRef(7, 6) = 0.0;
+  whole.prune(0.0);
+  CondensedMatrix condensed(whole, {{4, 6, 3}, {11, 2, 1}});
+  ASSERT_EQ(condensed.matrix().rows(), 5);
+  ASSERT_TRUE(condensed.update());
+  SparseLu lu(condensed.matrix());
+  ASSERT_TRUE(lu.factor());
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(13, -3.0, 5.0);
+  Eigen::VectorXd x = b;
+  condensed.solve(x, [&](Eigen::Ref<Eigen::VectorXd> y) { lu.solve(y); });
+  EXPECT_LT((whole * x - b).norm(), 1e-12 * b.norm());
+}
+
 TEST_F(Condensed, IsTheMatrixItselfWithoutLocalUnknowns) {
   const CondensedMatrix condensed(whole, {});
   EXPECT_EQ(&condensed.matrix(), &whole);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/model/elements/terrain_contact.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "tests/unit/dynamics/jacobian_check.h"
@@ -428,6 +429,158 @@ TEST(TerrainContact, EnergyIsKeptOverRocks) {
   test::Run run(model, "one_step", test::precise(1e-8));
   run.to(2.0);
   EXPECT_LT(std::abs(run.imbalance()), 1e-5 * run.start_energy());
+}
+
+// ---- steep steps ----
+
+// Samples 5 mm apart jump by 0.05 m: what a sharp kerb is in a map.
+std::shared_ptr<const Terrain> kerb(double rise = 0.05) {
+  TerrainParts parts;
+  parts.map = map_of(201, 41, 0.005, [rise](double x, double) { return x < 0.0 ? 0.0 : rise; });
+  return terrain_of(parts);
+}
+
+// The place of the profile at y = 0 nearest to (x, z), by looking at all of them.
+Eigen::Vector2d nearest_on(const Terrain& ground, double x, double z) {
+  Eigen::Vector2d best(0.0, -1.0);
+  double least = 1e9;
+  const auto look = [&](double from, double to, double apart) {
+    for (double u = from; u <= to; u += apart) {
+      const double h = ground.at(u, 0.0).h, square = (u - x) * (u - x) + (h - z) * (h - z);
+      if (square < least) {
+        least = square;
+        best = {u, h};
+      }
+    }
+  };
+  look(-0.45, 0.45, 1e-4);
+  for (double apart = 1e-5; apart > 1e-9; apart *= 0.1) look(best.x() - 20.0 * apart, best.x() + 20.0 * apart, apart);
+  return best;
+}
+
+// At the start of its climb a wheel touches the edge of the kerb alone. Force and direction are those of the nearest place: along
+// (centre - c), so that F_x / F_z = tan(phi), cos(phi) = (R + lift - h_c) / R.
+TEST(SteepSteps, PushAWheelAndABallFromTheirEdge) {
+  constexpr double R = 0.3, k = 1e7;
+  ContactLaw law;
+  law.stiffness = k;
+  law.friction = 0.0;
+  law.stick_time = 0.0;
+  for (const bool wheel : {true, false}) {
+    for (const double lift : {0.002, 0.01, 0.03, 0.045, 0.05}) {
+      const bool wall = lift == 0.05;  // higher than the centre: the nearest place is on its flank
+      const auto ground = kerb(wall ? 0.6 : 0.05);
+      // Towards the kerb until the nearest place is 0.2 mm inside.
+      const double z = R + lift;
+      double x = -R - 0.05;
+      for (double step = 0.01; step > 1e-10; step *= 0.1)
+        while ((nearest_on(*ground, x + step, z) - Eigen::Vector2d(x + step, z)).norm() > R - 2e-4 && x < 0.0)
+          x += step;
+      const Eigen::Vector2d c = nearest_on(*ground, x, z), centre(x, z), n = (centre - c).normalized();
+      const double overlap = R - (centre - c).norm();
+      Model model({0.0, 0.0, -kEarth});
+      BodyState state;
+      state.r = {x, 0.0, z};
+      state.L = quaternion_about(Eigen::Vector3d::UnitY(), 0.7);
+      model.add_body(Body("round", 2.0, Eigen::Vector3d(0.1, 0.1, 0.1).asDiagonal()), state);
+      Eigen::Matrix3d axes;
+      axes << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+      std::vector<ContactPoint> points;
+      std::vector<ContactRim> rims;
+      if (wheel)
+        rims.push_back({body_marker(0, model.body(0), Eigen::Vector3d::Zero(), axes), R});
+      else
+        points.push_back({body_marker(0, model.body(0), Eigen::Vector3d::Zero()), R});
+      const TerrainContact contact("ground", points, law, ground, rims);
+      const Assembly given = test::as_given(model);
+      Kinematics kinematics(model);
+      kinematics.load(Layout(model), given.state.q, given.state.v, Eigen::VectorXd());
+      const ElementInput in{kinematics.pair(0, kGround), Eigen::VectorXd(), Eigen::VectorXd()};
+      const Eigen::Matrix<double, 6, 1> wrench = contact.wrench(in);
+      const double force = k * std::pow(overlap, 1.5);  // to the 1e-9 m of the search
+      EXPECT_NEAR(wrench[0], force * n.x(), 1e-4 * force) << wheel << " " << lift;
+      EXPECT_NEAR(wrench[2], force * n.y(), 1e-4 * force) << wheel << " " << lift;
+      EXPECT_NEAR(wrench[1], 0.0, 1e-6 * force);
+      if (wall) continue;
+      const double cosine = (z - c.y()) / R;  // to 2e-4 m / R
+      EXPECT_NEAR(-wrench[0] / wrench[2], std::sqrt(1.0 - cosine * cosine) / cosine, 3e-3);
+    }
+  }
+}
+
+// Without friction and damping what it has stays, also where the edge is far sharper than the overlap is deep; on top it has given
+// m g h of its motion.
+TEST(SteepSteps, AreClimbedByWheelAndBallForMgh) {
+  constexpr double R = 0.3, rise = 0.05, m = 2.0;
+  for (const bool wheel : {true, false}) {
+    Model model({0.0, 0.0, -kEarth});
+    BodyState state;
+    ContactLaw law;
+    law.stiffness = 1e5;
+    law.friction = 0.0;
+    law.stick_time = 0.0;
+    const double sunk = std::pow(m * kEarth / law.stiffness, 2.0 / 3.0);  // 3 mm
+    state.r = {-0.4, 0.0, R - sunk};
+    state.dr = {2.0, 0.0, 0.0};
+    model.add_body(Body("round", m, Eigen::Vector3d(0.1, 0.1, 0.1).asDiagonal()), state);
+    Eigen::Matrix3d axes;
+    axes << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    std::vector<ContactPoint> points;
+    std::vector<ContactRim> rims;
+    if (wheel)
+      rims.push_back({body_marker(0, model.body(0), Eigen::Vector3d::Zero(), axes), R});
+    else
+      points.push_back({body_marker(0, model.body(0), Eigen::Vector3d::Zero()), R});
+    model.add_force(std::make_unique<TerrainContact>("ground", points, law, kerb(rise), rims));
+    test::Run run(model, "one_step", test::precise(1e-8));
+    double highest = 0.0;
+    for (int i = 1; i <= 80 && run.body(0).r.x() < 0.3; ++i) {
+      run.to(0.01 * i);
+      highest = std::max(highest, run.body(0).r.z());
+    }
+    EXPECT_GT(run.body(0).r.x(), 0.2) << wheel;  // m g h is a quarter of m v^2 / 2
+    EXPECT_GT(highest, R + rise - sunk);
+    EXPECT_LT(std::abs(run.imbalance()), 3e-4 * run.start_energy()) << wheel;  // a ball counts its lowest places alone
+  }
+}
+
+// With slip, springs and spin, leaning and oblique to the edge.
+TEST(SteepSteps, HaveExactDerivatives) {
+  test::Random random(5);
+  const auto ground = kerb();
+  Model model({0.3, 0.2, -9.0});
+  ContactLaw law;
+  law.stiffness = 90.0;
+  law.damping = 0.4;
+  law.friction = 0.3;
+  law.slip_speed = 0.2;
+  law.stick_time = 0.5;
+  for (int i = 0; i < 2; ++i) {
+    const Body body = test::random_rigid_body(random, "body_" + std::to_string(i));
+    BodyState state = test::random_state(random, body);
+    state.r = {-0.15, 0.01 * i, 0.29};
+    state.L = quaternion_about(Eigen::Vector3d::UnitX(), 1.45);
+    model.add_body(body, state);
+    std::vector<ContactPoint> points;
+    std::vector<ContactRim> rims;
+    if (i == 0)
+      rims.push_back({body_marker(i, body, {0.01, 0.0, 0.02}), 0.3});
+    else
+      points.push_back({body_marker(i, body, {0.01, 0.0, 0.02}), 0.3});
+    model.add_force(std::make_unique<TerrainContact>("ground_" + std::to_string(i), points, law, ground, rims));
+  }
+  const Assembly given = test::as_given(model);
+  Equations equations(model, given);
+  const Layout& layout = equations.layout();
+  Eigen::VectorXd y(layout.size());
+  equations.pack(given.state, random.vector_x(layout.row_count), y);
+  y.segment(layout.z0(), layout.z_size) = random.vector_x(layout.z_size, 0.05);
+  const Eigen::VectorXd ydot = random.vector_x(layout.size(), 3.0);
+  std::string where;
+  Inputs inputs;
+  inputs.values = Eigen::VectorXd::Zero(4);
+  EXPECT_LT(test::jacobian_error(equations, y, ydot, 20.0, inputs, &where), 1e-6)
+      << where;  // differences see the corners of bends
 }
 
 // ---- soil ----
