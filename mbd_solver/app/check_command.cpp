@@ -68,6 +68,33 @@ std::string check(Scene scene, bool judges) {
   return proposal;
 }
 
+// What the last run of the scene in runs/ says of its walls; empty without one that has watched them.
+std::string walls_of_last_run(const Scene& scene) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  fs::file_time_type last = fs::file_time_type::min();
+  std::string text;
+  for (const fs::directory_entry& entry : fs::directory_iterator("runs", error)) {
+    const fs::path file = entry.path() / "summary.json";
+    const fs::file_time_type time = fs::last_write_time(file, error);
+    if (error || time <= last) continue;
+    try {
+      const nlohmann::ordered_json summary = read_summary(file.string());
+      if (summary.value("scene_file", "") != fs::absolute(scene.file).lexically_normal().string()) continue;
+      last = time;
+      text.clear();
+      const nlohmann::ordered_json ledger = summary.value("ledger", nlohmann::ordered_json::object());
+      if (!ledger.contains("energy_to_floor_share")) continue;
+      const auto share = [&](const char* key) { return number_text(100.0 * ledger.value(key, 0.0), 2) + " %"; };
+      text = "The last run (" + entry.path().string() + "): of the energy given to the grains at most " +
+             share("energy_to_floor_share") + " was at the floor, " + share("energy_to_sides_share") +
+             " at the side walls.\n";
+    } catch (const std::exception&) {  // of another program, or damaged
+    }
+  }
+  return text;
+}
+
 // Where the host of FMUs is not built, their variables remain unchecked.
 void check_foreign_code(const Scene& scene) {
   if (runs_foreign_code(scene) && fmu_host().empty()) {
@@ -101,7 +128,9 @@ int check_command(const std::string& argument, const std::vector<std::string>& s
       scene.springs.size(), scene.controllers.size(), scene.boundaries.size(),
       grounds[static_cast<int>(scene.ground.kind)]);
   if (scene.touches_particles())
-    std::fputs((scene.particles->box ? box_report(scene) + proposal : script_report(scene)).c_str(), stdout);
+    std::fputs(
+        (scene.particles->box ? box_report(scene) + proposal + walls_of_last_run(scene) : script_report(scene)).c_str(),
+        stdout);
   return kExitDone;
 }
 

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/files.h"
 #include "coupler/base/input_file.h"
 #include "coupler/base/number.h"
 #include "mbd_solver/app/codes.h"
@@ -46,6 +47,32 @@ std::vector<double> at_times(const std::vector<double>& time, const std::vector<
     result.push_back((1.0 - share) * value[k] + share * value[k + 1]);
   }
   return result;
+}
+
+// Energy that the grains have given to floor and side walls, from walls_energy.txt: the rows have the mean power of five samples at
+// equal distances, and the mean of their times.
+struct WallEnergies {
+  std::vector<double> time, floor, sides;  // [s, J, J]
+};
+WallEnergies read_wall_energies(const std::string& path) {
+  WallEnergies walls;
+  std::istringstream lines(read_whole_file(path).value_or(""));
+  std::string line;
+  for (double floor = 0.0, sides = 0.0; std::getline(lines, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream words(line);
+    double step = 0.0, time = 0.0, floor_power = 0.0, side_power = 0.0;
+    if (!(words >> step >> time >> floor_power >> side_power)) break;
+    if (!walls.time.empty() && time <= walls.time.back())
+      throw InputError(code::kRunDamaged, path + ": the row at " + plain_text(time) + " s follows a later one");
+    const double since = walls.time.empty() ? 0.0 : time - walls.time.back();
+    floor += floor_power * since;
+    sides += side_power * since;
+    walls.time.push_back(time);
+    walls.floor.push_back(floor);
+    walls.sides.push_back(sides);
+  }
+  return walls;
 }
 
 std::vector<double> since_start(const std::vector<double>& values, std::size_t count) {
@@ -250,6 +277,8 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
   if (summary.contains("ledger")) {
     row_by_size(summary.at("ledger"), "energy given to the grains", "energy_to_grains_J", "J");
     row_by_size(summary.at("ledger"), "dissipated by the grains", "grains_dissipated_J", "J");
+    row(summary.at("ledger"), "of the energy given, at the floor", "energy_to_floor_share", 100.0, "%.2g %% at most");
+    row(summary.at("ledger"), "of the energy given, at the sides", "energy_to_sides_share", 100.0, "%.2g %% at most");
   }
   row(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "%.2f %% of its radius");
   row(summary, "grains", "particles", 1.0, "%.0f");
@@ -296,6 +325,17 @@ bool write_ledger(const std::string& out) {
       const double initial = reference_energy(run);
       if (initial > 0.0) metrics["energy_to_grains_share"] = work / initial;
       metrics["grains_dissipated_J"] = ledger.column("grains.dissipated").back();
+      // What has been there at one time: a wave that comes back is not counted twice.
+      const WallEnergies walls = read_wall_energies((folder / "walls_energy.txt").string());
+      const std::vector<double>& given = ledger.column("work.to_grains");
+      const double most = *std::max_element(given.begin(), given.end());
+      for (const bool floor : {true, false}) {
+        const std::vector<double>& energy = floor ? walls.floor : walls.sides;
+        if (energy.empty()) continue;
+        const double largest = std::max(0.0, *std::max_element(energy.begin(), energy.end()));
+        metrics[floor ? "energy_to_floor_J" : "energy_to_sides_J"] = largest;
+        if (most > 0.0) metrics[floor ? "energy_to_floor_share" : "energy_to_sides_share"] = largest / most;
+      }
     }
     summary["ledger"] = metrics;
     judge_ledger(summary, run, ledger);

@@ -59,8 +59,8 @@ bool is_of_run(const std::string& name) {
   for (const char* folder : kOfPictures)
     if (is_picture_in(folder, name)) return true;
   return (begins(name, "liggghts") && ends_with(name, ".log")) ||
-         (begins(name, "grains_energy") && ends_with(name, ".txt")) || ends_with(name, ".pvd") ||
-         ends_with(name, ".vtk.series") || is_numbered(name);
+         ((begins(name, "grains_energy") || begins(name, "walls_energy")) && ends_with(name, ".txt")) ||
+         ends_with(name, ".pvd") || ends_with(name, ".vtk.series") || is_numbered(name);
 }
 
 // The name of such a folder; a link with this name is no file of the user.

@@ -297,8 +297,12 @@ std::map<long, std::string> find_bed_frames(const std::string& folder) {
 
 namespace {
 
-fs::path rows_of(const std::string& run) { return fs::path(run) / "grains_energy.txt"; }
-fs::path rows_aside(const std::string& run) { return fs::path(run) / "grains_energy.before.txt"; }
+// Files that LIGGGHTS begins again in a resumed run.
+constexpr const char* kRows[] = {"grains_energy", "walls_energy"};
+fs::path rows_of(const std::string& run, const char* name) { return fs::path(run) / (std::string(name) + ".txt"); }
+fs::path rows_aside(const std::string& run, const char* name) {
+  return fs::path(run) / (std::string(name) + ".before.txt");
+}
 
 // Lines of the text whose step is in (after, until]; comments on request.
 std::string rows_between(const std::string& text, long after, long until, bool comments) {
@@ -334,8 +338,9 @@ long step_of_checkpoint(const std::string& checkpoint) {
 
 void move_rows_aside(const std::string& run, long step) {
   join_rows(run);
-  if (const std::optional<std::string> text = read_whole_file(rows_of(run).string()))
-    write_whole_file(rows_aside(run).string(), rows_between(*text, -1, step, true));
+  for (const char* const name : kRows)
+    if (const std::optional<std::string> text = read_whole_file(rows_of(run, name).string()))
+      write_whole_file(rows_aside(run, name).string(), rows_between(*text, -1, step, true));
 }
 
 std::string energy_at_start(const std::string& run) {
@@ -346,11 +351,13 @@ std::string energy_at_start(const std::string& run) {
 }
 
 void join_rows(const std::string& run) {
-  const std::optional<std::string> before = read_whole_file(rows_aside(run).string());
-  if (!before) return;
-  const std::string after = read_whole_file(rows_of(run).string()).value_or("");
-  write_whole_file(rows_of(run).string(), *before + rows_between(after, last_step(*before), 1L << 62, false));
-  fs::remove(rows_aside(run));
+  for (const char* const name : kRows) {
+    const std::optional<std::string> before = read_whole_file(rows_aside(run, name).string());
+    if (!before) continue;
+    const std::string after = read_whole_file(rows_of(run, name).string()).value_or("");
+    write_whole_file(rows_of(run, name).string(), *before + rows_between(after, last_step(*before), 1L << 62, false));
+    fs::remove(rows_aside(run, name));
+  }
 }
 
 }  // namespace footfall

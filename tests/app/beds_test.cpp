@@ -351,5 +351,95 @@ TEST_F(Bed, IsReportedByCheckWithTheTimeOfTheRun) {
   unsetenv("TMPDIR");
 }
 
+// Four equal grains above one another, 1 mm apart; the topmost comes down with 0.5 m/s and each gives its motion on to the next by a
+// contact of 0.1 ms.
+constexpr const char* kColumn = R"(variable restitution index 1
+atom_style granular
+atom_modify map array
+boundary f f f
+newton off
+communicate single vel yes
+units si
+hard_particles yes
+region box block -0.1 0.1 -0.1 0.1 -0.01 0.2 units box
+create_box 2 box
+variable length equal 0.2
+variable width equal 0.2
+variable depth equal 0
+variable x equal 0
+variable y equal 0
+variable periodic index 0
+variable dt equal 5e-7
+variable young index 1e9
+variable grain_friction equal 0.5
+variable pair_friction equal 0.5
+variable grain_rolling equal 0
+variable pair_rolling equal 0
+neighbor 0.005 bin
+neigh_modify delay 0
+include ${here}/material.lammps
+include ${here}/observed_walls.lammps
+timestep ${dt}
+fix integrate all nve/sphere
+create_atoms 1 single 0 0 0.011 units box
+create_atoms 1 single 0 0 0.032 units box
+create_atoms 1 single 0 0 0.053 units box
+create_atoms 1 single 0 0 0.074 units box
+set group all density 2500 diameter 0.02
+region top block -0.1 0.1 -0.1 0.1 0.07 0.09 units box
+group top region top
+velocity top set 0 0 -0.5 units box
+run ${steps}
+)";
+
+// A collision of equal grains gives (1 + e)^2 / 4 of the energy on, so that the floor gets m v^2 / 2 ((1 + e) / 2)^6 of it. It is all
+// there when the last grain stands still; without damping it comes back.
+TEST_F(Bed, ColumnGivesItsPulseToTheFloor) {
+  folder.write("in.column", kColumn);
+  const double energy = 0.5 * 2500.0 * 4.0 / 3.0 * 3.14159265358979 * 1e-6 * 0.25;  // [J]
+  for (const double e : {1.0, 0.6}) {
+    for (const bool periodic : {false, true}) {
+      const test::Outcome run =
+          folder.alone(test::RunFolder::program("liggghts_mbd"), 1,
+                       "-in in.column -log none -var out . -var here " + app::kInputs + "/box -var steps " +
+                           (e == 1.0 ? "20000" : "40000") + " -var restitution " + std::to_string(e) +
+                           " -var periodic " + (periodic ? "1" : "0"));
+      ASSERT_EQ(run.exit_code, 0) << run.text;
+      std::istringstream rows(folder.read("walls_energy.txt"));
+      double sum = 0.0, most = 0.0, sides = 0.0;
+      for (std::string line; std::getline(rows, line);) {
+        std::istringstream row(line);
+        double step, time, floor, side;
+        if (line[0] == '#' || !(row >> step >> time >> floor >> side)) continue;
+        sum += floor * 1e-5;
+        most = std::max(most, sum);
+        sides = std::max(sides, std::abs(side));
+      }
+      const double arrives = energy * std::pow(0.5 * (1.0 + e), 6);
+      EXPECT_NEAR(most, arrives, 5e-3 * arrives) << e;  // five samples of a row, 40 rows in the contact
+      if (e == 1.0) EXPECT_NEAR(sum, 0.0, 1e-4 * arrives);
+      EXPECT_EQ(sides, 0.0);
+    }
+  }
+}
+
+// A plate dropped on a shallow bed: the floor feels it; what was there at one time is at most what the grains got.
+TEST_F(Bed, TellsWhatReachedItsWalls) {
+  folder.write("scene.toml", kPlateAndTine + "[particles]\nranks = 1\n[particles.box]\nsize = [0.2, 0.16]\n" +
+                                 "depth = 0.05\nradius = [0.007, 0.009]\nexchange_steps = 3\n");
+  folder.done("run scene.toml --quiet --out runs/plain");
+  const std::string text = folder.done("run scene.toml --out runs/scene --set particles.variables.wall_energy=1").text;
+  EXPECT_TRUE(history("runs/scene") == history("runs/plain"));  // to the bit
+  const nlohmann::json ledger = nlohmann::json::parse(folder.read("runs/scene/summary.json")).at("ledger");
+  const double floor = ledger.at("energy_to_floor_share"), sides = ledger.at("energy_to_sides_share");
+  EXPECT_TRUE(floor > 0.005 && floor < 1.0) << floor;
+  EXPECT_TRUE(sides > 0.0 && sides < floor) << sides;
+  EXPECT_TRUE(holds(text, "of the energy given, at the floor")) << text;
+  const std::string checked = folder.done("check scene.toml").text;
+  EXPECT_TRUE(holds(checked, "The last run (runs/scene): of the energy given to the grains at most")) << checked;
+  EXPECT_FALSE(
+      nlohmann::json::parse(folder.read("runs/plain/summary.json")).at("ledger").contains("energy_to_floor_J"));
+}
+
 }  // namespace
 }  // namespace footfall
