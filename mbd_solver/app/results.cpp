@@ -29,6 +29,7 @@ namespace {
 const std::string kDissipated = "dissipated.";
 constexpr const char* kResidual = "coupling.energy_residual";
 const std::string kChanges = "coupling.grains_";  // energy that grains got otherwise than by forces
+constexpr double kUnknown = 1e299;                // more in a column of grains_energy.txt: not known
 constexpr double kSameTime = 1e-6;                // grains_energy.txt has six digits
 constexpr double kSameEnergy = 1e-9;              // history.csv has ten
 
@@ -105,7 +106,7 @@ GrainEnergies read_grain_energies(const std::string& path) {
     grains.time.push_back(time);
     grains.kinetic.push_back(kinetic + rotation);
     grains.gravity.push_back(gravity);
-    if (double inserted, left, changed; words >> inserted >> left >> changed) {
+    if (double inserted, left, changed; words >> inserted >> left >> changed && changed < kUnknown) {
       grains.inserted.push_back(inserted);
       grains.left.push_back(left);
       grains.changed.push_back(changed);
