@@ -53,9 +53,16 @@ CLI::Option* add_run(CLI::App& command, std::string& run) {
   return command.add_option("DIR", run, "Folder of a run")->required();
 }
 
+CLI::Option* add_large(CLI::App& command, bool& large) {
+  return command.add_flag("--large", large,
+                          "Take the scene's larger version, on more and finer grains: large.toml in its folder");
+}
+
 Action run(CLI::App& command) {
   const auto a = std::make_shared<RunArguments>();
   CLI::Option* scene = add_scene(command, a->scene);
+  const auto large = std::make_shared<bool>(false);
+  CLI::Option* larger = add_large(command, *large);
   CLI::Option* out =
       command.add_option("--out", a->out, "Folder for results (default: runs/NAME, the first that is free)");
   command.add_option("--until", a->until, "End before the scene's end time [s]")->check(positive());
@@ -88,8 +95,9 @@ Action run(CLI::App& command) {
       ->capture_default_str()
       ->needs(audit);
   // A checkpoint holds what its run was started with.
-  for (CLI::Option* option : {scene, out, ranks, settings, scheme, integrator, audit}) resume->excludes(option);
-  return [a, resume, folder, windows] {
+  for (CLI::Option* option : {scene, larger, out, ranks, settings, scheme, integrator, audit}) resume->excludes(option);
+  return [a, large, resume, folder, windows] {
+    if (*large) a->scene = large_scene_file(a->scene);
     a->resume = resume->count() > 0;
     if (a->resume) a->out = *folder;
     return a->audit ? audit_command(*a, *windows) : run_command(*a);
@@ -100,6 +108,8 @@ Action check(CLI::App& command) {
   constexpr double kTrial = 2.0;  // [s]
   const auto a = std::make_shared<RunArguments>();
   add_scene(command, a->scene);
+  const auto large = std::make_shared<bool>(false);
+  add_large(command, *large);
   add_settings(command, a->settings);
   const auto seconds = std::make_shared<double>(0.0);  // stays so for --time without a value
   CLI::Option* time = command
@@ -122,6 +132,7 @@ Action check(CLI::App& command) {
                   "FILE.html to turn it")
       ->type_name("FILE");
   return [=] {
+    if (*large) a->scene = large_scene_file(a->scene);
     int code = check_command(a->scene, a->settings);
     if (code == kExitDone && !picture->empty()) code = draw_reference(read_scene(a->scene, a->settings), *picture);
     if (code == kExitDone && time->count() > 0) code = trial_command(*a, *seconds > 0.0 ? *seconds : kTrial);

@@ -196,9 +196,10 @@ int run_command(const RunArguments& arguments) {
 
 namespace {
 
-// "inputs/landing_mr/scene.toml" -> "landing_mr", "drop.toml" -> "drop".
+// "inputs/landing_mr/scene.toml" -> "landing_mr", "02_wheel/large.toml" -> "02_wheel_large", "drop.toml" -> "drop".
 std::string scene_name(const std::string& file) {
   const fs::path path = fs::absolute(file).lexically_normal();
+  if (path.filename() == "large.toml") return path.parent_path().filename().string() + "_large";
   return path.filename() == "scene.toml" ? path.parent_path().filename().string() : path.stem().string();
 }
 

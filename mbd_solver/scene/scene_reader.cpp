@@ -182,6 +182,15 @@ std::string scene_file(const std::string& argument) {
   return argument;
 }
 
+std::string large_scene_file(const std::string& argument) {
+  const std::filesystem::path file = std::filesystem::path(scene_file(argument)).replace_filename("large.toml");
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    throw InputError(kNoScene, argument + ": has no larger version; expected " + file.string() +
+                                   ", a scene with this one as its `base`");
+  return file.string();
+}
+
 namespace {
 
 Scene scene_of(ConfigNode root, const std::string& file, const std::vector<std::string>& settings) {

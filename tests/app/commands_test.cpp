@@ -66,6 +66,14 @@ TEST_F(Commands, ThatBecameOptionsNameTheNewLine) {
   }
 }
 
+TEST_F(Commands, TakeTheLargerVersionOfEveryExampleOnGrains) {
+  for (const std::filesystem::directory_entry& example : std::filesystem::directory_iterator(app::kExamples)) {
+    const std::string scene = example.path().string();
+    if (!std::filesystem::exists(example.path() / "scene.toml")) continue;
+    EXPECT_TRUE(holds(folder.done("check " + app::quoted(scene) + " --large").text, "large.toml: no faults")) << scene;
+  }
+}
+
 TEST_F(Commands, ThatCannotBeReadAreAnsweredByOneLine) {
   struct Line {
     const char *line, *code, *names;
@@ -93,6 +101,9 @@ TEST_F(Commands, ThatCannotBeReadAreAnsweredByOneLine) {
                         {"run scene.toml --resume DIR", "E0500", "--resume"},
                         {"check scene.toml --ranks 2", "E0500", "--time"},
                         {"check scene.toml --time 0", "E0500", "--time"},
+                        {"run missing --large", "E0100", "missing"},
+                        {"run " FOOTFALL_SOURCE_DIR "/inputs/rigid_plane --large", "E0100", "large.toml"},
+                        {"run --large --resume DIR", "E0500", "--resume"},
                         {"check scene.toml more", "E0500", "more"},
                         {"compare DIR --qiet", "E0500", "\"--quiet\""},
                         {"new other", "E0500", "--from"},
