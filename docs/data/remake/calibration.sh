@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Remakes docs/data/calibration: the calibrations of inputs/calibrations. What the runs of `paper` said is kept in paper_numbers.jsonl: with it that part takes minutes.
-#   docs/data/remake/calibration.sh [RUNS [PART...]]     RUNS: folder of the runs (default runs/calibrations). PART: strut soil grains paper_plane paper
+#   docs/data/remake/calibration.sh [RUNS [PART...]]     RUNS: folder of the runs (default runs/calibrations). PART: strut soil grains paper_plane paper paper_energy
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 . docs/data/remake/parts.sh
 runs=${1:-runs/calibrations}
 data=docs/data/calibration
 footfall=${FOOTFALL:-./footfall}
-all=(strut soil grains paper_plane paper)
+all=(strut soil grains paper_plane paper paper_energy)
 
 # NAME: its page as text, without pictures.
 calibration() {
