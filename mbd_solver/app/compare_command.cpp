@@ -231,6 +231,15 @@ Replay stock_replay(const std::string& script, const std::string& motion, const 
   std::vector<std::string> gone;                // ids of fixes that are left out
   std::ostringstream text;
   text << "# Written by footfall compare: " << script << " for stock LIGGGHTS.\n";
+  const auto counted = [&](const std::string& count) {
+    return variables.count(count) > 0 && variables.at(count) != "0";
+  };
+  const bool flows = counted("source_count") || counted("sink_count");  // of a box by numbers, on the command line
+  for (const char* const count : {"source_count", "sink_count"})
+    if (flows) text << "variable " << count << " delete\nvariable " << count << " index 0\n";
+  if (flows)
+    replay.notes.push_back(
+        "sources and sinks: stock LIGGGHTS has none of these styles, so its bed keeps the grains of the start");
   bool coupled = false;
   for (const std::string& line :
        written_out(logical_lines(script, fs::path(script).parent_path().string()), variables)) {
@@ -251,8 +260,12 @@ Replay stock_replay(const std::string& script, const std::string& motion, const 
       text << movers(w, motion, out, dt, replay) << "\n";
     } else if (line.find("wall/gran/beam") != std::string::npos) {
       if (!style.empty()) gone.push_back(w[1]);
-      const bool has = !style.empty() || (variables.count("beam_count") > 0 && variables.at("beam_count") != "0");
+      const bool has = !style.empty() || counted("beam_count");
       if (has) replay.notes.push_back("fix " + (style.empty() ? "beams" : w[1]) + ": stock LIGGGHTS has no beam walls");
+    } else if (style == "insert/exact" || style == "remove/region") {
+      if (w[1].find("${") == std::string::npos)  // else a loop of the box by numbers, told above
+        replay.notes.push_back("fix " + w[1] + ": stock LIGGGHTS has no " + style);
+      gone.push_back(w[1]);
     } else if (std::find(w.begin(), w.end(), "bed/follow") != w.end()) {
       if (!style.empty() || (variables.count("follow") > 0 && variables.at("follow") == "1"))
         replay.notes.push_back(
