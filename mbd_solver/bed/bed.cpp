@@ -182,10 +182,11 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, bool trusted, double l
   fs::remove(pulse);
   live.finish(true);
   const std::string output = read_whole_file(command.output).value_or("");
+  // What is given up is asked to end as well.
+  if (!end.given_up.empty()) throw PartnerError("making the bed: " + end.given_up);
   if (end.interrupted || was_asked_to_end(end.code) ||
       (end.code == kExitFailed && output.find(kStoppedLine) != std::string::npos && liggghts_errors(log).empty()))
     throw Interrupted(code::kBedInterrupted, "interrupted while making the bed; nothing of it is stored");
-  if (!end.given_up.empty()) throw PartnerError("making the bed: " + end.given_up);
   if (!liggghts_errors(log).empty() && spec.script == shipped_file("inputs/box/in.bed"))
     throw InputError(
         code::kBedScriptFailed,

@@ -9,7 +9,7 @@ die() { echo "regolith_bed.sh: $*" >&2; cat log >&2; exit 1; }
 # pour NAME VALUE...: the poured grains, before they have fallen far.
 pour() { "$liggghts" -in "$source/inputs/regolith/in.bed" -var here "$source/inputs/regolith" -var bed bed.restart -var centre 0.35 -var settle 0.001 -log log "$@" > out 2>&1 || die "LIGGGHTS ended with $?"; }
 # count CONDITION: of grains, over x y z r and u, the larger of their distances |x| - centre and |y| - centre from the middle of their patch.
-count() { awk "function a(v) { return v < 0 ? -v : v } NF == 4 && \$1 + 0 == \$1 { x = \$1; y = \$2; z = \$3; r = \$4; dx = a(a(x) - 0.35); dy = a(a(y) - 0.35); u = dx > dy ? dx : dy; if ($1) ++n } END { print n + 0 }" bed.restart.grains; }
+count() { awk "function a(v) { return v < 0 ? -v : v } NF == 7 && \$1 + 0 == \$1 { x = \$1; y = \$2; z = \$3; r = \$4; dx = a(a(x) - 0.35); dy = a(a(y) - 0.35); u = dx > dy ? dx : dy; if ($1) ++n } END { print n + 0 }" bed.restart.grains; }
 # Poured grains must fit in whole, so small beds take up to a fifth less than asked.
 about() { local n; n=$(count "$2"); (( n <= $3 && 5 * n >= 4 * $3 )) || die "$1: $n grains, expected about $3"; }
 expect() { [[ $(count "$2") == "$3" ]] || die "$1: $(count "$2") grains, expected $3"; }
@@ -33,6 +33,6 @@ about "2 cm" "r == 0.02" 656
 
 # Clumps of five spheres: as many as there would be spheres, each of the mass of the sphere in its place.
 pour -var width 0.6 -var depth 0.1 -var clumps 1 -var clump bipyramid
-clumps=$(awk 'NF == 5 && $1 + 0 == $1 { ++n[$5] } END { for (k in n) { if (n[k] != 5) exit 1; ++all }; print all }' bed.restart.grains) || die "a clump has not 5 spheres"
+clumps=$(awk 'NF == 8 && $1 + 0 == $1 { ++n[$5] } END { for (k in n) { if (n[k] != 5) exit 1; ++all }; print all }' bed.restart.grains) || die "a clump has not 5 spheres"
 ((clumps <= 2620 && 5 * clumps >= 4 * 2620)) || die "$clumps clumps, expected about 2620"
 grep -qE '^INFO: Particle insertion pour_fine: inserted '"$clumps"' particle templates' out || die "not $clumps clumps were poured"
