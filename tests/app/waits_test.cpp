@@ -46,7 +46,8 @@ TEST_F(Waits, MpirunWithoutPrograms) {
 }
 
 TEST_F(Waits, AScriptThatMakesNoStep) {
-  folder.write("good.in", "include ${here}/box.lammps\necho none\nlabel again\njump SELF again\ninclude ${here}/couple.lammps\n");
+  folder.write("good.in",
+               "include ${here}/box.lammps\necho none\nlabel again\njump SELF again\ninclude ${here}/couple.lammps\n");
   expect_end(folder.footfall(run), "E0569");
   EXPECT_EQ(folder.summary("run")["status"], "failed");
 }
