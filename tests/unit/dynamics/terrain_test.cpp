@@ -31,6 +31,21 @@ std::shared_ptr<const HeightGrid> map_of(int columns, int rows, double step, con
   return grid;
 }
 
+// At a random state, velocities and rates.
+void expect_exact_jacobian(Model& model, test::Random& random, double bound) {
+  const Assembly given = test::as_given(model);
+  Equations equations(model, given);
+  const Layout& layout = equations.layout();
+  Eigen::VectorXd y(layout.size());
+  equations.pack(given.state, random.vector_x(layout.row_count), y);
+  y.segment(layout.z0(), layout.z_size) = random.vector_x(layout.z_size, 0.05);
+  const Eigen::VectorXd ydot = random.vector_x(layout.size(), 3.0);
+  std::string where;
+  Inputs inputs;
+  inputs.values = Eigen::VectorXd::Zero(4);
+  EXPECT_LT(test::jacobian_error(equations, y, ydot, 20.0, inputs, &where), bound) << where;
+}
+
 // Everything at once, smooth on a scale of 1 m.
 TerrainParts hills() {
   TerrainParts parts;
@@ -387,17 +402,7 @@ TEST(TerrainContact, DerivativesAreExact) {
     points.push_back({body_marker(i, body, {0.0, 0.0, 0.1}), 0.25});
     model.add_force(std::make_unique<TerrainContact>(name + "_points", points, law, ground));
   }
-  const Assembly given = test::as_given(model);
-  Equations equations(model, given);
-  const Layout& layout = equations.layout();
-  Eigen::VectorXd y(layout.size());
-  equations.pack(given.state, random.vector_x(layout.row_count), y);
-  y.segment(layout.z0(), layout.z_size) = random.vector_x(layout.z_size, 0.05);
-  const Eigen::VectorXd ydot = random.vector_x(layout.size(), 3.0);
-  std::string where;
-  Inputs inputs;
-  inputs.values = Eigen::VectorXd::Zero(4);
-  EXPECT_LT(test::jacobian_error(equations, y, ydot, 20.0, inputs, &where), 1e-7) << where;
+  expect_exact_jacobian(model, random, 1e-7);
 }
 
 TEST(TerrainContact, EnergyIsKeptOverRocks) {
@@ -569,18 +574,7 @@ TEST(SteepSteps, HaveExactDerivatives) {
       points.push_back({body_marker(i, body, {0.01, 0.0, 0.02}), 0.3});
     model.add_force(std::make_unique<TerrainContact>("ground_" + std::to_string(i), points, law, ground, rims));
   }
-  const Assembly given = test::as_given(model);
-  Equations equations(model, given);
-  const Layout& layout = equations.layout();
-  Eigen::VectorXd y(layout.size());
-  equations.pack(given.state, random.vector_x(layout.row_count), y);
-  y.segment(layout.z0(), layout.z_size) = random.vector_x(layout.z_size, 0.05);
-  const Eigen::VectorXd ydot = random.vector_x(layout.size(), 3.0);
-  std::string where;
-  Inputs inputs;
-  inputs.values = Eigen::VectorXd::Zero(4);
-  EXPECT_LT(test::jacobian_error(equations, y, ydot, 20.0, inputs, &where), 1e-6)
-      << where;  // differences see the corners of bends
+  expect_exact_jacobian(model, random, 1e-6);  // differences see the corners of bends
 }
 
 // ---- soil ----
