@@ -384,6 +384,36 @@ std::string check_text(const Campaign& campaign, const std::vector<GroundCheckRe
   return table.page();
 }
 
+// How far the figures of the rows are from those of the same rows in the check.
+std::string check_figures_table(const Campaign& campaign, const std::vector<GroundCheckResult>& checks) {
+  const SweepSpec& spec = campaign.spec();
+  Table table({"case", "quantity", "median before", "median in the check", "median of the deviations [%]",
+               "largest deviation [%]", "in row"});
+  for (const GroundCheckResult& check : checks)
+    for (std::size_t k = 0; k < spec.metrics.size(); ++k) {
+      std::vector<double> cheap, better, deviations;
+      std::size_t worst = 0;
+      for (const RepeatedRun& run : check.runs) {
+        const std::vector<double>& before = campaign.row(run.row).figures;
+        if (run.figures.empty() || before.empty() || !std::isfinite(before[k]) || !std::isfinite(run.figures[k]))
+          continue;
+        cheap.push_back(before[k]);
+        better.push_back(run.figures[k]);
+        const double size = std::abs(run.figures[k]);
+        deviations.push_back(size > 0.0         ? std::abs(before[k] - run.figures[k]) / size
+                             : before[k] == 0.0 ? 0.0
+                                                : HUGE_VAL);
+        if (deviations.size() == 1 || deviations.back() > *std::max_element(deviations.begin(), deviations.end() - 1))
+          worst = run.row;
+      }
+      if (deviations.empty()) continue;
+      table.add({campaign.case_name(check.which_case), spec.metrics[k].name, cell(median_of(cheap), 4),
+                 cell(median_of(better), 4), cell(100.0 * median_of(deviations), 3),
+                 cell(100.0 * *std::max_element(deviations.begin(), deviations.end()), 3), std::to_string(worst)});
+    }
+  return table.page();
+}
+
 }  // namespace
 
 std::string campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>& kept,
@@ -399,7 +429,8 @@ std::string campaign_page(const Campaign& campaign, const std::vector<RepeatedRu
   if (!checks.empty())
     page << "## Repeated with the settings of the check\nThe interval of the corrected probability has the scatter of "
             "the draws and of the check.\n\n"
-         << check_text(campaign, checks) << "\n";
+         << check_text(campaign, checks) << "\nDeviations are relative to the figure in the check.\n\n"
+         << check_figures_table(campaign, checks) << "\n";
   if (!spec.envelopes.empty()) page << "## Envelopes\n" << envelope_table(campaign) << "\n";
   page << "## Which input matters\n" << sensitivity_table(campaign) << "\n";
   if (!kept.empty()) page << "## Runs to look at\n" << kept_table(campaign, kept) << "\n";
