@@ -11,6 +11,7 @@
 
 #include "coupler/base/text.h"
 #include "mbd_solver/import/codes.h"
+#include "mbd_solver/import/mjcf_frames.h"
 
 namespace footfall {
 namespace {
@@ -52,6 +53,9 @@ MjcfSource::MjcfSource(const std::string& file, const ImportOptions& options, Ro
   copy(merged_, sources_.front()->root(), *sources_.front(), 0);
   take_what_is_for_looks();
   take_option();
+  resolve_frames(
+      merged_.document_element(), [this](const pugi::xml_node& node) { return origin(node); },
+      [this](const pugi::xml_node& made, const pugi::xml_node& of) { origins_[made.hash_value()] = origin(of); });
   name_meshes();
   rewrite_actuators();
 }
@@ -146,14 +150,13 @@ void MjcfSource::take_what_is_for_looks() {
       node.parent().remove_child(node);
     } else if (above == "default" && is_one_of(name, {"material", "camera", "light"})) {
       node.parent().remove_child(node);
-    } else if (is_one_of(name, {"camera", "light"}) && is_one_of(above, {"body", "worldbody", "frame"})) {
+    } else if (is_one_of(name, {"camera", "light"}) && is_one_of(above, {"body", "worldbody", "frame", "replicate"})) {
       leave_out(node, "is for pictures", true);
       node.parent().remove_child(node);
     } else if (is_one_of(name, {"composite", "flexcomp", "flex"}) || skin) {
       leave_out(node, "a scene has no soft bodies of many parts; see flexible bodies", skin);
       node.parent().remove_child(node);
-    } else if ((is_one_of(name, {"frame", "replicate", "attach"}) && !is_one_of(above, {"sensor", "default"})) ||
-               (name == "model" && above == "asset")) {
+    } else if (name == "attach" || (name == "model" && above == "asset")) {
       throw InputError(code::kRobotRefused,
                        origin(node).place() + ": " + title_of(node) +
                            " is of later versions than MuJoCo 2.2.2, which reads the file; load it there, save it by "

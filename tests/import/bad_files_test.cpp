@@ -106,9 +106,23 @@ TEST_F(BadRobots, Mjcf) {
       test::names(message("r.xml", "<mujoco>\n<worldbody>\n<thing/></worldbody></mujoco>"), {"r.xml:3", "E0707"}));
   EXPECT_TRUE(test::names(message("r.xml", "<mujoco>\n<include file='none.xml'/></mujoco>"), {"r.xml:2", "E0703"}));
   EXPECT_TRUE(test::names(message("r.xml", "<mujoco>\n<include file='r.xml'/></mujoco>"), {"r.xml:2", "E0705"}));
-  EXPECT_TRUE(test::names(
-      message("r.xml", "<mujoco><worldbody>\n<replicate count='2'><body/></replicate></worldbody></mujoco>"),
-      {"r.xml:2", "mj_saveLastXML", "E0707"}));
+  EXPECT_TRUE(
+      test::names(message("r.xml", "<mujoco><worldbody>\n<attach model='m' body='b' prefix='p'/></worldbody></mujoco>"),
+                  {"r.xml:2", "mj_saveLastXML", "E0707"}));
+  const auto inside = [&](const std::string& part) {
+    return message("r.xml", "<mujoco><worldbody><body><freejoint/>\n" + part + "</body></worldbody></mujoco>");
+  };
+  for (const char* count : {"", "count='0'", "count='2.5'", "count='-1'", "count='1e9'", "count='x'"})
+    EXPECT_TRUE(
+        test::names(inside("<replicate " + std::string(count) + "><geom size='1'/></replicate>"), {"r.xml:2", "E0704"}))
+        << count;
+  const std::string thousand = "<replicate count='1000' sep='_'>";
+  EXPECT_TRUE(
+      test::names(inside(thousand + thousand + "<geom size='1'/></replicate></replicate>"), {"r.xml:2", "E0711"}));
+  for (const char* placed : {"euler='1 2'", "quat='0 0 0 0'", "zaxis='0 0 0'", "xyaxes='1 0 0 2 0 0'", "pos='nan 0 0'"})
+    EXPECT_TRUE(
+        test::names(inside("<frame " + std::string(placed) + "><geom size='1'/></frame>"), {"r.xml:2", "E0704"}))
+        << placed;
   EXPECT_TRUE(
       test::names(message("r.xml", "<mujoco><worldbody><geom size='1'/></worldbody></mujoco>"), {"r.xml:1", "E0712"}));
   EXPECT_TRUE(test::names(message("r.xml",

@@ -377,6 +377,94 @@ TEST_F(Robots, MjcfLoopsCouplingsAndPairs) {
   EXPECT_TRUE(s.contacts[0].ignore);
 }
 
+// What a <frame> and a <replicate> hold is where a welded body in its place has it: MuJoCo places those. The frame has a class whose
+// joints and geoms have placements of their own; a box between two points keeps its turn about their line; copy i is turned by i euler
+// where the copies before lead, and has what refers to it once each.
+TEST_F(Robots, MjcfFramesAndReplicatesPlaceWhatTheyHold) {
+  const std::string head =
+      "<mujoco><compiler angle='degree' eulerseq='zXy'/><default><geom density='500'/><joint axis='0 1 0'/>"
+      "<default class='leg'><joint axis='1 2 0' pos='0 0 0.1'/><geom type='box' size='0.1 0.05 0.02' euler='10 20 "
+      "30'/></default></default><worldbody><body name='trunk' pos='0 0 1' euler='5 6 7'><freejoint/>"
+      "<geom type='box' size='.3 .2 .1'/>\n";
+  const std::string held =
+                        "<geom/><geom class='leg' type='capsule' fromto='0 0 0 .1 .2 .3' size='.05'/>"
+                        "<geom type='ellipsoid' fromto='0 0 0 .1 .2 .3' size='.05'/>",
+                    turned = " pos='.1 0 0' axisangle='1 2 3 50'", far = " pos='0.1 0.2 0.3' euler='20 -30 40'",
+                    shin =
+                        "<geom type='sphere' size='.1' pos='1 0 0'/><body name='shin' pos='.2 0 0' xyaxes='0 1 0 -1 0 "
+                        "0'><joint name='knee'/><geom/></body>";
+  const auto foot = [](const std::string& n) {
+    return "<body name='foot" + n + "' pos='0 .3 0'><joint name='ankle" + n + "'/><geom type='sphere' size='.05'/>" +
+           "<body name='toe" + n + "' pos='.1 0 0'><joint name='tip" + n +
+           "' type='slide'/><geom size='.02'/></body></body>";
+  };
+  const auto ends = [](const std::vector<std::string>& copies) {
+    std::string actuators, exclusions;
+    for (const std::string& n : copies) {
+      actuators += "<motor name='m" + n + "' joint='ankle" + n + "' gear='2'/>";
+      exclusions += "<exclude body1='trunk' body2='toe" + n + "'/>";
+    }
+    return "</body></worldbody><actuator>" + actuators + "<motor name='k' joint='knee'/></actuator><contact>" +
+           exclusions + "</contact></mujoco>";
+  };
+  ImportArguments merged;
+  merged.options.merge_fixed = true;
+  const Scene framed = imported("f.xml",
+                                head + "<frame childclass='leg'" + far + ">" + held + "<frame" + turned + ">" + shin +
+                                    "</frame></frame><replicate count='3' sep='_' offset='.5 0 .1' euler='30 0 0'>" +
+                                    foot("") + "</replicate>" + ends({""}),
+                                merged);
+  std::string copies;
+  for (int i = 0; i < 3; ++i) {
+    const double a = kPi / 6.0;  // of the offset of the third copy
+    char place[100];
+    std::snprintf(place, sizeof place, "<body pos='%.17g %.17g %.17g' euler='%d 0 0'>",
+                  i == 0   ? 0.0
+                  : i == 1 ? 0.5
+                           : 0.5 + 0.5 * std::cos(a),
+                  i < 2 ? 0.0 : 0.5 * std::sin(a), 0.1 * i, 30 * i);
+    copies += place + foot("_" + std::to_string(i)) + "</body>";
+  }
+  const Scene welded = imported("w.xml",
+                                head + "<body childclass='leg'" + far + ">" + held + "<body" + turned + ">" + shin +
+                                    "</body></body>" + copies + ends({"_0", "_1", "_2"}),
+                                merged);
+  ASSERT_EQ(framed.bodies.size(), 8u);
+  ASSERT_EQ(welded.bodies.size(), 8u);
+  for (const BodySpec& expected : welded.bodies) {
+    const BodySpec* const body = framed.body(expected.name);
+    ASSERT_NE(body, nullptr) << expected.name;
+    EXPECT_NEAR(body->mass, expected.mass, kExact * expected.mass) << expected.name;
+    EXPECT_LT((body->position - expected.position).norm(), kExact) << expected.name;
+    // MuJoCo finds the principal axes of a body of several geoms to six digits.
+    EXPECT_LT((inertia_in_D(*body) - inertia_in_D(expected)).norm(), 1e-6 * expected.inertia.norm()) << expected.name;
+  }
+  ASSERT_EQ(framed.joints.size(), welded.joints.size());
+  for (const JointSpec& expected : welded.joints) {
+    const JointSpec* const joint = framed.joint(expected.name);
+    ASSERT_NE(joint, nullptr) << expected.name;
+    EXPECT_EQ(joint->bodies, expected.bodies);
+    EXPECT_LT((joint->point_a - expected.point_a).norm() + (joint->axis - expected.axis).norm(), kExact)
+        << expected.name;
+  }
+  EXPECT_EQ(framed.drives.size(), 4u);
+  EXPECT_EQ(framed.contacts.size(), welded.contacts.size());
+}
+
+// Joints of a body may stand in a frame: point and axis are placed. Copies keep the line of what they copy.
+TEST_F(Robots, MjcfJointsStandInFramesAndCopiesKeepTheirLine) {
+  const Scene s = imported(
+      "r.xml", mjcf("<body name='a' pos='0 0 1'>" + std::string(kMass) +
+                    "<frame pos='1 0 0' euler='0 0 0.5'><joint name='j' pos='0 1 0' axis='1 0 0'/></frame></body>\n"
+                    "<replicate count='11' offset='1 0 0'>\n<body name='b'>" +
+                    kMass + "<joint name='h'/></body></replicate>"));
+  EXPECT_LT((s.joint("j")->point_a - Eigen::Vector3d(1.0 - std::sin(0.5), std::cos(0.5), 1.0)).norm(), kExact);
+  EXPECT_LT((s.joint("j")->axis - Eigen::Vector3d(std::cos(0.5), std::sin(0.5), 0.0)).norm(), kExact);
+  ASSERT_NE(s.body("b00"), nullptr);
+  EXPECT_EQ(s.body("b10")->position.x(), 10.0);
+  EXPECT_TRUE(test::names(scene_text_, {"r.xml:6 joint"}));
+}
+
 TEST_F(Robots, MjcfOfLaterVersionsIsReadWithoutWhatIsNew) {
   imported("r.xml",
            mjcf("<body name='a'>\n<inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>\n<joint name='j' "
