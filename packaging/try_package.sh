@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# packaging/try_package.sh DEB... [--whole] [--tests BUILD] [--keep]: installs the packages in a clean Debian 12 (debootstrap,
+# packaging/try_package.sh DEB... [WHEEL] [--whole] [--tests BUILD] [--keep]: installs the packages in a clean Debian 12 (debootstrap,
 # network, root), runs the landing there on a small bed, as root and as an ordinary user, builds the C++ example if
-# footfall-dev is given, removes everything and looks for leftovers.
+# footfall-dev is given, removes everything and looks for leftovers. A wheel is tried before, without any package, and with them.
 #   --whole        also the whole landing
 #   --tests BUILD  runs the tests of BUILD as an ordinary user, with the installed programs; TESTS: more words for ctest
 #   --keep         keeps the clean system in $TRY_ROOT for the next trial
 set -euo pipefail
-whole=0 keep=0 build='' packages=()
+whole=0 keep=0 build='' wheel='' packages=()
 while (($#)); do
   case $1 in
     --whole) whole=1 ;;
@@ -16,6 +16,7 @@ while (($#)); do
       build=$(realpath "${1:?--tests needs a build folder}")
       [[ -f $build/CTestTestfile.cmake ]] || { echo "try_package.sh: $build holds no tests" >&2; exit 2; }
       ;;
+    *.whl) wheel=$(realpath "$1") ;;
     *) packages+=("$(realpath "$1")") ;;
   esac
   shift
@@ -57,11 +58,40 @@ files() { (cd "$root" && find . -xdev \( -path ./proc -o -path ./sys -o -path ./
 
 # Tools of the tests and stock LIGGGHTS, which is only recommended, are installed before.
 [[ -z $build ]] || inside apt-get install -y --no-install-recommends cmake liggghts liggghts-doc procps python3 > "$root.log" 2>&1 || { tail "$root.log"; die "no tools for tests"; }
+inside dpkg-query -W -f '${Package}\n' | sort > "$root.before"
+files > "$root.files_before"
+tools=()
+# The wheel brings its libraries: the mechanism moves without a package of footfall; a run says what it needs.
+if [[ -n $wheel ]]; then
+  tools=(python3-venv python3-numpy)
+  inside apt-get install -y --no-install-recommends "${tools[@]}" > "$root.log" 2>&1 || { tail "$root.log"; die "no Python for the wheel"; }
+  echo "The wheel $(basename "$wheel") alone"
+  cp "$wheel" "$root/home/tester" && chmod a+r "$root/home/tester/"*.whl
+  cat > "$root/home/tester/wheel.py" << 'PY'
+import sys
+import footfall as ff
+body = {"name": "b", "mass": 2.0, "position": [0, 0, 0], "inertia": [0.1, 0.1, 0.1]}
+scene = ff.Scene({"end_time": 0.5, "gravity": [0, 0, -9.81], "bodies": [body]})
+with ff.Simulation(scene) as sim:
+    sim.step(0.5)
+    assert abs(sim["b.z"] + 0.5 * 9.81 * 0.25) < 1e-9, sim["b.z"]
+if sys.argv[1] == "alone":
+    try:
+        ff.run(scene, out="by_wheel")
+    except ff.InputError as error:
+        assert "FOOTFALL_PROGRAM" in str(error), error
+    else:
+        raise SystemExit("a run without programs")
+else:
+    run = ff.run(scene, out="by_wheel")
+    assert ff.__file__.startswith(sys.prefix) and abs(run.history["b.z"][-1] + 0.5 * 9.81 * 0.25) < 1e-9
+PY
+  as_user "python3 -m venv --system-site-packages wheel && wheel/bin/pip install --no-index --quiet *.whl && wheel/bin/python wheel.py alone" > "$root.said" 2>&1 ||
+    { tail -n 20 "$root.said"; die "the wheel does not move a mechanism"; }
+fi
 mkdir "$root/trial"
 cp "${packages[@]}" "$root/trial"
 chmod -R a+rX "$root/trial"
-inside dpkg-query -W -f '${Package}\n' | sort > "$root.before"
-files > "$root.files_before"
 echo "Installing $(basename -a "${packages[@]}" | tr '\n' ' ')"
 inside sh -c 'apt-get install -y --no-install-recommends /trial/*.deb' > "$root.log" 2>&1 || { tail -n 30 "$root.log"; die "cannot be installed"; }
 inside sh -c 'dpkg -s footfall' | grep -E '^(Version|Installed-Size|Depends)'
@@ -101,6 +131,12 @@ if [[ -d $root/usr/lib/python3/dist-packages/footfall ]]; then
     > "$root.said" 2>&1 || { tail -n 20 "$root.said"; die "Python does not land"; }
   tail -n 1 "$root.said"
 fi
+if [[ -n $wheel ]]; then
+  echo "The wheel with the programs of the package"
+  as_user "wheel/bin/python wheel.py programs && wheel/bin/pip uninstall -y --quiet footfall" > "$root.said" 2>&1 || { tail -n 20 "$root.said"; die "the wheel does not run a scene"; }
+  left=$(find "$root/home/tester/wheel" -iname '*footfall*')
+  [[ -z $left ]] || { echo "$left"; die "the wheel leaves this"; }
+fi
 if [[ -n $build ]]; then
   echo "The tests of $build, with the installed programs"
   mkdir -p "$root/$source" "$root/$build"
@@ -122,7 +158,7 @@ fi
 
 echo "Removing"
 # Packages that others only suggest (perl-base: perl) are removed, too.
-inside sh -c 'apt-get -o APT::AutoRemove::SuggestsImportant=false -o APT::AutoRemove::RecommendsImportant=false purge -y --autoremove footfall footfall-dev' > "$root.log" 2>&1 || { tail "$root.log"; die "cannot be removed"; }
+inside apt-get -o APT::AutoRemove::SuggestsImportant=false -o APT::AutoRemove::RecommendsImportant=false purge -y --autoremove footfall footfall-dev "${tools[@]}" > "$root.log" 2>&1 || { tail "$root.log"; die "cannot be removed"; }
 # Only files of the package itself count.
 left=$(comm -13 "$root.files_before" <(files) | grep -i footfall || true)
 [[ -z $left ]] || { echo "$left"; die "this is left"; }

@@ -1,11 +1,15 @@
 """Scenes, findings, simulations in this process, and runs by the programs."""
 import ast
+import base64
 import functools
+import hashlib
 import inspect
 import os
+import re
 import subprocess
 import sys
 import unittest
+import zipfile
 
 from support import PUSHED, ROOT, ff, folder, numpy
 
@@ -379,6 +383,30 @@ class Stubs(unittest.TestCase):
                        if not name.startswith("_") and (inspect.isfunction(value) or isinstance(value, (property, functools.cached_property)))}
                 self.assertEqual(own - set(told), set(), f"{node.name}: the stub does not name these")
         self.assertEqual({name for name in ff.__all__ if name not in public and callable(getattr(ff, name))}, set())
+
+
+class Wheel(unittest.TestCase):
+    def test_holds_what_it_loads_with_true_digests(self):
+        made = folder()
+        package = os.path.dirname(ff.__file__)
+        subprocess.run([sys.executable, ROOT / "packaging/python/make_wheel.py", package, "1.2.3", made], check=True, capture_output=True)
+        [name] = os.listdir(made)
+        self.assertTrue(re.fullmatch(r"footfall-1\.2\.3-cp3\d+-cp3\d+-manylinux_2_\d+_\w+\.whl", name), name)
+        place = os.path.join(made, "unpacked")
+        with zipfile.ZipFile(os.path.join(made, name)) as wheel:
+            wheel.extractall(place)
+            rows = [row.split(",") for row in wheel.read("footfall-1.2.3.dist-info/RECORD").decode().splitlines()]
+            self.assertEqual({row[0] for row in rows}, set(wheel.namelist()))
+            for file, digest, size in rows[:-1]:
+                content = wheel.read(file)
+                found = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
+                self.assertEqual((digest, size), ("sha256=" + found, str(len(content))), file)
+        # Its module takes its libraries from the wheel: those of the system have the same names.
+        said = subprocess.run([sys.executable, "-c", "import footfall; print(footfall.__file__); print(open('/proc/self/maps').read())"], check=True,
+                              capture_output=True, text=True, env=dict(os.environ, PYTHONPATH=place)).stdout
+        self.assertTrue(said.startswith(place), said[:200])
+        for library in ("sundials_ida", "klu", "fcl", "tomlplusplus"):
+            self.assertRegex(said, place + r"/footfall\.libs/lib" + library)
 
 
 if __name__ == "__main__":
