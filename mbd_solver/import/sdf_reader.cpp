@@ -181,11 +181,12 @@ class SdfRobot {
     if (const std::size_t from = text.find("<?xml"); from != std::string::npos && from > 0)
       blank(from, text.find("?>", from) + 2);
     struct Walker : pugi::xml_tree_walker {
-      std::vector<pugi::xml_node> includes, others;
+      std::vector<pugi::xml_node> includes, others, frictions;
       bool for_each(pugi::xml_node& node) override {
         const std::string name = node.name();
         if (name == "include") includes.push_back(node);
         if (name == "material" || name == "plugin" || name == "sensor") others.push_back(node);
+        if (name == "mu" || name == "mu2") frictions.push_back(node);
         return true;
       }
     } walker;
@@ -206,6 +207,14 @@ class SdfRobot {
       if (close != std::string::npos) blank(begin(node), close + 1);
     };
     for (const pugi::xml_node& node : walker.others) blank_element(node);
+    for (const pugi::xml_node& node : walker.frictions) {  // old exports have -1 for a friction without limit
+      const std::optional<std::vector<double>> mu = numbers_of(node.text().get());
+      if (!mu || mu->size() != 1 || !((*mu)[0] < 0.0)) continue;
+      if (std::string(node.name()) == "mu")
+        robot_.leave_out(xml_.origin(node), "<mu> below zero",
+                         "means friction without limit; give the ground or contact its own coefficient");
+      blank_element(node);
+    }
     for (const pugi::xml_node& include : walker.includes) {
       const std::string uri = trimmed(include.child("uri").text().get());
       const bool plane = uri.find("ground_plane") != std::string::npos;

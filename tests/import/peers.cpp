@@ -19,6 +19,7 @@
 #include <sdf/sdf.hh>
 #include <sstream>
 
+#include "mbd_solver/import/mjcf_source.h"
 #include "mbd_solver/import/robot.h"
 #include "mbd_solver/run/simulation.h"
 #include "mbd_solver/scene/scene_reader.h"
@@ -45,6 +46,18 @@ Model loaded(const std::string& text) {
   mj_deleteVFS(vfs.get());
   if (!model) throw std::runtime_error(error);
   return model;
+}
+
+// What MuJoCo does not read by itself, as the import prepares it: without what only later versions know.
+Model loaded_of_later_version(const std::string& file, const ImportOptions& options) {
+  Robot listed;
+  listed.file = file;
+  MjcfSource source(file, options, listed);
+  while (true) try {
+      return loaded(source.text());
+    } catch (const std::runtime_error& e) {
+      source.take_out(e.what());
+    }
 }
 
 struct LinkValues {
@@ -484,11 +497,12 @@ int carry_out(const std::string& file) {
     document.save(text);
     try {
       m = loaded(text.str());
-      add(of_mujoco(*m, true));
     } catch (const std::exception& e) {
       std::fprintf(stderr, "%s: MuJoCo alone: %s\n", file.c_str(), e.what());
     }
     fs::current_path(here);
+    if (!m) m = loaded_of_later_version(file, options);
+    add(of_mujoco(*m, true));
   }
   std::string problem;
   try {

@@ -177,6 +177,16 @@ TEST_F(Sdf, BadFiles) {
       {"bad.sdf:3", "E0707"}));
 }
 
+// Old exports write -1 for a friction without limit, which sdformat refuses.
+TEST_F(Sdf, FrictionBelowZeroIsListed) {
+  imported(
+      link("a", "0 0 0 0 0 0",
+           std::string(kBall) +
+               "<collision name='c'><geometry><sphere><radius>0.1</radius></sphere></geometry><surface><friction><ode>"
+               "\n<mu>-1.0</mu>\n<mu2>-1</mu2></ode></friction></surface></collision>"));
+  EXPECT_TRUE(test::names(scene_text_, {"m.sdf:4: <mu> below zero"}));
+}
+
 // Models within models may have links of one name: each keeps its own line, friction and place.
 TEST_F(Sdf, NestedModelsKeepTheirOwnLinks) {
   const auto slippery = [](const std::string& mu) {
