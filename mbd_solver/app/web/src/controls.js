@@ -244,7 +244,7 @@ export class Controls {
     const { player, stage } = this;
     this.slider.value = String(Math.round((10000 * (t - player.start)) / (player.end - player.start || 1)));
     this.clock.textContent = `${t.toFixed(4)} s`;
-    if (player.playing && ++this.frames % 2 === 0) stage.suitRate(player.rate(), true);
+    if (player.playing && ++this.frames % 2 === 0 && stage.suitRate(player.rate(), true)) player.drawn = [];
   }
   // Of a picture: title, time, legend and notes, in the picture itself. slow: so many seconds of it show one of the run.
   showCaption(t, slow = 0) {

@@ -4,6 +4,7 @@ import { dot } from "./solids.js";
 import { short } from "./units.js";
 
 const kArm = 30;  // of an axis [pixels]
+const kTold = 160;  // while it plays without a graphics card, the corner follows so often [ms]: to lay out and draw the page anew takes long
 const kMostNames = 200, kLetter = 6.3, kLine = 12;  // width of a letter, height of a line [pixels]
 const kFirst = ["joint", "drive", "strut", "spring", "force", "body"];
 
@@ -16,6 +17,7 @@ export class Overlay {
     this.labels.className = "names";
     place.append(this.labels, this.corner);
     this.named = false;
+    this.told = -Infinity;  // the corner, last [ms]
   }
 
   show() {
@@ -29,9 +31,12 @@ export class Overlay {
     const arrows = [["x", [1, 0, 0], "#b3261e", kArm], ["y", [0, 1, 0], "#1f7a3d", kArm], ["z", [0, 0, 1], "#1d5fae", kArm]];
     const g = run.gravity ?? [0, 0, 0], size = Math.sqrt(dot(g, g));
     if (size > 0) arrows.push([`g ${short(size, 3)} m/s\u00b2`, g.map((v) => v / size), "#222", 1.3 * kArm]);
+    const now = performance.now();
+    if (this.stage.playing && this.stage.inSoftware && now - this.told < kTold) return;
     const key = arrows.map(([, v]) => seen(v).map((x) => x.toFixed(3))).join();
     if (key === this.cornerShown) return;
     this.cornerShown = key;
+    this.told = now;
     // As text, which the browser reads as SVG.
     this.corner.innerHTML = `<svg viewBox="-60 -60 120 120">${arrows.map(([text, v, colour, reach]) => {
       const [x, y] = seen(v).map((c) => c * reach), l = Math.hypot(x, y) || 1, head = Math.min(7, 0.5 * l), ex = x / l, ey = y / l, nx = x - ex * head, ny = y - ey * head, w = 0.45 * head;

@@ -6,7 +6,6 @@ import { kLayerShade, kMoving } from "./shading.js";
 
 const kDepths = 16383;  // steps from the nearest to the farthest grain; 0 is nothing
 const kLights = 64, kColours = 128, kCells = 64;  // entries of the tables
-const kTile = 2;        // a tile has 2^2 pixels along its side
 
 // A pixel: 6 bits of red, green and blue each, and 14 of the depth. Depths are steps; uNear, uStep: the first and one [m].
 const kVertex = /* glsl */ `
@@ -73,11 +72,9 @@ export class GrainPainter {
     const texture = new three.DataTexture(new Uint32Array(this.pixels.buffer), width, height, three.RedIntegerFormat, three.UnsignedIntType);
     texture.internalFormat = "R32UI";
     this.uniforms.uPixels.value = texture;
-    // Of each tile, the pixels that are still free: first those that it has.
-    const side = 1 << kTile, columns = Math.ceil(width / side), rows = Math.ceil(height / side);
-    this.columns = columns;
-    this.free = new Uint8Array(columns * rows);
-    this.empty = Uint8Array.from(this.free, (_, t) => Math.min(side, width - side * (t % columns)) * Math.min(side, height - side * ((t / columns) | 0)));
+    // Pixels that are still free: a bit each, in rows of whole words.
+    this.words = Math.ceil(width / 32);
+    this.free = new Int32Array(this.words * height);
   }
 
   // a, b: frames of four 16-bit numbers; mix between them; box { low, size }; radius [m]; clip: normal, distance; share(i, mix): of
@@ -88,13 +85,8 @@ export class GrainPainter {
     const { nearest, step, count } = this.place({ a, b, mix, box, radius, camera, clip, width, height, facets });
     this.sort(count, nearest, step);
     this.pixels.fill(0);
-    this.free.set(this.empty);
-    for (let j = 0; j < count; ++j) {
-      const d = this.order[j];
-      if (this.covered(d)) continue;
-      const i = this.grain[d];
-      this.disc(d, share, odd, i, b[4 * i] === 65535 ? 0 : mix);
-    }
+    this.free.fill(-1);
+    this.discsOf(count, share, odd, b, mix);
     facets?.fill(this.pixels, nearest, step);
     this.uniforms.uNear.value = nearest;
     this.uniforms.uStep.value = step;
@@ -155,31 +147,37 @@ export class GrainPainter {
     for (let d = 0; d < count; ++d) order[places[steps[d]]++] = d;
   }
 
-  // Is no pixel free in the tiles that a disc may touch?
-  covered(d) {
-    const { discs, free, columns, width, height } = this;
-    const x = discs[4 * d], y = discs[4 * d + 1], r = discs[4 * d + 2];
-    const first = Math.max(0, x - r) >> kTile, last = Math.min(width - 1, x + r) >> kTile, top = Math.min(height - 1, y + r) >> kTile;
-    for (let v = Math.max(0, y - r) >> kTile; v <= top; ++v) for (let t = v * columns + first; t <= v * columns + last; ++t) if (free[t] !== 0) return false;
-    return true;
-  }
-
-  // Pixels whose centres lie in the disc and on which nothing nearer stands.
-  disc(d, share, odd, i, mix) {
-    const { width, height, pixels, light, palette, free, columns, discs } = this;
-    const x = discs[4 * d], y = discs[4 * d + 1], r = discs[4 * d + 2], rr = r * r, depth = this.steps[d];
-    const toCell = (0.5 * kCells - 0.01) / r, middle = 0.5 * kCells;
-    const top = Math.min(height - 1, Math.floor(y + r - 0.5));
-    let colour = -1;
-    for (let v = Math.max(0, Math.ceil(y - r - 0.5)); v <= top; ++v) {
-      const dy = v + 0.5 - y, reach = Math.sqrt(Math.max(0, rr - dy * dy));
-      const first = Math.max(0, Math.ceil(x - reach - 0.5)), last = Math.min(width - 1, Math.floor(x + reach - 0.5));
-      const lights = kCells * ((dy * toCell + middle) | 0), tiles = (v >> kTile) * columns;
-      for (let u = first, k = v * width + first; u <= last; ++u, ++k) {
-        if (pixels[k] !== 0) continue;
-        if (colour < 0) colour = kLights * (odd[i] * kColours + Math.round((kColours - 1) * Math.min(1, Math.max(0, share(i, mix)))));
-        pixels[k] = palette[colour + light[lights + (((u + 0.5 - x) * toCell + middle) | 0)]] | depth;
-        --free[tiles + (u >> kTile)];
+  // Pixels whose centres lie in a disc and on which nothing nearer stands. Most grains are hidden: of those a row costs a look at one word or two.
+  discsOf(count, share, odd, b, mix) {
+    const { width, height, pixels, light, palette, free, words, discs, order, grain, steps } = this;
+    for (let j = 0; j < count; ++j) {
+      const d = order[j], x = discs[4 * d], y = discs[4 * d + 1], r = discs[4 * d + 2];
+      const left = Math.max(0, Math.ceil(x - r - 0.5)), right = Math.min(width - 1, Math.floor(x + r - 0.5)), top = Math.min(height - 1, Math.floor(y + r - 0.5));
+      if (right < left) continue;
+      const one = left >> 5, two = right >> 5, maskOne = -1 << (left & 31), maskTwo = -1 >>> (31 - (right & 31)), toCell = (0.5 * kCells - 0.01) / r;
+      let colour = -1;
+      for (let v = Math.max(0, Math.ceil(y - r - 0.5)); v <= top; ++v) {
+        const row = v * words;
+        let open = one === two ? free[row + one] & maskOne & maskTwo : (free[row + one] & maskOne) | (free[row + two] & maskTwo);
+        for (let w = one + 1; w < two; ++w) open |= free[row + w];
+        if (open === 0) continue;
+        const dy = v + 0.5 - y, reach = Math.sqrt(Math.max(0, r * r - dy * dy));
+        const first = Math.max(0, Math.ceil(x - reach - 0.5)), last = Math.min(width - 1, Math.floor(x + reach - 0.5));
+        const lights = kCells * ((dy * toCell + 0.5 * kCells) | 0);
+        for (let w = first >> 5; w <= last >> 5; ++w) {
+          let bits = free[row + w];
+          if (w === first >> 5) bits &= -1 << (first & 31);
+          if (w === last >> 5) bits &= -1 >>> (31 - (last & 31));
+          free[row + w] &= ~bits;
+          for (; bits !== 0; bits &= bits - 1) {
+            const u = 32 * w + 31 - Math.clz32(bits & -bits);
+            if (colour < 0) {
+              const i = grain[d];
+              colour = kLights * (odd[i] * kColours + Math.round((kColours - 1) * Math.min(1, Math.max(0, share(i, b[4 * i] === 65535 ? 0 : mix)))));
+            }
+            pixels[v * width + u] = palette[colour + light[lights + (((u + 0.5 - x) * toCell + 0.5 * kCells) | 0)]] | steps[d];
+          }
+        }
       }
     }
   }

@@ -47,9 +47,9 @@ export class Player {
     this.last = now;
     requestAnimationFrame((later) => this.tick(later));
   }
-  // Pictures in a second, of the last thirty; 0 while unknown.
+  // Pictures in a second, of the last thirty; 0 while fewer than six are known.
   rate() {
     const n = this.drawn.length;
-    return n > 1 ? (1000 * (n - 1)) / (this.drawn[n - 1] - this.drawn[0]) : 0;
+    return n > 5 ? (1000 * (n - 1)) / (this.drawn[n - 1] - this.drawn[0]) : 0;
   }
 }

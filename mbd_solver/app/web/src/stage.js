@@ -13,7 +13,8 @@ import { Symbols } from "./symbols.js";
 const kAxes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 const kLowest = 0.5;    // pixels of the picture per pixel of the page
 const kFar = 0.47;       // half of what the eye sees, at zoom 1, of the size of all
-const kWanted = 30;     // pictures in a second
+const kWanted = 32;     // pictures in a second
+const kTried = 1.1;     // times the size that played last, when it plays again
 const kPaintedAtMost = 3e5;  // grains: of more, to place and sort them takes longer than to draw them
 
 export class Stage {
@@ -260,17 +261,21 @@ export class Stage {
     if (this.grains) this.grains.material.uniforms.uPixels.value = this.renderer.domElement.height;
     this.wish();
   }
-  // While it plays, a slow machine draws fewer pixels; the full picture comes back when it stands.
+  // While it plays, a slow machine draws fewer pixels; the full picture comes back when it stands. rate: pictures a second, 0 while unknown.
+  // Returns whether the picture has another size now.
   suitRate(rate, playing) {
-    if (!this.scene) return;
-    this.playing = playing;
+    if (!this.scene) return false;
     const full = Math.min(window.devicePixelRatio || 1, 2);
     let ratio = this.ratio;
     if (!playing) ratio = full;
-    else if (rate > 0 && rate < kWanted - 2) ratio = Math.max(kLowest, 0.85 * ratio);
-    if (ratio === this.ratio) return;
+    else if (!this.playing) ratio = Math.min(full, kTried * (this.suited ?? full));
+    else if (rate > 0 && rate < kWanted) ratio = Math.max(kLowest, ratio * Math.max(0.7, Math.sqrt(rate / kWanted)));
+    this.playing = playing;
+    if (playing) this.suited = ratio;
+    if (ratio === this.ratio) return false;
     this.ratio = ratio;
     this.resize();
+    return true;
   }
 
   // Of bodies and symbols, for the painter of the grains, while it plays; null where the shaders draw them.
