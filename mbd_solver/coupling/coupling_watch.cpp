@@ -54,7 +54,7 @@ std::string CouplingWatch::window_text(int n) const {
 }
 
 std::string CouplingWatch::shorter(double share, const Window& window) {
-  const bool box = setting_ == Setting::kBox || setting_ == Setting::kBoxAuto;
+  const bool box = of_box();
   const double n = share * n_longest_;
   if (n_longest_ > 1) {
     advised_ = std::min(advised_, std::max(1, static_cast<int>(n)));
@@ -320,10 +320,13 @@ void CouplingWatch::watch_grains(const Window& window, const Load& load) {
                                              ", in the first coupling interval: a body overlaps the bed at the start; "
                                              "raise it (initial.clearance, positions of bodies, [initial.joints])"));
     } else {
-      warn(with_code(code::kLargeOverlap,
-                     overlap + " (limit " + percent(kLargeOverlap) +
-                         "): the grains are too soft, so the first peak is underestimated; increase Young's modulus by "
-                         "a factor f (10 is usual) and reduce the time step by sqrt(f)"));
+      warn(with_code(
+          code::kLargeOverlap,
+          overlap + " (limit " + percent(kLargeOverlap) +
+              "): the grains are too soft, so the first peak is underestimated; increase " +
+              (of_box() ? "particles.box.material.young by a factor f (10 is usual); the time step follows, "
+                          "unless particles.box.time_step is given"
+                        : "Young's modulus by a factor f (10 is usual) and reduce the time step by sqrt(f)")));
     }
   }
   if (!warned_of_facets_ && largest_patch_ > 1.0) {

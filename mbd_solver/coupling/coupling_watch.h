@@ -70,6 +70,7 @@ class CouplingWatch {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
+  bool of_box() const { return setting_ == Setting::kBox || setting_ == Setting::kBoxAuto; }
   // A touch of one body, from no contact to no contact.
   struct Touch {
     double contact_time = 0.0;   // sum over its contacts [s]

@@ -42,6 +42,7 @@ CaseResult case_of(const SweepSpec& spec, const PlannedCase& plan, const std::ve
     for (const std::size_t run : c.done) values.push_back(runs[run].metrics[k]);
     c.metrics.push_back(sampled_metric(values));
   }
+  c.within_limits = !c.done.empty();
   for (const LimitSpec& limit : spec.limits)
     c.within_limits = c.within_limits && c.metrics[metric_index(spec, limit.metric)].mean <= limit.most;
   return c;

@@ -24,7 +24,7 @@ struct CaseResult {
   RunCost cost;                   // mean [s]
   double steps = 0.0, windows = 0.0;
   std::vector<SampledMetric> metrics;  // as SweepSpec::metrics; errors if all runs are done
-  bool within_limits = true;
+  bool within_limits = false;          // of the sweep file; never without a run that is done
 
   bool is_of(int curve) const { return plan.curve == curve && !plan.is_reference; }
   // Run time of the scheme and the mechanism, without DEM steps [s].

@@ -94,12 +94,23 @@ Table run_table(const SweepSpec& spec, const Plan& plan, const Results& results)
   return table;
 }
 
+namespace {
+
+// Is a case within the limits of the sweep file? Of what did not run nothing is claimed.
+std::string limits_text(const CaseResult& c) {
+  if (c.done.empty()) return c.code == 0 ? "not run" : "failed";
+  if (!c.within_limits) return "no";
+  return c.done.size() < c.plan.runs.size() ? "incomplete" : "yes";
+}
+
+}  // namespace
+
 Table case_table(const SweepSpec& spec, const std::vector<CaseResult>& cases) {
   std::vector<std::string> head = {"case", "runs", "within_limits"};
   for (const MetricSpec& metric : spec.metrics) append(head, {metric.name, "spread of " + metric.name});
   Table table(head);
   for (const CaseResult& c : cases) {
-    std::vector<std::string> row = {c.plan.name, std::to_string(c.done.size()), c.within_limits ? "yes" : "no"};
+    std::vector<std::string> row = {c.plan.name, std::to_string(c.done.size()), limits_text(c)};
     for (const SampledMetric& f : c.metrics) append(row, {cell(f.mean), cell(f.spread)});
     table.add(row);
   }
@@ -123,7 +134,7 @@ std::string case_page(const SweepSpec& spec, const std::vector<CaseResult>& case
     std::vector<std::string> row = {c.plan.name};
     for (const SampledMetric& f : c.metrics)
       row.push_back(rounded(f.mean) + (c.done.size() > 1 ? " +- " + rounded(f.spread) : ""));
-    if (limits) row.push_back(c.within_limits ? "yes" : "no");
+    if (limits) row.push_back(limits_text(c));
     table.add(row);
   }
   return "Made by `./footfall sweep " + spec.file + "`.\n\n" + table.page();

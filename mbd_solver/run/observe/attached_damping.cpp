@@ -2,6 +2,7 @@
 
 #include "mbd_solver/run/observe/attached_damping.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "coupler/base/errors.h"
@@ -18,6 +19,7 @@ namespace footfall {
 namespace {
 
 constexpr double kOther = 0.2;     // relative difference of ratios that is told
+constexpr double kEqual = 1e-6;    // relative difference of eigenvalues of equal bodies, by round-off
 constexpr double kElastic = 1e-6;  // of the largest eigenvalue: rigid motions are below
 
 // Columns: independent velocities that all joints allow.
@@ -42,6 +44,18 @@ Eigen::MatrixXd free_motions(const Model& model, const Layout& layout, const Kin
   Eigen::FullPivLU<Eigen::MatrixXd> lu(B);
   lu.setThreshold(1e-9);
   return lu.kernel();
+}
+
+// Of modes of one frequency (columns) the combination in which this body, with velocities from v on, has the most strain
+// energy: power iteration.
+Eigen::VectorXd mode_of(const Eigen::MatrixXd& modes, const Eigen::VectorXd& stiffness, Eigen::Index v) {
+  const Eigen::MatrixXd own = modes.middleRows(v, stiffness.size());
+  const Eigen::MatrixXd energy = own.transpose() * stiffness.asDiagonal() * own;
+  Eigen::Index most = 0;
+  energy.diagonal().maxCoeff(&most);
+  Eigen::VectorXd a = energy.col(most);
+  for (int k = 0; k < 50 && a.norm() > 0.0; ++k) a = energy * a.normalized();
+  return modes * (a.norm() > 0.0 ? a.normalized() : Eigen::VectorXd::Unit(modes.cols(), most));
 }
 
 }  // namespace
@@ -79,7 +93,9 @@ std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanis
     for (Eigen::Index k = 0; k < modes.lambda.size(); ++k) {
       const double lambda = modes.lambda[k];
       if (lambda <= kElastic * K.segment(v, s).minCoeff()) continue;
-      const Eigen::VectorXd x = N * modes.shapes.col(k);  // x^T M x = 1
+      Eigen::Index count = 1;  // modes of this frequency: equal bodies side by side mix in them
+      while (k + count < modes.lambda.size() && std::abs(modes.lambda[k + count] - lambda) < kEqual * lambda) ++count;
+      const Eigen::VectorXd x = mode_of(N * modes.shapes.middleCols(k, count), K.segment(v, s), v);  // x^T M x = 1
       if (x.segment(v, s).cwiseAbs2().dot(K.segment(v, s)) < 0.5 * lambda) continue;
       const double omega = std::sqrt(lambda);
       const double given = C[v] / (2.0 * std::sqrt(K[v]));
@@ -93,29 +109,42 @@ std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanis
 
 namespace {
 
-std::string warning_of(const AttachedDamping& at, const Mechanism& mechanism) {
-  return with_code(code::kAttachedDamping,
-                   "bodies." + mechanism.model.body(at.body).name() + ".flexible.damping: " + number_text(at.given, 3) +
-                       " is the damping ratio of the modes of the free body; as its joints hold it, its lowest mode (" +
-                       number_text(at.frequency, 4) + " Hz) has " + number_text(at.ratio, 3) + ". For " +
-                       number_text(at.given, 3) +
-                       " in that mode give damping = " + number_text(at.given * at.given / at.ratio, 3));
+// One warning for all bodies of equal numbers, as three digits show them: those of an array differ by round-off.
+std::vector<std::string> warnings_of(const std::vector<AttachedDamping>& found, const Mechanism& mechanism) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> texts;
+  for (const AttachedDamping& at : found) {
+    const std::string given = number_text(at.given, 3);
+    const std::string text = ".flexible.damping: " + given +
+                             " is the damping ratio of the modes of the free body; as its joints hold it, its lowest "
+                             "mode (" +
+                             number_text(at.frequency, 3) + " Hz) has " + number_text(at.ratio, 3) + ". For " + given +
+                             " in that mode give damping = " + number_text(at.given * at.given / at.ratio, 3);
+    auto same = std::find_if(texts.begin(), texts.end(), [&](const auto& entry) { return entry.first == text; });
+    if (same == texts.end()) same = texts.insert(texts.end(), {text, {}});
+    same->second.push_back(mechanism.model.body(at.body).name());
+  }
+  std::vector<std::string> out;
+  for (const auto& [text, names] : texts) {
+    const bool several = names.size() > 1;
+    std::string all = names.front();
+    for (std::size_t k = 1; k < names.size(); ++k) all += ", " + names[k];
+    out.push_back(with_code(code::kAttachedDamping, "bodies." + (several ? "{" + all + "}" : all) + text));
+  }
+  return out;
 }
 
 }  // namespace
 
 std::vector<std::string> damping_warnings(const Scene& scene, const Mechanism& mechanism) {
-  std::vector<std::string> out;
-  for (const AttachedDamping& at : attached_damping(scene, mechanism)) out.push_back(warning_of(at, mechanism));
-  return out;
+  return warnings_of(attached_damping(scene, mechanism), mechanism);
 }
 
 std::vector<std::string> damping_warnings_of_run(const Scene& scene, const Mechanism& mechanism) {
   constexpr int kQuick = 200;  // velocities: some milliseconds
-  std::vector<std::string> out;
+  std::vector<AttachedDamping> told;
   for (const AttachedDamping& at : attached_damping(scene, mechanism, kQuick))
-    if (std::abs(at.given - kDefaultDampingRatio) > 1e-9) out.push_back(warning_of(at, mechanism));
-  return out;
+    if (std::abs(at.given - kDefaultDampingRatio) > 1e-9) told.push_back(at);
+  return warnings_of(told, mechanism);
 }
 
 }  // namespace footfall

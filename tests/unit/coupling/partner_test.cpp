@@ -310,7 +310,8 @@ struct Told {
 // One body.
 class Watched {
  public:
-  explicit Watched(double mass) : mass_(mass) {}
+  explicit Watched(double mass, CouplingWatch::Setting of = CouplingWatch::Setting::kScript)
+      : setting(of), mass_(mass) {}
   void window(const Told& told) {
     Load load;
     load.bodies.resize(1);
@@ -336,7 +337,8 @@ class Watched {
   }
   double overlap = 0.0, patch = 0.0, grain_energy = 0.0, force_error = 0.0, grain_mass = 0.0;
   const std::unique_ptr<Scheme> scheme = make_scheme("css-trapezoid");
-  CouplingWatch watch{{"plate"}, CouplingSpec{}, *scheme, CouplingWatch::Setting::kScript};
+  const CouplingWatch::Setting setting;
+  CouplingWatch watch{{"plate"}, CouplingSpec{}, *scheme, setting};
 
  private:
   double mass_, time_ = 0.0;
@@ -457,6 +459,19 @@ TEST(CouplingWatch, WarnsOfDeepGrainsAndOfNarrowFacetsOnce) {
   EXPECT_EQ(body.watch.warnings().size(), 2U);
   EXPECT_TRUE(body.warns(code::kLargeOverlap, " 6 %"));
   EXPECT_TRUE(body.warns(code::kFacetsTooSmall, " 1.1 "));
+}
+
+// A user of a box has no script: its key is named, which a user of a script does not have.
+TEST(CouplingWatch, AdvisesWhatTheUserOfDeepGrainsHas) {
+  using Setting = CouplingWatch::Setting;
+  for (const Setting setting : {Setting::kScript, Setting::kScriptAuto, Setting::kBox, Setting::kBoxAuto}) {
+    Watched body(1.0, setting);
+    body.overlap = 0.06;
+    body.window({});
+    const bool box = setting == Setting::kBox || setting == Setting::kBoxAuto;
+    EXPECT_TRUE(body.warns(code::kLargeOverlap));
+    EXPECT_EQ(body.warns(code::kLargeOverlap, "particles.box.material.young"), box);
+  }
 }
 
 TEST(CouplingWatch, TellsTheDeepestOverlapAtTheEnd) {

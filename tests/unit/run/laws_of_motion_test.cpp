@@ -347,6 +347,27 @@ TEST(AttachedDamping, IsToldWithTheValueThatGivesTheRatio) {
   EXPECT_NEAR(mended[0].ratio, 0.02, 1e-6);
 }
 
+// Three cantilevers side by side have modes of one frequency, in which the third one must not damp the others.
+TEST(AttachedDamping, IsToldOnceForBodiesOfEqualNumbers) {
+  const std::string one = beam("");
+  const std::size_t body = one.find("[[bodies]]"), next = one.find("\n[", body + 1);
+  std::string scene = one, joints;
+  for (const char* name : {"c", "d"}) {
+    std::string other = one.substr(body, next - body + 1);
+    other.replace(other.find("\"b\""), 3, std::string("\"") + name + "\"");
+    scene.insert(next + 1, other);
+  }
+  for (const std::string name : {"b", "c", "d"})
+    joints += "[[joints]]\nname = \"held_" + name + "\"\nkind = \"fixed\"\nbodies = [\"ground\", \"" + name +
+              "\"]\npoint = [0, 0, 0]\n";
+  const SceneText folder;
+  const Scene read = folder.read(scene + joints, {"bodies.d.flexible.damping=0.05"});
+  const std::vector<std::string> told = damping_warnings(read, build_mechanism(read));
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_NE(told[0].find("bodies.{b, c}.flexible"), std::string::npos) << told[0];
+  EXPECT_NE(told[1].find("bodies.d.flexible"), std::string::npos) << told[1];
+}
+
 // --- Cables that signals read, and that leave pulleys.
 
 // A mass hangs in a cable of k = 800 N/m, and a force that a continuous signal makes of the tension pulls it up as well:

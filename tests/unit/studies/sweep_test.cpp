@@ -618,6 +618,29 @@ TEST_F(ResultsTest, RankingLeavesOutWhatIsBeyondTheLimits) {
   EXPECT_THAT(ranking(spec_, cases_of(spec_, plan_, runs_)), ElementsAre(0));
 }
 
+TEST_F(ResultsTest, NothingIsClaimedOfACaseWhoseRunsFailed) {
+  const auto said = [&] {
+    std::vector<std::string> words;
+    const Table table = case_table(spec_, cases_of(spec_, plan_, runs_));
+    std::istringstream rows(table.csv());
+    for (std::string row; std::getline(rows, row);) {
+      std::istringstream cells(row);
+      for (int k = 0; k < table.column("within_limits"); ++k) std::getline(cells, row, ',');
+      words.push_back(row);
+    }
+    words.erase(words.begin());  // the head
+    return words;
+  };
+  EXPECT_THAT(said(), ElementsAre("yes", "yes"));
+  runs_[2].end.code = 1;
+  EXPECT_THAT(said(), ElementsAre("yes", "incomplete"));
+  runs_[3].end.code = 2;
+  EXPECT_THAT(said(), ElementsAre("yes", "failed"));  // without any limit, and with one
+  spec_.limits = {{"peak", 4.5, {}}};
+  EXPECT_THAT(said(), ElementsAre("no", "failed"));
+  EXPECT_FALSE(cases_of(spec_, plan_, runs_)[1].within_limits);
+}
+
 TEST_F(ResultsTest, AStatementIsAboutACaseOrItsRatioToAnother) {
   CheckSpec statement;
   statement.metric = "peak";
