@@ -38,7 +38,8 @@ void LoadAverage::begin_window(const BoundaryStep& jump, const BodyMotion& pose)
   sum_.work = sum_.jump_work;
 }
 
-void LoadAverage::add_step(const GeneralizedForce& Q, const BodyMotion& pose, const BoundaryStep& step, double dt) {
+Eigen::Vector3d LoadAverage::add_step(const GeneralizedForce& Q, const BodyMotion& pose, const BoundaryStep& step,
+                                      double dt) {
   const double c0 = weights_.opening, c1 = weights_.closing;
   const Eigen::Matrix3d R_BW = pose.rotation().transpose();
   const Eigen::Vector3d T_B = R_BW * Q.T_W;
@@ -58,6 +59,7 @@ void LoadAverage::add_step(const GeneralizedForce& Q, const BodyMotion& pose, co
   opening_.F_W = Q.F_W;
   opening_.T_B = T_B;
   time_ += dt;
+  return F_mean;
 }
 
 const MeanLoad& LoadAverage::finish() {

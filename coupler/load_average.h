@@ -48,8 +48,9 @@ class LoadAverage {
   const OpeningForce& opening_force() const { return opening_; }
   // Begins a window: `jump` and `pose` are those of the path after its begin_window. The opening force is unchanged.
   void begin_window(const BoundaryStep& jump, const BodyMotion& pose);
-  // After a substep of dt [s] that moved the boundary by `step` to `pose`, where the forces are Q.
-  void add_step(const GeneralizedForce& Q, const BodyMotion& pose, const BoundaryStep& step, double dt);
+  // After a substep of dt [s] that moved the boundary by `step` to `pose`, where the forces are Q. Returns the mean force of
+  // the substep [N].
+  Eigen::Vector3d add_step(const GeneralizedForce& Q, const BodyMotion& pose, const BoundaryStep& step, double dt);
   // Mean since begin_window. Precondition: at least one step.
   const MeanLoad& finish();
 

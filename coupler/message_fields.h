@@ -137,6 +137,10 @@ inline constexpr auto kFields<GrainChanges> =
                Field{"added_mass", &GrainChanges::added_mass}, Field{"removed_mass", &GrainChanges::removed_mass}};
 
 template <>
+inline constexpr auto kFields<ForcePeak> =
+    std::tuple{Field{"force", &ForcePeak::force}, Field{"step", &ForcePeak::step}, Field{"steps", &ForcePeak::steps}};
+
+template <>
 inline constexpr auto kFields<BodyLoad> =
     std::tuple{Field{"mean", &BodyLoad::mean},
                Field{"contacts", &BodyLoad::contacts},
@@ -147,6 +151,7 @@ inline constexpr auto kFields<BodyLoad> =
                Field{"grain_energy", &BodyLoad::grain_energy},
                Field{"grain_mass", &BodyLoad::grain_mass},
                Field{"grain_omega2", &BodyLoad::grain_omega2},
+               Field{"peak", &BodyLoad::peak},
                Field{"tangent", &BodyLoad::tangent}};
 
 template <>

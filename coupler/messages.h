@@ -139,6 +139,14 @@ struct ContactTangent {
   Eigen::Matrix<double, 6, 6> C = Eigen::Matrix<double, 6, 6>::Zero();  // [N s/m, ...]
 };
 
+// The largest size of the mean force of a substep, in a window.
+struct ForcePeak {
+  double force = 0.0;      // [N]
+  std::int64_t step = 0;   // that substep, from 1; 0: none
+  std::int64_t steps = 0;  // substeps in a row, that one among them, with at least kOfPeak of that force
+};
+inline constexpr double kOfPeak = 0.9;
+
 struct BodyLoad {
   MeanLoad mean;
   std::int64_t contacts = 0;       // at the window's last substep
@@ -151,6 +159,7 @@ struct BodyLoad {
   // Of the grains in contact, each the largest in the window: m (v^2/2 + g R) + k overlap^2/2, v relative to the body [J];
   // mass [kg]; stiffness of a contact over the mass of its grain [1/s2]. 0 when not known
   double grain_energy = 0.0, grain_mass = 0.0, grain_omega2 = 0.0;
+  ForcePeak peak;
   std::vector<ContactTangent> tangent;  // empty, or one
 };
 

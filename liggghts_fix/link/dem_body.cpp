@@ -3,6 +3,7 @@
 #include "liggghts_fix/link/dem_body.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "coupler/message_fields.h"
 
@@ -56,6 +57,7 @@ void DemBody::begin_window(const BodyMotion& start, int n, double dt, double inv
   grain_energy_ = grain_mass_ = grain_omega2_ = 0.0;
   contact_time_ = 0.0;
   substep_ = 0;
+  step_forces_.setZero(3, n);
   slope_stride_ = (n + kSlopeSamples - 1) / kSlopeSamples;
   slope_samples_ = 0;
   slopes_sum_ = {};
@@ -109,7 +111,7 @@ void DemBody::add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slop
 void DemBody::use_as_opening_force() { average_.set_opening_force(now_, path_.pose()); }
 
 void DemBody::end_substep(double dt) {
-  average_.add_step(now_, path_.pose(), path_.last_step(), dt);
+  step_forces_.col(substep_) = average_.add_step(now_, path_.pose(), path_.last_step(), dt);
   stiffness_time_ += stiffness_now_ * dt;
   contact_time_ += static_cast<double>(contacts_now_) * dt;
   if (samples_slopes_) {
@@ -137,6 +139,30 @@ void DemBody::append_share(std::vector<double>& row) {
     tangent.C = per_sample * slopes_sum_.C;
   }
   footfall::append_share(share_, row);
+  row.insert(row.end(), step_forces_.data(), step_forces_.data() + step_forces_.size());
+}
+
+void DemBody::clear_load() {
+  clear(load_);
+  all_step_forces_.setZero(3, step_forces_.cols());
+}
+
+const double* DemBody::add_share(const double* row) {
+  row = footfall::add_share(row, load_);
+  all_step_forces_ += Eigen::Map<const Eigen::Matrix3Xd>(row, 3, all_step_forces_.cols());
+  return row + all_step_forces_.size();
+}
+
+void DemBody::finish_load() {
+  Eigen::Index peak = 0;
+  const double most = std::sqrt(all_step_forces_.colwise().squaredNorm().maxCoeff(&peak));
+  load_.peak = {};
+  if (!(most > 0.0)) return;
+  const auto is_large = [&](Eigen::Index i) { return all_step_forces_.col(i).norm() >= kOfPeak * most; };
+  Eigen::Index first = peak, end = peak + 1;
+  while (first > 0 && is_large(first - 1)) --first;
+  while (end < all_step_forces_.cols() && is_large(end)) ++end;
+  load_.peak = {most, peak + 1, end - first};
 }
 
 double DemBody::work_between(const BodyMotion& from, const BodyMotion& to) const {

@@ -22,7 +22,7 @@ struct TouchingGrain {
 };
 
 // A window: begin_window; per substep advance, clear_contacts, add_contact for every contact of this rank, end_substep;
-// then append_share, a gather over the ranks, clear_load and add_share for every rank.
+// then append_share, a gather over the ranks, clear_load, add_share for every rank and finish_load.
 class DemBody {
  public:
   // Both must outlive the body. gravity: on the grains [m/s2].
@@ -69,13 +69,14 @@ class DemBody {
 
   // At the end of a window: appends the load of this rank's grains to its row (rank_shares.h).
   void append_share(std::vector<double>& row);
-  std::size_t share_size() const { return footfall::share_size(load_); }
-  // Then, with the rows of all ranks: clear_load, and add_share for every rank. add_share returns the start of the next
-  // share in the row.
-  void clear_load() { clear(load_); }
-  const double* add_share(const double* row) { return footfall::add_share(row, load_); }
+  std::size_t share_size() const { return footfall::share_size(load_) + static_cast<std::size_t>(step_forces_.size()); }
+  // Then, with the rows of all ranks: clear_load, add_share for every rank, and finish_load. add_share returns the start of
+  // the next share in the row.
+  void clear_load();
+  const double* add_share(const double* row);
+  void finish_load();
 
-  // Complete after the shares of all ranks were added.
+  // Complete after finish_load.
   const BodyLoad& load() const { return load_; }
   // Mean moment about Bo in W at the end of the window [N m].
   Eigen::Vector3d mean_moment_W() const { return pose().rotation() * load_.mean.T_B; }
@@ -121,6 +122,8 @@ class DemBody {
   double grain_energy_ = 0.0, grain_mass_ = 0.0, grain_omega2_ = 0.0;  // of BodyLoad
   BodyLoad share_;                                                     // of this rank, in the last window
   BodyLoad load_;                                                      // of all ranks
+  // Mean force of every substep of the window: of this rank, and of all [N].
+  Eigen::Matrix3Xd step_forces_, all_step_forces_;
 };
 
 }  // namespace footfall

@@ -344,6 +344,7 @@ void DemLink::finish_window(const std::vector<double>& rows, int ranks) {
     next += kOfTheRank;
     for (const auto& body : bodies_) next = body->add_share(next);
   }
+  for (const auto& body : bodies_) body->finish_load();
 
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyLoad& load = bodies_[i]->load();

@@ -18,7 +18,7 @@ enum class Combine { kSum, kLargest };
 template <class Load, class Visit>
 void visit_shares(Load& load, const Visit& visit) {
   auto& [mean, contacts, mean_contacts, contact_stiffness, max_overlap_over_radius, max_patch_over_facet, grain_energy,
-         grain_mass, grain_omega2, tangent] = load;
+         grain_mass, grain_omega2, peak, tangent] = load;
   auto& [F_W, T_B, Q_a, work, jump_work, impulse_W] = mean;
   visit(F_W, Combine::kSum);
   visit(T_B, Combine::kSum);
@@ -34,6 +34,9 @@ void visit_shares(Load& load, const Visit& visit) {
   visit(grain_energy, Combine::kLargest);
   visit(grain_mass, Combine::kLargest);
   visit(grain_omega2, Combine::kLargest);
+  visit(peak.force, Combine::kLargest);  // DemBody finds the peak of the sum over the ranks
+  visit(peak.step, Combine::kLargest);
+  visit(peak.steps, Combine::kLargest);
   for (auto& [K, C] : tangent) {
     visit(K, Combine::kSum);
     visit(C, Combine::kSum);

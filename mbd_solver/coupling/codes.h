@@ -26,6 +26,8 @@ inline constexpr MessageCode kChatter{"E0648", "chatter"};
 // The LIGGGHTS script does not use SI units. Write `units si`.
 inline constexpr MessageCode kScriptUnits{"E0649", "script-units"};
 
+// Loads of the grains have triggered an event up to a coupling interval late. Use the coupling interval in the message.
+inline constexpr MessageCode kEventLate{"W0640", "event-late"};
 // The coupling interval is too long for the stiffness of the contacts. Use the value of `every` in the message.
 inline constexpr MessageCode kIntervalTooLong{"W0650", "coupling-interval-too-long"};
 // The coupling added spurious energy. Use a shorter coupling interval.

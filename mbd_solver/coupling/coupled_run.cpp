@@ -247,7 +247,8 @@ void CoupledRun::choose_window() {
     if (chooses_windows()) {
       // Before its first contact only the grains below it count.
       const LandingSite* site = watch_->largest_omega_h(k) == 0.0 ? body.site : nullptr;
-      measured.flight = flight_time(body.end, body.entry.boundary, mechanism_.placement, up_, site);
+      measured.flight =
+          flight_time(body.end, body.entry.boundary, mechanism_.placement, up_, site, known_motion_->is_known(k));
     }
     measured.mass = watched_[k].mass;
     measured.stiffness = load.contact_stiffness;

@@ -19,12 +19,15 @@ constexpr double kSurplus = 0.01;       // of the impulse given by the grains
 constexpr int kSurplusWindows = 10;     // bodies times windows
 constexpr double kUnresolved = 0.1;     // of the impulse on a body
 constexpr double kWindowsPerTouch = 10.0;
-constexpr double kFloor = 1e-3;             // of the energy that a window's impulse can give
-constexpr double kDamped = 1.8;             // 2 zeta of a restitution of 0.2, over 0.5
-constexpr double kMuchLarger = 1.25;        // than what has been reported
-constexpr double kForceError = 0.05;        // of the largest force on a body
-constexpr double kOfPeaks = 0.2;            // of the window that hides a peak: shows it
+constexpr double kFloor = 1e-3;       // of the energy that a window's impulse can give
+constexpr double kDamped = 1.8;       // 2 zeta of a restitution of 0.2, over 0.5
+constexpr double kMuchLarger = 1.25;  // than what has been reported
+constexpr double kForceError = 0.05;  // of the largest force on a body
+// Of the DEM steps with kOfPeak of a peak: a window that shows it. Of a parabola with w such steps a mean over w / 2 leaves out
+// at most 3.3 %, wherever the window ends.
+constexpr double kOfPeakSteps = 0.5;
 constexpr double kForceThatMatters = 0.1;   // of the largest force on any body
+constexpr double kEventShare = 0.05;        // of the largest velocity: 1 % of peaks
 constexpr double kWarnGain = 0.2;           // of the gain that ends the run
 constexpr double kChatterForceShare = 0.2;  // of the largest force of the run: smaller ones may alternate
 
@@ -83,6 +86,13 @@ void CouplingWatch::Work::visit(Archive& archive) {
   archive("grain", grain);
 }
 
+void CouplingWatch::Peak::visit(Archive& archive) {
+  archive("force", force);
+  archive("time", time);
+  archive("steps", steps);
+  archive("n", n);
+}
+
 void CouplingWatch::Record::visit(Archive& archive) {
   archive("omega_h", omega_h);
   archive("largest_omega_h", largest_omega_h);
@@ -101,10 +111,8 @@ void CouplingWatch::Record::visit(Archive& archive) {
   archive("given", given);
   archive("force", force);
   archive("change", change);
-  archive("sizes", sizes);
   archive("largest_force", largest_force);
-  archive("smoothed", smoothed);
-  archive("smoothed_n", smoothed_n);
+  archive("peak", peak);
   archive("error", error);
   archive("error_before", error_before);
   archive("error_n", error_n);
@@ -123,13 +131,13 @@ void CouplingWatch::visit(Archive& archive) {
   archive("warned_of_overlap", warned_of_overlap_);
   archive("warned_of_facets", warned_of_facets_);
   archive("warned_of_surplus", warned_of_surplus_);
+  archive("warned_of_event", warned_of_event_);
   archive("gain_before", gain_before_);
   archive("deepest_time", deepest_time_);
   archive("told_overlap", told_overlap_);
   archive("deepest", deepest_);
   archive("n_before", n_before_);
   archive("n_longest", n_longest_);
-  archive("lengths", lengths_);
   archive("advised", advised_);
   archive("largest_overlap", largest_overlap_);
   archive("largest_patch", largest_patch_);
@@ -145,6 +153,13 @@ std::vector<double> CouplingWatch::omega_h() const {
   return values;
 }
 
+CouplingWatch::Peak CouplingWatch::peak() const {
+  Peak most;
+  for (const Record& record : records_)
+    if (record.peak.force > most.force) most = record.peak;
+  return most;
+}
+
 void CouplingWatch::observe(const Window& window, const Load& load, const std::vector<Body>& bodies) {
   n_longest_ = std::max(window.n, n_before_);
   for (std::size_t i = 0; i < records_.size(); ++i) {
@@ -155,11 +170,11 @@ void CouplingWatch::observe(const Window& window, const Load& load, const std::v
     watch_chatter(records_[i], body.mean.F_W, window, !std::isinf(bodies[i].mass));
     if (!std::isinf(bodies[i].mass)) watch_touch(records_[i], window, body);
   }
-  for (std::size_t i = 0; i < records_.size(); ++i) watch_peaks(records_[i], window, bodies[i].force_error);
+  for (std::size_t i = 0; i < records_.size(); ++i)
+    watch_peaks(records_[i], window, load.bodies[i], bodies[i].force_error);
   watch_grains(window, load);
   watch_energy(window, load, bodies);
   n_before_ = window.n;
-  lengths_ = Eigen::Vector3d(window.H, lengths_[0], lengths_[1]);
 }
 
 // A body on contacts of stiffness K: omega = sqrt(K / m). Reported when it first exceeds its limit, and at the end if it
@@ -297,6 +312,17 @@ void CouplingWatch::add_surplus_impulse(std::size_t i, double time, const Eigen:
                      "interval"));
 }
 
+void CouplingWatch::tell_of_event(const std::string& event, const Window& window, double share) {
+  if (warned_of_event_ || window.n <= 1 || share <= kEventShare) return;
+  warned_of_event_ = true;
+  n_longest_ = std::max(window.n, n_before_);
+  warn(with_code(
+      code::kEventLate,
+      at(window.time) + "event \"" + event + "\" was triggered by loads of the grains, which are known as means over " +
+          steps(window.n) + ": it acts up to " + number(window.H) + " s late, which changes velocities by up to " +
+          percent(share) + " of the largest; " + shorter(kEventShare / share * window.n / n_longest_, window)));
+}
+
 // The first overlap above the limit, and at the end the largest, where it is much larger.
 void CouplingWatch::watch_grains(const Window& window, const Load& load) {
   const bool first_window = !began_;
@@ -342,41 +368,10 @@ void CouplingWatch::watch_grains(const Window& window, const Load& load) {
   }
 }
 
-// What means over windows leave out of a peak of the force: of a parabola of curvature c, whose slope is s in the middle of
-// the window of the largest mean,
-//   c H^2 / 24 + s^2 / 2c,   |s| <= c H / 2
-// c is the smaller one of two estimates that overlap, so that a jump to a plateau is no peak: of the falls to both sides of
-// one window, or of the bends at two neighbours. sizes: of the last three windows, newest first; then one of `size`, H long.
-double CouplingWatch::left_out_of_peak(const Eigen::Vector3d& sizes, double size, double H) const {
-  const Eigen::Vector3d before = (lengths_.array() > 0.0).select(lengths_, H);
-  const double fall = (sizes[0] - size) / (0.5 * (H + before[0]));               // [N/s]
-  const double rise = (sizes[0] - sizes[1]) / (0.5 * (before[0] + before[1]));   // before the newest of the three
-  const double start = (sizes[1] - sizes[2]) / (0.5 * (before[1] + before[2]));  // before the middle one
-  if (!(lengths_[0] > 0.0 && fall > 0.0)) return 0.0;
-  const double one = 2.0 * std::min(rise, fall) / before[0];  // curvature [N/s2]
-  double most = rise > 0.0 ? one * before[0] * before[0] / 24.0 : 0.0;
-  const double between = 0.5 * (before[0] + before[1]);
-  const double c = std::min((fall + rise) / (0.5 * (0.5 * (H + before[0]) + between)),
-                            (start - rise) / (0.5 * (between + 0.5 * (before[1] + before[2]))));
-  if (c > 0.0 && start > 0.0) {
-    const bool newer = rise > 0.0;
-    const double length = newer ? before[0] : before[1];
-    const double s = std::abs(rise + (newer ? -0.5 : 0.5) * c * between);
-    most = std::max(most, c * length * length / 24.0 + std::min(s * s / (2.0 * c), c * length * length / 8.0));
-  }
-  return most;
-}
-
 // free: nothing holds the body, so that its contacts can chatter.
 void CouplingWatch::watch_chatter(Record& record, const Eigen::Vector3d& force, const Window& window, bool free) {
   const Eigen::Vector3d change = force - record.force;
   const double larger = std::max(force.norm(), record.force.norm());
-  const double left_out = left_out_of_peak(record.sizes, force.norm(), window.H);
-  if (left_out > record.smoothed) {
-    record.smoothed = left_out;
-    record.smoothed_n = n_before_;
-  }
-  record.sizes = Eigen::Vector3d(force.norm(), record.sizes[0], record.sizes[1]);
   const bool alternates = free && change.dot(record.change) < 0.0 && change.norm() > 0.5 * larger &&
                           larger > kChatterForceShare * largest_force_;
   record.alternations = alternates ? record.alternations + 1 : 0;
@@ -391,7 +386,10 @@ void CouplingWatch::watch_chatter(Record& record, const Eigen::Vector3d& force, 
 }
 
 // At the end, when the largest force is known: the share of it that means leave out, or that predictions miss.
-void CouplingWatch::watch_peaks(Record& record, const Window& window, double force_error) {
+void CouplingWatch::watch_peaks(Record& record, const Window& window, const BodyLoad& load, double force_error) {
+  if (load.peak.force > record.peak.force)
+    record.peak = {load.peak.force, window.time - window.H * (1.0 - static_cast<double>(load.peak.step) / window.n),
+                   static_cast<int>(load.peak.steps), window.n};
   const double error = std::min(force_error, record.error_before);  // that stands for two windows
   record.error_before = force_error;
   if (error > record.error) {
@@ -399,20 +397,28 @@ void CouplingWatch::watch_peaks(Record& record, const Window& window, double for
     record.error_n = n_longest_;
   }
   if (!window.last || record.largest_force <= kForceThatMatters * largest_force_) return;
-  const double missed = record.error / record.largest_force, smoothed = record.smoothed / record.largest_force;
+  const double missed = record.error / record.largest_force, smoothed = record.peak.force / record.largest_force - 1.0;
   if (std::max(missed, smoothed) <= kForceError) return;
   const bool by_means = smoothed > missed;
-  const int n = by_means ? record.smoothed_n : record.error_n;
+  const int n = by_means ? record.peak.n : record.error_n;
   if (n == 1) return;  // the time step of the grains decides
+  const std::string body = "body " + record.name + ": its contact force ";
+  const auto use = [&](double steps) { return shorter(steps / n_longest_, window); };
+  if (by_means) {
+    warn(with_code(code::kForceNotResolved,
+                   body + "was " + number(record.peak.force) + " N in a DEM step at t = " + number(record.peak.time) +
+                       " s, " + percent(smoothed) + " above the largest mean over a coupling interval, " +
+                       number(record.largest_force) + " N, and only means are recorded: within an interval of " +
+                       steps(n) + " the force rises and falls; " +
+                       use(std::max(1.0, std::floor(kOfPeakSteps * record.peak.steps)))));
+    return;
+  }
   // A peak shorter than a window is estimated too low.
-  const double share = by_means ? kOfPeaks : std::sqrt(0.5 * kForceError / missed);
   warn(with_code(code::kForceNotResolved,
-                 "body " + record.name + ": its contact force has errors of about " +
-                     percent(std::max(missed, smoothed)) + " of the largest, because within a coupling interval of " +
-                     steps(n) +
-                     (by_means ? " the force rises and falls, and only its mean is recorded; "
-                               : " the mechanism moves otherwise than predicted (contacts, springs, motors); ") +
-                     shorter(share * n / n_longest_, window)));
+                 body + "has errors of about " + percent(missed) +
+                     " of the largest, because within a coupling interval of " + steps(n) +
+                     " the mechanism moves otherwise than predicted (contacts, springs, motors); " +
+                     use(std::sqrt(0.5 * kForceError / missed) * n)));
 }
 
 }  // namespace footfall

@@ -56,6 +56,9 @@ class CouplingWatch {
   // Scheme `tangent`, per window: impulse that body i received beyond that of the grains, and the size of theirs [N s].
   void add_surplus_impulse(std::size_t i, double time, const Eigen::Vector3d& surplus, double given);
 
+  // Loads of the window that ends have triggered an event in it. share: of CoupledRun::tell_of_event.
+  void tell_of_event(const std::string& event, const Window& window, double share);
+
   void visit(Archive& archive);
 
   double energy_residual() const { return residual_; }  // sum of (work on the boundary - work received), + pending [J]
@@ -68,6 +71,16 @@ class CouplingWatch {
   std::vector<double> omega_h() const;                               // of the last window, per body [-]
   void warn(const std::string& text) { warnings_.push_back(text); }  // of the DEM side
   const std::vector<std::string>& warnings() const { return warnings_; }
+
+  // The largest force on one body, mean over a DEM step.
+  struct Peak {
+    double force = 0.0;  // [N]
+    double time = 0.0;   // of the end of that step [s]
+    int steps = 0;       // in a row with at least kOfPeak of it
+    int n = 1;           // DEM steps of its window
+    void visit(Archive& archive);
+  };
+  Peak peak() const;  // of all bodies
 
  private:
   bool of_box() const { return setting_ == Setting::kBox || setting_ == Setting::kBoxAuto; }
@@ -106,11 +119,10 @@ class CouplingWatch {
     double given = 0.0;                                         // impulse of the grains, likewise [N s]
     Eigen::Vector3d force = Eigen::Vector3d::Zero();            // mean of the last window [N]
     Eigen::Vector3d change = Eigen::Vector3d::Zero();           // of that, from the window before [N]
-    Eigen::Vector3d sizes = Eigen::Vector3d::Zero();            // |force| of the last three windows, newest first [N]
     double largest_force = 0.0;                                 // [N]
-    double smoothed = 0.0;                                      // largest part of a peak that a mean leaves out [N]
+    Peak peak;                                                  // largest of a DEM step
     double error = 0.0, error_before = 0.0;                     // largest and last force_error [N]
-    int smoothed_n = 1, error_n = 1;                            // DEM steps of their windows
+    int error_n = 1;                                            // DEM steps of its window
     int alternations = 0;  // windows in a row in which the force alternated by more than half of its magnitude
     void visit(Archive& archive);
   };
@@ -120,8 +132,7 @@ class CouplingWatch {
   void watch_touch(Record& record, const Window& window, const BodyLoad& load);
   void watch_grains(const Window& window, const Load& load);
   void watch_chatter(Record& record, const Eigen::Vector3d& force, const Window& window, bool free);
-  void watch_peaks(Record& record, const Window& window, double force_error);
-  double left_out_of_peak(const Eigen::Vector3d& sizes, double size, double H) const;  // [N]
+  void watch_peaks(Record& record, const Window& window, const BodyLoad& load, double force_error);
   // "use `every 3` or less": to windows of this share of the longest of late, or to shorter DEM steps. Of several
   // messages none advises longer windows than those before.
   std::string shorter(double share, const Window& window);
@@ -130,16 +141,15 @@ class CouplingWatch {
   CouplingSpec limits_;
   OmegaHLimit omega_h_limit_;
   Setting setting_;
-  int n_before_ = 0, n_longest_ = 1;               // DEM steps of the last window; of the longer one of the last two
-  int advised_ = std::numeric_limits<int>::max();  // DEM steps
-  Eigen::Vector3d lengths_ = Eigen::Vector3d::Zero();  // of the last three windows, newest first [s]; 0: none yet
-  std::vector<Record> records_;                        // per coupled body
-  double sum_ = 0.0;                                   // of work on the boundary - work received [J]
-  double residual_ = 0.0, largest_residual_ = 0.0;     // [J]
-  double largest_kick_ = 0.0;                          // sum over bodies of J^2 / 2m, largest of any window [J]
+  int n_before_ = 0, n_longest_ = 1;                // DEM steps of the last window; of the longer one of the last two
+  int advised_ = std::numeric_limits<int>::max();   // DEM steps
+  std::vector<Record> records_;                     // per coupled body
+  double sum_ = 0.0;                                // of work on the boundary - work received [J]
+  double residual_ = 0.0, largest_residual_ = 0.0;  // [J]
+  double largest_kick_ = 0.0;                       // sum over bodies of J^2 / 2m, largest of any window [J]
   bool began_ = false;
   bool warned_of_gain_ = false, warned_of_loss_ = false, warned_of_overlap_ = false, warned_of_facets_ = false;
-  bool warned_of_surplus_ = false;
+  bool warned_of_surplus_ = false, warned_of_event_ = false;
   double gain_before_ = 0.0;   // of energy, at the end of the last window [J]
   double deepest_time_ = 0.0;  // of largest_overlap_ [s]
   double told_overlap_ = 0.0;  // largest that has been reported [-]

@@ -19,6 +19,7 @@ class KnownMotion {
   // Known poses of each of the bodies after every DEM step of a window of n steps of dt [s] from `state`; without columns
   // for bodies that loads can move. No entries where the straight path is exact.
   const std::vector<KnownPath>& paths(const State& state, int n, double dt);
+  bool is_known(std::size_t k) const { return known_[k]; }  // of the k-th of the bodies
 
  private:
   void find_bodies(const Assembly& assembly, const State& start);

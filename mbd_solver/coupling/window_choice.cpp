@@ -10,7 +10,7 @@
 namespace footfall {
 
 double flight_time(const BodyMotion& motion, const ModalBoundary& boundary, const Placement& placement,
-                   const Eigen::Vector3d& up, const LandingSite* site) {
+                   const Eigen::Vector3d& up, const LandingSite* site, bool known) {
   if (!placement.ground_known) return 0.0;
   const Eigen::Matrix3Xd& rho0 = boundary.rho0();
   const double lowest = up.dot(motion.r) + (up.transpose() * motion.rotation() * rho0).minCoeff();
@@ -27,6 +27,8 @@ double flight_time(const BodyMotion& motion, const ModalBoundary& boundary, cons
   }
   const double height = lowest - radius - ground;
   if (height <= 0.0) return 0.0;
+  const double bend = known ? (motion.dw.norm() + motion.w.squaredNorm()) * reach - up.dot(motion.ddr) : 0.0;
+  if (bend > 0.0) return 2.0 * height / (speed + std::sqrt(speed * speed + 2.0 * bend * height));
   return speed > 0.0 ? height / speed : std::numeric_limits<double>::infinity();
 }
 
@@ -93,7 +95,9 @@ void WindowChoice::observe(int n, const std::vector<Body>& bodies) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     force_scale_ = std::max(force_scale_, bodies[i].force.norm());
     history_[i].stiffness = std::max(bodies[i].stiffness, kForget * history_[i].stiffness);
-    history_[i].grain_omega2 = std::max(bodies[i].grain_omega2, kForget * history_[i].grain_omega2);
+    // A body that has left the grains may meet them again as before; of one that is led nothing else tells how.
+    const double kept = bodies[i].stiffness > 0.0 && std::isfinite(bodies[i].mass) ? kForget : 1.0;
+    history_[i].grain_omega2 = std::max(bodies[i].grain_omega2, kept * history_[i].grain_omega2);
     stiffest = std::max(stiffest, history_[i].stiffness);
     fastest = std::max(fastest, history_[i].grain_omega2);
   }

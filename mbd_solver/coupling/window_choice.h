@@ -15,11 +15,12 @@ namespace footfall {
 // Time [s] until the lowest point of the undeformed boundary, descending at its present speed, is as low as the highest
 // grain that may lie under it; infinity when it does not descend; 0 when it may touch a grain now, or when the height of
 // the grains is unknown.
-//   speed = |w| reach - up . dr,  reach = largest |rho0|
+//   speed v = |w| reach - up . dr,  reach = largest |rho0|;  height h = v t
+// A body whose path is known: with its downward acceleration, h = v t + a t^2 / 2,  a = (|dw| + w^2) reach - up . ddr.
 // up: unit vector. site: the grains below this boundary at the start, valid while it stays above them; null after its
 // first contact: then the highest grain of all counts.
 double flight_time(const BodyMotion& motion, const ModalBoundary& boundary, const Placement& placement,
-                   const Eigen::Vector3d& up, const LandingSite* site);
+                   const Eigen::Vector3d& up, const LandingSite* site, bool known = false);
 
 // The number of DEM steps of the next window for `every auto`: few while forces change, many in flight and at rest.
 //
@@ -35,7 +36,8 @@ double flight_time(const BodyMotion& motion, const ModalBoundary& boundary, cons
 //                       contacts, springs, motors, prescribed motions of other bodies;
 //                       omega H at most kAim of the limit that warnings have (OmegaHLimit), omega = sqrt(K / m);
 //                       omega_g H at most 0.8, omega_g = sqrt(k / m_g) of a contact with a grain of mass m_g: the mean
-//                       force of a window then shows the peak of that contact within 3 %;
+//                       force of a window then shows the peak of that contact within 3 %. Between two contacts, and of
+//                       a body that is led, the largest counts on;
 //                       at most twice the last one, and at most max_substeps.
 // A body without contact: at most half of the time until its lowest point can meet a grain, so that windows shrink on
 // the way; among the grains, as for the stiffest contact that it has had, or, before its first, that any other has had;

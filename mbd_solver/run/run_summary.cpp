@@ -78,6 +78,9 @@ void add_landing(const LandingWatch& landing, const std::vector<LandingPointSpec
 void add_coupling(const CoupledRun& coupled, double energy_flow, Json& json) {
   const CouplingWatch& watch = coupled.watch();
   json["coupling_energy_residual_relative"] = energy_flow > 0.0 ? watch.largest_energy_residual() / energy_flow : 0.0;
+  const CouplingWatch::Peak peak = watch.peak();
+  json["max_step_force_N"] = peak.force;
+  json["max_step_force_time_s"] = peak.time;
   json["max_overlap_over_radius"] = watch.largest_overlap();
   json["particles"] = coupled.load().particles;
   json["grains_lost"] = coupled.load().lost;

@@ -56,6 +56,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kForeseen = 0.1;  // of a DEM step: how exactly events are foreseen
+constexpr double kFaster = 2.0;    // than loads have changed of late
 
 Baumgarte baumgarte(const SolverSpec& spec) {
   if (spec.drift == DriftKind::kProjection) return {};
@@ -303,7 +304,12 @@ void Simulation::run_coupled(Loop& loop) {
     double t_end = state_.time;
     try {
       double stop = std::min({control_.next_sample(), corner, stop_ > state_.time ? stop_ : kNever});
-      stop = std::min(stop, foreseen_event(stop));
+      foreseen_ = foreseen_event(stop);
+      stop = std::min(stop, foreseen_);
+      if (foresees_events()) {
+        loads_before_ = inputs_.loads;
+        length_before_ = last_length_;
+      }
       t_end = coupled_->exchange(state_, kinematics, stop, checkpoint_at, meanwhile, inputs_);
     } catch (...) {
       observe_sample(loop);  // the last row of a run whose partner is gone
@@ -326,6 +332,7 @@ void Simulation::run_coupled(Loop& loop) {
     advance(state_, t_end, rows);
     coupled_->settle_work(state_);
     if (corner <= t_end) coupled_->restart();
+    last_length_ = coupled_->window_length();
     finish_window();
     coupled_->end_window(state_, kinematics);
     loop.observation_pending = true;
@@ -410,6 +417,8 @@ void Simulation::cross_jump() {
 void Simulation::finish_window() {
   ++window_;
   update_sample();
+  if (foresees_events())
+    largest_kinetic_ = std::max(largest_kinetic_, sampler_.sample().energy.stored[Stored::kKinetic]);
   check_collisions();
   if (event_in_window_ || event_triggered()) locate_event();
 }
@@ -441,13 +450,30 @@ bool Simulation::take_given() {
   return true;
 }
 
+bool Simulation::foresees_events() const {
+  return coupled_ && control_.signals() && control_.signals()->has_unsampled_events();
+}
+
+// Means stand for the middles of their windows. A load that rises faster and faster has gone on by twice as much at most: windows
+// end early rather than late, and the shorter ones tell more.
+void Simulation::extrapolate_loads(double time) {
+  const double ahead = kFaster * (0.5 * last_length_ + time) / (0.5 * (last_length_ + length_before_));
+  for (std::size_t i = 0; i < inputs_.loads.size(); ++i) {
+    ExternalLoad& load = inputs_.loads[i];
+    const ExternalLoad& before = loads_before_[i];
+    load.F_W += ahead * (load.F_W - before.F_W);
+    load.T_B += ahead * (load.T_B - before.T_B);
+    if (load.Q_a.size() > 0 && load.Q_a.size() == before.Q_a.size()) load.Q_a += ahead * (load.Q_a - before.Q_a);
+  }
+}
+
 // The grains move before their load is known, so an event cannot cut the window in which it happens. A second integrator goes
-// on under the mean loads of the last window instead, to see where the window that comes must end. An event that the loads of
-// the window bring about takes effect at its end.
+// on under the mean loads of the last window instead, to see where the window that comes must end; conditions read loads and
+// accelerations as they follow from the last two windows. Another event takes effect at the end of its window.
 double Simulation::foreseen_event(double before) {
   SignalLoop* const signals = control_.signals();
   const double dt = coupled_->agreement().dt, end = std::min(coupled_->longest_window_end(state_.time), before);
-  if (!signals || !signals->has_unsampled_events() || end < state_.time + 1.5 * dt) return kNever;
+  if (!foresees_events() || end < state_.time + 1.5 * dt) return kNever;
   if (!foresight_) {
     foresight_equations_ = std::make_unique<Equations>(mechanism_.model, assembly_, baumgarte(scene_.solver));
     foresight_ = make_integrator("one_step", *foresight_equations_, integrator_options(scene_.solver, true));
@@ -456,9 +482,19 @@ double Simulation::foreseen_event(double before) {
   const Eigen::VectorXd rates_now = rates_;
   Inputs inputs = inputs_;
   for (ExternalLoad& load : inputs.loads) load.tangent.reset();  // of another path
+  const std::vector<ExternalLoad> loads_now = inputs_.loads;
+  bool loads_vary = false;
+  if (length_before_ > 0.0)
+    for (std::size_t i = 0; i < loads_now.size(); ++i)
+      loads_vary = loads_vary || loads_now[i].F_W != loads_before_[i].F_W || loads_now[i].T_B != loads_before_[i].T_B;
   double event = kNever;
   const auto holds_at = [&](StepView& step, double time) {
     step.at(time, state_, rates_);
+    if (loads_vary) {
+      inputs_.loads = inputs.loads;
+      extrapolate_loads(time - now.time);
+      foresight_equations_->saddle().accelerations(state_, inputs_, rates_);
+    }
     update_sample();
     return signals->triggered(sampler_.sample(), inputs_.values).event >= 0;
   };
@@ -481,8 +517,21 @@ double Simulation::foreseen_event(double before) {
   }
   state_ = now;
   rates_ = rates_now;
+  inputs_.loads = loads_now;
   update_sample();
   return event;
+}
+
+// A change of accelerations by da, H late, changes velocities by H da:  share = H sqrt(sum m |da|^2 / 2 K),  K the largest
+// kinetic energy so far.
+void Simulation::tell_of_late_event(const std::string& event, const Eigen::VectorXd& change) {
+  if (!(state_.time < foreseen_) || !(largest_kinetic_ > 0.0)) return;
+  double gained = 0.0;  // [J/s2]
+  const Layout& layout = equations_.layout();
+  for (int i = 0; i < mechanism_.model.body_count(); ++i)
+    gained += 0.5 * mechanism_.model.body(i).mass() *
+              change.segment<3>(layout.v0() + layout.body_v[static_cast<std::size_t>(i)]).squaredNorm();
+  coupled_->tell_of_event(event, state_.time, coupled_->window_length() * std::sqrt(gained / largest_kinetic_));
 }
 
 void Simulation::sample_before_window(Loop& loop) {
@@ -545,7 +594,8 @@ void Simulation::apply_events() {
   const double time = state_.time;
   std::string names;
   for (std::size_t count = 0;; ++count) {
-    const int event = signals->triggered(sampler_.sample(), inputs_.values).event;
+    const SignalLoop::Trigger trigger = signals->triggered(sampler_.sample(), inputs_.values);
+    const int event = trigger.event;
     if (event < 0) break;
     names += (names.empty() ? "\"" : ", \"") + signals->event_name(event) + "\"";
     if (count > signals->state_count())
@@ -553,12 +603,13 @@ void Simulation::apply_events() {
                                                  " s: events trigger each other without end: " + names +
                                                  ": give each a condition that is false in the state it leads to");
     if (!coupled_) event_watch_.count(signals->event_name(event), time, t_end_);
-    const Eigen::VectorXd before = inputs_.values;
+    const Eigen::VectorXd before = inputs_.values, rates = rates_;
     signals->apply(event, time, inputs_.values);
     equations_.settle_signals(&before, inputs_, state_);
     equations_.saddle().accelerations(state_, inputs_, rates_);
     update_sample();
     if (coupled_) coupled_->restart();
+    if (coupled_ && !trigger.sampled) tell_of_late_event(signals->event_name(event), rates_ - rates);
   }
   without_event_ = state_;
 }
@@ -630,6 +681,10 @@ void Simulation::visit(Archive& archive) {
   archive("inputs", inputs_);
   archive("window", window_);
   archive("inputs_change", inputs_change_);
+  archive("loads_before", loads_before_);
+  archive("last_length", last_length_);
+  archive("length_before", length_before_);
+  archive("largest_kinetic", largest_kinetic_);
   archive("times", times_);
   archive("next_checkpoint", checkpoints_);
   archive("control", control_);

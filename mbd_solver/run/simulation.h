@@ -118,6 +118,10 @@ class Simulation {
   // With grains: the time of an event without a period in the window that comes, as far as it can be foreseen; infinity: none
   // until `before` [s].
   double foreseen_event(double before);
+  bool foresees_events() const;
+  void extrapolate_loads(double time);  // inputs_.loads, from the means over the last two windows [s]
+  // With grains: an event without a period changes rates_ by this at the end of a window [as rates_].
+  void tell_of_late_event(const std::string& event, const Eigen::VectorXd& change);
   void sample_before_window(Loop& loop);  // what is due now, and ended the last window for this reason
   // Steps end at corners of given functions.
   void advance(State from, double time, const Rows& rows = {});
@@ -159,7 +163,12 @@ class Simulation {
   bool checkpoint_requested_ = false;
   bool event_in_window_ = false;  // a row or step ended the window because the condition of an event holds there
   EventWatch event_watch_;
-  State without_event_;  // the last state in which no condition held; for events without a period
+  double foreseen_ = std::numeric_limits<double>::infinity();  // foreseen_event() of this window [s]
+  // With grains and events without a period: loads of the window before the last, and the lengths of both windows [s].
+  std::vector<ExternalLoad> loads_before_;
+  double last_length_ = 0.0, length_before_ = 0.0;
+  double largest_kinetic_ = 0.0;  // likewise, since the start [J]
+  State without_event_;           // the last state in which no condition held; for events without a period
   Sampler sampler_;
   std::unique_ptr<CoupledRun> coupled_;
   std::unique_ptr<CollisionWatch> collisions_;  // null where surfaces cannot meet

@@ -207,6 +207,8 @@ const std::vector<std::string>& summary_figures() {
                                                  "max_penetration_time_s",
                                                  "max_contact_force_N",
                                                  "max_contact_force_time_s",
+                                                 "max_step_force_N",
+                                                 "max_step_force_time_s",
                                                  "creep_speed_m_s",
                                                  "stability_distance_m",
                                                  "stability_distance_time_s",

@@ -346,6 +346,19 @@ TEST(WindowChoice, FollowsTheContactsOfSingleGrains) {
   EXPECT_EQ(choice.substeps(), 8);
 }
 
+// Fifty windows above the grains do not change how it meets them: its motion is known and says nothing of their contacts.
+TEST(WindowChoice, ABodyThatIsLedMeetsGrainsAgainAsBefore) {
+  WindowChoice choice(spec(), kSubstep, 1.0, limit());
+  WindowChoice::Body led = pressed(0.0);
+  led.mass = std::numeric_limits<double>::infinity();
+  choice.start({led});
+  led.grain_omega2 = 1e6;
+  for (int k = 0; k < 20; ++k) choice.observe(choice.substeps(), {led});
+  led.stiffness = led.grain_omega2 = 0.0;
+  for (int k = 0; k < 50; ++k) choice.observe(choice.substeps(), {led});
+  EXPECT_EQ(choice.substeps(), 8);
+}
+
 TEST(WindowChoice, BeforeItsFirstContactABodyTakesTheStiffnessThatOthersHaveMet) {
   WindowChoice choice(spec(), kSubstep, 1.0, limit());
   choice.start({{10.0}, {10.0}});
@@ -393,6 +406,16 @@ TEST(FlightTime, IsZeroAmongTheGrainsAndWhereNobodyKnowsThem) {
 
 TEST(FlightTime, OfABodyThatRisesIsForEver) {
   EXPECT_EQ(time(falling_from(3.0, -2.0), ground_at(1.0)), std::numeric_limits<double>::infinity());
+}
+
+// At its highest point, 2 m above the grains, a known path bends down by 4 m/s2: t = 1 s. Of other bodies the speed counts.
+TEST(FlightTime, OfAKnownPathCountsItsAcceleration) {
+  BodyMotion motion = falling_from(3.0, 0.0);
+  motion.ddr.z() = -4.0;
+  EXPECT_DOUBLE_EQ(flight_time(motion, plate(), ground_at(1.0), kUp, nullptr, true), 1.0);
+  EXPECT_EQ(time(motion, ground_at(1.0)), std::numeric_limits<double>::infinity());
+  motion.dr.z() = 1.0;  // rises until 0.25 s
+  EXPECT_DOUBLE_EQ(flight_time(motion, plate(), ground_at(1.0), kUp, nullptr, true), 0.25 * (1.0 + std::sqrt(17.0)));
 }
 
 // Any point may come down at |w| reach.

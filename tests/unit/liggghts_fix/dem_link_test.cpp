@@ -6,6 +6,7 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/interrupt.h"
+#include "coupler/schemes/registry.h"
 #include "coupler/transport_loopback.h"
 #include "liggghts_fix/codes.h"
 #include "liggghts_fix/link/dem_link.h"
@@ -132,6 +133,7 @@ TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
   pair.partner.join();
   EXPECT_TRUE(pair.dem.finished());
   EXPECT_DOUBLE_EQ(load.bodies[0].mean.F_W[2], 10.0);
+  EXPECT_DOUBLE_EQ(load.bodies[0].peak.force, 10.0);
   EXPECT_EQ(load.bodies[0].contacts, 2);
   EXPECT_DOUBLE_EQ(load.bodies[0].max_overlap_over_radius, 0.02);  // the set-up belongs to the window before
   EXPECT_DOUBLE_EQ(load.bodies[0].contact_stiffness, 200.0);
@@ -466,7 +468,8 @@ TEST(RankShares, ShareOfTheOnlyRankIsTheLoad) {
   BodyLoad share = random_load(5), load = empty_load(2, share.tangent.size());
   share.max_overlap_over_radius = 0.03;
   share.max_patch_over_facet = 0.3;
-  share.grain_energy = share.grain_mass = share.grain_omega2 = 2.0;
+  share.grain_energy = share.grain_mass = share.grain_omega2 = share.peak.force = 2.0;
+  share.peak.step = share.peak.steps = 4;
   std::vector<double> row;
   append_share(share, row);
   EXPECT_EQ(row.size(), share_size(share));
@@ -488,13 +491,44 @@ TEST(RankShares, RanksAddUpAndTheLargestOverlapCounts) {
   EXPECT_EQ(load.grain_energy, one.grain_energy);
   EXPECT_EQ(load.grain_mass, one.grain_mass);
   EXPECT_EQ(load.grain_omega2, one.grain_omega2);
+  EXPECT_EQ(load.peak.force, one.peak.force);
+  EXPECT_EQ(load.peak.step, one.peak.step);
+  EXPECT_EQ(load.peak.steps, one.peak.steps);
   std::vector<double> once, twice;
   append_share(one, once);
   append_share(load, twice);
   EXPECT_EQ(once, row);
   int doubled = 0;
   for (std::size_t i = 0; i < row.size(); ++i) doubled += twice[i] == 2.0 * row[i] ? 1 : 0;
-  EXPECT_EQ(doubled, static_cast<int>(row.size()) - 5);
+  EXPECT_EQ(doubled, static_cast<int>(row.size()) - 8);
+}
+
+// Forces of two ranks at the ends of six substeps: their sum, 4 8 9.5 10 4 4 N, has its largest mean of a substep, 9.75 N, in
+// the fourth; the third has 8.75 N, the others less than 90 %. One rank alone is largest in the fifth.
+TEST(DemBody, FindsThePeakOfTheSumOverTheRanks) {
+  const double forces[2][6] = {{4, 0, 4.5, 6, 12, 4}, {0, 8, 5, 4, -8, 0}};  // [N]
+  const CoupledBody body = {ModalBoundary("pad", Eigen::Matrix3Xd::Zero(3, 3), {{0, 1, 2}}), BodyMotion()};
+  const std::unique_ptr<Scheme> scheme = make_scheme("css-trapezoid");
+  std::vector<double> rows;
+  DemBody sum(body, *scheme);
+  for (const auto& rank : forces) {
+    DemBody dem(body, *scheme);
+    dem.begin_window(body.initial, 6, 1e-3);
+    if (&rank == &forces[0]) sum.begin_window(body.initial, 6, 1e-3);
+    for (const double force : rank) {
+      dem.advance();
+      dem.clear_contacts();
+      dem.add_contact({{0, 1, 2}, {1, 0, 0}}, {0, force, 0}, Eigen::Vector3d::Zero(), 0.01, 100.0);
+      dem.end_substep(1e-3);
+    }
+    dem.append_share(rows);
+  }
+  sum.clear_load();
+  EXPECT_EQ(sum.add_share(sum.add_share(rows.data())), rows.data() + rows.size());
+  sum.finish_load();
+  EXPECT_DOUBLE_EQ(sum.load().peak.force, 9.75);
+  EXPECT_EQ(sum.load().peak.step, 4);
+  EXPECT_EQ(sum.load().peak.steps, 1);
 }
 
 TEST(RankShares, EveryFieldOfTheLoadHasItsPlaceInTheRow) {

@@ -404,7 +404,7 @@ TEST(ContactSlope, IsNotCollectedForSchemesThatDoNotAsk) {
   EXPECT_FALSE(dem.samples_slopes());
   EXPECT_TRUE(dem.load().tangent.empty());
   // F, T, impulse: 3 each; two works, two contacts, stiffness, overlap, patch, and what else DemBody::write_share names
-  EXPECT_EQ(dem.share_size(), 19U);
+  EXPECT_EQ(dem.share_size(), 22U);
 }
 
 }  // namespace

@@ -264,6 +264,60 @@ TEST(Simulation, EndsWindowsAtSamplesAndForeseenEvents) {
   EXPECT_NEAR(vz, -1.0 - kGravity * 0.01 + 100.0 / kMass * (0.01 - 0.0034), 1e-9);
 }
 
+bool tells_of_late_event(const Simulation& simulation) {
+  for (const std::string& warning : simulation.coupled()->watch().warnings())
+    if (warning.find(code::kEventLate.number) != std::string::npos) return true;
+  return false;
+}
+
+// Windows of 0.4 ms. The grains push with 2e5 N/s t, which passes 495 N at 2.475 ms, in the seventh window. Windows end where the
+// means of the last two tell so if the force rises twice as fast; that of the 25th DEM step is 490 N, of the next 510 N.
+TEST(Simulation, EndsWindowsWhereLoadsTriggerEvents) {
+  const std::string event =
+      "[[states]]\nname = \"waits\"\n[[states]]\nname = \"pushed\"\n[[events]]\nname = \"loaded\"\nto = \"pushed\"\n"
+      "when = \"WHEN\"\n[[signals]]\nname = \"push\"\nkind = \"expression\"\ninput = \"100 * state.pushed\"\n"
+      "[[forces]]\nname = \"engine\"\nbody = \"ball\"\ndirection = [0, 0, 1]\nforce = { signal = \"push\" }\n";
+  const GrainScene folder;
+  for (const std::string& when : std::vector<std::string>{"ball.contact.fz > 495", "ball.az > 246"}) {
+    std::string text = event;
+    text.replace(text.find("WHEN"), 4, when);
+    const Scene scene = folder.folder.read(kThrownBall + test::kOnGrains + text);
+    LoopbackGrains grains(test::start_of_ball(), [](const Motion& motion, Load& load) {
+      load.bodies[0].mean.F_W.z() = 2e5 * (motion.time + 0.5 * motion.n * kDt);
+    });
+    Simulation simulation(scene, 0.004, &grains.transport());
+    rows_of(simulation);
+    EXPECT_EQ(grains.join(), "");
+    std::vector<int> starts;  // of windows [DEM steps]
+    for (const Motion& motion : grains.motions()) starts.push_back(static_cast<int>(std::lround(motion.time / kDt)));
+    const std::vector<int> expected = {0, 4, 8, 12, 16, 20, 22, 23, 24, 25, 26, 30, 34};
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), starts.begin())) << when << testing::PrintToString(starts);
+    EXPECT_FALSE(tells_of_late_event(simulation));
+  }
+}
+
+// At once 500 N: nothing foretells them.
+TEST(Simulation, TellsOfEventsThatLoadsTriggerLate) {
+  const std::string event =
+      "[[states]]\nname = \"waits\"\n[[states]]\nname = \"pushed\"\n[[events]]\nname = \"loaded\"\nto = \"pushed\"\n"
+      "when = \"ball.contact.fz > 400\"\n[[signals]]\nname = \"push\"\nkind = \"expression\"\ninput = \"PUSH * "
+      "state.pushed\"\n[[forces]]\nname = \"engine\"\nbody = \"ball\"\ndirection = [0, 0, 1]\nforce = { signal = "
+      "\"push\" }\n";
+  const GrainScene folder;
+  for (const bool strong : {true, false}) {
+    std::string text = event;
+    text.replace(text.find("PUSH"), 4, strong ? "1000" : "10");  // 0.4 ms of it: over 1 % of the velocity, or less
+    const Scene scene = folder.folder.read(kThrownBall + test::kOnGrains + text);
+    LoopbackGrains grains(test::start_of_ball(), [](const Motion& motion, Load& load) {
+      if (motion.window >= 3) load.bodies[0].mean.F_W.z() = 500.0;
+    });
+    Simulation simulation(scene, 0.004, &grains.transport());
+    rows_of(simulation);
+    EXPECT_EQ(grains.join(), "");
+    EXPECT_EQ(tells_of_late_event(simulation), strong);
+  }
+}
+
 // Led along its path against an alternating force: round-off of its work, and a window's impulse, are no energy of its.
 TEST(Simulation, DoesNotJudgeABodyThatIsLed) {
   const std::string led = kThrownBall + test::kOnGrains + R"(
