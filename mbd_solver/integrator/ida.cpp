@@ -60,6 +60,7 @@ struct Ida::Sundials {
   double time_of_switch(double begin, double end, const Inputs& inputs);
   void count(IntegratorStatistics& statistics);
   double step_error();                  // of the last step, in tolerances of the scene
+  double carried();                     // share of such an error that all later steps carry on
   void look_ahead(const State& state);  // after a step: sets passage_end if a singular position comes near
   // OneStep from state.time to passage_end or t_end, with rows; false: a row has ended the window.
   bool pass(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
@@ -343,7 +344,7 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
   check(IDASolve(memory, t_end, &t, y, ydot, IDA_ONE_STEP), "IDASolve");
   const double error = step_error();
   statistics.reported_error += error;
-  statistics.summed_error += error;
+  statistics.summed_error += error * carried();
   last_error = error / share;
   const double change = equations.has_modes() ? time_of_switch(from, t, inputs) : HUGE_VAL;
   const double end = std::min(t, change);
@@ -406,6 +407,16 @@ double Ida::Sundials::step_error() {
   check(IDAGetEstLocalErrors(memory, scratch), "IDAGetEstLocalErrors");
   check(IDAGetErrWeights(memory, scratch2), "IDAGetErrWeights");
   return share * std::sqrt(view(scratch).head(count).cwiseProduct(view(scratch2).head(count)).squaredNorm() / count);
+}
+
+// y(n) is made of several values before it, so that an error e of one of them moves those that follow by e / beta,
+// 1 / beta = 1 + 1/2 + ... + 1/k for order k:  e = 1, rho(x) = (x - 1) rho'(1) + ..., rho'(1) = beta  [BDF with leading 1]
+double Ida::Sundials::carried() {
+  int order = 1;
+  check(IDAGetLastOrder(memory, &order), "IDAGetLastOrder");
+  double sum = 0.0;
+  for (int j = 1; j <= order; ++j) sum += 1.0 / j;
+  return sum;
 }
 
 // Work integrals on IDA's own interpolant, within its last step.

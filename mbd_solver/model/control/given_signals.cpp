@@ -29,6 +29,8 @@ constexpr std::size_t kMostExtremes = 200;    // of arguments in a block, where 
 constexpr int kHalvings = 40;                 // points beside a corner: at cell / 2, cell / 4, ...
 constexpr double kDense = 0.25;               // turning points per point of the grid from which it is too coarse
 constexpr double kQuadrature = 1e-14;         // error of a step, of the largest integral over a block [-]
+constexpr double kSlow = 0.125;               // fall of that error with half the step; of smooth values 1/64
+constexpr double kRounded = 1e-11;            // the same error, as round-off may be [-]
 constexpr int kMostSplits = 12;               // halvings of the time between two corners
 constexpr int kGolden = 40;                   // steps of a search for an extreme: to 1e-8 of a cell
 
@@ -169,7 +171,8 @@ struct GivenSignals::Scan {
   void add_bends(const Points& points, std::size_t value, std::size_t begin, std::size_t end, double floor);
   void add_splits(double begin, double end);
   std::vector<double> quadrature(double a, double b);
-  void split(double a, double b, const std::vector<double>& whole, int halvings);
+  void split(double a, double b, const std::vector<double>& whole, const std::vector<double>& errors_before,
+             int halvings);
 
   double t_end;  // [s]
   NamedValues names;
@@ -611,19 +614,24 @@ std::vector<double> GivenSignals::Scan::quadrature(double a, double b) {
   return sums;
 }
 
-void GivenSignals::Scan::split(double a, double b, const std::vector<double>& whole, int halvings) {
+// A small error that hardly falls with the step is the round-off of the values.
+void GivenSignals::Scan::split(double a, double b, const std::vector<double>& whole,
+                               const std::vector<double>& errors_before, int halvings) {
   const double middle = a + 0.5 * (b - a);
   if (halvings >= kMostSplits || splits.size() >= kCellsOfBlock || !(a < middle && middle < b)) return;
   const std::vector<double> left = quadrature(a, middle), right = quadrature(middle, b);
   bool exact = true;
+  std::vector<double> errors(values.size());
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const double error = std::abs(left[k] + right[k] - whole[k]);
-    exact = exact && !(values[k].curved && error > kQuadrature * integrals[k]);  // also where there is no value
+    const double error = errors[k] = std::abs(left[k] + right[k] - whole[k]);
+    const bool rounded = error > kSlow * errors_before[k] && error < kRounded * integrals[k];
+    exact =
+        exact && !(values[k].curved && error > kQuadrature * integrals[k] && !rounded);  // also where there is no value
   }
   if (exact) return;
-  split(a, middle, left, halvings + 1);
+  split(a, middle, left, errors, halvings + 1);
   splits.push_back(middle);
-  split(middle, b, right, halvings + 1);
+  split(middle, b, right, errors, halvings + 1);
 }
 
 void GivenSignals::Scan::add_splits(double begin, double end) {
@@ -644,7 +652,8 @@ void GivenSignals::Scan::add_splits(double begin, double end) {
   }
   integrals.resize(values.size(), 0.0);
   for (std::size_t k = 0; k < sums.size(); ++k) integrals[k] = std::max(integrals[k], sums[k]);
-  for (std::size_t i = 0; i < spans.size(); ++i) split(spans[i].first, spans[i].second, wholes[i], 0);
+  const std::vector<double> unknown(values.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < spans.size(); ++i) split(spans[i].first, spans[i].second, wholes[i], unknown, 0);
 }
 
 GivenSignals::GivenSignals(const std::vector<GivenEntry>& entries,

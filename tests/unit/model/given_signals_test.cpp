@@ -38,6 +38,17 @@ class Given {
     too_fast = signals.too_fast();
     return all;
   }
+  int splits() {
+    GivenSignals signals(entries_, source_of, kEnd);
+    const Eigen::VectorXd values = Eigen::Vector2d(1.0, 0.0);
+    int count = 0;
+    for (double t = 0.0; t < kEnd;) {
+      const double split = signals.next_split(t, values);
+      count += split < kInfinity ? 1 : 0;
+      t = split < kInfinity ? split : signals.next(t, values).after;
+    }
+    return count;
+  }
   std::vector<std::string> too_fast;
 
  private:
@@ -161,6 +172,16 @@ TEST(GivenSignals, LeaveNearlyLinesBetweenCorners) {
     }
     EXPECT_LT(corners.size(), 400u) << text;
   }
+}
+
+// 44 = 14 pi + 0.018: the argument's round-off is 3e-13 of the sine, which no shorter step makes smaller.
+TEST(GivenSignals, AreNotSplitForTheirRoundOff) {
+  Given slow;
+  slow.add("s", "sin(0.05 * time + 44)");
+  EXPECT_LE(slow.splits(), 2 * GivenSignals::kBlocks);
+  Given fast;  // 32 periods: half of one in a block
+  fast.add("s", "sin(201 * time)");
+  EXPECT_GE(fast.splits(), 2 * GivenSignals::kBlocks);
 }
 
 TEST(GivenSignals, TooFastForTheGridAreNamed) {

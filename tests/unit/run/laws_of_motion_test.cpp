@@ -245,6 +245,31 @@ interval = 0.01
   }
 }
 
+// A body on a damped spring, 7.8 Hz, half critically damped: a step of ida depends on several before it, which carry its error
+// on. What the damper takes tends to the kinetic energy of the start, 1.01 J.
+TEST(Work, OfADampedSpringIsWithinTheBoundOfIda) {
+  const std::string scene = "end_time = 2.0\ngravity = [0, 0, 0]\n" + body("a", 2.02, 1.0, "[0, 0, 0]") +
+                            joint("s", "prismatic", R"("ground", "a")", "[0, 0, 0]", "\"z\"") +
+                            R"([joints.displacement.spring]
+stiffness = 4871.2
+damping = 99.24
+[initial]
+bodies = [{ body = "a", velocity = [0, 0, 1.0] }]
+[output]
+interval = 0.01
+)";
+  const std::vector<double> exact = Rows(scene, {"solver.rtol=1e-11"}).column("dissipated.damper");
+  EXPECT_NEAR(exact.back(), 1.01, 1e-6);
+  for (const double rtol : {1e-3, 1e-4, 1e-6}) {
+    const Rows run(scene, {"solver.integrator=ida", "solver.rtol=" + text(rtol)});
+    const std::vector<double> work = run.column("dissipated.damper");
+    double error = 0.0;
+    for (std::size_t i = 0; i < work.size(); ++i) error = std::max(error, std::abs(work[i] - exact[i]));
+    ASSERT_EQ(run.work_estimates().size(), 1u);
+    EXPECT_LE(error, run.work_estimates()[0].error) << rtol;
+  }
+}
+
 // Of every kind of force, damper, drive, spring and motion: the error of each integral is at most what the run reports, whether
 // it comes from the rule of integration or from the motion that the rule follows.
 TEST(Work, OfEveryKindIsWithinTheErrorThatIsReported) {
