@@ -254,10 +254,15 @@ std::string marks(const Figure& figure, PlotStyle style) {
          << " nohead lw 1.2 dt 2 lc rgb \"" << red << "\"\nset label " << gnuplot_text(mark.text)
          << " at graph 0.99, first " << mark.value << " right offset 0,0.5 noenhanced font \",9\" tc rgb \"" << red
          << "\"\n";
-  for (const Mark& mark : figure.peaks)
-    text << "set label " << gnuplot_text(mark.text) << " at first " << mark.time << ", first " << mark.value
-         << (mark.to_the_left ? " right" : " left") << " point pt 7 ps 0.6 lc rgb \"" << paper_of(style).ink
-         << "\" offset " << (mark.to_the_left ? "-0.9" : "0.9") << ",0.2 noenhanced font \",9\"" << ink << "\n";
+  for (const Mark& mark : figure.peaks) {
+    text << "set label \"\" at first " << mark.time << ", first " << mark.value << " point pt 7 ps 0.6 lc rgb \""
+         << paper_of(style).ink << "\"\nset label " << gnuplot_text(mark.text);
+    if (mark.text_at)
+      text << " at first " << mark.text_at->first << ", first " << mark.text_at->second << " center";
+    else
+      text << " at graph 1, graph 1.04 right";
+    text << " noenhanced font \",9\"" << ink << "\n";
+  }
   return text.str();
 }
 

@@ -3,6 +3,7 @@
 // or ../ledger.csv, and draws itself as PNG and SVG; users can edit and rerun it.
 
 #include <Eigen/Dense>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -69,8 +70,12 @@ struct Mark {
   double time = 0.0;   // [s]
   double value = 0.0;  // in the unit of the axis
   std::string text;
-  bool to_the_left = false;  // of the point
+  // Middle of the text of a peak, in the units of time and value, where no curve passes; none: above the graph, on the right.
+  std::optional<std::pair<double, double>> text_at = {};
 };
+// What a text of so many letters takes at most, of the width and height of a graph, also on a page of many.
+constexpr double text_width(std::size_t letters) { return 0.024 * static_cast<double>(letters); }
+inline constexpr double kTextHeight = 0.14;
 
 struct Figure {
   std::string name;  // file name without ending

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -255,6 +256,73 @@ void add_limits(const std::vector<ColumnLimit>& limits, double low, double high,
   }
 }
 
+// Lowest and highest value of a curve in each of equal spans of time, with the ends of the lines that reach into it.
+struct Envelope {
+  static constexpr int kSpans = 400;
+  std::vector<double> low = std::vector<double>(kSpans, std::numeric_limits<double>::infinity());
+  std::vector<double> high = std::vector<double>(kSpans, -std::numeric_limits<double>::infinity());
+
+  Envelope(const std::vector<double>& time, const std::vector<double>& values) {
+    const double all = time.back() - time.front();
+    const auto span = [&](double t) {
+      return std::clamp(static_cast<int>(kSpans * (t - time.front()) / all), 0, kSpans - 1);
+    };
+    for (std::size_t k = 0; k < time.size() && all > 0.0; ++k) {
+      const std::size_t next = std::min(k + 1, time.size() - 1);
+      for (int s = span(time[k]); s <= span(time[next]); ++s) {
+        // The part of the line that lies in the span.
+        for (const double t : {std::max(time[k], time.front() + s * all / kSpans),
+                               std::min(time[next], time.front() + (s + 1) * all / kSpans)}) {
+          const double over = time[next] > time[k] ? std::clamp((t - time[k]) / (time[next] - time[k]), 0.0, 1.0) : 0.0;
+          const double y = values[k] + over * (values[next] - values[k]);
+          if (!std::isfinite(y)) continue;
+          low[static_cast<std::size_t>(s)] = std::min(low[static_cast<std::size_t>(s)], y);
+          high[static_cast<std::size_t>(s)] = std::max(high[static_cast<std::size_t>(s)], y);
+        }
+      }
+    }
+  }
+  bool meets(int from, int to, double below, double above) const {
+    for (std::size_t s = static_cast<std::size_t>(from); s <= static_cast<std::size_t>(to); ++s)
+      if (low[s] < above && high[s] > below) return true;
+    return false;
+  }
+};
+
+// The place for the text of a peak that is nearest to the peak and meets neither a curve nor a limit: its middle. low, high: of
+// the axis, in its unit.
+std::optional<std::pair<double, double>> free_place(const Mark& peak, const std::vector<Envelope>& curves,
+                                                    const std::vector<Mark>& limits, double start, double end,
+                                                    double low, double high) {
+  constexpr int kPlaces = 60;  // along each axis
+  const double across = text_width(peak.text.size()), up = kTextHeight * (high - low);
+  const auto share = [&](double t) { return (t - start) / (end - start); };
+  std::optional<std::pair<double, double>> best;
+  if (!(end > start) || !(high > low)) return best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int j = 0; j <= kPlaces; ++j) {
+    const double y = low + 0.5 * up + (high - low - up) * j / kPlaces, below = y - 0.5 * up, above = y + 0.5 * up;
+    // The word of a limit stands above its line.
+    if (std::any_of(limits.begin(), limits.end(),
+                    [&](const Mark& m) { return m.value < above && m.value + up > below; }))
+      continue;
+    for (int i = 0; i <= kPlaces && across < 1.0; ++i) {
+      const double left = (1.0 - across) * i / kPlaces, right = left + across, x = share(peak.time);
+      const double aside = std::max({left - x, x - right, 0.0});
+      const double apart = std::max({below - peak.value, peak.value - above, 0.0}) / (high - low);
+      const double way = std::hypot(aside, apart) + 1e-3 * std::abs(0.5 * (left + right) - x);
+      if (!(way < least)) continue;
+      const int from = std::max(0, static_cast<int>(Envelope::kSpans * left)),
+                to = std::min(Envelope::kSpans - 1, static_cast<int>(Envelope::kSpans * right));
+      if (std::any_of(curves.begin(), curves.end(), [&](const Envelope& e) { return e.meets(from, to, below, above); }))
+        continue;
+      least = way;
+      best = {start + 0.5 * (left + right) * (end - start), y};
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 void mark_figures(const History& history, const Json& summary, std::vector<Figure>& figures) {
@@ -266,8 +334,10 @@ void mark_figures(const History& history, const Json& summary, std::vector<Figur
     if (touchdown) figure.times.push_back({*touchdown, 0.0, "touchdown"});
     double low = 0.0, high = 0.0, size = 0.0;
     Mark peak;
+    std::vector<Envelope> envelopes;
     for (const Curve& curve : figure.curves) {
       const std::vector<double> values = curve.formula.values(history);
+      envelopes.emplace_back(time, values);
       for (std::size_t k = 0; k < values.size(); ++k) {
         low = std::min(low, values[k]);
         high = std::max(high, values[k]);
@@ -276,13 +346,15 @@ void mark_figures(const History& history, const Json& summary, std::vector<Figur
         peak = {time[k], values[k], ""};
       }
     }
+    add_limits(limits, low, high, figure);
     const bool is_energy = figure.axis.rfind("energy", 0) == 0;
     if (size > 0.0 && !is_energy) {
       peak.text = number_text(peak.value, 3) + " at " + number_text(peak.time, 3) + " s";
-      peak.to_the_left = peak.time - time.front() > 0.6 * (time.back() - time.front());
+      const bool fixed = figure.high > figure.low;
+      peak.text_at = free_place(peak, envelopes, figure.limits, time.front(), time.back(), fixed ? figure.low : low,
+                                fixed ? figure.high : high);
       figure.peaks.push_back(peak);
     }
-    add_limits(limits, low, high, figure);
   }
 }
 

@@ -584,6 +584,54 @@ TEST(Figures, MarkTouchdownPeaksAndLimits) {
   }
 }
 
+// The text of a peak stands beside the curves, by all samples of each curve and points between them: an early and a late peak, curves that
+// end flat near it as struts do, a ripple, and one that fills the graph, beside which there is no place.
+TEST(Figures, TextsOfPeaksMeetNoCurve) {
+  constexpr int kRows = 1000;
+  const auto falling = [](double t) {
+    return -0.1 * std::min(1.0, t / 0.15) - 0.005 * std::exp(-std::pow((t - 0.18) / 0.02, 2));
+  };
+  const auto early = [](double t) { return 9.0 * std::exp(-t / 0.05) + 0.3 * std::sin(40.0 * t); };
+  const auto late = [](double t) { return t * t * t; };
+  const auto ripple = [](double t) { return std::exp(-3.0 * t) * std::cos(50.0 * t); };
+  const auto full = [](double t) { return std::sin(900.0 * t); };
+  using Shape = double (*)(double);
+  for (const Shape shape : {Shape{falling}, Shape{early}, Shape{late}, Shape{ripple}, Shape{full}}) {
+    History h{{"time", "a.force", "b.force"}, {"s", "N", "N"}, {{}, {}, {}}};
+    for (int k = 0; k < kRows; ++k) {
+      const double t = k / (kRows - 1.0);
+      h.columns[0].push_back(t);
+      h.columns[1].push_back(shape(t));
+      h.columns[2].push_back(0.95 * shape(t));
+    }
+    std::vector<Figure> figures = standard_figures(h, "");
+    ASSERT_EQ(figures.size(), 1u);
+    mark_figures(h, nlohmann::ordered_json::object(), figures);
+    const Mark& peak = figures[0].peaks.at(0);
+    if (shape == Shape{full}) {
+      EXPECT_FALSE(peak.text_at);
+      continue;
+    }
+    ASSERT_TRUE(peak.text_at);
+    double low = 0.0, high = 0.0;
+    std::vector<std::vector<double>> curves;
+    for (const Curve& curve : figures[0].curves) {
+      curves.push_back(curve.formula.values(h));
+      low = std::min(low, *std::min_element(curves.back().begin(), curves.back().end()));
+      high = std::max(high, *std::max_element(curves.back().begin(), curves.back().end()));
+    }
+    const double across = 0.5 * text_width(peak.text.size()), up = 0.5 * kTextHeight * (high - low);
+    EXPECT_GE(peak.text_at->first - across, -1e-9);
+    EXPECT_LE(peak.text_at->first + across, 1.0 + 1e-9);
+    for (const std::vector<double>& values : curves)
+      for (std::size_t k = 0; k + 1 < values.size(); ++k)
+        for (const double over : {0.0, 0.25, 0.5, 0.75}) {
+          const double t = h.columns[0][k] + over / (kRows - 1.0), y = values[k] + over * (values[k + 1] - values[k]);
+          EXPECT_FALSE(std::abs(t - peak.text_at->first) < across && std::abs(y - peak.text_at->second) < up) << t;
+        }
+  }
+}
+
 TEST(Figures, FourteenSeriesHaveColoursOfTheirOwnInEveryStyle) {
   for (const PlotStyle style : every<PlotStyle>()) {
     std::set<std::string> colours;
