@@ -20,6 +20,7 @@ using PartKind = ExpressionPart::Kind;
 
 constexpr double kNoCorner = std::numeric_limits<double>::infinity();
 constexpr int kRounds = 8;                    // of looking for corners between those found so far
+constexpr double kFinest = 1e-20;             // times closer than this are one [s]
 constexpr double kNoClass = -1e300;           // where an expression has no value
 constexpr double kNoWidth = 1e-9;             // variation that does not count, of the largest value in a block [-]
 constexpr double kTiny = 1e-12;               // likewise, [unit]
@@ -118,7 +119,8 @@ struct Value {
   bool curved;  // no line between corners
 };
 
-bool neighbours(double a, double b) { return std::nextafter(a, kNoCorner) >= b; }
+// No time of a step lies between: near zero doubles are closer than a step can be long (-0.1 t is zero until 2e-323 s).
+bool neighbours(double a, double b) { return std::max(std::nextafter(a, kNoCorner), a + kFinest) >= b; }
 
 }  // namespace
 

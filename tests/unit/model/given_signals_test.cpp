@@ -84,6 +84,12 @@ TEST(GivenSignals, JumpWhereComparisonsChangeToTheLastDigit) {
 }
 
 // However a pulse of 1e-9 s is written.
+// -0.1 t is zero until 2e-323 s: no step may end there.
+TEST(GivenSignals, CornersAtZeroAreAtZero) {
+  for (const char* text : {"exp(-0.1 * time)", "sin(-0.1 * time)", "atan(0 - 0.3 * time)", "max(0, 0.01 * time)"})
+    for (const Corner& corner : corners_of(text)) EXPECT_TRUE(corner.before == 0.0 || corner.before > 1e-3) << text;
+}
+
 TEST(GivenSignals, FindEveryNotationOfANarrowPulse) {
   for (const char* text :
        {"(time >= 0.3) * (time < 0.300000001) * 5", "abs(time - 0.3) < 1e-9 ? 5 : 0",
