@@ -441,5 +441,24 @@ TEST_F(Bed, TellsWhatReachedItsWalls) {
       nlohmann::json::parse(folder.read("runs/plain/summary.json")).at("ledger").contains("energy_to_floor_J"));
 }
 
+// Four patches, and one bed where they meet.
+TEST_F(Bed, ObservingTheWallsOfTheLandingChangesNoBit) {
+  for (const std::string width : {"0.5", "1.3"}) {
+    const std::string command = "run " + app::kInputs +
+                                "/landing_mr --force --until 0.012 --ranks 1 --set output.plots=false" +
+                                " --set particles.variables.frames=0 --set particles.variables.width=" + width +
+                                " --set particles.bed.variables.width=" + width +
+                                " --set particles.bed.variables.depth=0.1 --set particles.bed.variables.settle=0.1" +
+                                " --set particles.bed.variables.fine=0.5 --set particles.bed.variables.fine_depth=0.05";
+    folder.done(command + " --quiet --out runs/plain");
+    const std::string text = folder.done(command + " --out runs/walls --set particles.variables.wall_energy=1").text;
+    EXPECT_TRUE(history("runs/walls") == history("runs/plain")) << width;
+    const nlohmann::json ledger = nlohmann::json::parse(folder.read("runs/walls/summary.json")).at("ledger");
+    EXPECT_GT(ledger.at("energy_to_floor_J").get<double>(), 0.0);
+    EXPECT_GT(ledger.at("energy_to_sides_J").get<double>(), 0.0);
+    EXPECT_TRUE(holds(text, "of the energy given, at the floor")) << text;
+  }
+}
+
 }  // namespace
 }  // namespace footfall
