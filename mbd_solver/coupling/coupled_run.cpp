@@ -160,8 +160,9 @@ double CoupledRun::exchange(const State& state, const Kinematics& kinematics, do
   const double until = std::min(left, std::ceil((stop - state.time) / dt - kSameTime));
   motion_.n = until < most ? std::max(1, static_cast<int>(until)) : most;
   motion_.last_window = left <= motion_.n;
-  // In the last window the boundary comes to the prediction: work that is pending then will never be done.
-  motion_.closing = motion_.last_window ? motion_.n : std::max(motion_.n, before);
+  // In the last window the boundary comes to the prediction: work that is pending then will never be done. Not so in a much shorter
+  // one, where it would catch up so fast that the damping of contacts gives a spike.
+  motion_.closing = motion_.last_window && 2 * motion_.n >= before ? motion_.n : std::max(motion_.n, before);
   const double t_end = motion_.last_window ? t_end_ : state.time + motion_.n * dt;
   const CheckpointRequest request = checkpoint_at(t_end);
   motion_.checkpoint = request.folder;

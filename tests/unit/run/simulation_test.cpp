@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "mbd_solver/coupling/codes.h"
@@ -202,6 +203,20 @@ TEST(Simulation, SendsTheMotionOfEveryWindowsStart) {
     const bool last = k + 1 == sent.size();
     EXPECT_EQ(sent[k].last_window, last);
     EXPECT_EQ(sent[k].n, last ? 3 : kSubsteps);  // 123 substeps
+  }
+}
+
+// The boundary comes to its prediction in the last window, unless that is much shorter than the one that left the gap.
+TEST(Simulation, ClosesNoGapFasterThanItWasMade) {
+  for (const auto& [steps, n, closing] :
+       {std::tuple{123, 3, 3}, std::tuple{122, 2, 2}, std::tuple{121, 1, kSubsteps}}) {
+    const GrainScene on;
+    LoopbackGrains grains(test::start_of_ball(), pushes({0.0, 0.0, 0.0}));
+    Simulation simulation(on.scene, steps * kDt, &grains.transport());
+    rows_of(simulation);
+    EXPECT_EQ(grains.join(), "");
+    EXPECT_EQ(grains.motions().back().n, n);
+    EXPECT_EQ(grains.motions().back().closing, closing);
   }
 }
 
