@@ -26,6 +26,7 @@ constexpr double kForceError = 0.05;  // of the largest force on a body
 // Of the DEM steps with kOfPeak of a peak: a window that shows it. Of a parabola with w such steps a mean over w / 2 leaves out
 // at most 3.3 %, wherever the window ends.
 constexpr double kOfPeakSteps = 0.5;
+constexpr double kOfPeaks = 0.2;            // of the window that hides a peak, by its neighbours: shows it
 constexpr double kForceThatMatters = 0.1;   // of the largest force on any body
 constexpr double kEventShare = 0.05;        // of the largest velocity: 1 % of peaks
 constexpr double kWarnGain = 0.2;           // of the gain that ends the run
@@ -111,8 +112,12 @@ void CouplingWatch::Record::visit(Archive& archive) {
   archive("given", given);
   archive("force", force);
   archive("change", change);
+  archive("sizes", sizes);
   archive("largest_force", largest_force);
   archive("peak", peak);
+  archive("inner_peak", inner_peak);
+  archive("smoothed", smoothed);
+  archive("smoothed_n", smoothed_n);
   archive("error", error);
   archive("error_before", error_before);
   archive("error_n", error_n);
@@ -138,6 +143,7 @@ void CouplingWatch::visit(Archive& archive) {
   archive("deepest", deepest_);
   archive("n_before", n_before_);
   archive("n_longest", n_longest_);
+  archive("lengths", lengths_);
   archive("advised", advised_);
   archive("largest_overlap", largest_overlap_);
   archive("largest_patch", largest_patch_);
@@ -170,11 +176,11 @@ void CouplingWatch::observe(const Window& window, const Load& load, const std::v
     watch_chatter(records_[i], body.mean.F_W, window, !std::isinf(bodies[i].mass));
     if (!std::isinf(bodies[i].mass)) watch_touch(records_[i], window, body);
   }
-  for (std::size_t i = 0; i < records_.size(); ++i)
-    watch_peaks(records_[i], window, load.bodies[i], bodies[i].force_error);
+  for (std::size_t i = 0; i < records_.size(); ++i) watch_peaks(records_[i], window, load.bodies[i], bodies[i]);
   watch_grains(window, load);
   watch_energy(window, load, bodies);
   n_before_ = window.n;
+  lengths_ = Eigen::Vector3d(window.H, lengths_[0], lengths_[1]);
 }
 
 // A body on contacts of stiffness K: omega = sqrt(K / m). Reported when it first exceeds its limit, and at the end if it
@@ -368,12 +374,43 @@ void CouplingWatch::watch_grains(const Window& window, const Load& load) {
   }
 }
 
+// What means over windows leave out of a peak of the force: of a parabola of curvature c, whose slope is s in the middle of
+// the window of the largest mean,
+//   c H^2 / 24 + s^2 / 2c,   |s| <= c H / 2
+// c is the smaller one of two estimates that overlap, so that a jump to a plateau is no peak: of the falls to both sides of
+// one window, or of the bends at two neighbours. sizes: of the last three windows, newest first; then one of `size`, H long.
+double CouplingWatch::left_out_of_peak(const Eigen::Vector3d& sizes, double size, double H) const {
+  const Eigen::Vector3d before = (lengths_.array() > 0.0).select(lengths_, H);
+  const double fall = (sizes[0] - size) / (0.5 * (H + before[0]));               // [N/s]
+  const double rise = (sizes[0] - sizes[1]) / (0.5 * (before[0] + before[1]));   // before the newest of the three
+  const double start = (sizes[1] - sizes[2]) / (0.5 * (before[1] + before[2]));  // before the middle one
+  if (!(lengths_[0] > 0.0 && fall > 0.0)) return 0.0;
+  const double one = 2.0 * std::min(rise, fall) / before[0];  // curvature [N/s2]
+  double most = rise > 0.0 ? one * before[0] * before[0] / 24.0 : 0.0;
+  const double between = 0.5 * (before[0] + before[1]);
+  const double c = std::min((fall + rise) / (0.5 * (0.5 * (H + before[0]) + between)),
+                            (start - rise) / (0.5 * (between + 0.5 * (before[1] + before[2]))));
+  if (c > 0.0 && start > 0.0) {
+    const bool newer = rise > 0.0;
+    const double length = newer ? before[0] : before[1];
+    const double s = std::abs(rise + (newer ? -0.5 : 0.5) * c * between);
+    most = std::max(most, c * length * length / 24.0 + std::min(s * s / (2.0 * c), c * length * length / 8.0));
+  }
+  return most;
+}
+
 // free: nothing holds the body, so that its contacts can chatter.
 void CouplingWatch::watch_chatter(Record& record, const Eigen::Vector3d& force, const Window& window, bool free) {
   const Eigen::Vector3d change = force - record.force;
   const double larger = std::max(force.norm(), record.force.norm());
   const bool alternates = free && change.dot(record.change) < 0.0 && change.norm() > 0.5 * larger &&
                           larger > kChatterForceShare * largest_force_;
+  const double left_out = left_out_of_peak(record.sizes, force.norm(), window.H);
+  if (left_out > record.smoothed) {
+    record.smoothed = left_out;
+    record.smoothed_n = n_before_;
+  }
+  record.sizes = Eigen::Vector3d(force.norm(), record.sizes[0], record.sizes[1]);
   record.alternations = alternates ? record.alternations + 1 : 0;
   record.change = change;
   record.force = force;
@@ -385,40 +422,49 @@ void CouplingWatch::watch_chatter(Record& record, const Eigen::Vector3d& force, 
                                              shorter(0.5, window) + ", or set coupling.stop_on_chatter = false");
 }
 
-// At the end, when the largest force is known: the share of it that means leave out, or that predictions miss.
-void CouplingWatch::watch_peaks(Record& record, const Window& window, const BodyLoad& load, double force_error) {
-  if (load.peak.force > record.peak.force)
-    record.peak = {load.peak.force, window.time - window.H * (1.0 - static_cast<double>(load.peak.step) / window.n),
-                   static_cast<int>(load.peak.steps), window.n};
-  const double error = std::min(force_error, record.error_before);  // that stands for two windows
-  record.error_before = force_error;
+// At the end, when the largest force is known: the share of it that means leave out, or that predictions miss. The path of a body
+// that is led is known, and so are its forces; on the predicted path of another they leave their mean towards the ends of a window,
+// where only its neighbours tell of a peak.
+void CouplingWatch::watch_peaks(Record& record, const Window& window, const BodyLoad& load, const Body& body) {
+  const bool led = std::isinf(body.mass);
+  const double H_after = window.H * (1.0 - static_cast<double>(load.peak.step) / window.n);
+  const Peak peak = {load.peak.force, window.time - H_after, static_cast<int>(load.peak.steps), window.n};
+  const bool inner = load.peak.step > 1 && load.peak.step < window.n;
+  if (peak.force > record.peak.force) record.peak = peak;
+  if ((led || inner) && peak.force > record.inner_peak.force) record.inner_peak = peak;
+  const double error = std::min(body.force_error, record.error_before);  // that stands for two windows
+  record.error_before = body.force_error;
   if (error > record.error) {
     record.error = error;
     record.error_n = n_longest_;
   }
   if (!window.last || record.largest_force <= kForceThatMatters * largest_force_) return;
-  const double missed = record.error / record.largest_force, smoothed = record.peak.force / record.largest_force - 1.0;
-  if (std::max(missed, smoothed) <= kForceError) return;
-  const bool by_means = smoothed > missed;
-  const int n = by_means ? record.peak.n : record.error_n;
+  const double missed = record.error / record.largest_force,
+               shown = record.inner_peak.force / record.largest_force - 1.0,
+               smoothed = led ? 0.0 : record.smoothed / record.largest_force;
+  const double largest = std::max({missed, shown, smoothed});
+  if (largest <= kForceError) return;
+  const int n = largest == shown ? record.inner_peak.n : largest == smoothed ? record.smoothed_n : record.error_n;
   if (n == 1) return;  // the time step of the grains decides
-  const std::string body = "body " + record.name + ": its contact force ";
-  const auto use = [&](double steps) { return shorter(steps / n_longest_, window); };
-  if (by_means) {
-    warn(with_code(code::kForceNotResolved,
-                   body + "was " + number(record.peak.force) + " N in a DEM step at t = " + number(record.peak.time) +
-                       " s, " + percent(smoothed) + " above the largest mean over a coupling interval, " +
-                       number(record.largest_force) + " N, and only means are recorded: within an interval of " +
-                       steps(n) + " the force rises and falls; " +
-                       use(std::max(1.0, std::floor(kOfPeakSteps * record.peak.steps)))));
+  const std::string name = "body " + record.name + ": its contact force ";
+  const auto use = [&](double dem_steps) { return shorter(dem_steps / n_longest_, window); };
+  if (largest == shown) {
+    warn(with_code(
+        code::kForceNotResolved,
+        name + "was " + number(record.inner_peak.force) + " N in a DEM step at t = " + number(record.inner_peak.time) +
+            " s, " + percent(shown) + " above the largest mean over a coupling interval, " +
+            number(record.largest_force) + " N, and only means are recorded: within an interval of " + steps(n) +
+            " the force rises and falls; " + use(std::max(1.0, std::floor(kOfPeakSteps * record.inner_peak.steps)))));
     return;
   }
   // A peak shorter than a window is estimated too low.
+  const bool by_means = largest == smoothed;
   warn(with_code(code::kForceNotResolved,
-                 body + "has errors of about " + percent(missed) +
+                 name + "has errors of about " + percent(largest) +
                      " of the largest, because within a coupling interval of " + steps(n) +
-                     " the mechanism moves otherwise than predicted (contacts, springs, motors); " +
-                     use(std::sqrt(0.5 * kForceError / missed) * n)));
+                     (by_means ? " the force rises and falls, and only its mean is recorded; "
+                               : " the mechanism moves otherwise than predicted (contacts, springs, motors); ") +
+                     use((by_means ? kOfPeaks : std::sqrt(0.5 * kForceError / missed)) * n)));
 }
 
 }  // namespace footfall

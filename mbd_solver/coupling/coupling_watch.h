@@ -119,7 +119,11 @@ class CouplingWatch {
     double given = 0.0;                                         // impulse of the grains, likewise [N s]
     Eigen::Vector3d force = Eigen::Vector3d::Zero();            // mean of the last window [N]
     Eigen::Vector3d change = Eigen::Vector3d::Zero();           // of that, from the window before [N]
+    Eigen::Vector3d sizes = Eigen::Vector3d::Zero();            // |force| of the last three windows, newest first [N]
     double largest_force = 0.0;                                 // [N]
+    Peak inner_peak;                                            // largest on a known path, or within a window
+    double smoothed = 0.0;                                      // largest part of a peak that a mean leaves out [N]
+    int smoothed_n = 1;                                         // DEM steps of its window
     Peak peak;                                                  // largest of a DEM step
     double error = 0.0, error_before = 0.0;                     // largest and last force_error [N]
     int error_n = 1;                                            // DEM steps of its window
@@ -132,7 +136,8 @@ class CouplingWatch {
   void watch_touch(Record& record, const Window& window, const BodyLoad& load);
   void watch_grains(const Window& window, const Load& load);
   void watch_chatter(Record& record, const Eigen::Vector3d& force, const Window& window, bool free);
-  void watch_peaks(Record& record, const Window& window, const BodyLoad& load, double force_error);
+  void watch_peaks(Record& record, const Window& window, const BodyLoad& load, const Body& body);
+  double left_out_of_peak(const Eigen::Vector3d& sizes, double size, double H) const;  // [N]
   // "use `every 3` or less": to windows of this share of the longest of late, or to shorter DEM steps. Of several
   // messages none advises longer windows than those before.
   std::string shorter(double share, const Window& window);
@@ -141,12 +146,13 @@ class CouplingWatch {
   CouplingSpec limits_;
   OmegaHLimit omega_h_limit_;
   Setting setting_;
-  int n_before_ = 0, n_longest_ = 1;                // DEM steps of the last window; of the longer one of the last two
-  int advised_ = std::numeric_limits<int>::max();   // DEM steps
-  std::vector<Record> records_;                     // per coupled body
-  double sum_ = 0.0;                                // of work on the boundary - work received [J]
-  double residual_ = 0.0, largest_residual_ = 0.0;  // [J]
-  double largest_kick_ = 0.0;                       // sum over bodies of J^2 / 2m, largest of any window [J]
+  int n_before_ = 0, n_longest_ = 1;               // DEM steps of the last window; of the longer one of the last two
+  int advised_ = std::numeric_limits<int>::max();  // DEM steps
+  Eigen::Vector3d lengths_ = Eigen::Vector3d::Zero();  // of the last three windows, newest first [s]; 0: none yet
+  std::vector<Record> records_;                        // per coupled body
+  double sum_ = 0.0;                                   // of work on the boundary - work received [J]
+  double residual_ = 0.0, largest_residual_ = 0.0;     // [J]
+  double largest_kick_ = 0.0;                          // sum over bodies of J^2 / 2m, largest of any window [J]
   bool began_ = false;
   bool warned_of_gain_ = false, warned_of_loss_ = false, warned_of_overlap_ = false, warned_of_facets_ = false;
   bool warned_of_surplus_ = false, warned_of_event_ = false;

@@ -542,6 +542,20 @@ TEST(CouplingWatch, WarnsOfForcesThatWindowsDoNotResolve) {
     return told;
   };
   Watched hidden(kHeld), shown(kHeld), single(kHeld), missed(1.0), followed(1.0);
+  // A free body, on a predicted path: in the middle of a window a peak counts, not at its end, unless the means show it.
+  Watched within(1.0), at_end(1.0), of_means(1.0);
+  within.window(peak(12.0, 10));
+  EXPECT_TRUE(last_warns(within));
+  Told end = peak(12.0, 10);
+  end.peak.step = 10;
+  for (int k = 0; k < 3; ++k) at_end.window({10.0});
+  at_end.window(end);
+  for (int k = 0; k < 3; ++k) at_end.window({10.0});
+  EXPECT_FALSE(last_warns(at_end));
+  EXPECT_DOUBLE_EQ(at_end.watch.peak().force, 12.0);
+  for (const double force : {0.0, 9.0, 9.0, 3.0, 0.0})
+    of_means.window({force});  // of a parabola, 10 N between two windows
+  EXPECT_TRUE(last_warns(of_means));
   hidden.window(peak(12.0, 10));
   hidden.window({10.5});
   EXPECT_DOUBLE_EQ(hidden.watch.peak().force, 12.0);
