@@ -36,7 +36,7 @@ double fall_of(const Terrain& terrain, const Eigen::Vector3d& p, double radius) 
     terrain.feet(now, 1.5 * radius, feet);
     double left = std::numeric_limits<double>::infinity();
     for (const Terrain::Foot& foot : feet)
-      left = std::min(left, (foot.distance - radius) / std::max(0.1, foot.normal.z()));
+      if (foot.sign > 0.0) left = std::min(left, (foot.distance - radius) / std::max(0.1, foot.normal.z()));
     for (std::size_t k = 0; k < terrain.rocks().size(); ++k) {
       const Terrain::Foot foot = terrain.foot(now, static_cast<int>(k));
       if (foot.normal.z() > 0.0) left = std::min(left, (foot.distance - radius) / std::max(0.1, foot.normal.z()));

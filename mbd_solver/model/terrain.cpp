@@ -19,15 +19,14 @@ namespace {
 constexpr int kPart = 16;  // cells of a map along each side of a part, of which a bound of the bends is known
 constexpr int kTile = 64;  // cells along each side of a tile, of which the coefficients are found at once
 constexpr int kFade = 32;  // samples around a tile that have a share in its coefficients: the next has 0.27^32 = 5e-19
-constexpr int kFootSteps = 30;                    // of Newton's method, at most; three are usual
-constexpr double kFootFound = 1e-14;              // of a step, relative to the sizes of the numbers
-constexpr double kLastStep = 1e-9;                // a step below this needs no further look at the field [m]
-constexpr double kAbove = 1e-9;                   // a place above this height does not touch, round-off included [m]
-constexpr int kSeeds = 12;                        // directions in which a ball looks for further contacts
-constexpr double kSharpRidge = 30.0;              // times its radius: a ball looks for ridges of more curvature
-constexpr int kRays = 24;                         // along which it looks for them
-constexpr double kOneFoot = 0.93969262078590838;  // cos 20 degrees: feet with closer normals are one contact
-constexpr double kBowl = 0.9;  // a ball of this share of the least radius of curvature has one contact
+constexpr int kFootSteps = 30;        // of Newton's method, at most; three are usual
+constexpr double kFootFound = 1e-14;  // of a step, relative to the sizes of the numbers
+constexpr double kLastStep = 1e-9;    // a step below this needs no further look at the field [m]
+constexpr double kAbove = 1e-9;       // a place above this height does not touch, round-off included [m]
+constexpr int kMostPlaces = 240;      // of them along each axis
+constexpr int kLevels = 3;            // of halves of a cell
+constexpr int kBlock = 8;             // cells along each side of a block, which is left out as a whole if it can
+constexpr double kBowl = 0.9;         // a ball of this share of the least radius of curvature has one contact
 
 // Along one axis of a map: the first of four coefficients, and their weights for the value and its derivatives.
 struct Weights {
@@ -358,6 +357,32 @@ double Terrain::top(double x, double y) const {
   return top;
 }
 
+namespace {
+
+void write_foot(const Eigen::Vector3d& p, const Eigen::Vector2d& place, const Terrain::Height& here, Terrain::With with,
+                Terrain::Foot& out) {
+  const Eigen::Vector2d& g = here.slope;
+  const double length = std::sqrt(1.0 + g.squaredNorm());
+  const Eigen::Vector3d n = Eigen::Vector3d(-g.x(), -g.y(), 1.0) / length;
+  out.normal = n;
+  out.distance = n.dot(p - Eigen::Vector3d(place.x(), place.y(), here.h));
+  out.place = place;
+  out.rock = -1;
+  out.sign = 1.0;
+  if (with == Terrain::With::kNormal) return;
+  // dn/dp = -T G^-1 B (G - phi B / |N|)^-1 T^T / |N|,  T = dc/d(x, y), G = T^T T, B = h'', |N| = sqrt(1 + g^2)
+  Eigen::Matrix2d B, G;
+  B << here.bend[0], here.bend[2], here.bend[2], here.bend[1];
+  G = Eigen::Matrix2d::Identity() + g * g.transpose();
+  Eigen::Matrix<double, 3, 2> T;
+  T << 1.0, 0.0, 0.0, 1.0, g.x(), g.y();
+  const Eigen::Matrix2d turned = G - (out.distance / length) * B;
+  const Eigen::Matrix2d middle = G.inverse() * B * turned.inverse();
+  out.bend = (-1.0 / length) * T * middle * T.transpose();
+}
+
+}  // namespace
+
 // Newton's method for the least distance, from the place `start` at which the field is `here`; false where it ends in no minimum.
 bool Terrain::descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Height here, With with, Foot& out) const {
   Eigen::Vector2d place = start;
@@ -403,23 +428,7 @@ bool Terrain::descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, He
       break;
     }
   }
-  const Eigen::Vector2d& g = here.slope;
-  const double length = std::sqrt(1.0 + g.squaredNorm());
-  const Eigen::Vector3d n = Eigen::Vector3d(-g.x(), -g.y(), 1.0) / length;
-  out.normal = n;
-  out.distance = n.dot(p - Eigen::Vector3d(place.x(), place.y(), here.h));
-  out.place = place;
-  out.rock = -1;
-  if (with == With::kNormal) return minimum;
-  // dn/dp = -T G^-1 B (G - phi B / |N|)^-1 T^T / |N|,  T = dc/d(x, y), G = T^T T, B = h'', |N| = sqrt(1 + g^2)
-  Eigen::Matrix2d B, G;
-  B << here.bend[0], here.bend[2], here.bend[2], here.bend[1];
-  G = Eigen::Matrix2d::Identity() + g * g.transpose();
-  Eigen::Matrix<double, 3, 2> T;
-  T << 1.0, 0.0, 0.0, 1.0, g.x(), g.y();
-  const Eigen::Matrix2d turned = G - (out.distance / length) * B;
-  const Eigen::Matrix2d middle = G.inverse() * B * turned.inverse();
-  out.bend = (-1.0 / length) * T * middle * T.transpose();
+  write_foot(p, place, here, with, out);
   return minimum;
 }
 
@@ -464,41 +473,125 @@ void Terrain::feet(const Eigen::Vector3d& p, double radius, std::vector<Foot>& o
     out.push_back(one);
     return;
   }
-  if (good) out.push_back(one);
-  for (int k = 0; k < kSeeds; ++k) {
-    const double angle = 2.0 * kPi * k / kSeeds;
-    const Eigen::Vector2d start = p.head<2>() + 0.7 * radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    if (descend(p, start, at(start.x(), start.y()), With::kBend, one) && one.distance < radius) out.push_back(one);
+  find_all(p, radius, out);
+  if (out.empty() && good && one.distance < radius) out.push_back(one);
+}
+
+// Newton's method for any place at which the distance is stationary, not farther than `reach` from the start:
+//   r = (x, y)_c - (x, y)_p + (h - z_p) h' = 0
+bool Terrain::stationary(const Eigen::Vector3d& p, const Eigen::Vector2d& start, double reach, Foot& out) const {
+  Eigen::Vector2d place = start;
+  for (int i = 0; i < kFootSteps; ++i) {
+    const Height here = at(place.x(), place.y());
+    const Eigen::Vector2d& g = here.slope;
+    const double d = here.h - p.z();
+    const Eigen::Vector2d r = place - p.head<2>() + d * g;
+    const double xx = 1.0 + g.x() * g.x() + d * here.bend[0], xy = g.x() * g.y() + d * here.bend[2],
+                 yy = 1.0 + g.y() * g.y() + d * here.bend[1];
+    const double determinant = xx * yy - xy * xy;
+    if (determinant == 0.0) return false;
+    Eigen::Vector2d step = Eigen::Vector2d(xy * r.y() - yy * r.x(), xy * r.x() - xx * r.y()) / determinant;
+    const double size = step.norm();
+    if (size <= kFootFound * (place.norm() + std::abs(d) + 1.0)) {
+      write_foot(p, place, here, With::kBend, out);
+      out.sign = determinant > 0.0 ? 1.0 : -1.0;
+      return true;
+    }
+    if (size > 0.5 * reach) step *= 0.5 * reach / size;
+    place += step;
+    if (!((place - start).norm() <= reach)) return false;
   }
-  // Ridges of a map are too narrow for these starts: from each place along a ray that is nearer than its neighbours.
-  const double step = parts_.map ? 0.5 * parts_.map->step.minCoeff() : radius / 100.0;
-  const int count = std::min(static_cast<int>(radius / step) + 1, 400);
-  for (int k = 0; k < kRays && radius * bend > kSharpRidge; ++k) {
-    const double angle = 2.0 * kPi * k / kRays, apart = radius / count;
-    const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
-    const double nearly = 1.02 * radius + apart;                          // between the rays it may be nearer
-    double before = 0.0, here = std::numeric_limits<double>::infinity();  // squares of distances
-    double rise = 0.0, last = 0.0;  // of the ground from place to place, its height [m]
-    for (int i = 0; i <= count + 1; ++i) {
-      const Eigen::Vector2d place = p.head<2>() + (i * apart) * along;
-      const double up = at(place.x(), place.y()).h - p.z(), after = i * apart * (i * apart) + up * up;
-      const bool steep = std::max(std::abs(rise), std::abs(up - last)) > 4.0 * apart;
-      if (i > 1 && here < before && here <= after && (steep || here < nearly * nearly)) {
-        const Eigen::Vector2d start = place - apart * along;
-        if (descend(p, start, at(start.x(), start.y()), With::kBend, one) && one.distance < radius) out.push_back(one);
-      }
-      before = here;
-      here = after;
-      rise = up - last;
-      last = up;
+  return false;
+}
+
+// In cells about p, those of a map: a cell may hold such a place if neither part of r (see above) is farther from zero at its corners than
+// its derivatives there let it come; then its quarters may, and so on. In a cell of a map second derivatives are largest at its corners.
+void Terrain::find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) const {
+  Eigen::Vector2d cell = Eigen::Vector2d::Constant(radius / 12.0), first = p.head<2>();
+  if (parts_.map) {
+    const double coarser = std::ceil(2.0 * radius / kMostPlaces / parts_.map->step.minCoeff());
+    cell = std::max(1.0, coarser) * parts_.map->step;
+    first = parts_.origin.head<2>() + parts_.map->first;
+  }
+  struct Corner {
+    Eigen::Array2d r, more_x, more_y;  // more: bounds of the derivatives of r
+    double square, steep;
+  };
+  const auto corner_at = [&](const Eigen::Vector2d& place) {
+    const Height here = at(place.x(), place.y());
+    const Eigen::Vector2d away = place - p.head<2>();
+    const Eigen::Vector2d& g = here.slope;
+    const double d = here.h - p.z(), across = std::abs(g.x() * g.y()) + std::abs(d * here.bend[2]);
+    return Corner{(away + d * g).array(),
+                  {1.0 + g.x() * g.x() + std::abs(d * here.bend[0]), across},
+                  {across, 1.0 + g.y() * g.y() + std::abs(d * here.bend[1])},
+                  away.squaredNorm() + d * d,
+                  g.norm()};
+  };
+  using Cell = std::array<Corner, 4>;
+  Foot one;
+  const auto search = [&](const auto& self, const Eigen::Vector2d& low_end, const Cell& at_corners,
+                          const Eigen::Vector2d& size, int level) -> void {
+    Eigen::Array2d low = at_corners[0].r, high = low, more_x(0.0, 0.0), more_y = more_x;
+    double square = at_corners[0].square, steep = 0.0;
+    for (const Corner& corner : at_corners) {
+      low = low.min(corner.r);
+      high = high.max(corner.r);
+      more_x = more_x.max(corner.more_x);
+      more_y = more_y.max(corner.more_y);
+      square = std::min(square, corner.square);
+      steep = std::max(steep, corner.steep);
+    }
+    const double far = radius + size.norm() * (1.0 + steep);  // a corner of a cell that holds a contact is nearer
+    if (square > far * far) return;
+    const Eigen::Array2d half = 0.5 * size.array();
+    const Eigen::Array2d may =
+        level == kLevels ? Eigen::Array2d(0.0, 0.0) : Eigen::Array2d((more_x * half).sum(), (more_y * half).sum());
+    if ((low > may).any() || (high < -may).any()) return;
+    if (level == kLevels) {
+      if (!stationary(p, low_end + 0.5 * size, 2.0 * size.norm(), one)) return;
+      if (!(one.distance > 0.0 && one.distance < radius)) return;
+      const bool known = std::any_of(out.begin(), out.end(), [&](const Foot& other) {
+        return other.sign == one.sign && (other.place - one.place).norm() < 1e-7 * radius;
+      });
+      if (!known) out.push_back(one);
+      return;
+    }
+    const auto inner = [&](double x, double y) {
+      return corner_at(low_end + Eigen::Vector2d(x * size.x(), y * size.y()));
+    };
+    const Corner south = inner(0.5, 0.0), west = inner(0.0, 0.5), middle = inner(0.5, 0.5), east = inner(1.0, 0.5),
+                 north = inner(0.5, 1.0);
+    const Eigen::Vector2d quarter = 0.5 * size, x(quarter.x(), 0.0), y(0.0, quarter.y());
+    self(self, low_end, {at_corners[0], south, west, middle}, quarter, level + 1);
+    self(self, low_end + x, {south, at_corners[1], middle, east}, quarter, level + 1);
+    self(self, low_end + y, {west, middle, at_corners[2], north}, quarter, level + 1);
+    self(self, low_end + quarter, {middle, east, north, at_corners[3]}, quarter, level + 1);
+  };
+  const auto index = [&](double x, int axis) { return std::floor((x - first[axis]) / (kBlock * cell[axis])); };
+  const Eigen::Vector2d block = kBlock * cell;
+  std::array<std::array<Corner, kBlock + 1>, kBlock + 1> corners;
+  for (double b = index(p.y() - radius, 1); b <= index(p.y() + radius, 1); b += 1.0) {
+    for (double a = index(p.x() - radius, 0); a <= index(p.x() + radius, 0); a += 1.0) {
+      const Eigen::Vector2d low_end = first + Eigen::Vector2d(a * block.x(), b * block.y()),
+                            centre = low_end + 0.5 * block;
+      const double reach = 0.5 * block.norm();
+      const Height middle = at(centre.x(), centre.y());
+      const double top = middle.h + reach * (middle.slope.norm() + 0.5 * reach * bend_within(centre, reach));
+      const double across = ((centre - p.head<2>()).cwiseAbs() - 0.5 * block).cwiseMax(0.0).norm();
+      if (std::hypot(across, std::max(0.0, p.z() - top)) > radius) continue;
+      const auto corner_of = [&](std::size_t i, std::size_t j) -> Eigen::Vector2d {
+        return low_end + Eigen::Vector2d(static_cast<double>(i) * cell.x(), static_cast<double>(j) * cell.y());
+      };
+      for (std::size_t j = 0; j <= kBlock; ++j)
+        for (std::size_t i = 0; i <= kBlock; ++i) corners[j][i] = corner_at(corner_of(i, j));
+      for (std::size_t j = 0; j < kBlock; ++j)
+        for (std::size_t i = 0; i < kBlock; ++i)
+          search(search, corner_of(i, j), {corners[j][i], corners[j][i + 1], corners[j + 1][i], corners[j + 1][i + 1]},
+                 cell, 0);
     }
   }
   std::sort(out.begin(), out.end(), [](const Foot& a, const Foot& b) { return a.distance < b.distance; });
-  std::vector<Foot> kept;
-  for (const Foot& foot : out)
-    if (std::none_of(kept.begin(), kept.end(), [&](const Foot& k) { return k.normal.dot(foot.normal) > kOneFoot; }))
-      kept.push_back(foot);
-  out = std::move(kept);
 }
 
 double Terrain::distance(const Eigen::Vector3d& p) const {

@@ -69,6 +69,7 @@ class Terrain {
     Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();     // dn/dp [1/m]
     Eigen::Vector2d place = Eigen::Vector2d::Zero();    // of the foot, x and y in W [m]
     int rock = -1;                                      // -1: the field
+    double sign = 1.0;                                  // -1: a saddle of the distance
   };
   struct Sphere {
     Eigen::Vector3d centre;  // in W [m]
@@ -95,7 +96,9 @@ class Terrain {
   bool below(const Eigen::Vector3d& p, With with, Foot& out) const;
   bool may_touch(const Eigen::Vector3d& p, double radius) const;  // false: a ball of this radius > 0 is above the field
   Foot foot(const Eigen::Vector3d& p, int rock) const;
-  // Where a ball of this radius >= 0 about p touches the field: a local minimum of the distance each; overwrites out.
+  // Where a ball of this radius >= 0 about p touches the field: minima of the distance within the radius; overwrites out. Where the
+  // ground bends more than the ball, also the saddles between them and maxima: a minimum that ends does so in a saddle of the same
+  // distance, so that the sum over all by their signs has no jump, and ripples do not count as many grounds.
   void feet(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) const;
   double distance(const Eigen::Vector3d& p) const;  // of the field and all rocks
 
@@ -108,6 +111,8 @@ class Terrain {
  private:
   struct Map;
   struct RockCells;
+  bool stationary(const Eigen::Vector3d& p, const Eigen::Vector2d& start, double reach, Foot& out) const;
+  void find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) const;
   bool descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Height here, With with, Foot& out) const;
   double bend_within(const Eigen::Vector2d& place, double reach) const;  // of the field, at most [1/m]
 

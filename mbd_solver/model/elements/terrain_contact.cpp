@@ -228,6 +228,7 @@ void TerrainContact::add_contact(const ElementInput& in, const Marker& marker, d
   at.closing = -at.n.dot(at.g);
   if (law_.stick_time > 0.0) at.spring = in.z.segment<3>(3 * place) / law_.stick_time;
   at.apply(law_);
+  if (foot.sign < 0.0) at.count_off();
 }
 
 // From an angle near a minimum of the distance along the edge to the minimum.

@@ -256,7 +256,11 @@ std::string MetricRecorder::balance_warning() const {
                    "the energy balance of the mechanism has an error of " + number_text(metrics_.energy_balance, 3) +
                        " J, " + number_text(100.0 * metrics_.energy_balance_relative(), 3) +
                        " % of the energy exchanged: its integration is not accurate; reduce solver.rtol and "
-                       "solver.atol, or solver.max_step");
+                       "solver.atol, or solver.max_step" +
+                       std::string(subject_.mechanism.terrain && subject_.mechanism.terrain->parts().map
+                                       ? "; where a body meets steps of the map, their edges begin and end to "
+                                         "touch at some depth: a larger ground.plane.stiffness, or a smoother map"
+                                       : ""));
 }
 
 double MetricRecorder::depth(const Sample& sample) const {

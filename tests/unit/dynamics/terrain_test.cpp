@@ -545,7 +545,34 @@ TEST(SteepSteps, AreClimbedByWheelAndBallForMgh) {
     }
     EXPECT_GT(run.body(0).r.x(), 0.2) << wheel;  // m g h is a quarter of m v^2 / 2
     EXPECT_GT(highest, R + rise - sunk);
-    EXPECT_LT(std::abs(run.imbalance()), 3e-4 * run.start_energy()) << wheel;  // a ball counts its lowest places alone
+    EXPECT_LT(std::abs(run.imbalance()), 3e-4 * run.start_energy()) << wheel;
+  }
+}
+
+// A kerb that crosses the samples at an angle has an edge of bumps. A ball without friction and damping keeps what it has, at any angle and
+// however deep the bumps press into it (5 % of its radius); an edge with one bump per contact gains or loses percents.
+TEST(SteepSteps, KeepTheEnergyOfABallAtAnyAngle) {
+  constexpr double R = 0.3, rise = 0.06, m = 2.0;
+  for (const double degrees : {20.0, 33.0, 45.0}) {
+    const double c = std::cos(degrees * kPi / 180.0), s = std::sin(degrees * kPi / 180.0);
+    TerrainParts parts;
+    parts.map = map_of(61, 61, 0.05, [&](double x, double y) { return c * x + s * y < 0.0 ? 0.0 : rise; });
+    Model model({0.0, 0.0, -kEarth});
+    BodyState state;
+    ContactLaw law;
+    law.stiffness = 1e4;
+    law.friction = 0.0;
+    law.stick_time = 0.0;
+    state.r = {-0.5, 0.0, R - std::pow(m * kEarth / law.stiffness, 2.0 / 3.0)};
+    state.dr = {2.5, 0.0, 0.0};
+    model.add_body(Body("ball", m, Eigen::Vector3d(0.1, 0.1, 0.1).asDiagonal()), state);
+    std::vector<ContactPoint> points = {{body_marker(0, model.body(0), Eigen::Vector3d::Zero()), R}};
+    model.add_force(
+        std::make_unique<TerrainContact>("ground", points, law, terrain_of(parts), std::vector<ContactRim>()));
+    test::Run run(model, "one_step", test::precise(1e-8));
+    run.to(0.4);
+    EXPECT_GT(run.body(0).r.z(), R + 0.5 * rise) << degrees;  // it has met the edge
+    EXPECT_LT(std::abs(run.imbalance()), 1e-4 * run.start_energy()) << degrees;
   }
 }
 
