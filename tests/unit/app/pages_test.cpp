@@ -28,6 +28,20 @@
 namespace footfall {
 namespace {
 
+// Names of cases hold what tables separate cells by.
+TEST(SweepReport, KeepsCellsThatHoldCommas) {
+  struct Folder : TemporaryFolder {
+    using TemporaryFolder::text;
+    using TemporaryFolder::write;
+  } const folder;
+  const std::string rows =
+      "run,gravity,status,peak\n0,\"[0,0,-3.71] # \"\"Mars\"\"\",done,2.5\n1,\"[0,0,-9.81]\",failed,\n";
+  write_report(std::filesystem::path(folder.write("runs.csv", rows)).parent_path().string());
+  const std::string page = folder.text("report.html");
+  EXPECT_NE(page.find("<td>[0,0,-3.71] # &quot;Mars&quot;</td><td>done</td>"), std::string::npos) << page;
+  EXPECT_NE(page.find("<td>[0,0,-9.81]</td><td>failed</td>"), std::string::npos) << page;
+}
+
 // A page that needs nothing but itself.
 
 TEST(HtmlPage, Base64IsThatOfTheStandard) {
