@@ -421,11 +421,11 @@ Rows csv_rows(const fs::path& file) {
   std::string cell;
   std::vector<std::string> row;
   bool quoted = false;
-  const std::string text = read_whole_file(file.string()).value_or("");
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const char c = text[k];
-    if (c == '"' && quoted && k + 1 < text.size() && text[k + 1] == '"') {
-      cell += text[++k];
+  const std::string table = read_whole_file(file.string()).value_or("");
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const char c = table[k];
+    if (c == '"' && quoted && k + 1 < table.size() && table[k + 1] == '"') {
+      cell += table[++k];
     } else if (c == '"') {
       quoted = !quoted;
     } else if (!quoted && (c == ',' || c == '\n')) {
