@@ -246,8 +246,9 @@ void store_box_scripts(const Scene& scene, const std::string& out) {
   const fs::path folder = fs::path(out) / "script";
   make_folder(folder.string(), "choose another folder with --out");
   const std::string bed = fs::path(particles.bed->script).filename().string();
-  for (const std::string& name : {bed, std::string("in.grains"), std::string("material.lammps"),
-                                  std::string("walls.lammps"), std::string("energy.lammps")}) {
+  for (const std::string& name :
+       {bed, std::string("in.grains"), std::string("material.lammps"), std::string("walls.lammps"),
+        std::string("observed_walls.lammps"), std::string("energy.lammps")}) {
     const std::string source = box_script(name);
     const std::optional<std::string> text = read_whole_file(source);
     if (!text) throw InputError(code::kShippedFileMissing, source + ": cannot be read; install footfall again");
