@@ -26,7 +26,7 @@
 
 namespace footfall {
 
-inline constexpr std::int32_t kProtocolVersion = 10;
+inline constexpr std::int32_t kProtocolVersion = 11;
 inline constexpr const char* kFootfallVersion = FOOTFALL_VERSION;
 
 // LIGGGHTS' name for SI units, which both programs use.
