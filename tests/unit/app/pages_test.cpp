@@ -44,6 +44,23 @@ TEST(SweepReport, KeepsCellsThatHoldCommas) {
 
 // A page that needs nothing but itself.
 
+// Per cent of the limit that is nearest.
+TEST(RequirementLines, TellTheMarginOfTheNearestLimit) {
+  const auto line = [](const char* limits) {
+    const auto summary = nlohmann::ordered_json::parse(
+        R"({"requirements": [{"name": "peak", "unit": "g", "value": 3.2, "verdict": "met", )" + std::string(limits) +
+        "}]}");
+    return requirement_lines(summary).at(0);
+  };
+  const auto ends = [](const std::string& text, const std::string& end) {
+    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+  };
+  EXPECT_TRUE(ends(line(R"("most": 5, "margin": 1.8)"), "1.8 g (36 %)"));
+  EXPECT_TRUE(ends(line(R"("least": 2, "margin": 1.2)"), "1.2 g (60 %)"));
+  EXPECT_TRUE(ends(line(R"("least": 2, "most": 4, "margin": 0.8)"), "0.8 g (20 %)"));
+  EXPECT_TRUE(ends(line(R"("least": 2, "most": 40, "margin": 1.2)"), "1.2 g (60 %)"));
+}
+
 TEST(HtmlPage, Base64IsThatOfTheStandard) {
   EXPECT_EQ(base64(""), "");  // RFC 4648, section 10
   EXPECT_EQ(base64("f"), "Zg==");

@@ -246,6 +246,21 @@ TEST_F(BoxOnBalls, SlidesFromItsFirstContact) {
   EXPECT_NEAR(watch.now().slid, 0.5, 1e-12);
 }
 
+TEST_F(BoxOnBalls, KeepsTheLeastMarginAndItsTime) {
+  press("ball_3", 10.0);
+  at(0.1);
+  const double resting = watch.now().tip_energy_margin;
+  bench.state.v(4) = 0.5;  // the energy of this turn is missing from the margin
+  at(0.2);
+  const double turning = watch.now().tip_energy_margin;
+  bench.state.v(4) = 0.0;
+  at(0.3);
+  EXPECT_LT(turning, resting);
+  EXPECT_EQ(watch.now().tip_energy_margin, resting);
+  EXPECT_EQ(watch.least_margin().value, turning);
+  EXPECT_EQ(watch.least_margin().time, 0.2);
+}
+
 TEST_F(BoxOnBalls, TellsOfStrutsAtTheirStops) {
   const int probe = bench.equations.layout().body_q[1];
   bench.state.q(probe + 2) += 0.09;
