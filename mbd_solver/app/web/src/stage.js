@@ -11,9 +11,9 @@ import { cross, dot, plus, unit } from "./solids.js";
 import { Symbols } from "./symbols.js";
 
 const kAxes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
-const kLowest = 0.5;    // pixels of the picture per pixel of the page
+const kLowest = 0.4;    // pixels of the picture per pixel of the page
 const kFar = 0.47;       // half of what the eye sees, at zoom 1, of the size of all
-const kWanted = 32;     // pictures in a second
+const kWanted = 33;     // pictures in a second
 const kTried = 1.1;     // times the size that played last, when it plays again
 const kPaintedAtMost = 3e5;  // grains: of more, to place and sort them takes longer than to draw them
 
