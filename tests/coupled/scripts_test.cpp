@@ -351,6 +351,25 @@ TEST(ForeignScript, GrainsThatLeaveTheBoxAreCounted) {
   }
 }
 
+// m (v^2 + 2/5 r^2 w^2) / 2: the energy that leaves with a grain has its rotation.
+TEST(ForeignScript, AGrainThatLeavesTakesItsEnergyAlong) {
+  const RunFolder folder = plate_folder("spinning");
+  folder.write("in", script_head("-0.3 0.3 -0.3 0.3 -0.05 0.6") +
+                         "fix integr all nve/sphere\ncreate_atoms 1 single 0.29 0 0.5 units box\n"
+                         "create_atoms 1 single 0 0 0.5 units box\nset group all diameter 0.02 density 2600\n"
+                         "region corner block 0.2 0.3 INF INF INF INF units box\ngroup corner region corner\n"
+                         "velocity corner set 20 0 0\nset group corner omegaz 1000\n" +
+                         kMesh + mesh_wall() +
+                         "thermo 10\nthermo_modify lost ignore\nfix mbd all couple/mbd every 5 lost 1 mesh m plate\n"
+                         "variable left equal f_mbd[7]\nrun 200\nprint \"left: ${left}\"\n");
+  const Outcome outcome = folder.coupled(1, "-in in", kRun);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
+  const std::size_t at = outcome.text.rfind("left: ");
+  ASSERT_NE(at, std::string::npos) << outcome.text;
+  const double m = 2600.0 * 4.0 / 3.0 * M_PI * 1e-6;
+  EXPECT_NEAR(std::abs(std::stod(outcome.text.substr(at + 6))), 0.5 * m * (400.0 + 0.4 * 1e-4 * 1e6), 1e-4);
+}
+
 // A wall beside the body may end where the user's container ends: to LIGGGHTS it has no end. So this is told, no more.
 TEST(ForeignScript, ABodyThatGoesThroughASideWallIsToldOnce) {
   const RunFolder folder = plate_folder("side_wall");
