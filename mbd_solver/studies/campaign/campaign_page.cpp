@@ -392,7 +392,8 @@ std::string check_figures_table(const Campaign& campaign, const std::vector<Grou
   for (const GroundCheckResult& check : checks)
     for (std::size_t k = 0; k < spec.metrics.size(); ++k) {
       std::vector<double> cheap, better, deviations;
-      std::size_t worst = 0;
+      std::size_t worst = 0;  // row of the largest deviation so far
+      double largest = -1.0;
       for (const RepeatedRun& run : check.runs) {
         const std::vector<double>& before = campaign.row(run.row).figures;
         if (run.figures.empty() || before.empty() || !std::isfinite(before[k]) || !std::isfinite(run.figures[k]))
@@ -403,13 +404,15 @@ std::string check_figures_table(const Campaign& campaign, const std::vector<Grou
         deviations.push_back(size > 0.0         ? std::abs(before[k] - run.figures[k]) / size
                              : before[k] == 0.0 ? 0.0
                                                 : HUGE_VAL);
-        if (deviations.size() == 1 || deviations.back() > *std::max_element(deviations.begin(), deviations.end() - 1))
+        if (deviations.back() > largest) {
+          largest = deviations.back();
           worst = run.row;
+        }
       }
       if (deviations.empty()) continue;
       table.add({campaign.case_name(check.which_case), spec.metrics[k].name, cell(median_of(cheap), 4),
-                 cell(median_of(better), 4), cell(100.0 * median_of(deviations), 3),
-                 cell(100.0 * *std::max_element(deviations.begin(), deviations.end()), 3), std::to_string(worst)});
+                 cell(median_of(better), 4), cell(100.0 * median_of(deviations), 3), cell(100.0 * largest, 3),
+                 std::to_string(worst)});
     }
   return table.page();
 }
