@@ -63,7 +63,7 @@ def on_site(file):
 
 
 def copy_pages():
-    for file in [root / "README.md", *(root / "docs").rglob("*.md"), *(root / "examples").glob("*/README.md")]:
+    for file in [root / "README.md", *(root / "docs").rglob("*.md"), *(root / "examples").rglob("README.md")]:
         target = docs / on_site(file)
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(moved_links(file.read_text(), file))

@@ -14,7 +14,7 @@ block control the test and are invisible on the page:
     <!-- shorten: NAME | REGEX | TEXT -->  a replacement in a file of the page, for the test only; may stand anywhere
     <!-- says -->             each line of the block is in the output of the last commands; ... matches any text
     <!-- needs: WORDS -->     the block, without sh, is not run: not every machine has what it needs
-    <!-- pair: NAME -->       likewise, in the output for the case NAME of tests/app/bad_input
+    <!-- pair: NAME -->       at the end of a row of a table, behind `LINE`: this line is in the output for the case NAME of tests/app/bad_input
 """
 import os
 import pathlib
@@ -41,8 +41,11 @@ def blocks_of(text):
     i = 0
     while i < len(lines):
         fence = re.match(r"^(\s*)```(\w*)\s*$", lines[i])
-        mark = re.match(r"^\s*<!-- (short|exit|file|append|edit|shorten|says|pair|needs)(?:: (.*?))? -->\s*$", lines[i])
-        if mark and mark.group(1) == "shorten":
+        mark = re.match(r"^\s*<!-- (short|exit|file|append|edit|shorten|says|needs)(?:: (.*?))? -->\s*$", lines[i])
+        row = re.match(r"^\|.* `([^`]+)` <!-- pair: (\S+) --> \|$", lines[i])
+        if row:
+            found.append(Block(i + 1, "", {"pair": row.group(2)}, [row.group(1)]))
+        elif mark and mark.group(1) == "shorten":
             found.append(Block(i + 1, "", {"shorten": mark.group(2)}, []))
         elif mark:
             marks[mark.group(1)] = mark.group(2) or ""
@@ -67,7 +70,7 @@ def lint(page, text):
     wrong = []
     for block in blocks_of(text):
         for line in block.lines:
-            if block.language != "sh" and "says" not in block.marks and "pair" not in block.marks and "needs" not in block.marks \
+            if block.language != "sh" and "says" not in block.marks and "needs" not in block.marks \
                     and re.match(r"\s*(\./footfall|\(cd \S+ && \.\./footfall|footfall (run|check|view|plot|sweep|rig) |mpirun|build/bin/)", line) \
                     and " ... " not in line:
                 wrong.append(f"{page}:{block.line}: \"{line.strip()}\" is in a block that no test runs; begin the block with ```sh")

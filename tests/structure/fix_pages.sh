@@ -1,11 +1,10 @@
 #!/usr/bin/env bash
-# Every style that liggghts_mbd registers has its page in docs/reference/fixes, in LIGGGHTS' own form, and every keyword that its
-# reader knows has a line there. A page of no style, and a line of no keyword, fail as well.
+# Every style that liggghts_mbd registers is named in the first line of a page of docs/reference/fixes, in LIGGGHTS' own form ("# fix STYLE command",
+# "# fix STYLE, STYLE commands"), and every keyword that its reader knows has a line there. A page of no style, and a line of no keyword, fail as well.
 set -u
 cd "$(dirname "$0")/../.."
 failed=0
 complain() { echo "$*"; failed=1; }
-page_of() { echo "docs/reference/fixes/$(tr / _ <<<"$1").md"; }
 
 styles=$(grep -ohE 'register_fix_style\(lmp, "[^"]+"' liggghts_fix/*.cpp | sed 's/.*"\(.*\)"/\1/')
 # The loop of make_meshes_resumable registers all styles that begin so.
@@ -29,21 +28,23 @@ keywords_of() {
   esac | sed -E 's/.*"([a-z_]+)"/\1/' | sort -u
 }
 
-for style in $styles; do
-  page=$(page_of "$style")
-  [[ -f $page ]] || { complain "fix $style has no page: write $page"; continue; }
-  [[ $(head -n 1 "$page") == "# fix $style command" ]] || complain "$page: the first line must be: # fix $style command"
-  told=$(sed -n '/^## Syntax/,/^## Examples/p' "$page" | sed -nE 's/^\| `([a-z_]+)` \|.*/\1/p' | sort -u)
-  difference=$(diff <(keywords_of "$style") <(echo -n "${told:+$told$'\n'}")) ||
-    complain "$page: keywords of the reader (<) and of the table under Syntax (>) differ:"$'\n'"$difference"
-  grep -qF "($(basename "$page"))" docs/reference/fixes/README.md || complain "docs/reference/fixes/README.md has no link to $page"
-done
-headings="Syntax Examples Description Restart Restrictions Related Default"
+styles_of() { sed -nE '1s/^# fix (.*) commands?$/\1/p' "$1" | sed 's/, /\n/g'; }
+
+headings="Syntax Examples Description Restart Restrictions"
+paged=""
 for page in docs/reference/fixes/*.md; do
   [[ $page == */README.md ]] && continue
   found=$(sed -nE 's/^## ([A-Za-z]+).*/\1/p' "$page" | tr '\n' ' ')
   [[ ${found% } == "$headings" ]] || complain "$page: headings are \"${found% }\", expected \"$headings\""
+  grep -qF "($(basename "$page"))" docs/reference/fixes/README.md || complain "docs/reference/fixes/README.md has no link to $page"
   [[ $page == docs/reference/fixes/audit.md ]] && continue  # no fix: counts beside them
-  grep -qxF "$page" < <(for style in $styles; do page_of "$style"; done) || complain "$page: no style of this name is registered"
+  here=$(styles_of "$page")
+  [[ -n $here ]] || complain "$page: the first line must be: # fix STYLE command"
+  for style in $here; do grep -qxF "$style" <<<"$styles" || complain "$page: the style $style is not registered"; done
+  paged+=$here$'\n'
+  told=$(sed -n '/^## Syntax/,/^## Examples/p' "$page" | grep -E '^\| `' | cut -d'|' -f2 | grep -oE '`[a-z_]+`' | tr -d '`' | sort -u)
+  difference=$(diff <(for style in $here; do keywords_of "$style"; done | sort -u) <(echo -n "${told:+$told$'\n'}")) ||
+    complain "$page: keywords of the reader (<) and of the table under Syntax (>) differ:"$'\n'"$difference"
 done
+for style in $styles; do grep -qxF "$style" <<<"$paged" || complain "fix $style has no page in docs/reference/fixes"; done
 exit $failed

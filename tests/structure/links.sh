@@ -8,7 +8,7 @@ declare -A known
 anchors_of() { [[ -v known[$1] ]] || known[$1]=$'\n'$(anchors "$1")$'\n'; }
 anchors() { grep -E '^#+ ' "$1" | sed -E 's/^#+ //; s/[`*]//g' | tr '[:upper:]' '[:lower:]' | sed -E 's/[^a-z0-9 _-]//g; s/ /-/g'; }
 linked=" README.md "
-for page in *.md docs/*.md docs/*/*.md docs/*/*/*.md examples/*/README.md .github/*.md; do
+for page in *.md docs/*.md docs/*/*.md docs/*/*/*.md examples/*.md examples/*/README.md .github/*.md; do
   [[ -f $page ]] || continue
   while IFS= read -r target; do
     [[ $target == http* || $target == mailto* ]] && continue

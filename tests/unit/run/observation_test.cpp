@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <initializer_list>
@@ -10,6 +11,7 @@
 #include <set>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/run/observe/columns.h"
 #include "mbd_solver/run/observe/metrics.h"
@@ -59,7 +61,8 @@ class HistoryColumns : public ::testing::Test {
   std::vector<Column> columns;
 };
 
-// Lines of the table in docs/reference/history.md: pattern -> unit, and pattern -> meaning.
+// Lines of the table in docs/reference/history.md: pattern -> unit, and pattern -> meaning. A line may have several patterns, as in
+// `<body>.x`, `.y`: those that begin with a dot continue what stands before the last dot of the first.
 std::map<std::string, std::pair<std::string, std::string>> documented() {
   std::map<std::string, std::pair<std::string, std::string>> lines;
   std::ifstream page(FOOTFALL_SOURCE_DIR "/docs/reference/history.md");
@@ -69,9 +72,14 @@ std::map<std::string, std::pair<std::string, std::string>> documented() {
     const std::size_t name_end = line.find("` | "), unit_end = line.find(" | ", name_end + 4);
     EXPECT_NE(unit_end, std::string::npos) << line;
     if (unit_end == std::string::npos) continue;
-    const std::string name = line.substr(3, name_end - 3);
-    EXPECT_EQ(lines.count(name), 0u) << name << " stands twice in docs/reference/history.md";
-    lines[name] = {line.substr(name_end + 4, unit_end - name_end - 4), line.substr(unit_end + 3)};
+    std::string first;
+    for (std::string name : split(line.substr(3, name_end - 3), ',')) {
+      name.erase(std::remove_if(name.begin(), name.end(), [](char c) { return c == '`' || c == ' '; }), name.end());
+      if (first.empty()) first = name;
+      if (name[0] == '.') name = first.substr(0, first.rfind('.')) + name;
+      EXPECT_EQ(lines.count(name), 0u) << name << " stands twice in docs/reference/history.md";
+      lines[name] = {line.substr(name_end + 4, unit_end - name_end - 4), line.substr(unit_end + 3)};
+    }
   }
   return lines;
 }
