@@ -42,12 +42,10 @@ static void visit_fields(FieldVisitor& v, SeedsSpec& s) {
 }
 
 static void visit_fields(FieldVisitor& v, StageSpec& s) {
-  v.fields(rule::plain, {{"", &s.source}});
+  v.fields(rule::plain, {{"", &s.source}, {"file", &s.file}});
   v.choice("method", s.method, rule::required());
-  v.fields(rule::positive(), {{"evaluations", &s.evaluations}});
-  v.fields(rule::plain, {{"file", &s.file}});
+  v.fields(rule::positive(), {{"evaluations", &s.evaluations}, {"precision", &s.precision}});
   v.fields(rule::not_negative(), {{"seed", &s.seed}, {"until", &s.until}});
-  v.fields(rule::positive(), {{"precision", &s.precision}});
   v.fields(kWords, {{"settings", &s.settings}});
 }
 
@@ -75,8 +73,8 @@ static void visit_fields(FieldVisitor& v, ConstraintSpec& c) {
 void visit_fields(FieldVisitor& v, CalibrationSpec& s) {
   v.fields(rule::plain, {{"", &s.source}, {"title", &s.title}, {"scene", &s.scene}});
   v.fields(kWords, {{"settings", &s.settings}});
-  v.fields(rule::not_negative(), {{"until", &s.until}, {"time_limit", &s.time_limit}, {"cap", &s.cap}});
-  v.fields(rule::not_negative(), {{"alone", &s.single_target}});
+  v.fields(rule::not_negative(), {{"until", &s.until}, {"time_limit", &s.time_limit}});
+  v.fields(rule::not_negative(), {{"cap", &s.cap}, {"alone", &s.single_target}});
   v.fields(rule::positive(), {{"step", &s.step}, {"failed", &s.failed}, {"confirm", &s.confirm}});
   v.fields(rule::share, {{"confidence", &s.confidence}});
   v.section("seeds", s.seeds);
@@ -308,7 +306,8 @@ class CalibrationChecker {
         wrong(code::kConflictingKeys, t.source, "file", "excludes figure, value and against");
       t.file = (fs::path(spec_.folder) / t.file).lexically_normal().string();
       try {
-        if (read_two_columns(t.file).empty()) wrong(code::kEmptyEntry, t.source, "file", t.file + " has no rows");
+        t.rows = read_two_columns(t.file);
+        if (t.rows.empty()) wrong(code::kEmptyEntry, t.source, "file", t.file + " has no rows");
       } catch (const std::exception& e) {
         wrong(t.source, "file", e);
       }

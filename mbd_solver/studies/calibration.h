@@ -2,43 +2,34 @@
 // A calibration file: parameters with ranges, targets that runs should meet, and how to search. `footfall calibrate` reads
 // it; docs/reference/calibration_files.md describes its keys, in the dialect of sweep files.
 
+#include <Eigen/Core>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "mbd_solver/base/kinds.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/studies/metrics.h"
 
 namespace footfall {
 
 enum class RangeScale { kLinear, kLogarithmic };
-constexpr std::string_view name_of(RangeScale scale) {
-  switch (scale) {
-    case RangeScale::kLinear: return "linear";
-    case RangeScale::kLogarithmic: return "logarithmic";
-  }
-  return "";
-}
+constexpr std::string_view name_of(RangeScale scale) { return name_in(scale, "linear", "logarithmic"); }
 
 // A set of parameters as positions in their ranges, 0 to 1.
 using UnitPoint = std::vector<double>;
 
-enum class SearchMethod { kListed, kDirect, kSbplx, kGaussNewton, kSurrogate };
+enum class SearchMethod {
+  kListed,       // the sets of a file, one after another
+  kDirect,       // DIRECT-L of NLopt: divides the range; global
+  kSbplx,        // of NLopt: simplices in subspaces; local, for noise and kinks
+  kGaussNewton,  // least squares from differences; local
+  kSurrogate     // response surfaces of the targets
+};
 constexpr std::string_view name_of(SearchMethod method) {
-  switch (method) {
-    case SearchMethod::kListed: return "listed";  // the sets of a file, one after another
-    case SearchMethod::kDirect: return "direct";  // DIRECT-L of NLopt: divides the range; global
-    case SearchMethod::kSbplx: return "sbplx";    // of NLopt: simplices in subspaces; local, for noise and kinks
-    case SearchMethod::kGaussNewton: return "gauss_newton";  // least squares from differences; local (search.h)
-    case SearchMethod::kSurrogate: return "surrogate";       // response surfaces of the targets (surrogate.h)
-  }
-  return "";
-}
-// Each set of parameters depends on the results of the one before.
-constexpr bool is_sequential(SearchMethod method) {
-  return method == SearchMethod::kSbplx || method == SearchMethod::kSurrogate;
+  return name_in(method, "listed", "direct", "sbplx", "gauss_newton", "surrogate");
 }
 
 // [[parameters]]
@@ -99,12 +90,14 @@ struct TargetSpec {
   std::optional<double> value;  // required value; otherwise the bounds of a band:
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
   std::string column, over = "time", file;  // a column over another one, against a CSV file of x and y
+  std::vector<Eigen::Vector2d> rows;        // x and y of that file
   double tolerance = 0.0;                   // one standard deviation
   double weight = 1.0;
   Source source;
 
   bool is_curve() const { return !file.empty(); }
   bool is_band() const { return !is_curve() && !value; }
+  bool uses(const std::string& of_scene) const { return of_scene == scene || of_scene == against; }
 };
 
 // [[constraints]]: sets that violate one are not run.

@@ -1,9 +1,7 @@
 // footfall calibrate: starts the calibration in its locked folder and writes pages, tables and settings at the end.
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
-#include <thread>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
@@ -13,7 +11,6 @@
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/programs.h"
-#include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/studies/calibrate/calibration_page.h"
 #include "mbd_solver/studies/calibrate/calibration_run.h"
 #include "mbd_solver/studies/codes.h"
@@ -31,20 +28,6 @@ int report_interruption() {
   return kExitInterrupted;
 }
 
-// The largest number of LIGGGHTS processes in one run.
-int most_ranks_of(const CalibrationSpec& spec, const Evaluations& evaluations) {
-  int most = 1;
-  for (std::size_t scene = 0; scene < spec.scenes.size(); ++scene) {
-    std::vector<Fidelity> all = {full_fidelity(spec)};
-    for (const StageSpec& stage : spec.stages) all.push_back(fidelity_of(spec, stage));
-    for (const Fidelity& fidelity : all) {
-      const Scene s = read_scene(spec.scenes[scene].scene, evaluations.settings(fidelity, scene, start_of(spec)));
-      if (s.touches_particles()) most = std::max(most, s.particles->ranks);
-    }
-  }
-  return most;
-}
-
 // Commands with the settings of every scene's run at the set, to be copied.
 std::string settings_text(const CalibrationSpec& spec, const Evaluations& evaluations, const UnitPoint& point) {
   std::string text;
@@ -59,11 +42,17 @@ std::string settings_text(const CalibrationSpec& spec, const Evaluations& evalua
   return text;
 }
 
+// Prints the page, and writes it to --table.
+void print_page(const CalibrateArguments& a, const std::string& page) {
+  if (!a.table.empty()) write_whole_file(a.table, page);
+  std::printf("%s", page.c_str());
+}
+
 void write_all(const CalibrationSpec& spec, const CalibrationRun& run, const Evaluations& evaluations,
                const CalibrateArguments& a, const std::string& folder) {
   const auto path = [&](const std::string& name) { return (fs::path(folder) / name).string(); };
   const CalibrationOutcome& outcome = run.outcome();
-  const std::vector<const Evaluation*> sets = run.comparable();
+  const Sets sets = run.comparable();
   write_whole_file(path("way.csv"), path_table(spec, outcome).csv());
   write_whole_file(path("best.txt"), settings_text(spec, evaluations, outcome.best->point));
   write_whole_file(path("most_met.txt"), settings_text(spec, evaluations, most_met(spec, sets)->point));
@@ -73,35 +62,12 @@ void write_all(const CalibrationSpec& spec, const CalibrationRun& run, const Eva
   } catch (const InputError& e) {
     warn_missing_file("picture", e);
   }
-  const std::string name = fs::path(a.file).stem().string(), title = spec.title.empty() ? name : spec.title;
-  const std::vector<PagePart> parts =
-      calibration_parts(spec, outcome, sets, "./footfall calibrate " + a.file, pictures);
-  const std::string page = markdown(title, parts);
-  write_whole_file(path(name + ".md"), page);
-  if (!a.table.empty()) write_whole_file(a.table, page);
-  write_whole_file(path("report.html"), html(title, parts));
-  std::printf("%s", page.c_str());
+  const CalibrationPage page = calibration_page(spec, outcome, sets, "./footfall calibrate " + a.file, pictures);
+  write_whole_file(path(fs::path(a.file).stem().string() + ".md"), page.markdown);
+  write_whole_file(path("report.html"), page.html);
+  print_page(a, page.markdown);
   for (const char* file : {"way.csv", "best.txt", "most_met.txt", "report.html"})
     std::printf("%s\n", path(file).c_str());
-}
-
-int print_so_far(const CalibrationSpec& spec, Evaluations& evaluations, const CalibrateArguments& a) {
-  evaluations.read_only();
-  CalibrationRun run(spec, evaluations, 1);
-  if (!run.start())
-    throw InputError(
-        code::kStartNotDone,
-        a.file + ": the runs of the start are not done; try again after the misfit of the start is printed");
-  if (run.search()) {
-    std::printf("%s: the calibration has ended; without --so-far the same command prints its page\n", a.file.c_str());
-    return kExitDone;
-  }
-  const std::string title = spec.title.empty() ? fs::path(a.file).stem().string() : spec.title;
-  const std::string page = markdown(title + ", so far", so_far_parts(spec, run.outcome(), run.comparable(),
-                                                                     "./footfall calibrate " + a.file + " --so-far"));
-  if (!a.table.empty()) write_whole_file(a.table, page);
-  std::printf("%s", page.c_str());
-  return kExitDone;
 }
 
 }  // namespace
@@ -116,20 +82,29 @@ int calibrate_command(const CalibrateArguments& a) {
   make_folder(folder);
   std::optional<FileLock> lock;
   if (!a.so_far) lock.emplace(lock_folder(folder));
-  Evaluations evaluations(spec, (fs::path(folder) / "runs").string(), (fs::path(folder) / "numbers.jsonl").string());
-  if (a.so_far) return print_so_far(spec, evaluations, a);
-  const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int jobs = a.jobs > 0 ? a.jobs : std::max(1, machine / most_ranks_of(spec, evaluations));
-
-  CalibrationRun run(spec, evaluations, jobs);
-  std::printf("runs of the start, %d at once\n", jobs);
+  Evaluations evaluations(spec, (fs::path(folder) / "runs").string(), (fs::path(folder) / "numbers.jsonl").string(),
+                          a.jobs, a.so_far);
+  CalibrationRun run(spec, evaluations);
+  if (!a.so_far) std::printf("runs of the start\n");
   std::fflush(stdout);
-  if (!run.start()) return report_interruption();
-  const Prediction prediction = run.predict();
-  std::printf("start: misfit %s, %d of %zu targets met\nremaining, at most: %d sets, %d runs, about %s h\n",
+  if (!run.start()) {
+    if (!a.so_far) return report_interruption();
+    throw InputError(
+        code::kStartNotDone,
+        a.file + ": the runs of the start are not done; try again after the misfit of the start is printed");
+  }
+  if (a.so_far) {
+    if (run.search())
+      std::printf("%s: the calibration has ended; without --so-far the same command prints its page\n", a.file.c_str());
+    else
+      print_page(
+          a, calibration_page(spec, run.outcome(), run.comparable(), "./footfall calibrate " + a.file + " --so-far", {})
+                 .markdown);
+    return kExitDone;
+  }
+  std::printf("start: misfit %s, %d of %zu targets met\n%s\nruns at once: %d\n",
               number_text(run.outcome().start->misfit, 5).c_str(), run.outcome().start->met(), spec.targets.size(),
-              prediction.sets, prediction.runs, number_text(prediction.hours, 3).c_str());
-  for (const std::string& line : prediction.lines) std::printf("  %s\n", line.c_str());
+              joined(run.prediction(), "\n").c_str(), evaluations.jobs());
   std::fflush(stdout);
   if (a.estimate) return kExitDone;
   if (!run.search()) return report_interruption();

@@ -1,4 +1,4 @@
-// Builds pages of parts: text, a table, pictures. gnuplot draws from the CSV files of the folder.
+// Writes each section as Markdown and HTML at once. gnuplot draws from the CSV files of the folder.
 #include "mbd_solver/studies/calibrate/calibration_page.h"
 
 #include <algorithm>
@@ -11,24 +11,51 @@
 #include "mbd_solver/app/report.h"
 
 namespace footfall {
-
-double distance(const TargetResult& t) {
-  double sum = 0.0;
-  for (const double r : t.residuals) sum += r * r;
-  return std::sqrt(sum / static_cast<double>(t.residuals.size()));
-}
-
 namespace {
 
 namespace fs = std::filesystem;
 using Row = std::vector<std::string>;
-using Sets = std::vector<const Evaluation*>;
 
 constexpr double kSearchEnded = 1.0;  // largest gain of misfit by a linear step after the search
 
-std::string num(double value, int digits = 6) { return number_text(value, digits); }
-std::string num(std::size_t count) { return std::to_string(count); }
-std::string num(int count) { return std::to_string(count); }
+template <class Number>
+std::string num(Number value, int digits = 6) {
+  return number_text(static_cast<double>(value), digits);
+}
+
+class BothPages {
+ public:
+  explicit BothPages(const std::string& title) : markdown_("# " + title + "\n"), html_(title) {}
+  void section(const std::string& heading) {
+    markdown_ += "\n## " + heading + "\n";
+    html_.section(heading);
+  }
+  void paragraph(const std::string& text) {
+    markdown_ += "\n" + text + "\n";
+    html_.paragraph(text);
+  }
+  void table(const std::vector<Row>& rows) {  // the head first
+    Table table(rows.front());
+    for (std::size_t k = 1; k < rows.size(); ++k) table.add(rows[k]);
+    markdown_ += "\n" + table.page();
+    html_.table(rows);
+  }
+  void picture(const fs::path& file) {
+    markdown_ += "\n![" + file.stem().string() + "](" + file.filename().string() + ")\n";
+    html_.picture(file.string());
+  }
+  CalibrationPage pages() const { return {markdown_, html_.text()}; }
+
+ private:
+  std::string markdown_;
+  HtmlPage html_;
+};
+
+// A set that has a column of its own in the tables.
+struct NamedSet {
+  std::string name;
+  const Evaluation* set;
+};
 
 // "0.9 to 1.1", "at least 2", "0.5".
 std::string requirement_text(const TargetSpec& t) {
@@ -42,18 +69,9 @@ std::string requirement_text(const TargetSpec& t) {
 // The value with its spread over the seeds; "failed".
 std::string value_text(const TargetSpec& spec, const TargetResult& t) {
   if (t.failed) return "failed";
-  if (spec.is_curve()) return "within " + num(distance(t), 3) + " tolerances";
-  return num(t.values.front(), 4) + (t.of_seed.size() > 1 ? " +- " + num(t.spread.front(), 2) : "");
+  if (spec.is_curve()) return "within " + num(t.distance(), 3) + " tolerances";
+  return num(t.values.front(), 4) + (t.seeds > 1 ? " +- " + num(t.spread.front(), 2) : "");
 }
-
-int seeds_that_meet(const TargetSpec& spec, const TargetResult& t) {
-  if (t.of_seed.size() < 2 || spec.is_curve()) return t.is_met() ? static_cast<int>(t.of_seed.size()) : 0;
-  return static_cast<int>(std::count_if(t.of_seed.begin(), t.of_seed.end(), [&](const std::vector<double>& y) {
-    return TargetResult::met({residual_of(spec, y.front())}, spec.is_band());
-  }));
-}
-
-std::string range_text(const CalibrationParameter& p) { return num(p.least) + " to " + num(p.most); }
 
 // "young +0.3, friction -0.9": components of a step larger than `least`.
 std::string step_text(const CalibrationSpec& spec, const Eigen::VectorXd& step, double least) {
@@ -65,274 +83,223 @@ std::string step_text(const CalibrationSpec& spec, const Eigen::VectorXd& step, 
   return joined(texts);
 }
 
-PagePart best_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
+void show_intervals(BothPages& page, const CalibrationSpec& spec, const CalibrationOutcome& o) {
   const Determination& d = o.determination;
-  PagePart part{"The best set", "", {}, {}};
-  part.text =
-      "Intervals of " + percent(spec.confidence) + " %, from " + num(d.rows) + " numbers that depend on a parameter";
-  if (d.scale > 1.0)
-    part.text += ", widened by " + num(std::sqrt(d.scale), 3) + " because the misfit exceeds the tolerances";
-  part.text += ". Determined \"no\": the interval covers three quarters of the range or more.";
+  const std::string widened =
+      d.scale > 1.0 ? ", widened by " + num(std::sqrt(d.scale), 3) + " because the misfit exceeds the tolerances" : "";
+  page.paragraph("Intervals of " + percent(spec.confidence) + " %, from " + num(d.rows) +
+                 " numbers that depend on a parameter" + widened +
+                 ". Determined \"no\": the interval covers three quarters of the range or more.");
   if (d.gain > kSearchEnded)
-    part.text += "\n\nThe search has not converged: a linear step would lower the misfit by about " + num(d.gain, 3) +
-                 " of " + num(o.best->misfit, 3) +
-                 ". The intervals are reliable only with more evaluations in the last stage.";
+    page.paragraph("The search has not converged: a linear step would lower the misfit by about " + num(d.gain, 3) +
+                   " of " + num(o.best->misfit, 3) +
+                   ". The intervals are reliable only with more evaluations in the last stage.");
   if (o.confirmations > 1)
-    part.text += "\n\nWhole runs differ from those of the search. The set is the best of " + num(o.confirmations) +
-                 " that were run whole: that of the search, and sets near it that should meet more targets to first "
-                 "order. Differences are those about the set of the search.";
-  part.rows = {{"parameter", "range", "scale", "start", "best", "interval", "determined", "source of the range"}};
-  const UnitPoint start = start_of(spec);
-  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
-    const CalibrationParameter& p = spec.parameters[i];
-    const Interval& interval = d.intervals[i];
-    part.rows.push_back({p.name, range_text(p), std::string(name_of(p.scale)), num(p.value(start[i])),
-                         num(p.value(o.best->point[i])), num(interval.least, 4) + " to " + num(interval.most, 4),
-                         interval.is_determined() + (interval.at_edge ? "; at the end of the range" : ""), p.origin});
-  }
-  return part;
+    page.paragraph("The set is the best of " + num(o.confirmations) +
+                   " that were run whole: that of the search, and sets near it that should meet more targets to first "
+                   "order. Differences are those about the set of the search.");
 }
 
-PagePart targets_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
-  PagePart part{"The targets", "", {}, {}};
-  const auto met = [&](const std::string& count_start, const std::string& count_best,
-                       const std::string& count_confirmed) {
-    return count_start + " at the start, " + count_best + " at the best set, " + count_confirmed + " confirmed";
+void show_parameters(BothPages& page, const CalibrationSpec& spec, const CalibrationOutcome& o,
+                     const std::vector<NamedSet>& sets) {
+  const std::vector<Interval>& intervals = o.determination.intervals;
+  std::vector<Row> rows = {{"parameter", "range", "scale"}};
+  for (const NamedSet& set : sets) rows.front().push_back(set.name);
+  if (!intervals.empty()) append(rows.front(), {"interval", "determined"});
+  rows.front().emplace_back("source of the range");
+  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
+    const CalibrationParameter& p = spec.parameters[i];
+    Row row = {p.name, num(p.least) + " to " + num(p.most), std::string(name_of(p.scale))};
+    for (const NamedSet& set : sets) row.push_back(num(p.value(set.set->point[i])));
+    if (!intervals.empty())
+      append(row, {num(intervals[i].least, 4) + " to " + num(intervals[i].most, 4),
+                   intervals[i].is_determined() + (intervals[i].at_edge ? "; at the end of the range" : "")});
+    row.push_back(p.origin);
+    rows.push_back(row);
+  }
+  page.table(rows);
+}
+
+// Distances and seeds are those of the last of `sets`.
+void show_targets(BothPages& page, const CalibrationSpec& spec, const std::vector<NamedSet>& sets,
+                  const Sets& comparable) {
+  page.section("The targets");
+  const auto of_all = [&](const auto& number) {
+    Row texts;
+    for (const NamedSet& set : sets) texts.push_back(number(*set.set) + " (" + set.name + ")");
+    return joined(texts);
   };
-  part.text = "Targets met (of " + num(spec.targets.size()) +
-              "): " + met(num(o.start->met()), num(o.best->met()), num(o.confirmed->met())) +
-              ". Misfit: " + met(num(o.start->misfit, 4), num(o.best->misfit, 4), num(o.confirmed->misfit, 4)) +
-              ". The best set is that of the last stage's runs; confirmed are whole runs over all seeds" +
-              (o.confirmations > 1 ? ", the best of " + num(o.confirmations) + " sets run whole" : "") +
-              ". Distance: of the confirmed value [tolerances].";
+  const std::vector<std::size_t> heaviest = heaviest_targets(spec);
+  std::string text = "Targets met, of " + num(spec.targets.size()) + ": " +
+                     of_all([](const Evaluation& e) { return num(e.met()); }) +
+                     ". Misfit: " + of_all([](const Evaluation& e) { return num(e.misfit, 4); }) + ".";
+  if (heaviest.size() < spec.targets.size())
+    text += " Met of the " + num(heaviest.size()) +
+            " targets of the largest weight: " + of_all([&](const Evaluation& e) { return num(met_of(e, heaviest)); }) +
+            ".";
   if (spec.cap > 0.0)
-    part.text += " Larger distances count as " + num(spec.cap) +
-                 " tolerances in the misfit; the best set is the one that meets most targets.";
-  if (const std::vector<std::size_t> heaviest = heaviest_targets(spec); heaviest.size() < spec.targets.size())
-    part.text +=
-        " Of the " + num(heaviest.size()) + " targets of the largest weight are met: " +
-        met(num(met_of(*o.start, heaviest)), num(met_of(*o.best, heaviest)), num(met_of(*o.confirmed, heaviest))) + ".";
-  if (o.confirmed->met() < o.best->met())
-    part.text += "\n\nRuns of the last stage differ from whole ones: " + num(o.best->met()) + " targets met become " +
-                 num(o.confirmed->met()) + ". Use more accurate runs in the last stage, or more seeds.";
-  part.rows = {
-      {"target", "required", "tolerance", "weight", "start", "best", "confirmed", "distance", "met", "source"}};
+    text += " Distances above " + num(spec.cap) +
+            " tolerances count as that in the misfit; the best set is the one that meets most targets.";
+  page.paragraph(text +
+                 " The set \"best\" is that of the last stage's runs, \"confirmed\" that of whole runs over all "
+                 "seeds. Distances [tolerances] are of the set \"" +
+                 sets.back().name + "\", the least of all " + num(comparable.size()) + " sets.");
+  std::vector<Row> rows = {{"target", "required", "tolerance", "weight"}};
+  for (const NamedSet& set : sets) rows.front().push_back(set.name);
+  append(rows.front(), {"distance", "met", "least distance", "sets that meet it", "source"});
   for (std::size_t t = 0; t < spec.targets.size(); ++t) {
     const TargetSpec& target = spec.targets[t];
-    const TargetResult& confirmed = o.confirmed->targets[t];
-    std::string is_met = confirmed.is_met() ? "yes" : "no";
-    if (confirmed.of_seed.size() > 1)
-      is_met += ", " + num(seeds_that_meet(target, confirmed)) + " of " + num(confirmed.of_seed.size()) + " seeds";
-    part.rows.push_back({target.name, requirement_text(target), num(target.tolerance), num(target.weight),
-                         value_text(target, o.start->targets[t]), value_text(target, o.best->targets[t]),
-                         value_text(target, confirmed), num(distance(confirmed), 3), is_met, target.origin});
+    const TargetResult& last = sets.back().set->targets[t];
+    Row row = {target.name, requirement_text(target), num(target.tolerance), num(target.weight)};
+    for (const NamedSet& set : sets) row.push_back(value_text(target, set.set->targets[t]));
+    double least = std::numeric_limits<double>::infinity();
+    for (const Evaluation* e : comparable)
+      if (!e->targets[t].failed) least = std::min(least, e->targets[t].distance());
+    append(row, {num(last.distance(), 3),
+                 (last.is_met() ? "yes" : "no") +
+                     (last.seeds > 1 ? ", " + num(last.seeds_met) + " of " + num(last.seeds) + " seeds" : ""),
+                 num(least, 3),
+                 num(std::count_if(comparable.begin(), comparable.end(),
+                                   [&](const Evaluation* e) { return e->targets[t].is_met(); })),
+                 target.origin});
+    rows.push_back(row);
   }
-  return part;
+  page.table(rows);
 }
 
 // A row per name, a column per parameter.
-PagePart matrix_part(const CalibrationSpec& spec, const PagePart& begin, const std::string& corner, const Row& names,
-                     const std::function<std::string(Eigen::Index, Eigen::Index)>& text) {
-  PagePart part = begin;
-  part.rows = {{corner}};
-  append(part.rows.front(), names_in(spec.parameters));
+void show_matrix(BothPages& page, const CalibrationSpec& spec, const std::string& corner, const Row& names,
+                 const std::function<std::string(Eigen::Index, Eigen::Index)>& text) {
+  std::vector<Row> rows = {{corner}};
+  append(rows.front(), names_in(spec.parameters));
   for (std::size_t k = 0; k < names.size(); ++k) {
-    Row row = {names[k]};
+    rows.push_back({names[k]});
     for (std::size_t i = 0; i < spec.parameters.size(); ++i)
-      row.push_back(text(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)));
-    part.rows.push_back(row);
+      rows.back().push_back(text(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)));
   }
-  return part;
+  page.table(rows);
 }
 
-PagePart sensitivity_part(const CalibrationSpec& spec, const Determination& d) {
-  return matrix_part(spec,
-                     {"Effect of each parameter",
-                      "Change of each target over the whole range of a parameter, to first order about the best set "
-                      "[tolerances]; of curves without sign.",
-                      {},
-                      {}},
-                     "target", names_in(spec.targets),
-                     [&](Eigen::Index t, Eigen::Index i) { return num(d.sensitivity(t, i), 3); });
-}
-
-PagePart correlation_part(const CalibrationSpec& spec, const Determination& d) {
-  PagePart begin{
-      "Correlation of the parameters", "Near 1 or -1 the targets determine only a combination of the two.", {}, {}};
+void show_determination(BothPages& page, const CalibrationSpec& spec, const Determination& d) {
+  page.section("Effect of each parameter");
+  page.paragraph(
+      "Change of each target over the whole range of a parameter, to first order about the best set [tolerances]; of "
+      "curves without sign.");
+  show_matrix(page, spec, "target", names_in(spec.targets),
+              [&](Eigen::Index t, Eigen::Index i) { return num(d.sensitivity(t, i), 3); });
+  page.section("Correlation of the parameters");
+  page.paragraph("Near 1 or -1 the targets determine only a combination of the two.");
   for (const Eigen::VectorXd& direction : d.loose)
-    begin.text += "\n\nThe targets do not determine the direction " + step_text(spec, direction, 0.1) +
-                  " (relative to the ranges).";
-  return matrix_part(spec, begin, "parameter", names_in(spec.parameters),
-                     [&](Eigen::Index i, Eigen::Index k) { return fixed_text(d.correlation(i, k), 2); });
+    page.paragraph("The targets do not determine the direction " + step_text(spec, direction, 0.1) +
+                   " (relative to the ranges).");
+  show_matrix(page, spec, "parameter", names_in(spec.parameters),
+              [&](Eigen::Index i, Eigen::Index k) { return fixed_text(d.correlation(i, k), 2); });
 }
 
-PagePart trade_off_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
-  if (o.trade_offs.empty())
-    return {"Trade-offs between targets", "All targets that are single numbers are met at the best set.", {}, {}};
-  PagePart part{"Trade-offs between targets",
-                "For each target that the best set does not meet: the smallest step that would meet it to first order, "
-                "and its cost for the others. A step longer than a range is impossible.",
-                {{"target", "distance", "step, relative to the ranges", "cost [tolerances]"}},
-                {}};
-  for (const TradeOff& trade_off : o.trade_offs) {
+void show_trade_offs(BothPages& page, const CalibrationSpec& spec, const CalibrationOutcome& o) {
+  page.section("Trade-offs between targets");
+  const std::vector<TradeOff> all = trade_offs_of(spec, *o.best, o.determination.sensitivity);
+  if (all.empty()) return page.paragraph("All targets that are single numbers are met at the best set.");
+  page.paragraph(
+      "For each target that the best set does not meet: the smallest step that would meet it to first order, and its "
+      "cost for the others. A step longer than a range is impossible.");
+  std::vector<Row> rows = {{"target", "distance", "step, relative to the ranges", "cost [tolerances]"}};
+  for (const TradeOff& trade_off : all) {
     Row costs;
     for (const auto& [s, cost] : trade_off.costs) costs.push_back(spec.targets[s].name + " +" + num(cost, 2));
-    part.rows.push_back({spec.targets[trade_off.target].name, num(distance(o.best->targets[trade_off.target]), 3),
-                         trade_off.moved ? step_text(spec, trade_off.step, 0.02) : "no parameter affects it here",
-                         costs.empty() ? "none" : joined(costs)});
+    rows.push_back(
+        {spec.targets[trade_off.target].name, num(o.best->targets[trade_off.target].distance(), 3),
+         trade_off.step.norm() > 0.0 ? step_text(spec, trade_off.step, 0.02) : "no parameter affects it here",
+         costs.empty() ? "none" : joined(costs)});
   }
-  return part;
+  page.table(rows);
 }
 
-PagePart single_targets_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
-  PagePart part{
-      "Targets that no set meets, sought one by one",
-      "Without regard to the other targets, from the nearest of the sets above, by response surfaces. Distances "
-      "in tolerances; only parameters that affect the target.",
-      {{"target", "required", "distance of the sets above", "more sets", "nearest of all", "distance", "at"}},
-      {}};
+void show_conflicts(BothPages& page, const CalibrationSpec& spec, const Sets& sets) {
+  page.section("Targets met together");
+  const Conflicts found = conflicts_of(spec, sets);
+  Row never;
+  for (const std::size_t t : found.never) never.push_back(spec.targets[t].name);
+  page.paragraph("Of " + num(sets.size()) + " sets with runs as in the last stage one meets most targets: " +
+                 num(most_met(spec, sets)->met()) + " of " + num(spec.targets.size()) + ". " +
+                 (never.empty() ? "Every target is met by some set." : "Met by none: " + joined(never, "; ") + "."));
+  if (found.pairs.empty()) return;
+  const std::vector<std::size_t> heaviest = heaviest_targets(spec);
+  page.paragraph("From pairs, at most " + num(most_without_conflict(found, heaviest)) + " of the " +
+                 num(heaviest.size()) +
+                 " targets of the largest weight can be met together. These pairs are met by "
+                 "some sets each, and by none together:");
+  std::vector<Row> rows = {{"target", "other target", "sets that meet the first", "the other"}};
+  for (const Conflicts::Pair& pair : found.pairs)
+    rows.push_back({spec.targets[pair.a].name, spec.targets[pair.b].name, num(pair.met_a), num(pair.met_b)});
+  page.table(rows);
+}
+
+void show_single_targets(BothPages& page, const CalibrationSpec& spec, const CalibrationOutcome& o) {
+  page.section("Targets that no set meets, sought one by one");
+  page.paragraph(
+      "Without regard to the other targets, from the nearest of the sets above, by response surfaces. Distances in "
+      "tolerances; only parameters that affect the target.");
+  std::vector<Row> rows = {
+      {"target", "required", "distance of the sets above", "more sets", "nearest of all", "distance", "at"}};
   for (const SingleTarget& one : o.single_targets) {
     const TargetSpec& target = spec.targets[one.target];
     const TargetResult& result = one.nearest->targets[one.target];
     Row at;
     for (const std::size_t i : one.moved_by)
       at.push_back(spec.parameters[i].name + " " + num(spec.parameters[i].value(one.nearest->point[i]), 3));
-    part.rows.push_back({target.name, requirement_text(target),
-                         num(one.nearest_before, 3) + " of " + num(one.before) + " sets", num(one.sets),
-                         value_text(target, result), num(distance(result), 3), joined(at)});
+    rows.push_back({target.name, requirement_text(target),
+                    num(one.nearest_before, 3) + " of " + num(one.before) + " sets", num(one.sets),
+                    value_text(target, result), num(result.distance(), 3), joined(at)});
   }
-  return part;
+  page.table(rows);
 }
 
-PagePart search_part(const CalibrationSpec& spec, const CalibrationOutcome& o) {
-  PagePart part{"The search", "", {{"stage", "sets", "runs", "final misfit", "reason of the end"}}, {}};
-  if (o.whole_time) part.text = "Estimated time: " + num(o.predicted, 3) + " h; taken: " + num(o.taken, 3) + " h.";
+void show_search(BothPages& page, const CalibrationSpec& spec, const CalibrationOutcome& o) {
+  page.section("The search");
+  std::vector<Row> rows = {{"stage", "sets", "at most", "runs", "final misfit", "reason of the end"}};
   for (std::size_t k = 0; k < o.stages.size(); ++k) {
     const StageOutcome& stage = o.stages[k];
     int runs = 0;
     for (const Evaluation* e : stage.evaluations) runs += e->runs;
-    part.rows.push_back({std::string(name_of(spec.stages[k].method)), num(stage.evaluations.size()), num(runs),
-                         num(stage.best, 5), stage.path.end});
+    rows.push_back({std::string(name_of(spec.stages[k].method)), num(stage.evaluations.size()),
+                    num(spec.stages[k].evaluations), num(runs), num(stage.best, 5),
+                    stage.path.requested.empty() ? stage.path.end : "in progress"});
   }
-  return part;
+  page.table(rows);
 }
 
 }  // namespace
 
-PagePart conflicts_part(const CalibrationSpec& spec, const Sets& sets) {
-  PagePart part;
-  const Conflicts found = conflicts_of(spec, sets);
-  Row never;
-  for (const std::size_t t : found.never) never.push_back(spec.targets[t].name);
-  part.text =
-      never.empty() ? " Every target is met by some set." : "\n\nMet by none of them: " + joined(never, "; ") + ".";
-  if (found.pairs.empty()) return part;
-  const std::vector<std::size_t> heaviest = heaviest_targets(spec);
-  part.text += "\n\nFrom pairs, at most " + num(most_without_conflict(found, heaviest)) + " of the " +
-               num(heaviest.size()) + " targets" +
-               (heaviest.size() < spec.targets.size() ? " of the largest weight" : "") +
-               " can be met together. These pairs are met by some sets each, and by none together:";
-  part.rows = {{"target", "other target", "sets that meet the first", "the other", "both"}};
-  for (const Conflicts::Pair& pair : found.pairs)
-    part.rows.push_back({spec.targets[pair.a].name, spec.targets[pair.b].name, num(pair.met_a), num(pair.met_b), "0"});
-  return part;
-}
-
-std::vector<PagePart> calibration_parts(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
-                                        const Sets& comparable, const std::string& command, const Row& pictures) {
-  const Evaluation* most = most_met(spec, comparable);
-  PagePart conflicts = conflicts_part(spec, comparable);
-  conflicts.text = "Of " + num(comparable.size()) +
-                   " sets with runs as in the last stage, one meets most targets: " + num(most->met()) + " of " +
-                   num(spec.targets.size()) + " (misfit " + num(most->misfit, 4) + "; the best set meets " +
-                   num(outcome.best->met()) + ")." + conflicts.text;
-  std::vector<PagePart> parts = {{"", "Made by `" + command + "`.", {}, {}},
-                                 best_part(spec, outcome),
-                                 targets_part(spec, outcome),
-                                 sensitivity_part(spec, outcome.determination),
-                                 correlation_part(spec, outcome.determination),
-                                 trade_off_part(spec, outcome),
-                                 conflicts};
-  if (!outcome.single_targets.empty()) parts.push_back(single_targets_part(spec, outcome));
-  parts.push_back(search_part(spec, outcome));
-  if (!pictures.empty()) parts.push_back({"Pictures", "", {}, pictures});
-  return parts;
-}
-
-std::string markdown(const std::string& title, const std::vector<PagePart>& parts) {
-  std::string page = "# " + title + "\n";
-  for (const PagePart& part : parts) {
-    if (!part.heading.empty()) page += "\n## " + part.heading + "\n";
-    if (!part.text.empty()) page += "\n" + part.text + "\n";
-    if (!part.rows.empty()) {
-      Table table(part.rows.front());
-      for (std::size_t k = 1; k < part.rows.size(); ++k) table.add(part.rows[k]);
-      page += "\n" + table.page();
-    }
-    for (const std::string& picture : part.pictures)
-      page += "\n![" + fs::path(picture).stem().string() + "](" + fs::path(picture).filename().string() + ")\n";
+CalibrationPage calibration_page(const CalibrationSpec& spec, const CalibrationOutcome& o, const Sets& comparable,
+                                 const std::string& command, const std::vector<std::string>& pictures) {
+  const bool ended = !o.determination.intervals.empty();
+  const std::string title = spec.title.empty() ? fs::path(spec.file).stem().string() : spec.title;
+  BothPages page(title + (ended ? "" : ", so far"));
+  page.paragraph("Made by `" + command + "`." +
+                 (ended ? "" : " The calibration is in progress: nothing is confirmed, and there are no intervals."));
+  if (!ended && comparable.empty()) return page.pages();
+  std::vector<NamedSet> sets = {{"start", o.start}};
+  if (ended) {
+    sets.push_back({"best", o.best});
+  } else {
+    sets.push_back({"least misfit", *std::min_element(comparable.begin(), comparable.end(),
+                                                      [](auto* a, auto* b) { return a->misfit < b->misfit; })});
+    sets.push_back({"most met", most_met(spec, comparable)});
   }
-  return page;
-}
-
-std::string html(const std::string& title, const std::vector<PagePart>& parts) {
-  HtmlPage page(title);
-  for (const PagePart& part : parts) {
-    if (!part.heading.empty()) page.section(part.heading);
-    if (!part.text.empty()) page.paragraph(part.text);
-    if (!part.rows.empty()) page.table(part.rows);
-    for (const std::string& picture : part.pictures) page.picture(picture);
-  }
-  return page.text();
-}
-
-std::vector<PagePart> so_far_parts(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
-                                   const Sets& comparable, const std::string& command) {
-  PagePart first{"",
-                 "Results so far, by `" + command +
-                     "`. The calibration is in progress: nothing is confirmed, and there are no intervals.",
-                 {},
-                 {}};
-  if (comparable.empty()) return {first};
-  const StageSpec& stage = spec.stages[outcome.stages.size() - 1];
-  first.text += " Stage " + num(outcome.stages.size()) + " of " + num(spec.stages.size()) + ", " +
-                std::string(name_of(stage.method)) + ", at most " + num(stage.evaluations) + " sets.";
-  const Evaluation& least = **std::min_element(comparable.begin(), comparable.end(),
-                                               [](const auto* a, const auto* b) { return a->misfit < b->misfit; });
-  const Evaluation& most = *most_met(spec, comparable);
-
-  PagePart parameters{"Parameters",
-                      "Of " + num(comparable.size()) + " sets the one with the least misfit, " + num(least.misfit, 4) +
-                          ", meets " + num(least.met()) + " of " + num(spec.targets.size()) +
-                          " targets; the largest number met is " + num(most.met()) + ", with a misfit of " +
-                          num(most.misfit, 4) + ".",
-                      {{"parameter", "range", "start", "least misfit", "most met", "source of the range"}},
-                      {}};
-  const UnitPoint start = start_of(spec);
-  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
-    const CalibrationParameter& p = spec.parameters[i];
-    parameters.rows.push_back({p.name, range_text(p), num(p.value(start[i])), num(p.value(least.point[i]), 4),
-                               num(p.value(most.point[i]), 4), p.origin});
-  }
-  PagePart targets{"Targets",
-                   "Distance in the set that meets most targets, and the least of all sets [tolerances].",
-                   {{"target", "required", "start", "most met", "distance", "least", "sets that meet it", "source"}},
-                   {}};
-  for (std::size_t t = 0; t < spec.targets.size(); ++t) {
-    const TargetSpec& target = spec.targets[t];
-    const auto met = std::count_if(comparable.begin(), comparable.end(),
-                                   [&](const Evaluation* e) { return e->targets[t].is_met(); });
-    double nearest = distance(most.targets[t]);
-    for (const Evaluation* e : comparable)
-      if (!e->targets[t].failed) nearest = std::min(nearest, distance(e->targets[t]));
-    targets.rows.push_back({target.name, requirement_text(target), value_text(target, outcome.start->targets[t]),
-                            value_text(target, most.targets[t]), num(distance(most.targets[t]), 3), num(nearest, 3),
-                            num(static_cast<int>(met)) + " of " + num(comparable.size()), target.origin});
-  }
-  PagePart together = conflicts_part(spec, comparable);
-  together.heading = "Targets met together";
-  together.text.erase(0, together.text.find_first_not_of(" \n"));
-  return {first, parameters, targets, together};
+  page.section(ended ? "The best set" : "Parameters");
+  if (ended) show_intervals(page, spec, o);
+  show_parameters(page, spec, o, sets);
+  if (ended) sets.push_back({"confirmed", o.confirmed});
+  show_targets(page, spec, sets, comparable);
+  if (ended) show_determination(page, spec, o.determination);
+  if (ended) show_trade_offs(page, spec, o);
+  show_conflicts(page, spec, comparable);
+  if (!o.single_targets.empty()) show_single_targets(page, spec, o);
+  show_search(page, spec, o);
+  if (!pictures.empty()) page.section("Pictures");
+  for (const std::string& picture : pictures) page.picture(picture);
+  return page.pages();
 }
 
 Table path_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome) {
@@ -350,10 +317,11 @@ Table path_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome)
       Row row = {num(++number), num(k + 1)};
       for (std::size_t i = 0; i < e->point.size(); ++i) row.push_back(spec.parameters[i].text(e->point[i]));
       append(row, {num(e->misfit, 10), num(least, 10), num(e->met())});
-      for (std::size_t t = 0; t < e->targets.size(); ++t)
-        row.push_back(e->targets[t].failed         ? ""
-                      : spec.targets[t].is_curve() ? num(distance(e->targets[t]), 10)
-                                                   : num(e->targets[t].values.front(), 10));
+      for (std::size_t t = 0; t < e->targets.size(); ++t) {
+        const TargetResult& result = e->targets[t];
+        row.push_back(result.failed ? ""
+                                    : num(spec.targets[t].is_curve() ? result.distance() : result.values.front(), 10));
+      }
       row.push_back(e->message);
       table.add(row);
     }
@@ -361,17 +329,9 @@ Table path_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome)
   return table;
 }
 
-Row draw_calibration(const CalibrationSpec& spec, const CalibrationOutcome& outcome, const std::string& folder) {
-  Table misfits({"set", "misfit", "least"}), parameters({"parameter", "best", "least", "most"}),
-      targets({"target", "start", "best", "confirmed"});
-  int number = 0;
-  for (const StageOutcome& stage : outcome.stages) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Evaluation* e : stage.evaluations) {
-      least = std::min(least, e->misfit);
-      misfits.add({num(++number), num(std::max(e->misfit, 1e-12), 8), num(std::max(least, 1e-12), 8)});
-    }
-  }
+std::vector<std::string> draw_calibration(const CalibrationSpec& spec, const CalibrationOutcome& outcome,
+                                          const std::string& folder) {
+  Table parameters({"parameter", "best", "least", "most"}), targets({"target", "start", "best", "confirmed"});
   for (std::size_t i = 0; i < spec.parameters.size(); ++i) {  // positions in the ranges
     const CalibrationParameter& p = spec.parameters[i];
     const Interval& interval = outcome.determination.intervals[i];
@@ -379,31 +339,31 @@ Row draw_calibration(const CalibrationSpec& spec, const CalibrationOutcome& outc
         {p.name, num(outcome.best->point[i]), num(p.position(interval.least)), num(p.position(interval.most))});
   }
   for (std::size_t t = 0; t < spec.targets.size(); ++t)
-    targets.add({spec.targets[t].name, num(distance(outcome.start->targets[t])),
-                 num(distance(outcome.best->targets[t])), num(distance(outcome.confirmed->targets[t]))});
-  const auto drawn = [&](const std::string& name, const Table& table, int height, const std::string& drawing) {
-    write_whole_file((fs::path(folder) / (name + ".csv")).string(), table.csv());
-    return write_drawing(folder, name, {1000, height}, csv_setup(),
+    targets.add({spec.targets[t].name, num(outcome.start->targets[t].distance()),
+                 num(outcome.best->targets[t].distance()), num(outcome.confirmed->targets[t].distance())});
+  write_whole_file((fs::path(folder) / "parameters.csv").string(), parameters.csv());
+  write_whole_file((fs::path(folder) / "targets.csv").string(), targets.csv());
+  const auto drawn = [&](const std::string& name, std::size_t height, const std::string& drawing) {
+    return write_drawing(folder, name, {1000, static_cast<int>(height)}, csv_setup(),
                          "unset logscale\nset autoscale\nunset ylabel\nset ytics noenhanced\nset grid\n" + drawing);
   };
   const auto rows = [](std::size_t count) {
     return "set yrange [-0.7:" + fixed_text(static_cast<double>(count) - 0.3, 1) + "] reverse\n";
   };
-  const int count_p = static_cast<int>(spec.parameters.size()), count_t = static_cast<int>(spec.targets.size());
-  return run_gnuplot(folder,
-                     {drawn("misfit", misfits, 500,
-                            "set logscale y\nset xlabel 'set'\nset ylabel 'misfit'\nset key outside right top\n"
-                            "plot 'misfit.csv' using 1:2 with points pt 7 ps 0.6 lc 'gray' title 'each set', "
-                            "'' using 1:3 with steps lw 2 lc 1 title 'least of the stage'\n"),
-                      drawn("parameters", parameters, 140 + 40 * count_p,
-                            "set xlabel 'position in the range'\nset xrange [0:1]\n" + rows(spec.parameters.size()) +
-                                "plot 'parameters.csv' using 2:0:3:4:ytic(1) with xerrorbars pt 7 lw 2 lc 1 notitle\n"),
-                      drawn("targets", targets, 160 + 26 * count_t,
-                            "set xlabel 'distance from the target [tolerances]'\nset key outside right top\n" +
-                                rows(spec.targets.size()) +
-                                "plot 'targets.csv' using 2:0:ytic(1) with points pt 6 lc 'gray' title 'start', '' "
-                                "using 3:0 with points "
-                                "pt 7 lc 1 title 'best', '' using 4:0 with points pt 2 lc 2 title 'confirmed'\n")});
+  return run_gnuplot(
+      folder,
+      {drawn("misfit", 500,
+             "set logscale y\nset xlabel 'set'\nset ylabel 'misfit'\nset key outside right top\nplot 'way.csv' using "
+             "'set':(column('misfit') + 1e-12) with points pt 7 ps 0.6 lc 'gray' title 'each set', '' using "
+             "'set':(column('least') + 1e-12) with steps lw 2 lc 1 title 'least of the stage'\n"),
+       drawn("parameters", 140 + 40 * spec.parameters.size(),
+             "set xlabel 'position in the range'\nset xrange [0:1]\n" + rows(spec.parameters.size()) +
+                 "plot 'parameters.csv' using 2:0:3:4:ytic(1) with xerrorbars pt 7 lw 2 lc 1 notitle\n"),
+       drawn("targets", 160 + 26 * spec.targets.size(),
+             "set xlabel 'distance from the target [tolerances]'\nset key outside right top\n" +
+                 rows(spec.targets.size()) +
+                 "plot 'targets.csv' using 2:0:ytic(1) with points pt 6 lc 'gray' title 'start', '' using 3:0 with "
+                 "points pt 7 lc 1 title 'best', '' using 4:0 with points pt 2 lc 2 title 'confirmed'\n")});
 }
 
 }  // namespace footfall

@@ -1,53 +1,21 @@
 #pragma once
 // A whole calibration: the runs of the start, the stages, differences about the best set, confirmation; and its command.
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "mbd_solver/studies/calibrate/determination.h"
 #include "mbd_solver/studies/calibrate/evaluations.h"
 #include "mbd_solver/studies/calibrate/search.h"
-#include "mbd_solver/studies/calibrate/surrogate.h"
 
 namespace footfall {
 
-struct StageTask {
-  const CalibrationSpec& spec;
-  Evaluations& evaluations;
-  Fidelity fidelity;
-  const StageSpec& stage;
-  UnitPoint start;                 // its runs are done
-  std::vector<UnitPoint> earlier;  // sets of earlier stages with the same fidelity
-  int jobs;
-  double spent;  // by earlier stages, of one core [s]; counts for limits.hours
-};
-
-// The search of one stage by its method, on the evaluations of a calibration.
-class StageSearch {
- public:
-  explicit StageSearch(const StageTask& task);
-  StageSearch(const StageSearch&) = delete;  // its queries refer to it
-  StageSearch& operator=(const StageSearch&) = delete;
-
-  // As far as sets are known; the requested ones are to be run before the next call.
-  SearchPath go();
-
- private:
-  bool may_continue() const;
-  const Evaluation* look_up(const UnitPoint& set);  // and adds its cost
-  SurrogateQueries surrogate_queries();
-
-  const StageTask task_;
-  double spent_;
-  SearchQueries queries_;
-  std::optional<SurrogateSearch> surrogate_;
-};
+using Sets = std::vector<const Evaluation*>;
 
 struct StageOutcome {
-  SearchPath path;                             // complete
-  std::vector<const Evaluation*> evaluations;  // of path.sets
-  double best = 0.0;                           // misfit of the stage's best set, or of its start
+  SearchPath path;    // complete
+  Sets evaluations;   // of path.sets
+  double best = 0.0;  // misfit of the stage's best set, or of its start
 };
 
 // The search for a target that no set met, without regard to the others.
@@ -63,49 +31,41 @@ struct CalibrationOutcome {
   const Evaluation* start = nullptr;      // with the runs of the last stage
   const Evaluation* best = nullptr;       // likewise
   const Evaluation* confirmed = nullptr;  // with whole runs: no settings of a stage, all seeds
-  int confirmations = 0;                  // number of sets run whole; `confirmed` is the best of them
+  std::size_t confirmations = 0;          // number of sets run whole; `confirmed` is the best of them
   std::vector<StageOutcome> stages;
-  std::vector<const Evaluation*> around;  // difference_sets
+  Sets around;  // difference_sets
   Determination determination;
-  std::vector<TradeOff> trade_offs;
   std::vector<SingleTarget> single_targets;
-  double predicted = 0.0, taken = 0.0;  // [h]
-  bool whole_time = true;               // hardly any run was done before: predicted and taken are comparable
-};
-
-// Time after the runs of the start [h].
-struct Prediction {
-  double hours = 0.0;
-  int sets = 0, runs = 0;
-  std::vector<std::string> lines;  // by part
 };
 
 class CalibrationRun {
  public:
-  CalibrationRun(const CalibrationSpec& spec, Evaluations& evaluations, int jobs)
-      : spec_(spec), evaluations_(evaluations), jobs_(jobs) {}
+  CalibrationRun(const CalibrationSpec& spec, Evaluations& evaluations) : spec_(spec), evaluations_(evaluations) {}
 
   // The start, with the runs of every stage and of the confirmation. False when interrupted. Throws NumericalError when a run
   // fails.
   bool start();
-  Prediction predict() const;  // after start()
+  // After start(): sets, runs and hours that remain, in all and by part.
+  std::vector<std::string> prediction() const;
   // Everything else. False when interrupted; the current stage is then the last of the outcome.
   bool search();
   const CalibrationOutcome& outcome() const { return outcome_; }
   // Sets with the same runs as the latest stage: of that stage and earlier ones, and those about the best set.
-  std::vector<const Evaluation*> comparable() const;
+  Sets comparable() const;
 
  private:
   bool run_stage(const StageSpec& stage, UnitPoint& at);
+  // The search by the method of the stage, with the runs that it requests. False when interrupted.
+  bool follow(const StageSpec& stage, const Fidelity& fidelity, const UnitPoint& start, const Sets& earlier,
+              SearchPath& path);
+  SurrogateQueries surrogate_queries(const Fidelity& fidelity, const UnitPoint& start) const;
   bool confirm(UnitPoint at);
   bool seek_single_targets();
   void print_progress(const std::string& text) const;
-  // Sets of finished stages with the same runs as this one.
-  std::vector<UnitPoint> sets_with_runs_of(const StageSpec& stage) const;
+  Sets sets_like(const StageSpec& stage) const;  // of stages with the same runs
 
   const CalibrationSpec& spec_;
   Evaluations& evaluations_;
-  int jobs_;
   int runs_ = 0;        // of the stages so far
   double spent_ = 0.0;  // by them, of one core [s]
   CalibrationOutcome outcome_;

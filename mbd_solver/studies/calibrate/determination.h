@@ -30,7 +30,6 @@ struct Interval {
 };
 
 struct Determination {
-  Eigen::MatrixXd jacobian;     // rows as Evaluation::residuals, a column per parameter
   Eigen::MatrixXd sensitivity;  // of each target [tolerances per range]; a curve: root mean square over its rows
   std::vector<Interval> intervals;
   Eigen::MatrixXd correlation;
@@ -49,13 +48,12 @@ Determination determination_of(const CalibrationSpec& spec, const Evaluation& be
 // The smallest step that meets one target to first order, and its cost for others.
 struct TradeOff {
   std::size_t target = 0;
-  bool moved = false;                                 // some parameter affects it
-  Eigen::VectorXd step;                               // of the positions in the ranges
+  Eigen::VectorXd step;                               // of the positions in the ranges; 0: no parameter affects it
   std::vector<std::pair<std::size_t, double>> costs;  // target, rise of |r| [tolerances], from 0.5 on, largest first
 };
 // Of the targets that are single numbers and not met.
 std::vector<TradeOff> trade_offs_of(const CalibrationSpec& spec, const Evaluation& best,
-                                    const std::vector<const Evaluation*>& around);
+                                    const Eigen::MatrixXd& sensitivity);
 
 // The set near one that was run whole that should meet more targets, to first order; whole runs differ from the cheaper ones
 // of a search:
@@ -85,6 +83,6 @@ struct Conflicts {
 };
 Conflicts conflicts_of(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets);
 // The largest number of the targets without a conflict: an upper bound of the number that can be met together.
-std::size_t most_without_conflict(const Conflicts& conflicts, const std::vector<std::size_t>& targets);
+std::size_t most_without_conflict(const Conflicts& conflicts, std::vector<std::size_t> targets);
 
 }  // namespace footfall

@@ -8,12 +8,13 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <thread>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/fingerprint.h"
-#include "mbd_solver/scene/field_reader.h"
+#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/sweep_file.h"
 #include "mbd_solver/studies/tables.h"
@@ -22,21 +23,9 @@ namespace footfall {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-constexpr double kCurveWithin = 1.5;  // tolerances, root mean square; noise of one tolerance gives about one
-
-TargetResult failure(const CalibrationSpec& spec) {
-  TargetResult result;
-  result.failed = true;
-  result.residuals = {spec.failed};
-  return result;
-}
-
-}  // namespace
-
-double residual_of(const TargetSpec& target, double y) {
-  if (target.value) return (y - *target.value) / target.tolerance;
+double residual_of(const TargetSpec& target, double y, std::size_t row_of_curve) {
+  const double value = target.is_curve() ? target.rows[row_of_curve].y() : target.value.value_or(0.0);
+  if (!target.is_band()) return (y - value) / target.tolerance;
   if (y > target.most) return (y - target.most) / target.tolerance;
   return y < target.least ? (y - target.least) / target.tolerance : 0.0;
 }
@@ -49,11 +38,15 @@ double TargetResult::misfit(const TargetSpec& target, double cap) const {
   return sum;
 }
 
-bool TargetResult::met(const std::vector<double>& residuals, bool band) {
-  double squares = 0.0;
-  for (const double r : residuals) squares += r * r;
-  if (band) return squares == 0.0;
-  return std::sqrt(squares / static_cast<double>(residuals.size())) <= (residuals.size() > 1 ? kCurveWithin : 1.0);
+double TargetResult::distance() const {
+  double sum = 0.0;
+  for (const double r : residuals) sum += r * r;
+  return std::sqrt(sum / static_cast<double>(residuals.size()));
+}
+
+bool TargetResult::is_met() const {
+  constexpr double kCurveWithin = 1.5;  // noise of one tolerance gives about one
+  return !failed && distance() <= (band ? 0.0 : residuals.size() > 1 ? kCurveWithin : 1.0);
 }
 
 std::vector<double> first_crossings(const std::vector<double>& x, const std::vector<double>& y,
@@ -73,24 +66,21 @@ std::vector<double> first_crossings(const std::vector<double>& x, const std::vec
 
 RunNumbers numbers_of(const CalibrationSpec& spec, const std::string& scene, const std::string& folder) {
   RunNumbers numbers;
-  numbers.metrics.assign(spec.metrics.size(), std::nan(""));
-  numbers.curves.resize(spec.targets.size());
   History history;
-  for (std::size_t t = 0; t < spec.targets.size(); ++t) {
-    const TargetSpec& target = spec.targets[t];
-    if (target.scene != scene && target.against != scene) continue;
+  for (const TargetSpec& target : spec.targets) {
+    if (!target.uses(scene)) continue;
     if (!target.is_curve()) {
-      const auto k = static_cast<std::size_t>(index_of(spec.metrics, target.metric));
-      if (std::isnan(numbers.metrics[k]))
-        numbers.metrics[k] = metrics_of_run({spec.metrics[k]}, folder, spec.file).front();
+      const MetricSpec& metric = spec.metrics[static_cast<std::size_t>(index_of(spec.metrics, target.metric))];
+      const double y = metrics_of_run({metric}, folder, spec.file).front();
+      if (std::isfinite(y)) numbers.figures[target.metric] = y;
       continue;
     }
     if (history.names.empty()) history = read_history((fs::path(folder) / "history.csv").string());
-    std::vector<double> places;
-    for (const Eigen::Vector2d& row : read_two_columns(target.file)) places.push_back(row.x());
     require_columns({target.over, target.column}, history, folder, spec.file, "targets." + target.name);
-    const std::vector<double>& x = history.column(target.over);
-    if (!x.empty()) numbers.curves[t] = first_crossings(x, history.column(target.column), places);
+    std::vector<double> places;
+    for (const Eigen::Vector2d& row : target.rows) places.push_back(row.x());
+    if (const std::vector<double>& x = history.column(target.over); !x.empty())
+      numbers.curves[target.name] = first_crossings(x, history.column(target.column), places);
   }
   return numbers;
 }
@@ -98,110 +88,80 @@ RunNumbers numbers_of(const CalibrationSpec& spec, const std::string& scene, con
 TargetResult result_of(const CalibrationSpec& spec, std::size_t target,
                        const std::vector<std::vector<RunNumbers>>& runs) {
   const TargetSpec& t = spec.targets[target];
-  const std::vector<RunNumbers>& mine = runs[static_cast<std::size_t>(index_of(spec.scenes, t.scene))];
-  if (mine.empty()) return failure(spec);
-  TargetResult result;
-  if (t.is_curve()) {
-    const std::vector<Eigen::Vector2d> rows = read_two_columns(t.file);
-    for (const RunNumbers& run : mine) {
-      if (run.curves[target].size() != rows.size()) return failure(spec);
-      result.of_seed.push_back(run.curves[target]);
+  const std::size_t rows = t.is_curve() ? t.rows.size() : 1;
+  const auto of_scene = [&](const std::string& scene) {  // y by row and seed; empty if one is missing
+    std::vector<std::vector<double>> all(rows);
+    for (const RunNumbers& run : runs[static_cast<std::size_t>(index_of(spec.scenes, scene))]) {
+      std::vector<double> y;
+      if (run.figures.count(t.metric) > 0) y = {run.figures.at(t.metric)};
+      if (t.is_curve()) y = run.curves.count(t.name) > 0 ? run.curves.at(t.name) : std::vector<double>();
+      if (y.size() != rows) return std::vector<std::vector<double>>();
+      for (std::size_t k = 0; k < rows; ++k) all[k].push_back(y[k]);
     }
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      std::vector<double> values;
-      for (const RunNumbers& run : mine) values.push_back(run.curves[target][k]);
-      const SampledMetric sampled = sampled_metric(values);
-      result.values.push_back(sampled.mean);
-      result.spread.push_back(sampled.spread);
-      result.residuals.push_back((result.values.back() - rows[k].y()) / t.tolerance);
-    }
-    return result;
-  }
-  const auto k = static_cast<std::size_t>(index_of(spec.metrics, t.metric));
-  std::vector<double> values, others, ratios;
-  for (const RunNumbers& run : mine) values.push_back(run.metrics[k]);
-  double y = sampled_metric(values).mean;
-  if (!t.against.empty()) {
-    for (const RunNumbers& run : runs[static_cast<std::size_t>(index_of(spec.scenes, t.against))])
-      others.push_back(run.metrics[k]);
-    if (others.size() != values.size()) return failure(spec);
-    const auto compared = [&](double a, double b) { return t.difference ? a - b : a / b; };
-    for (std::size_t s = 0; s < values.size(); ++s) values[s] = compared(values[s], others[s]);
-    y = compared(y, sampled_metric(others).mean);
-  }
-  if (!std::isfinite(y)) return failure(spec);
-  for (const double value : values) result.of_seed.push_back({value});
-  result.values = {y};
-  result.spread = {sampled_metric(values).spread};
-  result.residuals = {residual_of(t, y)};
+    return all.front().empty() ? std::vector<std::vector<double>>() : all;
+  };
+  const std::vector<std::vector<double>> mine = of_scene(t.scene),
+                                         others = of_scene(t.against.empty() ? t.scene : t.against);
+  const auto compared = [&](double a, double b) { return t.against.empty() ? a : t.difference ? a - b : a / b; };
+  TargetResult result, failure;
+  failure.failed = true;
+  failure.residuals = {spec.failed};
+  if (mine.empty() || others.empty()) return failure;
+  result.seeds = mine.front().size();
   result.band = t.is_band();
+  std::vector<TargetResult> alone(result.seeds, result);
+  for (std::size_t k = 0; k < rows; ++k) {
+    std::vector<double> y;
+    for (std::size_t s = 0; s < result.seeds; ++s) {
+      y.push_back(compared(mine[k][s], others[k][s]));
+      alone[s].residuals.push_back(residual_of(t, y.back(), k));
+    }
+    result.values.push_back(compared(sampled_metric(mine[k]).mean, sampled_metric(others[k]).mean));
+    if (!std::isfinite(result.values.back())) return failure;
+    result.spread.push_back(sampled_metric(y).spread);
+    result.residuals.push_back(residual_of(t, result.values.back(), k));
+  }
+  for (const TargetResult& one : alone) result.seeds_met += one.is_met() ? 1 : 0;
   return result;
 }
 
-using Json = nlohmann::ordered_json;
-
 namespace {
 
-// True if the target requires runs of this scene.
-bool requires(const TargetSpec& target, const std::string& scene) {
-  return target.scene == scene || target.against == scene;
-}
+using Json = nlohmann::ordered_json;
 
-std::string text_of(const MetricSpec& f) {
+// What the targets require of the runs of a scene, as a fingerprint.
+std::string requirements_of(const CalibrationSpec& spec, const std::string& scene) {
   std::ostringstream text;
   text.precision(17);
-  text << f.name << '\n' << f.key << '\n' << joined(f.columns, ",") << '\n' << name_of(f.reduction) << ' ' << f.average;
-  text << ' ' << f.prominence << ' ' << f.over;
-  for (const double height : f.slope) text << ' ' << height;
-  return text.str();
-}
-
-}  // namespace
-
-std::string RunRecords::requirements_of(const std::string& scene) const {
-  std::ostringstream text;
-  text.precision(17);
-  for (const TargetSpec& target : spec_.targets) {
-    if (!requires(target, scene)) continue;
+  for (const TargetSpec& target : spec.targets) {
+    if (!target.uses(scene)) continue;
     if (target.is_curve()) {
       text << target.name << '\n' << target.column << '\n' << target.over;
-      for (const Eigen::Vector2d& row : read_two_columns(target.file)) text << ' ' << row.x();
+      for (const Eigen::Vector2d& row : target.rows) text << ' ' << row.x();
     } else {
-      text << text_of(spec_.metrics[static_cast<std::size_t>(index_of(spec_.metrics, target.metric))]);
+      const MetricSpec& f = spec.metrics[static_cast<std::size_t>(index_of(spec.metrics, target.metric))];
+      text << f.name << '\n' << f.key << '\n' << joined(f.columns, ",") << '\n' << name_of(f.reduction) << ' ';
+      text << f.average << ' ' << f.prominence << ' ' << f.over;
+      for (const double height : f.slope) text << ' ' << height;
     }
     text << '\n';
   }
   return fingerprint(text.str()).substr(0, 16);
 }
 
-RunRecords::RunRecords(const CalibrationSpec& spec, std::string file) : spec_(spec), file_(std::move(file)) {
-  if (file_.empty()) return;
-  for (const CalibrationScene& scene : spec_.scenes) requirements_[scene.name] = requirements_of(scene.name);
-  std::istringstream in(read_whole_file(file_).value_or(""));
+}  // namespace
+
+RunRecords::RunRecords(const CalibrationSpec& spec, std::string file) : file_(std::move(file)) {
+  for (const CalibrationScene& scene : spec.scenes) requirements_[scene.name] = requirements_of(spec, scene.name);
+  std::istringstream in(file_.empty() ? "" : read_whole_file(file_).value_or(""));
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
     if (line.empty()) continue;
     const Json json = Json::parse(line, nullptr, false);
     if (in.eof() && json.is_discarded()) break;  // incomplete
     try {
-      const std::string scene = json.at("scene"), required = json.at("asked");
-      const auto known = requirements_.find(scene);
-      if (known == requirements_.end() || known->second != required) {
-        other_lines_ += line + "\n";
-        continue;
-      }
-      Entry entry;
-      entry.run = json.at("run");
-      entry.wall = json.at("wall_s"), entry.cpu = json.at("cpu_s");
-      entry.numbers.metrics.assign(spec_.metrics.size(), std::nan(""));
-      entry.numbers.curves.resize(spec_.targets.size());
-      for (const auto& [name, value] : json.at("figures").items())
-        if (const int k = index_of(spec_.metrics, name); k >= 0)
-          entry.numbers.metrics[static_cast<std::size_t>(k)] = value.get<double>();
-      for (const auto& [name, values] : json.at("curves").items())
-        if (const int t = index_of(spec_.targets, name); t >= 0)
-          entry.numbers.curves[static_cast<std::size_t>(t)] = values.get<std::vector<double>>();
-      entries_[{scene, json.at("recipe")}] = entry;
+      entries_[{json.at("scene"), json.at("recipe"), json.at("asked")}] = {
+          json.at("run"), {json.at("figures"), json.at("curves")}, json.at("wall_s"), json.at("cpu_s")};
     } catch (const Json::exception&) {
       throw InputError(code::kRecordsDamaged,
                        file_ + ":" + std::to_string(number) +
@@ -211,29 +171,29 @@ RunRecords::RunRecords(const CalibrationSpec& spec, std::string file) : spec_(sp
 }
 
 const RunRecords::Entry* RunRecords::find(const std::string& scene, const std::string& recipe) const {
-  const auto found = entries_.find({scene, recipe});
+  const auto found = entries_.find({scene, recipe, requirements_.at(scene)});
   return recipe.empty() || found == entries_.end() ? nullptr : &found->second;
 }
 
 void RunRecords::add(const std::string& scene, const std::string& recipe, const Entry& entry) {
-  if (file_.empty() || recipe.empty()) return;
-  changed_ = entries_.emplace(std::make_pair(scene, recipe), entry).second || changed_;
+  if (recipe.empty()) return;
+  changed_ = entries_.emplace(std::tuple(scene, recipe, requirements_.at(scene)), entry).second || changed_;
 }
 
 void RunRecords::write() {
-  if (!changed_) return;
-  std::string text = other_lines_;
-  for (const auto& [key, entry] : entries_) {
-    Json metrics = Json::object(), curves = Json::object();
-    for (std::size_t k = 0; k < entry.numbers.metrics.size(); ++k)
-      if (!std::isnan(entry.numbers.metrics[k])) metrics[spec_.metrics[k].name] = entry.numbers.metrics[k];
-    for (std::size_t t = 0; t < entry.numbers.curves.size(); ++t)
-      if (!entry.numbers.curves[t].empty()) curves[spec_.targets[t].name] = entry.numbers.curves[t];
-    const Json line = {{"scene", key.first}, {"recipe", key.second}, {"asked", requirements_.at(key.first)},
-                       {"run", entry.run},   {"wall_s", entry.wall}, {"cpu_s", entry.cpu},
-                       {"figures", metrics}, {"curves", curves}};
-    text += line.dump() + "\n";
-  }
+  if (!changed_ || file_.empty()) return;
+  std::string text;
+  for (const auto& [key, entry] : entries_)
+    text += Json{{"scene", std::get<0>(key)},
+                 {"recipe", std::get<1>(key)},
+                 {"asked", std::get<2>(key)},
+                 {"run", entry.run},
+                 {"wall_s", entry.wall},
+                 {"cpu_s", entry.cpu},
+                 {"figures", entry.numbers.figures},
+                 {"curves", entry.numbers.curves}}
+                .dump() +
+            "\n";
   write_whole_file(file_, text);
   changed_ = false;
 }
@@ -258,18 +218,17 @@ std::vector<double> Evaluation::residuals(const CalibrationSpec& spec) const {
   return all;
 }
 
+int Evaluations::jobs() const {
+  const int machine = static_cast<int>(std::thread::hardware_concurrency());
+  return jobs_ > 0 ? jobs_ : std::max(1, machine / store_.most_ranks());
+}
+
 std::string Evaluations::key(const Fidelity& fidelity, const UnitPoint& point) const {
   std::string text = joined(fidelity.settings, "\n") + "\n" + number_text(fidelity.until, 10) + "\n" +
                      std::to_string(fidelity.seeds) + "\n" +
                      (fidelity.single_target ? std::to_string(*fidelity.single_target) : "");
   for (std::size_t i = 0; i < point.size(); ++i) text += "\n" + spec_.parameters[i].text(point[i]);
   return text;
-}
-
-bool Evaluations::needs(const Fidelity& fidelity, std::size_t scene) const {
-  if (!fidelity.single_target) return true;
-  const TargetSpec& target = spec_.targets[*fidelity.single_target];
-  return spec_.scenes[scene].name == target.scene || spec_.scenes[scene].name == target.against;
 }
 
 std::vector<std::string> Evaluations::settings(const Fidelity& fidelity, std::size_t scene,
@@ -283,19 +242,15 @@ std::vector<std::string> Evaluations::settings(const Fidelity& fidelity, std::si
 }
 
 std::vector<std::size_t> Evaluations::moved_by(const Fidelity& fidelity, std::size_t target) const {
-  const TargetSpec& t = spec_.targets[target];
   const UnitPoint from = start_of(spec_);
   std::vector<std::size_t> parameters;
   for (std::size_t i = 0; i < from.size(); ++i) {
     UnitPoint to = from;
     to[i] = from[i] < 0.5 ? 1.0 : 0.0;
-    const bool moves = [&] {
-      for (std::size_t scene = 0; scene < spec_.scenes.size(); ++scene)
-        if ((spec_.scenes[scene].name == t.scene || spec_.scenes[scene].name == t.against) &&
-            settings(fidelity, scene, from) != settings(fidelity, scene, to))
-          return true;
-      return false;
-    }();
+    bool moves = false;
+    for (std::size_t scene = 0; scene < spec_.scenes.size(); ++scene)
+      if (spec_.targets[target].uses(spec_.scenes[scene].name))
+        moves = moves || settings(fidelity, scene, from) != settings(fidelity, scene, to);
     if (moves) parameters.push_back(i);
   }
   return parameters;
@@ -318,43 +273,37 @@ RunRequest Evaluations::request(const Fidelity& fidelity, std::size_t scene, int
 
 const Evaluation* Evaluations::known(const Fidelity& fidelity, const UnitPoint& point) {
   const std::string name = key(fidelity, point);
-  const auto found = known_.find(name);
-  if (found != known_.end()) return &found->second;
+  if (const auto found = known_.find(name); found != known_.end()) return &found->second;
   const double violation = violation_of(spec_, point);
   if (violation == 0.0) return nullptr;
-  Evaluation e;
-  e.point = point;
+  Evaluation e = evaluation_of(fidelity, point, {});
   e.misfit = kViolated * (1.0 + violation);
   e.message = "violates a constraint";
-  for (std::size_t t = 0; t < spec_.targets.size(); ++t)
-    e.targets.push_back(result_of(spec_, t, std::vector<std::vector<RunNumbers>>(spec_.scenes.size())));
   return &known_.emplace(name, e).first->second;
 }
 
-bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<UnitPoint>& sets, int jobs, bool must_be_read) {
-  std::vector<std::vector<std::vector<std::size_t>>> runs;  // by set and scene, one per seed
-  std::vector<std::size_t> all, required;                   // required: not among the records
-  for (const UnitPoint& point : sets) {
-    runs.emplace_back();
-    for (std::size_t scene = 0; scene < spec_.scenes.size(); ++scene) {
-      runs.back().emplace_back();
-      if (known(fidelity, point) || !needs(fidelity, scene)) continue;
-      for (int seed = 0; seed < fidelity.seeds; ++seed) {
-        RunRequest r = request(fidelity, scene, seed, point);
+bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<UnitPoint>& sets, bool must_be_read) {
+  std::vector<std::vector<Planned>> planned(sets.size());
+  std::vector<std::size_t> missing;  // not among the records
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < sets.size(); ++k)
+    for (std::size_t scene = 0; scene < spec_.scenes.size() && !known(fidelity, sets[k]); ++scene) {
+      if (fidelity.single_target && !spec_.targets[*fidelity.single_target].uses(spec_.scenes[scene].name)) continue;
+      for (int seed = 0; seed < fidelity.seeds; ++seed, ++count) {
+        RunRequest r = request(fidelity, scene, seed, sets[k]);
         r.may_be_refused = !must_be_read;
-        runs.back().back().push_back(store_.add(r));
-        all.push_back(runs.back().back().back());
-        if (!in_records(scene, all.back())) required.push_back(all.back());
+        planned[k].push_back({scene, store_.add(r)});
+        if (!record(planned[k].back())) missing.push_back(planned[k].back().run);
       }
     }
-  }
-  std::vector<std::size_t> left = store_.left(required);
-  if (read_only_)  // a search repeats failed runs; here they count as failed
-    left.erase(std::remove_if(left.begin(), left.end(),
-                              [&](std::size_t run) { return store_.end_of(run).status == "failed"; }),
-               left.end());
+  std::vector<std::size_t> left = store_.left(missing);
+  const auto remove_failed = [&](const auto& failed) {
+    left.erase(std::remove_if(left.begin(), left.end(), failed), left.end());
+  };
+  // A search repeats failed runs; here they count as failed.
+  if (read_only_) remove_failed([&](std::size_t run) { return store_.end_of(run).status == "failed"; });
   if (read_only_ && !left.empty()) return false;
-  runs_reused_ += static_cast<int>(all.size() - left.size());
+  runs_reused_ += static_cast<int>(count - left.size());
   for (const std::size_t run : store_.beds_to_make(left, 2)) {
     std::printf("making the bed of %s\n", store_.request(run).name.c_str());
     std::fflush(stdout);
@@ -363,61 +312,55 @@ bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<UnitPoin
     else
       store_.try_bed(run);
   }
-  left.erase(std::remove_if(left.begin(), left.end(), [&](std::size_t run) { return store_.has_failed(run); }),
-             left.end());
+  remove_failed([&](std::size_t run) { return store_.has_failed(run); });
   const auto began = std::chrono::steady_clock::now();
-  if (!left.empty() && !store_.carry_out(left, jobs, [&](std::size_t) { ++runs_done_; })) return false;
+  if (!left.empty() && !store_.carry_out(left, jobs(), [&](std::size_t) { ++runs_done_; })) return false;
   const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  const double rounds = std::ceil(static_cast<double>(left.size()) / jobs);
   for (std::size_t k = 0; k < sets.size(); ++k) {
     if (known(fidelity, sets[k])) continue;
-    Evaluation e = evaluation_of(fidelity, sets[k], runs[k]);
-    if (left.size() == all.size()) e.lasted = taken / rounds;
+    for (const Planned& p : planned[k]) {
+      const std::string& scene = spec_.scenes[p.scene].name;
+      if (record(p)) continue;
+      if (const RunEnd end = store_.end_of(p.run); end.done())
+        records_.add(scene, store_.portable_recipe(p.run),
+                     {store_.request(p.run).name, numbers_of(spec_, scene, end.folder), end.cost.wall, end.cost.cpu});
+    }
+    Evaluation e = evaluation_of(fidelity, sets[k], planned[k]);
+    if (left.size() == count) e.lasted = taken / std::ceil(static_cast<double>(left.size()) / jobs());
     known_.emplace(key(fidelity, sets[k]), e);
   }
   if (!read_only_) records_.write();
   return true;
 }
 
-const RunRecords::Entry* Evaluations::in_records(std::size_t scene, std::size_t run) const {
-  return store_.is_done(run) ? nullptr : records_.find(spec_.scenes[scene].name, store_.portable_recipe(run));
+const RunRecords::Entry* Evaluations::record(const Planned& planned) const {
+  return records_.find(spec_.scenes[planned.scene].name, store_.portable_recipe(planned.run));
 }
 
 Evaluation Evaluations::evaluation_of(const Fidelity& fidelity, const UnitPoint& point,
-                                      const std::vector<std::vector<std::size_t>>& runs) {
+                                      const std::vector<Planned>& runs) const {
   Evaluation e;
   e.point = point;
-  std::vector<std::vector<RunNumbers>> numbers;
-  for (std::size_t scene = 0; scene < runs.size(); ++scene) {
-    numbers.emplace_back();
-    bool failed = false;
-    const std::string& name = spec_.scenes[scene].name;
-    for (const std::size_t run : runs[scene]) {
-      ++e.runs;
-      if (const RunRecords::Entry* entry = in_records(scene, run)) {
-        e.wall += entry->wall;
-        e.cpu += entry->cpu;
-        numbers.back().push_back(entry->numbers);
-        continue;
-      }
-      const RunEnd end = store_.end_of(run);
-      e.wall += end.cost.wall;
-      e.cpu += end.cost.cpu;
-      failed = failed || !end.done();
-      // Such an end is no result of the set.
-      if (end.code == kExitInterrupted || (end.code > 128 && spec_.time_limit == 0))
-        throw PartnerError(code::kRunEndedFromOutside, "the run " + end.folder + " was ended from outside (exit code " +
-                                                           std::to_string(end.code) + "); the same command resumes");
-      if (!end.done()) {
-        e.message = name + ": " + (end.message.empty() ? end.status : end.message);
-        continue;
-      }
-      numbers.back().push_back(numbers_of(spec_, name, end.folder));
-      records_.add(name, store_.portable_recipe(run),
-                   {store_.request(run).name, numbers.back().back(), end.cost.wall, end.cost.cpu});
+  e.runs = static_cast<int>(runs.size());
+  std::vector<std::vector<RunNumbers>> numbers(spec_.scenes.size());
+  std::vector<std::size_t> failed;  // scenes
+  for (const Planned& p : runs) {
+    if (const RunRecords::Entry* entry = record(p)) {
+      e.lasted += entry->wall / static_cast<double>(runs.size());
+      e.cpu += entry->cpu;
+      numbers[p.scene].push_back(entry->numbers);
+      continue;
     }
-    if (failed) numbers.back().clear();
+    const RunEnd end = store_.end_of(p.run);
+    e.cpu += end.cost.cpu;
+    failed.push_back(p.scene);
+    // Such an end is no result of the set.
+    if (end.code == kExitInterrupted || (end.code > 128 && spec_.time_limit == 0))
+      throw PartnerError(code::kRunEndedFromOutside, "the run " + end.folder + " was ended from outside (exit code " +
+                                                         std::to_string(end.code) + "); the same command resumes");
+    e.message = spec_.scenes[p.scene].name + ": " + (end.message.empty() ? end.status : end.message);
   }
+  for (const std::size_t scene : failed) numbers[scene].clear();
   for (std::size_t t = 0; t < spec_.targets.size(); ++t) {
     e.targets.push_back(result_of(spec_, t, numbers));
     if (fidelity.requires(t))

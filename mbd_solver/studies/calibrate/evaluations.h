@@ -10,33 +10,32 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
-#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/studies/calibration.h"
 #include "mbd_solver/studies/run_store.h"
 
 namespace footfall {
 
-// Results of one finished run that targets require.
+// Results of one finished run that targets require. A number that the run does not have is not in it.
 struct RunNumbers {
-  std::vector<double> metrics;              // as CalibrationSpec::metrics; NaN: not required, or none
-  std::vector<std::vector<double>> curves;  // one per target: of a curve, y at the file's x; otherwise empty
+  std::map<std::string, double> figures;              // by the metric's name
+  std::map<std::string, std::vector<double>> curves;  // y at the file's x, by the target's name
 };
 
 struct TargetResult {
-  std::vector<double> values;                // y: one, of a curve one per row
-  std::vector<double> spread;                // over the seeds, sample standard deviation; 0 for one seed
-  std::vector<double> residuals;             // r
-  std::vector<std::vector<double>> of_seed;  // y of every seed
-  bool band = false;                         // the target is a band
-  bool failed = false;                       // a run has failed; r is CalibrationSpec::failed
+  std::vector<double> values;            // y: one, of a curve one per row
+  std::vector<double> spread;            // over the seeds, sample standard deviation; 0 for one seed
+  std::vector<double> residuals;         // r
+  std::size_t seeds = 0, seeds_met = 0;  // seeds_met: that meet the target by themselves
+  bool band = false;                     // the target is a band
+  bool failed = false;                   // a run has failed; r is CalibrationSpec::failed
 
   double misfit(const TargetSpec& target, double cap = 0.0) const;  // its part of Phi
-  bool is_met() const { return !failed && met(residuals, band); }
-  // A number within one tolerance, a band with r = 0, a curve within 1.5 tolerances (root mean square).
-  static bool met(const std::vector<double>& residuals, bool band);
+  double distance() const;                                          // root mean square of r [tolerances]
+  // A number within one tolerance, a band with r = 0, a curve within 1.5 tolerances.
+  bool is_met() const;
 };
 
 // `runs`: by scene, one per seed; empty if one of them failed.
@@ -46,19 +45,17 @@ TargetResult result_of(const CalibrationSpec& spec, std::size_t target,
 // Results of the run in `folder` for the targets of `scene`. Throws InputError when it lacks a column or number.
 RunNumbers numbers_of(const CalibrationSpec& spec, const std::string& scene, const std::string& folder);
 
-// y over x at the positions `at`, from rows up to the largest x: at the first crossing, linearly; before the first row and
+// y over x at the positions of `at`, from rows up to the largest x: at the first crossing, linearly; before the first row and
 // beyond the largest x the nearest row.
 std::vector<double> first_crossings(const std::vector<double>& x, const std::vector<double>& y,
                                     const std::vector<double>& at);
 
-// r as it counts in Phi.
-double capped(double residual, double cap);
-// r of one number.
-double residual_of(const TargetSpec& target, double y);
+double capped(double residual, double cap);                                            // r as it counts in Phi
+double residual_of(const TargetSpec& target, double y, std::size_t row_of_curve = 0);  // r of one number
 
 // Results of finished runs in one small file, a line of JSON for each run of a scene: a run in it is not repeated, here or
 // on another machine, and its folder is not needed. An entry is valid as long as the run's inputs (portable_recipe_of) and
-// what targets require are unchanged.
+// what targets require are unchanged; others are kept.
 class RunRecords {
  public:
   struct Entry {
@@ -77,13 +74,9 @@ class RunRecords {
   void write();  // if something is new
 
  private:
-  std::string requirements_of(const std::string& scene) const;  // a fingerprint
-
-  const CalibrationSpec& spec_;
   std::string file_;
-  std::map<std::pair<std::string, std::string>, Entry> entries_;  // by scene and recipe
-  std::map<std::string, std::string> requirements_;               // by scene
-  std::string other_lines_;                                       // for other targets; kept unchanged
+  std::map<std::string, std::string> requirements_;                             // of each scene, a fingerprint
+  std::map<std::tuple<std::string, std::string, std::string>, Entry> entries_;  // by scene, recipe, requirements
   bool changed_ = false;
 };
 
@@ -104,9 +97,9 @@ struct Evaluation {
   double misfit = 0.0;                // Phi, of the required targets
   std::vector<TargetResult> targets;  // as CalibrationSpec::targets; others count as failed
   std::string message;                // of a run that failed
-  double wall = 0.0, cpu = 0.0;       // of its runs, together [s]
+  double cpu = 0.0;                   // of its runs, together [s]
   int runs = 0;
-  double lasted = 0.0;  // wall time of its round, per run and job [s]; 0: done before
+  double lasted = 0.0;  // wall time of a run; with the overhead of the pool if it was carried out now [s]
 
   int met() const;                                                   // number of targets
   std::vector<double> residuals(const CalibrationSpec& spec) const;  // sqrt(w) r of all targets
@@ -114,23 +107,23 @@ struct Evaluation {
 
 class Evaluations {
  public:
-  // `folder`: of the store; `records`: file of RunRecords, empty: none.
-  Evaluations(const CalibrationSpec& spec, const std::string& folder, const std::string& records = "")
-      : spec_(spec), store_(folder, true), records_(spec, records) {}
+  // `folder`: of the store; `records`: file of RunRecords; `jobs`: runs at once, 0: as many as the cores allow. read_only:
+  // nothing is run or written, and carry_out() is false for a set with a missing run.
+  Evaluations(const CalibrationSpec& spec, const std::string& folder, const std::string& records, int jobs,
+              bool read_only)
+      : spec_(spec), store_(folder, true), records_(spec, records), jobs_(jobs), read_only_(read_only) {}
 
   // Null if its runs are not done yet. The misfit of a set that violates a constraint is kViolated (1 + violation).
   const Evaluation* known(const Fidelity& fidelity, const UnitPoint& point);
-  // Carries out the missing runs of the sets, at most `jobs` at once. False when interrupted. A scene that cannot be read
-  // is an InputError if `must_be_read`; otherwise the set has failed. Throws PartnerError when a run was ended from outside.
-  bool carry_out(const Fidelity& fidelity, const std::vector<UnitPoint>& sets, int jobs, bool must_be_read = false);
-  // From now on nothing is run or written; carry_out() is false for a set with a missing run.
-  void read_only() { read_only_ = true; }
-  bool is_read_only() const { return read_only_; }
+  // Carries out the missing runs of the sets. False when interrupted. A scene that cannot be read is an InputError if
+  // `must_be_read`; otherwise the set has failed. Throws PartnerError when a run was ended from outside.
+  bool carry_out(const Fidelity& fidelity, const std::vector<UnitPoint>& sets, bool must_be_read = false);
+  static constexpr double kViolated = 1e6;
 
-  int most_ranks() const { return store_.most_ranks(); }
+  bool is_read_only() const { return read_only_; }
+  int jobs() const;                                 // with the ranks of the runs so far
   int runs_done() const { return runs_done_; }      // in this process
   int runs_reused() const { return runs_reused_; }  // done before
-  static constexpr double kViolated = 1e6;
 
   // --set of one scene's run at this set, without seeds.
   std::vector<std::string> settings(const Fidelity& fidelity, std::size_t scene, const UnitPoint& point) const;
@@ -138,20 +131,21 @@ class Evaluations {
   std::vector<std::size_t> moved_by(const Fidelity& fidelity, std::size_t target) const;
 
  private:
+  struct Planned {
+    std::size_t scene, run;  // run: number in the store
+  };
   std::string key(const Fidelity& fidelity, const UnitPoint& point) const;
-  bool needs(const Fidelity& fidelity, std::size_t scene) const;
   RunRequest request(const Fidelity& fidelity, std::size_t scene, int seed, const UnitPoint& point) const;
-  Evaluation evaluation_of(const Fidelity& fidelity, const UnitPoint& point,
-                           const std::vector<std::vector<std::size_t>>& runs);
-  // The record of a run that the store does not have; null: none.
-  const RunRecords::Entry* in_records(std::size_t scene, std::size_t run) const;
+  const RunRecords::Entry* record(const Planned& planned) const;  // null: none
+  Evaluation evaluation_of(const Fidelity& fidelity, const UnitPoint& point, const std::vector<Planned>& runs) const;
 
   const CalibrationSpec& spec_;
   RunStore store_;
   RunRecords records_;
+  int jobs_;
+  bool read_only_;
   std::map<std::string, Evaluation> known_;
   int runs_done_ = 0, runs_reused_ = 0;
-  bool read_only_ = false;
 };
 
 }  // namespace footfall

@@ -44,21 +44,10 @@ class OurEvaluation : public OT::EvaluationImplementation {
   std::function<Numbers(const Numbers&)> f_;
 };
 
-// Runs f; OpenTURNS and NLopt forget what was thrown.
-template <class F>
-auto noting(std::exception_ptr& thrown, const F& f) {
-  try {
-    return f();
-  } catch (...) {
-    thrown = std::current_exception();
-    throw;
-  }
-}
-
-// Derivatives as OpenTURNS has them: a row per input.
+// Derivatives as OpenTURNS has them, a row per input; its own central differences leave the bounds.
 class OurGradient : public OT::GradientImplementation {
  public:
-  OurGradient(std::size_t outputs, const LeastSquaresTask& task, const Residuals& f)
+  OurGradient(std::size_t outputs, const OptimumTask& task, const Residuals& f)
       : outputs_(outputs), task_(task), f_(f) {}
   OurGradient* clone() const override { return new OurGradient(*this); }
   OT::UnsignedInteger getInputDimension() const override { return task_.start.size(); }
@@ -68,7 +57,7 @@ class OurGradient : public OT::GradientImplementation {
     for (std::size_t i = 0; i < task_.start.size(); ++i)
       for (const double step : {task_.step, -task_.step}) {
         points.push_back(numbers_of(x));
-        points.back()[i] = std::clamp(x[i] + step, task_.bounds.least[i], task_.bounds.most[i]);
+        points.back()[i] = std::clamp(x[i] + step, task_.least[i], task_.most[i]);
       }
     const std::vector<Numbers> r = f_(points);
     OT::Matrix d(task_.start.size(), outputs_);
@@ -81,16 +70,44 @@ class OurGradient : public OT::GradientImplementation {
 
  private:
   std::size_t outputs_;
-  const LeastSquaresTask& task_;
+  const OptimumTask& task_;
   const Residuals& f_;
 };
 
-OT::Interval interval_of(const Bounds& bounds) { return {point_of(bounds.least), point_of(bounds.most)}; }
+// Runs f; OpenTURNS and NLopt forget what was thrown.
+template <class F>
+auto noting(std::exception_ptr& thrown, const F& f) {
+  try {
+    return f();
+  } catch (...) {
+    thrown = std::current_exception();
+    throw;
+  }
+}
+
+template <class Problem>
+Problem bounded(Problem problem, const OptimumTask& task) {
+  OT::Log::Show(OT::Log::NONE);
+  problem.setBounds({point_of(task.least), point_of(task.most)});
+  return problem;
+}
+
+void run(OT::OptimizationAlgorithmImplementation& search, const Numbers& start, int evaluations,
+         const std::exception_ptr& thrown) {
+  search.setStartingPoint(point_of(start));
+  search.setMaximumEvaluationNumber(static_cast<std::size_t>(evaluations));
+  try {
+    search.run();
+  } catch (...) {
+    if (thrown) std::rethrow_exception(thrown);
+    throw;
+  }
+  if (thrown) std::rethrow_exception(thrown);
+}
 
 }  // namespace
 
-Numbers minimum(const MinimumTask& task, const std::function<double(const Numbers&)>& value) {
-  OT::Log::Show(OT::Log::NONE);
+Numbers minimum(const char* method, const OptimumTask& task, const std::function<double(const Numbers&)>& value) {
   // Where a method ends without a result, the best point is known all the same.
   Numbers best = task.start;
   double least = std::numeric_limits<double>::infinity();
@@ -100,34 +117,29 @@ Numbers minimum(const MinimumTask& task, const std::function<double(const Number
     if (y < least) least = y, best = x;
     return Numbers{y};
   });
-  OT::OptimizationProblem problem{OT::Function(f)};
-  problem.setBounds(interval_of(task.bounds));
-  OT::NLopt search(problem, task.method);
-  search.setStartingPoint(point_of(task.start));
-  search.setMaximumEvaluationNumber(static_cast<std::size_t>(task.most));
+  OT::NLopt search(bounded(OT::OptimizationProblem(OT::Function(f)), task), method);
   search.setMaximumAbsoluteError(task.precision);
   search.setMaximumRelativeError(0.0);
   search.setMaximumResidualError(0.0);
-  search.setInitialStep(OT::Point(task.start.size(), task.first_step));
+  search.setInitialStep(OT::Point(task.start.size(), task.step));
   try {
-    search.run();
+    run(search, task.start, task.evaluations, thrown);
   } catch (const std::exception& e) {
-    if (!thrown && least == std::numeric_limits<double>::infinity())
-      throw InputError(code::kSearchRefused, "NLopt refused the search " + std::string(task.method) + ": " + e.what());
+    if (thrown) throw;
+    if (least == std::numeric_limits<double>::infinity())
+      throw InputError(code::kSearchRefused, "NLopt refused the search " + std::string(method) + ": " + e.what());
   }
-  if (thrown) std::rethrow_exception(thrown);
   return best;
 }
 
-Numbers least_squares(const LeastSquaresTask& task, const Residuals& residuals) {
-  OT::Log::Show(OT::Log::NONE);
+Numbers least_squares(const OptimumTask& task, const Residuals& residuals) {
   const std::size_t n = task.start.size();
   std::exception_ptr thrown;
   const Residuals inside = [&](const std::vector<Numbers>& points) {
     std::vector<Numbers> rounded = points;
     for (Numbers& x : rounded)
       for (std::size_t i = 0; i < n; ++i)
-        x[i] = std::clamp(std::round(x[i] * kRounded) / kRounded, task.bounds.least[i], task.bounds.most[i]);
+        x[i] = std::clamp(std::round(x[i] * kRounded) / kRounded, task.least[i], task.most[i]);
     std::vector<Numbers> all = noting(thrown, [&] { return residuals(rounded); });
     for (Numbers& r : all)
       if (!r.empty()) r.resize(std::max(n, r.size()), 0.0);  // MINPACK wants at least as many as unknowns
@@ -135,31 +147,21 @@ Numbers least_squares(const LeastSquaresTask& task, const Residuals& residuals) 
   };
   Numbers start = task.start;
   for (std::size_t i = 0; i < n; ++i) {
-    const double margin = kInside * (task.bounds.most[i] - task.bounds.least[i]);
-    start[i] = std::clamp(start[i], task.bounds.least[i] + margin, task.bounds.most[i] - margin);
+    const double margin = kInside * (task.most[i] - task.least[i]);
+    start[i] = std::clamp(start[i], task.least[i] + margin, task.most[i] - margin);
   }
   const std::size_t rows = inside({start}).front().size();
   if (rows == 0) return start;
-  const OurEvaluation f(n, rows, [&](const Numbers& x) {
+  OT::Function function(OurEvaluation(n, rows, [&](const Numbers& x) {
     const Numbers r = inside({x}).front();
     return r.size() == rows ? r : Numbers(rows, kVeryBad);
-  });
-  OT::Function function(f);
+  }));
   function.setGradient(OurGradient(rows, task, inside));
-  OT::LeastSquaresProblem problem(function);
-  problem.setBounds(interval_of(task.bounds));
-  OT::CMinpack search(problem);
-  search.setStartingPoint(point_of(start));
-  search.setMaximumEvaluationNumber(static_cast<std::size_t>(task.most));
+  OT::CMinpack search(bounded(OT::LeastSquaresProblem(function), task));
   search.setMaximumAbsoluteError(task.precision);
   search.setMaximumRelativeError(task.precision);
   search.setMaximumResidualError(1e-12);
-  try {
-    search.run();
-  } catch (...) {
-    if (thrown) std::rethrow_exception(thrown);
-    throw;
-  }
+  run(search, start, task.evaluations, thrown);
   return numbers_of(search.getResult().getOptimalPoint());
 }
 

@@ -71,19 +71,19 @@ SearchPath search_path(const StageSpec& stage, const UnitPoint& start, double st
     if (!walk.path.requested.empty()) walk.leave("");
     return all;
   };
-  const Bounds bounds{UnitPoint(start.size(), 0.0), UnitPoint(start.size(), 1.0)};
+  OptimumTask task{start, UnitPoint(start.size(), 0.0), UnitPoint(start.size(), 1.0)};
+  task.precision = stage.precision;
   try {
     if (stage.method == SearchMethod::kListed) {
       for (const UnitPoint& set : stage.sets) value(set);
       walk.path.end = "all sets of the file done";
     } else if (stage.method == SearchMethod::kGaussNewton) {
-      least_squares({start, bounds, step, stage.precision}, residuals);
+      task.step = step;
+      least_squares(task, residuals);
       walk.path.end = "within its precision";
     } else {
-      MinimumTask task{stage.method == SearchMethod::kDirect ? "GN_DIRECT_L" : "LN_SBPLX", start, bounds};
-      task.precision = stage.precision;
-      task.most = 20 * stage.evaluations + 100;  // repeated sets cost nothing
-      minimum(task, value);
+      task.evaluations = 20 * stage.evaluations + 100;  // repeated sets cost nothing
+      minimum(stage.method == SearchMethod::kDirect ? "GN_DIRECT_L" : "LN_SBPLX", task, value);
       walk.path.end = "within its precision";
     }
   } catch (const Left&) {

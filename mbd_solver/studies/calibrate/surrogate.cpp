@@ -1,24 +1,22 @@
 // Chooses the next set on the model.
-#include "mbd_solver/studies/calibrate/surrogate.h"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <random>
 
 #include "mbd_solver/studies/calibrate/optimum.h"
+#include "mbd_solver/studies/calibrate/search.h"
 #include "mbd_solver/studies/campaign/sampling.h"
 
 namespace footfall {
 namespace {
 
 constexpr int kCandidates = 2000, kMostDrawn = 20 * kCandidates;
-constexpr std::array<double, 2> kWeights = {0.8, 0.5};        // a
-constexpr std::array<double, 3> kReaches = {0.2, 0.1, 0.04};  // of candidates about the best set
-constexpr double kDownWithin = 0.005;                         // precision of the minimum of the model
-constexpr int kDownSets = 600;                                // of the model, down to its minimum
-constexpr double kNotAllowed = 1e30;                          // Phi
-constexpr double kLeastDistance = 0.01;                       // between sets
+constexpr double kWeights[] = {0.8, 0.5};        // a
+constexpr double kReaches[] = {0.2, 0.1, 0.04};  // of candidates about the best set
+constexpr double kDownWithin = 0.005;            // precision of the minimum of the model
+constexpr int kDownSets = 600;                   // of the model, down to its minimum
+constexpr double kNotAllowed = 1e30;             // Phi
+constexpr double kLeastDistance = 0.01;          // between sets
 
 double nearest_distance(const UnitPoint& u, const std::vector<UnitPoint>& sets) {
   double least = std::numeric_limits<double>::infinity();
@@ -26,48 +24,9 @@ double nearest_distance(const UnitPoint& u, const std::vector<UnitPoint>& sets) 
   return least;
 }
 
-// The model of Phi.
-class MisfitModel {
- public:
-  MisfitModel(const SurrogateQueries& queries, const std::vector<UnitPoint>& sets,
-              const std::vector<std::vector<double>>& numbers)
-      : queries_(queries) {
-    for (std::size_t k = 0; k < queries.moved_by.size(); ++k) {
-      std::vector<double> values;
-      for (const std::vector<double>& of_set : numbers) values.push_back(of_set[k]);
-      surfaces_.push_back(response_surface(coordinates(k, sets), values));
-    }
-  }
-
-  std::vector<double> misfits(const std::vector<UnitPoint>& sets) const {
-    std::vector<double> sums(sets.size(), 0.0);
-    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-      const std::vector<double> values = surfaces_[k](coordinates(k, sets));
-      for (std::size_t j = 0; j < sets.size(); ++j) sums[j] += queries_.part(k, values[j]);
-    }
-    return sums;
-  }
-  double misfit(const UnitPoint& u) const { return queries_.allowed(u) ? misfits({u}).front() : kNotAllowed; }
-
-  UnitPoint down(const UnitPoint& from) const {
-    MinimumTask task{"LN_SBPLX", from, {UnitPoint(from.size(), 0.0), UnitPoint(from.size(), 1.0)}, kDownWithin};
-    task.most = kDownSets;
-    return minimum(task, [this](const UnitPoint& u) { return misfit(u); });
-  }
-
- private:
-  std::vector<std::vector<double>> coordinates(std::size_t k, const std::vector<UnitPoint>& sets) const {
-    std::vector<std::vector<double>> all;
-    for (const UnitPoint& u : sets) {
-      all.emplace_back();
-      for (const std::size_t i : queries_.moved_by[k]) all.back().push_back(u[i]);
-    }
-    return all;
-  }
-
-  const SurrogateQueries& queries_;
-  std::vector<Surface> surfaces_;
-};
+std::size_t least_of(const std::vector<double>& values) {
+  return static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
+}
 
 std::vector<double> scaled(std::vector<double> values) {
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -76,102 +35,130 @@ std::vector<double> scaled(std::vector<double> values) {
   return values;
 }
 
+class SurrogateSearch {
+ public:
+  SurrogateSearch(const StageSpec& stage, const UnitPoint& start, const SurrogateQueries& queries)
+      : queries_(queries),
+        random_(static_cast<std::mt19937_64::result_type>(stage.seed)),
+        hypercube_(latin_hypercube(start.size() + 2, start.size(), static_cast<std::uint64_t>(stage.seed))) {}
+
+  // Its misfit; infinite where a run failed.
+  double learn(const UnitPoint& set, const std::vector<double>& numbers) {
+    double misfit = 0.0;
+    for (std::size_t k = 0; k < numbers.size(); ++k) misfit += queries_.part(k, numbers[k]);
+    if (numbers.empty()) misfit = std::numeric_limits<double>::infinity();
+    if (std::find(tried_.begin(), tried_.end(), set) != tried_.end()) return misfit;
+    tried_.push_back(set);
+    if (numbers.empty()) return misfit;
+    known_.push_back(set);
+    numbers_.push_back(numbers);
+    if (misfit < least_) least_ = misfit, best_ = set;
+    return misfit;
+  }
+
+  UnitPoint next() {
+    if (known_.size() < hypercube_.size() && designed_ < hypercube_.size()) return hypercube_[designed_++];
+    const std::size_t turn = modelled_++;
+    const std::vector<UnitPoint> sets = known_.empty() ? std::vector<UnitPoint>() : candidates();
+    if (sets.empty()) return hypercube_[turn % hypercube_.size()];  // hardly any set satisfies the constraints
+    surfaces_.clear();
+    for (std::size_t k = 0; k < queries_.moved_by.size(); ++k) {
+      std::vector<double> values;
+      for (const std::vector<double>& of_set : numbers_) values.push_back(of_set[k]);
+      surfaces_.push_back(response_surface(coordinates(k, known_), values));
+    }
+    const std::vector<double> misfits = modelled(sets);
+    const std::size_t kind = turn % (std::size(kWeights) + 1);
+    if (kind == 0) {
+      const UnitPoint ends[] = {minimum_from(sets[least_of(misfits)]), minimum_from(best_)};
+      const UnitPoint& u = modelled(ends[0]) < modelled(ends[1]) ? ends[0] : ends[1];
+      if (nearest_distance(u, tried_) >= kLeastDistance) return u;
+    }
+    const double a = kWeights[kind == 0 ? 0 : kind - 1];
+    std::vector<double> merits = scaled(misfits), distances;
+    for (const UnitPoint& u : sets) distances.push_back(nearest_distance(u, tried_));
+    distances = scaled(distances);
+    for (std::size_t j = 0; j < sets.size(); ++j) merits[j] = a * merits[j] + (1.0 - a) * (1.0 - distances[j]);
+    return sets[least_of(merits)];
+  }
+
+ private:
+  double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+  double normal() { return std::sqrt(-2.0 * std::log(1.0 - uniform())) * std::cos(2.0 * M_PI * uniform()); }
+
+  // Half of them anywhere, half about the best set.
+  std::vector<UnitPoint> candidates() {
+    std::vector<UnitPoint> sets;
+    for (int drawn = 0; sets.size() < kCandidates && drawn < kMostDrawn; ++drawn) {
+      UnitPoint u = best_;
+      const double reach = kReaches[static_cast<std::size_t>(drawn) / 2 % std::size(kReaches)];
+      const double moved = std::max(0.2, 1.0 / static_cast<double>(u.size()));  // share of the parameters
+      for (double& share : u)
+        if (drawn % 2 == 0)
+          share = uniform();
+        else if (uniform() < moved)
+          share = std::clamp(share + reach * normal(), 0.0, 1.0);
+      if (queries_.allowed(u)) sets.push_back(u);
+    }
+    return sets;
+  }
+
+  std::vector<std::vector<double>> coordinates(std::size_t k, const std::vector<UnitPoint>& sets) const {
+    std::vector<std::vector<double>> all(sets.size());
+    for (std::size_t j = 0; j < sets.size(); ++j)
+      for (const std::size_t i : queries_.moved_by[k]) all[j].push_back(sets[j][i]);
+    return all;
+  }
+
+  // Phi of the model.
+  std::vector<double> modelled(const std::vector<UnitPoint>& sets) const {
+    std::vector<double> sums(sets.size(), 0.0);
+    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+      const std::vector<double> values = surfaces_[k](coordinates(k, sets));
+      for (std::size_t j = 0; j < sets.size(); ++j) sums[j] += queries_.part(k, values[j]);
+    }
+    return sums;
+  }
+  double modelled(const UnitPoint& u) const {
+    return queries_.allowed(u) ? modelled(std::vector<UnitPoint>{u}).front() : kNotAllowed;
+  }
+  UnitPoint minimum_from(const UnitPoint& start) const {
+    OptimumTask task{start, UnitPoint(start.size(), 0.0), UnitPoint(start.size(), 1.0)};
+    task.precision = kDownWithin;
+    task.evaluations = kDownSets;
+    return minimum("LN_SBPLX", task, [this](const UnitPoint& u) { return modelled(u); });
+  }
+
+  const SurrogateQueries& queries_;
+  std::mt19937_64 random_;
+  std::vector<UnitPoint> hypercube_, tried_, known_;  // tried_: also sets whose runs failed
+  std::vector<std::vector<double>> numbers_;          // of known_
+  std::vector<Surface> surfaces_;
+  UnitPoint best_;  // of known_
+  double least_ = std::numeric_limits<double>::infinity();
+  std::size_t designed_ = 0, modelled_ = 0;  // sets of either kind so far
+};
+
 }  // namespace
 
-SurrogateSearch::SurrogateSearch(const StageSpec& stage, const UnitPoint& start, SurrogateQueries queries)
-    : stage_(stage),
-      queries_(std::move(queries)),
-      start_(start),
-      random_(static_cast<std::mt19937_64::result_type>(stage.seed)) {
-  for (const UnitPoint& set : queries_.earlier)
-    if (const auto numbers = queries_.numbers(set)) learn(set, *numbers);
-  hypercube_ = latin_hypercube(start.size() + 2, start.size(), static_cast<std::uint64_t>(stage.seed));
-}
-
-double SurrogateSearch::uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
-
-double SurrogateSearch::normal() {
-  return std::sqrt(-2.0 * std::log(1.0 - uniform())) * std::cos(2.0 * M_PI * uniform());
-}
-
-void SurrogateSearch::learn(const UnitPoint& set, const std::vector<double>& numbers) {
-  if (std::find(tried_.begin(), tried_.end(), set) != tried_.end()) return;
-  tried_.push_back(set);
-  if (numbers.empty()) return;
-  known_.push_back(set);
-  known_numbers_.push_back(numbers);
-  const double misfit = misfit_of(numbers);
-  if (misfit < best_misfit_) best_misfit_ = misfit, best_ = set;
-}
-
-double SurrogateSearch::misfit_of(const std::vector<double>& numbers) const {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < numbers.size(); ++k) sum += queries_.part(k, numbers[k]);
-  return sum;
-}
-
-UnitPoint SurrogateSearch::next() {
-  if (known_.size() < start_.size() + 2 && designed_ < start_.size() + 2) return hypercube_[designed_++];
-  if (known_.empty()) return hypercube_[modelled_++ % hypercube_.size()];
-  const MisfitModel model(queries_, known_, known_numbers_);
-  std::vector<UnitPoint> candidates;
-  for (int drawn = 0; candidates.size() < kCandidates && drawn < kMostDrawn; ++drawn) {
-    UnitPoint u = best_;
-    const bool anywhere = drawn % 2 == 0;
-    const double reach = kReaches[static_cast<std::size_t>(drawn) / 2 % kReaches.size()];
-    const double moved = std::max(0.2, 1.0 / static_cast<double>(u.size()));  // share of the parameters
-    for (double& share : u)
-      if (anywhere)
-        share = uniform();
-      else if (uniform() < moved)
-        share = std::clamp(share + reach * normal(), 0.0, 1.0);
-    if (queries_.allowed(u)) candidates.push_back(u);
-  }
-  if (candidates.empty())
-    return hypercube_[modelled_++ % hypercube_.size()];  // hardly any set satisfies the constraints
-  const std::vector<double> misfits = model.misfits(candidates);
-  std::vector<double> distances;
-  for (const UnitPoint& u : candidates) distances.push_back(nearest_distance(u, tried_));
-  const std::size_t kind = modelled_++ % (kWeights.size() + 1);
-  if (kind == 0) {
-    const UnitPoint low =
-        candidates[static_cast<std::size_t>(std::min_element(misfits.begin(), misfits.end()) - misfits.begin())];
-    const UnitPoint ends[2] = {model.down(low), model.down(best_)};
-    const UnitPoint& u = model.misfit(ends[0]) < model.misfit(ends[1]) ? ends[0] : ends[1];
-    if (nearest_distance(u, tried_) >= kLeastDistance) return u;
-  }
-  const double a = kWeights[kind == 0 ? 0 : kind - 1];
-  const std::vector<double> m = scaled(misfits), d = scaled(distances);
-  std::size_t chosen = 0;
-  const auto merit = [&](std::size_t j) { return a * m[j] + (1.0 - a) * (1.0 - d[j]); };
-  for (std::size_t j = 1; j < candidates.size(); ++j)
-    if (merit(j) < merit(chosen)) chosen = j;
-  return candidates[chosen];
-}
-
-const SearchPath& SurrogateSearch::go() {
+SearchPath surrogate_path(const StageSpec& stage, const UnitPoint& start, const SurrogateQueries& queries) {
+  SurrogateSearch search(stage, start, queries);
+  for (const UnitPoint& set : queries.earlier)
+    if (const auto numbers = queries.numbers(set)) search.learn(set, *numbers);
+  SearchPath path;
   for (;;) {
-    if (path_.requested.empty()) {
-      if (static_cast<int>(path_.sets.size()) >= stage_.evaluations) {
-        path_.end = "all evaluations done";
-        return path_;
-      }
-      const UnitPoint set = path_.sets.empty() ? start_ : next();
-      if (!queries_.may_continue(set)) {
-        path_.end = "limit reached";
-        return path_;
-      }
-      path_.requested = {set};
+    path.end = static_cast<int>(path.sets.size()) >= stage.evaluations ? "all evaluations done" : "";
+    if (!path.end.empty()) return path;
+    const UnitPoint set = path.sets.empty() ? start : search.next();
+    path.end = queries.may_continue(set) ? "" : "limit reached";
+    if (!path.end.empty()) return path;
+    const auto numbers = queries.numbers(set);
+    if (!numbers) {
+      path.requested = {set};
+      return path;
     }
-    const UnitPoint set = path_.requested.front();
-    const auto numbers = queries_.numbers(set);
-    if (!numbers) return path_;
-    learn(set, *numbers);
-    path_.requested.clear();
-    path_.sets.push_back(set);
-    if (numbers->empty()) continue;
-    const double misfit = misfit_of(*numbers);
-    if (misfit < path_.misfit) path_.misfit = misfit, path_.best = set;
+    path.sets.push_back(set);
+    if (const double misfit = search.learn(set, *numbers); misfit < path.misfit) path.misfit = misfit, path.best = set;
   }
 }
 

@@ -178,10 +178,10 @@ class Problem {
     return out;
   }
   Eigen::VectorXd solve(const Eigen::VectorXd& x, int skip, int most) const {
-    LeastSquaresTask task{{x.begin(), x.end()}, {}, kLogStep, kLogPrecision, most};
+    OptimumTask task{{x.begin(), x.end()}, {}, {}, kLogStep, kLogPrecision, most};
     for (const Unknown& unknown : unknowns_) {
-      task.bounds.least.push_back(std::log(unknown.least));
-      task.bounds.most.push_back(std::log(unknown.most));
+      task.least.push_back(std::log(unknown.least));
+      task.most.push_back(std::log(unknown.most));
     }
     const std::vector<double> best = least_squares(task, [&](const std::vector<std::vector<double>>& points) {
       std::vector<std::vector<double>> all;
