@@ -25,6 +25,7 @@ done
 ((EUID == 0)) || { echo "try_package.sh: needs root, for debootstrap and chroot" >&2; exit 2; }
 command -v debootstrap > /dev/null || { echo "try_package.sh: debootstrap is missing; apt-get install debootstrap" >&2; exit 2; }
 base=${TRY_ROOT:-$(mktemp -d)}/bookworm
+mkdir -p "${base%/*}"
 root=$base.trial
 source=
 [[ -z $build ]] || source=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
