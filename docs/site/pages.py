@@ -256,11 +256,12 @@ def slug(heading):
 def commands():
     """One page for every command: its row in docs/reference/commands.md, and its --help. Returns the navigation."""
     (docs / "options").mkdir()
-    told = dict(re.findall(r"(?m)^\| `footfall ([a-z]+)[^|]*` \| (.*?) \|$", (root / "docs/reference/commands.md").read_text()))
+    told = dict(re.findall(r"(?m)^\| `footfall ([a-z]+)[^|]*` \| (.*?) \|$", (docs / "reference/commands.md").read_text()))
     help_text = subprocess.run([footfall, "--help"], check=True, capture_output=True, text=True).stdout
     entries = []
     for name in re.findall(r"(?m)^  ([a-z]+)\s", help_text.split("Subcommands:")[1]):
-        options = subprocess.run([footfall, name, "--help"], check=True, capture_output=True, text=True).stdout
+        help_of = subprocess.run([footfall, name, "--help"], capture_output=True, text=True)
+        options = help_of.stdout if help_of.returncode == 0 else help_of.stderr  # a program of its own that is not built here says so
         what = re.sub(r"\]\(#", "](commands.md#", told.get(name, ""))
         what = re.sub(r"\]\((?![a-z]+:)", "](../reference/", what)
         text = [f"# footfall {name}", "", what, "", "```text", options.replace(str(root), "CHECKOUT").strip(), "```", "",
@@ -302,14 +303,14 @@ lists = {
     "SECTIONS": ["    " + entry for entry in reference()],
     "KINDS": kinds(),
     "COMMANDS": commands(),
-    "EXAMPLES": [f"      - {title_of(e)}: {e}" for e in examples],
-    "GUIDES": [f"      - {title_of(g)}: {g}" for g in guides],
+    "EXAMPLES": [f"      - {json.dumps(title_of(e), ensure_ascii=False)}: {e}" for e in examples],
+    "GUIDES": [f"      - {json.dumps(title_of(g), ensure_ascii=False)}: {g}" for g in guides],
 }
 api()
 study_files()
 for word, entries in lists.items():
     config = config.replace(f" {word}\n", "\n" + "\n".join(entries) + "\n")
 if others:  # pages that the navigation does not name
-    config += "  - More:\n" + "".join(f"      - {title_of(o)}: {o}\n" for o in others)
+    config += "  - More:\n" + "".join(f"      - {json.dumps(title_of(o), ensure_ascii=False)}: {o}\n" for o in others)
 config = config.replace("PAGES", str(docs)).replace("SITE", str(site.resolve()))
 (pages / "mkdocs.yml").write_text(config)
