@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/number.h"
@@ -18,6 +19,7 @@
 #include "mbd_solver/scene/scene_schema.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/sweep_file.h"
+#include "mbd_solver/studies/tables.h"
 
 namespace footfall {
 
@@ -49,10 +51,6 @@ static void visit_fields(FieldVisitor& v, StageSpec& s) {
   v.fields(kWords, {{"settings", &s.settings}});
 }
 
-static void visit_fields(FieldVisitor& v, CalibrationLimits& l) {
-  v.fields(rule::not_negative(), {{"runs", &l.runs}, {"hours", &l.hours}});
-}
-
 static void visit_fields(FieldVisitor& v, TargetSpec& t) {
   v.fields(rule::plain, {{"", &t.source}, {"name", &t.name}, {"figure", &t.metric}, {"scene", &t.scene}});
   v.fields(rule::plain, {{"against", &t.against},
@@ -78,7 +76,6 @@ void visit_fields(FieldVisitor& v, CalibrationSpec& s) {
   v.fields(rule::positive(), {{"step", &s.step}, {"failed", &s.failed}, {"confirm", &s.confirm}});
   v.fields(rule::share, {{"confidence", &s.confidence}});
   v.section("seeds", s.seeds);
-  v.section("limits", s.limits);
   v.list("parameters", s.parameters);
   v.list("scenes", s.scenes);
   v.list("stages", s.stages);
@@ -132,12 +129,20 @@ class CalibrationChecker {
   void wrong(const MessageCode& code, const Source& at, const std::string& key, const std::string& what) {
     findings_.error(code, at, key, what);
   }
-  // Of an error caught here, which has a code if it is one of ours.
-  void wrong(const Source& at, const std::string& key, const std::exception& error) {
-    if (dynamic_cast<const CodedError*>(&error) != nullptr)
+  // An error of `action` has a code if it is one of ours.
+  template <class Action>
+  void attempt(const Source& at, const std::string& key, const Action& action) {
+    try {
+      action();
+    } catch (const CodedError& error) {
       findings_.coded_error(at, key, error.what());
-    else
+    } catch (const std::exception& error) {
       wrong(code::kStudyFormula, at, key, error.what());
+    }
+  }
+
+  std::string in_folder(const std::string& file) const {
+    return (fs::path(spec_.folder) / file).lexically_normal().string();
   }
 
   void unique(std::vector<std::string> names, const std::string& list) {
@@ -148,19 +153,14 @@ class CalibrationChecker {
   }
 
   void check_scenes() {
-    if (spec_.scenes.empty()) {
-      CalibrationScene only;
-      only.name = "run";
-      only.source = spec_.source;
-      spec_.scenes = {only};
-    }
+    if (spec_.scenes.empty()) spec_.scenes = {{"run", "", {}, 0.0, spec_.source}};
     for (CalibrationScene& s : spec_.scenes) {
       if (!is_plain_name(s.name))
         wrong(code::kBadName, s.source, "name",
               "is \"" + s.name + "\", expected letters, digits and _ - . as in folders");
       if (s.scene.empty()) s.scene = spec_.scene;
       if (s.scene.empty()) wrong(code::kMissingKey, s.source, "scene", "is missing");
-      s.scene = (fs::path(spec_.folder) / s.scene).lexically_normal().string();
+      s.scene = in_folder(s.scene);
     }
     unique(names_in(spec_.scenes), "scenes");
   }
@@ -188,38 +188,27 @@ class CalibrationChecker {
 
   // Every formula can be evaluated at the start; every parameter has an effect.
   void check_formulas() {
-    std::vector<std::vector<std::string>> lists = {spec_.settings};
-    for (const CalibrationScene& s : spec_.scenes) lists.push_back(s.settings);
-    for (const StageSpec& s : spec_.stages) lists.push_back(s.settings);
-    for (const CalibrationParameter& p : spec_.parameters) lists.push_back(p.settings);
-    std::string all;
-    for (const std::vector<std::string>& list : lists) {
-      try {
-        with_formulas(list, spec_, start_of(spec_));
-      } catch (const std::exception& e) {
-        wrong(spec_.source, "settings", e);
-      }
-      for (const std::string& text : list) all += text + "\n";
-    }
-    for (const CalibrationParameter& p : spec_.parameters) {
-      const bool read = [&] {
-        for (std::size_t at = all.find(kFormulaMark); at != std::string::npos; at = all.find(kFormulaMark, at + 2))
-          if (all.substr(at, all.find('}', at) - at).find(p.name) != std::string::npos) return true;
-        return false;
-      }();
-      if (p.settings.empty() && !read)
+    std::vector<std::string> all = spec_.settings;
+    for (const CalibrationScene& s : spec_.scenes) append(all, s.settings);
+    for (const StageSpec& s : spec_.stages) append(all, s.settings);
+    for (const CalibrationParameter& p : spec_.parameters) append(all, p.settings);
+    std::set<std::string> names;  // in formulas
+    attempt(spec_.source, "settings", [&] {
+      for (const std::string& text : all)
+        for (std::size_t at = text.find(kFormulaMark); at != std::string::npos; at = text.find(kFormulaMark, at + 2))
+          for (const std::string& name : Expression::names_in(text.substr(at + 2, text.find('}', at) - at - 2)))
+            names.insert(name);
+      with_formulas(all, spec_, start_of(spec_));
+    });
+    for (const CalibrationParameter& p : spec_.parameters)
+      if (p.settings.empty() && names.count(p.name) == 0)
         wrong(code::kKeyWithoutEffect, p.source, "settings",
               "are missing, and no {= formula} uses \"" + p.name + "\", which has no effect");
-    }
     for (const ConstraintSpec& c : spec_.constraints) {
       if (std::isinf(c.least) && std::isinf(c.most))
         wrong(code::kMissingKey, c.source, "least", "expected least, most or both");
       if (c.least > c.most) wrong(code::kRangeReversed, c.source, "most", "is less than least");
-      try {
-        with_formulas({"{= " + c.formula + "}"}, spec_, start_of(spec_));
-      } catch (const std::exception& e) {
-        wrong(c.source, "formula", e);
-      }
+      attempt(c.source, "formula", [&] { with_formulas({"{= " + c.formula + "}"}, spec_, start_of(spec_)); });
     }
     findings_.throw_if_errors();
     if (const UnitPoint start = start_of(spec_); violation_of(spec_, start) > 0.0)
@@ -237,23 +226,16 @@ class CalibrationChecker {
   }
 
   void check(StageSpec& stage) {
-    if (stage.method != SearchMethod::kListed) {
-      if (!stage.file.empty()) wrong(code::kConflictingKeys, stage.source, "file", "is of method = \"listed\" only");
-      if (stage.evaluations <= 0)
-        wrong(code::kMissingKey, stage.source, "evaluations", "is missing, expected the largest number of sets");
-      return;
-    }
-    if (stage.file.empty()) {
+    const bool listed = stage.method == SearchMethod::kListed;
+    if (!listed && !stage.file.empty())
+      wrong(code::kConflictingKeys, stage.source, "file", "is of method = \"listed\" only");
+    if (!listed && stage.evaluations <= 0)
+      wrong(code::kMissingKey, stage.source, "evaluations", "is missing, expected the largest number of sets");
+    if (listed && stage.file.empty())
       wrong(code::kMissingKey, stage.source, "file", "is missing, expected a CSV file with a column per parameter");
-      return;
-    }
-    stage.file = (fs::path(spec_.folder) / stage.file).lexically_normal().string();
-    try {
-      stage.sets = listed_sets(stage.file);
-      if (stage.evaluations <= 0) stage.evaluations = static_cast<int>(stage.sets.size());
-    } catch (const std::exception& e) {
-      wrong(stage.source, "file", e);
-    }
+    if (!listed || stage.file.empty()) return;
+    attempt(stage.source, "file", [&] { stage.sets = listed_sets(in_folder(stage.file)); });
+    if (stage.evaluations <= 0) stage.evaluations = static_cast<int>(stage.sets.size());
   }
 
   std::vector<UnitPoint> listed_sets(const std::string& file) {
@@ -304,14 +286,11 @@ class CalibrationChecker {
         wrong(code::kMissingKey, t.source, "column", "is missing, expected the column to compare with y of the file");
       if (!t.metric.empty() || t.value || !t.against.empty())
         wrong(code::kConflictingKeys, t.source, "file", "excludes figure, value and against");
-      t.file = (fs::path(spec_.folder) / t.file).lexically_normal().string();
-      try {
+      t.file = in_folder(t.file);
+      return attempt(t.source, "file", [&] {
         t.rows = read_two_columns(t.file);
         if (t.rows.empty()) wrong(code::kEmptyEntry, t.source, "file", t.file + " has no rows");
-      } catch (const std::exception& e) {
-        wrong(t.source, "file", e);
-      }
-      return;
+      });
     }
     if (!t.column.empty())
       wrong(code::kMissingKey, t.source, "file", "is missing, expected a file of x and y for the column");

@@ -76,12 +76,6 @@ struct StageSpec {
   Source source;
 };
 
-// [limits]: of all stages together.
-struct CalibrationLimits {
-  int runs = 0;        // 0: none
-  double hours = 0.0;  // of one core; 0: none
-};
-
 // [[targets]]
 struct TargetSpec {
   std::string name, metric, scene, origin;
@@ -124,7 +118,6 @@ struct CalibrationSpec {
   std::vector<CalibrationScene> scenes;
   std::optional<SeedsSpec> seeds;
   std::vector<StageSpec> stages;
-  CalibrationLimits limits;
   std::vector<MetricSpec> metrics;  // [[figures]]
   std::vector<TargetSpec> targets;
   std::vector<ConstraintSpec> constraints;

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <set>
 #include <sstream>
+#include <thread>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
@@ -172,6 +173,11 @@ int RunStore::most_ranks() const {
   int most = 1;
   for (const Entry& entry : runs_) most = std::max(most, entry.ranks);
   return most;
+}
+
+int RunStore::at_once(int jobs) const {
+  const int machine = static_cast<int>(std::thread::hardware_concurrency());
+  return jobs > 0 ? jobs : std::max(1, machine / most_ranks());
 }
 
 std::vector<std::size_t> RunStore::beds_to_make(const std::vector<std::size_t>& runs, int sharing) const {

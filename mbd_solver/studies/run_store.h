@@ -64,7 +64,8 @@ class RunStore {
   // Fingerprint of its portable recipe; empty when its scene cannot be read.
   const std::string& portable_recipe(std::size_t run) const { return runs_[run].portable_recipe; }
   bool is_done(std::size_t run) const;
-  int most_ranks() const;  // of LIGGGHTS in one run
+  int most_ranks() const;       // of LIGGGHTS in one run
+  int at_once(int jobs) const;  // `jobs`; 0: as many runs as the cores allow
   // One run for each bed that is not made yet and that at least `sharing` of the runs share. A run makes its bed itself if
   // there is none; two that share one would wait for each other.
   std::vector<std::size_t> beds_to_make(const std::vector<std::size_t>& runs, int sharing = 1) const;

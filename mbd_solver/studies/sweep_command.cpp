@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <numeric>
 #include <sstream>
-#include <thread>
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
@@ -260,6 +259,13 @@ int start_campaign(const SweepArguments& a) {
 
 }  // namespace
 
+int study_interrupted() {
+  std::fprintf(
+      stderr, "footfall: %s\n",
+      with_code(code::kStudyInterrupted, "interrupted; the same command resumes with the remaining runs").c_str());
+  return kExitInterrupted;
+}
+
 int sweep_command(const SweepArguments& a) {
   SweepSpec spec = read_sweep_file(a.file);
   if (spec.is_campaign()) return start_campaign(a);
@@ -301,8 +307,7 @@ int sweep_command(const SweepArguments& a) {
 
   std::vector<std::size_t> chosen(a.only < 0 ? plan.runs.size() : 1);
   std::iota(chosen.begin(), chosen.end(), static_cast<std::size_t>(std::max(0, a.only)));
-  const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int jobs = a.jobs > 0 ? a.jobs : std::max(1, machine / store.most_ranks());
+  const int jobs = store.at_once(a.jobs);
   if (a.only >= 0)
     store.make_bed(chosen.front(), a.list);
   else
@@ -331,12 +336,7 @@ int sweep_command(const SweepArguments& a) {
               time_left({share, share, wall_clock() - started}));
     check_once(run);
   };
-  if (!store.carry_out(left, jobs, ended)) {
-    std::fprintf(
-        stderr, "footfall: %s\n",
-        with_code(code::kStudyInterrupted, "interrupted; the same command resumes with the remaining runs").c_str());
-    return kExitInterrupted;
-  }
+  if (!store.carry_out(left, jobs, ended)) return study_interrupted();
   if (a.only >= 0) return store.is_done(chosen.front()) ? kExitDone : kExitFailed;
   return write();
 }

@@ -39,6 +39,9 @@ struct SweepArguments {
 // interrupted. Throws InputError.
 int sweep_command(const SweepArguments& arguments);
 
+// Says that the same command resumes the study, and returns the exit code.
+int study_interrupted();
+
 struct OutputPlace {
   std::string folder, name;  // of the files
   std::string table;         // also write the table for a page to this file; empty: no

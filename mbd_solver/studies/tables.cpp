@@ -18,7 +18,7 @@ namespace footfall {
 namespace {
 
 std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"") == std::string::npos) return text;
+  if (text.find_first_of(",\"#\n\r") == std::string::npos) return text;
   std::string field = "\"";
   for (const char c : text) field += c == '"' ? std::string(2, '"') : std::string(1, c);
   return field + '"';
@@ -47,6 +47,27 @@ std::string Table::page() const {
     if (&row == &rows_.front()) text += "|" + joined(std::vector<std::string>(row.size(), "---"), "|") + "|\n";
   }
   return text;
+}
+
+void StudyPage::section(const std::string& heading) {
+  markdown_ += "\n## " + heading + "\n";
+  html_.section(heading);
+}
+
+void StudyPage::paragraph(const std::string& text) {
+  markdown_ += "\n" + text + "\n";
+  html_.paragraph(text);
+}
+
+void StudyPage::table(const Table& table) {
+  markdown_ += "\n" + table.page();
+  html_.table(table.rows());
+}
+
+void StudyPage::picture(const std::string& file) {
+  const std::filesystem::path path(file);
+  markdown_ += "\n![" + path.stem().string() + "](" + path.filename().string() + ")\n";
+  html_.picture(file);
 }
 
 void append(std::vector<std::string>& row, const std::vector<std::string>& more) {

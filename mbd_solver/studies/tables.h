@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/app/report.h"
 #include "mbd_solver/studies/results.h"
 
 namespace footfall {
@@ -16,11 +17,30 @@ class Table {
 
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   int column(const std::string& name) const;  // its number, from 1; 0: none
-  std::string csv() const;                    // RFC 4180: cells with a comma or a quote are quoted
+  std::string csv() const;                    // RFC 4180, for CsvReader: cells with , " # or ends of lines are quoted
   std::string page() const;                   // Markdown
+  const std::vector<std::vector<std::string>>& rows() const { return rows_; }
 
  private:
   std::vector<std::vector<std::string>> rows_;  // the head first
+};
+
+// A page of a study as Markdown and, with its pictures inside, as HTML.
+class StudyPage {
+ public:
+  explicit StudyPage(const std::string& title) : markdown_("# " + title + "\n"), html_(title) {}
+
+  void section(const std::string& heading);
+  void paragraph(const std::string& text);
+  void table(const Table& table);
+  void picture(const std::string& file);  // PNG, in the folder of the page; throws InputError
+
+  const std::string& markdown() const { return markdown_; }
+  std::string html() const { return html_.text(); }
+
+ private:
+  std::string markdown_;
+  HtmlPage html_;
 };
 
 void append(std::vector<std::string>& row, const std::vector<std::string>& more);

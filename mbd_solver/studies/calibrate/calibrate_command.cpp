@@ -14,19 +14,13 @@
 #include "mbd_solver/studies/calibrate/calibration_page.h"
 #include "mbd_solver/studies/calibrate/calibration_run.h"
 #include "mbd_solver/studies/codes.h"
+#include "mbd_solver/studies/sweep_command.h"
 
 namespace footfall {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-int report_interruption() {
-  std::fprintf(
-      stderr, "footfall: %s\n",
-      with_code(code::kStudyInterrupted, "interrupted; the same command resumes with the remaining runs").c_str());
-  return kExitInterrupted;
-}
 
 // Commands with the settings of every scene's run at the set, to be copied.
 std::string settings_text(const CalibrationSpec& spec, const Evaluations& evaluations, const UnitPoint& point) {
@@ -62,10 +56,10 @@ void write_all(const CalibrationSpec& spec, const CalibrationRun& run, const Eva
   } catch (const InputError& e) {
     warn_missing_file("picture", e);
   }
-  const CalibrationPage page = calibration_page(spec, outcome, sets, "./footfall calibrate " + a.file, pictures);
-  write_whole_file(path(fs::path(a.file).stem().string() + ".md"), page.markdown);
-  write_whole_file(path("report.html"), page.html);
-  print_page(a, page.markdown);
+  const StudyPage page = calibration_page(spec, outcome, sets, "./footfall calibrate " + a.file, pictures);
+  write_whole_file(path(fs::path(a.file).stem().string() + ".md"), page.markdown());
+  write_whole_file(path("report.html"), page.html());
+  print_page(a, page.markdown());
   for (const char* file : {"way.csv", "best.txt", "most_met.txt", "report.html"})
     std::printf("%s\n", path(file).c_str());
 }
@@ -88,7 +82,7 @@ int calibrate_command(const CalibrateArguments& a) {
   if (!a.so_far) std::printf("runs of the start\n");
   std::fflush(stdout);
   if (!run.start()) {
-    if (!a.so_far) return report_interruption();
+    if (!a.so_far) return study_interrupted();
     throw InputError(
         code::kStartNotDone,
         a.file + ": the runs of the start are not done; try again after the misfit of the start is printed");
@@ -99,7 +93,7 @@ int calibrate_command(const CalibrateArguments& a) {
     else
       print_page(
           a, calibration_page(spec, run.outcome(), run.comparable(), "./footfall calibrate " + a.file + " --so-far", {})
-                 .markdown);
+                 .markdown());
     return kExitDone;
   }
   std::printf("start: misfit %s, %d of %zu targets met\n%s\nruns at once: %d\n",
@@ -107,7 +101,7 @@ int calibrate_command(const CalibrateArguments& a) {
               joined(run.prediction(), "\n").c_str(), evaluations.jobs());
   std::fflush(stdout);
   if (a.estimate) return kExitDone;
-  if (!run.search()) return report_interruption();
+  if (!run.search()) return study_interrupted();
   write_all(spec, run, evaluations, a, folder);
   std::printf("%d runs done, %d done before\n", evaluations.runs_done(), evaluations.runs_reused());
   return kExitDone;

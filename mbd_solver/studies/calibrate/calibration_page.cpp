@@ -1,4 +1,4 @@
-// Writes each section as Markdown and HTML at once. gnuplot draws from the CSV files of the folder.
+// A section after the other. gnuplot draws from the CSV files of the folder.
 #include "mbd_solver/studies/calibrate/calibration_page.h"
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/plot_script.h"
-#include "mbd_solver/app/report.h"
 
 namespace footfall {
 namespace {
@@ -22,34 +21,6 @@ template <class Number>
 std::string num(Number value, int digits = 6) {
   return number_text(static_cast<double>(value), digits);
 }
-
-class BothPages {
- public:
-  explicit BothPages(const std::string& title) : markdown_("# " + title + "\n"), html_(title) {}
-  void section(const std::string& heading) {
-    markdown_ += "\n## " + heading + "\n";
-    html_.section(heading);
-  }
-  void paragraph(const std::string& text) {
-    markdown_ += "\n" + text + "\n";
-    html_.paragraph(text);
-  }
-  void table(const std::vector<Row>& rows) {  // the head first
-    Table table(rows.front());
-    for (std::size_t k = 1; k < rows.size(); ++k) table.add(rows[k]);
-    markdown_ += "\n" + table.page();
-    html_.table(rows);
-  }
-  void picture(const fs::path& file) {
-    markdown_ += "\n![" + file.stem().string() + "](" + file.filename().string() + ")\n";
-    html_.picture(file.string());
-  }
-  CalibrationPage pages() const { return {markdown_, html_.text()}; }
-
- private:
-  std::string markdown_;
-  HtmlPage html_;
-};
 
 // A set that has a column of its own in the tables.
 struct NamedSet {
@@ -83,7 +54,7 @@ std::string step_text(const CalibrationSpec& spec, const Eigen::VectorXd& step, 
   return joined(texts);
 }
 
-void show_intervals(BothPages& page, const CalibrationSpec& spec, const CalibrationOutcome& o) {
+void show_intervals(StudyPage& page, const CalibrationSpec& spec, const CalibrationOutcome& o) {
   const Determination& d = o.determination;
   const std::string widened =
       d.scale > 1.0 ? ", widened by " + num(std::sqrt(d.scale), 3) + " because the misfit exceeds the tolerances" : "";
@@ -100,13 +71,14 @@ void show_intervals(BothPages& page, const CalibrationSpec& spec, const Calibrat
                    "order. Differences are those about the set of the search.");
 }
 
-void show_parameters(BothPages& page, const CalibrationSpec& spec, const CalibrationOutcome& o,
+void show_parameters(StudyPage& page, const CalibrationSpec& spec, const CalibrationOutcome& o,
                      const std::vector<NamedSet>& sets) {
   const std::vector<Interval>& intervals = o.determination.intervals;
-  std::vector<Row> rows = {{"parameter", "range", "scale"}};
-  for (const NamedSet& set : sets) rows.front().push_back(set.name);
-  if (!intervals.empty()) append(rows.front(), {"interval", "determined"});
-  rows.front().emplace_back("source of the range");
+  Row head = {"parameter", "range", "scale"};
+  for (const NamedSet& set : sets) head.push_back(set.name);
+  if (!intervals.empty()) append(head, {"interval", "determined"});
+  append(head, {"source of the range"});
+  Table table(head);
   for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
     const CalibrationParameter& p = spec.parameters[i];
     Row row = {p.name, num(p.least) + " to " + num(p.most), std::string(name_of(p.scale))};
@@ -114,14 +86,14 @@ void show_parameters(BothPages& page, const CalibrationSpec& spec, const Calibra
     if (!intervals.empty())
       append(row, {num(intervals[i].least, 4) + " to " + num(intervals[i].most, 4),
                    intervals[i].is_determined() + (intervals[i].at_edge ? "; at the end of the range" : "")});
-    row.push_back(p.origin);
-    rows.push_back(row);
+    append(row, {p.origin});
+    table.add(row);
   }
-  page.table(rows);
+  page.table(table);
 }
 
 // Distances and seeds are those of the last of `sets`.
-void show_targets(BothPages& page, const CalibrationSpec& spec, const std::vector<NamedSet>& sets,
+void show_targets(StudyPage& page, const CalibrationSpec& spec, const std::vector<NamedSet>& sets,
                   const Sets& comparable) {
   page.section("The targets");
   const auto of_all = [&](const auto& number) {
@@ -129,14 +101,12 @@ void show_targets(BothPages& page, const CalibrationSpec& spec, const std::vecto
     for (const NamedSet& set : sets) texts.push_back(number(*set.set) + " (" + set.name + ")");
     return joined(texts);
   };
-  const std::vector<std::size_t> heaviest = heaviest_targets(spec);
   std::string text = "Targets met, of " + num(spec.targets.size()) + ": " +
                      of_all([](const Evaluation& e) { return num(e.met()); }) +
                      ". Misfit: " + of_all([](const Evaluation& e) { return num(e.misfit, 4); }) + ".";
-  if (heaviest.size() < spec.targets.size())
-    text += " Met of the " + num(heaviest.size()) +
-            " targets of the largest weight: " + of_all([&](const Evaluation& e) { return num(met_of(e, heaviest)); }) +
-            ".";
+  if (std::any_of(spec.targets.begin(), spec.targets.end(), [](const TargetSpec& t) { return t.weight != 1.0; }))
+    text +=
+        " Their weights together: " + of_all([&](const Evaluation& e) { return num(weight_met(spec, e), 4); }) + ".";
   if (spec.cap > 0.0)
     text += " Distances above " + num(spec.cap) +
             " tolerances count as that in the misfit; the best set is the one that meets most targets.";
@@ -144,9 +114,10 @@ void show_targets(BothPages& page, const CalibrationSpec& spec, const std::vecto
                  " The set \"best\" is that of the last stage's runs, \"confirmed\" that of whole runs over all "
                  "seeds. Distances [tolerances] are of the set \"" +
                  sets.back().name + "\", the least of all " + num(comparable.size()) + " sets.");
-  std::vector<Row> rows = {{"target", "required", "tolerance", "weight"}};
-  for (const NamedSet& set : sets) rows.front().push_back(set.name);
-  append(rows.front(), {"distance", "met", "least distance", "sets that meet it", "source"});
+  Row head = {"target", "required", "tolerance", "weight"};
+  for (const NamedSet& set : sets) head.push_back(set.name);
+  append(head, {"distance", "met", "least distance", "sets that meet it", "source"});
+  Table table(head);
   for (std::size_t t = 0; t < spec.targets.size(); ++t) {
     const TargetSpec& target = spec.targets[t];
     const TargetResult& last = sets.back().set->targets[t];
@@ -162,25 +133,27 @@ void show_targets(BothPages& page, const CalibrationSpec& spec, const std::vecto
                  num(std::count_if(comparable.begin(), comparable.end(),
                                    [&](const Evaluation* e) { return e->targets[t].is_met(); })),
                  target.origin});
-    rows.push_back(row);
+    table.add(row);
   }
-  page.table(rows);
+  page.table(table);
 }
 
 // A row per name, a column per parameter.
-void show_matrix(BothPages& page, const CalibrationSpec& spec, const std::string& corner, const Row& names,
+void show_matrix(StudyPage& page, const CalibrationSpec& spec, const std::string& corner, const Row& names,
                  const std::function<std::string(Eigen::Index, Eigen::Index)>& text) {
-  std::vector<Row> rows = {{corner}};
-  append(rows.front(), names_in(spec.parameters));
+  Row head = {corner};
+  append(head, names_in(spec.parameters));
+  Table table(head);
   for (std::size_t k = 0; k < names.size(); ++k) {
-    rows.push_back({names[k]});
+    Row row = {names[k]};
     for (std::size_t i = 0; i < spec.parameters.size(); ++i)
-      rows.back().push_back(text(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)));
+      row.push_back(text(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)));
+    table.add(row);
   }
-  page.table(rows);
+  page.table(table);
 }
 
-void show_determination(BothPages& page, const CalibrationSpec& spec, const Determination& d) {
+void show_determination(StudyPage& page, const CalibrationSpec& spec, const Determination& d) {
   page.section("Effect of each parameter");
   page.paragraph(
       "Change of each target over the whole range of a parameter, to first order about the best set [tolerances]; of "
@@ -196,26 +169,7 @@ void show_determination(BothPages& page, const CalibrationSpec& spec, const Dete
               [&](Eigen::Index i, Eigen::Index k) { return fixed_text(d.correlation(i, k), 2); });
 }
 
-void show_trade_offs(BothPages& page, const CalibrationSpec& spec, const CalibrationOutcome& o) {
-  page.section("Trade-offs between targets");
-  const std::vector<TradeOff> all = trade_offs_of(spec, *o.best, o.determination.sensitivity);
-  if (all.empty()) return page.paragraph("All targets that are single numbers are met at the best set.");
-  page.paragraph(
-      "For each target that the best set does not meet: the smallest step that would meet it to first order, and its "
-      "cost for the others. A step longer than a range is impossible.");
-  std::vector<Row> rows = {{"target", "distance", "step, relative to the ranges", "cost [tolerances]"}};
-  for (const TradeOff& trade_off : all) {
-    Row costs;
-    for (const auto& [s, cost] : trade_off.costs) costs.push_back(spec.targets[s].name + " +" + num(cost, 2));
-    rows.push_back(
-        {spec.targets[trade_off.target].name, num(o.best->targets[trade_off.target].distance(), 3),
-         trade_off.step.norm() > 0.0 ? step_text(spec, trade_off.step, 0.02) : "no parameter affects it here",
-         costs.empty() ? "none" : joined(costs)});
-  }
-  page.table(rows);
-}
-
-void show_conflicts(BothPages& page, const CalibrationSpec& spec, const Sets& sets) {
+void show_conflicts(StudyPage& page, const CalibrationSpec& spec, const Sets& sets) {
   page.section("Targets met together");
   const Conflicts found = conflicts_of(spec, sets);
   Row never;
@@ -224,61 +178,57 @@ void show_conflicts(BothPages& page, const CalibrationSpec& spec, const Sets& se
                  num(most_met(spec, sets)->met()) + " of " + num(spec.targets.size()) + ". " +
                  (never.empty() ? "Every target is met by some set." : "Met by none: " + joined(never, "; ") + "."));
   if (found.pairs.empty()) return;
-  const std::vector<std::size_t> heaviest = heaviest_targets(spec);
-  page.paragraph("From pairs, at most " + num(most_without_conflict(found, heaviest)) + " of the " +
-                 num(heaviest.size()) +
-                 " targets of the largest weight can be met together. These pairs are met by "
-                 "some sets each, and by none together:");
-  std::vector<Row> rows = {{"target", "other target", "sets that meet the first", "the other"}};
+  page.paragraph("These pairs are met by some sets each, and by none together:");
+  Table table({"target", "other target", "sets that meet the first", "the other"});
   for (const Conflicts::Pair& pair : found.pairs)
-    rows.push_back({spec.targets[pair.a].name, spec.targets[pair.b].name, num(pair.met_a), num(pair.met_b)});
-  page.table(rows);
+    table.add({spec.targets[pair.a].name, spec.targets[pair.b].name, num(pair.met_a), num(pair.met_b)});
+  page.table(table);
 }
 
-void show_single_targets(BothPages& page, const CalibrationSpec& spec, const CalibrationOutcome& o) {
+void show_single_targets(StudyPage& page, const CalibrationSpec& spec, const CalibrationOutcome& o) {
   page.section("Targets that no set meets, sought one by one");
   page.paragraph(
-      "Without regard to the other targets, from the nearest of the sets above, by response surfaces. Distances in "
-      "tolerances; only parameters that affect the target.");
-  std::vector<Row> rows = {
-      {"target", "required", "distance of the sets above", "more sets", "nearest of all", "distance", "at"}};
+      "Without regard to the other targets, from the nearest of the sets above, by response surfaces; the nearest of "
+      "all sets, and its distance [tolerances].");
+  Row head = {"target", "required", "more sets", "nearest", "distance"};
+  append(head, names_in(spec.parameters));
+  Table table(head);
   for (const SingleTarget& one : o.single_targets) {
     const TargetSpec& target = spec.targets[one.target];
     const TargetResult& result = one.nearest->targets[one.target];
-    Row at;
-    for (const std::size_t i : one.moved_by)
-      at.push_back(spec.parameters[i].name + " " + num(spec.parameters[i].value(one.nearest->point[i]), 3));
-    rows.push_back({target.name, requirement_text(target),
-                    num(one.nearest_before, 3) + " of " + num(one.before) + " sets", num(one.sets),
-                    value_text(target, result), num(result.distance(), 3), joined(at)});
+    Row row = {target.name, requirement_text(target), num(one.sets), value_text(target, result),
+               num(result.distance(), 3)};
+    for (std::size_t i = 0; i < spec.parameters.size(); ++i)
+      row.push_back(num(spec.parameters[i].value(one.nearest->point[i]), 3));
+    table.add(row);
   }
-  page.table(rows);
+  page.table(table);
 }
 
-void show_search(BothPages& page, const CalibrationSpec& spec, const CalibrationOutcome& o) {
+void show_search(StudyPage& page, const CalibrationSpec& spec, const CalibrationOutcome& o) {
   page.section("The search");
-  std::vector<Row> rows = {{"stage", "sets", "at most", "runs", "final misfit", "reason of the end"}};
+  Table table({"stage", "sets", "at most", "runs", "final misfit", "reason of the end"});
   for (std::size_t k = 0; k < o.stages.size(); ++k) {
     const StageOutcome& stage = o.stages[k];
     int runs = 0;
     for (const Evaluation* e : stage.evaluations) runs += e->runs;
-    rows.push_back({std::string(name_of(spec.stages[k].method)), num(stage.evaluations.size()),
-                    num(spec.stages[k].evaluations), num(runs), num(stage.best, 5),
-                    stage.path.requested.empty() ? stage.path.end : "in progress"});
+    table.add({std::string(name_of(spec.stages[k].method)), num(stage.evaluations.size()),
+               num(spec.stages[k].evaluations), num(runs), num(stage.best, 5),
+               stage.path.requested.empty() ? stage.path.end : "in progress"});
   }
-  page.table(rows);
+  page.table(table);
 }
 
 }  // namespace
 
-CalibrationPage calibration_page(const CalibrationSpec& spec, const CalibrationOutcome& o, const Sets& comparable,
-                                 const std::string& command, const std::vector<std::string>& pictures) {
+StudyPage calibration_page(const CalibrationSpec& spec, const CalibrationOutcome& o, const Sets& comparable,
+                           const std::string& command, const std::vector<std::string>& pictures) {
   const bool ended = !o.determination.intervals.empty();
   const std::string title = spec.title.empty() ? fs::path(spec.file).stem().string() : spec.title;
-  BothPages page(title + (ended ? "" : ", so far"));
+  StudyPage page(title + (ended ? "" : ", so far"));
   page.paragraph("Made by `" + command + "`." +
                  (ended ? "" : " The calibration is in progress: nothing is confirmed, and there are no intervals."));
-  if (!ended && comparable.empty()) return page.pages();
+  if (!ended && comparable.empty()) return page;
   std::vector<NamedSet> sets = {{"start", o.start}};
   if (ended) {
     sets.push_back({"best", o.best});
@@ -293,13 +243,12 @@ CalibrationPage calibration_page(const CalibrationSpec& spec, const CalibrationO
   if (ended) sets.push_back({"confirmed", o.confirmed});
   show_targets(page, spec, sets, comparable);
   if (ended) show_determination(page, spec, o.determination);
-  if (ended) show_trade_offs(page, spec, o);
   show_conflicts(page, spec, comparable);
   if (!o.single_targets.empty()) show_single_targets(page, spec, o);
   show_search(page, spec, o);
   if (!pictures.empty()) page.section("Pictures");
   for (const std::string& picture : pictures) page.picture(picture);
-  return page.pages();
+  return page;
 }
 
 Table path_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome) {

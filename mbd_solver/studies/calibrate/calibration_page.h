@@ -1,5 +1,5 @@
 #pragma once
-// The results of a calibration: a page as Markdown and HTML, tables, and pictures.
+// The results of a calibration: a page, tables, and pictures.
 
 #include <string>
 #include <vector>
@@ -9,13 +9,10 @@
 
 namespace footfall {
 
-struct CalibrationPage {
-  std::string markdown, html;
-};
 // Before the end of the calibration (no CalibrationOutcome::best) of the sets known so far, without intervals. `command`: that
 // makes it. `pictures`: PNG files, of draw_calibration.
-CalibrationPage calibration_page(const CalibrationSpec& spec, const CalibrationOutcome& outcome, const Sets& comparable,
-                                 const std::string& command, const std::vector<std::string>& pictures);
+StudyPage calibration_page(const CalibrationSpec& spec, const CalibrationOutcome& outcome, const Sets& comparable,
+                           const std::string& command, const std::vector<std::string>& pictures);
 
 // way.csv: every set of every stage in the order of the search: stage, parameters, misfit, targets.
 Table path_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome);

@@ -12,12 +12,7 @@
 namespace footfall {
 namespace {
 
-// A whole run with one seed, for the time of the confirmation.
-Fidelity whole_once(const CalibrationSpec& spec) {
-  Fidelity fidelity = full_fidelity(spec);
-  fidelity.seeds = 1;
-  return fidelity;
-}
+const Fidelity kWholeOnce = {};  // for the time of the confirmation
 
 std::vector<UnitPoint> points_of(const Sets& sets) {
   std::vector<UnitPoint> points;
@@ -29,7 +24,7 @@ std::vector<UnitPoint> points_of(const Sets& sets) {
 
 bool CalibrationRun::start() {
   const UnitPoint at = start_of(spec_);
-  std::vector<Fidelity> all = {whole_once(spec_)};
+  std::vector<Fidelity> all = {kWholeOnce};
   for (const StageSpec& stage : spec_.stages) all.push_back(fidelity_of(spec_, stage));
   for (const Fidelity& fidelity : all) {
     if (!evaluations_.carry_out(fidelity, {at}, true)) return false;
@@ -59,12 +54,10 @@ std::vector<std::string> CalibrationRun::prediction() const {
     const bool sequential = stage.method == SearchMethod::kSbplx || stage.method == SearchMethod::kSurrogate;
     add("stage " + std::string(name_of(stage.method)), like, stage.evaluations, like.runs, sequential);
   }
-  const Evaluation &last = *outcome_.start, &whole = *evaluations_.known(whole_once(spec_), start_of(spec_));
+  const Evaluation &last = *outcome_.start, &whole = *evaluations_.known(kWholeOnce, start_of(spec_));
   add("differences about the best set", last, 2 * static_cast<int>(spec_.parameters.size()), last.runs, false);
-  const int missed = static_cast<int>(spec_.targets.size()) - last.met();
-  if (spec_.single_target > 0)
-    add("targets that are not met at the start, one by one", last, spec_.single_target * missed, std::min(2, last.runs),
-        true);
+  const int tries = spec_.single_target * (static_cast<int>(spec_.targets.size()) - last.met());
+  if (tries > 0) add("targets that are not met at the start, one by one", last, tries, std::min(2, last.runs), true);
   add("confirmation", whole, spec_.confirm, whole.runs * full_fidelity(spec_).seeds, false);
   lines.front() = "remaining, at most: " + std::to_string(all_sets) + " sets, " + std::to_string(all_runs) +
                   " runs, about " + number_text(all_hours, 3) + " h";
@@ -79,44 +72,13 @@ void CalibrationRun::print_progress(const std::string& text) const {
 
 bool CalibrationRun::follow(const StageSpec& stage, const Fidelity& fidelity, const UnitPoint& start,
                             const Sets& earlier, SearchPath& path) {
-  double spent = spent_, least = std::numeric_limits<double>::infinity();
-  std::size_t tried = 0;  // sets of this stage
-  const auto carry_out = [&](const std::vector<UnitPoint>& sets) {
-    if (!evaluations_.carry_out(fidelity, sets)) return false;
-    for (const UnitPoint& set : sets) {
-      least = std::min(least, evaluations_.known(fidelity, set)->misfit);
-      if (++tried % 10 == 0)
-        print_progress(std::string(name_of(stage.method)) + ": " + std::to_string(tried) + " sets, least misfit " +
-                       number_text(least, 5));
-    }
-    return true;
-  };
-  const auto look_up = [&](const UnitPoint& set) {  // and adds its cost
-    const Evaluation* e = evaluations_.known(fidelity, set);
-    if (e) spent += e->cpu;
-    return e;
-  };
-  const auto may_continue = [&](const UnitPoint&) {
-    return spec_.limits.hours <= 0.0 || spent < 3600.0 * spec_.limits.hours;
-  };
   if (stage.method == SearchMethod::kSurrogate) {
-    SurrogateQueries queries = surrogate_queries(fidelity, start);
-    const auto numbers = queries.numbers;
-    queries.earlier = points_of(earlier);
-    queries.may_continue = may_continue;
-    queries.numbers = [&](const UnitPoint& set) -> std::optional<std::vector<double>> {
-      const bool is_new = !evaluations_.known(fidelity, set);
-      if (is_new && !carry_out({set})) return {};
-      if (is_new) look_up(set);  // sets known before cost this stage nothing
-      return numbers(set);
-    };
-    path = surrogate_path(stage, start, queries);
+    path = surrogate_path(stage, start, surrogate_queries(fidelity, start, earlier));
     return path.requested.empty();
   }
   SearchQueries queries;
-  queries.may_continue = may_continue;
   queries.misfit = [&](const UnitPoint& set) -> std::optional<double> {
-    const Evaluation* e = look_up(set);
+    const Evaluation* e = evaluations_.known(fidelity, set);
     if (!e) return {};
     return e->misfit;
   };
@@ -126,70 +88,53 @@ bool CalibrationRun::follow(const StageSpec& stage, const Fidelity& fidelity, co
   };
   const std::size_t runs_per_set = spec_.scenes.size() * static_cast<std::size_t>(fidelity.seeds);
   const std::size_t at_once = (static_cast<std::size_t>(evaluations_.jobs()) + runs_per_set - 1) / runs_per_set;
-  for (;;) {
-    spent = spent_;
+  do {
     path = search_path(stage, start, spec_.step, queries, at_once);
-    if (path.requested.empty()) return true;
-    if (!carry_out(path.requested)) return false;
-  }
+  } while (!path.requested.empty() && evaluations_.carry_out(fidelity, path.requested));
+  return path.requested.empty();
 }
 
-SurrogateQueries CalibrationRun::surrogate_queries(const Fidelity& fidelity, const UnitPoint& start) const {
+SurrogateQueries CalibrationRun::surrogate_queries(const Fidelity& fidelity, const UnitPoint& start,
+                                                   const Sets& earlier) {
   SurrogateQueries queries;
   std::vector<std::pair<std::size_t, std::size_t>> numbers;  // their targets and rows
   for (std::size_t t = 0; t < spec_.targets.size(); ++t) {
-    if (!fidelity.requires(t)) continue;
-    const std::vector<std::size_t> by = evaluations_.moved_by(fidelity, t);
+    if (fidelity.single_target.value_or(t) != t) continue;
     const std::size_t rows = evaluations_.known(fidelity, start)->targets[t].values.size();
-    for (std::size_t row = 0; row < rows; ++row) {
-      queries.moved_by.push_back(by);
-      numbers.emplace_back(t, row);
-    }
+    for (std::size_t row = 0; row < rows; ++row) numbers.emplace_back(t, row);
+    queries.moved_by.insert(queries.moved_by.end(), rows, evaluations_.moved_by(fidelity, t));
   }
-  const double cap = fidelity.single_target ? 0.0 : spec_.cap;
-  queries.part = [this, numbers, cap](std::size_t k, double y) {
+  queries.earlier = points_of(earlier);
+  queries.part = [this, numbers, cap = fidelity.single_target ? 0.0 : spec_.cap](std::size_t k, double y) {
     const TargetSpec& target = spec_.targets[numbers[k].first];
     const double counted = capped(residual_of(target, y, numbers[k].second), cap);
     return target.weight * counted * counted;
   };
-  queries.numbers = [this, numbers, &fidelity](const UnitPoint& set) -> std::optional<std::vector<double>> {
-    std::vector<double> all;
+  queries.numbers = [this, numbers, fidelity](const UnitPoint& set) -> std::optional<std::vector<double>> {
+    if (!evaluations_.carry_out(fidelity, {set})) return {};
     const Evaluation& e = *evaluations_.known(fidelity, set);
+    std::vector<double> all;
     for (const auto& [t, row] : numbers) {
       if (e.targets[t].failed) return std::vector<double>();
       all.push_back(e.targets[t].values[row]);
     }
     return all;
   };
-  if (!spec_.constraints.empty())
-    queries.allowed = [this](const UnitPoint& set) { return violation_of(spec_, set) == 0.0; };
+  queries.allowed = [this](const UnitPoint& set) { return violation_of(spec_, set) == 0.0; };
   return queries;
 }
 
-bool CalibrationRun::run_stage(const StageSpec& given, UnitPoint& at) {
-  const Fidelity fidelity = fidelity_of(spec_, given);
+bool CalibrationRun::run_stage(const StageSpec& stage, UnitPoint& at) {
+  const Fidelity fidelity = fidelity_of(spec_, stage);
   if (!evaluations_.carry_out(fidelity, {at})) return false;
-  StageSpec stage = given;
-  if (spec_.limits.runs > 0) {
-    const int runs_per_set = static_cast<int>(spec_.scenes.size()) * fidelity.seeds;
-    stage.evaluations = std::min(stage.evaluations, (spec_.limits.runs - runs_) / runs_per_set);
-  }
   StageOutcome outcome;
   outcome.best = evaluations_.known(fidelity, at)->misfit;
-  outcome.path.end = "limit of runs reached";
-  const bool ended = stage.evaluations <= 0 || follow(stage, fidelity, at, sets_like(given), outcome.path);
-  for (const UnitPoint& set : outcome.path.sets) {
-    outcome.evaluations.push_back(evaluations_.known(fidelity, set));
-    runs_ += outcome.evaluations.back()->runs;
-    spent_ += outcome.evaluations.back()->cpu;
-  }
-  if (outcome.path.misfit < outcome.best) {
-    at = outcome.path.best;
-    outcome.best = outcome.path.misfit;
-  }
-  print_progress(std::string(name_of(stage.method)) + " has ended: " + std::to_string(outcome.path.sets.size()) +
-                 " sets, best misfit " + number_text(outcome.best, 5));
+  const bool ended = follow(stage, fidelity, at, sets_like(stage), outcome.path);
+  for (const UnitPoint& set : outcome.path.sets) outcome.evaluations.push_back(evaluations_.known(fidelity, set));
+  if (outcome.path.misfit < outcome.best) at = outcome.path.best, outcome.best = outcome.path.misfit;
   outcome_.stages.push_back(outcome);
+  print_progress(std::string(name_of(stage.method)) + ": " + std::to_string(outcome.path.sets.size()) +
+                 " sets, best misfit " + number_text(outcome.best, 5));
   return ended;
 }
 
@@ -234,7 +179,6 @@ bool CalibrationRun::seek_single_targets() {
   StageSpec stage = spec_.stages.back();
   stage.method = SearchMethod::kSurrogate;
   stage.evaluations = spec_.single_target + 1;  // with the known first one
-  spent_ = 0.0;                                 // limits are of the stages
   for (const std::size_t target : conflicts_of(spec_, sets).never) {
     print_progress("target " + spec_.targets[target].name);
     Fidelity fidelity = fidelity_of(spec_, stage);
@@ -243,12 +187,7 @@ bool CalibrationRun::seek_single_targets() {
     const auto less = [&](const Evaluation* a, const Evaluation* b) {
       return a->targets[target].distance() < b->targets[target].distance();
     };
-    SingleTarget found;
-    found.target = target;
-    found.moved_by = evaluations_.moved_by(fidelity, target);
-    found.before = sets.size();
-    found.nearest = *std::min_element(sets.begin(), sets.end(), less);
-    found.nearest_before = found.nearest->targets[target].distance();
+    SingleTarget found{target, 0, *std::min_element(sets.begin(), sets.end(), less)};
     SearchPath path;
     if (!follow(stage, fidelity, found.nearest->point, sets, path)) return false;
     found.sets = path.sets.size() - 1;

@@ -10,8 +10,6 @@
 
 namespace footfall {
 
-using Sets = std::vector<const Evaluation*>;
-
 struct StageOutcome {
   SearchPath path;    // complete
   Sets evaluations;   // of path.sets
@@ -21,10 +19,8 @@ struct StageOutcome {
 // The search for a target that no set met, without regard to the others.
 struct SingleTarget {
   std::size_t target = 0;
-  std::size_t before = 0, sets = 0;  // number of sets known before, and tried
-  double nearest_before = 0.0;       // [tolerances]
-  const Evaluation* nearest = nullptr;
-  std::vector<std::size_t> moved_by;  // parameters that affect the target
+  std::size_t sets = 0;                 // that were tried
+  const Evaluation* nearest = nullptr;  // of all sets
 };
 
 struct CalibrationOutcome {
@@ -58,7 +54,7 @@ class CalibrationRun {
   // The search by the method of the stage, with the runs that it requests. False when interrupted.
   bool follow(const StageSpec& stage, const Fidelity& fidelity, const UnitPoint& start, const Sets& earlier,
               SearchPath& path);
-  SurrogateQueries surrogate_queries(const Fidelity& fidelity, const UnitPoint& start) const;
+  SurrogateQueries surrogate_queries(const Fidelity& fidelity, const UnitPoint& start, const Sets& earlier);
   bool confirm(UnitPoint at);
   bool seek_single_targets();
   void print_progress(const std::string& text) const;
@@ -66,14 +62,11 @@ class CalibrationRun {
 
   const CalibrationSpec& spec_;
   Evaluations& evaluations_;
-  int runs_ = 0;        // of the stages so far
-  double spent_ = 0.0;  // by them, of one core [s]
   CalibrationOutcome outcome_;
 };
 
-// footfall calibrate FILE: the parameters with which runs meet targets, how well the targets determine them, and trade-offs
-// between targets. The folder of results holds NAME.md, report.html, way.csv, best.txt, pictures, and the runs; the same
-// command resumes an interrupted calibration.
+// footfall calibrate FILE: the parameters with which runs meet targets, how well the targets determine them, and which
+// targets exclude each other. The same command resumes an interrupted calibration.
 struct CalibrateArguments {
   std::string file;
   std::string out;        // empty: runs/calibrations/NAME

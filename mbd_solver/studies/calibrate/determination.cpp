@@ -6,15 +6,15 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/studies/calibrate/optimum.h"
+#include "mbd_solver/studies/campaign/optimum.h"
 #include "mbd_solver/studies/campaign/sampling.h"
 
 namespace footfall {
 namespace {
 
-constexpr double kSmallestStep = 1e-9;  // of a position; closer sets are equal
-constexpr double kLeastSlope = 1e-6;    // tolerances per range: less is round-distance
-constexpr double kLeastCost = 0.5;      // tolerances
+constexpr double kSmallestStep = 1e-9;               // of a position; closer sets are equal
+constexpr double kLeastSlope = 1e-6;                 // tolerances per range: less is round-off
+constexpr double kBetter = 1e-9, kForbidden = 1e30;  // of the misfit
 
 }  // namespace
 
@@ -31,8 +31,7 @@ std::vector<UnitPoint> difference_sets(const CalibrationSpec& spec, const UnitPo
   return sets;
 }
 
-Determination determination_of(const CalibrationSpec& spec, const Evaluation& best,
-                               const std::vector<const Evaluation*>& around) {
+Determination determination_of(const CalibrationSpec& spec, const Evaluation& best, const Sets& around) {
   FOOTFALL_DEMAND(around.size() == 2 * best.point.size());
   const auto n = static_cast<Eigen::Index>(best.point.size());
   const std::vector<double> all = best.residuals(spec);
@@ -88,48 +87,13 @@ Determination determination_of(const CalibrationSpec& spec, const Evaluation& be
   return d;
 }
 
-std::vector<TradeOff> trade_offs_of(const CalibrationSpec& spec, const Evaluation& best,
-                                    const Eigen::MatrixXd& sensitivity) {
-  std::vector<TradeOff> trade_offs;
-  const auto single = [&](std::size_t t) { return !spec.targets[t].is_curve() && !best.targets[t].failed; };
-  for (std::size_t t = 0; t < spec.targets.size(); ++t) {
-    if (!single(t) || best.targets[t].is_met()) continue;
-    TradeOff trade_off;
-    trade_off.target = t;
-    const Eigen::VectorXd g = sensitivity.row(static_cast<Eigen::Index>(t));
-    trade_off.step = g.norm() > kLeastSlope ? -best.targets[t].residuals.front() / g.squaredNorm() * g : 0.0 * g;
-    for (std::size_t s = 0; s < spec.targets.size(); ++s) {
-      if (s == t || !single(s)) continue;
-      const double y = best.targets[s].values.front(),
-                   change = sensitivity.row(static_cast<Eigen::Index>(s)).dot(trade_off.step);
-      const double after = residual_of(spec.targets[s], y + spec.targets[s].tolerance * change);
-      const double cost = std::abs(after) - std::abs(residual_of(spec.targets[s], y));
-      if (cost >= kLeastCost) trade_off.costs.emplace_back(s, cost);
-    }
-    std::sort(trade_off.costs.begin(), trade_off.costs.end(),
-              [](const auto& a, const auto& b) { return a.second > b.second; });
-    trade_offs.push_back(trade_off);
-  }
-  return trade_offs;
-}
-
-namespace {
-
-constexpr double kBetter = 1e-9, kForbidden = 1e30;  // of the misfit
-
-TargetSpec narrowed(TargetSpec target) {
-  if (!target.is_band()) return target;
-  const double inside = std::min(kInsideBounds * target.tolerance, 0.5 * (target.most - target.least));
-  target.least += inside;
-  target.most -= inside;
-  return target;
-}
-
-}  // namespace
-
 UnitPoint adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eigen::MatrixXd& sensitivity) {
-  std::vector<TargetSpec> targets;
-  for (const TargetSpec& target : spec.targets) targets.push_back(narrowed(target));
+  std::vector<TargetSpec> targets = spec.targets;
+  for (TargetSpec& target : targets) {
+    const double inside = std::min(kInsideBounds * target.tolerance, 0.5 * (target.most - target.least));
+    target.least += inside;
+    target.most -= inside;
+  }
   OptimumTask task{whole.point, {}, {}, 0.5 * spec.step, 1e-4 * spec.step};
   for (const double share : whole.point) {
     task.least.push_back(std::max(0.0, share - spec.step));
@@ -153,34 +117,19 @@ UnitPoint adjusted(const CalibrationSpec& spec, const Evaluation& whole, const E
   return phi(best) < phi(whole.point) - kBetter ? best : whole.point;
 }
 
-const Evaluation* most_met(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets) {
-  const auto met = [&](const Evaluation* e) {
-    double sum = 0.0;
-    for (std::size_t t = 0; t < spec.targets.size(); ++t)
-      if (e->targets[t].is_met()) sum += spec.targets[t].weight;
-    return sum;
-  };
-  const Evaluation* most = sets.front();
-  for (const Evaluation* e : sets)
-    if (met(e) > met(most) || (met(e) == met(most) && e->misfit < most->misfit)) most = e;
-  return most;
+double weight_met(const CalibrationSpec& spec, const Evaluation& set) {
+  double sum = 0.0;
+  for (std::size_t t = 0; t < spec.targets.size(); ++t) sum += set.targets[t].is_met() ? spec.targets[t].weight : 0.0;
+  return sum;
 }
 
-std::vector<std::size_t> heaviest_targets(const CalibrationSpec& spec) {
-  double most = 0.0;
-  for (const TargetSpec& target : spec.targets) most = std::max(most, target.weight);
-  std::vector<std::size_t> chosen;
-  for (std::size_t t = 0; t < spec.targets.size(); ++t)
-    if (spec.targets[t].weight == most) chosen.push_back(t);
-  return chosen;
+const Evaluation* most_met(const CalibrationSpec& spec, const Sets& sets) {
+  return *std::min_element(sets.begin(), sets.end(), [&](const Evaluation* a, const Evaluation* b) {
+    return std::pair(-weight_met(spec, *a), a->misfit) < std::pair(-weight_met(spec, *b), b->misfit);
+  });
 }
 
-int met_of(const Evaluation& set, const std::vector<std::size_t>& targets) {
-  return static_cast<int>(
-      std::count_if(targets.begin(), targets.end(), [&](std::size_t t) { return set.targets[t].is_met(); }));
-}
-
-Conflicts conflicts_of(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets) {
+Conflicts conflicts_of(const CalibrationSpec& spec, const Sets& sets) {
   const auto count = [&](std::size_t a, std::size_t b) {
     return static_cast<int>(std::count_if(sets.begin(), sets.end(), [&](const Evaluation* e) {
       return e->targets[a].is_met() && e->targets[b].is_met();
@@ -194,26 +143,6 @@ Conflicts conflicts_of(const CalibrationSpec& spec, const std::vector<const Eval
         found.pairs.push_back({a, b, count(a, a), count(b, b)});
   }
   return found;
-}
-
-std::size_t most_without_conflict(const Conflicts& conflicts, std::vector<std::size_t> targets) {
-  const auto drop = [&](std::vector<std::size_t>& from, const auto& which) {
-    from.erase(std::remove_if(from.begin(), from.end(), which), from.end());
-  };
-  const std::vector<std::size_t>& never = conflicts.never;
-  drop(targets, [&](std::size_t t) { return std::find(never.begin(), never.end(), t) != never.end(); });
-  if (targets.empty()) return 0;
-  const std::size_t one = targets.back();
-  targets.pop_back();
-  std::vector<std::size_t> others = targets;  // that go with it
-  drop(others, [&](std::size_t t) {
-    return std::any_of(conflicts.pairs.begin(), conflicts.pairs.end(), [&](const Conflicts::Pair& pair) {
-      return (pair.a == one && pair.b == t) || (pair.a == t && pair.b == one);
-    });
-  });
-  const std::size_t with = 1 + most_without_conflict(conflicts, others);
-  // With one conflict at most, taking it is never worse.
-  return others.size() + 1 >= targets.size() ? with : std::max(with, most_without_conflict(conflicts, targets));
 }
 
 }  // namespace footfall

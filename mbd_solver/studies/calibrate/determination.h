@@ -42,18 +42,7 @@ struct Determination {
 // The sets for the differences: best + and - step along each parameter, limited to the range.
 std::vector<UnitPoint> difference_sets(const CalibrationSpec& spec, const UnitPoint& best);
 // `around`: as difference_sets.
-Determination determination_of(const CalibrationSpec& spec, const Evaluation& best,
-                               const std::vector<const Evaluation*>& around);
-
-// The smallest step that meets one target to first order, and its cost for others.
-struct TradeOff {
-  std::size_t target = 0;
-  Eigen::VectorXd step;                               // of the positions in the ranges; 0: no parameter affects it
-  std::vector<std::pair<std::size_t, double>> costs;  // target, rise of |r| [tolerances], from 0.5 on, largest first
-};
-// Of the targets that are single numbers and not met.
-std::vector<TradeOff> trade_offs_of(const CalibrationSpec& spec, const Evaluation& best,
-                                    const Eigen::MatrixXd& sensitivity);
+Determination determination_of(const CalibrationSpec& spec, const Evaluation& best, const Sets& around);
 
 // The set near one that was run whole that should meet more targets, to first order; whole runs differ from the cheaper ones
 // of a search:
@@ -66,11 +55,9 @@ std::vector<TradeOff> trade_offs_of(const CalibrationSpec& spec, const Evaluatio
 constexpr double kInsideBounds = 0.5;  // [tolerances]
 UnitPoint adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eigen::MatrixXd& sensitivity);
 
-// The set that meets most targets, counted by weight; of equals that with the least misfit.
-const Evaluation* most_met(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets);
-// The targets of the largest weight.
-std::vector<std::size_t> heaviest_targets(const CalibrationSpec& spec);
-int met_of(const Evaluation& set, const std::vector<std::size_t>& targets);
+double weight_met(const CalibrationSpec& spec, const Evaluation& set);  // sum of the weights of the targets it meets
+// The set with the largest; of equals that with the least misfit.
+const Evaluation* most_met(const CalibrationSpec& spec, const Sets& sets);
 
 // Targets that no set meets, and pairs that some sets meet one by one, but none together.
 struct Conflicts {
@@ -81,8 +68,6 @@ struct Conflicts {
   };
   std::vector<Pair> pairs;
 };
-Conflicts conflicts_of(const CalibrationSpec& spec, const std::vector<const Evaluation*>& sets);
-// The largest number of the targets without a conflict: an upper bound of the number that can be met together.
-std::size_t most_without_conflict(const Conflicts& conflicts, std::vector<std::size_t> targets);
+Conflicts conflicts_of(const CalibrationSpec& spec, const Sets& sets);
 
 }  // namespace footfall

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <thread>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
@@ -218,17 +217,10 @@ std::vector<double> Evaluation::residuals(const CalibrationSpec& spec) const {
   return all;
 }
 
-int Evaluations::jobs() const {
-  const int machine = static_cast<int>(std::thread::hardware_concurrency());
-  return jobs_ > 0 ? jobs_ : std::max(1, machine / store_.most_ranks());
-}
-
 std::string Evaluations::key(const Fidelity& fidelity, const UnitPoint& point) const {
-  std::string text = joined(fidelity.settings, "\n") + "\n" + number_text(fidelity.until, 10) + "\n" +
-                     std::to_string(fidelity.seeds) + "\n" +
-                     (fidelity.single_target ? std::to_string(*fidelity.single_target) : "");
-  for (std::size_t i = 0; i < point.size(); ++i) text += "\n" + spec_.parameters[i].text(point[i]);
-  return text;
+  Json key = {fidelity.settings, fidelity.until, fidelity.seeds, fidelity.single_target.value_or(spec_.targets.size())};
+  for (std::size_t i = 0; i < point.size(); ++i) key.push_back(spec_.parameters[i].text(point[i]));
+  return key.dump();
 }
 
 std::vector<std::string> Evaluations::settings(const Fidelity& fidelity, std::size_t scene,
@@ -305,26 +297,18 @@ bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<UnitPoin
   if (read_only_ && !left.empty()) return false;
   runs_reused_ += static_cast<int>(count - left.size());
   for (const std::size_t run : store_.beds_to_make(left, 2)) {
-    std::printf("making the bed of %s\n", store_.request(run).name.c_str());
-    std::fflush(stdout);
-    if (must_be_read)
-      store_.make_bed(run, true);
-    else
-      store_.try_bed(run);
+    if (must_be_read) store_.make_bed(run, false);
+    store_.try_bed(run);
   }
   remove_failed([&](std::size_t run) { return store_.has_failed(run); });
   const auto began = std::chrono::steady_clock::now();
-  if (!left.empty() && !store_.carry_out(left, jobs(), [&](std::size_t) { ++runs_done_; })) return false;
+  const auto count_run = [&](std::size_t) {
+    if (++runs_done_ % 10 == 0) std::printf("%d runs done\n", runs_done_), std::fflush(stdout);
+  };
+  if (!left.empty() && !store_.carry_out(left, jobs(), count_run)) return false;
   const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   for (std::size_t k = 0; k < sets.size(); ++k) {
     if (known(fidelity, sets[k])) continue;
-    for (const Planned& p : planned[k]) {
-      const std::string& scene = spec_.scenes[p.scene].name;
-      if (record(p)) continue;
-      if (const RunEnd end = store_.end_of(p.run); end.done())
-        records_.add(scene, store_.portable_recipe(p.run),
-                     {store_.request(p.run).name, numbers_of(spec_, scene, end.folder), end.cost.wall, end.cost.cpu});
-    }
     Evaluation e = evaluation_of(fidelity, sets[k], planned[k]);
     if (left.size() == count) e.lasted = taken / std::ceil(static_cast<double>(left.size()) / jobs());
     known_.emplace(key(fidelity, sets[k]), e);
@@ -338,32 +322,37 @@ const RunRecords::Entry* Evaluations::record(const Planned& planned) const {
 }
 
 Evaluation Evaluations::evaluation_of(const Fidelity& fidelity, const UnitPoint& point,
-                                      const std::vector<Planned>& runs) const {
+                                      const std::vector<Planned>& runs) {
   Evaluation e;
   e.point = point;
   e.runs = static_cast<int>(runs.size());
   std::vector<std::vector<RunNumbers>> numbers(spec_.scenes.size());
   std::vector<std::size_t> failed;  // scenes
   for (const Planned& p : runs) {
+    const std::string& scene = spec_.scenes[p.scene].name;
+    if (!record(p)) {
+      const RunEnd end = store_.end_of(p.run);
+      // Such an end is no result of the set.
+      if (end.code == kExitInterrupted || (end.code > 128 && spec_.time_limit == 0))
+        throw PartnerError(code::kRunEndedFromOutside, "the run " + end.folder + " was ended from outside (exit code " +
+                                                           std::to_string(end.code) + "); the same command resumes");
+      if (end.done())
+        records_.add(scene, store_.portable_recipe(p.run),
+                     {store_.request(p.run).name, numbers_of(spec_, scene, end.folder), end.cost.wall, end.cost.cpu});
+      else
+        e.message = scene + ": " + (end.message.empty() ? end.status : end.message);
+    }
     if (const RunRecords::Entry* entry = record(p)) {
       e.lasted += entry->wall / static_cast<double>(runs.size());
-      e.cpu += entry->cpu;
       numbers[p.scene].push_back(entry->numbers);
-      continue;
+    } else {
+      failed.push_back(p.scene);
     }
-    const RunEnd end = store_.end_of(p.run);
-    e.cpu += end.cost.cpu;
-    failed.push_back(p.scene);
-    // Such an end is no result of the set.
-    if (end.code == kExitInterrupted || (end.code > 128 && spec_.time_limit == 0))
-      throw PartnerError(code::kRunEndedFromOutside, "the run " + end.folder + " was ended from outside (exit code " +
-                                                         std::to_string(end.code) + "); the same command resumes");
-    e.message = spec_.scenes[p.scene].name + ": " + (end.message.empty() ? end.status : end.message);
   }
   for (const std::size_t scene : failed) numbers[scene].clear();
   for (std::size_t t = 0; t < spec_.targets.size(); ++t) {
     e.targets.push_back(result_of(spec_, t, numbers));
-    if (fidelity.requires(t))
+    if (fidelity.single_target.value_or(t) == t)
       e.misfit += e.targets.back().misfit(spec_.targets[t], fidelity.single_target ? 0.0 : spec_.cap);
   }
   return e;

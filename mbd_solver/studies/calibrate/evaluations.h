@@ -86,8 +86,6 @@ struct Fidelity {
   double until = 0.0;  // [s]; 0: unchanged
   int seeds = 1;
   std::optional<std::size_t> single_target;  // only for this target: other scenes are not run
-
-  bool requires(std::size_t target) const { return !single_target || *single_target == target; }
 };
 Fidelity fidelity_of(const CalibrationSpec& spec, const StageSpec& stage);
 Fidelity full_fidelity(const CalibrationSpec& spec);  // without settings of a stage, all seeds
@@ -97,13 +95,14 @@ struct Evaluation {
   double misfit = 0.0;                // Phi, of the required targets
   std::vector<TargetResult> targets;  // as CalibrationSpec::targets; others count as failed
   std::string message;                // of a run that failed
-  double cpu = 0.0;                   // of its runs, together [s]
   int runs = 0;
   double lasted = 0.0;  // wall time of a run; with the overhead of the pool if it was carried out now [s]
 
   int met() const;                                                   // number of targets
   std::vector<double> residuals(const CalibrationSpec& spec) const;  // sqrt(w) r of all targets
 };
+
+using Sets = std::vector<const Evaluation*>;
 
 class Evaluations {
  public:
@@ -121,7 +120,7 @@ class Evaluations {
   static constexpr double kViolated = 1e6;
 
   bool is_read_only() const { return read_only_; }
-  int jobs() const;                                 // with the ranks of the runs so far
+  int jobs() const { return store_.at_once(jobs_); }
   int runs_done() const { return runs_done_; }      // in this process
   int runs_reused() const { return runs_reused_; }  // done before
 
@@ -137,7 +136,7 @@ class Evaluations {
   std::string key(const Fidelity& fidelity, const UnitPoint& point) const;
   RunRequest request(const Fidelity& fidelity, std::size_t scene, int seed, const UnitPoint& point) const;
   const RunRecords::Entry* record(const Planned& planned) const;  // null: none
-  Evaluation evaluation_of(const Fidelity& fidelity, const UnitPoint& point, const std::vector<Planned>& runs) const;
+  Evaluation evaluation_of(const Fidelity& fidelity, const UnitPoint& point, const std::vector<Planned>& runs);
 
   const CalibrationSpec& spec_;
   RunStore store_;

@@ -22,7 +22,6 @@ struct SearchQueries {
   std::function<std::optional<double>(const UnitPoint&)> misfit;  // none: not known yet
   // Of gauss_newton, whose misfit is their sum of squares; of known sets only. Empty: a run failed.
   std::function<std::vector<double>(const UnitPoint&)> residuals;
-  std::function<bool(const UnitPoint&)> may_continue;  // called before each set that is known or certain
 };
 
 // Of all methods but surrogate. `start`: first set of a local search. `step`: of the differences of gauss_newton, whose sets
@@ -39,7 +38,6 @@ struct SurrogateQueries {
   std::vector<std::vector<std::size_t>> moved_by;   // the parameters that affect number k
   std::vector<UnitPoint> earlier;                   // sets known before
   std::function<bool(const UnitPoint&)> allowed = [](const UnitPoint&) { return true; };  // constraints hold
-  std::function<bool(const UnitPoint&)> may_continue;                                     // as above
 };
 
 // The method surrogate, for expensive runs, many parameters, and targets that depend on a few of them each. Every number k

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "mbd_solver/studies/calibrate/optimum.h"
 #include "mbd_solver/studies/calibrate/search.h"
+#include "mbd_solver/studies/campaign/optimum.h"
 #include "mbd_solver/studies/campaign/sampling.h"
 
 namespace footfall {
@@ -146,12 +146,8 @@ SearchPath surrogate_path(const StageSpec& stage, const UnitPoint& start, const 
   for (const UnitPoint& set : queries.earlier)
     if (const auto numbers = queries.numbers(set)) search.learn(set, *numbers);
   SearchPath path;
-  for (;;) {
-    path.end = static_cast<int>(path.sets.size()) >= stage.evaluations ? "all evaluations done" : "";
-    if (!path.end.empty()) return path;
+  while (static_cast<int>(path.sets.size()) < stage.evaluations) {
     const UnitPoint set = path.sets.empty() ? start : search.next();
-    path.end = queries.may_continue(set) ? "" : "limit reached";
-    if (!path.end.empty()) return path;
     const auto numbers = queries.numbers(set);
     if (!numbers) {
       path.requested = {set};
@@ -160,6 +156,8 @@ SearchPath surrogate_path(const StageSpec& stage, const UnitPoint& start, const 
     path.sets.push_back(set);
     if (const double misfit = search.learn(set, *numbers); misfit < path.misfit) path.misfit = misfit, path.best = set;
   }
+  path.end = "all evaluations done";
+  return path;
 }
 
 }  // namespace footfall

@@ -377,13 +377,6 @@ void write_array(const SweepArguments& a, const Campaign& campaign, const std::s
               shell_word(path).c_str());
 }
 
-int interrupted_code() {
-  std::fprintf(
-      stderr, "footfall: %s\n",
-      with_code(code::kStudyInterrupted, "interrupted; the same command resumes with the remaining runs").c_str());
-  return kExitInterrupted;
-}
-
 }  // namespace
 
 int campaign_command(const SweepArguments& a) {
@@ -423,7 +416,7 @@ int campaign_command(const SweepArguments& a) {
     read_journals(folder, recipe, campaign);
     std::vector<RepeatedRun> one = {{static_cast<std::size_t>(a.row), "", "", {}}};
     const bool known = campaign.row(one[0].row).code >= 0;
-    if (!run.repeat(one, "kept")) return interrupted_code();
+    if (!run.repeat(one, "kept")) return study_interrupted();
     if (one.empty()) throw NumericalError(code::kRunWithoutRows, "row " + std::to_string(a.row) + " cannot be run");
     std::printf("%s%s\n", one[0].folder.c_str(), known ? "" : " (the row is not in the table yet)");
     return !known || run.differing() == 0 ? kExitDone : kExitFailed;
@@ -431,7 +424,7 @@ int campaign_command(const SweepArguments& a) {
   if (a.only >= 0) {
     const auto element = static_cast<std::size_t>(a.only);
     const std::size_t first = element * campaign.size() / elements, last = (element + 1) * campaign.size() / elements;
-    return run.run(first, last, "_" + std::to_string(a.only), recipe) ? kExitDone : interrupted_code();
+    return run.run(first, last, "_" + std::to_string(a.only), recipe) ? kExitDone : study_interrupted();
   }
   if (a.merge) {
     read_journals(folder, recipe, campaign);
@@ -442,29 +435,31 @@ int campaign_command(const SweepArguments& a) {
                                  std::to_string(campaign.draws().count()) + "; tables have the draws before it")
                        .c_str());
   } else if (!run.run(0, campaign.size(), "", recipe)) {
-    return interrupted_code();
+    return study_interrupted();
   }
   // The table first: what follows takes time, and repeats nothing when it is ended.
   write_whole_file((fs::path(folder) / "runs.csv").string(), campaign_table(campaign).csv());
   std::vector<RepeatedRun> kept = rows_to_keep(campaign, static_cast<std::size_t>(campaign.spec().keep));
-  if (!kept.empty() && !run.repeat(kept, "kept")) return interrupted_code();
+  if (!kept.empty() && !run.repeat(kept, "kept")) return study_interrupted();
   std::vector<GroundCheckResult> checks;
   for (std::size_t c = 0; c < campaign.cases() && campaign.spec().ground_check && campaign.used() > 1; ++c) {
     checks.emplace_back();
     checks.back().which_case = c;
-    if (!check_case(campaign, folder, jobs, checks.back())) return interrupted_code();
+    if (!check_case(campaign, folder, jobs, checks.back())) return study_interrupted();
   }
-  const std::string again = "./footfall " + a.command + " " + a.file;
-  const std::string page = campaign_page(campaign, kept, checks, again),
-                    file = (fs::path(folder) / (name + ".md")).string();
-  write_whole_file(file, page);
-  if (!a.table.empty()) write_whole_file(a.table, page);
-  std::printf("%s%s\n%s\n", page.c_str(), (fs::path(folder) / "runs.csv").string().c_str(), file.c_str());
+  std::vector<std::string> pictures;
   try {
-    for (const std::string& picture : draw_campaign(campaign, folder)) std::printf("%s\n", picture.c_str());
+    pictures = draw_campaign(campaign, folder);
   } catch (const InputError& e) {
     warn_missing_file("picture", e);
   }
+  const StudyPage page = campaign_page(campaign, kept, checks, "./footfall " + a.command + " " + a.file, pictures);
+  const auto path = [&](const std::string& file) { return (fs::path(folder) / file).string(); };
+  write_whole_file(path(name + ".md"), page.markdown());
+  write_whole_file(path("report.html"), page.html());
+  if (!a.table.empty()) write_whole_file(a.table, page.markdown());
+  std::printf("%s%s\n%s\n%s\n", page.markdown().c_str(), path("runs.csv").c_str(), path(name + ".md").c_str(),
+              path("report.html").c_str());
   bool all = run.differing() == 0;
   for (std::size_t row = 0; row < campaign.used() * campaign.cases(); ++row) all = all && campaign.row(row).code == 0;
   return all ? kExitDone : kExitFailed;

@@ -47,12 +47,6 @@ double drawn_number(const Campaign& campaign, std::size_t row, std::size_t place
   return p.choices.empty() ? value : number_in(p.choices[static_cast<std::size_t>(value)].name).value_or(value);
 }
 
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
-
 }  // namespace
 
 std::vector<std::size_t> rows_of_case(const Campaign& campaign, std::size_t which_case) {
@@ -96,7 +90,7 @@ Boundary::Boundary(const Campaign& campaign, const EnvelopeSpec& envelope, std::
     low_[axis] = *std::min_element(values.begin(), values.end());
     high_[axis] = *std::max_element(values.begin(), values.end());
     if (!(high_[axis] > low_[axis])) high_[axis] = low_[axis] + 1.0;
-    median_[axis] = median_of(values);
+    median_[axis] = quantile(values, 0.5);
   }
   if (!fitted_) return;
   Eigen::MatrixXd x(static_cast<Eigen::Index>(points.size()), two_ ? 6 : 3);
@@ -239,17 +233,15 @@ std::vector<double> sorted_figure(const Campaign& campaign, std::size_t which_ca
 
 std::string quantile_text(const std::vector<double>& sorted, double share) {
   if (sorted.empty()) return "";
-  const auto count = static_cast<double>(sorted.size());
-  const std::size_t place = std::min(sorted.size() - 1, static_cast<std::size_t>(share * count));
   const auto [low, high] = quantile_bounds(sorted.size(), share);
   const auto bound = [&](long k) {
     return k < 0 || k >= static_cast<long>(sorted.size()) ? "?" : number_text(sorted[static_cast<std::size_t>(k)], 4);
   };
-  return number_text(sorted[place], 4) + " (" + bound(low) + " to " + bound(high) + ")";
+  return number_text(quantile(sorted, share), 4) + " (" + bound(low) + " to " + bound(high) + ")";
 }
 
 // A row per probability and percentile, a column per case.
-std::string main_table(const Campaign& campaign) {
+Table main_table(const Campaign& campaign) {
   const SweepSpec& spec = campaign.spec();
   std::vector<std::string> head = {"95 % intervals in brackets"};
   std::vector<std::string> runs = {"runs"}, without = {"without result"};
@@ -275,10 +267,10 @@ std::string main_table(const Campaign& campaign) {
         cells.push_back(quantile_text(sorted_figure(campaign, c, k), share));
       table.add(cells);
     }
-  return table.page();
+  return table;
 }
 
-std::string envelope_table(const Campaign& campaign) {
+Table envelope_table(const Campaign& campaign) {
   const SweepSpec& spec = campaign.spec();
   Table table({"envelope", "case", "outcome", "boundary (band of 95 %)", "runs on its right side"});
   for (const EnvelopeSpec& e : spec.envelopes)
@@ -298,11 +290,11 @@ std::string envelope_table(const Campaign& campaign) {
                  texts.empty() ? none : joined(texts, "; "),
                  boundary.fitted() ? share_text(boundary.agreement()) : ""});
     }
-  return table.page();
+  return table;
 }
 
 // Which input matters: total Sobol' indices where a polynomial explains the figure, otherwise rank correlations.
-std::string sensitivity_table(const Campaign& campaign) {
+Table sensitivity_table(const Campaign& campaign) {
   const SweepSpec& spec = campaign.spec();
   std::vector<std::string> head = {"case", "quantity", "measure"};
   for (const std::size_t k : campaign.draws().parameters()) head.push_back(spec.parameters[k].name);
@@ -336,10 +328,10 @@ std::string sensitivity_table(const Campaign& campaign) {
       add("rank correlation", rank_correlations(x, y));
     }
   }
-  return table.page();
+  return table;
 }
 
-std::string kept_table(const Campaign& campaign, const std::vector<RepeatedRun>& kept) {
+Table kept_table(const Campaign& campaign, const std::vector<RepeatedRun>& kept) {
   const SweepSpec& spec = campaign.spec();
   std::vector<std::string> head = {"row", "kept as"};
   append(head, names_in(spec.outcomes));
@@ -355,10 +347,10 @@ std::string kept_table(const Campaign& campaign, const std::vector<RepeatedRun>&
     cells.push_back("`footfall view " + run.folder + "`");
     table.add(cells);
   }
-  return table.page();
+  return table;
 }
 
-std::string check_text(const Campaign& campaign, const std::vector<GroundCheckResult>& checks) {
+Table check_text(const Campaign& campaign, const std::vector<GroundCheckResult>& checks) {
   const SweepSpec& spec = campaign.spec();
   const std::string outcome = spec.outcomes[place_of_outcome(spec, spec.ground_check->outcome)].name;
   Table table({"case", "runs of the check", "without result", "probability of " + outcome + " before [%]",
@@ -381,11 +373,11 @@ std::string check_text(const Campaign& campaign, const std::vector<GroundCheckRe
                std::to_string(near_wrong) + " of " + std::to_string(near), std::to_string(check.levels.missed),
                std::to_string(check.levels.false_alarms)});
   }
-  return table.page();
+  return table;
 }
 
 // How far the figures of the rows are from those of the same rows in the check.
-std::string check_figures_table(const Campaign& campaign, const std::vector<GroundCheckResult>& checks) {
+Table check_figures_table(const Campaign& campaign, const std::vector<GroundCheckResult>& checks) {
   const SweepSpec& spec = campaign.spec();
   Table table({"case", "quantity", "median before", "median in the check", "median of the deviations [%]",
                "largest deviation [%]", "in row"});
@@ -410,34 +402,47 @@ std::string check_figures_table(const Campaign& campaign, const std::vector<Grou
         }
       }
       if (deviations.empty()) continue;
-      table.add({campaign.case_name(check.which_case), spec.metrics[k].name, cell(median_of(cheap), 4),
-                 cell(median_of(better), 4), cell(100.0 * median_of(deviations), 3), cell(100.0 * largest, 3),
+      table.add({campaign.case_name(check.which_case), spec.metrics[k].name, cell(quantile(cheap, 0.5), 4),
+                 cell(quantile(better, 0.5), 4), cell(100.0 * quantile(deviations, 0.5), 3), cell(100.0 * largest, 3),
                  std::to_string(worst)});
     }
-  return table.page();
+  return table;
 }
 
 }  // namespace
 
-std::string campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>& kept,
-                          const std::vector<GroundCheckResult>& checks, const std::string& command) {
+StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>& kept,
+                        const std::vector<GroundCheckResult>& checks, const std::string& command,
+                        const std::vector<std::string>& pictures) {
   const SweepSpec& spec = campaign.spec();
-  std::ostringstream page;
-  page << "# " << (spec.title.empty() ? fs::path(spec.file).stem().string() : spec.title) << "\n`" << command
-       << "`: " << campaign.used() << " draws (" << name_of(spec.design) << ", seed " << spec.seed << ")"
-       << (campaign.stopped_early() ? ", ended where all intervals were as narrow as " + number_text(spec.until_width)
-                                    : "")
-       << ". Rows are in `runs.csv`.\n\n"
-       << main_table(campaign) << "\n";
-  if (!checks.empty())
-    page << "## Repeated with the settings of the check\nThe interval of the corrected probability has the scatter of "
-            "the draws and of the check.\n\n"
-         << check_text(campaign, checks) << "\nDeviations are relative to the figure in the check.\n\n"
-         << check_figures_table(campaign, checks) << "\n";
-  if (!spec.envelopes.empty()) page << "## Envelopes\n" << envelope_table(campaign) << "\n";
-  page << "## Which input matters\n" << sensitivity_table(campaign) << "\n";
-  if (!kept.empty()) page << "## Runs to look at\n" << kept_table(campaign, kept) << "\n";
-  return page.str();
+  StudyPage page(spec.title.empty() ? fs::path(spec.file).stem().string() : spec.title);
+  page.paragraph("`" + command + "`: " + std::to_string(campaign.used()) + " draws (" +
+                 std::string(name_of(spec.design)) + ", seed " + std::to_string(spec.seed) + ")" +
+                 (campaign.stopped_early()
+                      ? ", ended where all intervals were as narrow as " + number_text(spec.until_width)
+                      : "") +
+                 ". Rows are in `runs.csv`.");
+  page.table(main_table(campaign));
+  if (!checks.empty()) {
+    page.section("Repeated with the settings of the check");
+    page.paragraph("The interval of the corrected probability has the scatter of the draws and of the check.");
+    page.table(check_text(campaign, checks));
+    page.paragraph("Deviations are relative to the figure in the check.");
+    page.table(check_figures_table(campaign, checks));
+  }
+  if (!spec.envelopes.empty()) {
+    page.section("Envelopes");
+    page.table(envelope_table(campaign));
+  }
+  page.section("Which input matters");
+  page.table(sensitivity_table(campaign));
+  if (!kept.empty()) {
+    page.section("Runs to look at");
+    page.table(kept_table(campaign, kept));
+  }
+  if (!pictures.empty()) page.section("Pictures");
+  for (const std::string& picture : pictures) page.picture(picture);
+  return page;
 }
 
 // ---- pictures ----

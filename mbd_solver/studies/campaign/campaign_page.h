@@ -62,8 +62,10 @@ std::vector<double> chances(const Campaign& campaign, std::size_t which_case, st
                             const std::vector<std::size_t>& rows);
 
 Table campaign_table(const Campaign& campaign);
-std::string campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>& kept,
-                          const std::vector<GroundCheckResult>& checks, const std::string& command);
+// `pictures`: of draw_campaign.
+StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>& kept,
+                        const std::vector<GroundCheckResult>& checks, const std::string& command,
+                        const std::vector<std::string>& pictures);
 // Histograms and envelopes; returns the pictures. Throws InputError when gnuplot is missing or fails.
 std::vector<std::string> draw_campaign(const Campaign& campaign, const std::string& folder);
 

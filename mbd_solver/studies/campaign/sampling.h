@@ -1,6 +1,6 @@
 #pragma once
 // What OpenTURNS does for campaigns and calibrations: designs, distributions, quantiles, sensitivities, response surfaces.
-// sampling.cpp includes it, and calibrate/optimum.cpp for minima.
+// sampling.cpp includes it, and optimum.cpp for minima.
 
 #include <cstddef>
 #include <cstdint>

@@ -13,6 +13,17 @@ namespace {
 constexpr double kTwoSided = 1.959963984540054;  // of the normal distribution, 95 %
 }
 
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  constexpr double kRoundOff = 1e-9;
+  const double place = share * static_cast<double>(values.size());
+  const auto at = [&](double k) { return values[std::min(values.size() - 1, static_cast<std::size_t>(k))]; };
+  if (place >= 1.0 && std::abs(place - std::round(place)) < kRoundOff)
+    return 0.5 * (at(std::round(place) - 1.0) + at(std::round(place)));
+  return at(place);
+}
+
 Probability wilson(double share, double count) {
   if (!(count > 0.0)) return {share, 0.0, 1.0};
   const double z2 = kTwoSided * kTwoSided, centre = (share + 0.5 * z2 / count) / (1.0 + z2 / count);

@@ -8,6 +8,10 @@
 
 namespace footfall {
 
+// The value below which `share` of the values are; the mean of two where the share ends between them, as the median of an
+// even number does. 0 of none.
+double quantile(std::vector<double> values, double share);
+
 // A probability with its 95 % interval.
 struct Probability {
   double value = 0.0, low = 0.0, high = 1.0;

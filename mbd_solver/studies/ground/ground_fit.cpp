@@ -18,7 +18,7 @@
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/shipped_files.h"
-#include "mbd_solver/studies/calibrate/optimum.h"
+#include "mbd_solver/studies/campaign/optimum.h"
 #include "mbd_solver/studies/campaign/sampling.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/sweep_command.h"

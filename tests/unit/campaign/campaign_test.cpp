@@ -64,6 +64,19 @@ double deviation(const std::vector<double>& x) {
   return std::sqrt(sum / static_cast<double>(x.size()));
 }
 
+// Of an even number of values the mean of the middle two, as of any share that ends between two.
+TEST(Quantile, LiesBetweenValuesWhereTheShareEndsThere) {
+  EXPECT_EQ(quantile({4, 1, 3, 2}, 0.5), 2.5);
+  EXPECT_EQ(quantile({4, 1, 3}, 0.5), 3);
+  EXPECT_EQ(quantile({7}, 0.5), 7);
+  std::vector<double> hundred(100);
+  std::iota(hundred.begin(), hundred.end(), 1.0);
+  EXPECT_EQ(quantile(hundred, 0.05), 5.5);
+  EXPECT_EQ(quantile(hundred, 0.99), 99.5);
+  EXPECT_EQ(quantile(hundred, 0.994), 100);
+  EXPECT_EQ(quantile({}, 0.5), 0);
+}
+
 // A Latin hypercube of 2000 has the moments of a distribution to about 1 / 2000 of its width; 2 % leave room for tails.
 TEST(DrawnRuns, OfEveryDistributionHaveItsMoments) {
   std::vector<ParameterSpec> p = {drawn("n", DistributionKind::kNormal),

@@ -34,6 +34,21 @@ namespace {
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
+// Pages: mbd_solver/studies/tables.h.
+TEST(StudyPage, SaysTheSameAsMarkdownAndHtml) {
+  StudyPage page("Strut");
+  page.section("Best set");
+  page.paragraph("Near & far");
+  Table table({"name", "value"});
+  table.add({"viscous", "3000"});
+  page.table(table);
+  EXPECT_EQ(page.markdown(),
+            "# Strut\n\n## Best set\n\nNear & far\n\n| name | value |\n|---|---|\n| viscous | 3000 |\n");
+  for (const char* part : {"<h1>Strut</h1>", ">Best set</h2>", "<p>Near &amp; far</p>", "<td>viscous</td>"})
+    EXPECT_THAT(page.html(), HasSubstr(part));
+  EXPECT_EQ(Table({"a #1", "b\nc", "d"}).csv(), "\"a #1\",\"b\nc\",d\n") << "as CsvReader takes it";
+}
+
 // Of a sweep with these lines.
 std::string complaint(const std::string& lines) { return test::sweep_complaint("scene = \"scene.toml\"\n" + lines); }
 

@@ -1,5 +1,5 @@
 // Functions of std::vector as those of OpenTURNS.
-#include "mbd_solver/studies/calibrate/optimum.h"
+#include "mbd_solver/studies/campaign/optimum.h"
 
 #include <algorithm>
 #include <cmath>
