@@ -18,6 +18,7 @@
 #include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/app/view_page.h"
 #include "mbd_solver/app/viewer_scripts.h"
+#include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/packed_bytes.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/base/quote.h"
@@ -415,28 +416,11 @@ std::string run_page(const std::string& run) {
   return page.text();
 }
 
-// As Table::csv() of studies writes it (RFC 4180): names of cases hold commas, as in gravity=[0,0,-3.71].
+// As Table::csv() of studies writes it: names of cases hold commas, as in gravity=[0,0,-3.71].
 Rows csv_rows(const fs::path& file) {
   Rows rows;
-  std::string cell;
-  std::vector<std::string> row;
-  bool quoted = false;
-  const std::string table = read_whole_file(file.string()).value_or("");
-  for (std::size_t k = 0; k < table.size(); ++k) {
-    const char c = table[k];
-    if (c == '"' && quoted && k + 1 < table.size() && table[k + 1] == '"') {
-      cell += table[++k];
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (!quoted && (c == ',' || c == '\n')) {
-      row.push_back(std::move(cell));
-      cell.clear();
-      if (c == '\n') rows.push_back(std::move(row));
-      if (c == '\n') row.clear();
-    } else if (c != '\r') {
-      cell += c;
-    }
-  }
+  for (CsvReader csv(file.string(), "a table of a sweep"); csv.next();)
+    rows.emplace_back(csv.cells().begin(), csv.cells().end());
   return rows;
 }
 

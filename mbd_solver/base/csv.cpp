@@ -1,4 +1,4 @@
-// Text tables line by line, without copies of the cells. Numbers by from_chars, and by strtod beyond the range of double.
+// Text tables line by line, without copies of the cells but of lines with quotes. Numbers by from_chars, and by strtod beyond the range of double.
 
 #include "mbd_solver/base/csv.h"
 
@@ -39,6 +39,10 @@ CsvReader::CsvReader(const std::string& path, const std::string& expected, Separ
 bool CsvReader::next() {
   while (std::getline(file_, content_)) {
     ++line_;
+    if (content_.find('"') != std::string::npos) {
+      if (split_quoted()) return true;
+      continue;
+    }
     const std::string_view row = trimmed_view(std::string_view(content_).substr(0, content_.find('#')));
     if (row.empty()) continue;
     cells_.clear();
@@ -52,6 +56,57 @@ bool CsvReader::next() {
     if (!cells_.empty()) return true;
   }
   return false;
+}
+
+bool CsvReader::split_quoted() {
+  const bool any = separators_ == Separators::kAny;
+  const std::string_view separators = any ? ",; \t\r" : ",";
+  const int first = line_;
+  std::string cell;
+  bool quoted = false, closed = false,
+       empty = true;  // closed: after the second quote; empty: the line has no cells so far
+  const auto end_cell = [&] {
+    if (!closed) cell = std::string(trimmed_view(cell));
+    if (!any || closed || !cell.empty()) unquoted_.push_back(cell);
+    cell.clear();
+    closed = false;
+  };
+  unquoted_.clear();
+  for (std::size_t at = 0; at < content_.size() || quoted; ++at) {
+    if (at == content_.size()) {
+      std::string more;
+      if (!std::getline(file_, more)) {
+        line_ = first;
+        fail(code::kTableCell, "a cell begins with a quote and never ends, expected another quote");
+      }
+      ++line_;
+      content_ += '\n' + more;
+    }
+    const char c = content_[at];
+    const bool blank = kBlanks.find(c) != std::string_view::npos;
+    if (quoted && c == '"' && content_.compare(at, 2, "\"\"") != 0) {
+      quoted = false, closed = true;
+    } else if (quoted) {
+      cell += c;
+      if (c == '"') ++at;
+    } else if (c == '#') {
+      break;
+    } else if (separators.find(c) != std::string_view::npos) {
+      end_cell();
+      empty = empty && blank;
+    } else if (c == '"' && !closed && trimmed_view(cell).empty()) {
+      cell.clear();
+      quoted = true, empty = false;
+    } else if (!closed) {
+      cell += c;
+      empty = empty && blank;
+    } else if (!blank) {
+      fail(code::kTableCell, "has text after a cell in quotes, expected a separator");
+    }
+  }
+  end_cell();
+  cells_.assign(unquoted_.begin(), unquoted_.end());
+  return !empty && !cells_.empty();
 }
 
 double CsvReader::number(std::size_t column) const {

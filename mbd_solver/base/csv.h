@@ -1,5 +1,6 @@
 #pragma once
-// Tables in text files: a line per row, cells separated by commas, # starts a comment, empty lines do not count.
+// Tables in text files: a line per row, cells separated by commas, # starts a comment, empty lines do not count. Cells in
+// quotes as in RFC 4180: they may hold separators, #, ends of lines, and quotes as "".
 //
 //   CsvReader csv(path, "a table of forces");
 //   while (csv.next()) use(csv.number(0), csv.number(1));
@@ -20,7 +21,8 @@ class CsvReader {
   // expected: what the file should be, for messages. Throws InputError if it cannot be read.
   CsvReader(const std::string& path, const std::string& expected, Separators separators = Separators::kComma);
 
-  // Goes to the next line that has cells; false at the end of the file.
+  // Goes to the next line that has cells; false at the end of the file. Throws InputError for a quote that is not closed, or
+  // is followed by text.
   bool next();
   // Of this line, without blanks around them; valid until the next line.
   const std::vector<std::string_view>& cells() const { return cells_; }
@@ -36,10 +38,13 @@ class CsvReader {
   [[noreturn]] void fail(const MessageCode& code, const std::string& what) const;  // InputError at this line
 
  private:
+  bool split_quoted();  // of a line with quotes; false if it has no cells
+
   std::string path_;
   Separators separators_;
   std::ifstream file_;
-  std::string content_;  // of this line
+  std::string content_;                // of this line
+  std::vector<std::string> unquoted_;  // its cells, where some are in quotes
   std::vector<std::string_view> cells_;
   int line_ = 0;
 };

@@ -14,6 +14,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/message_fields.h"
+#include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/base/named_file.h"
 #include "tests/support/refused.h"
@@ -23,6 +24,40 @@ namespace footfall {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Tables: mbd_solver/base/csv.h.
+class Csv : public ::testing::Test, protected TemporaryFolder {
+ protected:
+  using Rows = std::vector<std::vector<std::string>>;
+  Rows rows(const std::string& text, CsvReader::Separators separators = CsvReader::Separators::kComma) {
+    Rows all;
+    for (CsvReader csv(write("table.csv", text), "a table", separators); csv.next(); last_line_ = csv.line())
+      all.emplace_back(csv.cells().begin(), csv.cells().end());
+    return all;
+  }
+  std::string refused(const std::string& text) {
+    return test::error_of([&] { rows(text); });
+  }
+  int last_line_ = 0;
+};
+
+TEST_F(Csv, HasCellsInQuotes) {
+  EXPECT_EQ(rows("a,b # c\n\n\"x,y\", \" # \"\"z\"\" \" ,\"\"\n"), (Rows{{"a", "b"}, {"x,y", " # \"z\" ", ""}}));
+  EXPECT_EQ(rows("\"1.5\",2\r\n"), (Rows{{"1.5", "2"}}));
+  EXPECT_EQ(rows("5\" pipe,\"\"\"\" # the \"first\"\n  # \"none\"\n"), (Rows{{"5\" pipe", "\""}}))
+      << "a quote within a cell";
+  EXPECT_EQ(rows("\"a b\"; c  \"d,e\"\n", CsvReader::Separators::kAny), (Rows{{"a b", "c", "d,e"}}));
+}
+
+TEST_F(Csv, HasEndsOfLinesInQuotes) {
+  EXPECT_EQ(rows("\"one\n#two\r\n\",3\n4,5\n"), (Rows{{"one\n#two\r\n", "3"}, {"4", "5"}}));
+  EXPECT_EQ(last_line_, 4) << "lines of the file are counted";
+}
+
+TEST_F(Csv, NamesTheLineOfAQuoteThatIsWrong) {
+  EXPECT_TRUE(test::names(refused("a,b\n1,\"2\n3,4\n"), {"table.csv:2: ", "E0251"}));
+  EXPECT_TRUE(test::names(refused("a,b\n\"1\"2,3\n"), {"table.csv:2: ", "E0251"}));
+}
 
 class WholeFile : public ::testing::Test, protected TemporaryFolder {};
 
