@@ -110,10 +110,10 @@ void show_targets(StudyPage& page, const CalibrationSpec& spec, const std::vecto
   if (spec.cap > 0.0)
     text += " Distances above " + num(spec.cap) +
             " tolerances count as that in the misfit; the best set is the one that meets most targets.";
-  page.paragraph(text +
-                 " The set \"best\" is that of the last stage's runs, \"confirmed\" that of whole runs over all "
-                 "seeds. Distances [tolerances] are of the set \"" +
-                 sets.back().name + "\", the least of all " + num(comparable.size()) + " sets.");
+  if (sets.back().name == "confirmed")
+    text += " The best set is that of the last stage's runs; confirmed are whole runs over all seeds.";
+  page.paragraph(text + " Distances [tolerances] are of \"" + sets.back().name + "\", the least of all " +
+                 num(comparable.size()) + " sets.");
   Row head = {"target", "required", "tolerance", "weight"};
   for (const NamedSet& set : sets) head.push_back(set.name);
   append(head, {"distance", "met", "least distance", "sets that meet it", "source"});
