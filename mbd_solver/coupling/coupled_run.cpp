@@ -282,6 +282,7 @@ void CoupledRun::observe(const State& state) {
     watched_[k].pending_modes = body.window.pending_modal_work(body.end);
     watched_[k].gravity = body.body.mass() * gravity_.dot(body.end.r - motion_.bodies[k].r);
     watched_[k].kinetic = 0.5 * body.body.mass() * body.end.dr.squaredNorm();
+    watched_[k].speed = body.end.dr.norm();
     if (const std::optional<Eigen::Vector3d> surplus = body.window.surplus_impulse(body.end))
       watch_->add_surplus_impulse(k, state.time, *surplus,
                                   body.window.length() * partner_.load().bodies[k].mean.F_W.norm());

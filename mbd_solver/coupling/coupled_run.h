@@ -50,10 +50,10 @@ class CoupledRun {
                   const std::function<void()>& meanwhile, Inputs& inputs);
   // Something has changed abruptly at the start of the next window: chosen windows begin with the shortest.
   void restart() { restarts_ = true; }
-  // An event has been found at the end of the last window, which was not foreseen. share: by which velocities change, of the
-  // largest, if it is that window late.
-  void tell_of_event(const std::string& event, double time, double share) {
-    watch_->tell_of_event(event, {time, window_length(), motion_.n, motion_.last_window}, share);
+  // An event has been found at the end of the last window; late: it was not foreseen. share: by which velocities change, of
+  // the largest, if it is that window late.
+  void tell_of_event(const std::string& event, double time, double share, bool late) {
+    watch_->tell_of_event(event, {time, window_length(), motion_.n, motion_.last_window}, share, late);
   }
   double window_length() const { return motion_.n * agreement_.dt; }  // of the last window [s]
   bool chooses_windows() const { return agreement_.substeps == 0; }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/coupling/codes.h"
 
 namespace footfall {
@@ -19,10 +20,11 @@ constexpr double kSurplus = 0.01;       // of the impulse given by the grains
 constexpr int kSurplusWindows = 10;     // bodies times windows
 constexpr double kUnresolved = 0.1;     // of the impulse on a body
 constexpr double kWindowsPerTouch = 10.0;
-constexpr double kFloor = 1e-3;       // of the energy that a window's impulse can give
-constexpr double kDamped = 1.8;       // 2 zeta of a restitution of 0.2, over 0.5
-constexpr double kMuchLarger = 1.25;  // than what has been reported
-constexpr double kForceError = 0.05;  // of the largest force on a body
+constexpr double kFloor = 1e-3;           // of the energy that a window's impulse can give
+constexpr double kDamped = 1.8;           // 2 zeta of a restitution of 0.2, over 0.5
+constexpr double kUsualDensity = 2500.0;  // of a grain whose mass alone is known [kg/m3]
+constexpr double kMuchLarger = 1.25;      // than what has been reported
+constexpr double kForceError = 0.05;      // of the largest force on a body
 // Of the DEM steps with kOfPeak of a peak: a window that shows it. Of a parabola with w such steps a mean over w / 2 leaves out
 // at most 3.3 %, wherever the window ends.
 constexpr double kOfPeakSteps = 0.5;
@@ -177,7 +179,7 @@ void CouplingWatch::observe(const Window& window, const Load& load, const std::v
     if (!std::isinf(bodies[i].mass)) watch_touch(records_[i], window, body);
   }
   for (std::size_t i = 0; i < records_.size(); ++i) watch_peaks(records_[i], window, load.bodies[i], bodies[i]);
-  watch_grains(window, load);
+  watch_grains(window, load, bodies);
   watch_energy(window, load, bodies);
   n_before_ = window.n;
   lengths_ = Eigen::Vector3d(window.H, lengths_[0], lengths_[1]);
@@ -318,8 +320,11 @@ void CouplingWatch::add_surplus_impulse(std::size_t i, double time, const Eigen:
                      "interval"));
 }
 
-void CouplingWatch::tell_of_event(const std::string& event, const Window& window, double share) {
-  if (warned_of_event_ || window.n <= 1 || share <= kEventShare) return;
+void CouplingWatch::tell_of_event(const std::string& event, const Window& window, double share, bool late) {
+  // Longer windows are never advised: there the event may not be foreseen.
+  if (share > 0.0)
+    advised_ = std::min(advised_, std::max(1, static_cast<int>(std::min(1e6, kEventShare / share * window.n))));
+  if (!late || warned_of_event_ || window.n <= 1 || share <= kEventShare) return;
   warned_of_event_ = true;
   n_longest_ = std::max(window.n, n_before_);
   warn(with_code(
@@ -330,7 +335,7 @@ void CouplingWatch::tell_of_event(const std::string& event, const Window& window
 }
 
 // The first overlap above the limit, and at the end the largest, where it is much larger.
-void CouplingWatch::watch_grains(const Window& window, const Load& load) {
+void CouplingWatch::watch_grains(const Window& window, const Load& load, const std::vector<Body>& bodies) {
   const bool first_window = !began_;
   began_ = true;
   for (std::size_t i = 0; i < records_.size(); ++i) {
@@ -347,7 +352,11 @@ void CouplingWatch::watch_grains(const Window& window, const Load& load) {
     const std::string overlap = at(deepest_time_) + (larger ? "largest grain overlap of the run " : "grain overlap ") +
                                 percent(largest_overlap_) + " of radius, on body " +
                                 records_[static_cast<std::size_t>(deepest_)].name;
-    if (first_window && largest_overlap_ > kInside) {
+    // A fast body may have come so far within the window.
+    const std::size_t deepest = static_cast<std::size_t>(deepest_);
+    const double radius = std::cbrt(0.75 * load.bodies[deepest].grain_mass / (kPi * kUsualDensity));  // [m]
+    const bool comes = bodies[deepest].speed * window.H > 0.5 * largest_overlap_ * radius && radius > 0.0;
+    if (first_window && largest_overlap_ > kInside && !comes) {
       warn(with_code(code::kStartsInBed, overlap +
                                              ", in the first coupling interval: a body overlaps the bed at the start; "
                                              "raise it (initial.clearance, positions of bodies, [initial.joints])"));

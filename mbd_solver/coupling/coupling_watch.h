@@ -43,6 +43,7 @@ class CouplingWatch {
                                  // from the computed motion [J]
     double pending_modes = 0.0;  // the same of its modes: judged, but no part of energy_residual() [J]
     double force_error = 0.0;    // of the predicted path at the window's end (WindowChoice) [N]
+    double speed = 0.0;          // of its mass centre at the window's end [m/s]
   };
 
   // Names of the coupled bodies in the order of Load; limits of the scene; the scheme must outlive this.
@@ -56,8 +57,9 @@ class CouplingWatch {
   // Scheme `tangent`, per window: impulse that body i received beyond that of the grains, and the size of theirs [N s].
   void add_surplus_impulse(std::size_t i, double time, const Eigen::Vector3d& surplus, double given);
 
-  // Loads of the window that ends have triggered an event in it. share: of CoupledRun::tell_of_event.
-  void tell_of_event(const std::string& event, const Window& window, double share);
+  // Loads of the window that ends have triggered an event in it, or at its end where it was foreseen (late = false). share: of
+  // CoupledRun::tell_of_event.
+  void tell_of_event(const std::string& event, const Window& window, double share, bool late);
 
   void visit(Archive& archive);
 
@@ -134,7 +136,7 @@ class CouplingWatch {
   void watch_omega_h(Record& record, const Window& window, const BodyLoad& load, double mass);
   void watch_energy(const Window& window, const Load& load, const std::vector<Body>& bodies);
   void watch_touch(Record& record, const Window& window, const BodyLoad& load);
-  void watch_grains(const Window& window, const Load& load);
+  void watch_grains(const Window& window, const Load& load, const std::vector<Body>& bodies);
   void watch_chatter(Record& record, const Eigen::Vector3d& force, const Window& window, bool free);
   void watch_peaks(Record& record, const Window& window, const BodyLoad& load, const Body& body);
   double left_out_of_peak(const Eigen::Vector3d& sizes, double size, double H) const;  // [N]

@@ -525,13 +525,14 @@ double Simulation::foreseen_event(double before) {
 // A change of accelerations by da, H late, changes velocities by H da:  share = H sqrt(sum m |da|^2 / 2 K),  K the largest
 // kinetic energy so far.
 void Simulation::tell_of_late_event(const std::string& event, const Eigen::VectorXd& change) {
-  if (!(state_.time < foreseen_) || !(largest_kinetic_ > 0.0)) return;
+  if (!(largest_kinetic_ > 0.0)) return;
   double gained = 0.0;  // [J/s2]
   const Layout& layout = equations_.layout();
   for (int i = 0; i < mechanism_.model.body_count(); ++i)
     gained += 0.5 * mechanism_.model.body(i).mass() *
               change.segment<3>(layout.v0() + layout.body_v[static_cast<std::size_t>(i)]).squaredNorm();
-  coupled_->tell_of_event(event, state_.time, coupled_->window_length() * std::sqrt(gained / largest_kinetic_));
+  coupled_->tell_of_event(event, state_.time, coupled_->window_length() * std::sqrt(gained / largest_kinetic_),
+                          state_.time < foreseen_);
 }
 
 void Simulation::sample_before_window(Loop& loop) {
