@@ -52,6 +52,10 @@ inline constexpr MessageCode kLauncherCrashed{"W0500", "launcher-crashed"};
 
 // The run is done, but a requirement of its scene is missed or could not be computed. The message names them.
 inline constexpr MessageCode kRequirementsMissed{"E0517", "requirements-missed"};
+// --until is later than the end of the scene, which ends the run. Set end_time for a longer run.
+inline constexpr MessageCode kUntilAfterEnd{"W0518", "until-after-end"};
+// The standard output cannot be written: its disk is full. Free space, or send it elsewhere.
+inline constexpr MessageCode kOutputNotWritten{"E0519", "output-not-written"};
 
 // --- After a run.
 

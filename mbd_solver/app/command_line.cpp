@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -157,7 +158,14 @@ int run_command_line(int argc, char** argv, const std::vector<Subcommand>& comma
     prepare_start(argc, argv);
     require_command(line, commands);
     app.parse(Line(line.rbegin(), line.rend()));
-    return action();
+    const int exit_code = action();
+    const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (written || errno == EPIPE) return exit_code;  // nobody reads on
+    std::fprintf(stderr, "footfall: %s\n",
+                 with_code(code::kOutputNotWritten,
+                           "the standard output cannot be written in full; free space there, or send it elsewhere")
+                     .c_str());
+    return exit_code == 0 ? kExitFailed : exit_code;
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
     std::fprintf(stderr, "%s\n", with_code(code::kWrongOption, option_error(app, e, line)).c_str());

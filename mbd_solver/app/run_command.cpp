@@ -331,6 +331,12 @@ RunPlan new_run(const RunArguments& a) {
   const std::string out = short_path(a.out.empty() ? new_run_folder(scene_name(scene.file)) : a.out);
   if (scene.touches_particles()) require_whole_words(*scene.particles, out);
   RunPlan plan{scene, out, (fs::path(out) / "liggghts.log").string(), RunFolder(out, a.force), {}, ""};
+  if (a.until > scene.end_time)
+    std::fprintf(stderr, "footfall: warning: %s\n",
+                 with_code(code::kUntilAfterEnd, "--until " + number_text(a.until) + ": the scene ends before, at " +
+                                                     number_text(scene.end_time) +
+                                                     " s; for a longer run use --set end_time=" + number_text(a.until))
+                     .c_str());
   write_run_note(out, {scene.title, scene.file, a.until > 0.0 ? std::min(a.until, scene.end_time) : scene.end_time});
   if (!scene.touches_particles()) {
     plan.command.words = solver_words(a, out, "");

@@ -113,11 +113,16 @@ void remove_files(const std::string& folder) {
 std::vector<std::string> files_of_run(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code error;
+  const bool whole = is_run(folder);
   fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, error), end;
   for (; !error && it != end; it.increment(error)) {
     std::error_code gone;
-    if (it->is_directory(gone) && !it->is_symlink(gone)) continue;
     const std::string name = it->path().lexically_relative(folder).generic_string();
+    if (it->is_directory(gone) && !it->is_symlink(gone)) {
+      // A run fills its own folders alone; others may be large.
+      if (it.depth() == 0 && !whole && !is_folder_of_run(name)) it.disable_recursion_pending();
+      continue;
+    }
     if (is_of_run(name) || (it->is_symlink(gone) && is_folder_of_run(name))) names.push_back(name);
   }
   std::sort(names.begin(), names.end());

@@ -38,7 +38,8 @@ CsvReader::CsvReader(const std::string& path, const std::string& expected, Separ
 
 bool CsvReader::next() {
   while (std::getline(file_, content_)) {
-    ++line_;
+    if (++line_ == 1 && content_.rfind("\xEF\xBB\xBF", 0) == 0)
+      content_.erase(0, 3);  // byte order mark of spreadsheets
     if (content_.find('"') != std::string::npos) {
       if (split_quoted()) return true;
       continue;

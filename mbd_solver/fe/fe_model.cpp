@@ -310,6 +310,7 @@ using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kSymmetric = 1e-6;    // largest |K - K^T| over largest |K|: files print six digits or more
+constexpr double kRounded = 1e-3;      // below, coordinates of three to six digits are likelier than supports
 constexpr double kUnsupported = 1e-6;  // force of a rigid-body motion over the sum of its magnitudes
 constexpr double kOneCentre = 1e-4;    // momentum of a unit rotation about the centre, over sqrt(mass inertia)
 constexpr double kMassRank = 1e-12;    // singular below this fraction of the largest eigenvalue
@@ -414,12 +415,15 @@ void check_free(const FeModel& model, const std::string& who) {
   for (int k = 0; k < 6; ++k) {
     const double force = (model.stiffness * R.col(k)).norm();
     const double parts = (magnitude * R.col(k).cwiseAbs()).norm();
+    const bool rounded = k >= 3 && force < kRounded * parts;
     if (!(force <= kUnsupported * parts))
-      throw InputError(
-          code::kFeModel,
-          who + ": the stiffness matrix resists " + (k < 3 ? "translation along " : "rotation about ") +
-              std::string(1, "xyz"[k % 3]) + " of the whole body (relative force " + plain_text(force / parts) +
-              "), expected a free body. Remove its supports; joints are given in the scene." + model.remark);
+      throw InputError(code::kFeModel,
+                       who + ": the stiffness matrix resists " + (k < 3 ? "translation along " : "rotation about ") +
+                           std::string(1, "xyz"[k % 3]) + " of the whole body (relative force " +
+                           plain_text(force / parts) + "), expected a free body. " +
+                           (rounded ? "The coordinates of its nodes seem to be rounded: write them with more digits"
+                                    : "Remove its supports; joints are given in the scene") +
+                           "." + model.remark);
   }
 }
 

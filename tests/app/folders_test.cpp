@@ -41,6 +41,9 @@ TEST_F(Folders, KeepWhatIsTheUsers) {
 
   write_own("here/notes.txt");
   EXPECT_EQ(folder.shell("cd here && " + footfall + kShort + " --out .").exit_code, 0);
+  write_own("work/other/deep/grains_0.txt");  // no folder that a run fills
+  folder.done(kShort + " --out work");
+  EXPECT_EQ(folder.read("work/other/deep/grains_0.txt"), "mine\n");
   write_own("named/history.csv");
   folder.refused(kShort + " --out named", "E0505");
   folder.refused(kShort + " --out named --force", "E0505");
