@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
@@ -30,6 +31,13 @@ constexpr double kFarOutside = 10.0;     // radius of gyration of a shape [its r
 constexpr double kFarFromPoints = 30.0;  // the same where points alone are known [size of the mechanism]
 constexpr double kFewPoints = 10.0;  // a body without shape may be larger than where it is held [size of the mechanism]
 constexpr double kTouching = 1e-6;   // [of the size of a body]
+constexpr double kThinnestBody = 1e-3;                          // [kg/m3] in the ball of its radius of gyration
+constexpr double kRoughest = 5.0;                               // rubber has 1 to 2; 30 are degrees or per cent
+constexpr double kLeastPressure = 2000.0, kMostPressure = 2e8;  // of gas in a strut [Pa]
+constexpr double kFarAway = 300.0;                              // of a point of a body [its reach]
+constexpr double kPlaces = 100.0;                               // of a boundary that bear it on a plane
+constexpr double kOpenMotion = 1e-3;                            // largest gap that the start closes [m]
+constexpr double kSunk = 0.1;                                   // on a plane, at rest [size of the mechanism]
 
 // Any two unit vectors that are perpendicular to the axis and to each other.
 std::array<Vector3d, 2> across(const Vector3d& axis) {
@@ -177,6 +185,16 @@ class Plausibility {
     check_angles();
     check_speeds();
     check_springs_that_carry();
+    check_sliders();
+    check_plane();
+    check_ratios();
+    check_gas();
+    check_points();
+    if (starts_as_drawn()) {
+      check_stops();
+      check_motion_starts();
+    }
+    check_periods();
     check_inside();
   }
 
@@ -238,6 +256,12 @@ class Plausibility {
     for (const Vector3d& point : points) reach = std::max(reach, (point - body.position).norm());
     const double limit = reach > 0.0 ? kFarOutside * reach : kFarFromPoints * size_;
     const double gyration = std::sqrt(0.5 * body.inertia.trace() / body.mass);
+    if (limit == 0.0 && body.mass < kThinnestBody * 4.0 / 3.0 * kPi * std::pow(gyration, 3)) {
+      findings_.warning(kImplausibleInertia, body.source, "inertia",
+                        "has a radius of gyration of " + number_text(gyration, 3) + " m for " +
+                            number_text(body.mass, 3) + " kg; write it in kg m2 (1 kg mm2 = 1e-6 kg m2)");
+      return;
+    }
     if (limit > 0.0 && gyration > limit)
       findings_.warning(kImplausibleInertia, body.source, "inertia",
                         "has a radius of gyration of " + number_text(gyration, 3) + " m, but " +
@@ -246,31 +270,39 @@ class Plausibility {
                             " m; write it in kg m2 (1 kg mm2 = 1e-6 kg m2)");
   }
 
-  void check_angle(const Source& source, const std::string& key, double value) {
-    if (std::abs(value) <= 2.0 * kPi || source.in_other_units.count(key) > 0) return;
-    const std::size_t dot = key.rfind('.');
+  // A position that a motor or a prescribed rotation reaches: in whole numbers beyond a turn it is mostly meant in degrees.
+  void check_turns(const Source& source, const std::string& key, const TimeFunctionSpec& f) {
+    double largest = 0.0;  // [rad]
+    bool whole = true;
+    const auto take = [&](double value) {
+      largest = std::max(largest, std::abs(value));
+      whole = whole && value == std::round(value);
+    };
+    for (const Eigen::Vector2d& point : f.table) take(point.y());
+    if (!f.polynomial.empty()) take(f.polynomial.front());
+    const bool swings = std::abs(f.amplitude) > 2.0 * kPi;
+    if (!swings && !(whole && largest > 2.0 * kPi)) return;
+    const double value = swings ? f.amplitude : largest;
     findings_.warning(kAngleInDegrees, source, key,
-                      "is " + number_text(value) + " rad, " + number_text(value / (2.0 * kPi), 3) +
-                          " turns; if degrees are meant, write " + key.substr(dot == std::string::npos ? 0 : dot + 1) +
-                          "_deg, which also ends this warning for so many turns");
+                      "reaches " + number_text(value) + " rad, " + number_text(value / (2.0 * kPi), 3) +
+                          " turns; if degrees are meant, multiply them by pi / 180");
   }
 
   void check_angles() {
-    const InitialSpec& initial = scene_.initial;
-    for (const auto& [key, value] : {std::pair("roll", initial.roll), {"pitch", initial.pitch}, {"yaw", initial.yaw}})
-      check_angle(initial.source, key, value);
-    for (const SpringSpec& spring : scene_.springs) check_angle(spring.source, "rest_angle", spring.rest_angle);
-    for (const JointSpec& joint : scene_.joints) {
-      if (joint.angle && joint.angle->stops) {
-        check_angle(joint.source, "angle.stops.min", joint.angle->stops->smallest_stroke.value_or(0.0));
-        check_angle(joint.source, "angle.stops.max", joint.angle->stops->largest_stroke.value_or(0.0));
-      }
-      if (joint.angle && joint.angle->spring)
-        check_angle(joint.source, "angle.spring.rest", joint.angle->spring->free_stroke);
-      if (!joint.motion || !joint.motion->rotation) continue;
-      check_angle(joint.source, "motion.rotation.amplitude", joint.motion->rotation->amplitude);
-      check_angle(joint.source, "motion.rotation.phase", joint.motion->rotation->phase);
-    }
+    for (const JointSpec& joint : scene_.joints)
+      if (joint.motion && joint.motion->rotation && joint.source.in_other_units.count("motion.rotation.table") == 0 &&
+          joint.motion->rotation->amplitude == 0.0)  // the reader tells of that
+        check_turns(joint.source, "motion.rotation", *joint.motion->rotation);
+    for (const DriveSpec& drive : scene_.drives)
+      if (drive.motor.kind == MotorKind::kPosition && drive.command && turns(drive))
+        check_turns(drive.source, "command", *drive.command);
+  }
+
+  // Whether a drive moves an angle.
+  bool turns(const DriveSpec& drive) const {
+    const JointSpec* joint = scene_.joint(drive.joint);
+    const Coordinate coordinate = drive.coordinate.value_or(coordinates_of(joint->type).front());
+    return coordinate == Coordinate::kAngle;
   }
 
   // of sound in a rod of its material [m/s]
@@ -307,17 +339,49 @@ class Plausibility {
       if (own.angular_velocity)
         check_speed(own.source, "angular_velocity", own.angular_velocity->norm() * reach, sound_in(*body), in_rpm);
     }
+    const std::string in_hz = "check that it is in m, and its frequency in Hz";
     for (const JointSpec& joint : scene_.joints) {
       if (!joint.motion) continue;
-      for (const auto& [key, f] :
-           {std::pair("x", &joint.motion->x), {"y", &joint.motion->y}, {"z", &joint.motion->z}}) {
-        if (!*f) continue;
-        const double linear = (*f)->polynomial.size() > 1 ? std::abs((*f)->polynomial[1]) : 0.0;
-        check_speed(joint.source, std::string("motion.") + key,
-                    linear + std::abs((*f)->amplitude) * 2.0 * kPi * (*f)->frequency, slowest,
-                    "check that it is in m, and its frequency in Hz");
-      }
+      for (const auto& [key, f] : {std::pair("x", &joint.motion->x), {"y", &joint.motion->y}, {"z", &joint.motion->z}})
+        if (*f) check_speed(joint.source, std::string("motion.") + key, largest_rate(**f), slowest, in_hz);
+      if (joint.motion->rotation)
+        check_speed(joint.source, "motion.rotation", largest_rate(*joint.motion->rotation) * 0.5 * size_, slowest,
+                    "check that it is in rad, and its frequency in Hz");
     }
+    for (const DriveSpec& drive : scene_.drives) {
+      if (!drive.command || (drive.motor.kind != MotorKind::kSpeed && drive.motor.kind != MotorKind::kPosition))
+        continue;
+      const double rate =
+          drive.motor.kind == MotorKind::kSpeed ? largest_value(*drive.command) : largest_rate(*drive.command);
+      check_speed(drive.source, "command", turns(drive) ? rate * 0.5 * size_ : rate, slowest,
+                  turns(drive) ? "write it in rad/s (1000 rpm are 105 rad/s)" : "write it in m/s");
+    }
+  }
+
+  // Of a function of time, without its signal [unit]
+  double largest_value(const TimeFunctionSpec& f) const {
+    double largest = 0.0, power = 1.0, sum = 0.0;
+    for (const double c : f.polynomial) {
+      sum += c * power;
+      largest = std::max(largest, std::abs(sum));  // at the start, and at the end
+      power *= scene_.end_time;
+    }
+    double of_table = 0.0;
+    for (const Eigen::Vector2d& point : f.table) of_table = std::max(of_table, std::abs(point.y()));
+    return largest + std::abs(f.amplitude) + of_table;
+  }
+
+  // Of its rate at the start, at the end and within its table [unit/s]
+  double largest_rate(const TimeFunctionSpec& f) const {
+    double at_end = 0.0, power = 1.0;
+    for (std::size_t k = 1; k < f.polynomial.size(); ++k, power *= scene_.end_time)
+      at_end += static_cast<double>(k) * f.polynomial[k] * power;
+    const double at_start = f.polynomial.size() > 1 ? f.polynomial[1] : 0.0;
+    double of_table = 0.0;
+    for (std::size_t i = 1; i < f.table.size() && f.table[i - 1].x() < scene_.end_time; ++i)
+      of_table =
+          std::max(of_table, std::abs((f.table[i].y() - f.table[i - 1].y()) / (f.table[i].x() - f.table[i - 1].x())));
+    return std::max(std::abs(at_start), std::abs(at_end)) + std::abs(f.amplitude) * 2.0 * kPi * f.frequency + of_table;
   }
 
   // Bodies that hang on springs alone: under their weight the springs yield by m g / k.
@@ -339,11 +403,11 @@ class Plausibility {
       for (const BoundarySpec& boundary : scene_.boundaries) hold(boundary.body);
     for (const ForceSpec& force : scene_.forces) hold(force.body);
     for (const CableSpec& cable : scene_.cables)
-      for (const CableGuideSpec& guide : cable.path) hold(guide.body);
+      for (std::size_t i = 1; i + 1 < cable.path.size(); ++i) hold(cable.path[i].body);
     const auto hang = [&](const auto& entry, double stiffness, bool held, const char* key) {
       const std::size_t ends[2] = {parts.of(scene_.body_index(entry.bodies[0])),
                                    parts.of(scene_.body_index(entry.bodies[1]))};
-      if (ends[0] == ends[1]) return;
+      if (ends[0] == ends[1] && !held) return;
       for (const std::size_t end : ends) {
         Hung& part = hung[end];
         part.held = part.held || held;
@@ -360,14 +424,281 @@ class Plausibility {
            "spring.stiffness");
     for (const SpringSpec& spring : scene_.springs)
       hang(spring, spring.kind == SpringKind::kBushing ? spring.stiffness.maxCoeff() : 0.0, false, "stiffness");
+    for (const CableSpec& cable : scene_.cables) {
+      struct {
+        const Source& source;
+        std::array<std::string, 2> bodies;
+      } const between{cable.source, {cable.path.front().body, cable.path.back().body}};
+      double length = 0.0;
+      for (std::size_t i = 1; i < cable.path.size(); ++i)
+        length += (cable.path[i].point - cable.path[i - 1].point).norm();
+      hang(between, cable.stiffness.value_or(cable.EA.value_or(0.0) / std::max(length, 1e-9)),
+           cable.tension.value_or(0.0) > 0.0, cable.stiffness ? "stiffness" : "EA");
+    }
     for (const Hung& part : hung) {
       if (part.held || part.source == nullptr || !(part.mass * g > size_ * part.stiffness)) continue;
       findings_.warning(kSoftSpring, *part.source, part.key,
                         "is so small that " + number_text(part.mass, 3) + " kg on " +
                             (part.stiffest < part.stiffness ? "such springs sink" : "the spring sinks") + " by " +
                             number_text(part.mass * g / part.stiffness, 3) + " m, in a mechanism of " +
-                            number_text(size_, 3) + " m; write it in N/m, or use the suffix _N_mm");
+                            number_text(size_, 3) + " m; write it in " +
+                            (part.key == std::string("EA") ? "N" : "N/m, or use the suffix _N_mm"));
     }
+  }
+
+  // A part that slides along gravity on one prismatic or cylindrical joint, carried by springs alone: they yield by m g / k.
+  void check_sliders() {
+    if (scene_.gravity.norm() == 0.0) return;
+    for (const JointSpec& joint : scene_.joints) {
+      if (joint.type != JointType::kPrismatic && joint.type != JointType::kCylindrical) continue;
+      const Vector3d along = joint.axis.normalized();
+      const double pull = std::abs(along.dot(scene_.gravity));  // [m/s2]
+      if (pull < 0.1 * scene_.gravity.norm()) continue;
+      const std::vector<bool> slides = part_beyond(joint);
+      if (slides.empty()) continue;
+      const auto moves = [&](const std::string& body) {
+        const int i = scene_.body_index(body);
+        return i >= 0 && slides[static_cast<std::size_t>(i)];
+      };
+      bool held = joint.displacement && joint.displacement->stops;
+      double mass = 0.0, stiffness = 0.0, stiffest = 0.0;  // [kg], [N/m]
+      for (std::size_t i = 0; i < slides.size(); ++i) mass += slides[i] ? scene_.bodies[i].mass : 0.0;
+      const Source* source = nullptr;
+      std::string key;
+      const auto carry = [&](double k, const Source& of, const std::string& named) {
+        stiffness += k;
+        if (k <= stiffest) return;
+        stiffest = k;
+        source = &of;
+        key = named;
+      };
+      if (joint.displacement && joint.displacement->spring)
+        carry(joint.displacement->spring->stiffness, joint.source, "displacement.spring.stiffness");
+      const auto crosses = [&](const std::array<std::string, 2>& bodies) {
+        return moves(bodies[0]) != moves(bodies[1]);
+      };
+      for (const StrutSpec& strut : scene_.struts) {
+        if (!crosses(strut.bodies)) continue;
+        held = held || strut.gas || strut.honeycomb || strut.stops || strut.table || !strut.spring ||
+               strut.spring->preload != 0.0;
+        const double cosine = (strut.points[1] - strut.points[0]).normalized().dot(along);
+        if (strut.spring) carry(strut.spring->stiffness * cosine * cosine, strut.source, "spring.stiffness");
+      }
+      for (const SpringSpec& spring : scene_.springs)
+        if (crosses(spring.bodies) && spring.kind == SpringKind::kBushing)
+          carry(spring.stiffness.maxCoeff(), spring.source, "stiffness");
+      for (const DriveSpec& drive : scene_.drives) held = held || drive.joint == joint.name;
+      for (const GearSpec& gear : scene_.gears)
+        held = held || std::count(gear.joints.begin(), gear.joints.end(), joint.name) > 0;
+      for (const ForceSpec& force : scene_.forces) held = held || moves(force.body);
+      for (const CableSpec& cable : scene_.cables)
+        for (const CableGuideSpec& guide : cable.path) held = held || moves(guide.body);
+      if (scene_.ground.kind != GroundKind::kNone || !scene_.contacts.empty())
+        for (const BoundarySpec& boundary : scene_.boundaries) held = held || moves(boundary.body);
+      if (held || source == nullptr || !(mass * pull > size_ * stiffness)) continue;
+      findings_.warning(kSoftSpring, *source, key,
+                        "is so small that " + number_text(mass, 3) + " kg on joint \"" + joint.name + "\" sink by " +
+                            number_text(mass * pull / stiffness, 3) + " m, in a mechanism of " + number_text(size_, 3) +
+                            " m; write it in N/m, or use the suffix _N_mm");
+    }
+  }
+
+  // The bodies that one joint alone connects to the ground; empty: they are on both of its sides.
+  std::vector<bool> part_beyond(const JointSpec& joint) {
+    if (neighbours_.empty()) {
+      neighbours_.resize(scene_.bodies.size() + 1);
+      for (const JointSpec& other : scene_.joints) {
+        const int a = scene_.body_index(other.bodies[0]) + 1, b = scene_.body_index(other.bodies[1]) + 1;
+        neighbours_[static_cast<std::size_t>(a)].push_back({b, &other});
+        neighbours_[static_cast<std::size_t>(b)].push_back({a, &other});
+      }
+    }
+    std::vector<bool> rests(scene_.bodies.size() + 1, false);
+    std::vector<int> next = {0};
+    rests[0] = true;
+    while (!next.empty()) {
+      const int from = next.back();
+      next.pop_back();
+      for (const auto& [to, by] : neighbours_[static_cast<std::size_t>(from)]) {
+        if (by == &joint || rests[static_cast<std::size_t>(to)]) continue;
+        rests[static_cast<std::size_t>(to)] = true;
+        next.push_back(to);
+      }
+    }
+    const std::size_t a = static_cast<std::size_t>(scene_.body_index(joint.bodies[0]) + 1),
+                      b = static_cast<std::size_t>(scene_.body_index(joint.bodies[1]) + 1);
+    if (rests[a] == rests[b]) return {};
+    std::vector<bool> slides(scene_.bodies.size(), false);
+    next = {static_cast<int>(rests[a] ? b : a)};
+    while (!next.empty()) {
+      const int from = next.back();
+      next.pop_back();
+      if (slides[static_cast<std::size_t>(from - 1)]) continue;
+      slides[static_cast<std::size_t>(from - 1)] = true;
+      for (const auto& [to, by] : neighbours_[static_cast<std::size_t>(from)])
+        if (by != &joint) next.push_back(to);
+    }
+    return slides;
+  }
+
+  // On a hundred places m g = 100 k delta^1.5.
+  void check_plane() {
+    if (scene_.ground.kind != GroundKind::kPlane || !scene_.ground.plane) return;
+    const PlaneSpec& plane = *scene_.ground.plane;
+    double mass = 0.0;
+    for (const BodySpec& body : scene_.bodies) mass += body.mass;
+    const double k = plane.stiffness.value_or(4.0 / 3.0 * plane.young.value_or(0.0) /
+                                              (1.0 - plane.poisson * plane.poisson) * std::sqrt(plane.contact_radius));
+    const double sunk = k > 0.0 ? std::pow(mass * scene_.gravity.norm() / (kPlaces * k), 2.0 / 3.0) : 0.0;
+    if (sunk > kSunk * size_ && size_ > 0.0)
+      findings_.warning(kSoftSpring, scene_.ground.source, plane.stiffness ? "plane.stiffness" : "plane.young",
+                        "is so small that " + number_text(mass, 3) + " kg at rest sink by " + number_text(sunk, 3) +
+                            " m into the plane, in a mechanism of " + number_text(size_, 3) + " m; write " +
+                            (plane.stiffness ? "it in N/m^1.5" : "it in Pa, or use the suffix _MPa"));
+  }
+
+  void check_ratio(const Source& source, const std::string& key, double value, double most, const std::string& remedy) {
+    if (value >= most) findings_.warning(kImplausibleNumber, source, key, "is " + number_text(value) + ", " + remedy);
+  }
+
+  void check_ratios() {
+    const std::string friction =
+        "more than any material has; it is the tangent of an angle (0.36 for 20 degrees), not the "
+        "angle, and no percentage";
+    if (scene_.ground.plane)
+      check_ratio(scene_.ground.source, "plane.friction", scene_.ground.plane->friction, kRoughest, friction);
+    if (scene_.ground.law)
+      check_ratio(scene_.ground.source, "law.friction", scene_.ground.law->friction, kRoughest, friction);
+    for (const ContactSpec& contact : scene_.contacts)
+      check_ratio(contact.source, "friction", contact.friction, kRoughest, friction);
+    if (scene_.particles && scene_.particles->box) {
+      const BoxSpec& box = *scene_.particles->box;
+      for (const auto& [key, value] : {std::pair("box.material.friction", box.material.friction),
+                                       {"box.material.rolling_friction", box.material.rolling_friction},
+                                       {"box.bodies.friction", box.bodies.friction.value_or(0.0)},
+                                       {"box.bodies.rolling_friction", box.bodies.rolling_friction.value_or(0.0)}})
+        check_ratio(scene_.particles->source, key, value, kRoughest, friction);
+    }
+    for (const BodySpec& body : scene_.bodies)
+      if (body.flexible && body.flexible->enabled)
+        check_ratio(body.source, "flexible.damping", body.flexible->damping, 1.0,
+                    "at which no mode vibrates; it is a ratio: 2 per cent are 0.02");
+  }
+
+  void check_gas() {
+    for (const StrutSpec& strut : scene_.struts) {
+      if (!strut.gas) continue;
+      const double pressure = strut.gas->initial_pressure;
+      if (pressure < kLeastPressure || pressure > kMostPressure)
+        findings_.warning(kImplausibleNumber, strut.source, "gas.pressure",
+                          "is " + number_text(pressure) + " Pa, " + number_text(pressure / 1e5, 3) +
+                              " bar; write it in Pa, or use the suffix _kPa or _MPa (1 bar = 100 kPa)");
+      if (strut.gas->piston_diameter > size_)
+        findings_.warning(kImplausibleNumber, strut.source, "gas.piston_diameter",
+                          "is " + number_text(strut.gas->piston_diameter) + " m in a mechanism of " +
+                              number_text(size_, 3) + " m; write it in m, or use the suffix _mm");
+    }
+    for (const BodySpec& body : scene_.bodies)
+      if (body.shape && body.shape->kind == ShapeKind::kDisc && body.shape->thickness > 2.0 * body.shape->radius)
+        findings_.warning(kImplausibleNumber, body.source, "shape.thickness",
+                          "is " + number_text(body.shape->thickness) + " m for a disc of radius " +
+                              number_text(body.shape->radius) +
+                              " m; write it in m, or use the suffix _mm; a long one is a \"cylinder\"");
+  }
+
+  // A point of a body that is hundreds of times farther from it than the body reaches.
+  void check_point(const Source& source, const std::string& key, const std::string& name, const Vector3d& point) {
+    const int i = scene_.body_index(name);
+    if (i < 0) return;
+    const BodySpec& body = scene_.bodies[static_cast<std::size_t>(i)];
+    double reach = 0.0;
+    for (const Vector3d& p : outlines_[static_cast<std::size_t>(i)])
+      reach = std::max(reach, (p - body.position).norm());
+    const double distance = (point - body.position).norm();
+    if (reach > 0.0 && distance > kFarAway * reach)
+      findings_.warning(kImplausibleNumber, source, key,
+                        "is " + number_text(distance, 3) + " m from the mass centre of body \"" + name +
+                            "\", which reaches no farther than " + number_text(reach, 3) +
+                            " m; write points in m, or use the suffix _mm");
+  }
+
+  void check_points() {
+    for (const JointSpec& joint : scene_.joints) {
+      check_point(joint.source, joint.source.given("point") ? "point" : "point_a", joint.bodies[0], joint.point_a);
+      check_point(joint.source, joint.source.given("point") ? "point" : "point_b", joint.bodies[1], joint.point_b);
+    }
+    for (const StrutSpec& strut : scene_.struts)
+      for (std::size_t k = 0; k < 2; ++k) check_point(strut.source, "points", strut.bodies[k], strut.points[k]);
+    for (const ForceSpec& force : scene_.forces)
+      if (force.point) check_point(force.source, "point", force.body, *force.point);
+  }
+
+  // Nothing moves bodies relative to each other before the start.
+  bool starts_as_drawn() const {
+    const InitialSpec& initial = scene_.initial;
+    return initial.joints.empty() && !initial.settle && initial.from.empty();
+  }
+
+  // A prescribed displacement begins where the points are drawn.
+  void check_motion_starts() {
+    const InitialSpec& initial = scene_.initial;
+    const bool moved = !initial.position.isZero(0.0) || initial.roll != 0.0 || initial.pitch != 0.0 ||
+                       initial.yaw != 0.0 || initial.clearance || initial.groups;
+    for (const JointSpec& joint : scene_.joints) {
+      if (!joint.motion || moved) continue;
+      const Vector3d z = joint.axis.normalized(), x = (joint.axis2 - joint.axis2.dot(z) * z).normalized();
+      const std::tuple<const char*, const std::optional<TimeFunctionSpec>&, Vector3d> ways[] = {
+          {"motion.x", joint.motion->x, x},
+          {"motion.y", joint.motion->y, z.cross(x)},
+          {"motion.z", joint.motion->z, z}};
+      for (const auto& [key, f, along] : ways) {
+        if (!f || (!f->table.empty() && f->table.front().x() > 0.0)) continue;
+        double begins = f->amplitude * std::sin(f->phase) + (f->polynomial.empty() ? 0.0 : f->polynomial.front());
+        for (const Eigen::Vector2d& row : f->table)
+          if (row.x() == 0.0) begins += row.y();
+        const double drawn = along.dot(joint.point_b - joint.point_a);
+        if (!(std::abs(begins - drawn) > kOpenMotion)) continue;
+        findings_.error(kMotionStart, joint.source, key,
+                        "begins at " + number_text(begins) + " m, but the bodies are drawn at " + number_text(drawn) +
+                            " m; draw them as they start, or count the motion from the drawing");
+      }
+    }
+  }
+
+  void check_stops() {
+    const auto check = [&](const Source& source, const std::string& key, const EndStopParameters& stops, double at,
+                           const std::string& unit) {
+      const bool below = stops.smallest_stroke && at < *stops.smallest_stroke - 1e-9;
+      if (!below && !(stops.largest_stroke && at > *stops.largest_stroke + 1e-9)) return;
+      findings_.warning(kStartBeyondStop, source, key + (below ? "min" : "max"),
+                        "is " + number_text(below ? *stops.smallest_stroke : *stops.largest_stroke) + unit +
+                            ", but the drawing starts at " + number_text(at) + unit +
+                            ", beyond this stop, which throws it back at once; start it within its stops "
+                            "([initial.joints]), or move the stop");
+    };
+    for (const JointSpec& joint : scene_.joints)
+      for (const Coordinate coordinate : coordinates_of(joint.type))
+        if (const std::optional<CoordinateSpec>& c = joint.acting_on(coordinate); c && c->stops)
+          check(joint.source, std::string(name_of(coordinate)) + ".stops.", *c->stops, 0.0,
+                coordinate == Coordinate::kAngle ? " rad" : " m");
+    for (const StrutSpec& strut : scene_.struts)
+      if (strut.stops && strut.length)
+        check(strut.source, "stops.", *strut.stops, *strut.length - (strut.points[1] - strut.points[0]).norm(), " m");
+      else if (strut.stops)
+        check(strut.source, "stops.", *strut.stops, 0.0, " m");
+  }
+
+  // Sampled at the start alone.
+  void check_periods() {
+    const auto check = [&](const Source& source, double period) {
+      if (period > scene_.end_time)
+        findings_.warning(kImplausibleNumber, source, "period",
+                          "is " + number_text(period) + " s, longer than the scene, " + number_text(scene_.end_time) +
+                              " s: it is computed at the start alone; use the suffix _ms for milliseconds");
+    };
+    for (const ControllerSpec& controller : scene_.controllers) check(controller.source, controller.period);
+    for (const SignalSpec& signal : scene_.signals) check(signal.source, signal.period);
+    for (const EventSpec& event : scene_.events) check(event.source, event.period);
   }
 
   // A body whose outline is inside of another one that nothing connects to it.
@@ -425,7 +756,9 @@ class Plausibility {
   Findings& findings_;
   std::vector<std::vector<Vector3d>> outlines_;  // of each body
   Eigen::AlignedBox3d box_;                      // around all points
-  double size_ = 0.0;                            // its diagonal [m]
+  std::vector<std::vector<std::pair<int, const JointSpec*>>>
+      neighbours_;     // by joints, of the ground (0) and each body + 1
+  double size_ = 0.0;  // its diagonal [m]
 };
 
 }  // namespace

@@ -134,7 +134,7 @@ inline constexpr MessageCode kJointGeometry{"E0161", "joint-geometry"};
 inline constexpr MessageCode kMotion{"E0162", "motion"};
 // Two joints prescribe the same motion of the same two bodies. Remove one of them.
 inline constexpr MessageCode kMotionTwice{"E0163", "motion-twice"};
-// A prescribed rotation starts 90 degrees or more from the reference configuration. Draw the bodies as they start.
+// A prescribed motion does not start where its bodies are drawn, or turns 90 degrees from there. Draw the bodies as they start.
 inline constexpr MessageCode kMotionStart{"E0164", "motion-start"};
 // The initial coordinate is not possible for this joint. Correct it as the message says.
 inline constexpr MessageCode kInitialJoint{"E0165", "initial-joint"};
@@ -299,6 +299,8 @@ inline constexpr MessageCode kClearance{"W0166", "clearance"};
 inline constexpr MessageCode kAngleInDegrees{"W0167", "angle-in-degrees"};
 // The speed exceeds that of sound in the body, where contact laws do not hold. Check its unit.
 inline constexpr MessageCode kImplausibleSpeed{"W0168", "implausible-speed"};
+// A number is far outside of what is built, mostly by a wrong unit, or in percent or degrees. Check its unit.
+inline constexpr MessageCode kImplausibleNumber{"W0157", "implausible-number"};
 // Springs yield by more than the size of the mechanism under the weight that they carry. Check the unit of their stiffness.
 inline constexpr MessageCode kSoftSpring{"W0170", "soft-spring"};
 // A key is written in a second spelling, which is read as well. Write the one that the message names.

@@ -460,7 +460,10 @@ class FieldReader final : public FieldVisitor {
     const ValueContext context{rule, given->factor, folder_};
     const std::string problem =
         std::visit([&](auto* target) { return read_value(*given->node, context, *target); }, ref);
-    if (problem.empty()) return;
+    if (problem.empty()) {
+      warn_of_degrees(key, *given, ref, rule);
+      return;
+    }
     findings_.coded_error(given->node->line, path_of(given->written), problem);
     const Frame& frame = frames_.back();
     if (frame.source) frame.source->refused.insert(frame.local + key);
@@ -600,6 +603,42 @@ class FieldReader final : public FieldVisitor {
     if (frame.source) frame.source->lines[frame.local + key] = chosen.node->line;
     if (frame.source && chosen.written != key) frame.source->in_other_units.insert(frame.local + key);
     return chosen;
+  }
+
+  // An angle of more than a turn without the suffix of degrees.
+  void warn_of_degrees(const std::string& key, const Given& given, const FieldRef& ref, const Rule& rule) {
+    double largest = 0.0;  // [rad]
+    std::string written = given.written;
+    if (rule.unit == Unit::kAngle && given.written == key) {
+      if (double* const* one = std::get_if<double*>(&ref)) largest = **one;
+      if (std::optional<double>* const* one = std::get_if<std::optional<double>*>(&ref))
+        largest = (*one)->value_or(0.0);
+    } else if (std::holds_alternative<Eigen::Quaterniond*>(ref)) {
+      for (const char* part : {"rpy", "angle"}) {
+        const ConfigNode* node = given.node->find(part);
+        if (node == nullptr) continue;
+        written += std::string(".") + part;
+        std::vector<double> angles;
+        double angle = 0.0;
+        if (node->kind == ConfigNode::Kind::kList) {
+          read_numbers(*node, {Rule(), 1.0, ""}, 3, angles);
+        } else if (read_value(*node, {Rule(), 1.0, ""}, angle).empty()) {
+          angles = {angle};
+        }
+        for (const double value : angles)
+          if (std::abs(value) > std::abs(largest)) largest = value;
+      }
+    }
+    if (!(std::abs(largest) > 2.0 * kPi)) return;
+    Source at;
+    at.path = frames_.back().path;
+    at.line = given.node->line;
+    const std::size_t dot = written.rfind('.');
+    findings_.warning(kAngleInDegrees, at, written,
+                      "is " + number_text(largest) + " rad, " + number_text(largest / (2.0 * kPi), 3) +
+                          " turns; if degrees are meant, write " +
+                          written.substr(dot == std::string::npos ? 0 : dot + 1) +
+                          "_deg, which also ends this warning for so many turns");
   }
 
   void report_unknown_keys() {

@@ -161,6 +161,10 @@ void warn_of_gravity_upwards(const Scene& scene, Findings& findings) {
                      "points away from the ground, " + number_text(along) +
                          " m/s2 along its normal, so bodies fall off it; expected the other sign, such as "
                          "[0, 0, -9.81]");
+  else if (along > -1e-6 * scene.gravity.norm() && !scene.gravity.isZero(0.0))
+    findings.warning(kGravityUpwards, scene.source, "gravity",
+                     "is parallel to the ground, so nothing presses the bodies on it; expected one against its normal, "
+                     "such as [0, 0, -9.81]");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/build/codes.h"
 #include "mbd_solver/dynamics/assembly.h"
 #include "mbd_solver/dynamics/body_force.h"
 #include "mbd_solver/dynamics/kinematics.h"
@@ -20,6 +21,7 @@ namespace {
 
 constexpr double kOther = 0.2;     // relative difference of ratios that is told
 constexpr double kEqual = 1e-6;    // relative difference of eigenvalues of equal bodies, by round-off
+constexpr double kSags = 0.1;      // of the extent of a body, under its weight
 constexpr double kElastic = 1e-6;  // of the largest eigenvalue: rigid motions are below
 
 // Columns: independent velocities that all joints allow.
@@ -58,53 +60,110 @@ Eigen::VectorXd mode_of(const Eigen::MatrixXd& modes, const Eigen::VectorXd& sti
   return modes * (a.norm() > 0.0 ? a.normalized() : Eigen::VectorXd::Unit(modes.cols(), most));
 }
 
-}  // namespace
+struct AttachedModes {
+  Eigen::MatrixXd shapes;  // columns: velocities of the mechanism, mass-orthonormal
+  Eigen::VectorXd lambda;  // [1/s2]
+  Eigen::MatrixXd M;
+  Eigen::VectorXd K, C;
+};
 
-std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanism& mechanism, int most) {
-  const Model& model = mechanism.model;
-  const Layout layout(model);
-  std::vector<AttachedDamping> out;
-  std::vector<int> bodies;
-  for (int i = 0; i < model.body_count(); ++i)
-    if (model.body(i).mode_count() > 0 && model.body(i).modal()->damping.maxCoeff() > 0.0) bodies.push_back(i);
-  if (bodies.empty() || layout.v_size > most) return out;
+bool has_modes(const Model& model, int body) { return model.body(body).mode_count() > 0; }
 
+// Of more than `most` velocities none: the effort grows with their third power.
+AttachedModes modes_of(const Scene& scene, const Model& model, const Layout& layout, int most) {
+  AttachedModes out;
+  if (layout.v_size > most) return out;
   const Assembly assembly = assemble(model, assembly_options(scene, model));
   Kinematics kinematics(model);
   kinematics.load(layout, assembly.state.q, assembly.state.v, Eigen::VectorXd());
   kinematics.load_turns(layout, assembly.state.z);
   const Eigen::MatrixXd N = free_motions(model, layout, kinematics, 0.0);
-  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(layout.v_size, layout.v_size);
-  Eigen::VectorXd K = Eigen::VectorXd::Zero(layout.v_size), C = K;
+  out.M = Eigen::MatrixXd::Zero(layout.v_size, layout.v_size);
+  out.K = out.C = Eigen::VectorXd::Zero(layout.v_size);
   for (int i = 0; i < model.body_count(); ++i) {
     const int v = layout.body_v[static_cast<std::size_t>(i)], n = kinematics.of(i).size();
     InertiaScratch scratch(n - 6);
     Eigen::MatrixXd own(n, n);
     body_mass_matrix(model.body(i), kinematics.of(i), scratch, own);
-    M.block(v, v, n, n) = own;
+    out.M.block(v, v, n, n) = own;
     if (n == 6) continue;
-    K.segment(v + 6, n - 6) = model.body(i).modal()->stiffness;
-    C.segment(v + 6, n - 6) = model.body(i).modal()->damping;
+    out.K.segment(v + 6, n - 6) = model.body(i).modal()->stiffness;
+    out.C.segment(v + 6, n - 6) = model.body(i).modal()->damping;
   }
-  const Eigen::MatrixXd KN = K.asDiagonal() * N, MN = M * N;
-  const Modes modes = all_modes(N.transpose() * KN, N.transpose() * MN, K.maxCoeff());
-  for (const int i : bodies) {
+  const Eigen::MatrixXd KN = out.K.asDiagonal() * N, MN = out.M * N;
+  const Modes modes = all_modes(N.transpose() * KN, N.transpose() * MN, out.K.maxCoeff());
+  out.shapes = N * modes.shapes;
+  out.lambda = modes.lambda;
+  return out;
+}
+
+std::vector<AttachedDamping> damping_of(const Model& model, const Layout& layout, const AttachedModes& modes) {
+  std::vector<AttachedDamping> out;
+  for (int i = 0; i < model.body_count(); ++i) {
+    if (!has_modes(model, i) || !(model.body(i).modal()->damping.maxCoeff() > 0.0)) continue;
     const int v = layout.body_v[static_cast<std::size_t>(i)] + 6, s = model.body(i).mode_count();
     for (Eigen::Index k = 0; k < modes.lambda.size(); ++k) {
       const double lambda = modes.lambda[k];
-      if (lambda <= kElastic * K.segment(v, s).minCoeff()) continue;
+      if (lambda <= kElastic * modes.K.segment(v, s).minCoeff()) continue;
       Eigen::Index count = 1;  // modes of this frequency: equal bodies side by side mix in them
       while (k + count < modes.lambda.size() && std::abs(modes.lambda[k + count] - lambda) < kEqual * lambda) ++count;
-      const Eigen::VectorXd x = mode_of(N * modes.shapes.middleCols(k, count), K.segment(v, s), v);  // x^T M x = 1
-      if (x.segment(v, s).cwiseAbs2().dot(K.segment(v, s)) < 0.5 * lambda) continue;
+      const Eigen::VectorXd x = mode_of(modes.shapes.middleCols(k, count), modes.K.segment(v, s), v);  // x^T M x = 1
+      if (x.segment(v, s).cwiseAbs2().dot(modes.K.segment(v, s)) < 0.5 * lambda) continue;
       const double omega = std::sqrt(lambda);
-      const double given = C[v] / (2.0 * std::sqrt(K[v]));
-      const double ratio = x.cwiseAbs2().dot(C) / (2.0 * omega);
+      const double given = modes.C[v] / (2.0 * std::sqrt(modes.K[v]));
+      const double ratio = x.cwiseAbs2().dot(modes.C) / (2.0 * omega);
       if (std::abs(ratio - given) > kOther * given) out.push_back({i, omega / (2.0 * kPi), given, ratio});
       break;
     }
   }
   return out;
+}
+
+bool any_modes(const Model& model) {
+  for (int i = 0; i < model.body_count(); ++i)
+    if (has_modes(model, i)) return true;
+  return false;
+}
+
+// Static deflection under gravity, in the elastic modes: sum x_k (x_k^T M g) / lambda_k. Motions that bend nothing do not count.
+std::vector<std::string> sag_warnings(const Model& model, const Layout& layout, const AttachedModes& modes) {
+  std::vector<std::string> out;
+  double softest = HUGE_VAL;  // [1/s2]
+  Eigen::VectorXd g = Eigen::VectorXd::Zero(layout.v_size);
+  for (int i = 0; i < model.body_count(); ++i) {
+    g.segment<3>(layout.body_v[static_cast<std::size_t>(i)]) = model.gravity();
+    if (has_modes(model, i)) softest = std::min(softest, model.body(i).modal()->stiffness.minCoeff());
+  }
+  Eigen::VectorXd sag = Eigen::VectorXd::Zero(layout.v_size);
+  const Eigen::VectorXd force = modes.M * g;
+  for (Eigen::Index k = 0; k < modes.lambda.size(); ++k)
+    if (modes.lambda[k] > kElastic * softest)
+      sag += modes.shapes.col(k) * (modes.shapes.col(k).dot(force) / modes.lambda[k]);
+  for (int i = 0; i < model.body_count(); ++i) {
+    if (!has_modes(model, i)) continue;
+    const ModalBody& body = *model.body(i).modal();
+    const double bends =
+        largest_deflection(body, sag.segment(layout.body_v[static_cast<std::size_t>(i)] + 6, body.mode_count()));
+    const double size = extent(body);
+    const bool told = model.gravity().norm() / body.stiffness.minCoeff() > kSags * size;  // of the free body
+    if (bends > kSags * size && !told)
+      out.push_back(
+          with_code(code::kBendsUnderWeight,
+                    "body " + model.body(i).name() + " bends by " + number_text(bends, 3) +
+                        " m under the weight that its joints hold, " + number_text(bends / size, 3) +
+                        " of its extent, beyond the range of linear modes. Check Young's modulus (Pa) and its "
+                        "sections (m); else divide it into several bodies"));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanism& mechanism, int most) {
+  const Model& model = mechanism.model;
+  if (!any_modes(model)) return {};
+  const Layout layout(model);
+  return damping_of(model, layout, modes_of(scene, model, layout, most));
 }
 
 namespace {
@@ -135,8 +194,15 @@ std::vector<std::string> warnings_of(const std::vector<AttachedDamping>& found, 
 
 }  // namespace
 
-std::vector<std::string> damping_warnings(const Scene& scene, const Mechanism& mechanism) {
-  return warnings_of(attached_damping(scene, mechanism), mechanism);
+std::vector<std::string> warnings_of_held_bodies(const Scene& scene, const Mechanism& mechanism) {
+  const Model& model = mechanism.model;
+  if (!any_modes(model)) return {};
+  const Layout layout(model);
+  const AttachedModes modes = modes_of(scene, model, layout, kMostVelocities);
+  if (modes.lambda.size() == 0) return {};
+  std::vector<std::string> out = warnings_of(damping_of(model, layout, modes), mechanism);
+  for (std::string& warning : sag_warnings(model, layout, modes)) out.push_back(std::move(warning));
+  return out;
 }
 
 std::vector<std::string> damping_warnings_of_run(const Scene& scene, const Mechanism& mechanism) {

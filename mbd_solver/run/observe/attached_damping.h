@@ -19,10 +19,12 @@ struct AttachedDamping {
 // One per flexible body with damping whose ratio differs from the given one by more than a fifth; at the start, joints closed,
 // without struts and springs.
 // most: velocities of the mechanism beyond which nothing is computed; the effort grows with their third power.
-std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanism& mechanism, int most = 1000);
+constexpr int kMostVelocities = 1000;
+std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanism& mechanism,
+                                              int most = kMostVelocities);
 
-// The warnings of `check`.
-std::vector<std::string> damping_warnings(const Scene& scene, const Mechanism& mechanism);
+// The warnings of `check`, also of bodies that bend too far under the weight that their joints hold.
+std::vector<std::string> warnings_of_held_bodies(const Scene& scene, const Mechanism& mechanism);
 // Those of a run: of few velocities, and of damping that is not the default.
 std::vector<std::string> damping_warnings_of_run(const Scene& scene, const Mechanism& mechanism);
 

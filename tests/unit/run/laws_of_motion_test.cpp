@@ -372,6 +372,22 @@ TEST(AttachedDamping, IsToldWithTheValueThatGivesTheRatio) {
   EXPECT_NEAR(mended[0].ratio, 0.02, 1e-6);
 }
 
+// A soft cantilever bends by rho A g L^4 / 8 E I = 0.193 m under its weight; the free beam hardly.
+TEST(AttachedDamping, TellsOfBeamsThatBendTooFarAsJointsHoldThem) {
+  const std::string clamp =
+      "[[joints]]\nname = \"c\"\nkind = \"fixed\"\nbodies = [\"ground\", \"b\"]\npoint = [0, 0, 0]\n";
+  const auto bends = [&](const std::string& joint, const std::string& young) {
+    const SceneText folder;
+    const Scene read = folder.read(beam(joint), {"materials.al.young=" + young});
+    for (const std::string& warning : warnings_of_held_bodies(read, build_mechanism(read)))
+      if (warning.find(" bends by 0.19") != std::string::npos) return true;
+    return false;
+  };
+  EXPECT_TRUE(bends(clamp, "7e7"));
+  EXPECT_FALSE(bends(clamp, "7e10"));
+  EXPECT_FALSE(bends("", "7e7"));
+}
+
 // Three cantilevers side by side have modes of one frequency, in which the third one must not damp the others.
 TEST(AttachedDamping, IsToldOnceForBodiesOfEqualNumbers) {
   const std::string one = beam("");
@@ -387,7 +403,7 @@ TEST(AttachedDamping, IsToldOnceForBodiesOfEqualNumbers) {
               "\"]\npoint = [0, 0, 0]\n";
   const SceneText folder;
   const Scene read = folder.read(scene + joints, {"bodies.d.flexible.damping=0.05"});
-  const std::vector<std::string> told = damping_warnings(read, build_mechanism(read));
+  const std::vector<std::string> told = warnings_of_held_bodies(read, build_mechanism(read));
   ASSERT_EQ(told.size(), 2u);
   EXPECT_NE(told[0].find("bodies.{b, c}.flexible"), std::string::npos) << told[0];
   EXPECT_NE(told[1].find("bodies.d.flexible"), std::string::npos) << told[1];

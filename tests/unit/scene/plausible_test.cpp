@@ -76,6 +76,24 @@ TEST(Plausible, AnglesOfMoreThanATurnUnlessGivenInDegrees) {
   EXPECT_THAT(warnings(kPendulum, {"initial.pitch_deg=30"}), IsEmpty());
 }
 
+// Wherever a scene has an angle: orientations, phases, and positions that motors and prescribed rotations reach.
+TEST(Plausible, AnglesOfEveryKind) {
+  EXPECT_THAT(warnings(kBall, {"bodies.bob.orientation={rpy=[0, 0, 90]}"}),
+              ElementsAre(says(code::kAngleInDegrees, "bodies.bob.orientation.rpy")));
+  EXPECT_THAT(warnings(kBall, {"bodies.bob.orientation={axis=[0, 0, 1], angle=-90}"}),
+              ElementsAre(says(code::kAngleInDegrees, "bodies.bob.orientation.angle")));
+  EXPECT_THAT(warnings(kBall, {"bodies.bob.orientation={rpy_deg=[0, 0, 90]}"}), IsEmpty());
+  const std::string motor =
+      kBall + "[[drives]]\nname = \"motor\"\nkind = \"position\"\njoint = \"hinge\"\nkp = 10\ncommand = ";
+  EXPECT_THAT(warnings(motor + "{ amplitude = 30, frequency = 1 }\n"),
+              ElementsAre(says(code::kAngleInDegrees, "drives.motor.command")));
+  EXPECT_THAT(warnings(motor + "{ table = [[0, 0], [1, 90]] }\n"),
+              ElementsAre(says(code::kAngleInDegrees, "drives.motor.command")));
+  EXPECT_THAT(warnings(motor + "{ table = [[0, 0], [1, 12.566370614]] }\n"), IsEmpty());  // two turns
+  EXPECT_THAT(warnings(motor + "{ amplitude = 0.5, frequency = 1, phase = 90 }\n"),
+              ElementsAre(says(code::kAngleInDegrees, "drives.motor.command.phase")));
+}
+
 TEST(Plausible, SpeedBeyondThatOfSound) {
   // steel: sqrt(210e9 / 7800) = 5189 m/s; without a material 1000 m/s
   EXPECT_THAT(warnings(kBall, {"initial.velocity=[5100, 0, 0]"}), IsEmpty());
@@ -85,6 +103,127 @@ TEST(Plausible, SpeedBeyondThatOfSound) {
               ElementsAre(says(code::kImplausibleSpeed, "initial.velocity")));
   EXPECT_THAT(warnings(kPendulum, {"initial.angular_velocity=[0, 3000, 0]"}),
               ElementsAre(says(code::kImplausibleSpeed, "initial.angular_velocity")));
+}
+
+// 1000 rpm written as 1e5 rad/s; a prescribed table in millimetres: 2000 of them in 1 s.
+TEST(Plausible, SpeedThatMotorsAndTablesCommand) {
+  const std::string motor =
+      kBall + "[[drives]]\nname = \"motor\"\nkind = \"speed\"\njoint = \"hinge\"\nkp = 10\ncommand = ";
+  EXPECT_THAT(warnings(motor + "{ polynomial = [100] }\n"), IsEmpty());
+  EXPECT_THAT(warnings(motor + "{ polynomial = [1e5] }\n"),
+              ElementsAre(says(code::kImplausibleSpeed, "drives.motor.command")));
+  const std::string led = R"(end_time = 1.0
+[[bodies]]
+name = "tray"
+mass = 1
+shape = { kind = "box", size = [0.2, 0.2, 0.02], centre = [0, 0, 0] }
+[[joints]]
+name = "path"
+kind = "prescribed"
+bodies = ["ground", "tray"]
+point = [0, 0, 0]
+motion = { x = { table = [[0, 0], [)";
+  EXPECT_THAT(warnings(led + "0.5, 1], [1, 2]] } }\n"), IsEmpty());
+  EXPECT_THAT(warnings(led + "0.5, 1000], [1, 2000]] } }\n"),
+              ElementsAre(says(code::kImplausibleSpeed, "joints.path.motion.x")));
+}
+
+// Friction and damping in per cent or degrees, pressure in bar, a plate in millimetres, a point in millimetres, a period of
+// seconds, and an inertia that no body of this mass has.
+TEST(Plausible, NumbersFarOutsideOfWhatIsBuilt) {
+  const std::string plane = kBall + "[[boundaries]]\nbody = \"bob\"\nsurface = {}\n[ground]\nkind = \"plane\"\n";
+  EXPECT_THAT(warnings(plane + "plane = { young = 35e6 }\n"), IsEmpty());
+  EXPECT_THAT(warnings(plane + "plane = { young = 35e6, friction = 35 }\n"),
+              ElementsAre(says(code::kImplausibleNumber, "ground.plane.friction")));
+  EXPECT_THAT(warnings(plane + "plane = { young = 0.035 }\n"),
+              ElementsAre(says(code::kSoftSpring, "ground.plane.young")));
+  EXPECT_THAT(warnings(plane + "plane = { young = 35e6 }\n", {"gravity=[9.81, 0, 0]"}),
+              ElementsAre(says(code::kGravityUpwards, "gravity")));
+  const std::string strut =
+      kBall +
+      "[[struts]]\nname = \"leg\"\nbodies = [\"ground\", \"bob\"]\npoints = [[0, 0, 1], [1, 0, 0]]\n"
+      "gas = { piston_diameter = 0.03, pressure = 3e5, volume = 2e-4 }\nstops = { max = 0.2 }\n";
+  EXPECT_THAT(warnings(strut), IsEmpty());
+  EXPECT_THAT(warnings(strut, {"struts.leg.gas.pressure=3"}),
+              ElementsAre(says(code::kImplausibleNumber, "struts.leg.gas.pressure")));
+  EXPECT_THAT(warnings(strut, {"struts.leg.gas.piston_diameter=30", "struts.leg.gas.volume=200"}),
+              ElementsAre(says(code::kImplausibleNumber, "struts.leg.gas.piston_diameter")));
+  EXPECT_THAT(
+      warnings(kBall + "[[bodies]]\nname = \"plate\"\nmaterial = \"steel\"\nshape = { kind = \"disc\", centre = [0, 0, "
+                       "5], axis = \"z\", radius = 0.2, thickness = 4 }\n[[forces]]\nname = \"f\"\nbody = "
+                       "\"plate\"\ndirection = [0, 0, 1]\nforce = { polynomial = [1] }\n"),
+      ElementsAre(says(code::kImplausibleNumber, "bodies.plate.shape.thickness")));
+  const std::string thrust =
+      kBall + "[[forces]]\nname = \"f\"\nbody = \"bob\"\ndirection = [0, 0, 1]\nforce = { polynomial = [1] }\n";
+  EXPECT_THAT(warnings(thrust + "point = [1, 0.05, 0]\n"), IsEmpty());
+  EXPECT_THAT(warnings(thrust + "point = [1, 50, 0]\n"), ElementsAre(says(code::kImplausibleNumber, "forces.f.point")));
+  const std::string sampled = kBall + "[[signals]]\nname = \"s\"\nkind = \"expression\"\ninput = \"time\"\nperiod = ";
+  EXPECT_THAT(warnings(sampled + "0.5\n"), IsEmpty());
+  EXPECT_THAT(warnings(sampled + "2\n"), ElementsAre(says(code::kImplausibleNumber, "signals.s.period")));
+  EXPECT_THAT(
+      warnings("end_time = 1\n[[bodies]]\nname = \"free\"\nmass = 10\ninertia = [2e6, 2e6, 2e6]\nposition = [0, 0, "
+               "0]\n[[forces]]\nname = \"f\"\nbody = \"free\"\ndirection = [0, 0, 1]\nforce = { polynomial = [1] }\n"),
+      ElementsAre(says(code::kImplausibleInertia, "bodies.free.inertia")));
+}
+
+// x = 0.1 sin(30 degrees) at the start, with the bodies drawn at 0.
+TEST(Plausible, MotionsThatDoNotBeginAsDrawn) {
+  const std::string led =
+      "end_time = 1.0\n[[bodies]]\nname = \"tray\"\nmass = 1\ninertia = [0.1, 0.1, 0.1]\nposition = [0, 0, "
+      "0]\n[[joints]]\nname = \"path\"\nkind = \"prescribed\"\nbodies = [\"ground\", \"tray\"]\npoint = [0, 0, "
+      "0]\nmotion = { x = { amplitude = 0.1, frequency = 2, phase_deg = 30, polynomial = [";
+  EXPECT_THAT(SceneText().findings(led + "0] } }\n"), says(code::kMotionStart, "joints.path.motion.x"));
+  EXPECT_EQ(SceneText().findings(led + "-0.05] } }\n"), "");
+}
+
+// The byte order mark that spreadsheets put in front, and the end of line of theirs.
+TEST(SceneTables, MayBeginWithAByteOrderMark) {
+  const SceneText folder;
+  folder.write("thrust.csv",
+               "\xEF\xBB\xBF"
+               "0.2;0\r\n0.3;100\r\n");
+  const Scene scene = folder.read(kPendulum +
+                                  "[[forces]]\nname = \"f\"\nbody = \"bob\"\ndirection = [0, 0, 1]\nforce = { table = "
+                                  "\"thrust.csv\" }\n");
+  EXPECT_THAT(scene.forces.front().force->table, ElementsAre(Eigen::Vector2d(0.2, 0.0), Eigen::Vector2d(0.3, 100.0)));
+}
+
+// As drawn; [initial.joints] may start it within.
+TEST(Plausible, StopsThatTheDrawingIsBeyond) {
+  const std::string stops = kPendulum + "[joints.angle]\nstops = { max = -0.3, stiffness = 1e4 }\n";
+  EXPECT_THAT(warnings(stops), ElementsAre(says(code::kStartBeyondStop, "joints.hinge.angle.stops.max")));
+  EXPECT_THAT(warnings(stops + "[initial.joints]\nhinge = -0.5\n"), IsEmpty());
+}
+
+// 2 kg on a slider of 20 N/m sink by 1 m, of 2000 N/m by 10 mm; on a cable of 50 N, straight over 1.4 m, by 0.5 m.
+TEST(Plausible, SlidersAndCablesThatSinkByMoreThanTheMechanismIsLarge) {
+  const std::string slider = R"(end_time = 1.0
+[[bodies]]
+name = "load"
+mass = 2
+shape = { kind = "box", size = [0.1, 0.1, 0.1], centre = [0, 0, 0.5] }
+)";
+  const std::string guide =
+      "[[joints]]\nname = \"guide\"\nkind = \"prismatic\"\nbodies = [\"ground\", \"load\"]\npoint = [0, 0, 0.5]\naxis "
+      "= "
+      "\"z\"\n";
+  const auto spring = [](const std::string& k) { return "displacement = { spring = { stiffness = " + k + " } }\n"; };
+  EXPECT_THAT(warnings(slider + guide + spring("2000")), IsEmpty());
+  EXPECT_THAT(warnings(slider + guide + spring("20")),
+              ElementsAre(says(code::kSoftSpring, "joints.guide.displacement.spring.stiffness")));
+  EXPECT_THAT(warnings(slider + guide + spring("20"), {"gravity=[9.81, 0, 0]"}), IsEmpty());
+  const std::string strut =
+      "[[struts]]\nname = \"leg\"\nbodies = [\"ground\", \"load\"]\npoints = [[0, 0, 0], [0, 0, 0.5]]\nspring = { "
+      "stiffness = 20 "
+      "}\n";
+  EXPECT_THAT(warnings(slider + guide + strut), ElementsAre(says(code::kSoftSpring, "struts.leg.spring.stiffness")));
+  EXPECT_THAT(warnings(slider + guide + strut, {"struts.leg.spring.preload=19.6"}), IsEmpty());
+  const std::string cable =
+      slider +
+      "[[cables]]\nname = \"rope\"\npath = [{ body = \"ground\", point = [0, 0, 1] }, { body = \"load\", "
+      "point = [0, 0, 0.55] }]\nEA = ";
+  EXPECT_THAT(warnings(cable + "1e4\n"), IsEmpty());
+  EXPECT_THAT(warnings(cable + "5\n"), ElementsAre(says(code::kSoftSpring, "cables.rope.EA")));
 }
 
 // 300 kg on four springs of 20 N/mm sink by 37 mm; written as 20 N/m, by 37 m.
