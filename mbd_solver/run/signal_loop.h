@@ -4,10 +4,12 @@
 // An event puts the scene into its state when its condition holds: with a period at its multiples, without at any time.
 // Simulation locates that instant to kEventTime between rows and samples (with grains: at the end of the window).
 
+#include <array>
 #include <memory>
 #include <vector>
 
 #include "coupler/archive.h"
+#include "mbd_solver/model/control/expression_parts.h"
 #include "mbd_solver/run/observe/observation.h"
 
 namespace footfall {
@@ -29,6 +31,11 @@ class SignalLoop {
     bool sampled = false;  // it has a period: its instant is the sample itself
   };
   Trigger triggered(const Sample& sample, const Eigen::VectorXd& values);
+  // Between two samples at which no condition holds, that of an event without a period may hold if several of its comparisons
+  // change. remember(): the first sample; changed(): comparisons that differ at another, of which may_have_held() asks.
+  void remember(const Sample& sample, const Eigen::VectorXd& values);
+  std::vector<std::size_t> changed(const Sample& sample, const Eigen::VectorXd& values);
+  bool may_have_held(const Sample& sample, const Eigen::VectorXd& values);
   // Puts the scene into the event's state: sets the inputs of states; signals that become inactive are 0.
   void apply(int event, double time, Eigen::VectorXd& values);
   const std::string& event_name(int event) const;
@@ -44,6 +51,25 @@ class SignalLoop {
     return time >= (static_cast<double>(samples) - 1e-6) * period;
   }
 
+  // A condition as its comparisons make it; other parts may be true or false.
+  struct Test {
+    enum class Kind { kAnd, kOr, kNot, kCompare, kOther };
+    Kind kind = Kind::kOther;
+    std::size_t margin = 0;  // of a comparison: positive where it is true
+    std::vector<Test> parts;
+  };
+  struct Condition {
+    int event = 0;
+    std::size_t first = 0, count = 0;  // of its margins
+    Test test;
+  };
+  static Test test_of(const ExpressionPart& part, std::vector<std::string>& margins);
+  static std::array<bool, 2> can_be(const Test& test, const std::vector<bool>& truth);  // false, true
+  SignalChain margins_of_conditions();
+  void compute_margins(const Sample& sample, const Eigen::VectorXd& values);
+  bool in_state(const std::string& name, const Eigen::VectorXd& values) const;
+  bool applies(const EventSpec& event, const Eigen::VectorXd& values) const;
+
   Subject subject_;
   SignalChain chain_, conditions_;  // conditions: one node per event
   Readings readings_, condition_readings_;
@@ -53,6 +79,10 @@ class SignalLoop {
   std::vector<bool> was_active_;                   // per node of chain_, at its last sample
   Eigen::VectorXd z_;                              // inner states of chain_
   bool unsampled_events_ = false;
+  std::vector<Condition> compared_;        // of two comparisons or more
+  SignalChain margins_;                    // one node per comparison
+  std::vector<std::size_t> margin_names_;  // of its names in those of conditions_
+  std::vector<double> margin_, remembered_;
 };
 
 }  // namespace footfall

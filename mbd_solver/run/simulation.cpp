@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "coupler/base/clock.h"
 #include "coupler/base/number.h"
@@ -200,8 +201,9 @@ void Simulation::begin(Loop& loop) {
     apply_events();
     loop.observe(sampler_.sample());
   }
+  if (resumed_ && control_.signals()) control_.signals()->triggered(sampler_.sample(), inputs_.values);  // is read
   loop.observation_pending = false;
-  without_event_ = state_;
+  stand_without_event();
 }
 
 void Simulation::run_alone(Loop& loop) {
@@ -584,7 +586,52 @@ bool Simulation::event_triggered() {
   SignalLoop* const signals = control_.signals();
   if (!signals) return false;
   if (signals->triggered(sampler_.sample(), inputs_.values).event >= 0) return true;
-  if (signals->has_unsampled_events()) without_event_ = state_;
+  if (!signals->has_unsampled_events()) return false;
+  if (!coupled_ && without_event_.time < state_.time && signals->may_have_held(sampler_.sample(), inputs_.values)) {
+    event_between_ = true;
+    return true;
+  }
+  stand_without_event();
+  return false;
+}
+
+void Simulation::stand_without_event() {
+  without_event_ = state_;
+  if (control_.signals()) control_.signals()->remember(sampler_.sample(), inputs_.values);
+}
+
+// The comparisons of conditions change at instants that bisection finds, each by itself; between two of them the condition is
+// tried. False: it held nowhere, and the state is as it was.
+bool Simulation::find_between() {
+  SignalLoop& signals = *control_.signals();
+  const State end = state_, begin = without_event_;
+  const Eigen::VectorXd end_rates = rates_;
+  const auto holds_at = [&](double time) {
+    advance(begin, time);
+    update_sample();
+    return signals.triggered(sampler_.sample(), inputs_.values).event >= 0;
+  };
+  std::vector<double> instants;
+  for (const std::size_t one : signals.changed(sampler_.sample(), inputs_.values)) {
+    double early = begin.time, late = end.time;
+    while (late - early > kEventTime) {
+      const double middle = 0.5 * (early + late);
+      if (middle <= early || middle >= late) break;
+      holds_at(middle);
+      const std::vector<std::size_t> now = signals.changed(sampler_.sample(), inputs_.values);
+      (std::find(now.begin(), now.end(), one) != now.end() ? late : early) = middle;
+    }
+    instants.push_back(late);
+  }
+  std::sort(instants.begin(), instants.end());
+  for (std::size_t i = 1; i < instants.size(); ++i)
+    if (const double middle = 0.5 * (instants[i - 1] + instants[i]); middle > begin.time && holds_at(middle))
+      return true;
+  integrator_->forget();
+  state_ = end;
+  rates_ = end_rates;
+  update_sample();
+  stand_without_event();
   return false;
 }
 
@@ -612,12 +659,13 @@ void Simulation::apply_events() {
     if (coupled_) coupled_->restart();
     if (coupled_ && !trigger.sampled) tell_of_late_event(signals->event_name(event), rates_ - rates);
   }
-  without_event_ = state_;
+  stand_without_event();
 }
 
 // Bisection: a condition is true or false, and may depend on anything in a sample.
 void Simulation::locate_event() {
   event_in_window_ = false;
+  if (std::exchange(event_between_, false) && !find_between()) return;
   SignalLoop& signals = *control_.signals();
   const bool sampled = signals.triggered(sampler_.sample(), inputs_.values).sampled;
   if (!coupled_ && !sampled && without_event_.time < state_.time) {

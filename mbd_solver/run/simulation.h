@@ -130,9 +130,11 @@ class Simulation {
   void sample_controllers();
   // After a step of a window that ends at window_end [s]: observes it; false: an event ends the window.
   bool watch_step(StepView& step, double window_end);
-  bool event_triggered();  // by the sample
-  void locate_event();     // returns to its instant, in (without_event_.time, state_.time], and applies it
-  void apply_events();     // all whose condition holds now
+  bool event_triggered();  // by the sample, or perhaps between it and without_event_
+  void stand_without_event();
+  bool find_between();
+  void locate_event();  // returns to its instant, in (without_event_.time, state_.time], and applies it
+  void apply_events();  // all whose condition holds now
   void check_finite() const;
   void check_collisions();
   void settle_start();
@@ -168,6 +170,7 @@ class Simulation {
   std::vector<ExternalLoad> loads_before_;
   double last_length_ = 0.0, length_before_ = 0.0;
   double largest_kinetic_ = 0.0;  // likewise, since the start [J]
+  bool event_between_ = false;    // ... or because it may have held before
   State without_event_;           // the last state in which no condition held; for events without a period
   Sampler sampler_;
   std::unique_ptr<CoupledRun> coupled_;

@@ -161,6 +161,25 @@ TEST_P(PulseTrain, GivesItsImpulse) {
     }
 }
 
+// x = 2 t. Two comparisons hold together for 0.1 ms, from t = 0.75005 s on, less than a step; then 10 N push 2 kg.
+TEST(EventOfAWindow, IsFoundWithinAStep) {
+  const std::string states =
+      "[[states]]\nname = \"waits\"\n[[states]]\nname = \"pushes\"\n[[events]]\nname = \"e\"\nto = \"pushes\"\n";
+  const std::string push = pushed_by_signal(expression("10 * state.pushes")) + "[initial]\nvelocity = [2, 0, 0]\n";
+  const auto speed = [&](const std::string& when, const std::string& solver) {
+    return final_speed(states + "when = \"" + when + "\"\n" + push, solver);
+  };
+  for (const char* max_step : {"1e-3", "1.0"})
+    for (const char* integrator : {"one_step", "ida"}) {
+      const std::string solver = std::string("integrator = \"") + integrator + "\"\nmax_step = " + max_step + "\n";
+      for (const char* when : {"b.x > 1.5001 && b.x < 1.5003", "!(b.x < 1.5001 || 1.5003 < b.x)",
+                               "slide.displacement > 1.5001 && (slide.displacement < 1.5003 && time > 0.2)"})
+        EXPECT_NEAR(speed(when, solver), 2.0 + 5.0 * (1.1 - 0.75005), 1e-8) << when << ", " << solver;
+      for (const char* never : {"b.x > 1.5003 && b.x < 1.5001", "b.x > 1.5001 && b.x < 1.5003 && time > 0.8"})
+        EXPECT_NEAR(speed(never, solver), 2.0, 1e-8) << never << ", " << solver;
+    }
+}
+
 // Curved pulses whose impulse is known.
 struct CurvedPulse {
   const char* name;
