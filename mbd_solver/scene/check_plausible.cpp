@@ -386,6 +386,7 @@ class Plausibility {
 
   // Bodies that hang on springs alone: under their weight the springs yield by m g / k.
   void check_springs_that_carry() {
+    if (size_ == 0.0) return;  // all in one point
     struct Hung {
       double mass = 0.0, stiffness = 0.0, stiffest = 0.0;  // [kg], [N/m]
       bool held = false;                                   // by something else as well
@@ -448,7 +449,7 @@ class Plausibility {
 
   // A part that slides along gravity on one prismatic or cylindrical joint, carried by springs alone: they yield by m g / k.
   void check_sliders() {
-    if (scene_.gravity.norm() == 0.0) return;
+    if (scene_.gravity.norm() == 0.0 || size_ == 0.0) return;
     for (const JointSpec& joint : scene_.joints) {
       if (joint.type != JointType::kPrismatic && joint.type != JointType::kCylindrical) continue;
       const Vector3d along = joint.axis.normalized();
@@ -593,7 +594,7 @@ class Plausibility {
         findings_.warning(kImplausibleNumber, strut.source, "gas.pressure",
                           "is " + number_text(pressure) + " Pa, " + number_text(pressure / 1e5, 3) +
                               " bar; write it in Pa, or use the suffix _kPa or _MPa (1 bar = 100 kPa)");
-      if (strut.gas->piston_diameter > size_)
+      if (size_ > 0.0 && strut.gas->piston_diameter > size_)
         findings_.warning(kImplausibleNumber, strut.source, "gas.piston_diameter",
                           "is " + number_text(strut.gas->piston_diameter) + " m in a mechanism of " +
                               number_text(size_, 3) + " m; write it in m, or use the suffix _mm");

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kOther = 0.2;     // relative difference of ratios that is told
 constexpr double kEqual = 1e-6;    // relative difference of eigenvalues of equal bodies, by round-off
-constexpr double kSags = 0.1;      // of the extent of a body, under its weight
+constexpr double kFreeSag = 0.1;   // g / omega^2 of the free body over its size: told where it is built
 constexpr double kElastic = 1e-6;  // of the largest eigenvalue: rigid motions are below
 
 // Columns: independent velocities that all joints allow.
@@ -145,12 +145,12 @@ std::vector<std::string> sag_warnings(const Model& model, const Layout& layout, 
     const double bends =
         largest_deflection(body, sag.segment(layout.body_v[static_cast<std::size_t>(i)] + 6, body.mode_count()));
     const double size = extent(body);
-    const bool told = model.gravity().norm() / body.stiffness.minCoeff() > kSags * size;  // of the free body
-    if (bends > kSags * size && !told)
+    const bool told = model.gravity().norm() / body.stiffness.minCoeff() > kFreeSag * size;  // of the free body
+    if (bends > kDeflectionRange * size && !told)
       out.push_back(
           with_code(code::kBendsUnderWeight,
                     "body " + model.body(i).name() + " bends by " + number_text(bends, 3) +
-                        " m under the weight that its joints hold, " + number_text(bends / size, 3) +
+                        " m from its mean axes under the weight that its joints hold, " + number_text(bends / size, 3) +
                         " of its extent, beyond the range of linear modes. Check Young's modulus (Pa) and its "
                         "sections (m); else divide it into several bodies"));
   }

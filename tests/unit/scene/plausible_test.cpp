@@ -226,6 +226,20 @@ shape = { kind = "box", size = [0.1, 0.1, 0.1], centre = [0, 0, 0.5] }
   EXPECT_THAT(warnings(cable + "5\n"), ElementsAre(says(code::kSoftSpring, "cables.rope.EA")));
 }
 
+// A point mass on a spring at its own place has no size to compare with.
+TEST(Plausible, PointsAreNotCompared) {
+  const std::string point =
+      "end_time = 1.0\n[[bodies]]\nname = \"m\"\nmass = 2\ninertia = [0.1, 0.1, 0.1]\nposition = [0, 0, 1]\n";
+  EXPECT_THAT(
+      warnings(point + "[[springs]]\nname = \"s\"\nkind = \"bushing\"\nbodies = [\"ground\", \"m\"]\npoint = [0, 0, "
+                       "1]\nstiffness = 1000\n"),
+      IsEmpty());
+  EXPECT_THAT(
+      warnings(point + "[[joints]]\nname = \"j\"\nkind = \"prismatic\"\nbodies = [\"ground\", \"m\"]\npoint = [0, 0, "
+                       "1]\naxis = \"z\"\ndisplacement = { spring = { stiffness = 1000 } }\n"),
+      IsEmpty());
+}
+
 // 300 kg on four springs of 20 N/mm sink by 37 mm; written as 20 N/m, by 37 m.
 TEST(Plausible, SpringsThatSinkByMoreThanTheMechanismIsLarge) {
   std::string car = R"(end_time = 1.0
