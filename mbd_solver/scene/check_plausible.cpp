@@ -34,7 +34,7 @@ constexpr double kTouching = 1e-6;   // [of the size of a body]
 constexpr double kThinnestBody = 1e-3;                          // [kg/m3] in the ball of its radius of gyration
 constexpr double kRoughest = 5.0;                               // rubber has 1 to 2; 30 are degrees or per cent
 constexpr double kLeastPressure = 2000.0, kMostPressure = 2e8;  // of gas in a strut [Pa]
-constexpr double kFarAway = 300.0;                              // of a point of a body [its reach]
+constexpr double kFarAway = 500.0;                              // of a point of a body [its reach]
 constexpr double kPlaces = 100.0;                               // of a boundary that bear it on a plane
 constexpr double kOpenMotion = 1e-3;                            // largest gap that the start closes [m]
 constexpr double kSunk = 0.1;                                   // on a plane, at rest [size of the mechanism]
