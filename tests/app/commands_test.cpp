@@ -76,7 +76,7 @@ TEST_F(Commands, TakeTheLargerVersionOfEveryExampleOnGrains) {
 
 // A full disk behind the standard output, and an end after that of the scene.
 TEST_F(Commands, TellOfOutputThatIsLostAndOfAnEndThatIsNotReached) {
-  const test::Outcome full = folder.shell(folder.program("footfall") + " schema > /dev/full");
+  const test::Outcome full = folder.shell(folder.program("footfall") + " check " + app::kSliderCrank + " > /dev/full");
   EXPECT_EQ(full.exit_code, 1);
   EXPECT_TRUE(holds(full.text, "E0519")) << full.text;
   const std::string run = "run " + app::kSliderCrank + " --quiet --set output.plots=false --set end_time=0.02 --until ";
