@@ -21,7 +21,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 constexpr double kVeryBad = 1e6;   // residual where there is none
-constexpr double kInside = 0.02;   // of the range: a least squares search starts off its ends, where derivatives vanish
+constexpr double kOutside = 0.01;  // slope of residuals outside of the bounds, of those at the start per range
 constexpr double kRounded = 1e12;  // positions between the bounds are rounded to its inverse
 
 Numbers numbers_of(const OT::Point& p) { return {p.begin(), p.end()}; }
@@ -44,34 +44,72 @@ class OurEvaluation : public OT::EvaluationImplementation {
   std::function<Numbers(const Numbers&)> f_;
 };
 
-// Derivatives as OpenTURNS has them, a row per input; its own central differences leave the bounds.
-class OurGradient : public OT::GradientImplementation {
+// A function of the nearest point within the bounds, continued by residuals that grow with the distance from them: OpenTURNS
+// would bend the variables at the bounds instead, where searches then jump from one end to the other. Its derivatives by
+// central differences within the bounds, as OpenTURNS has them: a row per input.
+class Continued : public OT::GradientImplementation {
  public:
-  OurGradient(std::size_t outputs, const OptimumTask& task, const Residuals& f)
-      : outputs_(outputs), task_(task), f_(f) {}
-  OurGradient* clone() const override { return new OurGradient(*this); }
+  Continued(const OptimumTask& task, const Residuals& f) : task_(task), f_(f) {
+    const Numbers r = f_({inside(task.start)}).front();
+    rows_ = r.size();
+    for (const double one : r) outside_ += one * one;
+    outside_ = kOutside * std::sqrt(outside_);
+  }
+  Continued* clone() const override { return new Continued(*this); }
   OT::UnsignedInteger getInputDimension() const override { return task_.start.size(); }
-  OT::UnsignedInteger getOutputDimension() const override { return outputs_; }
-  OT::Matrix gradient(const OT::Point& x) const override {
+  OT::UnsignedInteger getOutputDimension() const override { return rows_ + task_.start.size(); }
+
+  Numbers inside(Numbers x) const {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] = std::clamp(std::round(x[i] * kRounded) / kRounded, task_.least[i], task_.most[i]);
+    return x;
+  }
+  std::size_t rows() const { return rows_; }  // 0: the start has none
+  double slope(std::size_t i) const { return outside_ / (task_.most[i] - task_.least[i]); }
+
+  Numbers values(const Numbers& x) const {
+    const Numbers within = inside(x);
+    Numbers r = f_({within}).front();
+    if (r.size() != rows_) r.assign(rows_, kVeryBad);
+    for (std::size_t i = 0; i < x.size(); ++i) r.push_back(slope(i) * (x[i] - within[i]));
+    return r;
+  }
+  OT::Matrix gradient(const OT::Point& at) const override {
+    const Numbers x = numbers_of(at);
     std::vector<Numbers> points;
-    for (std::size_t i = 0; i < task_.start.size(); ++i)
+    for (std::size_t i = 0; i < x.size(); ++i)
       for (const double step : {task_.step, -task_.step}) {
-        points.push_back(numbers_of(x));
-        points.back()[i] = std::clamp(x[i] + step, task_.least[i], task_.most[i]);
+        points.push_back(inside(x));
+        if (!out(x, i)) points.back()[i] = std::clamp(points.back()[i] + step, task_.least[i], task_.most[i]);
       }
+    points.push_back(inside(x));
     const std::vector<Numbers> r = f_(points);
-    OT::Matrix d(task_.start.size(), outputs_);
-    for (std::size_t i = 0; i < task_.start.size(); ++i)
-      for (std::size_t k = 0; k < outputs_; ++k)
-        if (r[2 * i].size() == outputs_ && r[2 * i + 1].size() == outputs_)
-          d(i, k) = (r[2 * i][k] - r[2 * i + 1][k]) / (points[2 * i][i] - points[2 * i + 1][i]);
+    OT::Matrix d(x.size(), getOutputDimension());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const Numbers &up = r[2 * i], &down = r[2 * i + 1];
+      const double width = points[2 * i][i] - points[2 * i + 1][i];
+      if (width == 0.0 || up.size() != rows_ || down.size() != rows_ || r.back().size() != rows_) continue;
+      double push = 0.0;  // of |r|^2
+      for (std::size_t k = 0; k < rows_; ++k) push += r.back()[k] * (up[k] - down[k]);
+      // At a bound that keeps the number from less |r|^2 only the others move.
+      if ((x[i] <= task_.least[i] && push > 0.0) || (x[i] >= task_.most[i] && push < 0.0)) continue;
+      for (std::size_t k = 0; k < rows_; ++k) d(i, k) = (up[k] - down[k]) / width;
+    }
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (x[i] < task_.least[i] || x[i] > task_.most[i]) d(i, rows_ + i) = slope(i);
     return d;
   }
 
  private:
-  std::size_t outputs_;
+  // By more than the step of differences: the number only comes back to the bound.
+  bool out(const Numbers& x, std::size_t i) const {
+    return x[i] < task_.least[i] - task_.step || x[i] > task_.most[i] + task_.step;
+  }
+
   const OptimumTask& task_;
   const Residuals& f_;
+  std::size_t rows_ = 0;
+  double outside_ = 0.0;  // slope of the residuals outside, per range
 };
 
 // Runs f; OpenTURNS and NLopt forget what was thrown.
@@ -85,15 +123,9 @@ auto noting(std::exception_ptr& thrown, const F& f) {
   }
 }
 
-template <class Problem>
-Problem bounded(Problem problem, const OptimumTask& task) {
-  OT::Log::Show(OT::Log::NONE);
-  problem.setBounds({point_of(task.least), point_of(task.most)});
-  return problem;
-}
-
 void run(OT::OptimizationAlgorithmImplementation& search, const Numbers& start, int evaluations,
          const std::exception_ptr& thrown) {
+  OT::Log::Show(OT::Log::NONE);
   search.setStartingPoint(point_of(start));
   search.setMaximumEvaluationNumber(static_cast<std::size_t>(evaluations));
   try {
@@ -117,7 +149,9 @@ Numbers minimum(const char* method, const OptimumTask& task, const std::function
     if (y < least) least = y, best = x;
     return Numbers{y};
   });
-  OT::NLopt search(bounded(OT::OptimizationProblem(OT::Function(f)), task), method);
+  OT::OptimizationProblem problem{OT::Function(f)};
+  problem.setBounds({point_of(task.least), point_of(task.most)});
+  OT::NLopt search(problem, method);
   search.setMaximumAbsoluteError(task.precision);
   search.setMaximumRelativeError(0.0);
   search.setMaximumResidualError(0.0);
@@ -133,36 +167,21 @@ Numbers minimum(const char* method, const OptimumTask& task, const std::function
 }
 
 Numbers least_squares(const OptimumTask& task, const Residuals& residuals) {
-  const std::size_t n = task.start.size();
   std::exception_ptr thrown;
-  const Residuals inside = [&](const std::vector<Numbers>& points) {
-    std::vector<Numbers> rounded = points;
-    for (Numbers& x : rounded)
-      for (std::size_t i = 0; i < n; ++i)
-        x[i] = std::clamp(std::round(x[i] * kRounded) / kRounded, task.least[i], task.most[i]);
-    std::vector<Numbers> all = noting(thrown, [&] { return residuals(rounded); });
-    for (Numbers& r : all)
-      if (!r.empty()) r.resize(std::max(n, r.size()), 0.0);  // MINPACK wants at least as many as unknowns
-    return all;
+  const Residuals noted = [&](const std::vector<Numbers>& points) {
+    return noting(thrown, [&] { return residuals(points); });
   };
-  Numbers start = task.start;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double margin = kInside * (task.most[i] - task.least[i]);
-    start[i] = std::clamp(start[i], task.least[i] + margin, task.most[i] - margin);
-  }
-  const std::size_t rows = inside({start}).front().size();
-  if (rows == 0) return start;
-  OT::Function function(OurEvaluation(n, rows, [&](const Numbers& x) {
-    const Numbers r = inside({x}).front();
-    return r.size() == rows ? r : Numbers(rows, kVeryBad);
-  }));
-  function.setGradient(OurGradient(rows, task, inside));
-  OT::CMinpack search(bounded(OT::LeastSquaresProblem(function), task));
+  const Continued continued(task, noted);
+  if (continued.rows() == 0) return task.start;
+  OT::Function function(OurEvaluation(task.start.size(), continued.getOutputDimension(),
+                                      [&](const Numbers& x) { return continued.values(x); }));
+  function.setGradient(continued);
+  OT::CMinpack search{OT::LeastSquaresProblem(function)};
   search.setMaximumAbsoluteError(task.precision);
   search.setMaximumRelativeError(task.precision);
   search.setMaximumResidualError(1e-12);
-  run(search, start, task.evaluations, thrown);
-  return numbers_of(search.getResult().getOptimalPoint());
+  run(search, continued.inside(task.start), task.evaluations, thrown);
+  return continued.inside(numbers_of(search.getResult().getOptimalPoint()));
 }
 
 }  // namespace footfall

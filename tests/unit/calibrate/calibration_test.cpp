@@ -277,6 +277,27 @@ TEST(GaussNewton, SolvesAnewWhereARangeEnds) {
   }
 }
 
+// Damper and gas over stroke, whose exponent is felt last: steps leave its range, and the search comes back from there. 80
+// sets are eleven steps; a search that jumps between the ends takes up to 104.
+TEST(GaussNewton, ComesBackFromTheEndOfARange) {
+  const auto force = [](const UnitPoint& u, double stroke) {
+    return std::pow(8.0, u[0]) * (1.0 - stroke) +
+           2.0 * std::pow(4.0, u[1]) * std::pow(1.0 - 0.7 * stroke, -1.0 - 0.6 * u[2]);
+  };
+  for (const double tolerance : {0.05, 0.02})
+    for (const UnitPoint& hidden : {UnitPoint{0.72, 0.25, 0.64}, UnitPoint{0.3, 0.8, 0.1}, UnitPoint{0.5, 0.55, 0.95},
+                                    UnitPoint{0.85, 0.1, 0.5}}) {
+      const SearchPath way =
+          least_squares_path(stage_of(SearchMethod::kGaussNewton, 80), {0.5, 0.5, 0.5}, 0.01, [&](const UnitPoint& u) {
+            std::vector<double> r;
+            for (int k = 1; k <= 24; ++k) r.push_back((force(u, 0.0375 * k) - force(hidden, 0.0375 * k)) / tolerance);
+            return r;
+          });
+      EXPECT_EQ(way.end, "within its precision") << hidden[0];
+      for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(way.best[i], hidden[i], 1e-4);  // its precision
+    }
+}
+
 // Searches by response surfaces: mbd_solver/studies/calibrate/surrogate.cpp.
 
 // Points of a lattice in the unit square, moved a little so that no three are in line.
