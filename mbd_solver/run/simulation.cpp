@@ -503,7 +503,15 @@ double Simulation::foreseen_event(double before) {
   Rows rows;
   rows.on_step = [&](StepView& step) {
     double early = step.begin(), late = step.end();
-    if (!holds_at(step, late)) return true;
+    if (!holds_at(step, late)) {
+      const std::optional<double> between =
+          holds_between(early, late, kForeseen * dt, [&](double time) { return holds_at(step, time); });
+      if (!between) {
+        signals->remember(sampler_.sample(), inputs_.values);
+        return true;
+      }
+      late = *between;
+    }
     while (late - early > kForeseen * dt) {
       const double middle = 0.5 * (early + late);
       (holds_at(step, middle) ? late : early) = middle;
@@ -511,6 +519,8 @@ double Simulation::foreseen_event(double before) {
     event = late;
     return false;
   };
+  signals->triggered(sampler_.sample(), inputs_.values);
+  signals->remember(sampler_.sample(), inputs_.values);
   try {
     State state = now;
     foresight_->forget();  // the result depends on the state alone
@@ -601,20 +611,15 @@ void Simulation::stand_without_event() {
 }
 
 // The comparisons of conditions change at instants that bisection finds, each by itself; between two of them the condition is
-// tried. False: it held nowhere, and the state is as it was.
-bool Simulation::find_between() {
+// tried. Nothing: it holds nowhere between two times, at which it does not hold; the sample is that of the later one.
+std::optional<double> Simulation::holds_between(double begin, double end, double precision,
+                                                const std::function<bool(double)>& holds_at) {
   SignalLoop& signals = *control_.signals();
-  const State end = state_, begin = without_event_;
-  const Eigen::VectorXd end_rates = rates_;
-  const auto holds_at = [&](double time) {
-    advance(begin, time);
-    update_sample();
-    return signals.triggered(sampler_.sample(), inputs_.values).event >= 0;
-  };
+  if (!signals.may_have_held(sampler_.sample(), inputs_.values)) return std::nullopt;
   std::vector<double> instants;
   for (const std::size_t one : signals.changed(sampler_.sample(), inputs_.values)) {
-    double early = begin.time, late = end.time;
-    while (late - early > kEventTime) {
+    double early = begin, late = end;
+    while (late - early > precision) {
       const double middle = 0.5 * (early + late);
       if (middle <= early || middle >= late) break;
       holds_at(middle);
@@ -625,8 +630,21 @@ bool Simulation::find_between() {
   }
   std::sort(instants.begin(), instants.end());
   for (std::size_t i = 1; i < instants.size(); ++i)
-    if (const double middle = 0.5 * (instants[i - 1] + instants[i]); middle > begin.time && holds_at(middle))
-      return true;
+    if (const double middle = 0.5 * (instants[i - 1] + instants[i]); middle > begin && holds_at(middle)) return middle;
+  holds_at(end);
+  return std::nullopt;
+}
+
+// False: the condition held nowhere, and the state is as it was.
+bool Simulation::find_between() {
+  const State end = state_, begin = without_event_;
+  const Eigen::VectorXd end_rates = rates_;
+  const auto holds_at = [&](double time) {
+    advance(begin, time);
+    update_sample();
+    return control_.signals()->triggered(sampler_.sample(), inputs_.values).event >= 0;
+  };
+  if (holds_between(begin.time, end.time, kEventTime, holds_at)) return true;
   integrator_->forget();
   state_ = end;
   rates_ = end_rates;

@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "coupler/archive.h"
 #include "coupler/transport.h"
@@ -133,6 +134,8 @@ class Simulation {
   bool event_triggered();  // by the sample, or perhaps between it and without_event_
   void stand_without_event();
   bool find_between();
+  std::optional<double> holds_between(double begin, double end, double precision,
+                                      const std::function<bool(double)>& holds_at);
   void locate_event();  // returns to its instant, in (without_event_.time, state_.time], and applies it
   void apply_events();  // all whose condition holds now
   void check_finite() const;
