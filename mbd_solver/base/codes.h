@@ -17,6 +17,8 @@ inline constexpr MessageCode kNoSuchFile{"E0433", "no-such-file"};
 inline constexpr MessageCode kParameterOutOfRange{"E0434", "parameter-out-of-range"};
 // A file of an earlier run cannot be removed. Check the folder's permissions.
 inline constexpr MessageCode kFileNotRemoved{"E0435", "file-not-removed"};
+// A file that a run reads as it goes was changed. Leave it as it is until the run has ended.
+inline constexpr MessageCode kFileChanged{"E0436", "file-changed"};
 
 // A table cannot be opened. Check path and permissions.
 inline constexpr MessageCode kTableNotReadable{"E0250", "table-not-readable"};

@@ -41,6 +41,7 @@ double fall_of(const Terrain& terrain, const Eigen::Vector3d& p, double radius) 
       const Terrain::Foot foot = terrain.foot(now, static_cast<int>(k));
       if (foot.normal.z() > 0.0) left = std::min(left, (foot.distance - radius) / std::max(0.1, foot.normal.z()));
     }
+    if (!std::isfinite(left)) break;  // no foot within reach: as good as the rays have it
     way += left;
     if (std::abs(left) < 1e-12) break;
   }

@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/number_file.h"
 #include "mbd_solver/base/pi.h"
 
 namespace footfall {
@@ -36,7 +37,7 @@ struct Weights {
 
 Weights weights_at(double u, int samples) {
   Weights w;
-  const double inside = std::clamp(u, 0.0, static_cast<double>(samples - 1));
+  const double inside = u > 0.0 ? std::min(u, static_cast<double>(samples - 1)) : 0.0;  // not a number: no place
   w.first = std::min(static_cast<int>(inside), samples - 2);
   const double t = inside - w.first, s = 1.0 - t;
   w.value = {s * s * s / 6.0, (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0, (4.0 - 6.0 * s * s + 3.0 * s * s * s) / 6.0,
@@ -50,23 +51,24 @@ Weights weights_at(double u, int samples) {
   return w;
 }
 
-// From samples f_1 ... f_n in place to the coefficients of a cubic B-spline through them, those at the ends first and last:
-// f_i = (c_i-1 + 4 c_i + c_i+1) / 6, and no second derivative at the ends.
-void find_coefficients(double* c, int samples, std::ptrdiff_t stride, std::vector<double>& factor) {
-  const auto at = [&](int i) -> double& { return c[i * stride]; };  // 0 and samples + 1 are beyond the ends
-  factor.resize(static_cast<std::size_t>(samples + 2));
-  const int last = samples;
-  if (samples > 2) {
-    factor[1] = 0.0;
-    for (int i = 2; i < last; ++i) {
-      const double pivot = 1.0 / (4.0 - factor[static_cast<std::size_t>(i - 1)]);
-      factor[static_cast<std::size_t>(i)] = pivot;
-      at(i) = (6.0 * at(i) - at(i - 1)) * pivot;
-    }
-    for (int i = last - 1; i >= 2; --i) at(i) -= factor[static_cast<std::size_t>(i)] * at(i + 1);
+// Rows of `wide` numbers each, of which the first and the last are beyond the ends: from samples f_1 ... f_n in each of `count` columns
+// in place to the coefficients of a cubic B-spline through them: f_i = (c_i-1 + 4 c_i + c_i+1) / 6, no second derivative at the ends.
+void find_coefficients(double* rows, int samples, std::ptrdiff_t wide, int count) {
+  std::vector<double> factor(static_cast<std::size_t>(samples), 0.0);
+  for (int i = 2; i < samples; ++i) {
+    const double pivot = factor[static_cast<std::size_t>(i)] = 1.0 / (4.0 - factor[static_cast<std::size_t>(i - 1)]);
+    double* const here = rows + i * wide;
+    for (int k = 0; k < count; ++k) here[k] = (6.0 * here[k] - (here - wide)[k]) * pivot;
   }
-  at(0) = 2.0 * at(1) - at(2);
-  at(last + 1) = 2.0 * at(last) - at(last - 1);
+  for (int i = samples - 1; i >= 2; --i) {
+    double* const here = rows + i * wide;
+    for (int k = 0; k < count; ++k) here[k] -= factor[static_cast<std::size_t>(i)] * (here + wide)[k];
+  }
+  double* const last = rows + samples * wide;
+  for (int k = 0; k < count; ++k) {
+    rows[k] = 2.0 * (rows + wide)[k] - (rows + 2 * wide)[k];
+    (last + wide)[k] = 2.0 * last[k] - (last - wide)[k];
+  }
 }
 
 // Coefficients are found tile by tile, where a body comes: most of a large map is never looked at.
@@ -106,21 +108,10 @@ class SplineGrid {
                                 (u_1 * slope).sum() * (by_x * by_y));
   }
 
+  // Of all parts within the reach; the ground goes on beyond the edges.
   double largest_bend(const Eigen::Vector2d& place, double reach) const {
-    const HeightGrid& grid = *grid_;
-    const auto part = [&](double x, int axis, int parts) {
-      const double t = std::floor((x - grid.first[axis]) / grid.step[axis] / kPart);
-      return static_cast<int>(std::clamp(t, 0.0, static_cast<double>(parts - 1)));
-    };
-    constexpr int kAcross = kTile / kPart;
-    const int a_0 = part(place.x() - reach, 0, parts_x_), a_1 = part(place.x() + reach, 0, parts_x_);
-    const int b_0 = part(place.y() - reach, 1, parts_y_), b_1 = part(place.y() + reach, 1, parts_y_);
     double largest = 0.0;
-    for (int b = b_0; b <= b_1; ++b)
-      for (int a = a_0; a <= a_1; ++a)
-        largest = std::max(
-            largest,
-            tile_at(a / kAcross, b / kAcross).bend[static_cast<std::size_t>((b % kAcross) * kAcross + a % kAcross)]);
+    each_part(place, reach, [&](const Tile& tile, std::size_t part) { largest = std::max(largest, tile.bend[part]); });
     return largest;
   }
   double largest_bend() const {
@@ -130,13 +121,45 @@ class SplineGrid {
         for (const double bend : tile_at(a, b).bend) largest = std::max(largest, bend);
     return largest;
   }
+  double highest(const Eigen::Vector2d& place, double reach) const {
+    const Eigen::Array2d u = (place - grid_->first).array() / grid_->step.array(), wide = reach / grid_->step.array();
+    if ((u - wide).minCoeff() < 0.0 || (u + wide)[0] > grid_->columns - 1 || (u + wide)[1] > grid_->rows - 1)
+      return std::numeric_limits<double>::infinity();
+    double highest = -std::numeric_limits<double>::infinity();
+    each_part(place, reach, [&](const Tile& tile, std::size_t part) { highest = std::max(highest, tile.top[part]); });
+    return highest;
+  }
+  double highest() const {
+    double highest = -std::numeric_limits<double>::infinity();
+    for (int b = 0; b < tiles_y_; ++b)
+      for (int a = 0; a < tiles_x_; ++a)
+        for (const double top : tile_at(a, b).top) highest = std::max(highest, top);
+    return highest;
+  }
 
  private:
   struct Tile {
     int stride = 0;         // coefficients in a row: one more than cells on the left, two on the right
     std::vector<double> c;  // row after row
     std::array<double, (kTile / kPart) * (kTile / kPart)> bend{};  // of each part, largest [1/m]
+    std::array<double, (kTile / kPart) * (kTile / kPart)>
+        top{};  // of its coefficients, largest: none of its places is higher [m]
   };
+
+  template <class Use>
+  void each_part(const Eigen::Vector2d& place, double reach, Use use) const {
+    const HeightGrid& grid = *grid_;
+    const auto part = [&](double x, int axis, int parts) {
+      const double t = (x - grid.first[axis]) / grid.step[axis] / kPart;
+      return static_cast<int>(t > 0.0 ? std::min(t, static_cast<double>(parts - 1)) : 0.0);
+    };
+    constexpr int kAcross = kTile / kPart;
+    const int a_0 = part(place.x() - reach, 0, parts_x_), a_1 = part(place.x() + reach, 0, parts_x_);
+    const int b_0 = part(place.y() - reach, 1, parts_y_), b_1 = part(place.y() + reach, 1, parts_y_);
+    for (int b = b_0; b <= b_1; ++b)
+      for (int a = a_0; a <= a_1; ++a)
+        use(tile_at(a / kAcross, b / kAcross), static_cast<std::size_t>((b % kAcross) * kAcross + a % kAcross));
+  }
 
   const Tile& tile_at(int a, int b) const {
     std::unique_ptr<const Tile>& tile =
@@ -151,20 +174,30 @@ class SplineGrid {
     const int j_0 = b * kTile, j_1 = std::min(j_0 + kTile, grid.rows - 1);
     const int left = std::max(0, i_0 - kFade), right = std::min(grid.columns - 1, i_1 + kFade);
     const int low = std::max(0, j_0 - kFade), high = std::min(grid.rows - 1, j_1 + kFade);
-    const int columns = right - left + 1, rows = high - low + 1, wide = columns + 2;
-    std::vector<double> all(static_cast<std::size_t>(wide) * static_cast<std::size_t>(rows + 2), 0.0);
-    const auto of = [&](int i, int j) -> double& {  // sample i, j of the map
-      return all[static_cast<std::size_t>(j - low + 1) * static_cast<std::size_t>(wide) +
-                 static_cast<std::size_t>(i - left + 1)];
+    const int columns = right - left + 1, rows = high - low + 1, inner = i_1 - i_0 + 3;
+    // Turned first, so that along both axes whole rows are computed at once.
+    std::vector<double> row(static_cast<std::size_t>(columns)),
+        turned(static_cast<std::size_t>(columns + 2) * static_cast<std::size_t>(rows)),
+        all(static_cast<std::size_t>(rows + 2) * static_cast<std::size_t>(inner));
+    for (int j = 0; j < rows; ++j) {
+      grid.read(left, low + j, columns, row.data());
+      for (int i = 0; i < columns; ++i)
+        turned[static_cast<std::size_t>(i + 1) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(j)] =
+            row[static_cast<std::size_t>(i)];
+    }
+    find_coefficients(turned.data(), columns, rows, rows);
+    const auto of = [&](int i, int j) -> double& {  // coefficient i, j of the map
+      return all[static_cast<std::size_t>(j - low + 1) * static_cast<std::size_t>(inner) +
+                 static_cast<std::size_t>(i - i_0 + 1)];
     };
-    for (int j = low; j <= high; ++j)
-      for (int i = left; i <= right; ++i) of(i, j) = grid.at(i, j);
-    std::vector<double> factor;
-    for (int j = low; j <= high; ++j) find_coefficients(&of(left - 1, j), columns, 1, factor);
-    for (int i = i_0 - 1; i <= i_1 + 1; ++i) find_coefficients(&of(i, low - 1), rows, wide, factor);
+    for (int j = 0; j < rows; ++j)
+      for (int i = i_0 - 1; i <= i_1 + 1; ++i)
+        of(i, low + j) = turned[static_cast<std::size_t>(i - left + 1) * static_cast<std::size_t>(rows) +
+                                static_cast<std::size_t>(j)];
+    find_coefficients(all.data(), rows, inner, inner);
 
     auto tile = std::make_unique<Tile>();
-    tile->stride = i_1 - i_0 + 3;
+    tile->stride = inner;
     tile->c.reserve(static_cast<std::size_t>(tile->stride) * static_cast<std::size_t>(j_1 - j_0 + 3));
     for (int j = j_0 - 1; j <= j_1 + 1; ++j)
       for (int i = i_0 - 1; i <= i_1 + 1; ++i) tile->c.push_back(of(i, j));
@@ -175,10 +208,11 @@ class SplineGrid {
     for (int y = j_0; y < j_0 + kTile; y += kPart) {
       for (int x = i_0; x < i_0 + kTile; x += kPart, ++part) {
         const int x_1 = std::min(x + kPart, i_1), y_1 = std::min(y + kPart, j_1);
-        double h_xx = 0.0, h_yy = 0.0, h_xy = 0.0;
+        double h_xx = 0.0, h_yy = 0.0, h_xy = 0.0, top = -std::numeric_limits<double>::infinity();
         for (int j = y - 1; j <= y_1 + 1 && x < i_1 && y < j_1; ++j) {
           for (int i = x - 1; i <= x_1 + 1; ++i) {
             const double here = of(i, j);
+            top = std::max(top, here);
             if (i >= x && i <= x_1) h_xx = std::max(h_xx, std::abs(of(i - 1, j) - 2.0 * here + of(i + 1, j)));
             if (j >= y && j <= y_1) h_yy = std::max(h_yy, std::abs(of(i, j - 1) - 2.0 * here + of(i, j + 1)));
             if (i <= x_1 && j <= y_1)
@@ -186,6 +220,7 @@ class SplineGrid {
           }
         }
         tile->bend[part] = std::max(h_xx * xx, h_yy * yy) + h_xy * xy;
+        tile->top[part] = top;
       }
     }
     return tile;
@@ -198,11 +233,22 @@ class SplineGrid {
 
 }  // namespace
 
+void HeightGrid::read(int column, int row, int count, double* out) const {
+  const auto wide = static_cast<std::size_t>(columns), from = static_cast<std::size_t>(column),
+             n = static_cast<std::size_t>(count);
+  if (!text) {
+    std::copy_n(&heights[static_cast<std::size_t>(row) * wide + from], n, out);
+    return;
+  }
+  text->read(static_cast<std::size_t>(rows - 1 - row) * wide + from, n, out);
+  for (std::size_t k = 0; k < n; ++k) out[k] = (out[k] - below) * scale;
+}
+
 // The map of the file, and the waves of a random surface: these have a period in x and y, of which one is sampled, finely enough
 // that they are what the spline makes of them.
 struct Terrain::Map {
   std::optional<SplineGrid> site, rough;
-  double period = 0.0, rough_bend = 0.0;
+  double period = 0.0, rough_bend = 0.0, rough_top = 0.0;
 
   // Samples from waves[first] on; waves[first - 1] has the period.
   void sample(const std::vector<GroundWave>& waves, std::size_t first) {
@@ -235,13 +281,12 @@ struct Terrain::Map {
     }
     rough.emplace(std::move(samples));
     rough_bend = rough->largest_bend();
+    rough_top = rough->highest();
   }
-  void add(const Eigen::Vector2d& place, Height& out) const {
-    if (site) site->add(place, out);
-    if (rough)
-      rough->add(
-          {place.x() - period * std::floor(place.x() / period), place.y() - period * std::floor(place.y() / period)},
-          out);
+  void add_rough(const Eigen::Vector2d& place, Height& out) const {
+    rough->add(
+        {place.x() - period * std::floor(place.x() / period), place.y() - period * std::floor(place.y() / period)},
+        out);
   }
   double largest_bend(const Eigen::Vector2d& place, double reach) const {
     return rough_bend + (site ? site->largest_bend(place, reach) : 0.0);
@@ -285,7 +330,10 @@ Terrain::Terrain(TerrainParts parts) : parts_(std::move(parts)) {
     }
     map_ = std::move(map);
   }
-  for (const GroundWave& wave : parts_.waves) wave_bend_ += std::abs(wave.amplitude) * wave.k.squaredNorm();
+  for (const GroundWave& wave : parts_.waves) {
+    wave_bend_ += std::abs(wave.amplitude) * wave.k.squaredNorm();
+    wave_height_ += std::abs(wave.amplitude);
+  }
   if (parts_.rocks.empty()) return;
   rock_cells_ = std::make_unique<RockCells>();
   double largest = 0.0;
@@ -306,11 +354,46 @@ Terrain::Terrain(TerrainParts parts) : parts_(std::move(parts)) {
 Terrain::~Terrain() = default;
 
 Terrain::Height Terrain::at(double x, double y) const {
+  return at_place(Eigen::Vector2d(x, y) - parts_.origin.head<2>(), true);
+}
+
+std::vector<double> Terrain::sketch(const Eigen::Vector2d& first, const Eigen::Vector2d& step,
+                                    const Eigen::Vector2i& counts) const {
+  std::vector<double> out, row;
+  const HeightGrid* const grid = map_ && map_->site ? &map_->site->grid() : nullptr;
+  const bool nearest = grid != nullptr && (step.array() >= grid->step.array()).all();
+  for (int j = 0; j < counts.y(); ++j) {
+    const double y = first.y() + j * step.y(), last = first.x() + (counts.x() - 1) * step.x();
+    int from = 0, known = -1;
+    for (int i = 0; i < counts.x(); ++i) {
+      const double x = first.x() + i * step.x();
+      if (!nearest || !inside_map(x, y)) {
+        out.push_back(at(x, y).h);
+        continue;
+      }
+      const auto sample = [&](double coordinate, int axis) {
+        return static_cast<int>(std::lround((coordinate - parts_.origin[axis] - grid->first[axis]) / grid->step[axis]));
+      };
+      const int column = sample(x, 0), line = sample(y, 1);
+      if (line != known) {
+        known = line;
+        from = column;
+        row.resize(static_cast<std::size_t>(std::min(grid->columns - 1, sample(last, 0)) - from + 1));
+        grid->read(from, line, static_cast<int>(row.size()), row.data());
+      }
+      out.push_back(at_place({x - parts_.origin.x(), y - parts_.origin.y()}, false).h +
+                    row[static_cast<std::size_t>(column - from)]);
+    }
+  }
+  return out;
+}
+
+Terrain::Height Terrain::at_place(const Eigen::Vector2d& place, bool with_map) const {
   Height out;
-  const Eigen::Vector2d place = Eigen::Vector2d(x, y) - parts_.origin.head<2>();
   out.h = parts_.origin.z() + parts_.slope.dot(place);
   out.slope = parts_.slope;
-  if (map_) map_->add(place, out);
+  if (map_ && map_->site && with_map) map_->site->add(place, out);
+  if (map_ && map_->rough) map_->add_rough(place, out);
   for (const Crater& crater : parts_.craters) {
     const Eigen::Vector2d d = place - crater.centre;
     const double R = crater.radius, square = d.squaredNorm() / (R * R);
@@ -613,12 +696,22 @@ double Terrain::bend_within(const Eigen::Vector2d& place_W, double reach) const 
   return bend;
 }
 
+double Terrain::top_within(const Eigen::Vector2d& place_W, double reach) const {
+  const Eigen::Vector2d place = place_W - parts_.origin.head<2>();
+  double top = parts_.origin.z() + parts_.slope.dot(place) + parts_.slope.norm() * reach + wave_height_;
+  if (map_) top += map_->rough_top + (map_->site ? map_->site->highest(place, reach) : 0.0);
+  for (const Crater& crater : parts_.craters)
+    if ((place - crater.centre).norm() < 2.0 * crater.radius + reach) top += crater.rim;
+  return top;
+}
+
 Terrain::Lid Terrain::lid(const Eigen::Vector3d& centre, double reach) const {
   Lid out;
   const Height here = at(centre.x(), centre.y());
   out.height = here.h;
   out.slope = here.slope;
   out.bend = bend_within(centre.head<2>(), reach);
+  out.top = top_within(centre.head<2>(), reach) + kAbove;
   if (rock_cells_)
     rock_cells_->each(spheres_, centre.head<2>(), reach, [&](int k) {
       const Sphere& rock = spheres_[static_cast<std::size_t>(k)];

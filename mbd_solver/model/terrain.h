@@ -16,15 +16,22 @@
 
 namespace footfall {
 
+class NumberFile;
+
 // Samples of a height, row after row.
 struct HeightGrid {
   int columns = 0, rows = 0;                        // along x and y, >= 2
   Eigen::Vector2d first = Eigen::Vector2d::Zero();  // place of the first sample [m]
   Eigen::Vector2d step = Eigen::Vector2d::Ones();   // > 0 [m]
-  std::vector<double> heights;                      // [m]
+  std::vector<double> heights;  // [m]; empty: (number - below) scale of the text, whose first row is the last
+  std::shared_ptr<const NumberFile> text;
+  double below = 0.0, scale = 1.0;
+  // Heights of a row, from this column on [m].
+  void read(int column, int row, int count, double* out) const;
   double at(int column, int row) const {
-    return heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-                   static_cast<std::size_t>(column)];
+    double height;
+    read(column, row, 1, &height);
+    return height;
   }
 };
 
@@ -75,9 +82,9 @@ class Terrain {
     Eigen::Vector3d centre;  // in W [m]
     double radius;           // [m]
   };
-  // Around a place the field is below height + slope.(x, y) + bend |(x, y)|^2 / 2, x and y from the place.
+  // Around a place the field is below height + slope.(x, y) + bend |(x, y)|^2 / 2, x and y from the place, and below top, a height of W.
   struct Lid {
-    double height = 0.0, bend = 0.0;
+    double height = 0.0, bend = 0.0, top = 0.0;
     Eigen::Vector2d slope = Eigen::Vector2d::Zero();
     std::vector<int> rocks;  // that may be within the reach
     // A ball is above the field; its centre is that of the lid.
@@ -89,6 +96,9 @@ class Terrain {
 
   Height at(double x, double y) const;   // of the field, x and y in W [m]
   double top(double x, double y) const;  // with rocks
+  // Heights of the field to be drawn, row after row, `counts` of them along x and y. Of a map with closer samples the nearest is taken.
+  std::vector<double> sketch(const Eigen::Vector2d& first, const Eigen::Vector2d& step,
+                             const Eigen::Vector2i& counts) const;
   // Of the field near p, from below or above.
   Foot foot(const Eigen::Vector3d& p) const;
   enum class With { kNormal, kBend };
@@ -111,16 +121,18 @@ class Terrain {
  private:
   struct Map;
   struct RockCells;
+  Height at_place(const Eigen::Vector2d& place, bool with_map) const;  // from the origin
   bool stationary(const Eigen::Vector3d& p, const Eigen::Vector2d& start, double reach, Foot& out) const;
   void find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) const;
   bool descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Height here, With with, Foot& out) const;
   double bend_within(const Eigen::Vector2d& place, double reach) const;  // of the field, at most [1/m]
+  double top_within(const Eigen::Vector2d& place, double reach) const;   // of the field, at most, in W [m]
 
   TerrainParts parts_;
   std::unique_ptr<const Map> map_;
   std::vector<Sphere> spheres_;
   std::unique_ptr<RockCells> rock_cells_;
-  double wave_bend_ = 0.0;  // of all waves together, at most [1/m]
+  double wave_bend_ = 0.0, wave_height_ = 0.0;  // of all waves together, at most [1/m], [m]
 };
 
 }  // namespace footfall

@@ -22,6 +22,8 @@ constexpr double kStands = 0.5;        // sine of the angle to the ground above 
 constexpr double kAboveGround = 1e-9;  // a place above this height does not touch, round-off included [m]
 constexpr double kSharp = 30.0;  // times its radius: an edge looks for ridges of the ground whose curvature may be more
 constexpr int kMostCuts = 400;   // places of the ground at which an edge looks for them
+constexpr double kFlat = 1e-11;  // the ground is a plane if it bulges less within the reach of a body [m]
+constexpr double kFace = 1e-6;  // of the radius: a point so near to the plane of an edge, and within it, is on its face
 constexpr double kTurnsFreely = 1e-9;  // curvature of the distance along an edge below which its minimum has no place
 
 // Directions of the places of an edge that lies.
@@ -35,6 +37,47 @@ const std::array<Eigen::Vector2d, kEdgePlaces>& edge_directions() {
     return out;
   }();
   return directions;
+}
+
+using Tangents = Eigen::Matrix<double, 3, 2>;
+
+// T: the x and y axes of W, turned along with z to n by the smallest rotation.
+Tangents tangents_at(const Eigen::Vector3d& n) {
+  const double c = 1.0 / std::max(1e-6, 1.0 + n.z());
+  Tangents T;
+  T << 1.0 - c * n.x() * n.x(), -c * n.x() * n.y(), -c * n.x() * n.y(), 1.0 - c * n.y() * n.y(), -n.x(), -n.y();
+  return T;
+}
+
+// With (x, y) of n as m, a = m.s, b = m.y:
+//   T s = (s - c a m, -a),  T^T y = (y_x, y_y) - (c b + y_z) m,  c = 1 / (1 + n_z),  dc = -c^2 dn_z
+Eigen::Vector3d along(const Eigen::Vector3d& n, const Eigen::Vector2d& s) {
+  const double c = 1.0 / std::max(1e-6, 1.0 + n.z()), a = n.x() * s.x() + n.y() * s.y();
+  return {s.x() - c * a * n.x(), s.y() - c * a * n.y(), -a};
+}
+Eigen::Vector2d parts_along(const Eigen::Vector3d& n, const Eigen::Vector3d& y) {
+  const double c = 1.0 / std::max(1e-6, 1.0 + n.z()), f = c * (n.x() * y.x() + n.y() * y.y()) + y.z();
+  return {y.x() - f * n.x(), y.y() - f * n.y()};
+}
+// Their derivatives by n.
+Eigen::Matrix3d slope_of_tangent(const Eigen::Vector3d& n, const Eigen::Vector2d& s) {
+  const double c = 1.0 / std::max(1e-6, 1.0 + n.z());
+  const Eigen::Vector2d m = n.head<2>();
+  const double a = m.dot(s);
+  Eigen::Matrix3d out = Eigen::Matrix3d::Zero();
+  out.topLeftCorner<2, 2>() = -c * m * s.transpose() - c * a * Eigen::Matrix2d::Identity();
+  out.topRightCorner<2, 1>() = c * c * a * m;
+  out.bottomLeftCorner<1, 2>() = -s.transpose();
+  return out;
+}
+Eigen::Matrix<double, 2, 3> slope_of_parts(const Eigen::Vector3d& n, const Eigen::Vector3d& y) {
+  const double c = 1.0 / std::max(1e-6, 1.0 + n.z());
+  const Eigen::Vector2d m = n.head<2>();
+  const double b = m.dot(y.head<2>());
+  Eigen::Matrix<double, 2, 3> out;
+  out.leftCols<2>() = -c * m * y.head<2>().transpose() - (c * b + y.z()) * Eigen::Matrix2d::Identity();
+  out.col(2) = c * c * b * m;
+  return out;
 }
 
 // A circle of radius R about `centre` in the plane across the axis a, and a ridge of the field that reaches into it. The places p on
@@ -173,7 +216,7 @@ struct TerrainContact::Contact : CurvedContact {
   MovingPoint p;
   bool wanders = false, turns = false;
   // p moves along its edge by wander [dr; dtheta] as the body moves; on a ridge n turns by turn [dr; dtheta], instead of H dp.
-  Eigen::Matrix<double, 3, 6> wander = Eigen::Matrix<double, 3, 6>::Zero(), turn = Eigen::Matrix<double, 3, 6>::Zero();
+  Eigen::Matrix<double, 3, 6> wander, turn;  // set where it does
   bool on_rock = false;
   void count_off() {
     normal = {-normal.elastic, -normal.force, -normal.by_overlap, -normal.by_closing};
@@ -206,14 +249,32 @@ TerrainContact::TerrainContact(std::string name, std::vector<ContactPoint> point
     FOOTFALL_DEMAND(rim.marker.body == bodies()[0] && rim.marker.S.cols() == 0 && rim.radius > 0.0);
     reach_ = std::max(reach_, rim.marker.s0.norm() + rim.radius);
   }
+  faces_.resize(rims_.size());
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (points_[i].radius > 0.0 || points_[i].marker.S.cols() > 0 || !sort_onto_face(static_cast<int>(i)))
+      own_.push_back(static_cast<int>(i));
+  }
+}
+
+bool TerrainContact::sort_onto_face(int point) {
+  for (std::size_t k = 0; k < rims_.size(); ++k) {
+    const Marker& rim = rims_[k].marker;
+    const Eigen::Vector3d d = rim.axes.transpose() * (points_[static_cast<std::size_t>(point)].marker.s0 - rim.s0);
+    if (std::abs(d.z()) > kFace * rims_[k].radius || d.head<2>().norm() > rims_[k].radius) continue;
+    const auto part = static_cast<int>(std::lround(std::atan2(d.y(), d.x()) * kEdgePlaces / (2.0 * kPi)));
+    faces_[k].points[static_cast<std::size_t>((part + kEdgePlaces) % kEdgePlaces)].push_back(point);
+    faces_[k].share = kEdgePlaces / (kEdgePlaces / faces_[k].share + 1.0);
+    return true;
+  }
+  return false;
 }
 
 TerrainContact::~TerrainContact() = default;
 
-int TerrainContact::place_count() const { return static_cast<int>(points_.size() + kEdgePlaces * rims_.size()); }
+int TerrainContact::place_count() const { return static_cast<int>(own_.size() + kEdgePlaces * rims_.size()); }
 
 void TerrainContact::add_contact(const ElementInput& in, const Marker& marker, double radius, const Terrain::Foot& foot,
-                                 int place) const {
+                                 int place, double share) const {
   if (radius - foot.distance <= 0.0) return;
   Contact& at = contacts_.emplace_back();
   at.overlap = radius - foot.distance;
@@ -226,8 +287,10 @@ void TerrainContact::add_contact(const ElementInput& in, const Marker& marker, d
   at.on_rock = foot.rock >= 0;
   at.g = at.p.rate() - radius * body.w.cross(at.n);
   at.closing = -at.n.dot(at.g);
-  if (law_.stick_time > 0.0) at.spring = in.z.segment<3>(3 * place) / law_.stick_time;
-  at.apply(law_);
+  if (law_.stick_time > 0.0) at.spring = along(at.n, in.z.segment<2>(2 * place) / law_.stick_time);
+  ContactLaw law = law_;
+  law.stiffness *= share;
+  at.apply(law);
   if (foot.sign < 0.0) at.count_off();
 }
 
@@ -253,9 +316,43 @@ double TerrainContact::find_place_on_rim(const Eigen::Vector3d& centre, double r
   return angle;
 }
 
+// Of a point, on the plane that the ground is within the reach of the lid.
+Terrain::Foot TerrainContact::foot_on_plane(const Terrain::Lid& lid, const Eigen::Vector3d& from_body, double above) {
+  Terrain::Foot foot;
+  const double length = std::sqrt(1.0 + lid.slope.squaredNorm());
+  foot.normal = Eigen::Vector3d(-lid.slope.x(), -lid.slope.y(), 1.0) / length;
+  foot.distance = (above - lid.slope.dot(from_body.head<2>())) / length;
+  return foot;
+}
+
+void TerrainContact::touch_face(const ElementInput& in, const Face& face, int part, int place, const Terrain::Lid& lid,
+                                Terrain::With with) const {
+  const BodyKinematics& body = *in.pair.body[0];
+  for (const int i : face.points[static_cast<std::size_t>(part)]) {
+    const Marker& marker = points_[static_cast<std::size_t>(i)].marker;
+    const Eigen::Vector3d d = body.A * marker.s0, p = body.r + d;
+    const double above = p.z() - lid.height - lid.slope.dot(d.head<2>()) - 0.5 * lid.bend * d.head<2>().squaredNorm();
+    Terrain::Foot foot;
+    if (field_ && above <= kAboveGround && p.z() <= lid.top && terrain_->below(p, with, foot))
+      add_contact(in, marker, 0.0, foot, place, face.share);
+    touch_rocks(in, lid, marker, p, place);
+  }
+}
+
+void TerrainContact::touch_rocks(const ElementInput& in, const Terrain::Lid& lid, const Marker& marker,
+                                 const Eigen::Vector3d& p, int place, double radius) const {
+  for (const int rock : lid.rocks) {
+    const Terrain::Sphere& sphere = terrain_->rocks()[static_cast<std::size_t>(rock)];
+    if ((p - sphere.centre).squaredNorm() < (sphere.radius + radius) * (sphere.radius + radius))
+      add_contact(in, marker, radius, terrain_->foot(p, rock), place);
+  }
+}
+
 template <class Use>
-void TerrainContact::each_rim_place(const ElementInput& in, const ContactRim& rim, int first_place,
-                                    const Terrain::Lid& lid, Terrain::With with, Use use) const {
+void TerrainContact::each_rim_place(const ElementInput& in, std::size_t index, int first_place, const Terrain::Lid& lid,
+                                    bool flat, Terrain::With with, Use use) const {
+  const ContactRim& rim = rims_[index];
+  const Face& face = faces_[index];
   const BodyKinematics& body = *in.pair.body[0];
   const Eigen::Vector3d a = body.A * rim.marker.axes.col(2), centre = body.r + body.A * rim.marker.s0;
   const double R = rim.radius;
@@ -263,28 +360,28 @@ void TerrainContact::each_rim_place(const ElementInput& in, const ContactRim& ri
   const Eigen::Vector3d up = Eigen::Vector3d(-lid.slope.x(), -lid.slope.y(), 1.0);
   const double far = away.norm() + R;
   const double above = centre.z() - lid.height - lid.slope.dot(away) - 0.5 * lid.bend * far * far;
-  if (above > R * up.cross(a).norm() && lid.rocks.empty()) return;
+  const bool clear = above > R * up.cross(a).norm() || centre.z() - R * a.head<2>().norm() > lid.top;
+  if (clear && lid.rocks.empty()) return;
 
-  const bool sharp =
-      field_ && lid.bend * R > kSharp && a.head<2>().norm() > kStands && terrain_->lid(centre, R).bend * R > kSharp;
-  const Terrain::Height below = terrain_->at(centre.x(), centre.y());
+  const bool sharp = field_ && !flat && lid.bend * R > kSharp && a.head<2>().norm() > kStands &&
+                     terrain_->lid(centre, R).bend * R > kSharp;
+  const Eigen::Vector2d slope = flat ? lid.slope : terrain_->at(centre.x(), centre.y()).slope;
   const Eigen::Vector3d n =
-      sharp ? Eigen::Vector3d(0.0, 0.0, 1.0) : Eigen::Vector3d(-below.slope.x(), -below.slope.y(), 1.0).normalized();
-  const auto touch_rocks = [&](const Eigen::Vector3d& p, int place) {
-    for (const int rock : lid.rocks) {
-      const Terrain::Foot foot = terrain_->foot(p, rock);
-      if (foot.distance < 0.0) add_contact(in, on_rim_, 0.0, foot, place);
-    }
-  };
+      sharp ? Eigen::Vector3d(0.0, 0.0, 1.0) : Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
   if (n.cross(a).norm() < kStands) {
     for (int k = 0; k < kEdgePlaces; ++k) {
       const Eigen::Vector2d& e = edge_directions()[static_cast<std::size_t>(k)];
       on_rim_.s0 = rim.marker.s0 + R * (e.x() * rim.marker.axes.col(0) + e.y() * rim.marker.axes.col(1));
-      const Eigen::Vector3d p = body.r + body.A * on_rim_.s0;
+      const Eigen::Vector3d d = body.A * on_rim_.s0, p = body.r + d;
       contacts_.clear();
       Terrain::Foot foot;
-      if (field_ && terrain_->below(p, with, foot)) add_contact(in, on_rim_, 0.0, foot, first_place + k);
-      touch_rocks(p, first_place + k);
+      if (flat) {
+        add_contact(in, on_rim_, 0.0, foot_on_plane(lid, d, p.z() - lid.height), first_place + k);
+      } else {
+        if (field_ && terrain_->below(p, with, foot)) add_contact(in, on_rim_, 0.0, foot, first_place + k, face.share);
+        touch_rocks(in, lid, on_rim_, p, first_place + k);
+        touch_face(in, face, k, first_place + k, lid, with);
+      }
       if (!contacts_.empty()) use(first_place + k, contacts_.data(), static_cast<int>(contacts_.size()));
     }
     return;
@@ -327,14 +424,23 @@ void TerrainContact::each_rim_place(const ElementInput& in, const ContactRim& ri
     any = true;
   }
   std::array<double, kEdgeSamples> gap{};
-  for (int i = 0; i < kEdgeSamples && field_ && !sharp; ++i) {
+  const bool sampled = field_ && !sharp && !flat;
+  if (flat) {  // its lowest place
+    Minimum one;
+    one.angle = 0.0;
+    const Eigen::Vector3d d = centre + R * e_0 - body.r;
+    one.foot = foot_on_plane(lid, d, body.r.z() + d.z() - lid.height);
+    any = one.foot.distance < 0.0;
+    if (any) minima[0].push_back(one);
+  }
+  for (int i = 0; i < kEdgeSamples && sampled; ++i) {
     const double angle = 2.0 * kPi * i / kEdgeSamples;
     const Eigen::Vector3d p = centre + R * (std::cos(angle) * e_0 + std::sin(angle) * b);
     const Terrain::Height here = terrain_->at(p.x(), p.y());
     gap[static_cast<std::size_t>(i)] = (p.z() - here.h) / std::sqrt(1.0 + here.slope.squaredNorm());
   }
   const double arc = 2.0 * kPi * R / kEdgeSamples;
-  for (int i = 0; i < kEdgeSamples && field_ && !sharp; ++i) {
+  for (int i = 0; i < kEdgeSamples && sampled; ++i) {
     const double here = gap[static_cast<std::size_t>(i)];
     if (here > arc || here > gap[static_cast<std::size_t>((i + 1) % kEdgeSamples)] ||
         here > gap[static_cast<std::size_t>((i + kEdgeSamples - 1) % kEdgeSamples)])
@@ -346,13 +452,13 @@ void TerrainContact::each_rim_place(const ElementInput& in, const ContactRim& ri
     if (d.norm() > R + terrain_->rocks()[static_cast<std::size_t>(rock)].radius) continue;
     add(std::atan2(d.dot(b), d.dot(e_0)), rock);
   }
-  if (!any) return;
+  if (!any && (flat || face.share == 1.0)) return;
   std::vector<Marker> places;
   for (int k = 0; k < kEdgePlaces; ++k) {
     const std::vector<Minimum>& here = minima[static_cast<std::size_t>(k)];
-    if (here.empty()) continue;
     places.assign(here.size(), on_rim_);
     contacts_.clear();
+    if (!flat) touch_face(in, face, k, first_place + k, lid, with);
     for (std::size_t i = 0; i < here.size(); ++i) {
       const Minimum& one = here[i];
       const Eigen::Vector3d e =
@@ -383,16 +489,42 @@ void TerrainContact::each_rim_place(const ElementInput& in, const ContactRim& ri
   }
 }
 
+// Bounds are those of a cell that holds the place, a function of the place alone; height and slope are those at the place.
+const Terrain::Lid& TerrainContact::lid_over(const Eigen::Vector3d& r, double reach, bool rigid) const {
+  constexpr double kCell = 0.25;  // of the reach
+  const double size = std::max(kCell * reach, 1e-3);
+  const Eigen::Array3d cell = (r.array() / size).floor();
+  if (!rigid || lid_reach_ != reach || (cell != lid_cell_).any()) {
+    lid_cell_ = cell;
+    lid_reach_ = reach;
+    lid_middle_ = (size * (cell + 0.5)).matrix();
+    const double wide = reach + size;  // > its half diagonal
+    lid_ = terrain_->lid(lid_middle_, wide);
+    lid_height_ = lid_.height;
+    flat_ = field_ && lid_.rocks.empty() && 0.5 * lid_.bend * wide * wide < kFlat;
+  }
+  if (flat_) {
+    lid_.height = lid_height_ + lid_.slope.dot(r.head<2>() - lid_middle_.head<2>());
+  } else if (r.z() - reach <= lid_.top) {
+    const Terrain::Height here = terrain_->at(r.x(), r.y());
+    lid_.height = here.h;
+    lid_.slope = here.slope;
+  }
+  return lid_;
+}
+
 template <class Use>
 void TerrainContact::each_place(const ElementInput& in, Terrain::With with, Use use) const {
   const BodyKinematics& body = *in.pair.body[0];
   const double reach = body.modes == 0 ? reach_ : reach_ + flexible_reach_ * body.a.norm();
-  const Terrain::Lid lid = terrain_->lid(body.r, reach);
-  if (lid.rocks.empty() && (!field_ || lid.above(body.r, reach))) return;
+  const Terrain::Lid& lid = lid_over(body.r, reach, body.modes == 0);
+  const bool flat = flat_;
+  if (lid.rocks.empty() && (!field_ || body.r.z() - reach > lid.top || lid.above(body.r, reach))) return;
   const double up = std::sqrt(1.0 + lid.slope.squaredNorm());
   int place = -1;
-  for (const ContactPoint& point : points_) {
+  for (const int i : own_) {
     ++place;
+    const ContactPoint& point = points_[static_cast<std::size_t>(i)];
     const Marker& m = point.marker;
     Eigen::Vector3d s = m.s0;
     if (m.S.cols() > 0) s.noalias() += m.S * body.a;
@@ -401,31 +533,30 @@ void TerrainContact::each_place(const ElementInput& in, Terrain::With with, Use 
     const double wide = across.norm() + point.radius;
     const double above = p.z() - lid.height - lid.slope.dot(across) - 0.5 * lid.bend * wide * wide - point.radius * up;
     contacts_.clear();
-    if (!field_ || above > kAboveGround) {
-    } else if (Terrain::Foot foot; point.radius == 0.0) {
+    if (!field_ || above > kAboveGround || p.z() - point.radius > lid.top) {
+    } else if (Terrain::Foot foot; flat) {
+      add_contact(in, m, point.radius, foot_on_plane(lid, d, p.z() - lid.height), place);
+    } else if (point.radius == 0.0) {
       if (terrain_->below(p, with, foot)) add_contact(in, m, 0.0, foot, place);
     } else if (terrain_->may_touch(p, point.radius)) {
       terrain_->feet(p, point.radius, feet_);
       for (const Terrain::Foot& one : feet_) add_contact(in, m, point.radius, one, place);
     }
-    for (const int rock : lid.rocks) {
-      const Terrain::Sphere& sphere = terrain_->rocks()[static_cast<std::size_t>(rock)];
-      if ((p - sphere.centre).squaredNorm() < (sphere.radius + point.radius) * (sphere.radius + point.radius))
-        add_contact(in, m, point.radius, terrain_->foot(p, rock), place);
-    }
+    touch_rocks(in, lid, m, p, place, point.radius);
     if (!contacts_.empty()) use(place, contacts_.data(), static_cast<int>(contacts_.size()));
   }
   ++place;
-  for (const ContactRim& rim : rims_) {
-    each_rim_place(in, rim, place, lid, with, use);
+  for (std::size_t k = 0; k < rims_.size(); ++k) {
+    each_rim_place(in, k, place, lid, flat, with, use);
     place += kEdgePlaces;
   }
 }
 
-Eigen::Vector3d TerrainContact::spring_rate(const Contact* contacts, int count) const {
-  Eigen::Vector3d rate = Eigen::Vector3d::Zero();
-  for (int i = 0; i < count; ++i) rate += (law_.clipped(contacts[i].u) - contacts[i].held) / count;
-  return rate;
+// T^T clip(u), the mean over the contacts of a place [m/s].
+Eigen::Vector2d TerrainContact::spring_drive(const Contact* contacts, int count) const {
+  Eigen::Vector2d drive = Eigen::Vector2d::Zero();
+  for (int i = 0; i < count; ++i) drive += parts_along(contacts[i].n, law_.clipped(contacts[i].u)) / count;
+  return drive;
 }
 
 void TerrainContact::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
@@ -438,17 +569,16 @@ void TerrainContact::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorX
       at.p.add_transposed(at.force, Q);
       Q.segment<3>(3) -= at.radius * at.n.cross(at.force);
     }
-    if (springs) dz.segment<3>(3 * place) = spring_rate(contacts, count);
+    if (springs) dz.segment<2>(2 * place) += spring_drive(contacts, count);
   });
 }
 
 bool TerrainContact::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
   const bool springs = law_.stick_time > 0.0;
   bool any = springs;
-  if (springs) out.ddz_dz.noalias() -= Eigen::Matrix3d::Identity().replicate(place_count(), 1) / law_.stick_time;
+  if (springs) out.ddz_dz.noalias() -= Eigen::Matrix2d::Identity().replicate(place_count(), 1) / law_.stick_time;
   each_place(in, Terrain::With::kBend, [&](int place, const Contact* contacts, int count) {
     any = true;
-    if (springs) out.ddz_dz.middleRows<3>(3 * place) += Eigen::Matrix3d::Identity() / law_.stick_time;
     for (int i = 0; i < count; ++i) add_derivatives(in, contacts[i], place, 1.0 / count, out);
   });
   return any;
@@ -456,7 +586,7 @@ bool TerrainContact::add_derivatives(const ElementInput& in, ElementDerivatives&
 
 // The derivatives of one contact, as in SurfaceContact, W the way of a place along its edge:
 //   D = X + W,  N = dn/dx = H D,  G = X + R n~ E                g = G v, Q = G^T f
-//   g_x = p'_x + w~ W - R w~ N,  u_x = P g_x - (n.y) N - n y^T N,  y = g + xi / tau
+//   g_x = p'_x + w~ W - R w~ N,  u_x = P g_x - (n.g) N - n g^T N + d(T s) / tau
 void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, int place, double share,
                                      ElementDerivatives& out) const {
   const BodyKinematics& body = *in.pair.body[0];
@@ -479,9 +609,10 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
   if (at.wanders) g_x_.leftCols<6>() += turning * at.wander;
   g_x_.noalias() -= (at.radius * turning).lazyProduct(N_);
 
-  const Eigen::Vector3d y = at.g + at.spring;
+  Eigen::Matrix3d by_n = -at.n.dot(at.g) * unit - at.n * at.g.transpose();
+  if (tau > 0.0) by_n += slope_of_tangent(at.n, in.z.segment<2>(2 * place) / tau);
   u_x_.noalias() = P.lazyProduct(g_x_);
-  u_x_.noalias() -= (at.n.dot(y) * unit + at.n * y.transpose()).lazyProduct(N_);
+  u_x_.noalias() += by_n.lazyProduct(N_);
   const auto [by_u, by_g] = at.differentiate(law_, D_, N_, g_x_, u_x_, f_x_);
   f_v_.noalias() = by_g.lazyProduct(G_);
 
@@ -493,31 +624,22 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
   if (at.wanders) out.dQ_dx.block<3, 6>(3, 0) -= f * at.wander;
   if (tau == 0.0) return;
 
-  // xi' = clip(u) - P s: the share of this contact.
+  // s' = T^T clip(u) - s / tau: the share of this contact.
   const ContactLaw::Clipped clipped = law_.clip(at.u);
-  const Eigen::Matrix3d by_s = P / tau;
-  out.dQ_dz.middleCols<3>(3 * place).noalias() += G_.transpose().lazyProduct(by_u * by_s);
-  f_v_.noalias() = (share * clipped.slope * P).lazyProduct(G_);
-  out.ddz_dv.middleRows<3>(3 * place) += f_v_;
-  out.ddz_dz.middleRows<3>(3 * place) += share * (clipped.slope - unit) * by_s;
-  f_x_.noalias() = clipped.slope.lazyProduct(u_x_);
-  f_x_.noalias() += (at.n.dot(at.spring) * unit + at.n * at.spring.transpose()).lazyProduct(N_);
-  out.ddz_dx.middleRows<3>(3 * place) += share * f_x_;
+  const Tangents T = tangents_at(at.n);
+  const Eigen::Matrix<double, 2, 3> by_u_of_s = share * T.transpose() * clipped.slope;
+  out.dQ_dz.middleCols<2>(2 * place).noalias() += G_.transpose().lazyProduct(by_u * T / tau);
+  out.ddz_dv.middleRows<2>(2 * place).noalias() += (by_u_of_s * P).lazyProduct(G_);
+  out.ddz_dz.middleRows<2>(2 * place) += by_u_of_s * T / tau;
+  out.ddz_dx.middleRows<2>(2 * place).noalias() += by_u_of_s.lazyProduct(u_x_);
+  out.ddz_dx.middleRows<2>(2 * place).noalias() += (share * slope_of_parts(at.n, clipped.value)).lazyProduct(N_);
 }
 
 void TerrainContact::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
-  const BodyKinematics& body = *in.pair.body[0];
-  each_place(in, Terrain::With::kBend, [&](int, const Contact* contacts, int count) {
-    const Eigen::Vector3d xi_rate = spring_rate(contacts, count);
-    for (int i = 0; i < count; ++i) {
-      const Contact& at = contacts[i];
-      Eigen::Vector3d way = at.p.rate();
-      if (at.wanders) way += at.wander.leftCols<3>() * body.dr + at.wander.rightCols<3>() * body.w;
-      Eigen::Vector3d turning = at.H * way;
-      if (at.turns) turning = at.turn.leftCols<3>() * body.dr + at.turn.rightCols<3>() * body.w;
-      const Eigen::Vector3d rate = xi_rate - law_.stick_time * at.n.dot(at.spring) * turning;
-      at.add_energy(law_, rate, stored, power);
-    }
+  each_place(in, Terrain::With::kNormal, [&](int place, const Contact* contacts, int count) {
+    Eigen::Vector2d rate = Eigen::Vector2d::Zero();
+    if (law_.stick_time > 0.0) rate = spring_drive(contacts, count) - in.z.segment<2>(2 * place) / law_.stick_time;
+    for (int i = 0; i < count; ++i) contacts[i].add_energy(law_, along(contacts[i].n, rate), stored, power);
   });
 }
 

@@ -2,15 +2,19 @@
 // Contact of one body with uneven ground, at points (spheres of radius >= 0) and circular edges of the body. Theory 6.8.
 // The law is that of RigidPlane, with the distance phi, the normal n and its derivative H = dn/dp of the terrain at the foot of
 // each place: delta = radius - phi(p), the contact moves with the body at p - radius n, and slip is along the tangent plane:
-//   u = P (v + xi / tau), P = I - n n^T,  xi' = clip(u) - P xi / tau: the spring xi [m] of a place has three inner states, in W.
+//   u = P v + T s / tau, P = I - n n^T,  s' = T^T clip(u) - s / tau: the spring s [m] of a place has two inner states, along the x and y
+//   axes of W turned with z to n, T = R(z -> n) [e_x e_y]; |T s| = |s|, so that its energy does not change as n turns
 // A ball has one contact for each local minimum of its distance, and one with each rock; they share a spring.
 // A circular edge (radius R about c, axis a) that stands up from the ground touches where its distance from the ground has local
 // minima, n.t = 0 with the tangent t = a x e: it rolls without facets, also over a step. As the body turns by dtheta and moves
 // by dr the place moves along the edge by R t dpsi, (R t.H t - n.e) dpsi = -t.H dp - (t x n).dtheta; this does no work.
 // Where a ridge of the ground may be sharper than a thirtieth of R the edge meets it by pairs of places that face each other, which
 // the ridge's own curvature does not end; saddles between them count with the opposite sign (terrain_contact.cpp).
-// An edge that lies within 30 degrees of the ground touches at 12 places of its own.
+// An edge that lies within 30 degrees of the ground touches at 12 places of its own. Points on its face share their springs, and on the
+// field their stiffness: m points and 12 places have 12 / (12 + m) of k each, as stiff as on a plane. Where the ground is a plane within
+// the reach of the body the 12 places touch alone, as in RigidPlane; rocks meet each point with k.
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -29,8 +33,8 @@ class TerrainContact : public ForceElement {
                  Touches touches = Touches::kAll);
   ~TerrainContact() override;
 
-  int state_count() const override { return law_.stick_time > 0.0 ? 3 * place_count() : 0; }
-  int state_block() const override { return std::min(state_count(), 3); }
+  int state_count() const override { return law_.stick_time > 0.0 ? 2 * place_count() : 0; }
+  int state_block() const override { return std::min(state_count(), 2); }
   Eigen::VectorXd initial_state() const override { return Eigen::VectorXd::Zero(state_count()); }
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
@@ -43,31 +47,49 @@ class TerrainContact : public ForceElement {
 
  private:
   struct Contact;
+  struct Face {                               // of an edge
+    std::array<std::vector<int>, 12> points;  // on the face, by the nearest place
+    double share = 1.0;                       // of the stiffness, of each place and point
+  };
+  bool sort_onto_face(int point);
   int place_count() const;
   // use(place, contacts, count) for every place with contacts.
+  const Terrain::Lid& lid_over(const Eigen::Vector3d& r, double reach, bool rigid) const;
   template <class Use>
   void each_place(const ElementInput& in, Terrain::With with, Use use) const;
   template <class Use>
-  void each_rim_place(const ElementInput& in, const ContactRim& rim, int first_place, const Terrain::Lid& lid,
+  void each_rim_place(const ElementInput& in, std::size_t index, int first_place, const Terrain::Lid& lid, bool flat,
                       Terrain::With with, Use use) const;
-  void add_contact(const ElementInput& in, const Marker& marker, double radius, const Terrain::Foot& foot,
-                   int place) const;
+  static Terrain::Foot foot_on_plane(const Terrain::Lid& lid, const Eigen::Vector3d& from_body, double above);
+  void touch_face(const ElementInput& in, const Face& face, int part, int place, const Terrain::Lid& lid,
+                  Terrain::With with) const;
+  void touch_rocks(const ElementInput& in, const Terrain::Lid& lid, const Marker& marker, const Eigen::Vector3d& p,
+                   int place, double radius = 0.0) const;
+  void add_contact(const ElementInput& in, const Marker& marker, double radius, const Terrain::Foot& foot, int place,
+                   double share = 1.0) const;
   void add_derivatives(const ElementInput& in, const Contact& at, int place, double share,
                        ElementDerivatives& out) const;
   double find_place_on_rim(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& e_0,
                            const Eigen::Vector3d& b, double angle, int rock, Terrain::Foot& foot) const;
-  Eigen::Vector3d spring_rate(const Contact* contacts, int count) const;  // xi' in W [m/s]
+  Eigen::Vector2d spring_drive(const Contact* contacts, int count) const;
 
   std::vector<ContactPoint> points_;
   std::vector<ContactRim> rims_;
+  std::vector<int> own_;     // points with springs of their own
+  std::vector<Face> faces_;  // of each rim
   ContactLaw law_;
   std::shared_ptr<const Terrain> terrain_;
-  bool field_;                               // the field touches
-  double reach_ = 0.0;                       // radius about Bo that encloses all undeformed spheres [m]
-  double flexible_reach_ = 0.0;              // largest |S| of a point [m per unit of a]
-  mutable std::vector<Contact> contacts_;    // scratch: of one place
-  mutable std::vector<Terrain::Foot> feet_;  // scratch
-  mutable Marker on_rim_;                    // scratch
+  bool field_;                   // the field touches
+  double reach_ = 0.0;           // radius about Bo that encloses all undeformed spheres [m]
+  double flexible_reach_ = 0.0;  // largest |S| of a point [m per unit of a]
+  mutable Terrain::Lid lid_;     // that of the last cell, with height and slope of the last place
+  mutable bool flat_ = false;
+  mutable double lid_reach_ = -1.0, lid_height_ = 0.0;  // [m]; height: at the middle
+  mutable Eigen::Array3d lid_cell_ = Eigen::Array3d::Zero();
+  mutable Eigen::Vector3d lid_middle_ = Eigen::Vector3d::Zero();
+  mutable std::vector<Contact> contacts_;                           // scratch: of one place
+  mutable std::vector<Terrain::Foot> feet_;                         // scratch
+  mutable Marker on_rim_;                                           // scratch
   mutable Eigen::Matrix3Xd X_, D_, N_, G_, g_x_, f_x_, f_v_, u_x_;  // scratch, 3 x n
 };
 

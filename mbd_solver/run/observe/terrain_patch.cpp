@@ -38,9 +38,7 @@ std::string terrain_text(const Scene& scene, const Mechanism& mechanism) {
   out["step"] = {step.x(), step.y()};
   out["counts"] = {kCells + 1, kCells + 1};
   Json& heights = out["heights"] = Json::array();
-  for (int j = 0; j <= kCells; ++j)
-    for (int i = 0; i <= kCells; ++i)
-      heights.push_back(rounded(terrain.at(low.x() + i * step.x(), low.y() + j * step.y()).h));
+  for (const double height : terrain.sketch(low, step, {kCells + 1, kCells + 1})) heights.push_back(rounded(height));
   Json& rocks = out["rocks"] = Json::array();
   for (const Terrain::Sphere& rock : terrain.rocks()) {
     const Eigen::Vector2d place = rock.centre.head<2>();

@@ -1,4 +1,5 @@
-// The whole file is read at once and passed once. The header is judged before any sample is stored.
+// The header is judged before any sample. Samples that are plain numbers are read where a body comes; others, and what is wrong with
+// them, take a pass word by word.
 
 #include "mbd_solver/scene/ground/terrain_file.h"
 
@@ -8,12 +9,15 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string_view>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/input_file.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/number_file.h"
 #include "mbd_solver/scene/codes.h"
 
 namespace footfall {
@@ -22,6 +26,9 @@ namespace {
 constexpr double kMostMapSamples = 3e7;                        // 5400 x 5400, 240 MB
 constexpr std::uint64_t kLargestMap = std::uint64_t{2} << 30;  // [bytes]
 constexpr double kEvenGrid = 0.01;                             // of a step: places of samples agree with a regular grid
+constexpr double kMostHeight = 1e8;                            // more is a mark [m, or what height_scale makes m of]
+constexpr double kUsualHole = -9999.0, kOtherHole = -32768.0;  // of files that do not tell theirs
+constexpr const char* kDecimalPoint = "; a comma separates two numbers: write decimal points, as in 0.5";
 constexpr const char* kExpected =
     "expected an ESRI ASCII grid (ncols, nrows, xllcorner, yllcorner, cellsize, then rows of "
     "heights), or lines of x, y, z of a regular grid";
@@ -32,8 +39,11 @@ constexpr const char* kCoarser = "cut or thin it first, for example by gdal_tran
 class MapWords {
  public:
   MapWords(const std::string& file, std::string_view text)
-      : file_(file), at_(text.data()), end_(at_ + text.size()), counted_(at_) {}
+      : file_(file), begin_(text.data()), at_(begin_), end_(at_ + text.size()), counted_(at_) {}
 
+  void skip_byte_order_mark() {
+    if (end_ - at_ >= 3 && std::memcmp(at_, "\xef\xbb\xbf", 3) == 0) at_ += 3;
+  }
   [[noreturn]] void fail(const std::string& what) {
     throw InputError(code::kTerrainMap, file_ + ":" + std::to_string(line()) + ": " + what);
   }
@@ -54,32 +64,25 @@ class MapWords {
   void skip_line() {
     while (at_ < end_ && *at_ != '\n') ++at_;
   }
-  // The next word as a plain number: digits, at most one point, no more than 15 of them, so that both parts of the quotient, and
-  // with them the nearest double, are exact [Clinger, PLDI 1990]. False, and nothing is passed, for a hole and all others.
+  // The next word as a plain number. False, and nothing is passed, for a hole and all others.
   bool plain_number(double hole, double& value) {
-    static constexpr std::array<double, 16> kTens = {1.0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                     1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
     const char* at = at_;
     while (at < end_ && is_gap(*at)) ++at;
-    const bool negative = at < end_ && *at == '-';
-    if (negative) ++at;
-    std::uint64_t digits = 0;
-    const char* const first = at;
-    for (; at < end_ && is_digit(*at); ++at) digits = 10 * digits + static_cast<unsigned>(*at - '0');
-    std::ptrdiff_t count = at - first, behind = 0;
-    if (at < end_ && *at == '.') {
-      const char* const point = at++;
-      for (; at < end_ && is_digit(*at); ++at) digits = 10 * digits + static_cast<unsigned>(*at - '0');
-      behind = at - point - 1;
-      count += behind;
-    }
-    if (count == 0 || count > 15 || (at < end_ && !is_gap(*at))) return false;
-    value = static_cast<double>(digits) / kTens[static_cast<std::size_t>(behind)];
-    if (negative) value = -value;
-    if (value == hole) return false;
+    if (!read_plain_number(at, end_, value) || value == hole || std::abs(value) >= kMostHeight) return false;
     at_ = at;
     return true;
   }
+  bool at_comma() const { return at_ < end_ && *at_ == ','; }
+  std::string comma_advice() const { return std::find(begin_, end_, ',') < end_ ? kDecimalPoint : ""; }
+  // The same text, and what comes behind it.
+  void go_on_with(std::string_view text) {
+    const std::ptrdiff_t at = at_ - begin_, counted = counted_ - begin_;
+    begin_ = text.data();
+    at_ = begin_ + at;
+    counted_ = begin_ + counted;
+    end_ = begin_ + text.size();
+  }
+  std::size_t passed() const { return static_cast<std::size_t>(at_ - begin_); }  // bytes
   bool number(std::string_view word, double& value) const {
     if (!word.empty() && word.front() == '+') word.remove_prefix(1);
     const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -96,10 +99,10 @@ class MapWords {
   }
 
  private:
-  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
   static bool is_gap(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == ',' || c == ';'; }
 
   const std::string& file_;
+  const char* begin_;
   const char* at_;
   const char* end_;
   const char* counted_;  // line ends up to here are in line_
@@ -126,66 +129,78 @@ void judge_size(MapWords& words, double columns, double rows) {
                number_text(kMostMapSamples, 2) + "; " + kCoarser);
 }
 
-RawMap read_esri(MapWords& words) {
-  double columns = 0.0, rows = 0.0, x = 0.0, y = 0.0, dx = 0.0, dy = 0.0, hole = -9999.0;
-  bool has_x = false, has_y = false, corner_x = false, corner_y = false, has_hole = false;
-  int header = 1;
+struct EsriHeader {
+  std::map<std::string, double> values;  // by key, in small letters
+  int line = 1;                          // the last
+  bool has(const std::string& key) const { return values.count(key) > 0; }
+  double of(const std::string& key) const { return has(key) ? values.at(key) : 0.0; }
+};
+
+EsriHeader read_header(MapWords& words) {
+  static const std::set<std::string> kKeys = {"ncols",     "nrows",    "xllcorner", "xllcenter", "yllcorner",
+                                              "yllcenter", "cellsize", "dx",        "dy",        "nodata_value"};
+  EsriHeader header;
   for (double first; !words.number(words.peek(), first);) {
     const std::string_view key = words.next();
     std::string name(key.substr(0, 20));
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (name.empty()) break;
     const std::string_view word = words.next(true);
     double value = 0.0;
-    if (!words.number(word, value) || !std::isfinite(value)) {
-      if (name.empty()) break;
+    if (kKeys.count(name) == 0) words.fail("the header has the unknown key " + shown(key) + "; " + kExpected);
+    if (!words.number(word, value) || (!std::isfinite(value) && name != "nodata_value"))
       words.fail("the header has " + shown(key) + " with the value " + shown(word) + ", expected a number; " +
                  kExpected);
-    }
-    header = words.line();
-    if (name == "ncols") {
-      columns = value;
-    } else if (name == "nrows") {
-      rows = value;
-    } else if (name == "xllcorner" || name == "xllcenter") {
-      x = value;
-      has_x = true;
-      corner_x = name == "xllcorner";
-    } else if (name == "yllcorner" || name == "yllcenter") {
-      y = value;
-      has_y = true;
-      corner_y = name == "yllcorner";
-    } else if (name == "cellsize") {
-      dx = dy = value;
-    } else if (name == "dx") {
-      dx = value;
-    } else if (name == "dy") {
-      dy = value;
-    } else if (name == "nodata_value") {
-      hole = value;
-      has_hole = true;
-    } else {
-      words.fail("the header has the unknown key " + shown(key) + "; " + kExpected);
-    }
+    if (words.at_comma()) words.fail("the header has " + shown(key) + " with a comma" + kDecimalPoint);
+    header.line = words.line();
+    if (!header.values.emplace(name, value).second)
+      words.fail("the header gives " + shown(key) + " a second time; keep one of the two");
+    for (const auto& [one, other] :
+         {std::pair{"xllcorner", "xllcenter"}, {"yllcorner", "yllcenter"}, {"cellsize", "dx"}, {"cellsize", "dy"}})
+      if (header.has(one) && header.has(other))
+        words.fail(std::string("the header gives ") + one + " and " + other + "; keep one of the two");
   }
-  const auto demand = [&](bool good, const char* what) {
+  return header;
+}
+
+RawMap read_esri(MapWords& words, std::shared_ptr<NumberFile> file) {
+  const EsriHeader header = read_header(words);
+  const double columns = header.of("ncols"), rows = header.of("nrows");
+  const double dx = header.of(header.has("cellsize") ? "cellsize" : "dx"),
+               dy = header.of(header.has("cellsize") ? "cellsize" : "dy");
+  const bool has_hole = header.has("nodata_value");
+  const double hole = has_hole ? header.of("nodata_value") : kUsualHole;
+  const auto is_hole = [hole](double value) { return value == hole || (std::isnan(value) && std::isnan(hole)); };
+  const auto demand = [&](bool good, const std::string& what) {
     if (good) return;
-    words.set_line(header);
-    words.fail(std::string("the header has no ") + what + "; " + kExpected);
+    words.set_line(header.line);
+    words.fail("the header has no " + what + "; " + kExpected);
   };
   demand(columns != 0.0, "ncols");
   demand(rows != 0.0, "nrows");
-  demand(has_x, "xllcorner or xllcenter");
-  demand(has_y, "yllcorner or yllcenter");
-  demand(dx > 0.0 && dy > 0.0, "cellsize above 0 [m]");
-  if (columns != std::floor(columns) || rows != std::floor(rows)) words.fail("ncols and nrows must be whole numbers");
+  demand(header.has("xllcorner") || header.has("xllcenter"), "xllcorner or xllcenter");
+  demand(header.has("yllcorner") || header.has("yllcenter"), "yllcorner or yllcenter");
+  demand(header.has("cellsize") || (header.has("dx") && header.has("dy")), "cellsize, or not both of dx and dy");
+  words.set_line(header.line);
+  if (!(dx > 0.0 && dy > 0.0))
+    words.fail("the header has cells of " + number_text(dx) + " by " + number_text(dy) + " m, expected sizes above 0");
+  if (columns != std::floor(columns) || rows != std::floor(rows))
+    words.fail("the header has " + number_text(columns) + " columns and " + number_text(rows) +
+               " rows, expected whole numbers");
   judge_size(words, columns, rows);
   RawMap map;
   map.grid.columns = static_cast<int>(columns);
   map.grid.rows = static_cast<int>(rows);
   map.grid.step = {dx, dy};
-  map.x = x + (corner_x ? 0.5 * dx : 0.0);
-  map.y = y + (corner_y ? 0.5 * dy : 0.0);
-  map.grid.heights.resize(static_cast<std::size_t>(map.grid.columns) * static_cast<std::size_t>(map.grid.rows));
+  map.x = header.has("xllcorner") ? header.of("xllcorner") + 0.5 * dx : header.of("xllcenter");
+  map.y = header.has("yllcorner") ? header.of("yllcorner") + 0.5 * dy : header.of("yllcenter");
+  const std::size_t count = static_cast<std::size_t>(map.grid.columns) * static_cast<std::size_t>(map.grid.rows);
+  if (file->judge(words.passed(), count, hole)) {
+    map.grid.text = std::move(file);
+    return map;
+  }
+  words.go_on_with(file->whole());
+  map.grid.heights.resize(count);
   // From the north; words count, as other programs break lines where they like.
   for (int row = map.grid.rows - 1; row >= 0; --row) {
     double* const heights =
@@ -200,15 +215,16 @@ RawMap read_esri(MapWords& words) {
         words.fail("the file ends in " + where() + "; the header promises " + number_text(rows) + " rows of " +
                    number_text(columns) + " heights");
       double& value = heights[column];
-      if (!words.number(word, value) || !std::isfinite(value))
-        words.fail(where() + " is " + shown(word) + ", expected a height [m]; " + kFill);
-      if (value == hole)
+      const bool number = words.number(word, value);
+      if (number && is_hole(value))
         words.fail(where() + " is a hole (" + (has_hole ? "NODATA_value " : "") + shown(word) + "); " + kFill);
+      if (!number || !(std::abs(value) < kMostHeight))
+        words.fail(where() + " is " + shown(word) + ", expected a height [m]; " + kFill);
     }
   }
   if (!words.peek().empty()) {
     words.next();
-    words.fail("there are more heights than ncols times nrows = " + number_text(columns * rows));
+    words.fail("there are more heights than ncols times nrows = " + number_text(columns * rows) + words.comma_advice());
   }
   return map;
 }
@@ -236,9 +252,11 @@ RawMap read_points(MapWords& words) {
       if (word.empty()) words.fail("has " + std::to_string(k) + " numbers, expected x, y and z; " + kExpected);
       if (!words.number(word, values[k]) || !std::isfinite(values[k]))
         words.fail("has " + shown(word) + ", expected a number; " + (k == 2 ? kFill : kExpected));
+      if (k == 2 && (!(std::abs(values[k]) < kMostHeight) || values[k] == kUsualHole || values[k] == kOtherHole))
+        words.fail("has the height " + shown(word) + ", which marks a hole; " + kFill);
     }
     if (const std::string_view more = words.next(true); !more.empty())
-      words.fail("has more than three numbers, expected x, y and z; " + std::string(kExpected));
+      words.fail("has more than three numbers, expected x, y and z" + words.comma_advice() + "; " + kExpected);
     x.push_back(values[0]);
     y.push_back(values[1]);
     z.push_back(values[2]);
@@ -285,24 +303,29 @@ RawMap read_points(MapWords& words) {
 std::shared_ptr<const HeightGrid> read_height_map(const TerrainMapSpec& spec) {
   const std::string name = std::filesystem::path(spec.file).filename().string();
   require_regular_file(spec.file, kLargestMap);
-  const std::optional<std::string> text = read_whole_file(spec.file);
-  if (!text) throw InputError(code::kFileNotReadable, spec.file + ": cannot be read; " + kExpected);
-  MapWords words(name, *text);
+  std::shared_ptr<NumberFile> file = NumberFile::open(spec.file);
+  if (!file) throw InputError(code::kFileNotReadable, spec.file + ": cannot be read; " + kExpected);
+  std::string_view text = file->head();
+  MapWords words(name, text);
+  words.skip_byte_order_mark();
   double number;
   const std::string_view first = words.peek();
   if (first.empty()) words.fail(std::string("the file is empty; ") + kExpected);
-  if (text->find('\0') != std::string::npos)
+  if (text.find('\0') != std::string::npos)
     words.fail(std::string("the file is not text; ") + kExpected +
                "; gdal_translate -of AAIGrid in.tif out.asc turns a map of GDAL into one");
   const bool points = words.number(first, number) || first == "x" || first == "X" || first == "\"x\"" || first == "#";
-  RawMap map = points ? read_points(words) : read_esri(words);
+  if (points) words.go_on_with(file->whole());
+  RawMap map = points ? read_points(words) : read_esri(words, file);
   HeightGrid& grid = map.grid;
   // Without an origin of its own the middle of the map, and the height of the sample there.
   const Eigen::Vector3d middle(map.x + (grid.columns / 2) * grid.step.x(), map.y + (grid.rows / 2) * grid.step.y(),
                                grid.at(grid.columns / 2, grid.rows / 2));
   const Eigen::Vector3d origin = spec.origin.value_or(middle);
   grid.first = {map.x - origin.x(), map.y - origin.y()};
-  for (double& height : grid.heights) height = (height - origin.z()) * spec.height_scale;
+  grid.below = origin.z();
+  grid.scale = spec.height_scale;
+  for (double& height : grid.heights) height = (height - grid.below) * grid.scale;
   return std::make_shared<const HeightGrid>(std::move(grid));
 }
 

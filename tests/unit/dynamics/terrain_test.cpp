@@ -144,6 +144,10 @@ TEST(Terrain, NothingTouchesAboveTheLid) {
     const Eigen::Vector3d c(random.number(-3.0, 3.0), random.number(-3.0, 3.0), random.number(0.0, 3.0));
     const double reach = random.number(0.1, 1.0);
     const Terrain::Lid lid = ground.lid(c, reach);
+    for (int i = 0; i < 20; ++i) {
+      const double angle = random.number(0.0, 6.3), away = random.number(0.0, reach);
+      EXPECT_LT(ground.at(c.x() + away * std::cos(angle), c.y() + away * std::sin(angle)).h, lid.top);
+    }
     if (!lid.above(c, reach) || !lid.rocks.empty()) continue;
     ++clear;
     EXPECT_GE(ground.distance(c), reach) << c.transpose();
@@ -392,8 +396,12 @@ TEST(TerrainContact, DerivativesAreExact) {
       state.L = quaternion_about(Eigen::Vector3d::UnitX(), i == 1 ? 1.3 : 0.1);
       model.add_body(body, state);
       const ContactRim rim{body_marker(i, body, {0.0, 0.0, i == 1 ? 0.05 : -0.4}), i == 1 ? 0.5 : 0.4};
-      model.add_force(std::make_unique<TerrainContact>(name + "_edge", std::vector<ContactPoint>{}, law, ground,
-                                                       std::vector<ContactRim>{rim}));
+      std::vector<ContactPoint> face;
+      for (const Eigen::Vector2d& d :
+           {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(0.2, -0.1), Eigen::Vector2d(-0.05, 0.25)})
+        face.push_back({body_marker(i, body, rim.marker.s0 + Eigen::Vector3d(d.x(), d.y(), 0.0)), 0.0});
+      model.add_force(
+          std::make_unique<TerrainContact>(name + "_edge", face, law, ground, std::vector<ContactRim>{rim}));
       continue;
     }
     model.add_body(body, state);
@@ -434,6 +442,79 @@ TEST(TerrainContact, EnergyIsKeptOverRocks) {
   test::Run run(model, "one_step", test::precise(1e-8));
   run.to(2.0);
   EXPECT_LT(std::abs(run.imbalance()), 1e-5 * run.start_energy());
+}
+
+// Of a disc (radius 0.25 m, a face of 37 points) that is 2 mm deep in the ground of this terrain, level or tilted a little.
+Eigen::Vector3d push_on_a_disc(const TerrainParts& parts, double tilt, bool plane) {
+  Model model({0.0, 0.0, -1.62});
+  const Body body("pad", 2.0, Eigen::Vector3d(0.1, 0.1, 0.2).asDiagonal());
+  BodyState state;
+  state.r = {0.0, 0.0, -0.002};
+  state.L = quaternion_about(Eigen::Vector3d::UnitX(), tilt);
+  model.add_body(body, state);
+  ContactLaw law;
+  law.stiffness = 1e6;
+  std::vector<ContactPoint> face;
+  for (int ring = 0; ring < 4; ++ring)
+    for (int k = 0; k < std::max(1, 6 * ring); ++k)
+      face.push_back({body_marker(0, body,
+                                  0.075 * ring *
+                                      Eigen::Vector3d(std::cos(k * kPi / (3 * std::max(1, ring))),
+                                                      std::sin(k * kPi / (3 * std::max(1, ring))), 0.0)),
+                      0.0});
+  const std::vector<ContactRim> rims = {{body_marker(0, body, Eigen::Vector3d::Zero()), 0.25}};
+  const Assembly given = test::as_given(model);
+  Kinematics kinematics(model);
+  kinematics.load(Layout(model), given.state.q, given.state.v, Eigen::VectorXd());
+  const auto push = [&](const auto& ground) -> Eigen::Vector3d {
+    const Eigen::VectorXd springs = ground.initial_state();
+    const auto wrench = ground.wrench({kinematics.pair(0, kGround), springs, Eigen::VectorXd()});
+    return {wrench[2], wrench[3], wrench[4]};
+  };
+  if (!plane) return push(TerrainContact("ground", face, law, terrain_of(parts), rims));
+  RigidPlane::Parameters flat;
+  static_cast<ContactLaw&>(flat) = law;
+  return push(RigidPlane("ground", {}, flat, rims));
+}
+
+TEST(TerrainContact, DiscIsAsStiffOnALevelMapAsOnThePlane) {
+  TerrainParts level, rough;
+  level.map = map_of(101, 101, 0.01, [](double, double) { return 0.0; });
+  // Ripples of 1 um: the points of the face touch as well, with the edge as stiff as the plane.
+  rough.map = map_of(101, 101, 0.01, [](double x, double y) { return 1e-6 * std::sin(40.0 * x) * std::cos(30.0 * y); });
+  for (const double tilt : {0.0, 2e-3}) {
+    const Eigen::Vector3d plane = push_on_a_disc({}, tilt, true);
+    EXPECT_LT((push_on_a_disc(level, tilt, false) - plane).norm(), 1e-9 * plane.norm());
+    // 1 um of 2 mm; at a tilt points near the middle are as deep as it, and forces on both sides grow as the overlap^1.5.
+    EXPECT_NEAR(push_on_a_disc(rough, tilt, false)[0], plane[0], (tilt == 0.0 ? 2e-3 : 0.02) * plane[0]);
+  }
+}
+
+// Degrees taken for metres: the whole map is smaller than a grain of dust, and a ball has no foot on it.
+TEST(Terrain, MapSmallerThanABallIsGroundThatGoesOn) {
+  TerrainParts parts;
+  parts.map = map_of(4, 3, 8.3e-6, [](double x, double y) { return x > 0.0 && y > 0.0 ? 2.0 : 0.0; });
+  const Terrain ground(parts);
+  std::vector<Terrain::Foot> feet;
+  for (const double z : {-5.0, 0.0, 0.2, 5.0}) ground.feet({0.0, 0.0, z}, 0.3, feet);
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(std::isfinite(ground.at(infinite, 0.0).h));
+  ground.at(std::nan(""), -infinite);
+}
+
+TEST(Terrain, SketchIsTheFieldAtTheNearestSamples) {
+  TerrainParts parts = hills();
+  const Terrain ground(parts);
+  const std::vector<double> fine =
+      ground.sketch({-6.0, -5.0}, {0.3, 0.4}, {40, 25});  // closer than the samples: the field
+  for (std::size_t k = 0; k < fine.size(); ++k)
+    EXPECT_EQ(fine[k], ground.at(-6.0 + 0.3 * static_cast<double>(k % 40), -5.0 + 0.4 * static_cast<double>(k / 40)).h);
+  const std::vector<double> coarse = ground.sketch({-8.0, -6.0}, {0.7, 0.6}, {24, 20});
+  for (std::size_t k = 0; k < coarse.size(); ++k) {
+    const double x = -8.0 + 0.7 * static_cast<double>(k % 24), y = -6.0 + 0.6 * static_cast<double>(k / 24);
+    EXPECT_NEAR(coarse[k], ground.at(x, y).h,
+                ground.inside_map(x, y) ? 0.3 : 1e-12);  // slopes up to 0.8, half a sample away
+  }
 }
 
 // ---- steep steps ----
