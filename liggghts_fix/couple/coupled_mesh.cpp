@@ -100,11 +100,27 @@ std::string outside_box_text(const Domain& domain, const Eigen::Matrix3Xd& x) {
 
 // --- Matching of the triangles of mesh and body over the ranks.
 
+// Moves triangles by whole boxes along periodic directions, to the image that is nearest to r. False if none moved.
+bool put_beside_body(const Domain& domain, const Eigen::Vector3d& r, std::vector<footfall::MeshTriangle>& triangles) {
+  bool any = false;
+  for (footfall::MeshTriangle& triangle : triangles) {
+    const Eigen::Vector3d centre = (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
+    for (int c = 0; c < 3; ++c) {
+      if (!domain.periodicity[c]) continue;
+      const double box = domain.boxhi[c] - domain.boxlo[c], way = box * std::round((r[c] - centre[c]) / box);
+      for (Eigen::Vector3d& corner : triangle.corners) corner[c] += way;
+      any = any || way != 0.0;
+    }
+  }
+  return any;
+}
+
 // By element id, for all elements of the mesh, which may be a part of the body's surface. Every rank matches the triangles
 // it owns (all of them before the first run), then the ranks share the result. Throws InputError, the same on all ranks,
 // when mesh and body differ. Collective over `world`.
 std::vector<footfall::CornerNodes> match_over_ranks(TriMesh* mesh, const std::string& mesh_id,
-                                                    const footfall::CoupledBody& body, MPI_Comm world) {
+                                                    const footfall::CoupledBody& body, const Domain& domain,
+                                                    MPI_Comm world) {
   std::vector<footfall::MeshTriangle> mine(static_cast<std::size_t>(mesh->sizeLocal()));
   int highest = -1;
   for (int i = 0; i < mesh->sizeLocal(); ++i) {
@@ -119,6 +135,14 @@ std::vector<footfall::CornerNodes> match_over_ranks(TriMesh* mesh, const std::st
     corners = footfall::match_mesh(mesh_id, body.boundary, body.initial, mine);
   } catch (const footfall::InputError& mismatch) {
     failure = mismatch.what();
+  }
+  // A body beside a periodic box, as where a run resumes: LIGGGHTS has put its triangles into the box.
+  if (!failure.empty() && put_beside_body(domain, body.initial.r, mine)) {
+    try {
+      corners = footfall::match_mesh(mesh_id, body.boundary, body.initial, mine);
+      failure.clear();
+    } catch (const footfall::InputError&) {  // the first message is about the mesh as it is
+    }
   }
   // All ranks throw the message of the first rank that failed.
   int me = 0, ranks = 1;
@@ -196,8 +220,8 @@ CoupledMesh::CoupledMesh(LAMMPS* lmp_, const std::string& where, const footfall:
   body_ = link_.bodies().couple(pair.body, update->unit_style);
   const footfall::CoupledBody& scene_body = link_.bodies().scene_body(pair.body, update->unit_style);
   try {
-    module_ = std::make_unique<ContactModule>(lmp, fix_, match_over_ranks(fix_->triMesh(), mesh_id_, scene_body, world),
-                                              scene_body.boundary.rho0());
+    module_ = std::make_unique<ContactModule>(
+        lmp, fix_, match_over_ranks(fix_->triMesh(), mesh_id_, scene_body, *domain, world), scene_body.boundary.rho0());
   } catch (const InputError& mismatch) {
     if (!modify->have_restart_data(fix_)) throw;
     throw InputError(footfall::with_addition(
