@@ -167,14 +167,16 @@ void add_drives(const Scene& scene, Mechanism& mechanism) {
       mechanism.coordinates.push_back({spec.name, joint, coordinate});
       if (const std::optional<CoordinateSpec>& acting = spec.acting_on(coordinate))
         add_joint_force("joint/" + spec.name + "/" + std::string(name_of(coordinate)), joint, coordinate,
-                        laws_of(*acting, moved_mass(scene, mechanism, joint, coordinate)), model);
+                        laws_of(*acting, acting->friction ? moved_mass(scene, mechanism, joint, coordinate) : 0.0),
+                        model);
     }
   }
   for (const DriveSpec& spec : scene.drives) {
     const int joint = scene.joint_index(spec.joint);
     const Coordinate coordinate = scene.coordinate_of(spec);
     Laws laws;
-    laws.push_back(build(spec, moved_mass(scene, mechanism, joint, coordinate)));
+    const bool sticks = spec.motor.kind == MotorKind::kBrake;
+    laws.push_back(build(spec, sticks ? moved_mass(scene, mechanism, joint, coordinate) : 0.0));
     const int force = add_joint_force("drive/" + spec.name, joint, coordinate, std::move(laws), model,
                                       signal_place(mechanism, spec.command->signal));
     mechanism.drives.push_back({spec.name, force, coordinate});

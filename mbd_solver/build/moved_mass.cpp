@@ -17,13 +17,22 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 std::vector<int> connected(const Scene& scene, const Model& model, int left_out) {
   std::vector<int> set(static_cast<std::size_t>(model.body_count()) + 1);
   std::iota(set.begin(), set.end(), 0);
-  const auto place = [&](int body) { return body == kGround ? set.size() - 1 : static_cast<std::size_t>(body); };
+  // A tree for each set; a body is led to its root.
+  const auto root_of = [&](int body) {
+    std::size_t i = body == kGround ? set.size() - 1 : static_cast<std::size_t>(body);
+    for (; set[i] != static_cast<int>(i); i = static_cast<std::size_t>(set[i]))
+      set[i] = set[static_cast<std::size_t>(set[i])];
+    return static_cast<int>(i);
+  };
   for (int j = 0; j < static_cast<int>(scene.joints.size()); ++j) {
     if (j == left_out) continue;
-    const int from = set[place(model.joint(j).m1.body)], to = set[place(model.joint(j).m2.body)];
-    std::replace(set.begin(), set.end(), from, to);
+    const int from = root_of(model.joint(j).m1.body), to = root_of(model.joint(j).m2.body);
+    set[static_cast<std::size_t>(from)] = to;
   }
-  return set;
+  std::vector<int> roots(set.size());
+  for (int i = 0; i < model.body_count(); ++i) roots[static_cast<std::size_t>(i)] = root_of(i);
+  roots.back() = root_of(kGround);
+  return roots;
 }
 
 // Of the bodies for which `counts` holds, about the axis e through p, or along it.
