@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
@@ -280,7 +281,7 @@ void TerrainContact::add_contact(const ElementInput& in, const Marker& marker, d
   at.overlap = radius - foot.distance;
   const BodyKinematics& body = *in.pair.body[0];
   at.marker = &marker;
-  at.p = MovingPoint(body, marker);
+  new (&at.p) MovingPoint(body, marker);  // in place: a copy of what was just written waits for it
   at.radius = radius;
   at.n = foot.normal;
   at.H = foot.bend;
