@@ -37,7 +37,7 @@ struct RunStart {
 };
 
 // Layout of checkpoints: raised whenever what a run stores changes.
-inline constexpr int kCheckpointFormat = 5;
+inline constexpr int kCheckpointFormat = 6;
 
 // folder: of the checkpoint. Both throw InputError for a file that cannot be written or read, or that another version of
 // footfall or of the layout wrote.
