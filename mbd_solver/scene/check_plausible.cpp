@@ -187,6 +187,7 @@ class Plausibility {
     check_springs_that_carry();
     check_sliders();
     check_plane();
+    check_map();
     check_ratios();
     check_gas();
     check_points();
@@ -556,6 +557,19 @@ class Plausibility {
                         "is so small that " + number_text(mass, 3) + " kg at rest sink by " + number_text(sunk, 3) +
                             " m into the plane, in a mechanism of " + number_text(size_, 3) + " m; write " +
                             (plane.stiffness ? "it in N/m^1.5" : "it in Pa, or use the suffix _MPa"));
+  }
+
+  // Degrees of longitude and latitude, or kilometres, taken for metres.
+  void check_map() {
+    if (!scene_.ground.terrain || !scene_.ground.terrain->map || !scene_.ground.terrain->map->grid) return;
+    const HeightGrid& grid = *scene_.ground.terrain->map->grid;
+    const double x = grid.step.x() * (grid.columns - 1), y = grid.step.y() * (grid.rows - 1);
+    if (std::max(x, y) < size_)
+      findings_.warning(kImplausibleNumber, scene_.ground.source, "terrain.map.file",
+                        "covers " + number_text(x, 3) + " by " + number_text(y, 3) + " m, less than the " +
+                            number_text(size_, 3) +
+                            " m of the mechanism; if its coordinates are degrees, project them to metres (gdalwarp "
+                            "-t_srs), if they are kilometres, scale them");
   }
 
   void check_ratio(const Source& source, const std::string& key, double value, double most, const std::string& remedy) {

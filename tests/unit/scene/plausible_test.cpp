@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/scene_check.h"
 #include "tests/support/heap_requests.h"
@@ -54,6 +56,23 @@ TEST(Plausible, MassThatNoSolidOfThisSizeHas) {
   EXPECT_THAT(warnings(kPendulum, {"bodies.bob.mass=2e6"}), IsEmpty());
   EXPECT_THAT(warnings(kPendulum, {"bodies.bob.mass=2e9"}),
               ElementsAre(says(code::kImplausibleMass, "bodies.bob.mass")));
+}
+
+// Half a degree in 61 samples is 15 km, but half a metre beside a pendulum of 1 m.
+TEST(Plausible, MapInDegrees) {
+  const auto scene = [](const std::string& step) {
+    const std::string file = testing::TempDir() + "degrees.asc";
+    std::ofstream map(file);
+    map << "ncols 61\nnrows 61\nxllcorner 33.1\nyllcorner -2.4\ncellsize " << step << '\n';
+    for (int row = 0; row < 61; ++row, map << '\n')
+      for (int column = 0; column < 61; ++column) map << "1 ";
+    return kBall +
+           "[ground]\nkind = \"plane\"\nplane = { stiffness = 1e7 }\nterrain = { position = [0, 0, -9], map = { file = "
+           "\"" +
+           file + "\" } }\n[[boundaries]]\nbody = \"bob\"\nsurface = {}\n";
+  };
+  EXPECT_THAT(warnings(scene("0.00833")), ElementsAre(says(code::kImplausibleNumber, "terrain.map.file")));
+  EXPECT_THAT(warnings(scene("0.1")), IsEmpty());
 }
 
 TEST(Plausible, InertiaInOtherUnits) {
