@@ -1,4 +1,5 @@
-// Each path is followed in a thousand steps; the first one beyond a side is reported.
+// Each path is followed in a thousand steps; the first one beyond a side is reported. Heights are above the surface of the bed, which a
+// terrain gives; its rocks are ground, not bodies that touch it.
 
 #include "mbd_solver/bed/bed_forecast.h"
 
@@ -13,6 +14,7 @@
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/scene/box_bed.h"
+#include "mbd_solver/scene/resolve.h"
 
 namespace footfall {
 namespace {
@@ -61,21 +63,54 @@ std::optional<Path> prescribed_path(const JointSpec& joint, const Mechanism& mec
   };
 }
 
-// Points of a free body above the surface z = 0 at the height `gap` [m].
-std::vector<Eigen::Vector3d> free_path(const Scene& scene, Eigen::Vector3d v, double gap) {
+// The surface of the bed, in W.
+class Surface {
+ public:
+  explicit Surface(const Scene& scene) {
+    if (scene.ground.terrain) terrain_ = terrain_of(*scene.ground.terrain);
+    if (const std::optional<TerrainBed> bed = terrain_bed(scene)) rocks_ = bed->rocks.size();
+  }
+  Terrain::Height at(const Eigen::Vector2d& place) const {
+    return terrain_ ? terrain_->at(place.x(), place.y()) : Terrain::Height();
+  }
+  double height_of(const Eigen::Vector3d& p) const { return p.z() - at(p.head<2>()).h; }
+  double lowest_of(const Eigen::Matrix3Xd& points) const {
+    double lowest = HUGE_VAL;
+    for (const auto& p : points.colwise()) lowest = std::min(lowest, height_of(p));
+    return lowest;
+  }
+  bool is_rock(const std::string& body) const {
+    for (std::size_t k = 0; k < rocks_; ++k)
+      if (body == rock_name(k)) return true;
+    return false;
+  }
+
+ private:
+  std::shared_ptr<const Terrain> terrain_;  // null: z = 0
+  std::size_t rocks_ = 0;
+};
+
+// The way of a free body whose lowest point is `gap` above the surface at the place `from` of its origin [m].
+std::vector<Eigen::Vector3d> free_path(const Scene& scene, const Surface& surface, const Eigen::Vector2d& from,
+                                       Eigen::Vector3d v, double gap) {
   const Eigen::Vector3d& g = scene.gravity;
   const double dt = scene.end_time / kSteps;
-  const double slowing =
-      kHeld * scene.particles->box->bodies.friction.value_or(scene.particles->box->material.friction) * std::abs(g.z());
+  const double friction =
+      kHeld * scene.particles->box->bodies.friction.value_or(scene.particles->box->material.friction);
+  const double start = surface.at(from).h;
   std::vector<Eigen::Vector3d> path = {Eigen::Vector3d::Zero()};
   for (int k = 0; k < kSteps; ++k) {
     v += dt * g;
-    if (gap + path.back().z() <= 0.0) {  // on the surface
-      v.z() = 0.0;
-      const double speed = v.norm();
-      v *= speed > slowing * dt ? 1.0 - slowing * dt / speed : 0.0;
+    const Terrain::Height here = surface.at(from + path.back().head<2>());
+    if (gap + path.back().z() <= here.h - start) {  // on the surface
+      const Eigen::Vector3d normal = Eigen::Vector3d(-here.slope.x(), -here.slope.y(), 1.0).normalized();
+      v -= std::min(0.0, normal.dot(v)) * normal;
+      const double speed = v.norm(), slowing = friction * dt * std::max(0.0, -normal.dot(g));
+      v *= speed > slowing ? 1.0 - slowing / speed : 0.0;
     }
     path.push_back(path.back() + dt * v);
+    const double least = surface.at(from + path.back().head<2>()).h - start - gap;
+    path.back().z() = std::max(path.back().z(), least);
   }
   return path;
 }
@@ -88,11 +123,13 @@ Eigen::Matrix3Xd nodes_at_start(const Mechanism& mechanism, const BodyBoundary& 
 }
 
 // Where a body goes from its place at the start [m]; empty: not known.
-std::vector<Eigen::Vector3d> path_of(const Scene& scene, const Mechanism& mechanism, const BodyBoundary& entry,
-                                     bool held) {
+std::vector<Eigen::Vector3d> path_of(const Scene& scene, const Mechanism& mechanism, const Surface& surface,
+                                     const BodyBoundary& entry, bool held) {
   const std::string& name = entry.boundary.name();
-  if (!held)
-    return free_path(scene, mechanism.model.initial(entry.body).dr, nodes_at_start(mechanism, entry).row(2).minCoeff());
+  if (!held) {
+    const BodyState& start = mechanism.model.initial(entry.body);
+    return free_path(scene, surface, start.r.head<2>(), start.dr, surface.lowest_of(nodes_at_start(mechanism, entry)));
+  }
   std::vector<Eigen::Vector3d> path;
   for (const JointSpec& joint : scene.joints) {
     const bool moves_it = (joint.bodies[0] == "ground" && joint.bodies[1] == name) ||
@@ -105,16 +142,16 @@ std::vector<Eigen::Vector3d> path_of(const Scene& scene, const Mechanism& mechan
 }
 
 // The way along x and y, from its least to its largest value: of free bodies and of all that are prescribed [m].
-Eigen::Matrix2d way_of(const Scene& scene, const Mechanism& mechanism) {
+Eigen::Matrix2d way_of(const Scene& scene, const Mechanism& mechanism, const Surface& surface,
+                       const std::set<std::string>& held) {
   Eigen::Matrix2d way = Eigen::Matrix2d::Zero();
   const auto include = [&](const Eigen::Vector3d& s) {
     way.col(0) = way.col(0).cwiseMin(s.head<2>());
     way.col(1) = way.col(1).cwiseMax(s.head<2>());
   };
-  const std::set<std::string> held = held_by_ground(scene);
   for (const BodyBoundary& entry : mechanism.boundaries)
     if (held.count(entry.boundary.name()) == 0)
-      for (const Eigen::Vector3d& s : path_of(scene, mechanism, entry, false)) include(s);
+      for (const Eigen::Vector3d& s : path_of(scene, mechanism, surface, entry, false)) include(s);
   for (const JointSpec& joint : scene.joints)
     if (joint.bodies[0] == "ground" || joint.bodies[1] == "ground")
       if (const std::optional<Path> prescribed = prescribed_path(joint, mechanism))
@@ -129,11 +166,12 @@ std::vector<std::string> leaving_bodies(const Scene& scene, const Mechanism& mec
   const BoxSpec& box = *scene.particles->box;
   if (box.periodic || !box.walls) return {};
   const std::set<std::string> held = held_by_ground(scene);
+  const Surface surface(scene);
   std::vector<std::string> warnings;
   for (const BodyBoundary& entry : mechanism.boundaries) {
     const std::string& name = entry.boundary.name();
     const BodyState& start = mechanism.model.initial(entry.body);
-    const std::vector<Eigen::Vector3d> path = path_of(scene, mechanism, entry, held.count(name) > 0);
+    const std::vector<Eigen::Vector3d> path = path_of(scene, mechanism, surface, entry, held.count(name) > 0);
     const auto beyond = [&](const Eigen::Vector3d& s, int axis) {
       const auto c = static_cast<std::size_t>(axis);
       return std::abs(start.r[axis] + s[axis] - box.centre[c]) > 0.5 * box.size[c];
@@ -156,62 +194,101 @@ std::vector<std::string> leaving_bodies(const Scene& scene, const Mechanism& mec
 }
 
 BedProposal proposed_bed(const Scene& scene, const Mechanism& mechanism) {
-  constexpr double kSolid = 0.57;       // volume of grains in a bed [-]
-  constexpr double kPressure = 50.0;    // of a plate over rho g depth: loose soils (Li, Zhang and Goldman 2013) [-]
-  constexpr double kOfRectangle = 0.7;  // area of a round or narrow body [-]
-  constexpr double kMoves = 0.5;        // ways above this share of the width [-]
+  constexpr double kSolid = 0.57;        // volume of grains in a bed [-]
+  constexpr double kPressure = 50.0;     // of a plate over rho g depth: loose soils (Li, Zhang and Goldman 2013) [-]
+  constexpr double kOfRectangle = 0.7;   // area of a round or narrow body [-]
+  constexpr double kMoves = 0.5;         // ways above this share of the width [-]
+  constexpr double kTilt = 0.36;         // of a free mechanism about its first contact, at most: 20 degrees
+  constexpr double kThinnest = 0.5;      // share of the depth on level ground that the lowest place has at least [-]
+  constexpr double kFewestGrains = 5.0;  // below and beside a narrow body
   const BoxSpec& box = *scene.particles->box;
   BedProposal bed;
+  if (!box.walls) return bed;  // bodies hold it
+  const Surface surface(scene);
+  const std::set<std::string> held = held_by_ground(scene);
+  std::vector<const BodyBoundary*> bodies;
   double lowest = HUGE_VAL;
-  for (const BodyBoundary& entry : mechanism.boundaries)
-    lowest = std::min(lowest, nodes_at_start(mechanism, entry).row(2).minCoeff());
-  const Eigen::Matrix2d way = way_of(scene, mechanism);
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL), high = -low;
-  double area = 0.0;
+  Eigen::Vector2d first = Eigen::Vector2d::Zero();  // place of the lowest body
   for (const BodyBoundary& entry : mechanism.boundaries) {
+    if (surface.is_rock(entry.boundary.name())) continue;
+    bodies.push_back(&entry);
     const Eigen::Matrix3Xd x = nodes_at_start(mechanism, entry);
+    if (const double low = surface.lowest_of(x); low < lowest) {
+      lowest = low;
+      first = x.topRows<2>().rowwise().mean();
+    }
+  }
+  const Eigen::Matrix2d way = way_of(scene, mechanism, surface, held);
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL), high = -low;
+  double area = 0.0, under = HUGE_VAL;  // of the bodies [m2]; height of the surface under the lowest of them [m]
+  for (const BodyBoundary* entry : bodies) {
+    const Eigen::Matrix3Xd x = nodes_at_start(mechanism, *entry);
     const Eigen::Vector2d least = x.topRows<2>().rowwise().minCoeff(), most = x.topRows<2>().rowwise().maxCoeff();
+    const Eigen::Vector2d middle = 0.5 * (least + most);
     const double width = (most - least).minCoeff();
-    if (x.row(2).minCoeff() > lowest + width) continue;  // it stays above the bed
+    const double tilted = held.count(entry->boundary.name()) > 0 ? 0.0 : kTilt * (middle - first).norm();
+    if (surface.lowest_of(x) > lowest + width + tilted) continue;  // it stays above the bed
     bed.width = std::max(bed.width, width);
     area += kOfRectangle * (most - least).prod();
     low = low.cwiseMin(least);
     high = high.cwiseMax(most);
+    under = std::min(under, surface.at(middle).h);
+    const Eigen::Vector3d& v = mechanism.model.initial(entry->body).dr;
+    bed.further = bed.further || (held.count(entry->boundary.name()) > 0 && v.head<2>().norm() > 0.0);
   }
   if (!(area > 0.0) || !(bed.width > 0.0)) return bed;
   // A plate of this area stops at the depth s where 1/2 k A s^2 = M g s + 1/2 M v^2.
   double mass = 0.0;
-  for (const BodySpec& body : scene.bodies) mass += body.mass;
+  for (const BodySpec& body : scene.bodies)
+    if (!surface.is_rock(body.name)) mass += body.mass;
   const double g = scene.gravity.norm(), v = scene.initial.velocity.z();
   const double stiffness = kPressure * kSolid * box.material.density * g * area;
   bed.sinkage = (mass * g + std::sqrt(mass * g * mass * g + stiffness * mass * v * v)) / stiffness;
-  bed.depth = bed.sinkage + bed.width;
+  const double beside =
+      std::max(bed.width, kFewestGrains * 2.0 * *std::max_element(box.radius.begin(), box.radius.end()));
+  bed.depth = bed.sinkage + beside;
+  Eigen::Vector2d from, to;
   for (int axis = 0; axis < 2; ++axis) {
     const bool follows = follows_along(box, axis);
     const bool moves = (way(axis, 1) - way(axis, 0)) > kMoves * bed.width;
-    const double clear = (moves ? 2.0 : 1.0) * bed.width;
-    const double from = low[axis] + (follows ? 0.0 : way(axis, 0)) - clear,
-                 to = high[axis] + (follows ? 0.0 : way(axis, 1)) + clear;
-    bed.size[axis] = to - from;
-    bed.centre[axis] = 0.5 * (from + to);
+    const double clear = (moves ? 2.0 : 1.0) * beside;
+    from[axis] = low[axis] + (follows ? 0.0 : way(axis, 0)) - clear;
+    to[axis] = high[axis] + (follows ? 0.0 : way(axis, 1)) + clear;
+    bed.size[axis] = to[axis] - from[axis];
+    bed.centre[axis] = 0.5 * (from[axis] + to[axis]);
     // Its body stays 0.3 of the side from both ends, and its slabs are a tenth of it, as long as the bed is deep.
     if (follows) bed.size[axis] = std::max((0.5 * (high[axis] - low[axis]) + clear) / 0.3, 10.0 * bed.depth);
   }
+  // The floor is level, below the lowest place of the surface in the bed.
+  constexpr int kPlaces = 60;
+  double bottom = under;
+  for (int i = 0; i <= kPlaces; ++i)
+    for (int j = 0; j <= kPlaces; ++j)
+      bottom = std::min(
+          bottom, surface.at(from + (to - from).cwiseProduct(Eigen::Vector2d(i, j)) / static_cast<double>(kPlaces)).h);
+  bed.depth = std::max(bed.depth - (under - bottom), kThinnest * bed.depth);
   return bed;
 }
 
 std::string proposal_text(const Scene& scene, const BedProposal& bed) {
   if (!(bed.width > 0.0)) return "";
-  const BoxSpec& box = *scene.particles->box;
-  const auto two = [](double value) { return number_text(std::abs(value) < 1e-6 ? 0.0 : value, 2); };
-  const double grains =
-      bed.size.prod() * bed.depth / (box.size[0] * box.size[1] * box.depth) * box_numbers(scene).grains;
+  const auto two = [](double value) { return number_text(value, 2); };
+  const auto place = [&](int axis) {
+    return std::abs(bed.centre[axis]) < 0.005 * bed.size[axis] ? 0.0 : bed.centre[axis];
+  };
+  Scene with = scene;
+  with.particles->box->size = {bed.size.x(), bed.size.y()};
+  with.particles->box->centre = {bed.centre.x(), bed.centre.y()};
+  with.particles->box->depth = bed.depth;
+  const double grains = box_numbers(with).grains;
   const double digit = std::pow(10.0, std::floor(std::log10(grains)) - 1.0);  // the second
   return "  for these bodies, up to " + two(bed.width) + " m wide and about " + two(bed.sinkage) +
          " m deep in a loose bed, start with " + std::to_string(std::lround(digit * std::round(grains / digit))) +
-         " grains" + (scene.drives.empty() ? "" : " (and more for the way that drives make)") +
+         " grains" +
+         (bed.further || !scene.drives.empty() ? " (and more for the way that drives or speeds at the start make)"
+                                               : "") +
          ": --set particles.box.size=[" + two(bed.size[0]) + "," + two(bed.size[1]) + "] --set particles.box.centre=[" +
-         two(bed.centre[0]) + "," + two(bed.centre[1]) + "] --set particles.box.depth=" + two(bed.depth) +
+         two(place(0)) + "," + two(place(1)) + "] --set particles.box.depth=" + two(bed.depth) +
          " (docs/how-to/size_a_bed.md)\n";
 }
 

@@ -102,13 +102,15 @@ std::string speed_text(const std::vector<GrainPlace>& grains) {
   return sum < 0.0 ? "" : ", mean speed " + number_text(sum / static_cast<double>(grains.size()), 2) + " m/s";
 }
 
-std::string made_bed(const BoxSpec& box, const std::string& folder) {
+std::string made_bed(const Scene& scene, const std::string& folder) {
+  const BoxSpec& box = *scene.particles->box;
   if (!bed_is_made(folder)) return std::string(kNotMade) + "\n";
   const std::vector<GrainPlace> grains = read_grains((fs::path(folder) / kBedGrains).string());
-  double highest = -box.depth;
+  const double floor = box_floor(scene);
+  double highest = floor;
   for (const GrainPlace& grain : grains) highest = std::max(highest, grain.centre.z() + grain.radius);
-  const double inner =
-      solid_fraction(grains, own_shares(grains, box), -0.75 * box.depth, -0.25 * box.depth, box.size[0] * box.size[1]);
+  const double inner = solid_fraction(grains, own_shares(grains, box), floor + 0.25 * box.depth,
+                                      floor + 0.75 * box.depth, box.size[0] * box.size[1]);
   const BedContacts contacts = bed_contacts(grains);
   const std::size_t count = count_grains(grains);
   const std::string what = box.clumps.empty() ? " grains" : " clumps of " + std::to_string(grains.size()) + " spheres";
@@ -125,6 +127,15 @@ std::string made_bed(const BoxSpec& box, const std::string& folder) {
                                               "material.young (the time step falls with its square root)") +
             "\n";
   return text + "  " + short_path(folder) + "\n";
+}
+
+// "surface at z = 0", or of a terrain.
+std::string surface_text(const Scene& scene) {
+  const std::optional<TerrainBed> bed = terrain_bed(scene);
+  if (!bed) return "surface at z = 0";
+  const std::string rocks = bed->rocks.size() == 1 ? ", 1 rock" : ", " + std::to_string(bed->rocks.size()) + " rocks";
+  return "surface from z = " + number_text(bed->low, 3) + " to " + number_text(bed->high, 3) + " m, up to " +
+         number_text(bed->steepest * 180.0 / kPi, 3) + " degrees steep" + (bed->rocks.empty() ? "" : rocks);
 }
 
 std::string clumps_text(const Scene& scene) {
@@ -163,8 +174,8 @@ std::string box_report(const Scene& scene) {
   std::string radii = number_text(box.radius.front());
   if (box.radius.size() > 1) radii += " and " + number_text(box.radius.back());
   std::string text = "Bed: " + number_text(box.size[0]) + " x " + number_text(box.size[1]) + " m, " +
-                     number_text(box.depth) + " m deep: floor at z = " + number_text(box_floor(scene)) +
-                     " m, surface at z = 0; about " + round_count(n.grains) + " grains of radius " + radii + " m\n";
+                     number_text(box.depth) + " m deep: floor at z = " + number_text(box_floor(scene)) + " m, " +
+                     surface_text(scene) + "; about " + round_count(n.grains) + " grains of radius " + radii + " m\n";
   if (!box.clumps.empty()) text += clumps_text(scene);
   text += "  space for bodies: " + number_text(n.headroom) + " m above the surface, " +
           (box.periodic ? "periodic along x and y\n" : number_text(n.margin) + " m around the walls\n");
@@ -182,7 +193,7 @@ std::string box_report(const Scene& scene) {
           " of the Rayleigh time, " + share_text(n.time_step / n.hertz) + " of the Hertz time" +
           step_proposal(n.rayleigh, n.hertz) +
           "; window: " + (box.every ? std::to_string(*box.every) + " steps\n" : "chosen during the run\n");
-  return text + ranks_text(n.grains, particles.ranks) + made_bed(box, bed_folder(*particles.bed));
+  return text + ranks_text(n.grains, particles.ranks) + made_bed(scene, bed_folder(*particles.bed));
 }
 
 void require_inside_box(const Scene& scene, const Mechanism& mechanism) {

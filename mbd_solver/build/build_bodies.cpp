@@ -26,6 +26,7 @@
 #include "mbd_solver/model/marker.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "mbd_solver/model/rotation.h"
+#include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/resolve.h"
@@ -550,6 +551,18 @@ double highest_under(const std::vector<GrainPlace>& grains, const Eigen::Vector3
   return highest;
 }
 
+// How far grains under a body stand out of the field of a terrain, at most; negative: they are below [m].
+double highest_over(const std::vector<GrainPlace>& grains, const Terrain& field, const Eigen::Vector3d& centre,
+                    double reach) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const GrainPlace& grain : grains) {
+    if ((grain.centre - centre).head<2>().norm() >= reach + grain.radius) continue;
+    const Terrain::Height here = field.at(grain.centre.x(), grain.centre.y());
+    highest = std::max(highest, grain.centre.z() + grain.radius * std::hypot(1.0, here.slope.norm()) - here.h);
+  }
+  return highest;
+}
+
 constexpr double kStray = 0.1;  // of the radius of a boundary's footprint
 
 }  // namespace
@@ -581,6 +594,8 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
   double smallest = std::numeric_limits<double>::infinity();
   double highest_ground = -std::numeric_limits<double>::infinity();
   const Placement as_drawn;
+  const std::shared_ptr<const Terrain> field = build_bed_surface(scene);
+  const std::optional<TerrainBed> bed = terrain_bed(scene);
   for (const BodyBoundary& entry : boundaries) {
     const auto i = static_cast<std::size_t>(entry.body);
     const bool still = stands_still(scene, scene.bodies[i].name);
@@ -605,7 +620,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
       take(gap / std::max(1e-6, normal.dot(up)));
       continue;
     }
-    double ground = placement.ground_height;
+    double ground = placement.ground_height, out = 0.0;
     if (!grains.empty()) {
       double reach = 0.0;
       for (const ContactPoint& point : entry.points) {
@@ -613,11 +628,18 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
         reach = std::max(reach, (offset - up * up.dot(offset)).norm() + point.radius);
       }
       ground = highest_under(grains, up, r, reach);
+      if (field && !still) out = highest_over(grains, *field, r, reach);
       placement.sites.push_back({highest_under(grains, up, r, (1.0 + kStray) * reach), kStray * reach, r, R_WB});
     }
     if (!std::isfinite(ground) || still) continue;  // no grain under this boundary
     highest_ground = std::max(highest_ground, ground);
-    take(lowest_along(up) - ground);
+    if (!field) {
+      take(lowest_along(up) - ground);
+      continue;
+    }
+    // The body falls along -z, and is lifted along up.
+    const double way = fall_to(*field, entry, r, R_WB) - out;
+    take(std::min(way, fall_to_rocks(bed->rocks, entry, r, R_WB)) / std::max(0.1, up.z()));
   }
   if (particles && std::isfinite(highest_ground)) placement.ground_height = highest_ground;
 

@@ -7,12 +7,21 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/elements/terrain_contact.h"
+#include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/resolve.h"
 
 namespace footfall {
 
 std::shared_ptr<const Terrain> build_terrain(const Scene& scene) {
   return scene.ground.is_uneven() ? terrain_of(*scene.ground.terrain) : nullptr;
+}
+
+std::shared_ptr<const Terrain> build_bed_surface(const Scene& scene) {
+  if (!terrain_bed(scene)) return nullptr;
+  TerrainSpec field = *scene.ground.terrain;
+  field.rocks.clear();
+  field.rock_field.reset();
+  return terrain_of(field);
 }
 
 namespace {
@@ -48,22 +57,41 @@ double fall_of(const Terrain& terrain, const Eigen::Vector3d& p, double radius) 
   return way;
 }
 
-}  // namespace
-
-double fall_to(const Terrain& terrain, const BodyBoundary& entry, const Eigen::Vector3d& r,
-               const Eigen::Matrix3d& R_WB) {
+// The least of fall(p, radius) over the points and edges of a body.
+template <class Fall>
+double least_fall(const BodyBoundary& entry, const Eigen::Vector3d& r, const Eigen::Matrix3d& R_WB, Fall fall) {
   double least = std::numeric_limits<double>::infinity();
   for (const ContactPoint& point : entry.points)
-    least = std::min(least, fall_of(terrain, r + R_WB * point.marker.s0, point.radius));
+    least = std::min(least, fall(r + R_WB * point.marker.s0, point.radius));
   constexpr int kAround = 720;
   for (const ContactRim& rim : entry.rims) {
     for (int k = 0; k < kAround; ++k) {
       const double angle = 2.0 * kPi * k / kAround;
       const Eigen::Vector3d e = std::cos(angle) * rim.marker.axes.col(0) + std::sin(angle) * rim.marker.axes.col(1);
-      least = std::min(least, fall_of(terrain, r + R_WB * (rim.marker.s0 + rim.radius * e), 0.0));
+      least = std::min(least, fall(r + R_WB * (rim.marker.s0 + rim.radius * e), 0.0));
     }
   }
   return least;
+}
+
+}  // namespace
+
+double fall_to(const Terrain& terrain, const BodyBoundary& entry, const Eigen::Vector3d& r,
+               const Eigen::Matrix3d& R_WB) {
+  return least_fall(entry, r, R_WB,
+                    [&](const Eigen::Vector3d& p, double radius) { return fall_of(terrain, p, radius); });
+}
+
+double fall_to_rocks(const std::vector<Terrain::Sphere>& rocks, const BodyBoundary& entry, const Eigen::Vector3d& r,
+                     const Eigen::Matrix3d& R_WB) {
+  return least_fall(entry, r, R_WB, [&](const Eigen::Vector3d& p, double radius) {
+    double way = std::numeric_limits<double>::infinity();
+    for (const Terrain::Sphere& rock : rocks) {
+      const double reach = rock.radius + radius, across = (p - rock.centre).head<2>().norm();
+      if (across < reach) way = std::min(way, p.z() - rock.centre.z() - std::sqrt(reach * reach - across * across));
+    }
+    return way;
+  });
 }
 
 void add_terrain_contacts(const ContactLaw& law, TerrainContact::Touches touches, Mechanism& mechanism) {

@@ -188,9 +188,13 @@ std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector
 
 // The surface of uneven ground; null: it is a plane, or the scene has none.
 std::shared_ptr<const Terrain> build_terrain(const Scene& scene);
-// The way along -z that a rigid body at r can fall before its boundary touches [m].
+// The field of a terrain that shapes a bed of [particles.box], without rocks; null: the bed has none.
+std::shared_ptr<const Terrain> build_bed_surface(const Scene& scene);
+// The way along -z that a rigid body at r can fall before its boundary touches the ground, or rocks [m].
 double fall_to(const Terrain& terrain, const BodyBoundary& entry, const Eigen::Vector3d& r,
                const Eigen::Matrix3d& R_WB);
+double fall_to_rocks(const std::vector<Terrain::Sphere>& rocks, const BodyBoundary& entry, const Eigen::Vector3d& r,
+                     const Eigen::Matrix3d& R_WB);
 
 // R_WD and p_WD from [initial]: attitude about the total mass centre, then clearance above the ground.
 Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,

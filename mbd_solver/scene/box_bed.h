@@ -84,11 +84,12 @@ struct TerrainBed {
   int columns = 1, rows = 1;                 // along x and y
   std::vector<double> heights;               // of the surface at their middles, row after row, in W [m]
   double low = 0.0, high = 0.0, mean = 0.0;  // of the surface [m]
-  double steepest = 0.0;                     // [rad]
+  double steepest = 0.0;                     // of the surface, against the level of gravity [rad]
   std::vector<Terrain::Sphere> rocks;
 };
 std::optional<TerrainBed> terrain_bed(const Scene& scene);  // none: the surface is z = 0
 double box_floor(const Scene& scene);                       // z of the floor [m]
+std::string rock_name(std::size_t k);                       // of the body of TerrainBed::rocks[k]
 // Refuses slopes on which grains do not stand, and adds the rocks as bodies that stand still.
 void resolve_terrain_bed(Scene& scene, Findings& findings);
 

@@ -36,6 +36,7 @@ std::optional<TerrainBed> terrain_bed(const Scene& scene) {
   const double dx = box.size[0] / bed.columns, dy = box.size[1] / bed.rows;
   bed.low = HUGE_VAL;
   bed.high = -HUGE_VAL;
+  const Eigen::Vector3d up = -scene.gravity.normalized();
   double sum = 0.0;
   for (int j = 0; j < bed.rows; ++j) {
     for (int i = 0; i < bed.columns; ++i) {
@@ -45,7 +46,8 @@ std::optional<TerrainBed> terrain_bed(const Scene& scene) {
       bed.heights.push_back(here.h);
       bed.low = std::min(bed.low, here.h);
       bed.high = std::max(bed.high, here.h);
-      bed.steepest = std::max(bed.steepest, std::atan(here.slope.norm()));
+      const Eigen::Vector3d normal = Eigen::Vector3d(-here.slope.x(), -here.slope.y(), 1.0).normalized();
+      bed.steepest = std::max(bed.steepest, std::acos(std::clamp(normal.dot(up), -1.0, 1.0)));
       sum += here.h;
     }
   }
@@ -57,6 +59,8 @@ std::optional<TerrainBed> terrain_bed(const Scene& scene) {
   }
   return bed;
 }
+
+std::string rock_name(std::size_t k) { return "rock_" + std::to_string(k + 1); }
 
 double box_floor(const Scene& scene) {
   const std::optional<TerrainBed> bed = terrain_bed(scene);
@@ -81,9 +85,9 @@ void resolve_terrain_bed(Scene& scene, Findings& findings) {
   const double steepest = bed.steepest * 180.0 / kPi;
   at.error_if(
       steepest > stands, kTerrainSteep, "terrain",
-      "is as steep as " + number_text(steepest, 3) + " degrees within the bed, but grains of friction " +
-          number_text(box.material.friction) + (rolls ? " without rolling friction" : "") + " stand at most at " +
-          number_text(stands, 3) +
+      "is as steep as " + number_text(steepest, 3) +
+          " degrees against gravity within the bed, but grains of friction " + number_text(box.material.friction) +
+          (rolls ? " without rolling friction" : "") + " stand at most at " + number_text(stands, 3) +
           " degrees (the least of atan(friction), 30 degrees, and 22 for spheres that roll); make it less steep, or "
           "the grains rougher");
   at.error_if(box.periodic, kTerrain, "terrain", "excludes particles.box.periodic = true: its ends would not fit");
@@ -98,7 +102,7 @@ void resolve_terrain_bed(Scene& scene, Findings& findings) {
   if (!scene.initial.groups) scene.initial.groups.emplace();
   const bool still = scene.initial.groups->moving.empty();
   for (std::size_t k = 0; k < bed.rocks.size(); ++k) {
-    const std::string name = "rock_" + std::to_string(k + 1);
+    const std::string name = rock_name(k);
     if (scene.body(name)) {
       at.error(kTerrain, "terrain", "makes a body \"" + name + "\" of a rock, but the scene has one; rename that");
       return;

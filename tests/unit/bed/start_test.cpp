@@ -83,6 +83,47 @@ TEST(ProposedBed, IsOneWidthAroundTheBodiesAndTheirWay) {
   EXPECT_GT(moving.sinkage, still.sinkage);
 }
 
+// On a slope of 20 degrees that falls along x the right ball starts 0.109 m below the left one, as high above the bed. Rocks are ground.
+const std::vector<std::string> kOnSlope = {"ground.terrain.slope_deg=20", "bodies.left.shape.centre=[-0.15,0,0.154]",
+                                           "bodies.right.shape.centre=[0.15,0,0.045]"};
+
+TEST(ProposedBed, CountsHeightsFromTheTerrain) {
+  const SceneText text;
+  const auto proposed = [&](const std::string& more, const std::vector<std::string>& settings) {
+    const Scene scene = text.read(kBalls + more, settings);
+    return proposed_bed(scene, build_mechanism(scene));
+  };
+  const BedProposal level = proposed("", {}), sloping = proposed("", kOnSlope);
+  // A fifth more than on level ground for the way down: it is less than half a width.
+  EXPECT_NEAR(sloping.size.y(), level.size.y(), 1e-6);
+  EXPECT_GT(sloping.size.x(), level.size.x() - 1e-6);
+  EXPECT_LT(sloping.size.x(), level.size.x() + 0.25);
+  EXPECT_NEAR(sloping.sinkage, level.sinkage, 1e-6);
+  // The floor is as deep below the lower ball; the lowest place of the surface is at the end of the bed.
+  const double end = sloping.centre.x() + 0.5 * sloping.size.x();
+  EXPECT_NEAR(sloping.depth, level.depth - (end - 0.15) * std::tan(20.0 * 3.14159265358979 / 180.0), 1e-6);
+  const std::string rock =
+      "[ground.plane]\nstiffness = 1e6\n[[ground.terrain.rocks]]\nx = 0.22\ny = 0.14\ndiameter = 0.1\n";
+  const BedProposal rocky = proposed(rock, {});
+  EXPECT_NEAR((rocky.size - level.size).norm() + rocky.centre.norm(), 0.0, 1e-9);
+  EXPECT_NEAR(rocky.sinkage, level.sinkage, 1e-9);
+}
+
+TEST(LeavingBodies, SlideDownATerrain) {
+  EXPECT_THAT(leaving("", kOnSlope), IsEmpty());
+  // The lower ball, as on the slope of gravity below, at the same time.
+  const auto steep = [](const std::string& slope, const std::string& gravity, double drop) {
+    return leaving("", {"ground.terrain.slope_deg=" + slope, "gravity=" + gravity,
+                        "bodies.left.shape.centre=[-0.15,0," + std::to_string(0.1 + drop) + "]",
+                        "bodies.right.shape.centre=[0.15,0," + std::to_string(0.1 - drop) + "]", "end_time=0.7"});
+  };
+  const std::vector<std::string> terrain = steep("24", "[0,0,-9.81]", 0.15 * std::tan(24.0 * 3.14159265358979 / 180.0));
+  EXPECT_THAT(terrain, ElementsAre(testing::AllOf(HasSubstr("W0555"), HasSubstr("right"))));
+  EXPECT_THAT(steep("0", "[4,0,-8.96]", 0.0), ElementsAre(testing::AllOf(HasSubstr("W0555"), HasSubstr("right"))));
+  // Both slopes take each other away.
+  EXPECT_THAT(steep("24", "[-4,0,-8.96]", 0.15 * std::tan(24.0 * 3.14159265358979 / 180.0)), IsEmpty());
+}
+
 TEST(LeavingBodies, AreForetoldByTheirMotion) {
   EXPECT_THAT(leaving("", {}), IsEmpty());
   // 0.15 m to the side: 0.1 s of flight and then friction.

@@ -432,6 +432,41 @@ TEST_F(PlacementTest, ABrokenDumpIsNamedWithItsLine) {
   EXPECT_NE(complaint(kOnGrains, grains("ITEM: TIMESTEP\n0\n")), "");
 }
 
+// A bed under a slope of 12 degrees that falls along x, with a rock that stands out by 6 cm; another is outside of it.
+const char* const kBedOnSlope = R"(end_time = 1
+gravity = [0, 0, -9.81]
+bodies = [{ name = "ball", mass = 1, shape = { kind = "sphere", centre = [0.1, 0, 1], radius = 0.05 } }]
+boundaries = [{ body = "ball", surface = {} }]
+[initial]
+clearance = 0.01
+[ground]
+kind = "particles"
+plane = { stiffness = 1e6 }
+[ground.terrain]
+slope_deg = 12
+rocks = [{ x = -0.1, diameter = 0.1, buried = 0.4 }, { x = 0.6, diameter = 0.8 }]
+[particles.box]
+size = [0.6, 0.4]
+depth = 0.1
+radius = 0.01
+)";
+
+// By the distance from the plane, and from the rock's centre: 1 cm less. The nodes of the ball's mesh are 0.5 mm from such places at most.
+TEST_F(PlacementTest, ClearanceOnABedIsAboveItsTerrainAndRocks) {
+  const double slope = std::tan(12.0 * kPi / 180.0), secant = std::hypot(1.0, slope);
+  const auto height = [&](const std::vector<std::string>& settings, double x) {
+    return placed(kBedOnSlope, settings).point({x, 0, 1}).z();
+  };
+  EXPECT_NEAR(height({}, 0.1), -0.1 * slope + 0.05 * secant + 0.01, 5e-4);
+  const double rock = 0.1 * slope + 0.01;  // its centre
+  EXPECT_NEAR(height({"bodies.ball.shape.centre=[-0.1,0,1]"}, -0.1), rock + 0.1 + 0.01, 5e-4);
+  EXPECT_NEAR(height({"bodies.ball.shape.centre=[-0.06,0,1]"}, -0.06), rock + std::sqrt(0.01 - 0.0016) + 0.01, 5e-4);
+  // Grains of a made bed that stand out of the surface by 4 mm, against the plane, count instead.
+  const double z = -0.12 * slope - 0.01 * secant + 0.004;
+  const std::vector<std::string> bed = grains(kHead + "0.12 0 " + std::to_string(z) + " 0.01\n0.12 0 -0.06 0.01\n");
+  EXPECT_NEAR(height(bed, 0.1) - height({}, 0.1), 0.004, 2e-6);  // six digits
+}
+
 // Legs of an array are reduced once: mbd_solver/fe/turned_model.h.
 
 const char* const kHub = R"(end_time = 1.0
