@@ -32,6 +32,7 @@
 #include "mbd_solver/run/observe/start_check.h"
 #include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/foreign/foreign_code.h"
 #include "mbd_solver/scene/mesh_reader.h"
@@ -118,8 +119,10 @@ int check_command(const std::string& argument, const std::vector<std::string>& s
   const std::string proposal = check(scene, true);
   check_foreign_code(scene);
   const char* grounds[] = {"no ground", "a rigid plane", "particles", "a soil without grains"};
-  double mass = 0.0;
-  for (const BodySpec& body : scene.bodies) mass += body.mass;
+  double mass = 0.0;  // without rocks of a terrain, which stand still
+  const std::optional<TerrainBed> bed = terrain_bed(scene);
+  const std::size_t rocks = bed ? bed->rocks.size() : 0;
+  for (std::size_t k = 0; k + rocks < scene.bodies.size(); ++k) mass += scene.bodies[k].mass;
   std::printf(
       "%s: no faults. %zu bodies (%g kg), %zu joints, %zu struts, %zu cables, %zu springs, %zu controllers, %zu "
       "boundaries on "

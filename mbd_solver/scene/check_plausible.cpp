@@ -561,15 +561,35 @@ class Plausibility {
 
   // Degrees of longitude and latitude, or kilometres, taken for metres.
   void check_map() {
+    constexpr double kSteepMap = 2.0;  // mean slope, of 63 degrees
+    const std::string kProject =
+        "; if its coordinates are degrees, project them to metres (gdalwarp -t_srs), if they "
+        "are kilometres, scale them";
     if (!scene_.ground.terrain || !scene_.ground.terrain->map || !scene_.ground.terrain->map->grid) return;
     const HeightGrid& grid = *scene_.ground.terrain->map->grid;
     const double x = grid.step.x() * (grid.columns - 1), y = grid.step.y() * (grid.rows - 1);
-    if (std::max(x, y) < size_)
+    if (std::max(x, y) < size_) {
       findings_.warning(kImplausibleNumber, scene_.ground.source, "terrain.map.file",
                         "covers " + number_text(x, 3) + " by " + number_text(y, 3) + " m, less than the " +
-                            number_text(size_, 3) +
-                            " m of the mechanism; if its coordinates are degrees, project them to metres (gdalwarp "
-                            "-t_srs), if they are kilometres, scale them");
+                            number_text(size_, 3) + " m of the mechanism" + kProject);
+      return;
+    }
+    // Of some rows, since a large map is read where bodies come.
+    constexpr int kRows = 40;
+    double rise = 0.0;
+    int count = 0;
+    std::vector<double> row(static_cast<std::size_t>(grid.columns));
+    for (int k = 0; k < kRows; ++k) {
+      if (k > 0 && k * (grid.rows - 1) / (kRows - 1) == (k - 1) * (grid.rows - 1) / (kRows - 1)) continue;
+      grid.read(0, k * (grid.rows - 1) / (kRows - 1), grid.columns, row.data());
+      for (std::size_t i = 1; i < row.size(); ++i) rise += std::abs(row[i] - row[i - 1]);
+      count += grid.columns - 1;
+    }
+    const double slope = rise / (count * grid.step.x());
+    if (slope > kSteepMap)
+      findings_.warning(kImplausibleNumber, scene_.ground.source, "terrain.map.file",
+                        "rises or falls by " + number_text(slope, 2) +
+                            " m on each metre along x, in the mean of its samples" + kProject);
   }
 
   void check_ratio(const Source& source, const std::string& key, double value, double most, const std::string& remedy) {

@@ -36,9 +36,10 @@ void resolve_paths(Scene& scene, Findings& findings) {
     const fs::path full = (fs::path(scene.folder) / *path).lexically_normal();
     std::error_code ignored;
     const bool folder = at.source() == &scene.initial.source && key == "from";
+    const char* const wrong = !fs::exists(full, ignored) ? "does not exist" : folder ? "is none" : "is no plain file";
     if (folder ? !fs::is_directory(full, ignored) : !fs::is_regular_file(full, ignored))
       findings.error(code::kNoFile, *at.source(), at.local(key),
-                     "the " + std::string(folder ? "folder" : "file") + " \"" + *path + "\" does not exist (" +
+                     "the " + std::string(folder ? "folder" : "file") + " \"" + *path + "\" " + wrong + " (" +
                          full.string() + "); paths are relative to the scene's folder");
     *path = full.string();
   });

@@ -131,9 +131,11 @@ void judge_size(MapWords& words, double columns, double rows) {
 
 struct EsriHeader {
   std::map<std::string, double> values;  // by key, in small letters
-  int line = 1;                          // the last
+  std::map<std::string, int> lines;
+  int line = 1;  // the last
   bool has(const std::string& key) const { return values.count(key) > 0; }
   double of(const std::string& key) const { return has(key) ? values.at(key) : 0.0; }
+  int line_of(const std::string& key) const { return has(key) ? lines.at(key) : line; }
 };
 
 EsriHeader read_header(MapWords& words) {
@@ -153,6 +155,7 @@ EsriHeader read_header(MapWords& words) {
                  kExpected);
     if (words.at_comma()) words.fail("the header has " + shown(key) + " with a comma" + kDecimalPoint);
     header.line = words.line();
+    header.lines[name] = header.line;
     if (!header.values.emplace(name, value).second)
       words.fail("the header gives " + shown(key) + " a second time; keep one of the two");
     for (const auto& [one, other] :
@@ -176,18 +179,23 @@ RawMap read_esri(MapWords& words, std::shared_ptr<NumberFile> file) {
     words.set_line(header.line);
     words.fail("the header has no " + what + "; " + kExpected);
   };
-  demand(columns != 0.0, "ncols");
-  demand(rows != 0.0, "nrows");
+  demand(header.has("ncols"), "ncols");
+  demand(header.has("nrows"), "nrows");
   demand(header.has("xllcorner") || header.has("xllcenter"), "xllcorner or xllcenter");
   demand(header.has("yllcorner") || header.has("yllcenter"), "yllcorner or yllcenter");
   demand(header.has("cellsize") || (header.has("dx") && header.has("dy")), "cellsize, or not both of dx and dy");
-  words.set_line(header.line);
+  const std::string along_x = header.has("cellsize") ? "cellsize" : "dx";
+  words.set_line(header.line_of(dx > 0.0 && !header.has("cellsize") ? "dy" : along_x));
   if (!(dx > 0.0 && dy > 0.0))
     words.fail("the header has cells of " + number_text(dx) + " by " + number_text(dy) + " m, expected sizes above 0");
-  if (columns != std::floor(columns) || rows != std::floor(rows))
+  const bool whole_columns = columns == std::floor(columns);
+  words.set_line(
+      header.line_of(whole_columns && columns >= 2.0 && (rows < 2.0 || rows != std::floor(rows)) ? "nrows" : "ncols"));
+  if (!whole_columns || rows != std::floor(rows))
     words.fail("the header has " + number_text(columns) + " columns and " + number_text(rows) +
                " rows, expected whole numbers");
   judge_size(words, columns, rows);
+  words.set_line(header.line);
   RawMap map;
   map.grid.columns = static_cast<int>(columns);
   map.grid.rows = static_cast<int>(rows);
@@ -309,6 +317,11 @@ std::shared_ptr<const HeightGrid> read_height_map(const TerrainMapSpec& spec) {
   MapWords words(name, text);
   words.skip_byte_order_mark();
   double number;
+  const auto begins = [&](const char* bytes) { return text.substr(0, 2) == bytes; };
+  if (begins("\xff\xfe") || begins("\xfe\xff"))
+    words.fail("the file is UTF-16, expected plain text: iconv -f UTF-16 -t UTF-8 in.asc > out.asc turns it into that");
+  if (begins("\x1f\x8b") || begins("PK") || begins("BZ"))
+    words.fail("the file is compressed, expected plain text; unpack it first, for example by gunzip");
   const std::string_view first = words.peek();
   if (first.empty()) words.fail(std::string("the file is empty; ") + kExpected);
   if (text.find('\0') != std::string::npos)

@@ -60,12 +60,12 @@ TEST(Plausible, MassThatNoSolidOfThisSizeHas) {
 
 // Half a degree in 61 samples is 15 km, but half a metre beside a pendulum of 1 m.
 TEST(Plausible, MapInDegrees) {
-  const auto scene = [](const std::string& step) {
+  const auto scene = [](const std::string& step, const std::string& odd = "1 ") {
     const std::string file = testing::TempDir() + "degrees.asc";
     std::ofstream map(file);
     map << "ncols 61\nnrows 61\nxllcorner 33.1\nyllcorner -2.4\ncellsize " << step << '\n';
     for (int row = 0; row < 61; ++row, map << '\n')
-      for (int column = 0; column < 61; ++column) map << "1 ";
+      for (int column = 0; column < 61; ++column) map << (column % 2 ? odd : "1 ");
     return kBall +
            "[ground]\nkind = \"plane\"\nplane = { stiffness = 1e7 }\nterrain = { position = [0, 0, -9], map = { file = "
            "\"" +
@@ -73,6 +73,36 @@ TEST(Plausible, MapInDegrees) {
   };
   EXPECT_THAT(warnings(scene("0.00833")), ElementsAre(says(code::kImplausibleNumber, "terrain.map.file")));
   EXPECT_THAT(warnings(scene("0.1")), IsEmpty());
+  // Six degrees are larger than the pendulum, but the ground rises by 3 m on each metre; or by 0.2 m.
+  EXPECT_THAT(warnings(scene("0.1", "1.3 ")), ElementsAre(says(code::kImplausibleNumber, "terrain.map.file")));
+  EXPECT_THAT(warnings(scene("0.1", "1.02 ")), IsEmpty());
+}
+
+TEST(HeightMap, FaultsNameTheLineOfTheirKey) {
+  const auto fault = [](const std::string& text) {
+    const std::string file = testing::TempDir() + "fault.asc";
+    std::ofstream(file) << text;
+    return SceneText().findings(
+        kBall + "[ground]\nkind = \"plane\"\nplane = { stiffness = 1e7 }\nterrain = { map = { file = \"" + file +
+        "\" } }\n[[boundaries]]\nbody = \"bob\"\nsurface = {}\n");
+  };
+  const auto header = [](const std::string& columns, const std::string& rows, const std::string& cell) {
+    return "ncols " + columns + "\nnrows " + rows + "\nxllcorner 0\nyllcorner 0\n" + cell +
+           "\nNODATA_value -9999\n1 2\n3 4\n";
+  };
+  EXPECT_THAT(fault(header("1", "2", "cellsize 1")), HasSubstr("fault.asc:1: "));
+  EXPECT_THAT(fault(header("2", "1", "cellsize 1")), HasSubstr("fault.asc:2: "));
+  EXPECT_THAT(fault(header("2", "2.5", "cellsize 1")), HasSubstr("fault.asc:2: "));
+  EXPECT_THAT(fault(header("50000", "20000", "cellsize 1")), HasSubstr("fault.asc:1: "));
+  EXPECT_THAT(fault(header("2", "2", "cellsize 0")), HasSubstr("fault.asc:5: "));
+  EXPECT_THAT(fault(header("2", "2", "dx 1\ndy -1")), HasSubstr("fault.asc:6: "));
+  EXPECT_THAT(fault(header("2", "2", "cellsize 1") + "x"), HasSubstr("fault.asc:9: "));
+  EXPECT_EQ(fault(header("2", "2", "cellsize 1")), "");
+  for (const char* const packed : {"\xff\xfe"
+                                   "n",
+                                   "\x1f\x8b"
+                                   "xyz"})
+    EXPECT_THAT(fault(packed), HasSubstr(code::kTerrainMap.number));
 }
 
 TEST(Plausible, InertiaInOtherUnits) {
