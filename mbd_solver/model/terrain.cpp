@@ -13,223 +13,16 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/number_file.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/spline_grid.h"
 
 namespace footfall {
 namespace {
 
-constexpr int kPart = 16;  // cells of a map along each side of a part, of which a bound of the bends is known
-constexpr int kTile = 64;  // cells along each side of a tile, of which the coefficients are found at once
-constexpr int kFade = 32;  // samples around a tile that have a share in its coefficients: the next has 0.27^32 = 5e-19
-constexpr int kFootSteps = 30;        // of Newton's method, at most; three are usual
-constexpr double kFootFound = 1e-14;  // of a step, relative to the sizes of the numbers
-constexpr double kLastStep = 1e-9;    // a step below this needs no further look at the field [m]
-constexpr double kAbove = 1e-9;       // a place above this height does not touch, round-off included [m]
+constexpr double kFootFound = 1e-14;  // of a step of Newton's method, relative to the sizes of the numbers
 constexpr int kMostPlaces = 240;      // of them along each axis
 constexpr int kLevels = 3;            // of halves of a cell
 constexpr int kBlock = 8;             // cells along each side of a block, which is left out as a whole if it can
 constexpr double kBowl = 0.9;         // a ball of this share of the least radius of curvature has one contact
-
-// Along one axis of a map: the first of four coefficients, and their weights for the value and its derivatives.
-struct Weights {
-  int first = 0;
-  std::array<double, 4> value, slope, bend;
-};
-
-Weights weights_at(double u, int samples) {
-  Weights w;
-  const double inside = u > 0.0 ? std::min(u, static_cast<double>(samples - 1)) : 0.0;  // not a number: no place
-  w.first = std::min(static_cast<int>(inside), samples - 2);
-  const double t = inside - w.first, s = 1.0 - t;
-  w.value = {s * s * s / 6.0, (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0, (4.0 - 6.0 * s * s + 3.0 * s * s * s) / 6.0,
-             t * t * t / 6.0};
-  w.slope = {-0.5 * s * s, 1.5 * t * t - 2.0 * t, 2.0 * s - 1.5 * s * s, 0.5 * t * t};
-  w.bend = {s, 3.0 * t - 2.0, 3.0 * s - 2.0, t};
-  if (const double beyond = u - inside; beyond != 0.0) {
-    for (std::size_t k = 0; k < 4; ++k) w.value[k] += beyond * w.slope[k];
-    w.bend = {0.0, 0.0, 0.0, 0.0};
-  }
-  return w;
-}
-
-// Rows of `wide` numbers each, of which the first and the last are beyond the ends: from samples f_1 ... f_n in each of `count` columns
-// in place to the coefficients of a cubic B-spline through them: f_i = (c_i-1 + 4 c_i + c_i+1) / 6, no second derivative at the ends.
-void find_coefficients(double* rows, int samples, std::ptrdiff_t wide, int count) {
-  std::vector<double> factor(static_cast<std::size_t>(samples), 0.0);
-  for (int i = 2; i < samples; ++i) {
-    const double pivot = factor[static_cast<std::size_t>(i)] = 1.0 / (4.0 - factor[static_cast<std::size_t>(i - 1)]);
-    double* const here = rows + i * wide;
-    for (int k = 0; k < count; ++k) here[k] = (6.0 * here[k] - (here - wide)[k]) * pivot;
-  }
-  for (int i = samples - 1; i >= 2; --i) {
-    double* const here = rows + i * wide;
-    for (int k = 0; k < count; ++k) here[k] -= factor[static_cast<std::size_t>(i)] * (here + wide)[k];
-  }
-  double* const last = rows + samples * wide;
-  for (int k = 0; k < count; ++k) {
-    rows[k] = 2.0 * (rows + wide)[k] - (rows + 2 * wide)[k];
-    (last + wide)[k] = 2.0 * last[k] - (last - wide)[k];
-  }
-}
-
-// Coefficients are found tile by tile, where a body comes: most of a large map is never looked at.
-class SplineGrid {
- public:
-  explicit SplineGrid(std::shared_ptr<const HeightGrid> samples) : grid_(std::move(samples)) {
-    const HeightGrid& grid = *grid_;
-    FOOTFALL_DEMAND(grid.columns >= 2 && grid.rows >= 2 && grid.step.minCoeff() > 0.0);
-    tiles_x_ = (grid.columns - 2) / kTile + 1;
-    tiles_y_ = (grid.rows - 2) / kTile + 1;
-    parts_x_ = (grid.columns - 2) / kPart + 1;
-    parts_y_ = (grid.rows - 2) / kPart + 1;
-    tiles_.resize(static_cast<std::size_t>(tiles_x_) * static_cast<std::size_t>(tiles_y_));
-  }
-  const HeightGrid& grid() const { return *grid_; }
-
-  void add(const Eigen::Vector2d& place, Terrain::Height& out) const {
-    const HeightGrid& grid = *grid_;
-    const Weights x = weights_at((place.x() - grid.first.x()) / grid.step.x(), grid.columns);
-    const Weights y = weights_at((place.y() - grid.first.y()) / grid.step.y(), grid.rows);
-    const Tile& tile = tile_at(x.first / kTile, y.first / kTile);
-    const double* row = &tile.c[static_cast<std::size_t>((y.first % kTile) * tile.stride + x.first % kTile)];
-    using Four = Eigen::Array4d;
-    Four value = Four::Zero(), slope = Four::Zero(), bend = Four::Zero();
-    for (std::size_t j = 0; j < 4; ++j, row += tile.stride) {
-      const Four c = Eigen::Map<const Four>(row);
-      value += y.value[j] * c;
-      slope += y.slope[j] * c;
-      bend += y.bend[j] * c;
-    }
-    const Four u = Eigen::Map<const Four>(x.value.data()), u_1 = Eigen::Map<const Four>(x.slope.data()),
-               u_2 = Eigen::Map<const Four>(x.bend.data());
-    const double by_x = 1.0 / grid.step.x(), by_y = 1.0 / grid.step.y();
-    out.h += (u * value).sum();
-    out.slope += Eigen::Vector2d((u_1 * value).sum() * by_x, (u * slope).sum() * by_y);
-    out.bend += Eigen::Vector3d((u_2 * value).sum() * (by_x * by_x), (u * bend).sum() * (by_y * by_y),
-                                (u_1 * slope).sum() * (by_x * by_y));
-  }
-
-  // Of all parts within the reach; the ground goes on beyond the edges.
-  double largest_bend(const Eigen::Vector2d& place, double reach) const {
-    double largest = 0.0;
-    each_part(place, reach, [&](const Tile& tile, std::size_t part) { largest = std::max(largest, tile.bend[part]); });
-    return largest;
-  }
-  double largest_bend() const {
-    double largest = 0.0;
-    for (int b = 0; b < tiles_y_; ++b)
-      for (int a = 0; a < tiles_x_; ++a)
-        for (const double bend : tile_at(a, b).bend) largest = std::max(largest, bend);
-    return largest;
-  }
-  double highest(const Eigen::Vector2d& place, double reach) const {
-    const Eigen::Array2d u = (place - grid_->first).array() / grid_->step.array(), wide = reach / grid_->step.array();
-    if ((u - wide).minCoeff() < 0.0 || (u + wide)[0] > grid_->columns - 1 || (u + wide)[1] > grid_->rows - 1)
-      return std::numeric_limits<double>::infinity();
-    double highest = -std::numeric_limits<double>::infinity();
-    each_part(place, reach, [&](const Tile& tile, std::size_t part) { highest = std::max(highest, tile.top[part]); });
-    return highest;
-  }
-  double highest() const {
-    double highest = -std::numeric_limits<double>::infinity();
-    for (int b = 0; b < tiles_y_; ++b)
-      for (int a = 0; a < tiles_x_; ++a)
-        for (const double top : tile_at(a, b).top) highest = std::max(highest, top);
-    return highest;
-  }
-
- private:
-  struct Tile {
-    int stride = 0;         // coefficients in a row: one more than cells on the left, two on the right
-    std::vector<double> c;  // row after row
-    std::array<double, (kTile / kPart) * (kTile / kPart)> bend{};  // of each part, largest [1/m]
-    std::array<double, (kTile / kPart) * (kTile / kPart)>
-        top{};  // of its coefficients, largest: none of its places is higher [m]
-  };
-
-  template <class Use>
-  void each_part(const Eigen::Vector2d& place, double reach, Use use) const {
-    const HeightGrid& grid = *grid_;
-    const auto part = [&](double x, int axis, int parts) {
-      const double t = (x - grid.first[axis]) / grid.step[axis] / kPart;
-      return static_cast<int>(t > 0.0 ? std::min(t, static_cast<double>(parts - 1)) : 0.0);
-    };
-    constexpr int kAcross = kTile / kPart;
-    const int a_0 = part(place.x() - reach, 0, parts_x_), a_1 = part(place.x() + reach, 0, parts_x_);
-    const int b_0 = part(place.y() - reach, 1, parts_y_), b_1 = part(place.y() + reach, 1, parts_y_);
-    for (int b = b_0; b <= b_1; ++b)
-      for (int a = a_0; a <= a_1; ++a)
-        use(tile_at(a / kAcross, b / kAcross), static_cast<std::size_t>((b % kAcross) * kAcross + a % kAcross));
-  }
-
-  const Tile& tile_at(int a, int b) const {
-    std::unique_ptr<const Tile>& tile =
-        tiles_[static_cast<std::size_t>(b) * static_cast<std::size_t>(tiles_x_) + static_cast<std::size_t>(a)];
-    if (!tile) tile = make_tile(a, b);
-    return *tile;
-  }
-
-  std::unique_ptr<const Tile> make_tile(int a, int b) const {
-    const HeightGrid& grid = *grid_;
-    const int i_0 = a * kTile, i_1 = std::min(i_0 + kTile, grid.columns - 1);  // samples at its edges
-    const int j_0 = b * kTile, j_1 = std::min(j_0 + kTile, grid.rows - 1);
-    const int left = std::max(0, i_0 - kFade), right = std::min(grid.columns - 1, i_1 + kFade);
-    const int low = std::max(0, j_0 - kFade), high = std::min(grid.rows - 1, j_1 + kFade);
-    const int columns = right - left + 1, rows = high - low + 1, inner = i_1 - i_0 + 3;
-    // Turned first, so that along both axes whole rows are computed at once.
-    std::vector<double> row(static_cast<std::size_t>(columns)),
-        turned(static_cast<std::size_t>(columns + 2) * static_cast<std::size_t>(rows)),
-        all(static_cast<std::size_t>(rows + 2) * static_cast<std::size_t>(inner));
-    for (int j = 0; j < rows; ++j) {
-      grid.read(left, low + j, columns, row.data());
-      for (int i = 0; i < columns; ++i)
-        turned[static_cast<std::size_t>(i + 1) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(j)] =
-            row[static_cast<std::size_t>(i)];
-    }
-    find_coefficients(turned.data(), columns, rows, rows);
-    const auto of = [&](int i, int j) -> double& {  // coefficient i, j of the map
-      return all[static_cast<std::size_t>(j - low + 1) * static_cast<std::size_t>(inner) +
-                 static_cast<std::size_t>(i - i_0 + 1)];
-    };
-    for (int j = 0; j < rows; ++j)
-      for (int i = i_0 - 1; i <= i_1 + 1; ++i)
-        of(i, low + j) = turned[static_cast<std::size_t>(i - left + 1) * static_cast<std::size_t>(rows) +
-                                static_cast<std::size_t>(j)];
-    find_coefficients(all.data(), rows, inner, inner);
-
-    auto tile = std::make_unique<Tile>();
-    tile->stride = inner;
-    tile->c.reserve(static_cast<std::size_t>(tile->stride) * static_cast<std::size_t>(j_1 - j_0 + 3));
-    for (int j = j_0 - 1; j <= j_1 + 1; ++j)
-      for (int i = i_0 - 1; i <= i_1 + 1; ++i) tile->c.push_back(of(i, j));
-    // A second derivative is between those differences of the coefficients around it.
-    const double xx = 1.0 / (grid.step.x() * grid.step.x()), yy = 1.0 / (grid.step.y() * grid.step.y()),
-                 xy = 1.0 / (grid.step.x() * grid.step.y());
-    std::size_t part = 0;
-    for (int y = j_0; y < j_0 + kTile; y += kPart) {
-      for (int x = i_0; x < i_0 + kTile; x += kPart, ++part) {
-        const int x_1 = std::min(x + kPart, i_1), y_1 = std::min(y + kPart, j_1);
-        double h_xx = 0.0, h_yy = 0.0, h_xy = 0.0, top = -std::numeric_limits<double>::infinity();
-        for (int j = y - 1; j <= y_1 + 1 && x < i_1 && y < j_1; ++j) {
-          for (int i = x - 1; i <= x_1 + 1; ++i) {
-            const double here = of(i, j);
-            top = std::max(top, here);
-            if (i >= x && i <= x_1) h_xx = std::max(h_xx, std::abs(of(i - 1, j) - 2.0 * here + of(i + 1, j)));
-            if (j >= y && j <= y_1) h_yy = std::max(h_yy, std::abs(of(i, j - 1) - 2.0 * here + of(i, j + 1)));
-            if (i <= x_1 && j <= y_1)
-              h_xy = std::max(h_xy, std::abs(here - of(i + 1, j) - of(i, j + 1) + of(i + 1, j + 1)));
-          }
-        }
-        tile->bend[part] = std::max(h_xx * xx, h_yy * yy) + h_xy * xy;
-        tile->top[part] = top;
-      }
-    }
-    return tile;
-  }
-
-  std::shared_ptr<const HeightGrid> grid_;
-  int tiles_x_, tiles_y_, parts_x_, parts_y_;
-  mutable std::vector<std::unique_ptr<const Tile>> tiles_;  // made where they are first looked at
-};
 
 }  // namespace
 
@@ -330,6 +123,7 @@ Terrain::Terrain(TerrainParts parts) : parts_(std::move(parts)) {
     }
     map_ = std::move(map);
   }
+  in_cells_ = map_ && map_->site && !map_->rough && parts_.craters.empty() && parts_.waves.empty();
   for (const GroundWave& wave : parts_.waves) {
     wave_bend_ += std::abs(wave.amplitude) * wave.k.squaredNorm();
     wave_height_ += std::abs(wave.amplitude);
@@ -442,26 +236,29 @@ double Terrain::top(double x, double y) const {
 
 namespace {
 
+// dn/dp = -T G^-1 B (G - phi B / |N|)^-1 T^T / |N|,  T = dc/d(x, y), G = T^T T, B = h'', |N| = sqrt(1 + g^2)
+Eigen::Matrix3d bend_of_foot(const Eigen::Vector2d& g, const Eigen::Vector3d& bend, double distance) {
+  const double length = std::sqrt(1.0 + g.squaredNorm());
+  Eigen::Matrix2d B, G;
+  B << bend[0], bend[2], bend[2], bend[1];
+  G = Eigen::Matrix2d::Identity() + g * g.transpose();
+  Eigen::Matrix<double, 3, 2> T;
+  T << 1.0, 0.0, 0.0, 1.0, g.x(), g.y();
+  const Eigen::Matrix2d turned = G - (distance / length) * B;
+  const Eigen::Matrix2d middle = G.inverse() * B * turned.inverse();
+  return (-1.0 / length) * T * middle * T.transpose();
+}
+
 void write_foot(const Eigen::Vector3d& p, const Eigen::Vector2d& place, const Terrain::Height& here, Terrain::With with,
                 Terrain::Foot& out) {
   const Eigen::Vector2d& g = here.slope;
-  const double length = std::sqrt(1.0 + g.squaredNorm());
-  const Eigen::Vector3d n = Eigen::Vector3d(-g.x(), -g.y(), 1.0) / length;
+  const Eigen::Vector3d n = Eigen::Vector3d(-g.x(), -g.y(), 1.0) / std::sqrt(1.0 + g.squaredNorm());
   out.normal = n;
   out.distance = n.dot(p - Eigen::Vector3d(place.x(), place.y(), here.h));
   out.place = place;
   out.rock = -1;
   out.sign = 1.0;
-  if (with == Terrain::With::kNormal) return;
-  // dn/dp = -T G^-1 B (G - phi B / |N|)^-1 T^T / |N|,  T = dc/d(x, y), G = T^T T, B = h'', |N| = sqrt(1 + g^2)
-  Eigen::Matrix2d B, G;
-  B << here.bend[0], here.bend[2], here.bend[2], here.bend[1];
-  G = Eigen::Matrix2d::Identity() + g * g.transpose();
-  Eigen::Matrix<double, 3, 2> T;
-  T << 1.0, 0.0, 0.0, 1.0, g.x(), g.y();
-  const Eigen::Matrix2d turned = G - (out.distance / length) * B;
-  const Eigen::Matrix2d middle = G.inverse() * B * turned.inverse();
-  out.bend = (-1.0 / length) * T * middle * T.transpose();
+  if (with == Terrain::With::kBend) out.bend = bend_of_foot(g, here.bend, out.distance);
 }
 
 }  // namespace
@@ -492,7 +289,7 @@ bool Terrain::descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, He
         Eigen::Vector2d(xy * r.y() - yy * r.x(), xy * r.x() - xx * r.y()) * (1.0 / determinant);
     const double size = step.norm();
     if (size <= kFootFound * (place.norm() + std::abs(d) + 1.0)) break;
-    if (minimum && size <= kLastStep) {  // what the field has beyond these terms is below round-off
+    if (minimum && size <= kLastFootStep) {  // what the field has beyond these terms is below round-off
       place += step;
       here.h += g.dot(step);
       here.slope += Eigen::Vector2d(here.bend[0] * step.x() + here.bend[2] * step.y(),
@@ -515,23 +312,46 @@ bool Terrain::descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, He
   return minimum;
 }
 
+// Of a map alone, beside a slope, in its cells.
+void Terrain::find_feet(const Eigen::Vector3d* points, std::size_t count, bool only_below, With with, Foot* out,
+                        Near* near) const {
+  if (!in_cells_) {
+    std::fill_n(near, count, Near::kElsewhere);
+    return;
+  }
+  const bool bends = with == With::kBend;
+  std::vector<Height> at(bends ? count : 0);
+  map_->site->find_feet(points, count, parts_.origin, parts_.slope, only_below, out, near, bends ? at.data() : nullptr);
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (near[k] == Near::kFoot) out[k].bend = bend_of_foot(at[k].slope, at[k].bend, out[k].distance);
+}
+
 Terrain::Foot Terrain::foot(const Eigen::Vector3d& p) const {
   Foot out;
-  descend(p, p.head<2>(), at(p.x(), p.y()), With::kBend, out);
+  Near near;
+  find_feet(&p, 1, false, With::kBend, &out, &near);
+  if (near != Near::kFoot) descend(p, p.head<2>(), at(p.x(), p.y()), With::kBend, out);
   return out;
 }
 
-bool Terrain::below(const Eigen::Vector3d& p, With with, Foot& out) const {
-  const Height here = at(p.x(), p.y());
-  if (p.z() > here.h + kAbove) return false;
-  descend(p, p.head<2>(), here, with, out);
-  return true;
+void Terrain::below(const std::vector<Eigen::Vector3d>& points, With with, std::vector<Foot>& out,
+                    std::vector<Near>& near) const {
+  out.resize(points.size());
+  near.resize(points.size());
+  find_feet(points.data(), points.size(), true, with, out.data(), near.data());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (near[k] != Near::kElsewhere) continue;
+    const Eigen::Vector3d& p = points[k];
+    const Height here = at(p.x(), p.y());
+    near[k] = p.z() > here.h + kAboveField ? Near::kAbove : Near::kFoot;
+    if (near[k] == Near::kFoot) descend(p, p.head<2>(), here, with, out[k]);
+  }
 }
 
 bool Terrain::may_touch(const Eigen::Vector3d& p, double radius) const {
   const Height here = at(p.x(), p.y());
   const double clear = p.z() - here.h - radius * std::sqrt(1.0 + here.slope.squaredNorm());
-  return clear <= kAbove || clear <= kAbove + 0.5 * bend_within(p.head<2>(), radius) * radius * radius;
+  return clear <= kAboveField || clear <= kAboveField + 0.5 * bend_within(p.head<2>(), radius) * radius * radius;
 }
 
 Terrain::Foot Terrain::foot(const Eigen::Vector3d& p, int rock) const {
@@ -550,7 +370,9 @@ Terrain::Foot Terrain::foot(const Eigen::Vector3d& p, int rock) const {
 void Terrain::feet(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) const {
   out.clear();
   Foot one;
-  const bool good = descend(p, p.head<2>(), at(p.x(), p.y()), With::kBend, one);
+  Near near;
+  find_feet(&p, 1, false, With::kBend, &one, &near);
+  const bool good = near == Near::kFoot || descend(p, p.head<2>(), at(p.x(), p.y()), With::kBend, one);
   const double bend = radius == 0.0 ? 0.0 : bend_within(p.head<2>(), 2.0 * radius);
   if (radius == 0.0 || one.distance <= 0.0 || radius * bend < kBowl) {
     out.push_back(one);
@@ -711,7 +533,7 @@ Terrain::Lid Terrain::lid(const Eigen::Vector3d& centre, double reach) const {
   out.height = here.h;
   out.slope = here.slope;
   out.bend = bend_within(centre.head<2>(), reach);
-  out.top = top_within(centre.head<2>(), reach) + kAbove;
+  out.top = top_within(centre.head<2>(), reach) + kAboveField;
   if (rock_cells_)
     rock_cells_->each(spheres_, centre.head<2>(), reach, [&](int k) {
       const Sphere& rock = spheres_[static_cast<std::size_t>(k)];

@@ -102,8 +102,10 @@ class Terrain {
   // Of the field near p, from below or above.
   Foot foot(const Eigen::Vector3d& p) const;
   enum class With { kNormal, kBend };
-  // The foot of a place below the field, on demand without bend; false if p is above it, out stays.
-  bool below(const Eigen::Vector3d& p, With with, Foot& out) const;
+  enum class Near { kAbove, kFoot, kElsewhere };  // kElsewhere: not in the cell of a map
+  // The feet of those of these points that are below the field, on demand without bend; kAbove of the others.
+  void below(const std::vector<Eigen::Vector3d>& points, With with, std::vector<Foot>& out,
+             std::vector<Near>& near) const;
   bool may_touch(const Eigen::Vector3d& p, double radius) const;  // false: a ball of this radius > 0 is above the field
   Foot foot(const Eigen::Vector3d& p, int rock) const;
   // Where a ball of this radius >= 0 about p touches the field: minima of the distance within the radius; overwrites out. Where the
@@ -121,6 +123,8 @@ class Terrain {
  private:
   struct Map;
   struct RockCells;
+  void find_feet(const Eigen::Vector3d* points, std::size_t count, bool only_below, With with, Foot* out,
+                 Near* near) const;
   Height at_place(const Eigen::Vector2d& place, bool with_map) const;  // from the origin
   bool stationary(const Eigen::Vector3d& p, const Eigen::Vector2d& start, double reach, Foot& out) const;
   void find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) const;
@@ -130,6 +134,7 @@ class Terrain {
 
   TerrainParts parts_;
   std::unique_ptr<const Map> map_;
+  bool in_cells_ = false;  // the field is a map and a slope: in each cell a polynomial
   std::vector<Sphere> spheres_;
   std::unique_ptr<RockCells> rock_cells_;
   double wave_bend_ = 0.0, wave_height_ = 0.0;  // of all waves together, at most [1/m], [m]

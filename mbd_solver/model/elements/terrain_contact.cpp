@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <new>
+#include <cstring>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
@@ -213,11 +213,9 @@ void find_ridges(const Terrain& terrain, const Eigen::Vector3d& centre, double R
 }  // namespace
 
 struct TerrainContact::Contact : CurvedContact {
-  const Marker* marker = nullptr;
-  MovingPoint p;
-  bool wanders = false, turns = false;
-  // p moves along its edge by wander [dr; dtheta] as the body moves; on a ridge n turns by turn [dr; dtheta], instead of H dp.
-  Eigen::Matrix<double, 3, 6> wander, turn;  // set where it does
+  int place = 0, point = kOnRim;  // of points_
+  int way = -1;                   // of ways_; -1: none
+  Eigen::Vector3d s, d;           // from Bo to p, in B and in W [m]
   bool on_rock = false;
   void count_off() {
     normal = {-normal.elastic, -normal.force, -normal.by_overlap, -normal.by_closing};
@@ -255,6 +253,15 @@ TerrainContact::TerrainContact(std::string name, std::vector<ContactPoint> point
     if (points_[i].radius > 0.0 || points_[i].marker.S.cols() > 0 || !sort_onto_face(static_cast<int>(i)))
       own_.push_back(static_cast<int>(i));
   }
+  const Eigen::Index own = 3 * static_cast<Eigen::Index>(own_.size());
+  own_s_.resize(own);
+  own_S_.resize(own, own_.empty() ? 0 : points_[static_cast<std::size_t>(own_.front())].marker.S.cols());
+  for (Eigen::Index i = 0; i < own / 3; ++i) {
+    const Marker& marker = points_[static_cast<std::size_t>(own_[static_cast<std::size_t>(i)])].marker;
+    own_s_.segment<3>(3 * i) = marker.s0;
+    own_S_.middleRows<3>(3 * i) = marker.S;
+  }
+  forces_.setZero(own_S_.cols() > 0 ? own : 0);
 }
 
 bool TerrainContact::sort_onto_face(int point) {
@@ -274,25 +281,38 @@ TerrainContact::~TerrainContact() = default;
 
 int TerrainContact::place_count() const { return static_cast<int>(own_.size() + kEdgePlaces * rims_.size()); }
 
-void TerrainContact::add_contact(const ElementInput& in, const Marker& marker, double radius, const Terrain::Foot& foot,
-                                 int place, double share) const {
-  if (radius - foot.distance <= 0.0) return;
-  Contact& at = contacts_.emplace_back();
-  at.overlap = radius - foot.distance;
+TerrainContact::Contact* TerrainContact::add_contact(const ElementInput& in, const Candidate& candidate,
+                                                     const Terrain::Foot& foot) const {
+  const double radius = candidate.radius;
+  if (radius - foot.distance <= 0.0) return nullptr;
   const BodyKinematics& body = *in.pair.body[0];
-  at.marker = &marker;
-  new (&at.p) MovingPoint(body, marker);  // in place: a copy of what was just written waits for it
+  Contact& at = contacts_.emplace_back();
+  at.place = candidate.place;
+  at.point = candidate.point;
+  at.s = candidate.s;
+  at.d = candidate.d;
+  at.overlap = radius - foot.distance;
   at.radius = radius;
   at.n = foot.normal;
   at.H = foot.bend;
   at.on_rock = foot.rock >= 0;
-  at.g = at.p.rate() - radius * body.w.cross(at.n);
+  at.g = body.dr + body.w.cross(at.d - radius * at.n);
+  if (body.modes > 0) {
+    if (!ds_known_) ds_.noalias() = own_S_ * body.da;
+    ds_known_ = true;
+    at.g.noalias() += body.A.lazyProduct(ds_.segment<3>(3 * at.place));
+  }
   at.closing = -at.n.dot(at.g);
-  if (law_.stick_time > 0.0) at.spring = along(at.n, in.z.segment<2>(2 * place) / law_.stick_time);
-  ContactLaw law = law_;
-  law.stiffness *= share;
-  at.apply(law);
+  if (law_.stick_time > 0.0) at.spring = along(at.n, in.z.segment<2>(2 * at.place) / law_.stick_time);
+  if (candidate.share == 1.0) {
+    at.apply(law_);
+  } else {
+    ContactLaw law = law_;
+    law.stiffness *= candidate.share;
+    at.apply(law);
+  }
   if (foot.sign < 0.0) at.count_off();
+  return &at;
 }
 
 // From an angle near a minimum of the distance along the edge to the minimum.
@@ -318,7 +338,8 @@ double TerrainContact::find_place_on_rim(const Eigen::Vector3d& centre, double r
 }
 
 // Of a point, on the plane that the ground is within the reach of the lid.
-Terrain::Foot TerrainContact::foot_on_plane(const Terrain::Lid& lid, const Eigen::Vector3d& from_body, double above) {
+Terrain::Foot TerrainContact::foot_on_plane(const Terrain::Lid& lid, const Eigen::Vector3d& from_body,
+                                            double above) const {
   Terrain::Foot foot;
   const double length = std::sqrt(1.0 + lid.slope.squaredNorm());
   foot.normal = Eigen::Vector3d(-lid.slope.x(), -lid.slope.y(), 1.0) / length;
@@ -326,32 +347,73 @@ Terrain::Foot TerrainContact::foot_on_plane(const Terrain::Lid& lid, const Eigen
   return foot;
 }
 
-void TerrainContact::touch_face(const ElementInput& in, const Face& face, int part, int place, const Terrain::Lid& lid,
-                                Terrain::With with) const {
+// The contacts of all candidates, in their order.
+void TerrainContact::touch(const ElementInput& in, const Terrain::Lid& lid, Terrain::With with) const {
+  const Eigen::Vector3d& r = in.pair.body[0]->r;
+  if (!flat_) {
+    places_.clear();
+    for (const Candidate& candidate : candidates_)
+      if (candidate.field && candidate.radius == 0.0) places_.push_back(r + candidate.d);
+    terrain_->below(places_, with, feet_, near_);
+  }
+  std::size_t next = 0;
+  for (const Candidate& candidate : candidates_) {
+    const Eigen::Vector3d p = r + candidate.d;
+    if (!candidate.field) {
+    } else if (flat_) {
+      add_contact(in, candidate, foot_on_plane(lid, candidate.d, p.z() - lid.height));
+    } else if (candidate.radius == 0.0) {
+      if (near_[next] == Terrain::Near::kFoot) add_contact(in, candidate, feet_[next]);
+      ++next;
+    } else if (terrain_->may_touch(p, candidate.radius)) {
+      terrain_->feet(p, candidate.radius, ball_feet_);
+      for (const Terrain::Foot& one : ball_feet_) add_contact(in, candidate, one);
+    }
+    for (const int rock : lid.rocks) {
+      const Terrain::Sphere& sphere = terrain_->rocks()[static_cast<std::size_t>(rock)];
+      const double far = sphere.radius + candidate.radius;
+      if ((p - sphere.centre).squaredNorm() >= far * far) continue;
+      Candidate alone = candidate;
+      alone.share = 1.0;
+      add_contact(in, alone, terrain_->foot(p, rock));
+    }
+  }
+  candidates_.clear();
+}
+
+void TerrainContact::offer_face(const ElementInput& in, const Face& face, int part, int place,
+                                const Terrain::Lid& lid) const {
   const BodyKinematics& body = *in.pair.body[0];
   for (const int i : face.points[static_cast<std::size_t>(part)]) {
-    const Marker& marker = points_[static_cast<std::size_t>(i)].marker;
-    const Eigen::Vector3d d = body.A * marker.s0, p = body.r + d;
-    const double above = p.z() - lid.height - lid.slope.dot(d.head<2>()) - 0.5 * lid.bend * d.head<2>().squaredNorm();
-    Terrain::Foot foot;
-    if (field_ && above <= kAboveGround && p.z() <= lid.top && terrain_->below(p, with, foot))
-      add_contact(in, marker, 0.0, foot, place, face.share);
-    touch_rocks(in, lid, marker, p, place);
+    const Eigen::Vector3d& s = points_[static_cast<std::size_t>(i)].marker.s0;
+    const Eigen::Vector3d d = body.A * s;
+    const double z = body.r.z() + d.z(),
+                 above = z - lid.height - lid.slope.dot(d.head<2>()) - 0.5 * lid.bend * d.head<2>().squaredNorm();
+    const bool field = field_ && above <= kAboveGround && z <= lid.top;
+    if (field || !lid.rocks.empty()) candidates_.push_back({place, i, 0.0, face.share, field, s, d});
   }
 }
 
-void TerrainContact::touch_rocks(const ElementInput& in, const Terrain::Lid& lid, const Marker& marker,
-                                 const Eigen::Vector3d& p, int place, double radius) const {
-  for (const int rock : lid.rocks) {
-    const Terrain::Sphere& sphere = terrain_->rocks()[static_cast<std::size_t>(rock)];
-    if ((p - sphere.centre).squaredNorm() < (sphere.radius + radius) * (sphere.radius + radius))
-      add_contact(in, marker, radius, terrain_->foot(p, rock), place);
+void TerrainContact::offer_own_points(const ElementInput& in, const Terrain::Lid& lid) const {
+  const BodyKinematics& body = *in.pair.body[0];
+  const double up = std::sqrt(1.0 + lid.slope.squaredNorm());
+  if (body.modes > 0) {
+    s_ = own_s_;
+    s_.noalias() += own_S_ * body.a;
+  }
+  const Eigen::VectorXd& places = body.modes > 0 ? s_ : own_s_;
+  for (std::size_t k = 0; k < own_.size(); ++k) {
+    const double radius = points_[static_cast<std::size_t>(own_[k])].radius;
+    const Eigen::Vector3d s = places.segment<3>(3 * static_cast<Eigen::Index>(k)), d = body.A * s;
+    const double wide = d.head<2>().norm() + radius, z = body.r.z() + d.z();
+    const double above = z - lid.height - lid.slope.dot(d.head<2>()) - 0.5 * lid.bend * wide * wide - radius * up;
+    const bool field = field_ && above <= kAboveGround && z - radius <= lid.top;
+    if (field || !lid.rocks.empty()) candidates_.push_back({static_cast<int>(k), own_[k], radius, 1.0, field, s, d});
   }
 }
 
-template <class Use>
-void TerrainContact::each_rim_place(const ElementInput& in, std::size_t index, int first_place, const Terrain::Lid& lid,
-                                    bool flat, Terrain::With with, Use use) const {
+void TerrainContact::offer_rim(const ElementInput& in, std::size_t index, int first_place,
+                               const Terrain::Lid& lid) const {
   const ContactRim& rim = rims_[index];
   const Face& face = faces_[index];
   const BodyKinematics& body = *in.pair.body[0];
@@ -363,31 +425,30 @@ void TerrainContact::each_rim_place(const ElementInput& in, std::size_t index, i
   const double above = centre.z() - lid.height - lid.slope.dot(away) - 0.5 * lid.bend * far * far;
   const bool clear = above > R * up.cross(a).norm() || centre.z() - R * a.head<2>().norm() > lid.top;
   if (clear && lid.rocks.empty()) return;
+  const bool flat = flat_;
 
   const bool sharp = field_ && !flat && lid.bend * R > kSharp && a.head<2>().norm() > kStands &&
                      terrain_->lid(centre, R).bend * R > kSharp;
   const Eigen::Vector2d slope = flat ? lid.slope : terrain_->at(centre.x(), centre.y()).slope;
   const Eigen::Vector3d n =
       sharp ? Eigen::Vector3d(0.0, 0.0, 1.0) : Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
-  if (n.cross(a).norm() < kStands) {
-    for (int k = 0; k < kEdgePlaces; ++k) {
-      const Eigen::Vector2d& e = edge_directions()[static_cast<std::size_t>(k)];
-      on_rim_.s0 = rim.marker.s0 + R * (e.x() * rim.marker.axes.col(0) + e.y() * rim.marker.axes.col(1));
-      const Eigen::Vector3d d = body.A * on_rim_.s0, p = body.r + d;
-      contacts_.clear();
-      Terrain::Foot foot;
-      if (flat) {
-        add_contact(in, on_rim_, 0.0, foot_on_plane(lid, d, p.z() - lid.height), first_place + k);
-      } else {
-        if (field_ && terrain_->below(p, with, foot)) add_contact(in, on_rim_, 0.0, foot, first_place + k, face.share);
-        touch_rocks(in, lid, on_rim_, p, first_place + k);
-        touch_face(in, face, k, first_place + k, lid, with);
-      }
-      if (!contacts_.empty()) use(first_place + k, contacts_.data(), static_cast<int>(contacts_.size()));
-    }
-    return;
+  if (n.cross(a).norm() >= kStands) return touch_standing_rim(in, index, first_place, lid, a, centre, n, sharp);
+  for (int k = 0; k < kEdgePlaces; ++k) {
+    const Eigen::Vector2d& e = edge_directions()[static_cast<std::size_t>(k)];
+    const Eigen::Vector3d s = rim.marker.s0 + R * (e.x() * rim.marker.axes.col(0) + e.y() * rim.marker.axes.col(1));
+    candidates_.push_back({first_place + k, kOnRim, 0.0, flat ? 1.0 : face.share, field_, s, body.A * s});
+    if (!flat) offer_face(in, face, k, first_place + k, lid);
   }
+}
 
+void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t index, int first_place,
+                                        const Terrain::Lid& lid, const Eigen::Vector3d& a,
+                                        const Eigen::Vector3d& centre, const Eigen::Vector3d& n, bool sharp) const {
+  const ContactRim& rim = rims_[index];
+  const Face& face = faces_[index];
+  const BodyKinematics& body = *in.pair.body[0];
+  const double R = rim.radius;
+  const bool flat = flat_;
   // Down in the plane of the edge, from where its springs are counted; the edge stands up, so there is such a direction.
   Eigen::Vector3d e_0 = n.dot(a) * a - n;
   e_0.normalize();
@@ -454,48 +515,40 @@ void TerrainContact::each_rim_place(const ElementInput& in, std::size_t index, i
     add(std::atan2(d.dot(b), d.dot(e_0)), rock);
   }
   if (!any && (flat || face.share == 1.0)) return;
-  std::vector<Marker> places;
   for (int k = 0; k < kEdgePlaces; ++k) {
-    const std::vector<Minimum>& here = minima[static_cast<std::size_t>(k)];
-    places.assign(here.size(), on_rim_);
-    contacts_.clear();
-    if (!flat) touch_face(in, face, k, first_place + k, lid, with);
-    for (std::size_t i = 0; i < here.size(); ++i) {
-      const Minimum& one = here[i];
+    if (!flat) offer_face(in, face, k, first_place + k, lid);
+    for (const Minimum& one : minima[static_cast<std::size_t>(k)]) {
       const Eigen::Vector3d e =
           one.ridge != nullptr ? one.ridge->e : Eigen::Vector3d(std::cos(one.angle) * e_0 + std::sin(one.angle) * b);
-      const Eigen::Vector3d t = a.cross(e);
-      places[i].s0 = rim.marker.s0 + R * (body.A.transpose() * e);
-      const std::size_t known = contacts_.size();
-      add_contact(in, places[i], 0.0, one.foot, first_place + k);
-      if (contacts_.size() == known) continue;
-      Contact& at = contacts_.back();
+      const Eigen::Vector3d t = a.cross(e), s = rim.marker.s0 + R * (body.A.transpose() * e), d = body.A * s;
+      Contact* const at = add_contact(in, {first_place + k, kOnRim, 0.0, 1.0, true, s, d}, one.foot);
+      if (at == nullptr) continue;
       const Eigen::Vector3d arm = centre + R * e - body.r;
+      Way way;
       if (one.ridge != nullptr) {
-        one.ridge->find_ways(R, t, arm, at.wander, at.turn);
-        at.wanders = at.turns = true;
-        if (one.ridge->sign < 0.0) at.count_off();
-        continue;
-      }
-      const double curve = R * t.dot(at.H * t) - at.n.dot(e);
-      if (curve > kTurnsFreely) {
+        one.ridge->find_ways(R, t, arm, way.wander, way.turn);
+        way.turns = true;
+        if (one.ridge->sign < 0.0) at->count_off();
+      } else {
+        const double curve = R * t.dot(at->H * t) - at->n.dot(e);
+        if (!(curve > kTurnsFreely)) continue;
         Eigen::Matrix<double, 1, 6> turn;
-        turn.head<3>() = -(t.transpose() * at.H) / curve;
-        turn.tail<3>() = (t.transpose() * at.H * skew(arm) - t.cross(at.n).transpose()) / curve;
-        at.wander = (R * t) * turn;
-        at.wanders = true;
+        turn.head<3>() = -(t.transpose() * at->H) / curve;
+        turn.tail<3>() = (t.transpose() * at->H * skew(arm) - t.cross(at->n).transpose()) / curve;
+        way.wander = (R * t) * turn;
       }
+      at->way = static_cast<int>(ways_.size());
+      ways_.push_back(way);
     }
-    if (!contacts_.empty()) use(first_place + k, contacts_.data(), static_cast<int>(contacts_.size()));
   }
 }
 
 // Bounds are those of a cell that holds the place, a function of the place alone; height and slope are those at the place.
-const Terrain::Lid& TerrainContact::lid_over(const Eigen::Vector3d& r, double reach, bool rigid) const {
+const Terrain::Lid& TerrainContact::lid_over(const Eigen::Vector3d& r, double reach) const {
   constexpr double kCell = 0.25;  // of the reach
   const double size = std::max(kCell * reach, 1e-3);
   const Eigen::Array3d cell = (r.array() / size).floor();
-  if (!rigid || lid_reach_ != reach || (cell != lid_cell_).any()) {
+  if (lid_reach_ != reach || (cell != lid_cell_).any()) {
     lid_cell_ = cell;
     lid_reach_ = reach;
     lid_middle_ = (size * (cell + 0.5)).matrix();
@@ -514,42 +567,56 @@ const Terrain::Lid& TerrainContact::lid_over(const Eigen::Vector3d& r, double re
   return lid_;
 }
 
-template <class Use>
-void TerrainContact::each_place(const ElementInput& in, Terrain::With with, Use use) const {
+// Of the same state and with the bends that are asked for: the same bits.
+bool TerrainContact::is_known(const ElementInput& in, Terrain::With with) const {
   const BodyKinematics& body = *in.pair.body[0];
-  const double reach = body.modes == 0 ? reach_ : reach_ + flexible_reach_ * body.a.norm();
-  const Terrain::Lid& lid = lid_over(body.r, reach, body.modes == 0);
-  const bool flat = flat_;
-  if (lid.rocks.empty() && (!field_ || body.r.z() - reach > lid.top || lid.above(body.r, reach))) return;
-  const double up = std::sqrt(1.0 + lid.slope.squaredNorm());
-  int place = -1;
-  for (const int i : own_) {
-    ++place;
-    const ContactPoint& point = points_[static_cast<std::size_t>(i)];
-    const Marker& m = point.marker;
-    Eigen::Vector3d s = m.s0;
-    if (m.S.cols() > 0) s.noalias() += m.S * body.a;
-    const Eigen::Vector3d d = body.A * s, p = body.r + d;
-    const Eigen::Vector2d across = d.head<2>();
-    const double wide = across.norm() + point.radius;
-    const double above = p.z() - lid.height - lid.slope.dot(across) - 0.5 * lid.bend * wide * wide - point.radius * up;
-    contacts_.clear();
-    if (!field_ || above > kAboveGround || p.z() - point.radius > lid.top) {
-    } else if (Terrain::Foot foot; flat) {
-      add_contact(in, m, point.radius, foot_on_plane(lid, d, p.z() - lid.height), place);
-    } else if (point.radius == 0.0) {
-      if (terrain_->below(p, with, foot)) add_contact(in, m, 0.0, foot, place);
-    } else if (terrain_->may_touch(p, point.radius)) {
-      terrain_->feet(p, point.radius, feet_);
-      for (const Terrain::Foot& one : feet_) add_contact(in, m, point.radius, one, place);
-    }
-    touch_rocks(in, lid, m, p, place, point.radius);
-    if (!contacts_.empty()) use(place, contacts_.data(), static_cast<int>(contacts_.size()));
+  state_.clear();
+  const auto add = [&](const double* from, Eigen::Index count) { state_.insert(state_.end(), from, from + count); };
+  for (const Eigen::Vector3d* x : {&body.r, &body.dr, &body.w}) add(x->data(), 3);
+  add(body.A.data(), 9);
+  if (body.modes > 0) {
+    for (int k = 0; k < body.modes; ++k) state_.push_back(body.a[k]);
+    for (int k = 0; k < body.modes; ++k) state_.push_back(body.da[k]);
   }
-  ++place;
-  for (std::size_t k = 0; k < rims_.size(); ++k) {
-    each_rim_place(in, k, place, lid, flat, with, use);
-    place += kEdgePlaces;
+  add(in.z.data(), in.z.size());
+  return state_.size() == known_state_.size() &&
+         std::memcmp(state_.data(), known_state_.data(), state_.size() * sizeof(double)) == 0 &&
+         (with == Terrain::With::kNormal || known_with_ == with);
+}
+
+void TerrainContact::find_contacts(const ElementInput& in, Terrain::With with) const {
+  if (is_known(in, with)) return;
+  known_state_.clear();
+  contacts_.clear();
+  candidates_.clear();
+  ways_.clear();
+  ds_known_ = false;
+  touch_all(in, with);
+  const auto before = [](const Contact& a, const Contact& b) { return a.place < b.place; };
+  if (!std::is_sorted(contacts_.begin(), contacts_.end(), before))
+    std::stable_sort(contacts_.begin(), contacts_.end(), before);
+  known_state_.swap(state_);
+  known_with_ = with;
+}
+
+void TerrainContact::touch_all(const ElementInput& in, Terrain::With with) const {
+  constexpr double kBends = 32.0;  // of the reach: steps in which it grows as the body bends, so that a lid lasts
+  const BodyKinematics& body = *in.pair.body[0];
+  double reach = reach_;
+  if (body.modes > 0) reach += std::ceil(kBends * flexible_reach_ * body.a.norm() / reach_) * reach_ / kBends;
+  const Terrain::Lid& lid = lid_over(body.r, reach);
+  if (lid.rocks.empty() && (!field_ || body.r.z() - reach > lid.top || lid.above(body.r, reach))) return;
+  offer_own_points(in, lid);
+  int place = static_cast<int>(own_.size());
+  for (std::size_t k = 0; k < rims_.size(); ++k, place += kEdgePlaces) offer_rim(in, k, place, lid);
+  touch(in, lid, with);
+}
+
+template <class Use>
+void TerrainContact::each_place(Use use) const {
+  for (std::size_t i = 0, end = 0; i < contacts_.size(); i = end) {
+    while (end < contacts_.size() && contacts_[end].place == contacts_[i].place) ++end;
+    use(&contacts_[i], static_cast<int>(end - i));
   }
 }
 
@@ -562,52 +629,67 @@ Eigen::Vector2d TerrainContact::spring_drive(const Contact* contacts, int count)
 
 void TerrainContact::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
                                Eigen::Ref<Eigen::VectorXd> dz) const {
+  find_contacts(in, Terrain::With::kNormal);
+  const BodyKinematics& body = *in.pair.body[0];
   const bool springs = law_.stick_time > 0.0;
   if (springs) dz = -in.z / law_.stick_time;
-  each_place(in, Terrain::With::kNormal, [&](int place, const Contact* contacts, int count) {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = force;
+  each_place([&](const Contact* contacts, int count) {
+    const int place = contacts->place;
+    Eigen::Vector3d here = Eigen::Vector3d::Zero();
     for (int i = 0; i < count; ++i) {
       const Contact& at = contacts[i];
-      at.p.add_transposed(at.force, Q);
-      Q.segment<3>(3) -= at.radius * at.n.cross(at.force);
+      here += at.force;
+      moment += (at.d - at.radius * at.n).cross(at.force);
     }
+    force += here;
+    if (body.modes > 0) forces_.segment<3>(3 * place).noalias() = body.A.transpose().lazyProduct(here);
     if (springs) dz.segment<2>(2 * place) += spring_drive(contacts, count);
   });
+  Q.head<3>() += force;
+  Q.segment<3>(3) += moment;
+  if (body.modes == 0 || contacts_.empty()) return;
+  Q.segment(6, body.modes).noalias() += own_S_.transpose() * forces_;
+  each_place([&](const Contact* contacts, int) { forces_.segment<3>(3 * contacts->place).setZero(); });
 }
 
 bool TerrainContact::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
   const bool springs = law_.stick_time > 0.0;
-  bool any = springs;
   if (springs) out.ddz_dz.noalias() -= Eigen::Matrix2d::Identity().replicate(place_count(), 1) / law_.stick_time;
-  each_place(in, Terrain::With::kBend, [&](int place, const Contact* contacts, int count) {
-    any = true;
-    for (int i = 0; i < count; ++i) add_derivatives(in, contacts[i], place, 1.0 / count, out);
+  find_contacts(in, Terrain::With::kBend);
+  each_place([&](const Contact* contacts, int count) {
+    for (int i = 0; i < count; ++i) add_derivatives(in, contacts[i], 1.0 / count, out);
   });
-  return any;
+  return springs || !contacts_.empty();
 }
 
 // The derivatives of one contact, as in SurfaceContact, W the way of a place along its edge:
 //   D = X + W,  N = dn/dx = H D,  G = X + R n~ E                g = G v, Q = G^T f
 //   g_x = p'_x + w~ W - R w~ N,  u_x = P g_x - (n.g) N - n g^T N + d(T s) / tau
-void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, int place, double share,
+void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, double share,
                                      ElementDerivatives& out) const {
   const BodyKinematics& body = *in.pair.body[0];
+  const int place = at.place;
+  if (at.point == kOnRim) on_rim_.s0 = at.s;
+  const Marker& marker = at.point == kOnRim ? on_rim_ : points_[static_cast<std::size_t>(at.point)].marker;
+  const Way* const way = at.way < 0 ? nullptr : &ways_[static_cast<std::size_t>(at.way)];
   const int n = in.pair.size();
   const double tau = law_.stick_time;
   const Eigen::Matrix3d unit = Eigen::Matrix3d::Identity(), P = unit - at.n * at.n.transpose(), turning = skew(body.w);
   for (Eigen::Matrix3Xd* m : {&X_, &D_, &N_, &G_, &g_x_, &f_x_, &f_v_, &u_x_}) m->setZero(3, n);
 
-  const KinematicVector p = KinematicVector::point(in.pair, 0, *at.marker);
+  const KinematicVector p = KinematicVector::point(in.pair, 0, marker);
   p.add_jacobian(X_);
   D_ = X_;
-  if (at.wanders) D_.leftCols<6>() += at.wander;
-  if (at.turns)
-    N_.leftCols<6>() = at.turn;
+  if (way != nullptr) D_.leftCols<6>() += way->wander;
+  if (way != nullptr && way->turns)
+    N_.leftCols<6>() = way->turn;
   else
     N_.noalias() = at.H.lazyProduct(D_);
   G_ = X_;
   G_.middleCols<3>(3) += at.radius * skew(at.n);
   p.add_rate_jacobian(g_x_);
-  if (at.wanders) g_x_.leftCols<6>() += turning * at.wander;
+  if (way != nullptr) g_x_.leftCols<6>() += turning * way->wander;
   g_x_.noalias() -= (at.radius * turning).lazyProduct(N_);
 
   Eigen::Matrix3d by_n = -at.n.dot(at.g) * unit - at.n * at.g.transpose();
@@ -622,7 +704,7 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
   p.add_second(at.force, out.dQ_dx);
   const Eigen::Matrix3d f = skew(at.force);
   out.dQ_dx.middleRows<3>(3).noalias() += (at.radius * f).lazyProduct(N_);
-  if (at.wanders) out.dQ_dx.block<3, 6>(3, 0) -= f * at.wander;
+  if (way != nullptr) out.dQ_dx.block<3, 6>(3, 0) -= f * way->wander;
   if (tau == 0.0) return;
 
   // s' = T^T clip(u) - s / tau: the share of this contact.
@@ -637,40 +719,35 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
 }
 
 void TerrainContact::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
-  each_place(in, Terrain::With::kNormal, [&](int place, const Contact* contacts, int count) {
+  find_contacts(in, Terrain::With::kNormal);
+  each_place([&](const Contact* contacts, int count) {
     Eigen::Vector2d rate = Eigen::Vector2d::Zero();
-    if (law_.stick_time > 0.0) rate = spring_drive(contacts, count) - in.z.segment<2>(2 * place) / law_.stick_time;
+    if (law_.stick_time > 0.0)
+      rate = spring_drive(contacts, count) - in.z.segment<2>(2 * contacts->place) / law_.stick_time;
     for (int i = 0; i < count; ++i) contacts[i].add_energy(law_, along(contacts[i].n, rate), stored, power);
   });
 }
 
 Eigen::Matrix<double, 6, 1> TerrainContact::wrench(const ElementInput& in) const {
+  find_contacts(in, Terrain::With::kNormal);
   Eigen::Matrix<double, 6, 1> out = Eigen::Matrix<double, 6, 1>::Zero();
-  each_place(in, Terrain::With::kNormal, [&](int, const Contact* contacts, int count) {
-    for (int i = 0; i < count; ++i) {
-      const Contact& at = contacts[i];
-      const Eigen::Vector3d arm = at.p.value() - at.radius * at.n - in.pair.body[0]->r;
-      out.head<3>() += at.force;
-      out.tail<3>() += arm.cross(at.force);
-    }
-  });
+  for (const Contact& at : contacts_) {
+    out.head<3>() += at.force;
+    out.tail<3>() += (at.d - at.radius * at.n).cross(at.force);
+  }
   return out;
 }
 
 double TerrainContact::largest_overlap(const ElementInput& in) const {
+  find_contacts(in, Terrain::With::kNormal);
   double largest = 0.0;
-  each_place(in, Terrain::With::kNormal, [&](int, const Contact* contacts, int count) {
-    for (int i = 0; i < count; ++i) largest = std::max(largest, contacts[i].overlap);
-  });
+  for (const Contact& at : contacts_) largest = std::max(largest, at.overlap);
   return largest;
 }
 
 bool TerrainContact::touches_rock(const ElementInput& in) const {
-  bool any = false;
-  each_place(in, Terrain::With::kNormal, [&](int, const Contact* contacts, int count) {
-    for (int i = 0; i < count; ++i) any = any || contacts[i].on_rock;
-  });
-  return any;
+  find_contacts(in, Terrain::With::kNormal);
+  return std::any_of(contacts_.begin(), contacts_.end(), [](const Contact& at) { return at.on_rock; });
 }
 
 }  // namespace footfall

@@ -51,26 +51,40 @@ class TerrainContact : public ForceElement {
     std::array<std::vector<int>, 12> points;  // on the face, by the nearest place
     double share = 1.0;                       // of the stiffness, of each place and point
   };
+  struct
+      Way {  // p moves along its edge by wander [dr; dtheta] as the body moves; on a ridge n turns by turn [dr; dtheta], not by H dp
+    Eigen::Matrix<double, 3, 6> wander, turn;
+    bool turns = false;
+  };
+  struct Candidate {   // a point that may touch
+    int place, point;  // of points_; kOnRim
+    double radius, share;
+    bool field;            // it may touch the field
+    Eigen::Vector3d s, d;  // from Bo to it, in B and in W [m]
+  };
+  static constexpr int kOnRim = -1;
   bool sort_onto_face(int point);
   int place_count() const;
-  // use(place, contacts, count) for every place with contacts.
-  const Terrain::Lid& lid_over(const Eigen::Vector3d& r, double reach, bool rigid) const;
-  template <class Use>
-  void each_place(const ElementInput& in, Terrain::With with, Use use) const;
-  template <class Use>
-  void each_rim_place(const ElementInput& in, std::size_t index, int first_place, const Terrain::Lid& lid, bool flat,
-                      Terrain::With with, Use use) const;
-  static Terrain::Foot foot_on_plane(const Terrain::Lid& lid, const Eigen::Vector3d& from_body, double above);
-  void touch_face(const ElementInput& in, const Face& face, int part, int place, const Terrain::Lid& lid,
-                  Terrain::With with) const;
-  void touch_rocks(const ElementInput& in, const Terrain::Lid& lid, const Marker& marker, const Eigen::Vector3d& p,
-                   int place, double radius = 0.0) const;
-  void add_contact(const ElementInput& in, const Marker& marker, double radius, const Terrain::Foot& foot, int place,
-                   double share = 1.0) const;
-  void add_derivatives(const ElementInput& in, const Contact& at, int place, double share,
-                       ElementDerivatives& out) const;
+  const Terrain::Lid& lid_over(const Eigen::Vector3d& r, double reach) const;
+  // contacts_ of this state, by places.
+  void find_contacts(const ElementInput& in, Terrain::With with) const;
+  void touch_all(const ElementInput& in, Terrain::With with) const;
+  bool is_known(const ElementInput& in, Terrain::With with) const;
+  void offer_own_points(const ElementInput& in, const Terrain::Lid& lid) const;
+  void offer_rim(const ElementInput& in, std::size_t index, int first_place, const Terrain::Lid& lid) const;
+  void offer_face(const ElementInput& in, const Face& face, int part, int place, const Terrain::Lid& lid) const;
+  void touch(const ElementInput& in, const Terrain::Lid& lid, Terrain::With with) const;
+  void touch_standing_rim(const ElementInput& in, std::size_t index, int first_place, const Terrain::Lid& lid,
+                          const Eigen::Vector3d& a, const Eigen::Vector3d& centre, const Eigen::Vector3d& n,
+                          bool sharp) const;
+  Terrain::Foot foot_on_plane(const Terrain::Lid& lid, const Eigen::Vector3d& from_body, double above) const;
+  Contact* add_contact(const ElementInput& in, const Candidate& at, const Terrain::Foot& foot) const;
+  void add_derivatives(const ElementInput& in, const Contact& at, double share, ElementDerivatives& out) const;
   double find_place_on_rim(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& e_0,
                            const Eigen::Vector3d& b, double angle, int rock, Terrain::Foot& foot) const;
+  // use(first, count) for the contacts of every place that has some.
+  template <class Use>
+  void each_place(Use use) const;
   Eigen::Vector2d spring_drive(const Contact* contacts, int count) const;
 
   std::vector<ContactPoint> points_;
@@ -82,15 +96,27 @@ class TerrainContact : public ForceElement {
   bool field_;                   // the field touches
   double reach_ = 0.0;           // radius about Bo that encloses all undeformed spheres [m]
   double flexible_reach_ = 0.0;  // largest |S| of a point [m per unit of a]
+  Eigen::VectorXd own_s_;        // of own points, one below the other: from Bo, undeformed, in B [m]
+  Eigen::MatrixXd own_S_;        // and their shapes; no columns on a rigid body [m per unit of a]
   mutable Terrain::Lid lid_;     // that of the last cell, with height and slope of the last place
   mutable bool flat_ = false;
   mutable double lid_reach_ = -1.0, lid_height_ = 0.0;  // [m]; height: at the middle
   mutable Eigen::Array3d lid_cell_ = Eigen::Array3d::Zero();
   mutable Eigen::Vector3d lid_middle_ = Eigen::Vector3d::Zero();
-  mutable std::vector<Contact> contacts_;                           // scratch: of one place
-  mutable std::vector<Terrain::Foot> feet_;                         // scratch
-  mutable Marker on_rim_;                                           // scratch
-  mutable Eigen::Matrix3Xd X_, D_, N_, G_, g_x_, f_x_, f_v_, u_x_;  // scratch, 3 x n
+  // Contacts of the last state, with what they depend on.
+  mutable std::vector<double> state_, known_state_;
+  mutable Terrain::With known_with_ = Terrain::With::kNormal;
+  mutable std::vector<Contact> contacts_;
+  mutable std::vector<Way> ways_;
+  // Scratch.
+  mutable std::vector<Candidate> candidates_;
+  mutable std::vector<Eigen::Vector3d> places_;  // of candidates [m]
+  mutable std::vector<Terrain::Foot> feet_, ball_feet_;
+  mutable std::vector<Terrain::Near> near_;
+  mutable Eigen::VectorXd s_, ds_, forces_;  // of own points: deformed, its rate, forces in B
+  mutable bool ds_known_ = false;
+  mutable Marker on_rim_;
+  mutable Eigen::Matrix3Xd X_, D_, N_, G_, g_x_, f_x_, f_v_, u_x_;  // 3 x n
 };
 
 }  // namespace footfall

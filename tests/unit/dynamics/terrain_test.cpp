@@ -116,6 +116,41 @@ TEST(Terrain, DistanceIsThatOfTheNearestPoint) {
   }
 }
 
+// A map alone is searched cell by cell, four points at once; with a crater far away, point by point over the whole field.
+TEST(Terrain, FeetInTheCellsOfAMapAreThoseOfTheWholeField) {
+  TerrainParts parts;
+  parts.origin = {3.0, -2.0, 0.4};
+  parts.slope = {0.1, -0.2};
+  parts.map = map_of(41, 31, 0.05, [](double x, double y) { return 0.02 * std::sin(7.0 * x + y) * std::cos(5.0 * y); });
+  TerrainParts more = parts;
+  more.craters = {{{100.0, 0.0}, 1.0, 0.1, 0.0}};
+  const Terrain cells(parts), whole(more);
+  test::Random random(11);
+  std::vector<Eigen::Vector3d> points;
+  for (int k = 0; k < 403; ++k) {  // some beyond the edges, some across cells, some above; not a number of fours
+    const double x = 3.0 + random.number(-1.1, 1.1), y = -2.0 + random.number(-0.9, 0.9);
+    points.emplace_back(x, y, cells.at(x, y).h + random.number(-0.03, 0.01));
+  }
+  std::vector<Terrain::Foot> feet, other;
+  std::vector<Terrain::Near> near, other_near;
+  cells.below(points, Terrain::With::kBend, feet, near);
+  whole.below(points, Terrain::With::kBend, other, other_near);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    ASSERT_EQ(near[k], other_near[k]) << k;
+    if (near[k] != Terrain::Near::kFoot) continue;
+    // Both are exact to round-off of 1e-16 of numbers of 3 m, with bends of up to 2 per metre.
+    EXPECT_NEAR(feet[k].distance, other[k].distance, 1e-14) << k;
+    EXPECT_LT((feet[k].normal - other[k].normal).norm(), 1e-13) << k;
+    EXPECT_LT((feet[k].place - other[k].place).norm(), 1e-13) << k;
+    EXPECT_LT((feet[k].bend - other[k].bend).norm(), 1e-10) << k;
+    std::vector<Terrain::Foot> one;  // alone it is the same to the bit
+    std::vector<Terrain::Near> one_near;
+    cells.below({points[k]}, Terrain::With::kBend, one, one_near);
+    EXPECT_EQ(one[0].distance, feet[k].distance) << k;
+    EXPECT_EQ(one[0].bend, feet[k].bend) << k;
+  }
+}
+
 TEST(Terrain, BallInAGrooveHasTwoFeet) {
   // h = |x| rounded off within 0.1 m: a ball of 0.5 m stands on both sides.
   TerrainParts parts;
@@ -411,6 +446,54 @@ TEST(TerrainContact, DerivativesAreExact) {
     model.add_force(std::make_unique<TerrainContact>(name + "_points", points, law, ground));
   }
   expect_exact_jacobian(model, random, 1e-7);
+}
+
+// What an element has computed for one state is used again for it; what it was asked before leaves no trace.
+TEST(TerrainContact, ResultsDoNotDependOnWhatWasAskedBefore) {
+  test::Random random(23);
+  Model model({0.0, 0.0, -1.62});
+  const auto ground = terrain_of(hills());
+  const Body body("pad", test::hand_made_body(random, 4, 2, 500.0, 0.05));
+  BodyState state = test::random_state(random, body);
+  state.r = {0.4, -0.3, ground->at(0.4, -0.3).h - 0.1};
+  state.a *= 0.3;
+  model.add_body(body, state);
+  std::vector<ContactPoint> points;
+  for (int k = 0; k < 4; ++k) points.push_back({test::random_marker(random, model, 0), 0.0});
+  ContactLaw law;
+  law.stiffness = 90.0;
+  law.damping = 0.4;
+  law.stick_time = 0.5;
+  const Assembly given = test::as_given(model);
+  Kinematics here(model), there(model);
+  here.load(Layout(model), given.state.q, given.state.v, Eigen::VectorXd());
+  there.load(Layout(model), given.state.q, 1.5 * given.state.v, Eigen::VectorXd());
+  const Eigen::VectorXd z = random.vector_x(8, 0.05), inputs;
+  const TerrainContact fresh("ground", points, law, ground), used("ground", points, law, ground);
+  const ElementInput in{here.pair(0, kGround), z, inputs}, other{there.pair(0, kGround), z, inputs};
+  const int n = in.size();
+  const auto derivatives = [&](const TerrainContact& contact) {
+    ElementDerivatives out;
+    for (Eigen::MatrixXd* m : {&out.dQ_dx, &out.dQ_dv}) m->setZero(n, n);
+    out.dQ_dz.setZero(n, 8);
+    for (Eigen::MatrixXd* m : {&out.ddz_dx, &out.ddz_dv}) m->setZero(8, n);
+    out.ddz_dz.setZero(8, 2);
+    EXPECT_TRUE(contact.add_derivatives(in, out));
+    return out.dQ_dx;
+  };
+  const auto force = [&](const TerrainContact& contact, const ElementInput& of) {
+    Eigen::VectorXd Q = Eigen::VectorXd::Zero(n), dz(8);
+    contact.add_force(of, Q, dz);
+    return Q;
+  };
+  const Eigen::VectorXd Q = force(fresh, in);
+  EXPECT_GT(Q.norm(), 0.0);
+  EXPECT_NE(force(used, other), Q);
+  EXPECT_EQ(used.wrench(other).head<3>(), force(used, other).head<3>());
+  EXPECT_EQ(force(used, in), Q);
+  const Eigen::MatrixXd K = derivatives(used);  // asks for more than the force did
+  EXPECT_EQ(force(used, in), Q);
+  EXPECT_EQ(derivatives(TerrainContact("ground", points, law, ground)), K);
 }
 
 TEST(TerrainContact, EnergyIsKeptOverRocks) {

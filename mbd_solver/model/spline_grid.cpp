@@ -1,0 +1,386 @@
+// Four places are computed at once, each in its cell, where the field is a polynomial. Coefficients are those of whole tiles.
+
+#include "mbd_solver/model/spline_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "coupler/base/errors.h"
+
+namespace footfall {
+namespace {
+
+constexpr int kPart = 16;  // cells of a map along each side of a part, of which a bound of the bends is known
+constexpr int kTile = 64;  // cells along each side of a tile, of which the coefficients are found at once
+constexpr int kFade = 32;  // samples around a tile that have a share in its coefficients: the next has 0.27^32 = 5e-19
+
+// Four numbers in vector registers. Functions with them are in line: how they are handed over depends on the registers.
+using Four = double __attribute__((vector_size(4 * sizeof(double))));
+using Mask = long __attribute__((vector_size(4 * sizeof(double))));
+using FourInts = int __attribute__((vector_size(4 * sizeof(int))));
+#define FOOTFALL_IN_LINE inline __attribute__((always_inline))
+
+// From four coefficients of the spline to the powers of the place between them.
+FOOTFALL_IN_LINE void from_spline(Four& a, Four& b, Four& c, Four& d) {
+  const Four low = a - 2.0 * b + c, high = b - 2.0 * c + d, slope = 0.5 * (c - a);
+  a = b + (1.0 / 6.0) * low;
+  b = slope;
+  c = 0.5 * low;
+  d = (1.0 / 6.0) * (high - low);
+}
+FOOTFALL_IN_LINE void transpose(Four* c) {
+  const Four a = __builtin_shufflevector(c[0], c[1], 0, 4, 2, 6), b = __builtin_shufflevector(c[0], c[1], 1, 5, 3, 7),
+             d = __builtin_shufflevector(c[2], c[3], 0, 4, 2, 6), e = __builtin_shufflevector(c[2], c[3], 1, 5, 3, 7);
+  c[0] = __builtin_shufflevector(a, d, 0, 1, 4, 5);
+  c[1] = __builtin_shufflevector(b, e, 0, 1, 4, 5);
+  c[2] = __builtin_shufflevector(a, d, 2, 3, 6, 7);
+  c[3] = __builtin_shufflevector(b, e, 2, 3, 6, 7);
+}
+// Of a cubic of these powers: the value, its first and half its second derivative.
+FOOTFALL_IN_LINE void evaluate(const Four& x, const Four& a, const Four& b, const Four& c, const Four& d, Four* out) {
+  const Four last = x * d;
+  out[0] = a + x * (b + x * (c + last));
+  out[1] = b + x * (2.0 * c + 3.0 * last);
+  out[2] = c + 3.0 * last;
+}
+// Where the mask is set.
+FOOTFALL_IN_LINE void set(const Mask& mask, const Four& value, Four& out) {
+  out = (Four)((mask & (Mask)value) | (~mask & (Mask)out));
+}
+FOOTFALL_IN_LINE bool any(const Mask& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+
+FOOTFALL_IN_LINE void fill(double value, Four& out) { out = Four{value, value, value, value}; }
+
+}  // namespace
+
+struct SplineGrid::Tile {
+  int stride = 0;         // coefficients in a row: one more than cells on the left, two on the right
+  std::vector<double> c;  // row after row
+  std::array<double, (kTile / kPart) * (kTile / kPart)> bend{};  // of each part, largest [1/m]
+  std::array<double, (kTile / kPart) * (kTile / kPart)>
+      top{};  // of its coefficients, largest: none of its places is higher [m]
+};
+
+namespace {
+
+// Four places in cells of a map, which is a polynomial in each.
+struct CellPlaces {
+  Four x, y;                // in cells, from 0 to 1
+  Four beyond_x, beyond_y;  // the edge of the map [cells]
+  Four c[16];               // c[4 j + i]: the factor of x^i y^j
+};
+
+// Along one axis, from the first sample on [cells].
+FOOTFALL_IN_LINE void find_cells(const Four& u, int samples, FourInts& cell, Four& within, Four& beyond) {
+  Four inside, most;
+  fill(0.0, inside);  // also of what is not a number: no place
+  fill(samples - 1, most);
+  set(u > 0.0, u, inside);
+  set(inside > most, most, inside);
+  cell = __builtin_convertvector(inside, FourInts);
+  cell -= (cell == samples - 1) & 1;
+  within = inside - __builtin_convertvector(cell, Four);
+  beyond = u - inside;
+}
+
+FOOTFALL_IN_LINE void find_places(const SplineGrid& map, const Four& x, const Four& y, CellPlaces& at) {
+  const HeightGrid& grid = map.grid();
+  FourInts i, j;
+  find_cells((x - grid.first.x()) * map.by().x(), grid.columns, i, at.x, at.beyond_x);
+  find_cells((y - grid.first.y()) * map.by().y(), grid.rows, j, at.y, at.beyond_y);
+  for (int k = 0; k < 4; ++k) {
+    const SplineGrid::Tile& tile = map.tile(i[k] / kTile, j[k] / kTile);
+    const double* row = &tile.c[static_cast<std::size_t>((j[k] % kTile) * tile.stride + i[k] % kTile)];
+    for (int n = 0; n < 4; ++n, row += tile.stride) std::memcpy(&at.c[4 * n + k], row, sizeof(Four));
+  }
+  for (int n = 0; n < 4; ++n) {
+    Four* const c = at.c + 4 * n;
+    transpose(c);
+    from_spline(c[0], c[1], c[2], c[3]);
+  }
+  for (int n = 0; n < 4; ++n) from_spline(at.c[n], at.c[4 + n], at.c[8 + n], at.c[12 + n]);
+}
+
+// f[i][j]: the derivative, i times along x and j along y; half of it where i or j is two, a quarter where both are.
+FOOTFALL_IN_LINE void evaluate(const CellPlaces& at, const Four& x, const Four& y, Four (*f)[3]) {
+  Four along[4][3];
+  for (int j = 0; j < 4; ++j) {
+    const Four* const c = at.c + 4 * j;
+    evaluate(x, c[0], c[1], c[2], c[3], along[j]);
+  }
+  for (int i = 0; i < 3; ++i) evaluate(y, along[0][i], along[1][i], along[2][i], along[3][i], f[i]);
+}
+
+// Beyond an edge nothing bends across it.
+FOOTFALL_IN_LINE void add_height(const SplineGrid& map, double place_x, double place_y, Terrain::Height& out) {
+  const double by_x = map.by().x(), by_y = map.by().y();
+  Four four_x, four_y, f[3][3];
+  fill(place_x, four_x);
+  fill(place_y, four_y);
+  CellPlaces at;
+  find_places(map, four_x, four_y, at);
+  evaluate(at, at.x, at.y, f);
+  const double x = at.beyond_x[0], y = at.beyond_y[0];
+  out.h += f[0][0][0] + x * f[1][0][0] + y * (f[0][1][0] + x * f[1][1][0]);
+  out.slope.x() += (f[1][0][0] + y * f[1][1][0]) * by_x;
+  out.slope.y() += (f[0][1][0] + x * f[1][1][0]) * by_y;
+  out.bend[0] += x != 0.0 ? 0.0 : (f[2][0][0] + y * f[2][1][0]) * (2.0 * by_x * by_x);
+  out.bend[1] += y != 0.0 ? 0.0 : (f[0][2][0] + x * f[1][2][0]) * (2.0 * by_y * by_y);
+  out.bend[2] += f[1][1][0] * (by_x * by_y);
+}
+
+struct FeetSearch {
+  const Eigen::Vector3d* points;
+  std::size_t count;
+  Eigen::Vector3d origin;
+  Eigen::Vector2d slope;
+  bool only_below;
+  Terrain::Foot* feet;
+  Terrain::Near* near;
+  Terrain::Height* at;
+};
+
+// Newton's method of Terrain::descend() within the cells.
+FOOTFALL_IN_LINE void find_feet(const SplineGrid& map, const FeetSearch& search) {
+  const double slope_x = search.slope.x(), slope_y = search.slope.y(), by_x = map.by().x(), by_y = map.by().y();
+  for (std::size_t first = 0; first < search.count; first += 4) {
+    const Eigen::Vector3d* p[4];
+    for (std::size_t k = 0; k < 4; ++k) p[k] = search.points + std::min(first + k, search.count - 1);
+    const Four place_x = Four{p[0]->x(), p[1]->x(), p[2]->x(), p[3]->x()} - search.origin.x(),
+               place_y = Four{p[0]->y(), p[1]->y(), p[2]->y(), p[3]->y()} - search.origin.y(),
+               z = Four{p[0]->z(), p[1]->z(), p[2]->z(), p[3]->z()};
+    CellPlaces at;
+    find_places(map, place_x, place_y, at);
+    const Four height = search.origin.z() + slope_x * place_x + slope_y * place_y;
+    Four x, least, h_out, x_out, y_out, gx_out, gy_out, xx_out, yy_out, xy_out;
+    fill(0.0, x);
+    Four y = x;
+    least = h_out = x_out = y_out = gx_out = gy_out = xx_out = yy_out = xy_out = x;
+    Mask open = (at.beyond_x == 0.0) & (at.beyond_y == 0.0), above = x != x, found = above;
+    for (int i = 0; i < kFootSteps && any(open); ++i) {
+      Four f[3][3];
+      evaluate(at, at.x + x * by_x, at.y + y * by_y, f);
+      const Four h = height + slope_x * x + slope_y * y + f[0][0], d = h - z;
+      const Four g_x = slope_x + f[1][0] * by_x, g_y = slope_y + f[0][1] * by_y;
+      const Four h_xx = f[2][0] * (2.0 * by_x * by_x), h_yy = f[0][2] * (2.0 * by_y * by_y),
+                 h_xy = f[1][1] * (by_x * by_y);
+      const Four merit = x * x + y * y + d * d;
+      if (i > 0) {
+        open &= merit <= least * (1.0 + 1e-12) + 1e-30;
+      } else if (search.only_below) {
+        above = open & (d < -kAboveField);
+        open &= ~above;
+      }
+      least = merit;
+      const Four r_x = x + d * g_x, r_y = y + d * g_y;
+      const Four xx = 1.0 + g_x * g_x + d * h_xx, xy = g_x * g_y + d * h_xy, yy = 1.0 + g_y * g_y + d * h_yy;
+      const Four determinant = xx * yy - xy * xy, inverse = 1.0 / determinant;
+      open &= (xx > 0.0) & (determinant > 0.0);
+      const Four s_x = (xy * r_y - yy * r_x) * inverse, s_y = (xy * r_x - xx * r_y) * inverse;
+      x += s_x;
+      y += s_y;
+      // What the field has beyond these terms of a last step is below round-off.
+      const Mask last = open & (s_x * s_x + s_y * s_y <= kLastFootStep * kLastFootStep);
+      set(last, x, x_out);
+      set(last, y, y_out);
+      set(last, h + g_x * s_x + g_y * s_y, h_out);
+      set(last, g_x + h_xx * s_x + h_xy * s_y, gx_out);
+      set(last, g_y + h_xy * s_x + h_yy * s_y, gy_out);
+      set(last, h_xx, xx_out);
+      set(last, h_yy, yy_out);
+      set(last, h_xy, xy_out);
+      found |= last;
+      const Four to_x = at.x + x * by_x, to_y = at.y + y * by_y;
+      open &= ~last & (to_x >= 0.0) & (to_x <= 1.0) & (to_y >= 0.0) & (to_y <= 1.0);
+    }
+    Four length = 1.0 + gx_out * gx_out + gy_out * gy_out;
+    length = Four{std::sqrt(length[0]), std::sqrt(length[1]), std::sqrt(length[2]), std::sqrt(length[3])};
+    const Four n_z = 1.0 / length, n_x = -gx_out * n_z, n_y = -gy_out * n_z;
+    const Four distance = (gx_out * x_out + gy_out * y_out + (z - h_out)) * n_z;
+    const std::size_t end = std::min(first + 4, search.count);
+    for (std::size_t m = first; m < end; ++m) {
+      const auto k = static_cast<int>(m - first);
+      search.near[m] = found[k] ? Terrain::Near::kFoot : above[k] ? Terrain::Near::kAbove : Terrain::Near::kElsewhere;
+      Terrain::Foot& foot = search.feet[m];
+      foot.distance = distance[k];
+      foot.normal = {n_x[k], n_y[k], n_z[k]};
+      foot.place = {p[k]->x() + x_out[k], p[k]->y() + y_out[k]};
+      foot.rock = -1;
+      foot.sign = 1.0;
+      if (search.at != nullptr) search.at[m] = {h_out[k], {gx_out[k], gy_out[k]}, {xx_out[k], yy_out[k], xy_out[k]}};
+    }
+  }
+}
+
+// Each with the registers that the machine has; without fused multiply-add, so that both round alike.
+struct CellFunctions {
+  void (*height)(const SplineGrid&, double, double, Terrain::Height&);
+  void (*feet)(const SplineGrid&, const FeetSearch&);
+};
+#ifdef __x86_64__
+__attribute__((target("avx2"))) void add_height_wide(const SplineGrid& map, double x, double y, Terrain::Height& out) {
+  add_height(map, x, y, out);
+}
+__attribute__((target("avx2"))) void find_feet_wide(const SplineGrid& map, const FeetSearch& search) {
+  find_feet(map, search);
+}
+#endif
+void add_height_narrow(const SplineGrid& map, double x, double y, Terrain::Height& out) { add_height(map, x, y, out); }
+void find_feet_narrow(const SplineGrid& map, const FeetSearch& search) { find_feet(map, search); }
+CellFunctions best_cell_functions() {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx2")) return {add_height_wide, find_feet_wide};
+#endif
+  return {add_height_narrow, find_feet_narrow};
+}
+const CellFunctions kFind = best_cell_functions();
+
+// Rows of `wide` numbers each, of which the first and the last are beyond the ends: from samples f_1 ... f_n in each of `count` columns
+// in place to the coefficients of a cubic B-spline through them: f_i = (c_i-1 + 4 c_i + c_i+1) / 6, no second derivative at the ends.
+void find_coefficients(double* rows, int samples, std::ptrdiff_t wide, int count) {
+  std::vector<double> factor(static_cast<std::size_t>(samples), 0.0);
+  for (int i = 2; i < samples; ++i) {
+    const double pivot = factor[static_cast<std::size_t>(i)] = 1.0 / (4.0 - factor[static_cast<std::size_t>(i - 1)]);
+    double* const here = rows + i * wide;
+    for (int k = 0; k < count; ++k) here[k] = (6.0 * here[k] - (here - wide)[k]) * pivot;
+  }
+  for (int i = samples - 1; i >= 2; --i) {
+    double* const here = rows + i * wide;
+    for (int k = 0; k < count; ++k) here[k] -= factor[static_cast<std::size_t>(i)] * (here + wide)[k];
+  }
+  double* const last = rows + samples * wide;
+  for (int k = 0; k < count; ++k) {
+    rows[k] = 2.0 * (rows + wide)[k] - (rows + 2 * wide)[k];
+    (last + wide)[k] = 2.0 * last[k] - (last - wide)[k];
+  }
+}
+
+}  // namespace
+
+SplineGrid::SplineGrid(std::shared_ptr<const HeightGrid> samples) : grid_(std::move(samples)) {
+  const HeightGrid& grid = *grid_;
+  FOOTFALL_DEMAND(grid.columns >= 2 && grid.rows >= 2 && grid.step.minCoeff() > 0.0);
+  tiles_x_ = (grid.columns - 2) / kTile + 1;
+  tiles_y_ = (grid.rows - 2) / kTile + 1;
+  parts_x_ = (grid.columns - 2) / kPart + 1;
+  parts_y_ = (grid.rows - 2) / kPart + 1;
+  by_ = grid.step.cwiseInverse();
+  tiles_.resize(static_cast<std::size_t>(tiles_x_) * static_cast<std::size_t>(tiles_y_));
+}
+
+void SplineGrid::add(const Eigen::Vector2d& place, Terrain::Height& out) const {
+  kFind.height(*this, place.x(), place.y(), out);
+}
+
+void SplineGrid::find_feet(const Eigen::Vector3d* points, std::size_t count, const Eigen::Vector3d& origin,
+                           const Eigen::Vector2d& slope, bool only_below, Terrain::Foot* feet, Terrain::Near* near,
+                           Terrain::Height* at) const {
+  kFind.feet(*this, {points, count, origin, slope, only_below, feet, near, at});
+}
+
+template <class Use>
+void SplineGrid::each_part(const Eigen::Vector2d& place, double reach, Use use) const {
+  const HeightGrid& grid = *grid_;
+  const auto part = [&](double x, int axis, int parts) {
+    const double t = (x - grid.first[axis]) / grid.step[axis] / kPart;
+    return static_cast<int>(t > 0.0 ? std::min(t, static_cast<double>(parts - 1)) : 0.0);
+  };
+  constexpr int kAcross = kTile / kPart;
+  const int a_0 = part(place.x() - reach, 0, parts_x_), a_1 = part(place.x() + reach, 0, parts_x_);
+  const int b_0 = part(place.y() - reach, 1, parts_y_), b_1 = part(place.y() + reach, 1, parts_y_);
+  for (int b = b_0; b <= b_1; ++b)
+    for (int a = a_0; a <= a_1; ++a)
+      use(tile(a / kAcross, b / kAcross), static_cast<std::size_t>((b % kAcross) * kAcross + a % kAcross));
+}
+
+double SplineGrid::largest_bend(const Eigen::Vector2d& place, double reach) const {
+  double largest = 0.0;
+  each_part(place, reach, [&](const Tile& here, std::size_t part) { largest = std::max(largest, here.bend[part]); });
+  return largest;
+}
+double SplineGrid::largest_bend() const {
+  double largest = 0.0;
+  for (int b = 0; b < tiles_y_; ++b)
+    for (int a = 0; a < tiles_x_; ++a)
+      for (const double bend : tile(a, b).bend) largest = std::max(largest, bend);
+  return largest;
+}
+
+double SplineGrid::highest(const Eigen::Vector2d& place, double reach) const {
+  const Eigen::Array2d u = (place - grid_->first).array() / grid_->step.array(), wide = reach / grid_->step.array();
+  if ((u - wide).minCoeff() < 0.0 || (u + wide)[0] > grid_->columns - 1 || (u + wide)[1] > grid_->rows - 1)
+    return std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
+  each_part(place, reach, [&](const Tile& here, std::size_t part) { highest = std::max(highest, here.top[part]); });
+  return highest;
+}
+double SplineGrid::highest() const {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (int b = 0; b < tiles_y_; ++b)
+    for (int a = 0; a < tiles_x_; ++a)
+      for (const double top : tile(a, b).top) highest = std::max(highest, top);
+  return highest;
+}
+
+std::shared_ptr<const SplineGrid::Tile> SplineGrid::make_tile(int a, int b) const {
+  const HeightGrid& grid = *grid_;
+  const int i_0 = a * kTile, i_1 = std::min(i_0 + kTile, grid.columns - 1);  // samples at its edges
+  const int j_0 = b * kTile, j_1 = std::min(j_0 + kTile, grid.rows - 1);
+  const int left = std::max(0, i_0 - kFade), right = std::min(grid.columns - 1, i_1 + kFade);
+  const int low = std::max(0, j_0 - kFade), high = std::min(grid.rows - 1, j_1 + kFade);
+  const int columns = right - left + 1, rows = high - low + 1, inner = i_1 - i_0 + 3;
+  // Turned first, so that along both axes whole rows are computed at once.
+  std::vector<double> row(static_cast<std::size_t>(columns)),
+      turned(static_cast<std::size_t>(columns + 2) * static_cast<std::size_t>(rows)),
+      all(static_cast<std::size_t>(rows + 2) * static_cast<std::size_t>(inner));
+  for (int j = 0; j < rows; ++j) {
+    grid.read(left, low + j, columns, row.data());
+    for (int i = 0; i < columns; ++i)
+      turned[static_cast<std::size_t>(i + 1) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(j)] =
+          row[static_cast<std::size_t>(i)];
+  }
+  find_coefficients(turned.data(), columns, rows, rows);
+  const auto of = [&](int i, int j) -> double& {  // coefficient i, j of the map
+    return all[static_cast<std::size_t>(j - low + 1) * static_cast<std::size_t>(inner) +
+               static_cast<std::size_t>(i - i_0 + 1)];
+  };
+  for (int j = 0; j < rows; ++j)
+    for (int i = i_0 - 1; i <= i_1 + 1; ++i)
+      of(i, low + j) =
+          turned[static_cast<std::size_t>(i - left + 1) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(j)];
+  find_coefficients(all.data(), rows, inner, inner);
+
+  auto tile = std::make_shared<Tile>();
+  tile->stride = inner;
+  tile->c.reserve(static_cast<std::size_t>(tile->stride) * static_cast<std::size_t>(j_1 - j_0 + 3));
+  for (int j = j_0 - 1; j <= j_1 + 1; ++j)
+    for (int i = i_0 - 1; i <= i_1 + 1; ++i) tile->c.push_back(of(i, j));
+  // A second derivative is between those differences of the coefficients around it.
+  const double xx = 1.0 / (grid.step.x() * grid.step.x()), yy = 1.0 / (grid.step.y() * grid.step.y()),
+               xy = 1.0 / (grid.step.x() * grid.step.y());
+  std::size_t part = 0;
+  for (int y = j_0; y < j_0 + kTile; y += kPart) {
+    for (int x = i_0; x < i_0 + kTile; x += kPart, ++part) {
+      const int x_1 = std::min(x + kPart, i_1), y_1 = std::min(y + kPart, j_1);
+      double h_xx = 0.0, h_yy = 0.0, h_xy = 0.0, top = -std::numeric_limits<double>::infinity();
+      for (int j = y - 1; j <= y_1 + 1 && x < i_1 && y < j_1; ++j) {
+        for (int i = x - 1; i <= x_1 + 1; ++i) {
+          const double here = of(i, j);
+          top = std::max(top, here);
+          if (i >= x && i <= x_1) h_xx = std::max(h_xx, std::abs(of(i - 1, j) - 2.0 * here + of(i + 1, j)));
+          if (j >= y && j <= y_1) h_yy = std::max(h_yy, std::abs(of(i, j - 1) - 2.0 * here + of(i, j + 1)));
+          if (i <= x_1 && j <= y_1)
+            h_xy = std::max(h_xy, std::abs(here - of(i + 1, j) - of(i, j + 1) + of(i + 1, j + 1)));
+        }
+      }
+      tile->bend[part] = std::max(h_xx * xx, h_yy * yy) + h_xy * xy;
+      tile->top[part] = top;
+    }
+  }
+  return tile;
+}
+
+}  // namespace footfall

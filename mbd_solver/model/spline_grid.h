@@ -1,0 +1,52 @@
+#pragma once
+// A map of heights as a cubic B-spline through its samples, with what a terrain asks of it: heights with derivatives, feet, bounds.
+
+#include "mbd_solver/model/terrain.h"
+
+namespace footfall {
+
+inline constexpr int kFootSteps = 30;          // of Newton's method to a foot, at most; three are usual
+inline constexpr double kLastFootStep = 1e-9;  // a step below this needs no further look at the field [m]
+inline constexpr double kAboveField = 1e-9;    // a place above this height does not touch, round-off included [m]
+
+// Coefficients are found tile by tile, where a body comes: most of a large map is never looked at.
+class SplineGrid {
+ public:
+  explicit SplineGrid(std::shared_ptr<const HeightGrid> samples);
+  const HeightGrid& grid() const { return *grid_; }
+
+  void add(const Eigen::Vector2d& place, Terrain::Height& out) const;
+
+  // Feet of points of W on the field origin.z + slope.(x, y) + map, x and y from the origin, with the field there if `at` is not null; bends
+  // of feet stay. only_below: kAbove of what is above the field. Where near is not kFoot the foot means nothing.
+  void find_feet(const Eigen::Vector3d* points, std::size_t count, const Eigen::Vector3d& origin,
+                 const Eigen::Vector2d& slope, bool only_below, Terrain::Foot* feet, Terrain::Near* near,
+                 Terrain::Height* at) const;
+
+  // Of all parts within the reach, or of the whole; the ground goes on beyond the edges.
+  double largest_bend(const Eigen::Vector2d& place, double reach) const;
+  double largest_bend() const;
+  double highest(const Eigen::Vector2d& place, double reach) const;
+  double highest() const;
+
+  struct Tile;
+  const Tile& tile(int a, int b) const {
+    std::shared_ptr<const Tile>& tile =
+        tiles_[static_cast<std::size_t>(b) * static_cast<std::size_t>(tiles_x_) + static_cast<std::size_t>(a)];
+    if (!tile) tile = make_tile(a, b);
+    return *tile;
+  }
+  const Eigen::Vector2d& by() const { return by_; }  // cells per metre
+
+ private:
+  template <class Use>
+  void each_part(const Eigen::Vector2d& place, double reach, Use use) const;
+  std::shared_ptr<const Tile> make_tile(int a, int b) const;
+
+  std::shared_ptr<const HeightGrid> grid_;
+  Eigen::Vector2d by_;
+  int tiles_x_, tiles_y_, parts_x_, parts_y_;
+  mutable std::vector<std::shared_ptr<const Tile>> tiles_;  // made where they are first looked at
+};
+
+}  // namespace footfall
