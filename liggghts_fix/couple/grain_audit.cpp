@@ -256,8 +256,8 @@ void GrainAudit::write_state(long window) {
     gravity->get_gravity(g_now);
     g += wide(g_now);
   }
-  // P, L; |m v|, |x| |m v| + |I w|; kinetic energy; m g . x; how many
-  Eigen::Matrix<Real, 11, 1> sum = Eigen::Matrix<Real, 11, 1>::Zero();
+  // P, L; |m v|, |x| |m v| + |I w|; kinetic energy; m g . x; how many; tags, which tell that others are there
+  Eigen::Matrix<Real, 12, 1> sum = Eigen::Matrix<Real, 12, 1>::Zero();
   const auto add = [&](Real m, const Vector& x, const Vector& v, const Vector& spin, Real rotation) {
     sum.head<3>() += m * v;
     sum.segment<3>(3) += x.cross(m * v) + spin;
@@ -273,6 +273,7 @@ void GrainAudit::write_state(long window) {
     const Vector w = is_rotated(i) ? wide(atom->omega[i]) : Vector(Vector::Zero());
     const Real I = 0.4L * m * r * r;
     add(m, wide(atom->x[i]), wide(atom->v[i]), I * w, 0.5L * I * w.squaredNorm());
+    sum[11] += atom->tag[i];
   }
   for (int body = 0; clumps_ != nullptr && body < clumps_->n_body(); ++body) {
     double x[3], v[3], w[3], spin[3];
@@ -282,12 +283,13 @@ void GrainAudit::write_state(long window) {
     clumps_->data().angmom(spin, body);
     add(clumps_->data().mass(body), wide(x), wide(v), wide(spin), 0.5L * wide(w).dot(wide(spin)));
   }
-  footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, sum.data(), 11, MPI_LONG_DOUBLE, MPI_SUM, world), "MPI_Allreduce");
+  footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, sum.data(), 12, MPI_LONG_DOUBLE, MPI_SUM, world), "MPI_Allreduce");
   write(window, "state", "-", sum.head<6>(), sum[6], sum[7]);
   Wrench energy = Wrench::Zero();
   energy[0] = sum[8];
   energy[1] = sum[9];
   energy[2] = sum[10];
+  energy[3] = sum[11];
   write(window, "energy", "-", energy, 0.0L, 0.0L);
 }
 

@@ -60,14 +60,14 @@ GrainsAudit read_grains_audit(const std::string& path) {
       next.periodic = static_cast<int>(one.angular.z());
     } else if (window < 0) {
       if (one.kind == "state") audit.start = one;
-      if (one.kind == "energy") audit.start_energy = one.linear, audit.start_count = one.linear.z();
+      if (one.kind == "energy") audit.start_energy = one.linear, audit.start_tags = one.angular.x();
     } else if (audit.windows.empty() || audit.windows.back().number != window) {
       csv.fail(code::kAuditDamaged, "window " + std::to_string(window) + " has no row \"clock\" before it");
     } else if (one.kind == "state") {
       audit.windows.back().state = one;
     } else if (one.kind == "energy") {
       audit.windows.back().energy = one.linear;
-      audit.windows.back().count = one.linear.z();
+      audit.windows.back().tags = one.angular.x();
     } else {
       audit.windows.back().sources.push_back(one);
     }
@@ -191,7 +191,7 @@ void balance_of_grains(const GrainsAudit& grains, bool angular, std::vector<Audi
   LineMaker balance("grains: " + what + " momentum", unit), walls("walls of bodies: " + what + " impulse", unit),
       pairs("grains on each other: " + what, unit), gravity("gravity: " + what + " impulse", unit);
   const AuditSource* before = &grains.start;
-  double count = grains.start_count;
+  double tags = grains.start_tags;
   std::string insertion;
   for (const AuditWindow& window : grains.windows) {
     const Vector3d mask = angular ? whole_components(window.periodic) : Vector3d(Vector3d::Ones());
@@ -203,10 +203,10 @@ void balance_of_grains(const GrainsAudit& grains, bool angular, std::vector<Audi
         of_pairs.value + of_gravity.value + sum("wall").value + sum("fix").value + sum("held").value - body.value;
     const Vector3d change =
         angular ? Vector3d(window.state.angular - before->angular) : Vector3d(window.state.linear - before->linear);
-    if (count == window.count) {
+    if (tags == window.tags) {
       balance.take(window.number, size(change - got), scales.flowed, kAuditBound, scales.round_off);
     } else {
-      insertion = "windows in which the number of grains changed are left out";
+      insertion = "windows in which grains came or went are left out";
     }
     walls.take(window.number, size(sum("body_wall").value + body.value), scales.flowed, kAuditBound, scales.round_off);
     // Grains on both sides of a period share one contact with two arms.
@@ -214,7 +214,7 @@ void balance_of_grains(const GrainsAudit& grains, bool angular, std::vector<Audi
       pairs.take(window.number, of_pairs.value.norm(), of_pairs.size, kAuditBound, 0.0);
     gravity.take(window.number, (of_gravity.value - weight.value).norm(), of_gravity.size, kAuditBound, 0.0);
     before = &window.state;
-    count = window.count;
+    tags = window.tags;
   }
   const int periodic = grains.windows.empty() ? 0 : grains.windows.front().periodic;
   if (angular && whole_components(periodic).isZero(0.0)) {
@@ -282,12 +282,13 @@ void energies(const GrainsAudit& grains, const MechanismAudit& mechanism, std::v
   gap.note = "an error of the scheme; see coupling_energy_residual_relative in summary.json";
   double sum = 0.0, most = 0.0, flow = 0.0, given = 0.0, work_flow = 0.0;
   const Vector3d* before = &grains.start_energy;
+  double tags = grains.start_tags;
   for (const AuditWindow& window : grains.windows) {
     double work = 0.0;
     for (const AuditSource& source : window.sources)
       if (source.kind == "impulse") work += source.angular.x();
     const double change = window.energy.x() - before->x() - (window.energy.y() - before->y());
-    if (window.count == before->z()) {
+    if (window.tags == tags) {
       sum += -work - change;
       flow += std::abs(work) + std::abs(window.energy.x() - before->x());
     }
@@ -296,6 +297,7 @@ void energies(const GrainsAudit& grains, const MechanismAudit& mechanism, std::v
     most = std::max(most, sum);
     if (most - sum > lost.defect) lost.defect = most - sum, lost.window = window.number;
     before = &window.energy;
+    tags = window.tags;
   }
   double received = 0.0;
   if (!mechanism.rows.empty())
@@ -411,7 +413,7 @@ int audit_command(const RunArguments& arguments, int windows) {
       throw InputError(code::kWrongOption, scene.particles->script +
                                                ": only LIGGGHTS can compute the length of its windows; add --until "
                                                "SECONDS");
-    run.until = windows * H;
+    run.until = std::min(windows * H, scene.end_time);
   }
   run.audit = true;
   run.quiet = true;

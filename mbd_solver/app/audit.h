@@ -24,10 +24,10 @@ struct AuditWindow {
   long number = 0;
   double end = 0.0, length = 0.0;  // [s]
   double substeps = 0.0;
-  int periodic = 0;  // directions: 1 x, 2 y, 4 z
-  double count = 0.0;
+  int periodic = 0;                                  // directions: 1 x, 2 y, 4 z
+  double tags = 0.0;                                 // sum of those of all grains
   AuditSource state;                                 // at its end
-  Eigen::Vector3d energy = Eigen::Vector3d::Zero();  // kinetic, m g . x [J], count; at its end
+  Eigen::Vector3d energy = Eigen::Vector3d::Zero();  // kinetic, m g . x [J], number of grains; at its end
   std::vector<AuditSource> sources;
 
   // Throws InputError if there is none.
@@ -37,7 +37,7 @@ struct AuditWindow {
 struct GrainsAudit {
   AuditSource start;
   Eigen::Vector3d start_energy = Eigen::Vector3d::Zero();
-  double start_count = 0.0;
+  double start_tags = 0.0;
   std::vector<AuditWindow> windows;
 };
 

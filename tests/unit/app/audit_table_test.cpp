@@ -31,7 +31,7 @@ AuditedRun exact_run() {
   AuditedRun run;
   const double H = 1e-3;
   const Eigen::Vector3d F(1.0, 0.0, 2.0), M = Eigen::Vector3d(0.0, 0.5, 0.0).cross(F), none = Eigen::Vector3d::Zero();
-  run.grains.start_count = 3.0;
+  run.grains.start_tags = 6.0;
   run.grains.start_energy = {0.0, 0.0, 3.0};
   run.mechanism.free = true;
   MechanismRow row;
@@ -43,7 +43,7 @@ AuditedRun exact_run() {
     window.number = k;
     window.length = H;
     window.substeps = 10.0;
-    window.count = 3.0;
+    window.tags = 6.0;
     window.energy = {0.0, 0.0, 3.0};
     const double t = H * (k + 1);
     window.state = source("state", "-", -t * F, -t * M, t * F.norm(), t * M.norm());
@@ -129,7 +129,7 @@ TEST(AuditTable, TakesALastWindowThatTheEndOfTheSceneCuts) {
 
 TEST(AuditTable, LeavesOutWindowsInWhichGrainsCome) {
   AuditedRun run = exact_run();
-  run.grains.windows[2].count = 4.0;
+  run.grains.windows[2].tags = 9.0;
   run.grains.windows[2].state.linear *= 2.0;
   EXPECT_EQ(line(run, "grains: linear momentum").verdict, AuditVerdict::kHolds);
   EXPECT_NE(line(run, "grains: linear momentum").note, "");
