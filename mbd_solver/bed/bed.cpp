@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -147,6 +148,17 @@ class Draft {
   fs::path folder_;
 };
 
+// As it is shown: without the values of variables that have many.
+std::string shown(Command command) {
+  constexpr std::ptrdiff_t kMost = 20;
+  std::vector<std::string>& words = command.words;
+  for (auto name = words.begin(); (name = std::find(name, words.end(), "-var")) != words.end(); ++name) {
+    const auto last = std::find(name + 1, words.end(), "-var");
+    if (last - name > kMost) *words.erase(name + 3, last - 1) = "...";
+  }
+  return shell_line(command);
+}
+
 void make_bed(const BedSpec& spec, int ranks, bool quiet, bool trusted, double limit, const fs::path& folder) {
   const std::string restart = (folder / kBedRestart).string(), log = (folder / "liggghts.log").string();
   Command command = mpirun();
@@ -157,7 +169,7 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, bool trusted, double l
   command.words.insert(command.words.end(), script.begin(), script.end());
   command.words.insert(command.words.end(), {"-var", "bed", restart, "-log", log, "-screen", "none"});
   LiveLine live(quiet, isatty(STDOUT_FILENO) == 1);
-  if (!quiet) std::printf("Making the bed (once): %s\n", shell_line(command).c_str());
+  if (!quiet) std::printf("Making the bed (once): %s\n", shown(command).c_str());
   std::fflush(stdout);
   if (!trusted) confine_script(command, {folder.string()});
   SuspendedWatch suspended(limit);
