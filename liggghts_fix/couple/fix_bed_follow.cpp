@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <map>
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -300,6 +299,7 @@ void FixBedFollow::pre_exchange() {
   const auto axis = static_cast<std::size_t>(next_axis_);
   const int last = first_[axis] + kSlabs - 1;
   const int fresh = next_way_ > 0 ? last + 1 : first_[axis] - 1;
+  require_all_inside();
   first_[axis] += next_way_;
   if (std::abs(period_of(fresh)) >= kMostPeriods)
     throw footfall::NumericalError(
@@ -309,12 +309,13 @@ void FixBedFollow::pre_exchange() {
             " of its lengths, the most that LIGGGHTS can count. Make the bed longer, or end the scene earlier");
   require_all_inside();
   const Slab slab = {next_axis_, place_in_box(fresh)};
+  const footfall::BedExchange all = footfall::bed_exchange(change_of(slab, next_way_));
   next_axis_ = -1;
   footfall::GrainChanges changes;
   int most = 0;  // tag of all grains, also of those that go: their neighbours still name them
   for (int i = 0; i < atom->nlocal; ++i) most = std::max(most, atom->tag[i]);
   footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_INT, MPI_MAX, world), "MPI_Allreduce");
-  remove(slab, changes);
+  exchange(all, changes);
   insert(slab, most, changes);
   held_[axis] = fresh;
   std::array<double, 4> counts = {changes.added, changes.added_mass, changes.removed, changes.removed_mass};
@@ -341,32 +342,67 @@ double FixBedFollow::energy_of(int i) const {
          m * link_.script_gravity().dot(Eigen::Map<const Eigen::Vector3d>(x));
 }
 
-// The grains of the slab; and of their neighbours those that would be pressed into the new ones.
-void FixBedFollow::remove(const Slab& slab, footfall::GrainChanges& changes) {
+// With the grains of all ranks in the slab and its neighbours, by their tags.
+footfall::SlabChange FixBedFollow::change_of(const Slab& slab, int way) const {
+  constexpr std::size_t kNumbers = 6;
   const int axis = slab.axis;
-  double largest = 0.0;
-  for (const RestingGrain& grain : bed_) largest = std::max(largest, grain.radius);
-  const std::array<double, 2> sides = {limit(axis, slab.place), limit(axis, slab.place + 1)};
-  const double period = kSlabs * slab_width(axis);
-  const auto to_side = [&](double x) {
-    double least = period;
-    for (const double side : sides) least = std::min(least, std::abs(std::remainder(x - side, period)));
-    return least;
-  };
-  std::vector<const RestingGrain*> coming;
+  std::vector<double> mine;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double* const x = atom->x[i];
+    const int away = std::abs(place_of(x[axis], axis) - slab.place);
+    if (away <= 1 || away == kSlabs - 1)
+      mine.insert(mine.end(), {static_cast<double>(atom->tag[i]), x[0], x[1], x[2], atom->radius[i], atom->rmass[i]});
+  }
+  const std::vector<double> numbers = footfall::of_all_ranks(mine, world);
+  footfall::SlabChange change;
+  for (std::size_t k = 0; k + kNumbers <= numbers.size(); k += kNumbers) {
+    const double* const of = numbers.data() + k;
+    (is_in(slab, of + 1) ? change.in_slab : change.beside)
+        .push_back({static_cast<int>(of[0]), Eigen::Vector3d(of[1], of[2], of[3]), of[4], of[5]});
+  }
+  for (std::vector<footfall::BedGrain>* const list : {&change.in_slab, &change.beside})
+    std::sort(list->begin(), list->end(), [](const auto& a, const auto& b) { return a.tag < b.tag; });
   for (const RestingGrain& grain : bed_)
-    if (is_in(slab, grain.x.data()) && to_side(grain.x[axis]) < 2.0 * largest) coming.push_back(&grain);
-  const auto is_pressed = [&](int i) {
-    const double r = atom->radius[i];
-    if (to_side(atom->x[i][axis]) >= r + largest) return false;
-    return std::any_of(coming.begin(), coming.end(), [&](const RestingGrain* const grain) {
-      Eigen::Vector3d d = Eigen::Map<const Eigen::Vector3d>(atom->x[i]) - grain->x;
-      domain->minimum_image(d[0], d[1], d[2]);
-      return r + grain->radius - d.norm() > allowed_overlap_ * std::min(r, grain->radius);
-    });
-  };
+    if (is_in(slab, grain.x.data())) change.coming.push_back({grain.tag, grain.x, grain.radius, grain.mass});
+  change.axis = axis;
+  change.way = way;
+  change.end = limit(axis, slab.place + (way > 0 ? 1 : 0));
+  change.room = room_behind(axis, way);
+  for (int k = 0; k < 2; ++k) change.period[k] = domain->periodicity[k] == 0 ? 0.0 : kSlabs * slab_width(k);
+  change.allowed_overlap = allowed_overlap_;
+  change.excess = sum_.removed_mass - sum_.added_mass;
+  return change;
+}
+
+// From the end of the window that bodies have passed to the nearest of them, at most a slab [m].
+double FixBedFollow::room_behind(int axis, int way) const {
+  const double end = limit(axis, first_[static_cast<std::size_t>(axis)] + (way > 0 ? 0 : kSlabs));
+  double room = slab_width(axis);
+  for (int body = 0; body < link_.bodies().count(); ++body) {
+    Eigen::Matrix3Xd x(3, link_.body(body).boundary().node_count());
+    link_.body(body).boundary().node_positions(link_.body(body).pose(), x);
+    if (x.cols() > 0) room = std::min(room, way * ((way > 0 ? x.row(axis).minCoeff() : x.row(axis).maxCoeff()) - end));
+  }
+  return room;
+}
+
+// Grains that are lifted are at rest and without contacts, as those that come.
+void FixBedFollow::exchange(const footfall::BedExchange& exchange, footfall::GrainChanges& changes) {
+  Fix* const history = pair_history();
+  const std::vector<Fix*> planes = plane_histories();
   for (int i = 0; i < atom->nlocal;) {
-    if (!is_in(slab, atom->x[i]) && !is_pressed(i)) {
+    if (const auto lifted = exchange.lifted.find(atom->tag[i]); lifted != exchange.lifted.end()) {
+      changes.changed -= energy_of(i);
+      for (int c = 0; c < 3; ++c) {
+        atom->x[i][c] = lifted->second[c];
+        atom->v[i][c] = atom->omega[i][c] = 0.0;
+      }
+      changes.changed += energy_of(i);
+      double none = as_double(0);
+      if (history != nullptr) history->unpack_exchange(i, &none);
+      for (Fix* const plane : planes) std::fill_n(plane->array_atom[i], plane->size_peratom_cols, 0.0);
+    }
+    if (!std::binary_search(exchange.removed.begin(), exchange.removed.end(), atom->tag[i])) {
       ++i;
       continue;
     }

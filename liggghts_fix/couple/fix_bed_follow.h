@@ -3,7 +3,8 @@
 // A bed that goes on: grains in a periodic box, whose sides follow a body of the scene. Grains stay where they are; what
 // moves is the window of W that the box stands for. It consists of kSlabs slabs along each direction. When the body comes
 // nearer than D to the last slab in front, the window moves on by a slab: the slab behind is taken away, and the
-// slab of the bed at rest, as it was at the start, is put in its place, which by the period is the place in front.
+// slab of the bed at rest, as it was at the start, is put in its place, which by the period is the place in front. Grains
+// of the bed behind that are in the way of the new ones come on top of it, so that as much mass is put in as is taken away.
 //
 // Grains of unwrapped place (x + L image) are where the body meets them. As a vector: number and mass [kg] of the grains
 // added, and of those removed.
@@ -16,6 +17,7 @@
 
 #include "coupler/messages.h"
 #include "fix.h"
+#include "liggghts_fix/link/bed_exchange.h"
 
 namespace footfall {
 class DemLink;
@@ -57,7 +59,9 @@ class FixBedFollow : public Fix {
   void keep_bed();
   void find_next();
   void require_all_inside() const;
-  void remove(const Slab& slab, footfall::GrainChanges& changes);
+  footfall::SlabChange change_of(const Slab& slab, int way) const;
+  double room_behind(int axis, int way) const;
+  void exchange(const footfall::BedExchange& exchange, footfall::GrainChanges& changes);
   void insert(const Slab& slab, int last_tag, footfall::GrainChanges& changes);
   void add_contacts(std::size_t k, const std::vector<int>& tags, std::vector<double>& pairs) const;
   bool is_held(int grain) const;
