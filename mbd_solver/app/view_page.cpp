@@ -509,7 +509,7 @@ std::string view_of(const ViewArguments& a, const fs::path& folder) {
   parts.run["grains"] = nullptr;
   if (dt > 0.0) add_grains(folder.string(), dt, limits, parts);
   add_bodies(folder.string(), summary, limits, parts);
-  if (const auto terrain = read_whole_file((folder / kTerrainFile).string()))
+  if (const auto terrain = read_whole_file((folder / kTerrainFile).string()); terrain && parts.run["grains"].is_null())
     parts.run["terrain"] = Json::parse(*terrain);
   add_surroundings(summary.value("scene", Json::object()), parts);
   const History history = read_history((folder / "history.csv").string());

@@ -90,6 +90,7 @@ struct TerrainBed {
 std::optional<TerrainBed> terrain_bed(const Scene& scene);  // none: the surface is z = 0
 double box_floor(const Scene& scene);                       // z of the floor [m]
 std::string rock_name(std::size_t k);                       // of the body of TerrainBed::rocks[k]
+std::string rock_joint_name(std::size_t k);                 // of the one that holds it
 // Refuses slopes on which grains do not stand, and adds the rocks as bodies that stand still.
 void resolve_terrain_bed(Scene& scene, Findings& findings);
 

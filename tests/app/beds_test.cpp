@@ -174,7 +174,12 @@ TEST_F(Bed, UnderATerrainHasItsSurface) {
   // At 1 m/s the plate meets the rock after 3 ms; where it has not turned its push is that of the rock alone.
   EXPECT_EQ(folder.summary("slope").at("status"), "done");
   EXPECT_GT(folder.summary("slope").at("max_contact_force_N").get<double>(), 1.0);
-  // Another seed of the rocks is another bed, a steeper slope none.
+  // Without dumps of grains the page shows the surface and the rock, without a joint that holds it.
+  folder.done("view slope");
+  const std::string page = folder.command("cat slope/view.html", 10).text;
+  EXPECT_NE(page.find("\"heights\""), std::string::npos);
+  EXPECT_EQ(page.find("rock_1_in_the_ground"), std::string::npos);
+  // A steeper slope stands not.
   folder.refused("check slope.toml --set ground.terrain.slope_deg=28", "E0197");
 }
 

@@ -2,11 +2,15 @@
 
 #include "mbd_solver/run/observe/marks.h"
 
+#include <optional>
+#include <set>
+
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/elements/cable.h"
 #include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/rotation.h"
+#include "mbd_solver/scene/box_bed.h"
 
 namespace footfall {
 namespace {
@@ -48,8 +52,12 @@ void Marks::add_joints() {
   const Scene& scene = subject_.scene;
   const Model& model = subject_.mechanism.model;
   const auto joint_mark = [&](int joint) { return Mark{model.joint(joint).m1, model.joint(joint).m2, {}}; };
+  std::set<std::string> of_rocks;  // a stone lies in the ground: no symbol
+  if (const std::optional<TerrainBed> bed = terrain_bed(scene))
+    for (std::size_t k = 0; k < bed->rocks.size(); ++k) of_rocks.insert(rock_joint_name(k));
   for (std::size_t i = 0; i < scene.joints.size(); ++i) {
     const JointSpec& spec = scene.joints[i];
+    if (of_rocks.count(spec.name) > 0) continue;
     Mark mark = joint_mark(static_cast<int>(i));
     mark.axes[1] = {0, 0, 1.0};
     if (spec.type == JointType::kUniversal) {  // x of a and y of b lie along its two axes

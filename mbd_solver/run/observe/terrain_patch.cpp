@@ -10,7 +10,7 @@ namespace footfall {
 using Json = nlohmann::ordered_json;
 
 std::string terrain_text(const Scene& scene, const Mechanism& mechanism) {
-  if (!mechanism.terrain || scene.touches_particles()) return "";
+  if (!mechanism.terrain) return "";
   const Terrain& terrain = *mechanism.terrain;
   constexpr int kCells = 160;
   Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL), high = -low;
@@ -18,19 +18,25 @@ std::string terrain_text(const Scene& scene, const Mechanism& mechanism) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   };
-  for (const BodyBoundary& entry : mechanism.boundaries) {
-    const BodyState& body = mechanism.model.initial(entry.body);
-    const double reach = entry.boundary.rho0().colwise().norm().maxCoeff();
-    take(body.r.head<2>() - Eigen::Vector2d::Constant(reach));
-    take(body.r.head<2>() + Eigen::Vector2d::Constant(reach));
+  if (scene.touches_particles() && scene.particles->box) {  // its rocks are bodies
+    const BoxSpec& box = *scene.particles->box;
+    take({box.centre[0] - 0.5 * box.size[0], box.centre[1] - 0.5 * box.size[1]});
+    take({box.centre[0] + 0.5 * box.size[0], box.centre[1] + 0.5 * box.size[1]});
+  } else {
+    for (const BodyBoundary& entry : mechanism.boundaries) {
+      const BodyState& body = mechanism.model.initial(entry.body);
+      const double reach = entry.boundary.rho0().colwise().norm().maxCoeff();
+      take(body.r.head<2>() - Eigen::Vector2d::Constant(reach));
+      take(body.r.head<2>() + Eigen::Vector2d::Constant(reach));
+    }
+    if (!(high.x() > low.x())) return "";
+    const double size = (high - low).maxCoeff();
+    const Eigen::Vector2d way = scene.initial.velocity.head<2>() * scene.end_time;
+    take(low + way);
+    take(high + way);
+    low.array() -= size;
+    high.array() += size;
   }
-  if (!(high.x() > low.x())) return "";
-  const double size = (high - low).maxCoeff();
-  const Eigen::Vector2d way = scene.initial.velocity.head<2>() * scene.end_time;
-  take(low + way);
-  take(high + way);
-  low.array() -= size;
-  high.array() += size;
   const Eigen::Vector2d step = (high - low) / kCells;
   const auto rounded = [](double x) { return std::round(1e4 * x) / 1e4; };
   Json out;

@@ -62,6 +62,8 @@ std::optional<TerrainBed> terrain_bed(const Scene& scene) {
 
 std::string rock_name(std::size_t k) { return "rock_" + std::to_string(k + 1); }
 
+std::string rock_joint_name(std::size_t k) { return rock_name(k) + "_in_the_ground"; }
+
 double box_floor(const Scene& scene) {
   const std::optional<TerrainBed> bed = terrain_bed(scene);
   return (bed ? bed->low : 0.0) - scene.particles->box->depth;
@@ -122,7 +124,7 @@ void resolve_terrain_bed(Scene& scene, Findings& findings) {
     JointSpec joint;
     joint.source = scene.ground.source;
     joint.source.lines["point"] = scene.ground.source.line_of("terrain");
-    joint.name = name + "_in_the_ground";
+    joint.name = rock_joint_name(k);
     joint.type = JointType::kFixed;
     joint.bodies = {"ground", name};
     joint.point_a = joint.point_b = bed.rocks[k].centre;
