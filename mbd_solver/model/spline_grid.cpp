@@ -143,7 +143,7 @@ struct FeetSearch {
   Terrain::Height* at;
 };
 
-// Newton's method of Terrain::descend() within the cells.
+// Newton's method of Terrain::descend(), each point for itself: from step to step most stay in their cells.
 FOOTFALL_IN_LINE void find_feet(const SplineGrid& map, const FeetSearch& search) {
   const double slope_x = search.slope.x(), slope_y = search.slope.y(), by_x = map.by().x(), by_y = map.by().y();
   for (std::size_t first = 0; first < search.count; first += 4) {
@@ -153,14 +153,24 @@ FOOTFALL_IN_LINE void find_feet(const SplineGrid& map, const FeetSearch& search)
                place_y = Four{p[0]->y(), p[1]->y(), p[2]->y(), p[3]->y()} - search.origin.y(),
                z = Four{p[0]->z(), p[1]->z(), p[2]->z(), p[3]->z()};
     CellPlaces at;
-    find_places(map, place_x, place_y, at);
     const Four height = search.origin.z() + slope_x * place_x + slope_y * place_y;
     Four x, least, h_out, x_out, y_out, gx_out, gy_out, xx_out, yy_out, xy_out;
     fill(0.0, x);
     Four y = x;
     least = h_out = x_out = y_out = gx_out = gy_out = xx_out = yy_out = xy_out = x;
-    Mask open = (at.beyond_x == 0.0) & (at.beyond_y == 0.0), above = x != x, found = above;
+    Mask open = x == x, above = ~open, found = above, moved = open;  // moved: to another cell
     for (int i = 0; i < kFootSteps && any(open); ++i) {
+      if (i == 0) {
+        find_places(map, place_x, place_y, at);
+        open = (at.beyond_x == 0.0) & (at.beyond_y == 0.0);
+      } else if (any(moved)) {
+        CellPlaces to;
+        find_places(map, place_x + x, place_y + y, to);
+        set(moved, to.x - x * by_x, at.x);
+        set(moved, to.y - y * by_y, at.y);
+        for (int k = 0; k < 16; ++k) set(moved, to.c[k], at.c[k]);
+        open &= ~moved | ((to.beyond_x == 0.0) & (to.beyond_y == 0.0));
+      }
       Four f[3][3];
       evaluate(at, at.x + x * by_x, at.y + y * by_y, f);
       const Four h = height + slope_x * x + slope_y * y + f[0][0], d = h - z;
@@ -184,17 +194,20 @@ FOOTFALL_IN_LINE void find_feet(const SplineGrid& map, const FeetSearch& search)
       y += s_y;
       // What the field has beyond these terms of a last step is below round-off.
       const Mask last = open & (s_x * s_x + s_y * s_y <= kLastFootStep * kLastFootStep);
-      set(last, x, x_out);
-      set(last, y, y_out);
-      set(last, h + g_x * s_x + g_y * s_y, h_out);
-      set(last, g_x + h_xx * s_x + h_xy * s_y, gx_out);
-      set(last, g_y + h_xy * s_x + h_yy * s_y, gy_out);
-      set(last, h_xx, xx_out);
-      set(last, h_yy, yy_out);
-      set(last, h_xy, xy_out);
+      if (any(last)) {
+        set(last, x, x_out);
+        set(last, y, y_out);
+        set(last, h + g_x * s_x + g_y * s_y, h_out);
+        set(last, g_x + h_xx * s_x + h_xy * s_y, gx_out);
+        set(last, g_y + h_xy * s_x + h_yy * s_y, gy_out);
+        set(last, h_xx, xx_out);
+        set(last, h_yy, yy_out);
+        set(last, h_xy, xy_out);
+      }
       found |= last;
       const Four to_x = at.x + x * by_x, to_y = at.y + y * by_y;
-      open &= ~last & (to_x >= 0.0) & (to_x <= 1.0) & (to_y >= 0.0) & (to_y <= 1.0);
+      open &= ~last;
+      moved = open & ~((to_x >= 0.0) & (to_x <= 1.0) & (to_y >= 0.0) & (to_y <= 1.0));
     }
     Four length = 1.0 + gx_out * gx_out + gy_out * gy_out;
     length = Four{std::sqrt(length[0]), std::sqrt(length[1]), std::sqrt(length[2]), std::sqrt(length[3])};
@@ -325,7 +338,7 @@ double SplineGrid::highest() const {
   return highest;
 }
 
-std::shared_ptr<const SplineGrid::Tile> SplineGrid::make_tile(int a, int b) const {
+const SplineGrid::Tile& SplineGrid::make_tile(int a, int b) const {
   const HeightGrid& grid = *grid_;
   const int i_0 = a * kTile, i_1 = std::min(i_0 + kTile, grid.columns - 1);  // samples at its edges
   const int j_0 = b * kTile, j_1 = std::min(j_0 + kTile, grid.rows - 1);
@@ -380,7 +393,8 @@ std::shared_ptr<const SplineGrid::Tile> SplineGrid::make_tile(int a, int b) cons
       tile->top[part] = top;
     }
   }
-  return tile;
+  tiles_[static_cast<std::size_t>(b * tiles_x_ + a)] = tile;
+  return *tile;
 }
 
 }  // namespace footfall

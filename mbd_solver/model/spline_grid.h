@@ -31,17 +31,15 @@ class SplineGrid {
 
   struct Tile;
   const Tile& tile(int a, int b) const {
-    std::shared_ptr<const Tile>& tile =
-        tiles_[static_cast<std::size_t>(b) * static_cast<std::size_t>(tiles_x_) + static_cast<std::size_t>(a)];
-    if (!tile) tile = make_tile(a, b);
-    return *tile;
+    const Tile* const known = tiles_[static_cast<std::size_t>(b * tiles_x_ + a)].get();
+    return known != nullptr ? *known : make_tile(a, b);
   }
   const Eigen::Vector2d& by() const { return by_; }  // cells per metre
 
  private:
   template <class Use>
   void each_part(const Eigen::Vector2d& place, double reach, Use use) const;
-  std::shared_ptr<const Tile> make_tile(int a, int b) const;
+  const Tile& make_tile(int a, int b) const;
 
   std::shared_ptr<const HeightGrid> grid_;
   Eigen::Vector2d by_;

@@ -282,19 +282,21 @@ TerrainContact::~TerrainContact() = default;
 int TerrainContact::place_count() const { return static_cast<int>(own_.size() + kEdgePlaces * rims_.size()); }
 
 TerrainContact::Contact* TerrainContact::add_contact(const ElementInput& in, const Candidate& candidate,
-                                                     const Terrain::Foot& foot) const {
+                                                     const Terrain::Foot& foot, bool with_bend) const {
   const double radius = candidate.radius;
   if (radius - foot.distance <= 0.0) return nullptr;
   const BodyKinematics& body = *in.pair.body[0];
-  Contact& at = contacts_.emplace_back();
+  if (count_ == contacts_.size()) contacts_.emplace_back();
+  Contact& at = contacts_[count_++];  // all of it is written below
   at.place = candidate.place;
   at.point = candidate.point;
+  at.way = -1;
   at.s = candidate.s;
   at.d = candidate.d;
   at.overlap = radius - foot.distance;
   at.radius = radius;
   at.n = foot.normal;
-  at.H = foot.bend;
+  if (with_bend) at.H = foot.bend;
   at.on_rock = foot.rock >= 0;
   at.g = body.dr + body.w.cross(at.d - radius * at.n);
   if (body.modes > 0) {
@@ -356,18 +358,19 @@ void TerrainContact::touch(const ElementInput& in, const Terrain::Lid& lid, Terr
       if (candidate.field && candidate.radius == 0.0) places_.push_back(r + candidate.d);
     terrain_->below(places_, with, feet_, near_);
   }
+  const bool bends = with == Terrain::With::kBend;
   std::size_t next = 0;
   for (const Candidate& candidate : candidates_) {
     const Eigen::Vector3d p = r + candidate.d;
     if (!candidate.field) {
     } else if (flat_) {
-      add_contact(in, candidate, foot_on_plane(lid, candidate.d, p.z() - lid.height));
+      add_contact(in, candidate, foot_on_plane(lid, candidate.d, p.z() - lid.height), bends);
     } else if (candidate.radius == 0.0) {
-      if (near_[next] == Terrain::Near::kFoot) add_contact(in, candidate, feet_[next]);
+      if (near_[next] == Terrain::Near::kFoot) add_contact(in, candidate, feet_[next], bends);
       ++next;
     } else if (terrain_->may_touch(p, candidate.radius)) {
       terrain_->feet(p, candidate.radius, ball_feet_);
-      for (const Terrain::Foot& one : ball_feet_) add_contact(in, candidate, one);
+      for (const Terrain::Foot& one : ball_feet_) add_contact(in, candidate, one, bends);
     }
     for (const int rock : lid.rocks) {
       const Terrain::Sphere& sphere = terrain_->rocks()[static_cast<std::size_t>(rock)];
@@ -375,7 +378,7 @@ void TerrainContact::touch(const ElementInput& in, const Terrain::Lid& lid, Terr
       if ((p - sphere.centre).squaredNorm() >= far * far) continue;
       Candidate alone = candidate;
       alone.share = 1.0;
-      add_contact(in, alone, terrain_->foot(p, rock));
+      add_contact(in, alone, terrain_->foot(p, rock), bends);
     }
   }
   candidates_.clear();
@@ -521,7 +524,7 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
       const Eigen::Vector3d e =
           one.ridge != nullptr ? one.ridge->e : Eigen::Vector3d(std::cos(one.angle) * e_0 + std::sin(one.angle) * b);
       const Eigen::Vector3d t = a.cross(e), s = rim.marker.s0 + R * (body.A.transpose() * e), d = body.A * s;
-      Contact* const at = add_contact(in, {first_place + k, kOnRim, 0.0, 1.0, true, s, d}, one.foot);
+      Contact* const at = add_contact(in, {first_place + k, kOnRim, 0.0, 1.0, true, s, d}, one.foot, true);
       if (at == nullptr) continue;
       const Eigen::Vector3d arm = centre + R * e - body.r;
       Way way;
@@ -587,14 +590,14 @@ bool TerrainContact::is_known(const ElementInput& in, Terrain::With with) const 
 void TerrainContact::find_contacts(const ElementInput& in, Terrain::With with) const {
   if (is_known(in, with)) return;
   known_state_.clear();
-  contacts_.clear();
+  count_ = 0;
   candidates_.clear();
   ways_.clear();
   ds_known_ = false;
   touch_all(in, with);
   const auto before = [](const Contact& a, const Contact& b) { return a.place < b.place; };
-  if (!std::is_sorted(contacts_.begin(), contacts_.end(), before))
-    std::stable_sort(contacts_.begin(), contacts_.end(), before);
+  const auto begin = contacts_.begin(), end = begin + static_cast<std::ptrdiff_t>(count_);
+  if (!std::is_sorted(begin, end, before)) std::stable_sort(begin, end, before);
   known_state_.swap(state_);
   known_with_ = with;
 }
@@ -614,8 +617,8 @@ void TerrainContact::touch_all(const ElementInput& in, Terrain::With with) const
 
 template <class Use>
 void TerrainContact::each_place(Use use) const {
-  for (std::size_t i = 0, end = 0; i < contacts_.size(); i = end) {
-    while (end < contacts_.size() && contacts_[end].place == contacts_[i].place) ++end;
+  for (std::size_t i = 0, end = 0; i < count_; i = end) {
+    while (end < count_ && contacts_[end].place == contacts_[i].place) ++end;
     use(&contacts_[i], static_cast<int>(end - i));
   }
 }
@@ -648,7 +651,7 @@ void TerrainContact::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorX
   });
   Q.head<3>() += force;
   Q.segment<3>(3) += moment;
-  if (body.modes == 0 || contacts_.empty()) return;
+  if (body.modes == 0 || count_ == 0) return;
   Q.segment(6, body.modes).noalias() += own_S_.transpose() * forces_;
   each_place([&](const Contact* contacts, int) { forces_.segment<3>(3 * contacts->place).setZero(); });
 }
@@ -660,62 +663,80 @@ bool TerrainContact::add_derivatives(const ElementInput& in, ElementDerivatives&
   each_place([&](const Contact* contacts, int count) {
     for (int i = 0; i < count; ++i) add_derivatives(in, contacts[i], 1.0 / count, out);
   });
-  return springs || !contacts_.empty();
+  return springs || count_ > 0;
 }
 
-// The derivatives of one contact, as in SurfaceContact, W the way of a place along its edge:
+// The derivatives of one contact, W the way of a place along its edge:
 //   D = X + W,  N = dn/dx = H D,  G = X + R n~ E                g = G v, Q = G^T f
-//   g_x = p'_x + w~ W - R w~ N,  u_x = P g_x - (n.g) N - n g^T N + d(T s) / tau
+//   g_x = g_0 - R w~ N,  g_0 = p'_x + w~ W,   u_x = P g_x + u_N N,  u_N = -(n.g) - n g^T + d(T s)/dn / tau
+// With f = f_n e, e = n - mu u / sqrt(u^2 + v_s^2), these are
+//   f_x = f_g g_0 + f_N N - (df_n/d delta) e n^T D,  f_g = f_u P - (df_n/d delta') e n^T,
+//   f_N = f_u u_N + f_n - (df_n/d delta') e g^T - R f_g w~,  f_v = f_g G
 void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, double share,
                                      ElementDerivatives& out) const {
   const BodyKinematics& body = *in.pair.body[0];
-  const int place = at.place;
+  const int place = at.place, n = in.pair.size();
   if (at.point == kOnRim) on_rim_.s0 = at.s;
   const Marker& marker = at.point == kOnRim ? on_rim_ : points_[static_cast<std::size_t>(at.point)].marker;
   const Way* const way = at.way < 0 ? nullptr : &ways_[static_cast<std::size_t>(at.way)];
-  const int n = in.pair.size();
-  const double tau = law_.stick_time;
+  const double tau = law_.stick_time, mu = law_.friction, R = at.radius, inverse = at.inverse_speed;
   const Eigen::Matrix3d unit = Eigen::Matrix3d::Identity(), P = unit - at.n * at.n.transpose(), turning = skew(body.w);
-  for (Eigen::Matrix3Xd* m : {&X_, &D_, &N_, &G_, &g_x_, &f_x_, &f_v_, &u_x_}) m->setZero(3, n);
-
+  G_.setZero(3, n);
+  g_0_.setZero(3, n);
+  f_x_.resize(3, n);
+  f_v_.resize(3, n);
   const KinematicVector p = KinematicVector::point(in.pair, 0, marker);
-  p.add_jacobian(X_);
-  D_ = X_;
-  if (way != nullptr) D_.leftCols<6>() += way->wander;
-  if (way != nullptr && way->turns)
-    N_.leftCols<6>() = way->turn;
-  else
-    N_.noalias() = at.H.lazyProduct(D_);
-  G_ = X_;
-  G_.middleCols<3>(3) += at.radius * skew(at.n);
-  p.add_rate_jacobian(g_x_);
-  if (way != nullptr) g_x_.leftCols<6>() += turning * way->wander;
-  g_x_.noalias() -= (at.radius * turning).lazyProduct(N_);
+  p.add_jacobian(G_);
+  p.add_rate_jacobian(g_0_);
 
-  Eigen::Matrix3d by_n = -at.n.dot(at.g) * unit - at.n * at.g.transpose();
-  if (tau > 0.0) by_n += slope_of_tangent(at.n, in.z.segment<2>(2 * place) / tau);
-  u_x_.noalias() = P.lazyProduct(g_x_);
-  u_x_.noalias() += by_n.lazyProduct(N_);
-  const auto [by_u, by_g] = at.differentiate(law_, D_, N_, g_x_, u_x_, f_x_);
-  f_v_.noalias() = by_g.lazyProduct(G_);
+  Eigen::Matrix3d u_N = -at.n.dot(at.g) * unit - at.n * at.g.transpose();
+  if (tau > 0.0) u_N += slope_of_tangent(at.n, in.z.segment<2>(2 * place) / tau);
+  const Eigen::Vector3d e = at.n - mu * inverse * at.u;
+  const Eigen::Matrix3d f_u =
+      (-mu * at.normal.force * inverse) * (unit - (inverse * inverse) * at.u * at.u.transpose());
+  const Eigen::Matrix3d f_g = f_u * P - at.normal.by_closing * e * at.n.transpose();
+  const Eigen::Matrix3d f_N =
+      f_u * u_N + at.normal.force * unit - at.normal.by_closing * e * at.g.transpose() - R * f_g * turning;
+  const Eigen::Matrix3d f_D = -at.normal.by_overlap * e * at.n.transpose();
+  // s' = T^T clip(u) - s / tau: the share of this contact.
+  const ContactLaw::Clipped clipped = law_.clip(at.u);
+  const Tangents T = tangents_at(at.n);
+  const Eigen::Matrix<double, 2, 3> s_u = share * T.transpose() * clipped.slope, s_g = s_u * P,
+                                    s_N = s_u * u_N - R * s_g * turning + share * slope_of_parts(at.n, clipped.value);
+  const Eigen::Matrix3d f = skew(at.force);
+
+  // What follows from N, before G has more than X.
+  if (way == nullptr) {
+    f_x_.noalias() = (f_N * at.H + f_D).lazyProduct(G_);
+    if (R > 0.0) out.dQ_dx.middleRows<3>(3).noalias() += (R * f * at.H).lazyProduct(G_);
+    if (tau > 0.0) out.ddz_dx.middleRows<2>(2 * place).noalias() += (s_N * at.H).lazyProduct(G_);
+  } else {
+    Eigen::Matrix3Xd D = G_;
+    D.leftCols<6>() += way->wander;
+    g_0_.leftCols<6>() += turning * way->wander;
+    Eigen::Matrix3Xd N = Eigen::Matrix3Xd::Zero(3, n);
+    if (way->turns)
+      N.leftCols<6>() = way->turn;
+    else
+      N.noalias() = at.H.lazyProduct(D);
+    f_x_.noalias() = f_N.lazyProduct(N);
+    f_x_.noalias() += f_D.lazyProduct(D);
+    out.dQ_dx.middleRows<3>(3).noalias() += (R * f).lazyProduct(N);
+    out.dQ_dx.block<3, 6>(3, 0) -= f * way->wander;
+    if (tau > 0.0) out.ddz_dx.middleRows<2>(2 * place).noalias() += s_N.lazyProduct(N);
+  }
+  if (R > 0.0) G_.middleCols<3>(3) += R * skew(at.n);
+  f_x_.noalias() += f_g.lazyProduct(g_0_);
+  f_v_.noalias() = f_g.lazyProduct(G_);
 
   out.dQ_dx.noalias() += G_.transpose().lazyProduct(f_x_);
   out.dQ_dv.noalias() += G_.transpose().lazyProduct(f_v_);
   p.add_second(at.force, out.dQ_dx);
-  const Eigen::Matrix3d f = skew(at.force);
-  out.dQ_dx.middleRows<3>(3).noalias() += (at.radius * f).lazyProduct(N_);
-  if (way != nullptr) out.dQ_dx.block<3, 6>(3, 0) -= f * way->wander;
   if (tau == 0.0) return;
-
-  // s' = T^T clip(u) - s / tau: the share of this contact.
-  const ContactLaw::Clipped clipped = law_.clip(at.u);
-  const Tangents T = tangents_at(at.n);
-  const Eigen::Matrix<double, 2, 3> by_u_of_s = share * T.transpose() * clipped.slope;
-  out.dQ_dz.middleCols<2>(2 * place).noalias() += G_.transpose().lazyProduct(by_u * T / tau);
-  out.ddz_dv.middleRows<2>(2 * place).noalias() += (by_u_of_s * P).lazyProduct(G_);
-  out.ddz_dz.middleRows<2>(2 * place) += by_u_of_s * T / tau;
-  out.ddz_dx.middleRows<2>(2 * place).noalias() += by_u_of_s.lazyProduct(u_x_);
-  out.ddz_dx.middleRows<2>(2 * place).noalias() += (share * slope_of_parts(at.n, clipped.value)).lazyProduct(N_);
+  out.dQ_dz.middleCols<2>(2 * place).noalias() += G_.transpose().lazyProduct(f_u * T / tau);
+  out.ddz_dv.middleRows<2>(2 * place).noalias() += s_g.lazyProduct(G_);
+  out.ddz_dz.middleRows<2>(2 * place) += s_u * T / tau;
+  out.ddz_dx.middleRows<2>(2 * place).noalias() += s_g.lazyProduct(g_0_);
 }
 
 void TerrainContact::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
@@ -731,7 +752,8 @@ void TerrainContact::add_energy(const ElementInput& in, StoredEnergy& stored, Di
 Eigen::Matrix<double, 6, 1> TerrainContact::wrench(const ElementInput& in) const {
   find_contacts(in, Terrain::With::kNormal);
   Eigen::Matrix<double, 6, 1> out = Eigen::Matrix<double, 6, 1>::Zero();
-  for (const Contact& at : contacts_) {
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Contact& at = contacts_[i];
     out.head<3>() += at.force;
     out.tail<3>() += (at.d - at.radius * at.n).cross(at.force);
   }
@@ -741,13 +763,14 @@ Eigen::Matrix<double, 6, 1> TerrainContact::wrench(const ElementInput& in) const
 double TerrainContact::largest_overlap(const ElementInput& in) const {
   find_contacts(in, Terrain::With::kNormal);
   double largest = 0.0;
-  for (const Contact& at : contacts_) largest = std::max(largest, at.overlap);
+  for (std::size_t i = 0; i < count_; ++i) largest = std::max(largest, contacts_[i].overlap);
   return largest;
 }
 
 bool TerrainContact::touches_rock(const ElementInput& in) const {
   find_contacts(in, Terrain::With::kNormal);
-  return std::any_of(contacts_.begin(), contacts_.end(), [](const Contact& at) { return at.on_rock; });
+  return std::any_of(contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(count_),
+                     [](const Contact& at) { return at.on_rock; });
 }
 
 }  // namespace footfall

@@ -78,7 +78,7 @@ class TerrainContact : public ForceElement {
                           const Eigen::Vector3d& a, const Eigen::Vector3d& centre, const Eigen::Vector3d& n,
                           bool sharp) const;
   Terrain::Foot foot_on_plane(const Terrain::Lid& lid, const Eigen::Vector3d& from_body, double above) const;
-  Contact* add_contact(const ElementInput& in, const Candidate& at, const Terrain::Foot& foot) const;
+  Contact* add_contact(const ElementInput& in, const Candidate& at, const Terrain::Foot& foot, bool with_bend) const;
   void add_derivatives(const ElementInput& in, const Contact& at, double share, ElementDerivatives& out) const;
   double find_place_on_rim(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& e_0,
                            const Eigen::Vector3d& b, double angle, int rock, Terrain::Foot& foot) const;
@@ -106,7 +106,8 @@ class TerrainContact : public ForceElement {
   // Contacts of the last state, with what they depend on.
   mutable std::vector<double> state_, known_state_;
   mutable Terrain::With known_with_ = Terrain::With::kNormal;
-  mutable std::vector<Contact> contacts_;
+  mutable std::vector<Contact> contacts_;  // count_ of them
+  mutable std::size_t count_ = 0;
   mutable std::vector<Way> ways_;
   // Scratch.
   mutable std::vector<Candidate> candidates_;
@@ -116,7 +117,7 @@ class TerrainContact : public ForceElement {
   mutable Eigen::VectorXd s_, ds_, forces_;  // of own points: deformed, its rate, forces in B
   mutable bool ds_known_ = false;
   mutable Marker on_rim_;
-  mutable Eigen::Matrix3Xd X_, D_, N_, G_, g_x_, f_x_, f_v_, u_x_;  // 3 x n
+  mutable Eigen::Matrix3Xd G_, g_0_, f_x_, f_v_;  // 3 x n
 };
 
 }  // namespace footfall
