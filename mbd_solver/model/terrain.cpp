@@ -124,9 +124,13 @@ Terrain::Terrain(TerrainParts parts) : parts_(std::move(parts)) {
     map_ = std::move(map);
   }
   in_cells_ = map_ && map_->site && !map_->rough && parts_.craters.empty() && parts_.waves.empty();
+  if (parts_.map) grain_ = parts_.map->step.minCoeff();
+  if (map_ && map_->rough) grain_ = std::min(grain_, map_->rough->grid().step.minCoeff());
+  for (const Crater& crater : parts_.craters) grain_ = std::min(grain_, 0.1 * crater.radius);
   for (const GroundWave& wave : parts_.waves) {
     wave_bend_ += std::abs(wave.amplitude) * wave.k.squaredNorm();
     wave_height_ += std::abs(wave.amplitude);
+    grain_ = std::min(grain_, kPi / 4.0 / wave.k.norm());
   }
   if (parts_.rocks.empty()) return;
   rock_cells_ = std::make_unique<RockCells>();

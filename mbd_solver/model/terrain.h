@@ -11,6 +11,7 @@
 // The foot is found by Newton's method, so the distance is exact to round-off while |phi| is below the radius of curvature.
 
 #include <Eigen/Dense>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -118,6 +119,7 @@ class Terrain {
 
   const std::vector<Sphere>& rocks() const { return spheres_; }
   const TerrainParts& parts() const { return parts_; }
+  double grain() const { return grain_; }     // a length [m] over which the bends of the field change little
   bool inside_map(double x, double y) const;  // true without a map
 
  private:
@@ -137,6 +139,7 @@ class Terrain {
   bool in_cells_ = false;  // the field is a map and a slope: in each cell a polynomial
   std::vector<Sphere> spheres_;
   std::unique_ptr<RockCells> rock_cells_;
+  double grain_ = std::numeric_limits<double>::infinity();
   double wave_bend_ = 0.0, wave_height_ = 0.0;  // of all waves together, at most [1/m], [m]
 };
 

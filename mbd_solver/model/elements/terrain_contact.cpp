@@ -11,6 +11,7 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/elements/curved_contact.h"
+#include "mbd_solver/model/elements/edge_on_terrain.h"
 #include "mbd_solver/model/kinematic_vector.h"
 #include "mbd_solver/model/rotation.h"
 
@@ -18,12 +19,13 @@ namespace footfall {
 namespace {
 
 constexpr int kEdgePlaces = 12;        // of an edge that lies on the ground, and springs of each edge
-constexpr int kEdgeSamples = 36;       // at which an edge looks for minima
 constexpr double kStands = 0.5;        // sine of the angle to the ground above which an edge stands up
 constexpr double kAboveGround = 1e-9;  // a place above this height does not touch, round-off included [m]
-constexpr double kSharp = 30.0;  // times its radius: an edge looks for ridges of the ground whose curvature may be more
-constexpr int kMostCuts = 400;   // places of the ground at which an edge looks for them
-constexpr double kFlat = 1e-11;  // the ground is a plane if it bulges less within the reach of a body [m]
+constexpr double kSharp =
+    30.0;  // times its radius: an edge counts its springs from the vertical where the ground may bend more
+constexpr double kBends = 0.4;    // times its radius: an edge touches at one place where the ground bends less
+constexpr double kOneWide = 1.2;  // half the angle within which that is [rad]
+constexpr double kFlat = 1e-11;   // the ground is a plane if it bulges less within the reach of a body [m]
 constexpr double kFace = 1e-6;  // of the radius: a point so near to the plane of an edge, and within it, is on its face
 constexpr double kTurnsFreely = 1e-9;  // curvature of the distance along an edge below which its minimum has no place
 
@@ -79,135 +81,6 @@ Eigen::Matrix<double, 2, 3> slope_of_parts(const Eigen::Vector3d& n, const Eigen
   out.leftCols<2>() = -c * m * y.head<2>().transpose() - (c * b + y.z()) * Eigen::Matrix2d::Identity();
   out.col(2) = c * c * b * m;
   return out;
-}
-
-// A circle of radius R about `centre` in the plane across the axis a, and a ridge of the field that reaches into it. The places p on
-// the circle and c on the field face each other:
-//   (p - c).T_x = 0,  (p - c).T_y = 0,  N.t = 0;   T_x = (1, 0, h_x), T_y = (0, 1, h_y), N = (-h_x, -h_y, 1), t = a x e, p = centre + R e
-// This is the minimum of phi along the circle, and regular also where the circle is beyond the centres of curvature of the ridge,
-// where the foot of p has ended: for any sharpness. Between two minima within the circle is a saddle, whose contact counts with the
-// opposite sign: a minimum that ends does so in a saddle of the same overlap, and the energy does not jump; nor do ripples of the map
-// on a level count as many grounds.
-struct Ridge {
-  double sign = 1.0;     // -1: of a saddle
-  Eigen::Vector3d e;     // from the centre to p
-  double overlap = 0.0;  // [m]
-  Eigen::Vector3d n;     // of the field at c
-  Terrain::Height at_c;  // its height, slope, bend
-  Eigen::Vector3d c;     // [m]
-  Eigen::Matrix3d J;     // of the three equations by the place of c, x and y, and the angle of p
-  void differentiate(double R, const Eigen::Vector3d& t, const Eigen::Vector3d& p);
-  // By [dr; dtheta] of the body: of p along the circle, and of n.
-  void find_ways(double R, const Eigen::Vector3d& t, const Eigen::Vector3d& arm, Eigen::Matrix<double, 3, 6>& of_p,
-                 Eigen::Matrix<double, 3, 6>& of_n) const;
-};
-
-void Ridge::differentiate(double R, const Eigen::Vector3d& t, const Eigen::Vector3d& p) {
-  const Eigen::Vector3d T_x(1.0, 0.0, at_c.slope.x()), T_y(0.0, 1.0, at_c.slope.y()),
-      N(-at_c.slope.x(), -at_c.slope.y(), 1.0);
-  const double d = p.z() - c.z();
-  J << -T_x.squaredNorm() + d * at_c.bend[0], -T_x.dot(T_y) + d * at_c.bend[2], R * t.dot(T_x),
-      -T_x.dot(T_y) + d * at_c.bend[2], -T_y.squaredNorm() + d * at_c.bend[1], R * t.dot(T_y),
-      -(at_c.bend[0] * t.x() + at_c.bend[2] * t.y()), -(at_c.bend[2] * t.x() + at_c.bend[1] * t.y()), -N.dot(e);
-}
-
-// J d(x, y, angle) = -[T_x.dp; T_y.dp; (t x N).dtheta],  dp = dr - arm~ dtheta
-void Ridge::find_ways(double R, const Eigen::Vector3d& t, const Eigen::Vector3d& arm, Eigen::Matrix<double, 3, 6>& of_p,
-                      Eigen::Matrix<double, 3, 6>& of_n) const {
-  const Eigen::Vector3d T_x(1.0, 0.0, at_c.slope.x()), T_y(0.0, 1.0, at_c.slope.y()),
-      N(-at_c.slope.x(), -at_c.slope.y(), 1.0);
-  Eigen::Matrix<double, 3, 6> by_body = Eigen::Matrix<double, 3, 6>::Zero();
-  by_body.block<1, 3>(0, 0) = T_x.transpose();
-  by_body.block<1, 3>(1, 0) = T_y.transpose();
-  by_body.block<1, 3>(0, 3) = -(T_x.transpose() * skew(arm));
-  by_body.block<1, 3>(1, 3) = -(T_y.transpose() * skew(arm));
-  by_body.block<1, 3>(2, 3) = t.cross(N).transpose();
-  const Eigen::Matrix<double, 3, 6> ways = -(J.inverse() * by_body);
-  of_p = (R * t) * ways.row(2);
-  Eigen::Matrix<double, 3, 6> by_N = Eigen::Matrix<double, 3, 6>::Zero();
-  by_N.row(0) = -(at_c.bend[0] * ways.row(0) + at_c.bend[2] * ways.row(1));
-  by_N.row(1) = -(at_c.bend[2] * ways.row(0) + at_c.bend[1] * ways.row(1));
-  of_n = (by_N - n * (n.transpose() * by_N)) / N.norm();
-}
-
-// The places at which the ground, cut by the plane of the circle, comes nearest to its centre are near those; u is level, v rises.
-void find_ridges(const Terrain& terrain, const Eigen::Vector3d& centre, double R, const Eigen::Vector3d& a,
-                 std::vector<Ridge>& ridges) {
-  const std::shared_ptr<const HeightGrid>& map = terrain.parts().map;
-  const double step = map ? map->step.minCoeff() : R / 100.0;
-  const Eigen::Vector3d u = a.cross(Eigen::Vector3d::UnitZ()).normalized(), v = u.cross(a);
-  struct Cut {
-    double w = 0.0, square = 0.0,
-           slope = 0.0;  // height along v [m], distance from the centre squared, half its derivative by s
-  };
-  const auto cut_at = [&](double s, double w) {
-    Cut cut;
-    Terrain::Height here;
-    for (int i = 0; i < 12; ++i) {
-      const Eigen::Vector3d c = centre + s * u + w * v;
-      here = terrain.at(c.x(), c.y());
-      const double rise = v.z() - here.slope.dot(v.head<2>());
-      const double more = (here.h - c.z()) / (rise > 0.3 * v.z() ? rise : v.z());
-      w += more;
-      if (std::abs(more) < 1e-13 || (v.head<2>().squaredNorm() < 1e-24)) break;
-    }
-    cut.w = w;
-    cut.square = s * s + w * w;
-    const double rise = v.z() - here.slope.dot(v.head<2>());
-    cut.slope = s + w * here.slope.dot(u.head<2>()) / (rise > 0.3 * v.z() ? rise : v.z());
-    return cut;
-  };
-  const int count = std::clamp(static_cast<int>(std::ceil(4.0 * R / step)), 36, kMostCuts);
-  const double apart = 2.0 * R / count;
-  Cut before = cut_at(-R - apart, 0.0), here = cut_at(-R, before.w);
-  for (int k = 0; k <= count; ++k) {
-    const double s = -R + k * apart;
-    const Cut after = cut_at(s + apart, here.w);
-    const bool least = here.square <= before.square && here.square < after.square;
-    const bool most = here.square >= before.square && here.square > after.square;
-    const Cut middle = here;
-    const bool steep = std::max(std::abs(here.w - before.w), std::abs(after.w - here.w)) > 4.0 * apart;
-    before = here;
-    here = after;
-    if (!(least || most) || (middle.square > (R + apart) * (R + apart) && !steep)) continue;
-    double low = s - apart, high = s + apart, w = middle.w;
-    for (int i = 0; i < 60 && high - low > 1e-9 * R; ++i) {
-      const double half = 0.5 * (low + high);
-      const Cut cut = cut_at(half, w);
-      w = cut.w;
-      ((cut.slope < 0.0) == least ? low : high) = half;
-    }
-    const double at = 0.5 * (low + high);
-    const Cut found = cut_at(at, w);
-    if (found.square >= R * R || found.square == 0.0) continue;
-    Ridge one;
-    one.sign = least ? 1.0 : -1.0;
-    one.e = (at * u + found.w * v) / std::sqrt(found.square);
-    Eigen::Vector2d place = (centre + at * u + found.w * v).head<2>();
-    for (int i = 0; i < 20; ++i) {
-      one.at_c = terrain.at(place.x(), place.y());
-      one.c = {place.x(), place.y(), one.at_c.h};
-      const Eigen::Vector3d p = centre + R * one.e, t = a.cross(one.e);
-      one.differentiate(R, t, p);
-      const Eigen::Vector2d& g = one.at_c.slope;
-      const Eigen::Vector3d d = p - one.c;
-      const Eigen::Vector3d r(d.x() + d.z() * g.x(), d.y() + d.z() * g.y(), t.z() - g.dot(t.head<2>()));
-      Eigen::Vector3d change = -(one.J.inverse() * r);
-      const double size = std::max(change.head<2>().norm(), R * std::abs(change[2]));
-      if (!(size > 1e-14 * (1.0 + place.norm()))) break;
-      if (size > 0.5 * step) change *= 0.5 * step / size;
-      place += change.head<2>();
-      one.e = (std::cos(change[2]) * one.e + std::sin(change[2]) * t).eval();
-    }
-    one.n = Eigen::Vector3d(-one.at_c.slope.x(), -one.at_c.slope.y(), 1.0).normalized();
-    one.overlap = one.n.dot(one.c - centre - R * one.e);
-    const bool stayed = (one.c - centre - at * u - found.w * v).norm() < 4.0 * apart;
-    if (!stayed || !(one.overlap > 0.0) || !(one.n.dot(one.e) < 0.0)) continue;
-    const bool known = std::any_of(ridges.begin(), ridges.end(), [&](const Ridge& other) {
-      return other.sign == one.sign && (other.c - one.c).norm() < 1e-6 * R;
-    });
-    if (!known) ridges.push_back(one);
-  }
 }
 
 }  // namespace
@@ -320,10 +193,9 @@ TerrainContact::Contact* TerrainContact::add_contact(const ElementInput& in, con
 // From an angle near a minimum of the distance along the edge to the minimum.
 double TerrainContact::find_place_on_rim(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& e_0,
                                          const Eigen::Vector3d& b, double angle, int rock, Terrain::Foot& foot) const {
-  constexpr double kWide = 2.0 * kPi / kEdgeSamples;
   constexpr int kSteps = 80;
   const auto foot_at = [&](const Eigen::Vector3d& p) { return rock < 0 ? terrain_->foot(p) : terrain_->foot(p, rock); };
-  double low = angle - kWide, high = angle + kWide;  // the slope of the distance changes its sign between them
+  double low = angle - kOneWide, high = angle + kOneWide;  // the slope of the distance changes its sign between them
   for (int i = 0; i < kSteps; ++i) {
     const Eigen::Vector3d e = std::cos(angle) * e_0 + std::sin(angle) * b,
                           t = std::cos(angle) * b - std::sin(angle) * e_0;
@@ -432,10 +304,11 @@ void TerrainContact::offer_rim(const ElementInput& in, std::size_t index, int fi
 
   const bool sharp = field_ && !flat && lid.bend * R > kSharp && a.head<2>().norm() > kStands &&
                      terrain_->lid(centre, R).bend * R > kSharp;
+  const bool bends = field_ && !flat && lid.bend * R > kBends && (sharp || terrain_->lid(centre, R).bend * R > kBends);
   const Eigen::Vector2d slope = flat ? lid.slope : terrain_->at(centre.x(), centre.y()).slope;
   const Eigen::Vector3d n =
       sharp ? Eigen::Vector3d(0.0, 0.0, 1.0) : Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
-  if (n.cross(a).norm() >= kStands) return touch_standing_rim(in, index, first_place, lid, a, centre, n, sharp);
+  if (n.cross(a).norm() >= kStands) return touch_standing_rim(in, index, first_place, lid, a, centre, n, bends);
   for (int k = 0; k < kEdgePlaces; ++k) {
     const Eigen::Vector2d& e = edge_directions()[static_cast<std::size_t>(k)];
     const Eigen::Vector3d s = rim.marker.s0 + R * (e.x() * rim.marker.axes.col(0) + e.y() * rim.marker.axes.col(1));
@@ -446,7 +319,7 @@ void TerrainContact::offer_rim(const ElementInput& in, std::size_t index, int fi
 
 void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t index, int first_place,
                                         const Terrain::Lid& lid, const Eigen::Vector3d& a,
-                                        const Eigen::Vector3d& centre, const Eigen::Vector3d& n, bool sharp) const {
+                                        const Eigen::Vector3d& centre, const Eigen::Vector3d& n, bool bends) const {
   const ContactRim& rim = rims_[index];
   const Face& face = faces_[index];
   const BodyKinematics& body = *in.pair.body[0];
@@ -459,7 +332,7 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
   struct Minimum {
     double angle;
     Terrain::Foot foot;
-    const Ridge* ridge = nullptr;
+    const EdgePlace* place = nullptr;
   };
   std::array<std::vector<Minimum>, kEdgePlaces> minima;
   bool any = false;
@@ -477,19 +350,17 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
     here.push_back(one);
     any = true;
   };
-  std::vector<Ridge> ridges;
-  if (sharp) find_ridges(*terrain_, centre, R, a, ridges);
-  for (const Ridge& ridge : ridges) {
+  std::vector<EdgePlace> found;
+  if (bends) find_edge_places(*terrain_, centre, R, a, lid.top, found);
+  for (const EdgePlace& place : found) {
     Minimum one;
-    one.angle = std::atan2(ridge.e.dot(b), ridge.e.dot(e_0));
-    one.foot.distance = -ridge.overlap;
-    one.foot.normal = ridge.n;
-    one.ridge = &ridge;
+    one.angle = std::atan2(place.e.dot(b), place.e.dot(e_0));
+    one.foot.distance = -place.overlap;
+    one.foot.normal = place.n;
+    one.place = &place;
     near(one.angle).push_back(one);
     any = true;
   }
-  std::array<double, kEdgeSamples> gap{};
-  const bool sampled = field_ && !sharp && !flat;
   if (flat) {  // its lowest place
     Minimum one;
     one.angle = 0.0;
@@ -498,20 +369,7 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
     any = one.foot.distance < 0.0;
     if (any) minima[0].push_back(one);
   }
-  for (int i = 0; i < kEdgeSamples && sampled; ++i) {
-    const double angle = 2.0 * kPi * i / kEdgeSamples;
-    const Eigen::Vector3d p = centre + R * (std::cos(angle) * e_0 + std::sin(angle) * b);
-    const Terrain::Height here = terrain_->at(p.x(), p.y());
-    gap[static_cast<std::size_t>(i)] = (p.z() - here.h) / std::sqrt(1.0 + here.slope.squaredNorm());
-  }
-  const double arc = 2.0 * kPi * R / kEdgeSamples;
-  for (int i = 0; i < kEdgeSamples && sampled; ++i) {
-    const double here = gap[static_cast<std::size_t>(i)];
-    if (here > arc || here > gap[static_cast<std::size_t>((i + 1) % kEdgeSamples)] ||
-        here > gap[static_cast<std::size_t>((i + kEdgeSamples - 1) % kEdgeSamples)])
-      continue;
-    add(2.0 * kPi * i / kEdgeSamples, -1);
-  }
+  if (field_ && !flat && !bends) add(0.0, -1);
   for (const int rock : lid.rocks) {
     const Eigen::Vector3d d = terrain_->rocks()[static_cast<std::size_t>(rock)].centre - centre;
     if (d.norm() > R + terrain_->rocks()[static_cast<std::size_t>(rock)].radius) continue;
@@ -522,16 +380,16 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
     if (!flat) offer_face(in, face, k, first_place + k, lid);
     for (const Minimum& one : minima[static_cast<std::size_t>(k)]) {
       const Eigen::Vector3d e =
-          one.ridge != nullptr ? one.ridge->e : Eigen::Vector3d(std::cos(one.angle) * e_0 + std::sin(one.angle) * b);
+          one.place != nullptr ? one.place->e : Eigen::Vector3d(std::cos(one.angle) * e_0 + std::sin(one.angle) * b);
       const Eigen::Vector3d t = a.cross(e), s = rim.marker.s0 + R * (body.A.transpose() * e), d = body.A * s;
       Contact* const at = add_contact(in, {first_place + k, kOnRim, 0.0, 1.0, true, s, d}, one.foot, true);
       if (at == nullptr) continue;
       const Eigen::Vector3d arm = centre + R * e - body.r;
       Way way;
-      if (one.ridge != nullptr) {
-        one.ridge->find_ways(R, t, arm, way.wander, way.turn);
+      if (one.place != nullptr) {
+        one.place->find_ways(R, a, arm, way.wander, way.turn);
         way.turns = true;
-        if (one.ridge->sign < 0.0) at->count_off();
+        if (one.place->sign < 0.0) at->count_off();
       } else {
         const double curve = R * t.dot(at->H * t) - at->n.dot(e);
         if (!(curve > kTurnsFreely)) continue;

@@ -5,11 +5,11 @@
 //   u = P v + T s / tau, P = I - n n^T,  s' = T^T clip(u) - s / tau: the spring s [m] of a place has two inner states, along the x and y
 //   axes of W turned with z to n, T = R(z -> n) [e_x e_y]; |T s| = |s|, so that its energy does not change as n turns
 // A ball has one contact for each local minimum of its distance, and one with each rock; they share a spring.
-// A circular edge (radius R about c, axis a) that stands up from the ground touches where its distance from the ground has local
-// minima, n.t = 0 with the tangent t = a x e: it rolls without facets, also over a step. As the body turns by dtheta and moves
+// A circular edge (radius R about c, axis a) that stands up from the ground touches where its distance from the ground has its
+// minimum, n.t = 0 with the tangent t = a x e: it rolls without facets, also over a step. As the body turns by dtheta and moves
 // by dr the place moves along the edge by R t dpsi, (R t.H t - n.e) dpsi = -t.H dp - (t x n).dtheta; this does no work.
-// Where a ridge of the ground may be sharper than a thirtieth of R the edge meets it by pairs of places that face each other, which
-// the ridge's own curvature does not end; saddles between them count with the opposite sign (terrain_contact.cpp).
+// Where the ground bends so much that there may be several it meets it by pairs of places that face each other, saddles with the
+// opposite sign (edge_on_terrain.h).
 // An edge that lies within 30 degrees of the ground touches at 12 places of its own. Points on its face share their springs, and on the
 // field their stiffness: m points and 12 places have 12 / (12 + m) of k each, as stiff as on a plane. Where the ground is a plane within
 // the reach of the body the 12 places touch alone, as in RigidPlane; rocks meet each point with k.
@@ -76,7 +76,7 @@ class TerrainContact : public ForceElement {
   void touch(const ElementInput& in, const Terrain::Lid& lid, Terrain::With with) const;
   void touch_standing_rim(const ElementInput& in, std::size_t index, int first_place, const Terrain::Lid& lid,
                           const Eigen::Vector3d& a, const Eigen::Vector3d& centre, const Eigen::Vector3d& n,
-                          bool sharp) const;
+                          bool bends) const;
   Terrain::Foot foot_on_plane(const Terrain::Lid& lid, const Eigen::Vector3d& from_body, double above) const;
   Contact* add_contact(const ElementInput& in, const Candidate& at, const Terrain::Foot& foot, bool with_bend) const;
   void add_derivatives(const ElementInput& in, const Contact& at, double share, ElementDerivatives& out) const;

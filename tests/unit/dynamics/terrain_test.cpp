@@ -740,6 +740,105 @@ TEST(SteepSteps, KeepTheEnergyOfABallAtAnyAngle) {
   }
 }
 
+// A wheel across a kerb at an angle, of one sample or of three, 20 mm apart.
+std::shared_ptr<const Terrain> oblique_kerb(double degrees, double rise, int samples) {
+  const double c = std::cos(degrees * kPi / 180.0), s = std::sin(degrees * kPi / 180.0);
+  TerrainParts parts;
+  parts.map = map_of(101, 101, 0.02, [&](double x, double y) {
+    const double q = c * x + s * y;
+    return samples == 1 ? (q < 0.0 ? 0.0 : rise) : rise * std::clamp(0.5 + q / (0.02 * samples), 0.0, 1.0);
+  });
+  return terrain_of(parts);
+}
+
+struct ObliqueWheel {
+  static constexpr double R = 0.3, m = 2.0, stiffness = 1e5;
+  ObliqueWheel(double friction, double speed, double lean) : model({0.0, 0.0, -kEarth}) {
+    law.stiffness = stiffness;
+    law.friction = friction;
+    law.stick_time = 0.0;
+    BodyState state;
+    state.r = {-0.45, 0.0, R - std::pow(m * kEarth / stiffness, 2.0 / 3.0)};
+    state.dr = {speed, 0.0, 0.0};
+    state.w = {0.0, speed / R, 0.0};
+    state.L = quaternion_about(Eigen::Vector3d::UnitX(), lean);
+    const double I = 0.5 * m * R * R;
+    model.add_body(Body("wheel", m, Eigen::Vector3d(0.5 * I, I, 0.5 * I).asDiagonal()), state);
+    Eigen::Matrix3d axes;
+    axes << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    rims.push_back({body_marker(0, model.body(0), Eigen::Vector3d::Zero(), axes), R});
+  }
+  Model model;
+  ContactLaw law;
+  std::vector<ContactRim> rims;
+};
+
+// Moved along a given way through the kerb, upright and leaning, up to 40 mm deep: at each step the work of its force is
+// what its energy loses. The trapezoid errs by some (step^2 / 12) F'' = 1e-4 J; a place that comes or goes alone makes 0.01 to 1 J.
+TEST(SteepSteps, PushAWheelAlongTheSlopeOfItsEnergy) {
+  for (const double degrees : {15.0, 30.0, 45.0, 70.0}) {
+    for (const double lean : {-0.37, 0.0}) {
+      ObliqueWheel wheel(0.0, 0.0, lean);
+      const TerrainContact contact("ground", {}, wheel.law, oblique_kerb(degrees, 0.05, 1), wheel.rims);
+      const Assembly given = test::as_given(wheel.model);
+      Kinematics kinematics(wheel.model);
+      constexpr int kSteps = 1500;
+      double energy = 0.0, most = 0.0;
+      Eigen::Vector3d r, force;
+      for (int i = 0; i <= kSteps; ++i) {
+        const double x = -0.45 + 0.9 * i / kSteps;
+        const Eigen::Vector3d to(x, 0.0, ObliqueWheel::R * std::cos(lean) + 0.025 * std::tanh((x + 0.08) / 0.1) + 0.02);
+        Eigen::VectorXd q = given.state.q;
+        q.head<3>() = to;
+        kinematics.load(Layout(wheel.model), q, given.state.v, Eigen::VectorXd());
+        const ElementInput in{kinematics.pair(0, kGround), Eigen::VectorXd(), Eigen::VectorXd()};
+        StoredEnergy stored{};
+        Dissipated power{};
+        contact.add_energy(in, stored, power);
+        const Eigen::Vector3d now = contact.wrench(in).head<3>();
+        if (i > 0) {
+          EXPECT_NEAR(stored.total() - energy, -0.5 * (now + force).dot(to - r), 2e-3)
+              << degrees << " " << lean << " " << x;
+        }
+        energy = stored.total();
+        most = std::max(most, energy);
+        r = to;
+        force = now;
+      }
+      EXPECT_GT(most, 0.05) << degrees << " " << lean;
+    }
+  }
+}
+
+// A free wheel, without friction and damping or with friction alone: what it has and gave to friction stays. Steps of one sample and of
+// three. What is lost is the error of the integration: it falls with its tolerance.
+TEST(SteepSteps, KeepTheEnergyOfAWheelAtAnyAngle) {
+  const auto lost = [](double degrees, double friction, int samples, double tolerance) {
+    ObliqueWheel wheel(friction, 2.5, 0.0);
+    wheel.model.add_force(std::make_unique<TerrainContact>("ground", std::vector<ContactPoint>(), wheel.law,
+                                                           oblique_kerb(degrees, 0.03, samples), wheel.rims));
+    test::Run run(wheel.model, "one_step", test::precise(tolerance));
+    const double moving = 0.75 * ObliqueWheel::m * 2.5 * 2.5, start = run.body(0).r.z();
+    double highest = 0.0;
+    for (int i = 1; i <= 10; ++i) {
+      run.to(0.03 * i);
+      highest = std::max(highest, run.body(0).r.z());
+    }
+    EXPECT_GT(highest, start + 1e-3) << degrees;  // it has met the step
+    return std::abs(run.imbalance()) / moving;
+  };
+  for (const double degrees : {15.0, 30.0, 45.0, 70.0})
+    for (const double friction : {0.0, 0.5})
+      for (const int samples : {1, 3})
+        EXPECT_LT(lost(degrees, friction, samples, 1e-7), 1e-5) << degrees << " " << friction << " " << samples;
+  double coarse = 0.0, fine = 0.0;
+  for (const double degrees : {15.0, 30.0, 45.0}) {
+    coarse += lost(degrees, 0.0, 1, 1e-4) / 3.0;
+    fine += lost(degrees, 0.0, 1, 1e-8) / 3.0;
+  }
+  EXPECT_LT(fine, 0.05 * coarse);  // 1.4e-7 and 2.3e-4
+}
+
 // With slip, springs and spin, leaning and oblique to the edge.
 TEST(SteepSteps, HaveExactDerivatives) {
   test::Random random(5);
