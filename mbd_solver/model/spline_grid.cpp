@@ -338,6 +338,29 @@ double SplineGrid::highest() const {
   return highest;
 }
 
+// The spline is a mean of the coefficients around, and so is any plane of its values at their places.
+double SplineGrid::highest(const Eigen::Vector2d& place, double reach, const Eigen::Vector2d& slope) const {
+  constexpr double kMost = 40000.0;  // coefficients
+  const HeightGrid& grid = *grid_;
+  const Eigen::Array2d u = (place - grid.first).array() * by_.array(), wide = reach * by_.array();
+  const Eigen::Array2d low = (u - wide).floor(), high = (u + wide).floor();
+  if (!(low.minCoeff() >= 0.0 && (u + wide)[0] <= grid.columns - 1 && (u + wide)[1] <= grid.rows - 1 &&
+        (high - low + 4.0).prod() <= kMost))
+    return std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+  for (int j = static_cast<int>(low[1]) - 1; j <= std::min(static_cast<int>(high[1]) + 2, grid.rows); ++j) {
+    const int b = std::min(std::max(j, 0) / kTile, tiles_y_ - 1);
+    for (int i = static_cast<int>(low[0]) - 1; i <= std::min(static_cast<int>(high[0]) + 2, grid.columns); ++i) {
+      const int a = std::min(std::max(i, 0) / kTile, tiles_x_ - 1);
+      const Tile& from = tile(a, b);
+      const double c = from.c[static_cast<std::size_t>((j - b * kTile + 1) * from.stride + i - a * kTile + 1)];
+      const Eigen::Vector2d away = grid.first + Eigen::Vector2d(i * grid.step.x(), j * grid.step.y()) - place;
+      most = std::max(most, c - slope.dot(away));
+    }
+  }
+  return most;
+}
+
 const SplineGrid::Tile& SplineGrid::make_tile(int a, int b) const {
   const HeightGrid& grid = *grid_;
   const int i_0 = a * kTile, i_1 = std::min(i_0 + kTile, grid.columns - 1);  // samples at its edges

@@ -28,6 +28,9 @@ class SplineGrid {
   double largest_bend() const;
   double highest(const Eigen::Vector2d& place, double reach) const;
   double highest() const;
+  // Within the reach of the place the map is below this height + slope.(x, y), x and y from the place; infinite at an edge, or where it
+  // would take long to find.
+  double highest(const Eigen::Vector2d& place, double reach, const Eigen::Vector2d& slope) const;
 
   struct Tile;
   const Tile& tile(int a, int b) const {

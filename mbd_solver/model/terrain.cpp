@@ -547,6 +547,12 @@ Terrain::Lid Terrain::lid(const Eigen::Vector3d& centre, double reach) const {
   return out;
 }
 
+double Terrain::plane_above(const Eigen::Vector2d& centre, double reach, const Eigen::Vector2d& slope) const {
+  if (!in_cells_) return std::numeric_limits<double>::infinity();
+  const Eigen::Vector2d place = centre - parts_.origin.head<2>();
+  return parts_.origin.z() + parts_.slope.dot(place) + map_->site->highest(place, reach, slope - parts_.slope);
+}
+
 bool Terrain::Lid::above(const Eigen::Vector3d& centre, double reach) const {
   return (centre.z() - height - 0.5 * bend * reach * reach) > reach * std::sqrt(1.0 + slope.squaredNorm());
 }

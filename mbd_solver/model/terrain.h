@@ -116,6 +116,8 @@ class Terrain {
   double distance(const Eigen::Vector3d& p) const;  // of the field and all rocks
 
   Lid lid(const Eigen::Vector3d& centre, double reach) const;
+  // Within the reach the field is below this height + slope.(x, y), x and y from the centre; infinite where only a lid tells [m].
+  double plane_above(const Eigen::Vector2d& centre, double reach, const Eigen::Vector2d& slope) const;
 
   const std::vector<Sphere>& rocks() const { return spheres_; }
   const TerrainParts& parts() const { return parts_; }

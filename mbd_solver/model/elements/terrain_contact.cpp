@@ -221,6 +221,11 @@ Terrain::Foot TerrainContact::foot_on_plane(const Terrain::Lid& lid, const Eigen
   return foot;
 }
 
+bool TerrainContact::clears_plane(const Eigen::Vector3d& p, double radius) const {
+  const double above = p.z() - plane_height_ - plane_slope_.dot((p - lid_middle_).head<2>());
+  return above > kAboveGround + (radius > 0.0 ? radius * std::sqrt(1.0 + plane_slope_.squaredNorm()) : 0.0);
+}
+
 // The contacts of all candidates, in their order.
 void TerrainContact::touch(const ElementInput& in, const Terrain::Lid& lid, Terrain::With with) const {
   const Eigen::Vector3d& r = in.pair.body[0]->r;
@@ -264,7 +269,7 @@ void TerrainContact::offer_face(const ElementInput& in, const Face& face, int pa
     const Eigen::Vector3d d = body.A * s;
     const double z = body.r.z() + d.z(),
                  above = z - lid.height - lid.slope.dot(d.head<2>()) - 0.5 * lid.bend * d.head<2>().squaredNorm();
-    const bool field = field_ && above <= kAboveGround && z <= lid.top;
+    const bool field = field_ && above <= kAboveGround && z <= lid.top && !clears_plane(body.r + d, 0.0);
     if (field || !lid.rocks.empty()) candidates_.push_back({place, i, 0.0, face.share, field, s, d});
   }
 }
@@ -282,7 +287,7 @@ void TerrainContact::offer_own_points(const ElementInput& in, const Terrain::Lid
     const Eigen::Vector3d s = places.segment<3>(3 * static_cast<Eigen::Index>(k)), d = body.A * s;
     const double wide = d.head<2>().norm() + radius, z = body.r.z() + d.z();
     const double above = z - lid.height - lid.slope.dot(d.head<2>()) - 0.5 * lid.bend * wide * wide - radius * up;
-    const bool field = field_ && above <= kAboveGround && z - radius <= lid.top;
+    const bool field = field_ && above <= kAboveGround && z - radius <= lid.top && !clears_plane(body.r + d, radius);
     if (field || !lid.rocks.empty()) candidates_.push_back({static_cast<int>(k), own_[k], radius, 1.0, field, s, d});
   }
 }
@@ -304,15 +309,21 @@ void TerrainContact::offer_rim(const ElementInput& in, std::size_t index, int fi
 
   const bool sharp = field_ && !flat && lid.bend * R > kSharp && a.head<2>().norm() > kStands &&
                      terrain_->lid(centre, R).bend * R > kSharp;
-  const bool bends = field_ && !flat && lid.bend * R > kBends && (sharp || terrain_->lid(centre, R).bend * R > kBends);
   const Eigen::Vector2d slope = flat ? lid.slope : terrain_->at(centre.x(), centre.y()).slope;
   const Eigen::Vector3d n =
       sharp ? Eigen::Vector3d(0.0, 0.0, 1.0) : Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
-  if (n.cross(a).norm() >= kStands) return touch_standing_rim(in, index, first_place, lid, a, centre, n, bends);
+  if (n.cross(a).norm() >= kStands) {
+    const bool bends =
+        field_ && !flat && lid.bend * R > kBends && (sharp || terrain_->lid(centre, R).bend * R > kBends);
+    return touch_standing_rim(in, index, first_place, lid, a, centre, n, bends);
+  }
   for (int k = 0; k < kEdgePlaces; ++k) {
     const Eigen::Vector2d& e = edge_directions()[static_cast<std::size_t>(k)];
     const Eigen::Vector3d s = rim.marker.s0 + R * (e.x() * rim.marker.axes.col(0) + e.y() * rim.marker.axes.col(1));
-    candidates_.push_back({first_place + k, kOnRim, 0.0, flat ? 1.0 : face.share, field_, s, body.A * s});
+    const Eigen::Vector3d d = body.A * s;
+    const bool field = field_ && !clears_plane(body.r + d, 0.0);
+    if (field || !lid.rocks.empty())
+      candidates_.push_back({first_place + k, kOnRim, 0.0, flat ? 1.0 : face.share, field, s, d});
     if (!flat) offer_face(in, face, k, first_place + k, lid);
   }
 }
@@ -416,6 +427,11 @@ const Terrain::Lid& TerrainContact::lid_over(const Eigen::Vector3d& r, double re
     const double wide = reach + size;  // > its half diagonal
     lid_ = terrain_->lid(lid_middle_, wide);
     lid_height_ = lid_.height;
+    const double x = lid_middle_.x(), y = lid_middle_.y();  // of the mean slope: it leaves least room above the field
+    plane_slope_ = Eigen::Vector2d(terrain_->at(x + wide, y).h - terrain_->at(x - wide, y).h,
+                                   terrain_->at(x, y + wide).h - terrain_->at(x, y - wide).h) /
+                   (2.0 * wide);
+    plane_height_ = terrain_->plane_above({x, y}, wide, plane_slope_);
     flat_ = field_ && lid_.rocks.empty() && 0.5 * lid_.bend * wide * wide < kFlat;
   }
   if (flat_) {

@@ -66,6 +66,7 @@ class TerrainContact : public ForceElement {
   bool sort_onto_face(int point);
   int place_count() const;
   const Terrain::Lid& lid_over(const Eigen::Vector3d& r, double reach) const;
+  bool clears_plane(const Eigen::Vector3d& p, double radius) const;
   // contacts_ of this state, by places.
   void find_contacts(const ElementInput& in, Terrain::With with) const;
   void touch_all(const ElementInput& in, Terrain::With with) const;
@@ -101,6 +102,8 @@ class TerrainContact : public ForceElement {
   mutable Terrain::Lid lid_;     // that of the last cell, with height and slope of the last place
   mutable bool flat_ = false;
   mutable double lid_reach_ = -1.0, lid_height_ = 0.0;  // [m]; height: at the middle
+  mutable double plane_height_ = 0.0;                   // of a plane above the field, at the middle [m]
+  mutable Eigen::Vector2d plane_slope_ = Eigen::Vector2d::Zero();
   mutable Eigen::Array3d lid_cell_ = Eigen::Array3d::Zero();
   mutable Eigen::Vector3d lid_middle_ = Eigen::Vector3d::Zero();
   // Contacts of the last state, with what they depend on.

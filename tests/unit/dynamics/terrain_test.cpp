@@ -189,6 +189,25 @@ TEST(Terrain, NothingTouchesAboveTheLid) {
   }
   EXPECT_GT(clear, 50);
   EXPECT_NEAR(ground.top(1.3, 0.8), ground.rocks()[0].centre.z() + 0.3, 1e-12);
+
+  TerrainParts map;  // ripples of 1 mm on a slope: a plane is known above them, where bends only tell of 70 mm
+  map.origin = {0.4, 0.3, 2.0};
+  map.slope = {0.1, -0.3};
+  map.map = map_of(161, 161, 0.02, [](double x, double y) { return 0.2 * x + 1e-3 * std::sin(40.0 * x + 30.0 * y); });
+  const Terrain rippled(map);
+  for (int k = 0; k < 100; ++k) {
+    const Eigen::Vector2d c(random.number(-0.5, 1.3), random.number(-0.6, 1.2)), slope(0.3, -0.3);
+    const double reach = random.number(0.05, 0.3), height = rippled.plane_above(c, reach, slope);
+    const double mean = 2.0 + slope.dot(c - map.origin.head<2>());
+    EXPECT_NEAR(height, mean, 2e-3) << k;  // the coefficients of waves of 6 samples are a fifth larger than these
+    for (int i = 0; i < 20; ++i) {
+      const double angle = random.number(0.0, 6.3), away = random.number(0.0, reach);
+      const Eigen::Vector2d d(away * std::cos(angle), away * std::sin(angle));
+      EXPECT_LE(rippled.at(c.x() + d.x(), c.y() + d.y()).h, height + slope.dot(d) + 1e-14) << k;
+    }
+  }
+  EXPECT_TRUE(std::isinf(rippled.plane_above({2.0, 0.0}, 0.1, {0.0, 0.0})));  // beyond the edge
+  EXPECT_TRUE(std::isinf(ground.plane_above({0.0, 0.0}, 0.1, {0.0, 0.0})));   // not a map alone
 }
 
 // ---- contact ----
