@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <numeric>
@@ -230,12 +231,20 @@ bool is_prime(int n) {
   return n > 1;
 }
 
-// LIGGGHTS requires primes above 10000; the scripts use none of these.
+// LIGGGHTS requires primes above 10000; the scripts use none of these. Small seeds count primes, large ones (of a campaign) are scattered by
+// Knuth's multiplicative hash.
 int prime_of(int seed) {
-  int n = 20000000;
-  for (int k = 0; k < seed; ++k)
+  constexpr int kFirst = 20000000, kCounted = 10000;
+  constexpr std::uint64_t kKnuth = 2654435761u, kPlaces = 2000000000u;
+  const int steps = std::min(seed, kCounted);
+  int n = kFirst;
+  for (int k = 0; k < steps; ++k)
     while (!is_prime(++n)) {
     }
+  if (seed <= kCounted) return n;
+  n += static_cast<int>(static_cast<std::uint64_t>(seed) * kKnuth % kPlaces);
+  while (!is_prime(++n)) {
+  }
   return n;
 }
 

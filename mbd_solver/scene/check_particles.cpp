@@ -475,7 +475,6 @@ constexpr double kSteepest = 30.0;                     // of gravity against -z 
 constexpr double kLeastRestitution = 0.05;  // more than this
 constexpr double kSoft = 5e6;               // [Pa]; below it only with `soft_particles yes`, as in inputs/box
 constexpr double kSoftest = 1e4;            // [Pa]; a contact of softer grains is none
-constexpr int kMostSeeds = 10000;
 constexpr std::size_t kMostTemplates = 12;  // of clumps, in inputs/box/in.bed
 
 const char* const kNoOther = "; LIGGGHTS accepts no other";
@@ -703,8 +702,6 @@ bool check_box(const Scene& scene, Findings& findings) {
   check_counts(at, box);
   check_material(at, "box.material.", box.material.poisson, box.material.young, box.material.restitution);
   check_material(at, "box.bodies.", box.bodies.poisson, box.bodies.young, box.bodies.restitution.value_or(1.0));
-  at.error_if(box.seed > kMostSeeds, kOutOfRange, "box.seed",
-              "is " + std::to_string(box.seed) + ", expected 1 to " + std::to_string(kMostSeeds));
   const std::string periodic = box.follow.empty() ? "periodic = true" : "follow, which makes the bed periodic";
   at.error_if(box.periodic && box.margin, kConflictingKeys, "box.margin",
               "excludes " + periodic + ": there are no walls to leave space around");

@@ -18,7 +18,8 @@
 namespace footfall {
 
 namespace {
-constexpr double kStandardGravity = 9.80665;  // [m/s2]
+constexpr double kStandardGravity = 9.80665;    // [m/s2]
+constexpr double kLargestWhole = 2147483647.0;  // seeds of runs of a campaign go that far
 
 struct UnitEntry {
   const char* name;
@@ -175,7 +176,7 @@ static std::string read_value(const ConfigNode& node, const ValueContext& c, dou
 }
 
 static std::string read_value(const ConfigNode& node, const ValueContext& c, int& target) {
-  if (node.kind != Kind::kInteger || std::abs(node.number) > 1e9) return is_expected(node, "a whole number");
+  if (node.kind != Kind::kInteger || std::abs(node.number) > kLargestWhole) return is_expected(node, "a whole number");
   const std::string problem = check_range(node.number, c.rule);
   if (problem.empty()) target = static_cast<int>(node.number);
   return problem;

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
@@ -18,6 +19,7 @@
 #include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/observe/records.h"
 #include "mbd_solver/run/observe/start_values.h"
+#include "mbd_solver/run/observe/terrain_patch.h"
 #include "tests/support/refused.h"
 #include "tests/unit/run/small_machine.h"
 #include "tests/unit/scene/scene_text.h"
@@ -566,6 +568,33 @@ TEST(FitRigid, LeavesTheBendingOver) {
   EXPECT_LT((fit.R * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitX()).norm(), 1e-14);
   EXPECT_NEAR(fit.residual, 0.02, 1e-15);
   EXPECT_NEAR(fit.centre.z(), 0.02, 1e-15);
+}
+
+// A bed is drawn from end to end, by the heights of its terrain in 0.1 mm, a tilted plane too; its rocks are bodies.
+TEST(TerrainPatch, OfABedIsItsSurface) {
+  const Scene scene = SceneText().read(R"(end_time = 1
+gravity = [0, 0, -9.81]
+bodies = [{ name = "ball", mass = 1, shape = { kind = "sphere", centre = [0, 0, 1], radius = 0.05 } }]
+boundaries = [{ body = "ball", surface = {} }]
+[ground]
+kind = "particles"
+terrain = { slope_deg = 12, position = [0, 0, 0.5] }
+[particles.box]
+size = [0.6, 0.4]
+centre = [0.1, 0]
+depth = 0.1
+radius = 0.01
+)");
+  const auto patch = nlohmann::json::parse(terrain_text(scene, build_mechanism(scene)));
+  const double x = patch["first"][0], y = patch["first"][1], dx = patch["step"][0], dy = patch["step"][1];
+  const int columns = patch["counts"][0], rows = patch["counts"][1];
+  EXPECT_NEAR(x, -0.2, 1e-12);
+  EXPECT_NEAR(y, -0.2, 1e-12);
+  EXPECT_NEAR(x + (columns - 1) * dx, 0.4, 1e-12);
+  EXPECT_NEAR(y + (rows - 1) * dy, 0.2, 1e-12);
+  for (int i = 0; i < columns; ++i)
+    EXPECT_NEAR(patch["heights"][i].get<double>(), 0.5 - std::tan(12.0 * kPi / 180.0) * (x + i * dx), 0.51e-4);
+  EXPECT_TRUE(patch["rocks"].empty());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/box_bed.h"
@@ -135,6 +136,24 @@ TEST(BoxBed, IsMadeAnewOnlyForWhatTheBedKnows) {
                           "initial.velocity=[0,0,-20]", "end_time=3"}));
   EXPECT_NE(bed({}), bed({"particles.box.material.density=1500"}));
   EXPECT_NE(bed({}), bed({"particles.box.seed=2"}));
+}
+
+// The seeds of a campaign's runs are drawn from all positive int; primes of LIGGGHTS are above 10000. Small seeds keep theirs.
+TEST(BoxBed, TakesTheSeedsOfCampaigns) {
+  const SceneText text;
+  std::set<std::string> primes;
+  const std::vector<std::string> seeds = {"1", "2", "9999", "10000", "10001", "305305426", "1450725065", "2147483647"};
+  for (const std::string& seed : seeds) {
+    const std::string prime = text.read(kPlate, {"particles.box.seed=" + seed}).particles->bed->variables.at("seed");
+    primes.insert(prime);
+    const long n = std::stol(prime);
+    EXPECT_GT(n, 10000);
+    EXPECT_LE(n, 2147483647);
+    for (long d = 2; d * d <= n; ++d) ASSERT_NE(n % d, 0) << seed;
+  }
+  EXPECT_EQ(primes.size(), seeds.size());
+  EXPECT_EQ(text.read(kPlate).particles->bed->variables.at("seed"), "20000003");
+  EXPECT_NE(text.findings(kPlate, {"particles.box.seed=2147483648"}), "");
 }
 
 TEST(BoxBed, TimeStepFollowsTheGrainsAndTheSpeed) {
