@@ -135,7 +135,7 @@ std::string surface_text(const Scene& scene) {
   if (!bed) return "surface at z = 0";
   const std::string rocks = bed->rocks.size() == 1 ? ", 1 rock" : ", " + std::to_string(bed->rocks.size()) + " rocks";
   return "surface from z = " + number_text(bed->low, 3) + " to " + number_text(bed->high, 3) + " m, up to " +
-         number_text(bed->steepest * 180.0 / kPi, 3) + " degrees steep" + (bed->rocks.empty() ? "" : rocks);
+         number_text(steepest_of_bed(scene) * 180.0 / kPi, 3) + " degrees steep" + (bed->rocks.empty() ? "" : rocks);
 }
 
 std::string clumps_text(const Scene& scene) {

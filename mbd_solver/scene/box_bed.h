@@ -84,11 +84,11 @@ struct TerrainBed {
   int columns = 1, rows = 1;                 // along x and y
   std::vector<double> heights;               // of the surface at their middles, row after row, in W [m]
   double low = 0.0, high = 0.0, mean = 0.0;  // of the surface [m]
-  double steepest = 0.0;                     // of the surface, against the level of gravity [rad]
   std::vector<Terrain::Sphere> rocks;
 };
 std::optional<TerrainBed> terrain_bed(const Scene& scene);  // none: the surface is z = 0
 double box_floor(const Scene& scene);                       // z of the floor [m]
+double steepest_of_bed(const Scene& scene);                 // under a terrain, against the level of gravity [rad]
 std::string rock_name(std::size_t k);                       // of the body of TerrainBed::rocks[k]
 std::string rock_joint_name(std::size_t k);                 // of the one that holds it
 // Refuses slopes on which grains do not stand, and adds the rocks as bodies that stand still.

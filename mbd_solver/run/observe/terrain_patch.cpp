@@ -10,15 +10,17 @@ namespace footfall {
 using Json = nlohmann::ordered_json;
 
 std::string terrain_text(const Scene& scene, const Mechanism& mechanism) {
-  if (!mechanism.terrain) return "";
-  const Terrain& terrain = *mechanism.terrain;
+  const std::shared_ptr<const Terrain> surface =
+      scene.touches_particles() ? build_bed_surface(scene) : mechanism.terrain;
+  if (!surface) return "";
+  const Terrain& terrain = *surface;
   constexpr int kCells = 160;
   Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL), high = -low;
   const auto take = [&](const Eigen::Vector2d& p) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   };
-  if (scene.touches_particles() && scene.particles->box) {  // its rocks are bodies
+  if (scene.touches_particles()) {  // its rocks are bodies
     const BoxSpec& box = *scene.particles->box;
     take({box.centre[0] - 0.5 * box.size[0], box.centre[1] - 0.5 * box.size[1]});
     take({box.centre[0] + 0.5 * box.size[0], box.centre[1] + 0.5 * box.size[1]});

@@ -36,7 +36,6 @@ std::optional<TerrainBed> terrain_bed(const Scene& scene) {
   const double dx = box.size[0] / bed.columns, dy = box.size[1] / bed.rows;
   bed.low = HUGE_VAL;
   bed.high = -HUGE_VAL;
-  const Eigen::Vector3d up = -scene.gravity.normalized();
   double sum = 0.0;
   for (int j = 0; j < bed.rows; ++j) {
     for (int i = 0; i < bed.columns; ++i) {
@@ -46,8 +45,6 @@ std::optional<TerrainBed> terrain_bed(const Scene& scene) {
       bed.heights.push_back(here.h);
       bed.low = std::min(bed.low, here.h);
       bed.high = std::max(bed.high, here.h);
-      const Eigen::Vector3d normal = Eigen::Vector3d(-here.slope.x(), -here.slope.y(), 1.0).normalized();
-      bed.steepest = std::max(bed.steepest, std::acos(std::clamp(normal.dot(up), -1.0, 1.0)));
       sum += here.h;
     }
   }
@@ -58,6 +55,27 @@ std::optional<TerrainBed> terrain_bed(const Scene& scene) {
       bed.rocks.push_back(rock);
   }
   return bed;
+}
+
+double steepest_of_bed(const Scene& scene) {
+  constexpr int kPlaces = 3;  // of a column along x and y
+  const std::optional<TerrainBed> bed = terrain_bed(scene);
+  if (!bed) return 0.0;
+  const BoxSpec& box = *scene.particles->box;
+  const std::shared_ptr<const Terrain> terrain = terrain_of(*scene.ground.terrain);
+  const Eigen::Vector3d up = -scene.gravity.normalized();
+  const int columns = kPlaces * bed->columns, rows = kPlaces * bed->rows;
+  double least = 1.0;  // cosine
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      const Eigen::Vector2d slope = terrain
+                                        ->at(box.centre[0] + ((i + 0.5) / columns - 0.5) * box.size[0],
+                                             box.centre[1] + ((j + 0.5) / rows - 0.5) * box.size[1])
+                                        .slope;
+      least = std::min(least, Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized().dot(up));
+    }
+  }
+  return std::acos(std::max(-1.0, least));
 }
 
 std::string rock_name(std::size_t k) { return "rock_" + std::to_string(k + 1); }
@@ -84,7 +102,7 @@ void resolve_terrain_bed(Scene& scene, Findings& findings) {
   const bool rolls = box.clumps.empty() && !(box.material.rolling_friction > 0.0);
   const double stands =
       std::min(std::atan(box.material.friction) * 180.0 / kPi, rolls ? kStandsSpheres : kStandsRolling);
-  const double steepest = bed.steepest * 180.0 / kPi;
+  const double steepest = steepest_of_bed(scene) * 180.0 / kPi;
   at.error_if(
       steepest > stands, kTerrainSteep, "terrain",
       "is as steep as " + number_text(steepest, 3) +
@@ -93,6 +111,11 @@ void resolve_terrain_bed(Scene& scene, Findings& findings) {
           " degrees (the least of atan(friction), 30 degrees, and 22 for spheres that roll); make it less steep, or "
           "the grains rougher");
   at.error_if(box.periodic, kTerrain, "terrain", "excludes particles.box.periodic = true: its ends would not fit");
+  at.error_if(!box.follow.empty(), kTerrain, "terrain",
+              "excludes particles.box.follow: the bed that follows is the same after each of its lengths; tilt gravity "
+              "for a slope");
+  at.error_if(!box.pit.empty(), kTerrain, "terrain",
+              "excludes particles.box.pit, whose depth counts from z = 0; give the terrain a crater or a wave");
   at.error_if(bed.rocks.size() > kMostRockBodies, kTerrain, "terrain.rock_field",
               "puts " + std::to_string(bed.rocks.size()) + " rocks into the bed, expected at most " +
                   std::to_string(kMostRockBodies) + ", as each is a body with a surface; leave out the small ones");
