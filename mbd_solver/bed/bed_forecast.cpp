@@ -98,19 +98,21 @@ std::vector<Eigen::Vector3d> free_path(const Scene& scene, const Surface& surfac
   const double friction =
       kHeld * scene.particles->box->bodies.friction.value_or(scene.particles->box->material.friction);
   const double start = surface.at(from).h;
+  const auto above = [&](const Eigen::Vector3d& s) { return gap + s.z() - (surface.at(from + s.head<2>()).h - start); };
   std::vector<Eigen::Vector3d> path = {Eigen::Vector3d::Zero()};
   for (int k = 0; k < kSteps; ++k) {
     v += dt * g;
-    const Terrain::Height here = surface.at(from + path.back().head<2>());
-    if (gap + path.back().z() <= here.h - start) {  // on the surface
-      const Eigen::Vector3d normal = Eigen::Vector3d(-here.slope.x(), -here.slope.y(), 1.0).normalized();
+    Eigen::Vector3d next = path.back() + dt * v;
+    if (above(next) <= 0.0) {  // on the surface
+      const Eigen::Vector2d slope = surface.at(from + path.back().head<2>()).slope;
+      const Eigen::Vector3d normal = Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
       v -= std::min(0.0, normal.dot(v)) * normal;
       const double speed = v.norm(), slowing = friction * dt * std::max(0.0, -normal.dot(g));
       v *= speed > slowing ? 1.0 - slowing / speed : 0.0;
+      next = path.back() + dt * v;
+      next.z() -= std::min(0.0, above(next));
     }
-    path.push_back(path.back() + dt * v);
-    const double least = surface.at(from + path.back().head<2>()).h - start - gap;
-    path.back().z() = std::max(path.back().z(), least);
+    path.push_back(next);
   }
   return path;
 }
