@@ -15,7 +15,6 @@ namespace {
 constexpr double kCoarsestCell = 1.0 / 6.0;  // of the radius
 constexpr int kMostColumns = 400;            // of cells across the circle
 constexpr int kMostRows = 400;               // of cells beside its plane
-constexpr double kBeyond = 0.1;              // of the radius: places of the ground may be so far beyond the circle
 constexpr int kDeepest = 8;                  // halves of a cell, at which two places may be as one
 constexpr double kMargin = 1.5;              // on what derivatives may be between the corners of a cell
 constexpr double kOnePlace = 0.9;            // relative variation of the derivatives below which there is one place
@@ -24,8 +23,8 @@ constexpr double kOnePlace = 0.9;            // relative variation of the deriva
 struct FacingPair {
   Eigen::Vector2d place;
   Terrain::Height here;
-  double inside, w, N_e, N_a;  // R - rho, w [m]; N.e, N.a
-  Eigen::Vector2d f;           // [m]
+  double inside, w;   // R - rho, w [m]
+  Eigen::Vector2d f;  // [m]
   Eigen::Matrix2d J;
 };
 
@@ -79,19 +78,16 @@ class EdgeSearch {
     B << out.here.bend[0], out.here.bend[2], out.here.bend[2], out.here.bend[1];
     const Eigen::Vector3d d(place.x() - centre_.x(), place.y() - centre_.y(), out.here.h - centre_.z());
     const double U = u_.dot(d), V = v_.dot(d), w = a_.dot(d), rho = std::max(1e-9 * R_, std::hypot(U, V));
-    const double N_u = -g.dot(u_.head<2>()), N_v = v_.z() - g.dot(v_.head<2>()), N_a = a_.z() - g.dot(a_.head<2>());
+    const double N_u = -g.dot(u_.head<2>()), N_v = v_.z() - g.dot(v_.head<2>());
     const double e_u = U / rho, e_v = V / rho, t_u = -e_v, t_v = e_u;  // e and t = a x e
     const Eigen::Vector2d U_x = u_.head<2>(), V_x = v_.head<2>() + v_.z() * g, w_x = a_.head<2>() + a_.z() * g,
-                          N_u_x = -B * u_.head<2>(), N_v_x = -B * v_.head<2>(), N_a_x = -B * a_.head<2>(),
-                          rho_x = e_u * U_x + e_v * V_x, turn_x = (t_u * U_x + t_v * V_x) / rho;
+                          N_u_x = -B * u_.head<2>(), N_v_x = -B * v_.head<2>();
     const double N_t = N_u * t_u + N_v * t_v;
     out.inside = R_ - rho;
     out.w = w;
-    out.N_e = N_u * e_u + N_v * e_v;
-    out.N_a = N_a;
-    out.f = {rho * N_t, -w * out.N_e - out.inside * N_a};
+    out.f = {rho * N_t, w};
     out.J.row(0) = U_x * N_v + U * N_v_x - V_x * N_u - V * N_u_x;
-    out.J.row(1) = -out.N_e * w_x - w * (e_u * N_u_x + e_v * N_v_x + N_t * turn_x) + N_a * rho_x - out.inside * N_a_x;
+    out.J.row(1) = w_x;
     return out;
   }
 
@@ -136,36 +132,26 @@ class EdgeSearch {
   bool search(const Corners& at_corners, int level) const {
     const Eigen::Array2d size = (at_corners[3].place - at_corners[0].place).array();
     const FacingPair& one = at_corners[0];
-    double bend = 0.0, steep = 0.0, low_inside = one.inside, inside = low_inside, low_w = one.w, high_w = low_w,
-           low_e = one.N_e, high_e = low_e;
-    bool within = false;  // of what may touch
+    double bend = 0.0, steep = 0.0, inside = one.inside, low_w = one.w, high_w = low_w;
     Eigen::Array2d low = at_corners[0].f.array(), high = low;
     Eigen::Array22d least = at_corners[0].J.array(), most = least;
     for (const FacingPair& pair : at_corners) {
       bend = std::max(bend, pair.here.bend.cwiseAbs().maxCoeff());
       steep = std::max(steep, pair.here.slope.squaredNorm());
-      low_inside = std::min(low_inside, pair.inside);
       inside = std::max(inside, pair.inside);
       low_w = std::min(low_w, pair.w);
       high_w = std::max(high_w, pair.w);
-      low_e = std::min(low_e, pair.N_e);
-      high_e = std::max(high_e, pair.N_e);
-      within = within || std::abs(pair.w * pair.N_e) <= std::abs(pair.inside * pair.N_a);
       low = low.min(pair.f.array());
       high = high.max(pair.f.array());
       least = least.min(pair.J.array());
       most = most.max(pair.J.array());
     }
     const double bulge = kMargin / 8.0 * size.square().sum();  // per bend, beyond what the corners have between them
-    const double more_inside = bulge * (bend + 2.0 * (1.0 + steep) / R_),
-                 more_N = kMargin * size.matrix().norm() * (bend + 2.0 * (1.0 + steep) / R_);
-    // Overlap and both equations want (R - rho) N.e < 0.
-    if (inside + more_inside <= -kBeyond * R_) return false;
-    if (inside + more_inside <= 0.0 && high_e + 0.5 * more_N <= 0.0) return false;
-    if (low_inside - more_inside >= 0.0 && low_e - 0.5 * more_N >= 0.0) return false;
+    const double more_inside = bulge * (bend + 2.0 * (1.0 + steep) / R_);
+    if (inside + more_inside <= 0.0) return false;
     const Eigen::Array22d largest = least.abs().max(most.abs()), range = kMargin * (most - least) + 0.05 * largest;
     const Eigen::Array2d may = ((level == 0 ? largest : range).matrix() * (0.5 * size).matrix()).array();
-    if ((low > may).any() || (high < -may).any()) return within || (low_w <= 0.0 && high_w >= 0.0);
+    if ((low > may).any() || (high < -may).any()) return low_w <= 0.0 && high_w >= 0.0;
     if (level > 0) {
       const Eigen::Matrix2d J = 0.25 * (at_corners[0].J + at_corners[1].J + at_corners[2].J + at_corners[3].J);
       const double determinant = J.determinant();
@@ -214,21 +200,15 @@ class EdgeSearch {
     }
     if (!found && pair.f.norm() > 1e-12 * R_) return;
     if (((place - middle).array().abs() > share * size).any()) return;
+    if (!(pair.inside > 0.0)) return;
     EdgePlace one;
     one.sign = pair.J.determinant() > 0.0 ? 1.0 : -1.0;
+    one.inside = pair.inside;
     one.at_c = pair.here;
     one.c = {place.x(), place.y(), pair.here.h};
-    const Eigen::Vector3d N(-pair.here.slope.x(), -pair.here.slope.y(), 1.0);
-    one.n = N.normalized();
-    one.e = one.c - centre_;
-    one.e = (one.e - one.e.dot(a_) * a_).normalized();
-    one.overlap = one.n.dot(one.c - centre_ - R_ * one.e);
-    if (!(one.overlap > 0.0)) return;
-    if (pair.inside <
-        0.0) {  // beyond the circle: only where the circle is in the ground, not on the other side of a wall
-      const Eigen::Vector3d p = centre_ + R_ * one.e;
-      if (!(p.z() < terrain_.at(p.x(), p.y()).h)) return;
-    }
+    one.n = Eigen::Vector3d(-pair.here.slope.x(), -pair.here.slope.y(), 1.0).normalized();
+    one.e = (one.c - centre_).normalized();
+    if (one.n.dot(one.e) > 0.0) one.n = -one.n;
     const bool known = std::any_of(out_.begin(), out_.end(), [&](const EdgePlace& other) {
       return other.sign == one.sign && (other.c - one.c).norm() < 1e-6 * size.maxCoeff();
     });
@@ -248,28 +228,30 @@ class EdgeSearch {
 
 }  // namespace
 
-// J d(x, y, angle) = -[T_x.dp; T_y.dp; (t x N).dtheta],  dp = dr - arm~ dtheta, J of the three equations
-void EdgePlace::find_ways(double R, const Eigen::Vector3d& a, const Eigen::Vector3d& arm,
-                          Eigen::Matrix<double, 3, 6>& of_p, Eigen::Matrix<double, 3, 6>& of_n) const {
-  const Eigen::Vector3d t = a.cross(e);
-  const Eigen::Vector3d T_x(1.0, 0.0, at_c.slope.x()), T_y(0.0, 1.0, at_c.slope.y()),
-      N(-at_c.slope.x(), -at_c.slope.y(), 1.0);
-  const double d = -overlap * n.z();  // p above c
-  Eigen::Matrix3d J;
-  J << -T_x.squaredNorm() + d * at_c.bend[0], -T_x.dot(T_y) + d * at_c.bend[2], R * t.dot(T_x),
-      -T_x.dot(T_y) + d * at_c.bend[2], -T_y.squaredNorm() + d * at_c.bend[1], R * t.dot(T_y),
-      -(at_c.bend[0] * t.x() + at_c.bend[2] * t.y()), -(at_c.bend[2] * t.x() + at_c.bend[1] * t.y()), -N.dot(e);
-  Eigen::Matrix<double, 3, 6> by_body = Eigen::Matrix<double, 3, 6>::Zero();
-  by_body.block<1, 3>(0, 0) = T_x.transpose();
-  by_body.block<1, 3>(1, 0) = T_y.transpose();
-  by_body.block<1, 3>(0, 3) = -(T_x.transpose() * skew(arm));
-  by_body.block<1, 3>(1, 3) = -(T_y.transpose() * skew(arm));
-  by_body.block<1, 3>(2, 3) = t.cross(N).transpose();
-  const Eigen::Matrix<double, 3, 6> ways = -(J.inverse() * by_body);
-  of_p = (R * t) * ways.row(2);
-  Eigen::Matrix<double, 3, 6> by_N = Eigen::Matrix<double, 3, 6>::Zero();
-  by_N.row(0) = -(at_c.bend[0] * ways.row(0) + at_c.bend[2] * ways.row(1));
-  by_N.row(1) = -(at_c.bend[2] * ways.row(0) + at_c.bend[1] * ways.row(1));
+// d = c - r, r' = dr - arm~ dtheta:  [a.(d x N), a.d] by x and y of c, d(x, y) = -J^-1 of
+//   [a x N; a x (d x N) + arm x (a x N)],  [-a; a x d - arm x a]
+void EdgePlace::find_ways(const Eigen::Vector3d& a, const Eigen::Vector3d& centre, const Eigen::Vector3d& arm,
+                          Eigen::Matrix<double, 3, 6>& of_c, Eigen::Matrix<double, 3, 6>& of_n) const {
+  const Eigen::Vector3d d = c - centre, N(-at_c.slope.x(), -at_c.slope.y(), 1.0);
+  const double side = n.z() > 0.0 ? 1.0 : -1.0;
+  Eigen::Matrix<double, 3, 2> T, N_x;
+  T << 1.0, 0.0, 0.0, 1.0, at_c.slope.x(), at_c.slope.y();
+  N_x << -at_c.bend[0], -at_c.bend[2], -at_c.bend[2], -at_c.bend[1], 0.0, 0.0;
+  Eigen::Matrix2d J;
+  for (int k = 0; k < 2; ++k) {
+    J(0, k) = a.dot(T.col(k).cross(N) + d.cross(Eigen::Vector3d(N_x.col(k))));
+    J(1, k) = a.dot(T.col(k));
+  }
+  Eigen::Matrix<double, 2, 6> by_body;
+  by_body.block<1, 3>(0, 0) = a.cross(N).transpose();
+  by_body.block<1, 3>(0, 3) = (a.cross(d.cross(N)) + arm.cross(a.cross(N))).transpose();
+  by_body.block<1, 3>(1, 0) = -a.transpose();
+  by_body.block<1, 3>(1, 3) = (a.cross(d) - arm.cross(a)).transpose();
+  const Eigen::Matrix<double, 2, 6> ways = -(J.inverse() * by_body);
+  of_c = T * ways;
+  of_c.leftCols<3>() -= Eigen::Matrix3d::Identity();
+  of_c.rightCols<3>() += skew(arm + d);
+  const Eigen::Matrix<double, 3, 6> by_N = side * N_x * ways;
   of_n = (by_N - n * (n.transpose() * by_N)) / N.norm();
 }
 

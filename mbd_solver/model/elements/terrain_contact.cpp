@@ -366,7 +366,7 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
   for (const EdgePlace& place : found) {
     Minimum one;
     one.angle = std::atan2(place.e.dot(b), place.e.dot(e_0));
-    one.foot.distance = -place.overlap;
+    one.foot.distance = -place.inside * place.tilt(a);
     one.foot.normal = place.n;
     one.place = &place;
     near(one.angle).push_back(one);
@@ -392,15 +392,28 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
     for (const Minimum& one : minima[static_cast<std::size_t>(k)]) {
       const Eigen::Vector3d e =
           one.place != nullptr ? one.place->e : Eigen::Vector3d(std::cos(one.angle) * e_0 + std::sin(one.angle) * b);
-      const Eigen::Vector3d t = a.cross(e), s = rim.marker.s0 + R * (body.A.transpose() * e), d = body.A * s;
-      Contact* const at = add_contact(in, {first_place + k, kOnRim, 0.0, 1.0, true, s, d}, one.foot, true);
+      const double share = one.place == nullptr ? 1.0 : std::pow(a.head<2>().norm() / one.place->tilt(a), 2.5);
+      const double far = one.place == nullptr ? R : R - one.place->inside;
+      const Eigen::Vector3d t = a.cross(e), s = rim.marker.s0 + far * (body.A.transpose() * e), d = body.A * s;
+      Contact* const at = add_contact(in, {first_place + k, kOnRim, 0.0, share, true, s, d}, one.foot, true);
       if (at == nullptr) continue;
       const Eigen::Vector3d arm = centre + R * e - body.r;
       Way way;
       if (one.place != nullptr) {
-        one.place->find_ways(R, a, arm, way.wander, way.turn);
+        one.place->find_ways(a, centre, centre - body.r, way.wander, way.turn);
         way.turns = true;
         if (one.place->sign < 0.0) at->count_off();
+        // By dtheta, of |a_h| and of s: (dtheta x a)_h.a_h / |a_h|,  -(n.a) d(n.a) / s
+        const Eigen::Vector3d level = Eigen::Vector3d(a.x(), a.y(), 0.0).normalized();
+        const double tilt = one.place->tilt(a), across = at->n.dot(a);
+        Eigen::Matrix<double, 1, 6> by_level = Eigen::Matrix<double, 1, 6>::Zero(), by_tilt = a.transpose() * way.turn;
+        by_level.tail<3>() = (a.cross(level) / a.head<2>().norm()).transpose();
+        by_tilt.tail<3>() += a.cross(at->n).transpose();
+        way.drags = true;
+        way.drag = at->overlap * by_level;
+        way.rim = static_cast<int>(index);
+        way.stretch = (-across / (tilt * tilt)) * by_tilt;
+        way.growth = 2.5 * by_level + (across / (tilt * tilt)) * by_tilt;
       } else {
         const double curve = R * t.dot(at->H * t) - at->n.dot(e);
         if (!(curve > kTurnsFreely)) continue;
@@ -518,6 +531,8 @@ void TerrainContact::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorX
       const Contact& at = contacts[i];
       here += at.force;
       moment += (at.d - at.radius * at.n).cross(at.force);
+      if (at.way >= 0 && ways_[static_cast<std::size_t>(at.way)].drags)
+        Q.head<6>() -= at.normal.elastic * ways_[static_cast<std::size_t>(at.way)].drag.transpose();
     }
     force += here;
     if (body.modes > 0) forces_.segment<3>(3 * place).noalias() = body.A.transpose().lazyProduct(here);
@@ -594,10 +609,23 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
     else
       N.noalias() = at.H.lazyProduct(D);
     f_x_.noalias() = f_N.lazyProduct(N);
-    f_x_.noalias() += f_D.lazyProduct(D);
+    f_x_.noalias() += f_D.lazyProduct(way->drags ? G_ : D);
+    if (way->drags) f_x_.leftCols<6>() += at.force * way->growth;
     out.dQ_dx.middleRows<3>(3).noalias() += (R * f).lazyProduct(N);
     out.dQ_dx.block<3, 6>(3, 0) -= f * way->wander;
     if (tau > 0.0) out.ddz_dx.middleRows<2>(2 * place).noalias() += s_N.lazyProduct(N);
+    if (way->drags) {  // of elastic overlap by_level^T, by_level = -a_z m^T / |a_h|^2, m = a x z
+      const Eigen::Matrix<double, 1, 6> along_n = at.n.transpose() * G_.leftCols<6>(),
+                                        elastic = way->growth - (1.5 / at.overlap) * along_n,
+                                        overlap = way->stretch - (1.0 / at.overlap) * along_n;
+      out.dQ_dx.topLeftCorner<6, 6>() -= at.normal.elastic * way->drag.transpose() * (elastic + overlap);
+      const Eigen::Vector3d a = body.A * rims_[static_cast<std::size_t>(way->rim)].marker.axes.col(2),
+                            m = a.cross(Eigen::Vector3d::UnitZ());
+      const double h = m.squaredNorm();
+      Eigen::Matrix3d by_a = (1.0 / h + 2.0 * a.z() * a.z() / (h * h)) * m * m.transpose() - (a.z() * a.z() / h) * unit;
+      by_a.col(2) += (a.z() / h) * a;
+      out.dQ_dx.block<3, 3>(3, 3) += at.normal.elastic * at.overlap * by_a;
+    }
   }
   if (R > 0.0) G_.middleCols<3>(3) += R * skew(at.n);
   f_x_.noalias() += f_g.lazyProduct(g_0_);
@@ -630,6 +658,8 @@ Eigen::Matrix<double, 6, 1> TerrainContact::wrench(const ElementInput& in) const
     const Contact& at = contacts_[i];
     out.head<3>() += at.force;
     out.tail<3>() += (at.d - at.radius * at.n).cross(at.force);
+    if (at.way >= 0 && ways_[static_cast<std::size_t>(at.way)].drags)
+      out -= at.normal.elastic * ways_[static_cast<std::size_t>(at.way)].drag.transpose();
   }
   return out;
 }

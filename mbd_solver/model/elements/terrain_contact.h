@@ -8,8 +8,7 @@
 // A circular edge (radius R about c, axis a) that stands up from the ground touches where its distance from the ground has its
 // minimum, n.t = 0 with the tangent t = a x e: it rolls without facets, also over a step. As the body turns by dtheta and moves
 // by dr the place moves along the edge by R t dpsi, (R t.H t - n.e) dpsi = -t.H dp - (t x n).dtheta; this does no work.
-// Where the ground bends so much that there may be several it meets it by pairs of places that face each other, saddles with the
-// opposite sign (edge_on_terrain.h).
+// Where the ground bends so much that there may be several, these are counted in the plane of the edge (edge_on_terrain.h).
 // An edge that lies within 30 degrees of the ground touches at 12 places of its own. Points on its face share their springs, and on the
 // field their stiffness: m points and 12 places have 12 / (12 + m) of k each, as stiff as on a plane. Where the ground is a plane within
 // the reach of the body the 12 places touch alone, as in RigidPlane; rocks meet each point with k.
@@ -55,6 +54,9 @@ class TerrainContact : public ForceElement {
       Way {  // p moves along its edge by wander [dr; dtheta] as the body moves; on a ridge n turns by turn [dr; dtheta], not by H dp
     Eigen::Matrix<double, 3, 6> wander, turn;
     bool turns = false;
+    bool drags = false;  // the energy changes by drag besides n.dp, and the stiffness by growth, per [dr; dtheta]
+    Eigen::Matrix<double, 1, 6> drag, growth, stretch;  // stretch: of the overlap besides -n.dp, in parts of it
+    int rim = 0;
   };
   struct Candidate {   // a point that may touch
     int place, point;  // of points_; kOnRim
