@@ -1,3 +1,5 @@
+// Grains are taken from the top and laid down from the lowest on, so that each finds its place on those before it.
+
 #include "liggghts_fix/link/bed_exchange.h"
 
 #include <algorithm>
