@@ -323,6 +323,37 @@ TEST(TerrainContact, BallAndWheelRollDownATiltedPlane) {
   }
 }
 
+// Closed forms, at an azimuth of 37 degrees: (5/7) g sin(a) t^2 / 2 of a ball, (2/3) of a cylinder on its two edges. The first 0.1 mm are
+// those of a body that finds its depth.
+TEST(TerrainContact, BallAndCylinderRollDownAMapAtAnAzimuth) {
+  constexpr double slope = 0.2, azimuth = 37.0 * kPi / 180.0, R = 0.2, m = 2.0;
+  const Eigen::Vector3d down(std::cos(azimuth), std::sin(azimuth), -slope),
+      axis(-std::sin(azimuth), std::cos(azimuth), 0.0),
+      n = Eigen::Vector3d(slope * down.x(), slope * down.y(), 1.0).normalized();
+  TerrainParts parts;
+  parts.map = map_of(81, 81, 0.05, [&](double x, double y) { return -slope * (down.x() * x + down.y() * y); });
+  for (const bool ball : {true, false}) {
+    Model model({0.0, 0.0, -kEarth});
+    BodyState state;
+    state.r = (R - std::pow(m * kEarth * n.z() / (ball ? 1.0 : 2.0) / hard(0.0).stiffness, 2.0 / 3.0)) * n;
+    const double I = (ball ? 0.4 : 0.5) * m * R * R;
+    model.add_body(Body("round", m, Eigen::Vector3d(I, I, I).asDiagonal()), state);
+    std::vector<ContactPoint> points;
+    std::vector<ContactRim> rims;
+    Eigen::Matrix3d axes;
+    axes << n.cross(axis), n, axis;
+    if (ball) points.push_back({body_marker(0, model.body(0), Eigen::Vector3d::Zero()), R});
+    for (const double side : {-0.15, 0.15})
+      if (!ball) rims.push_back({body_marker(0, model.body(0), side * axis, axes), R});
+    model.add_force(std::make_unique<TerrainContact>("ground", points, hard(0.6), terrain_of(parts), rims));
+    test::Run run(model, "one_step", test::precise(1e-9));
+    run.to(1.0);
+    const double way = 0.5 * kEarth * slope / std::sqrt(1.0 + slope * slope) / (ball ? 1.4 : 1.5);
+    EXPECT_LT((run.body(0).r - state.r - way * down.normalized()).norm(), 1e-4 * way) << ball;
+    EXPECT_LT(std::abs(run.imbalance()), 1e-6 * m * kEarth * way) << ball;
+  }
+}
+
 TEST(TerrainContact, BallAndWheelRollInAParaboloidMap) {
   TerrainParts parts;
   parts.map = map_of(81, 81, 0.1, [](double x, double y) { return 0.2 * (x * x + y * y); });
