@@ -430,13 +430,14 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
 
 // Bounds are those of a cell that holds the place, a function of the place alone; height and slope are those at the place.
 const Terrain::Lid& TerrainContact::lid_over(const Eigen::Vector3d& r, double reach) const {
-  constexpr double kCell = 0.25;  // of the reach
+  constexpr double kCell = 0.25;   // of the reach
+  constexpr double kBeside = 0.4;  // of a cell: so that a body that rests at zero does not go to and fro between two
   const double size = std::max(kCell * reach, 1e-3);
-  const Eigen::Array3d cell = (r.array() / size).floor();
+  const Eigen::Array3d cell = (r.array() / size + kBeside).floor();
   if (lid_reach_ != reach || (cell != lid_cell_).any()) {
     lid_cell_ = cell;
     lid_reach_ = reach;
-    lid_middle_ = (size * (cell + 0.5)).matrix();
+    lid_middle_ = (size * (cell + (0.5 - kBeside))).matrix();
     const double wide = reach + size;  // > its half diagonal
     lid_ = terrain_->lid(lid_middle_, wide);
     lid_height_ = lid_.height;
