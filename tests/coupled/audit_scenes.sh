@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# audit_scenes.sh FOOTFALL SOURCE OUT short|whole: footfall audit on every scene of inputs/ and examples/ that touches grains, short and on beds that are
+# audit_scenes.sh FOOTFALL SOURCE OUT short|whole: footfall run --audit on every scene of inputs/ and examples/ that touches grains, short and on beds that are
 # poured in seconds, those of the examples as their own tests do. Scenes that differ in numbers alone (sweeps, validation) stand on these.
 set -u
 footfall=$1 source=$2 out=$3 part=$4
@@ -12,7 +12,7 @@ audit() {
   local scene=$1 name=${#audited[@]}_${1//\//_}
   shift
   audited+=("$scene")
-  "$footfall" audit "$source/$scene" --out "$out/runs/$name" "$@" >"$out/$name.txt" 2>&1
+  "$footfall" run "$source/$scene" --audit --out "$out/runs/$name" "$@" >"$out/$name.txt" 2>&1
   local code=$?
   if ((code != 0)) || ! grep -qE '^grains: linear momentum .* holds$' "$out/$name.txt"; then
     echo "$scene: exit code $code"; cat "$out/$name.txt"; failed=1
