@@ -55,6 +55,11 @@ audit inputs/rigs/scenes/repose.toml --until 0.1 --set 'joints.draw.motion.x.pol
   --set 'bodies.gate.shape.size=[0.01,0.078,0.08]'
 audit inputs/rigs/scenes/sphere.toml --until 0.04 $(box [0.24,0.24] 0.12) --set bodies.ball.shape.radius=0.04
 audit inputs/rigs/scenes/rft.toml --until 0.1 $(box [0.42,0.1] 0.12)
+audit inputs/ground_fits/pad.toml --until 0.02
+audit inputs/starters/penetrator --until 0.05
+audit inputs/starters/seesaw --until 0.8
+audit inputs/starters/blade --until 0.3
+audit inputs/public_lander --until 0.03 --set particles.box.radius=0.07
 # Coarser grains; the tray has the depth of the bed.
 audit inputs/rigs/scenes/box.toml --until 0.01 --set particles.box.radius=0.01
 audit inputs/laws/scenes/janssen.toml --until 0.01 --set particles.bed.variables.fill=0.05
