@@ -272,22 +272,28 @@ void FixBedFollow::find_next() {
   }
 }
 
+std::array<double, 2> FixBedFollow::extent_of(int body, int axis) const {
+  const footfall::DemBody& one = link_.body(body);
+  Eigen::Matrix3Xd x(3, one.boundary().node_count());
+  one.boundary().node_positions(one.pose(), x);
+  if (x.cols() == 0) return {HUGE_VAL, -HUGE_VAL};
+  return {x.row(axis).minCoeff(), x.row(axis).maxCoeff()};
+}
+
 void FixBedFollow::require_all_inside() const {
   for (int body = 0; body < link_.bodies().count(); ++body) {
-    Eigen::Matrix3Xd x(3, link_.body(body).boundary().node_count());
-    link_.body(body).boundary().node_positions(link_.body(body).pose(), x);
-    for (int axis = 0; axis < 2 && x.cols() > 0; ++axis) {
+    for (int axis = 0; axis < 2; ++axis) {
       if (!follows_[static_cast<std::size_t>(axis)]) continue;
       const int first = first_[static_cast<std::size_t>(axis)];
       const double low = limit(axis, first), high = limit(axis, first + kSlabs);
-      if (x.row(axis).minCoeff() >= low && x.row(axis).maxCoeff() <= high) continue;
+      const auto [least, most] = extent_of(body, axis);
+      if (least >= low && most <= high) continue;
       throw footfall::NumericalError(
           code::kMeshLeavesBox,
           "t = " + footfall::number_text(static_cast<double>(update->ntimestep) * update->dt) + " s: body \"" +
-              link_.bodies().name(body) + "\" reaches from " + footfall::number_text(x.row(axis).minCoeff(), 4) +
-              " to " + footfall::number_text(x.row(axis).maxCoeff(), 4) + " m along " + "xy"[axis] +
-              ", the bed that follows body \"" + body_name_ + "\" from " + footfall::number_text(low, 4) + " to " +
-              footfall::number_text(high, 4) +
+              link_.bodies().name(body) + "\" reaches from " + footfall::number_text(least, 4) + " to " +
+              footfall::number_text(most, 4) + " m along " + "xy"[axis] + ", the bed that follows body \"" +
+              body_name_ + "\" from " + footfall::number_text(low, 4) + " to " + footfall::number_text(high, 4) +
               " m: all bodies that grains touch must stay near that body. Make the bed longer (particles.box.size), or "
               "let them move together");
     }
@@ -379,9 +385,8 @@ double FixBedFollow::room_behind(int axis, int way) const {
   const double end = limit(axis, first_[static_cast<std::size_t>(axis)] + (way > 0 ? 0 : kSlabs));
   double room = slab_width(axis);
   for (int body = 0; body < link_.bodies().count(); ++body) {
-    Eigen::Matrix3Xd x(3, link_.body(body).boundary().node_count());
-    link_.body(body).boundary().node_positions(link_.body(body).pose(), x);
-    if (x.cols() > 0) room = std::min(room, way * ((way > 0 ? x.row(axis).minCoeff() : x.row(axis).maxCoeff()) - end));
+    const auto [least, most] = extent_of(body, axis);
+    room = std::min(room, way > 0 ? least - end : end - most);
   }
   return room;
 }

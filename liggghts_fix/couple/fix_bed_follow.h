@@ -61,6 +61,8 @@ class FixBedFollow : public Fix {
   void require_all_inside() const;
   footfall::SlabChange change_of(const Slab& slab, int way) const;
   double room_behind(int axis, int way) const;
+  // Least and largest place of the nodes of a body along the axis in W; without nodes infinity and its negative [m].
+  std::array<double, 2> extent_of(int body, int axis) const;
   void exchange(const footfall::BedExchange& exchange, footfall::GrainChanges& changes);
   void insert(const Slab& slab, int last_tag, footfall::GrainChanges& changes);
   void add_contacts(std::size_t k, const std::vector<int>& tags, std::vector<double>& pairs) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace footfall {
 namespace {
@@ -19,8 +20,8 @@ Eigen::Vector3d nearest_image(Eigen::Vector3d d, const Eigen::Vector2d& period) 
   return d;
 }
 
-bool is_pressed(const BedGrain& grain, const SlabChange& change) {
-  return std::any_of(change.coming.begin(), change.coming.end(), [&](const BedGrain& other) {
+bool is_pressed(const BedGrain& grain, const SlabChange& change, const std::vector<BedGrain>& coming) {
+  return std::any_of(coming.begin(), coming.end(), [&](const BedGrain& other) {
     const double sum = grain.radius + other.radius, least = std::min(grain.radius, other.radius);
     const double along = std::remainder(grain.x[change.axis] - other.x[change.axis], change.period[change.axis]);
     return std::abs(along) < sum &&
@@ -64,18 +65,29 @@ BedExchange bed_exchange(const SlabChange& change) {
   // In the farther half of the room, so that none rolls over the end onto the new grains.
   const auto laid = [&](const BedGrain& grain) { return 0.5 * (change.room + std::abs(beyond(grain))); };
   const auto fits = [&](const BedGrain& grain) { return laid(grain) + grain.radius < change.room; };
-  std::vector<BedGrain> go = change.in_slab, stay, moved;
+  // Only grains at the two ends of the slab meet those beside it.
+  double comes = 0.0, first = 0.0, largest = 0.0;
+  for (const BedGrain& grain : change.coming) {
+    comes += grain.mass;
+    first = std::min(first, beyond(grain));
+    largest = std::max(largest, grain.radius);
+  }
+  for (const BedGrain& grain : change.beside) largest = std::max(largest, grain.radius);
+  const auto is_at_end = [&](const BedGrain& grain) {
+    const double place = beyond(grain), reach = 2.0 * largest;
+    return std::abs(place) <= reach || std::abs(place - first) <= reach;
+  };
+  std::vector<BedGrain> coming, go = change.in_slab, stay, moved;
+  std::copy_if(change.coming.begin(), change.coming.end(), std::back_inserter(coming), is_at_end);
   for (const BedGrain& grain : change.beside) {
-    if (!is_pressed(grain, change)) {
+    if (!is_at_end(grain) || !is_pressed(grain, change, coming)) {
       stay.push_back(grain);
     } else {
       (fits(grain) ? moved : go).push_back(grain);
     }
   }
-  double excess = change.excess, comes = 0.0;
+  double excess = change.excess - comes;
   for (const BedGrain& grain : go) excess += grain.mass;
-  for (const BedGrain& grain : change.coming) comes += grain.mass;
-  excess -= comes;
   const double most = kMostPushed * comes;
   if (excess > 0.0) {
     const auto may = [&](const BedGrain& grain) { return beyond(grain) <= 0.0 && fits(grain); };
