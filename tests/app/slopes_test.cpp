@@ -78,7 +78,7 @@ TEST(Slopes, OfGravityAndOfTerrainCarryAPadAlike) {
         largest = std::max(largest, s * fx[i] + c * fz[i]);
         sum += s * fx[i] + c * fz[i];
       }
-      depth.push_back(s * x[0] + c * z[0] - lowest);
+      depth.push_back(0.005 - lowest);  // of its lower face below the surface
       peak.push_back(largest);
       mean.push_back(sum / static_cast<double>(x.size()));
       // Grains at rest stay: at the start they move slower than 2 mm/s, the root of the mean square over 20 kg.
