@@ -6,6 +6,7 @@
 #   ROOT_USER=root     as root, with the clone in /root/footfall
 #   ROOT_PLACE=NAME    the clone in a folder of this name beside it, blanks included
 #   ROOT_ENV='A=1 B=2' more environment
+#   ROOT_TRIAL=1       what COMMAND changes is gone afterwards
 # As root, or as a user with subordinate ids (package uidmap) where user namespaces are allowed. Exit code 69: no root could be made.
 set -euo pipefail
 release=${1:?RELEASE} root=${2:?FOLDER}
@@ -36,6 +37,13 @@ fi
 # Its own mounts and processes, which end with it.
 export release root checkout user place
 exec "${space[@]}" bash -euo pipefail -c '
+  if [[ -n ${ROOT_TRIAL-} ]]; then  # a layer over the root, in memory
+    mkdir -p "$root.trial"
+    mount -t tmpfs -o size=8g tmpfs "$root.trial"
+    mkdir "$root.trial/new" "$root.trial/work" "$root.trial/root"
+    mount -t overlay -o "lowerdir=$root,upperdir=$root.trial/new,workdir=$root.trial/work" overlay "$root.trial/root"
+    root=$root.trial/root
+  fi
   mount -t proc proc "$root/proc"
   mount --rbind /dev "$root/dev"
   mount -t tmpfs tmpfs "$root/dev/shm"

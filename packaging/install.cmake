@@ -1,33 +1,13 @@
-# What `cmake --install` puts where. Three components:
+# What `cmake --install` puts where. Optional parts say it in their own CMakeLists.txt. Components:
 #   runtime      programs, inputs, man pages, completion, docs               package footfall
 #   campaign     calibrate, ground, sweeps with drawn runs                  package footfall-campaign
-#   python       the Python package, where it has been built                package python3-footfall
+#   import       robots of other programs                                   package footfall-import
+#   python       the Python package                                         package python3-footfall
 #   development  headers and libraries: find_package(footfall)               package footfall-dev
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
+file(APPEND ${CMAKE_BINARY_DIR}/parts "install\n")
 
-install(TARGETS footfall footfall_studies mbd_solver liggghts_mbd RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
-if(FOOTFALL_IMPORT)  # where it has been built, by the first `footfall import`
-  install(TARGETS footfall_import RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT import OPTIONAL)
-endif()
-
-if(FOOTFALL_FMI)  # where it has been built, by the first scene with an FMU
-  install(TARGETS footfall_fmu_host footfall_fmu footfall_fmu_model RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime OPTIONAL)
-  install(TARGETS footfall_fmu_functions LIBRARY DESTINATION lib/footfall COMPONENT runtime OPTIONAL)
-endif()
-
-if(TARGET footfall_campaign)  # of a package of its own: nothing else needs OpenTURNS
-  install(TARGETS footfall_campaign RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT campaign)
-endif()
-
-if(FOOTFALL_PYTHON)  # where Python looks: of the system's packages, and of a prefix of its own
-  install(CODE "set(python_place lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/dist-packages)
-    if(CMAKE_INSTALL_PREFIX STREQUAL /usr)
-      set(python_place lib/python3/dist-packages)
-    endif()" COMPONENT python)
-  install(DIRECTORY ${CMAKE_BINARY_DIR}/python/footfall DESTINATION "\${python_place}" COMPONENT python OPTIONAL
-    PATTERN __pycache__ EXCLUDE PATTERN .complete EXCLUDE)
-endif()
+install(TARGETS footfall footfall_studies mbd_solver liggghts_mbd RUNTIME COMPONENT runtime)
 
 # Programs find these from their own place: ../share/footfall (mbd_solver/scene/shipped_files.h).
 set(share share/footfall)
@@ -42,7 +22,11 @@ find_program(GZIP gzip)
 set(man ${CMAKE_BINARY_DIR}/man)
 set(man_page_files)
 if(HELP2MAN AND GZIP)
-  foreach(command "" run check new view report plot compare sweep accuracy calibrate rig ground schema test)
+  # Those of footfall and footfall_studies, whose programs are there: COMMAND(NAME, ...).
+  file(STRINGS ${CMAKE_SOURCE_DIR}/mbd_solver/app/commands.def commands REGEX "^COMMAND\\([a-z]+, (landing|studies|campaign),")
+  list(TRANSFORM commands REPLACE "^COMMAND\\(([a-z]+),.*" "\\1")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/mbd_solver/app/commands.def)
+  foreach(command "" ${commands})
     set(page ${man}/footfall.1.gz)
     set(name "flexible multibody mechanisms against beds of grains")
     if(command)
@@ -63,7 +47,7 @@ install(FILES packaging/footfall.bash DESTINATION share/bash-completion/completi
 # Headers by their full paths, as the sources name them.
 install(DIRECTORY coupler DESTINATION include/footfall COMPONENT development FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY mbd_solver DESTINATION include/footfall COMPONENT development
-  FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE PATTERN studies EXCLUDE PATTERN import EXCLUDE PATTERN bed EXCLUDE)
+  FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE PATTERN bed EXCLUDE PATTERN studies EXCLUDE PATTERN campaign EXCLUDE PATTERN import EXCLUDE PATTERN fmi EXCLUDE)
 
 # footfall::coupler       the conversation with LIGGGHTS, over MPI
 # footfall::mbd_solver    scene, model, integrators, runs

@@ -1,4 +1,4 @@
-# Debian packages: cpack -G DEB in the build folder makes footfall_VERSION_ARCH.deb and footfall-dev_VERSION_ARCH.deb.
+# Debian packages: `./footfall package`, or cpack -G DEB in a build folder in which everything has been built.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME footfall)
 set(CPACK_PACKAGE_VENDOR footfall)
@@ -7,29 +7,31 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL runtime development)
-if(TARGET footfall_campaign)
-  list(APPEND CPACK_COMPONENTS_ALL campaign)
-  set(CPACK_DEBIAN_CAMPAIGN_PACKAGE_NAME footfall-campaign)
-  set(CPACK_DEBIAN_CAMPAIGN_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_CAMPAIGN_PACKAGE_DEPENDS "footfall (= ${PROJECT_VERSION})")
-  set(CPACK_DEBIAN_CAMPAIGN_DESCRIPTION "calibrations and sweeps with drawn runs of footfall
+# footfall_package(COMPONENT TARGET NAME DEPENDS DESCRIPTION): a package of its own for an optional part, where it can be built.
+function(footfall_package component target name depends description)
+  if(TARGET ${target})
+    string(TOUPPER ${component} upper)
+    set(CPACK_COMPONENTS_ALL ${CPACK_COMPONENTS_ALL} ${component} PARENT_SCOPE)
+    set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${name} PARENT_SCOPE)
+    set(CPACK_DEBIAN_${upper}_PACKAGE_SHLIBDEPS ON PARENT_SCOPE)
+    set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "footfall (= ${PROJECT_VERSION})${depends}" PARENT_SCOPE)
+    set(CPACK_DEBIAN_${upper}_DESCRIPTION "${description}" PARENT_SCOPE)
+  endif()
+endfunction()
+footfall_package(campaign footfall_campaign footfall-campaign "" "calibrations and sweeps with drawn runs of footfall
 Parameters with which runs meet targets, soils fitted to runs on grains, and probabilities of outcomes with intervals, envelopes and sensitivities from
 runs whose quantities are drawn from distributions.")
-endif()
-if(FOOTFALL_PYTHON AND EXISTS ${CMAKE_BINARY_DIR}/python/footfall/_core${PYTHON_MODULE_EXTENSION})
-  list(APPEND CPACK_COMPONENTS_ALL python)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-footfall)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-  math(EXPR python_next "${Python3_VERSION_MINOR} + 1")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-    "footfall (= ${PROJECT_VERSION}), python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${python_next}), python3-numpy")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-xarray, ipython3")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/python/prerm)
-  set(CPACK_DEBIAN_PYTHON_DESCRIPTION "footfall from Python
+footfall_package(import footfall_import footfall-import "" "scenes of footfall from robots of other programs
+Makes a scene of a robot in URDF, MJCF or, where sdformat is, SDF.")
+find_package(Python3 QUIET COMPONENTS Interpreter)
+math(EXPR python_next "${Python3_VERSION_MINOR} + 1")
+footfall_package(python footfall_python python3-footfall
+  ", python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${python_next}), python3-numpy" "footfall from Python
 Scenes, runs, sweeps and their results as Python objects and numpy arrays,
 and mechanisms that Python leads step by step.")
-endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-xarray, ipython3")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/python/prerm)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
@@ -45,7 +47,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS
   "libliggghts3 (>= ${liggghts}), libliggghts3 (<< ${liggghts_series}${liggghts_next}~), openmpi-bin, gnuplot-nox | gnuplot, fonts-dejavu-core")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "liggghts")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "footfall-campaign, footfall-dev, python3-footfall, paraview")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "footfall-campaign, footfall-dev, footfall-import, python3-footfall, paraview")
 set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "flexible multibody mechanisms against beds of grains
 footfall computes what happens when a mechanism touches a bed of grains:
 LIGGGHTS moves the grains, a multibody solver moves the mechanism with its

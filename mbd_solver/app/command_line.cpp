@@ -136,6 +136,24 @@ void require_command(const Line& line, const std::vector<Subcommand>& commands) 
 
 }  // namespace
 
+std::vector<Subcommand> commands_with(const std::vector<std::pair<std::string, Prepare>>& own) {
+  const auto program_of = [](const std::string& part) {
+    if (part == "landing" || part == "test") return std::string("footfall");
+    return "footfall_" + (part == "fmi" ? "fmu" : part);
+  };
+  std::vector<Subcommand> all = {
+#define COMMAND(name, part, what) {#name, what, program_of(#part), nullptr},
+#define SCRIPT_COMMAND(name, part, what)
+#include "mbd_solver/app/commands.def"
+#undef COMMAND
+#undef SCRIPT_COMMAND
+  };
+  for (Subcommand& command : all)
+    for (const auto& [name, prepare] : own)
+      if (name == command.name) command.prepare = prepare;
+  return all;
+}
+
 int run_command_line(int argc, char** argv, const std::vector<Subcommand>& commands) {
   CLI::App app{"footfall: a flexible multibody mechanism with controlled dampers on a bed of particles", "footfall"};
   app.set_version_flag("--version", std::string("footfall ") + FOOTFALL_VERSION);

@@ -3,20 +3,28 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace footfall {
 
 using Action = std::function<int()>;  // returns an exit code; throws the errors of coupler/base/errors.h
 
+using Prepare = Action (*)(CLI::App& command);  // adds the options of a command; returns what it does once they are read
+
 struct Subcommand {
   const char* name;
-  const char* what;                      // for --help
-  Action (*prepare)(CLI::App& command);  // adds its options; returns what it does once they are read; null: not here
+  const char* what;        // for --help
+  std::string program;     // that carries it out, such as "footfall_studies": a first run does not wait for its compilation
+  Prepare prepare;         // null: not in this program
 };
 
-// All commands, in the order of --help. Those without `prepare` are in other programs (footfall_studies, footfall_campaign),
-// so that a first run does not wait for its compilation. docs/reference/commands.md has a section for each.
+// All commands of commands.def, with the functions of those that a program carries out itself. docs/reference/commands.md has a
+// section for each.
+std::vector<Subcommand> commands_with(const std::vector<std::pair<std::string, Prepare>>& own);
+
+// Those of the program footfall.
 const std::vector<Subcommand>& subcommands();
 
 // Reads the line and carries it out. Errors are printed on standard error.

@@ -371,30 +371,17 @@ Action test(CLI::App& command) {
   };
 }
 
-constexpr Subcommand kSubcommands[] = {
-    {"run", "Run a scene: make the bed, run both programs, summarise and plot the results", run},
-    {"check", "Check a scene: report every fault with file, line and key", check},
-    {"new", "Create a folder with a scene to edit, from an example", new_case},
-    {"import", "Make a scene of a robot: URDF, SDF or MJCF", nullptr},
-    {"fmu", "Write a scene as an FMU (FMI 3.0), for use in other programs", nullptr},
-    {"view", "Write a page that plays a run in 3D; or draw pictures, or a video; or follow a run in progress", view},
-    {"report", "Write one page about a run or a sweep: DIR/report.html", report},
-    {"plot", "Plot columns of a run's history", plot},
-    {"compare", "Compare the bed of a run with stock LIGGGHTS on the same motion, or with another run", compare},
-    {"sweep", "Run a scene with many values, several runs at once; resumes where it was interrupted", nullptr},
-    {"accuracy", "Measure error against run time, or draw a stability map", nullptr},
-    {"calibrate", "Find the parameters with which runs meet targets, and how well the targets determine them", nullptr},
-    {"rig", "Measure a bed with an instrument: plate, cone, wheel, shear ring, shear box, slope, sphere, drawn plate",
-     nullptr},
-    {"ground", "Fit a soil without grains to runs of one pad on grains", nullptr},
-    {"schema", "Print the JSON schema of scenes, sweep files or calibration files, for editors", nullptr},
-    {"test", "Run the tests of this build (./footfall test builds them first)", test},
-};
-
 }  // namespace
 
 const std::vector<Subcommand>& subcommands() {
-  static const std::vector<Subcommand> all(std::begin(kSubcommands), std::end(kSubcommands));
+  static const std::vector<Subcommand> all = commands_with({{"run", run},
+                                                            {"check", check},
+                                                            {"new", new_case},
+                                                            {"view", view},
+                                                            {"report", report},
+                                                            {"plot", plot},
+                                                            {"compare", compare},
+                                                            {"test", test}});
   return all;
 }
 

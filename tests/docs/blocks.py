@@ -215,6 +215,12 @@ def main():
     if "--only-lint" in sys.argv:
         pages = [kRoot / "README.md", *sorted((kRoot / "docs").rglob("*.md")), *sorted((kRoot / "examples").rglob("*.md"))]
         failed = [w for p in pages for w in lint(p.relative_to(kRoot), p.read_text())]
+        # A reader follows several pages in one checkout: a second run into a folder of results is refused.
+        users = {}
+        for page in pages:
+            for folder in set(re.findall(r"\brun .*--out (\S+)", "\n".join(line for b in blocks_of(page.read_text()) if b.language == "sh" for line in b.lines))):
+                users.setdefault(folder, []).append(str(page.relative_to(kRoot)))
+        failed += [f"{' and '.join(names)}: write to {folder}" for folder, names in users.items() if len(names) > 1]
     else:
         page = Page(pathlib.Path(words[0]).resolve(), pathlib.Path(words[1]).resolve(), words[2])
         page.go((kRoot / words[2]).read_text())

@@ -43,7 +43,7 @@ ONLY_IN = {
     r"toml\+\+": "mbd_solver/scene/scene_reader.cpp",
     r"fl/": "mbd_solver/model/control/fuzzy.cpp",
     r"fcl/": "mbd_solver/model/elements/surface_model.cpp mbd_solver/model/elements/contact_surface.cpp",
-    r"openturns/": "mbd_solver/studies/campaign/sampling.cpp mbd_solver/studies/campaign/optimum.cpp",
+    r"openturns/": "mbd_solver/campaign/sampling.cpp mbd_solver/campaign/optimum.cpp",
     r"muParser": "mbd_solver/model/control/signal_chain.cpp",
     r"pugixml": "mbd_solver/run/output/vtk_writer.cpp mbd_solver/import/xml_source.h mbd_solver/fmi/model_description.cpp",
     r"zip\.h": "mbd_solver/fmi/fmu_file.cpp",

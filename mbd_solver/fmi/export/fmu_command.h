@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/fmi/export/exported_model.h"
+#include "mbd_solver/fmi/model/exported_model.h"
 
 namespace footfall {
 

@@ -15,11 +15,11 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
-#include "mbd_solver/studies/calibrate/determination.h"
-#include "mbd_solver/studies/calibrate/evaluations.h"
-#include "mbd_solver/studies/calibrate/search.h"
+#include "mbd_solver/campaign/calibrate/determination.h"
+#include "mbd_solver/campaign/calibrate/evaluations.h"
+#include "mbd_solver/campaign/calibrate/search.h"
 #include "mbd_solver/studies/calibration.h"
-#include "mbd_solver/studies/campaign/sampling.h"
+#include "mbd_solver/campaign/sampling.h"
 #include "tests/support/refused.h"
 #include "tests/unit/calibrate/search_stage.h"
 #include "tests/unit/studies/text_file.h"
@@ -178,7 +178,7 @@ TEST_F(MisfitOfRuns, IsThatOfFailureWhereARunOrANumberIsMissing) {
   }
 }
 
-// The way of a search: mbd_solver/studies/calibrate/search.h.
+// The way of a search: mbd_solver/campaign/calibrate/search.h.
 
 const UnitPoint kBottom = {0.3, 0.8, 0.45};
 
@@ -298,7 +298,7 @@ TEST(GaussNewton, ComesBackFromTheEndOfARange) {
     }
 }
 
-// Searches by response surfaces: mbd_solver/studies/calibrate/surrogate.cpp.
+// Searches by response surfaces: mbd_solver/campaign/calibrate/surrogate.cpp.
 
 // Points of a lattice in the unit square, moved a little so that no three are in line.
 std::vector<UnitPoint> scattered_points(int side) {
@@ -484,7 +484,7 @@ TEST(SurrogateSearch, KeepsConstraints) {
     EXPECT_LE(way.sets[k][0] + way.sets[k][1], 1.0);
 }
 
-// How far targets determine parameters: mbd_solver/studies/calibrate/determination.h, on models that are formulas.
+// How far targets determine parameters: mbd_solver/campaign/calibrate/determination.h, on models that are formulas.
 
 using Model = std::function<std::vector<double>(const std::vector<double>&)>;  // parameters -> y of the targets
 
@@ -615,7 +615,7 @@ TEST(Determination, SaysWhenTheSearchHasNotEnded) {
   EXPECT_NEAR(d.gain / evaluated(spec, decay, best).misfit, 1.0, 0.05);  // nearly linear over so small a step
 }
 
-// The set next to one that was run whole: mbd_solver/studies/calibrate/determination.h.
+// The set next to one that was run whole: mbd_solver/campaign/calibrate/determination.h.
 
 // Two parameters with a range of 1; target 0 feels the first, target 1 both, target 2 the second.
 struct WholeRun {
@@ -684,7 +684,7 @@ TEST(Adjusted, KeepsConstraintsAndRanges) {
   EXPECT_GT(u[0], 0.5);
 }
 
-// Which targets come together: mbd_solver/studies/calibrate/determination.h.
+// Which targets come together: mbd_solver/campaign/calibrate/determination.h.
 
 // Sets that meet these targets, of `targets` targets with weight 1.
 struct SetsThatMeet {
@@ -724,7 +724,7 @@ TEST(Together, MostAreCountedByWeight) {
   EXPECT_EQ(most_met(s.spec, s.all), s.all[1]);
 }
 
-// mbd_solver/studies/calibrate/evaluations.h: what runs said comes back to the last bit, and only as an answer to the same question; damage is named.
+// mbd_solver/campaign/calibrate/evaluations.h: what runs said comes back to the last bit, and only as an answer to the same question; damage is named.
 
 class LedgerOfRuns : public ::testing::Test {
  protected:

@@ -5,7 +5,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/model/rotation.h"
-#include "mbd_solver/studies/ground/ground_fit.h"
+#include "mbd_solver/campaign/ground/ground_fit.h"
 
 namespace footfall {
 namespace {

@@ -17,10 +17,10 @@
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
-#include "mbd_solver/studies/campaign/campaign.h"
-#include "mbd_solver/studies/campaign/campaign_page.h"
-#include "mbd_solver/studies/campaign/sampling.h"
-#include "mbd_solver/studies/campaign/statistics.h"
+#include "mbd_solver/campaign/campaign.h"
+#include "mbd_solver/campaign/campaign_page.h"
+#include "mbd_solver/campaign/sampling.h"
+#include "mbd_solver/campaign/statistics.h"
 
 namespace footfall {
 namespace {

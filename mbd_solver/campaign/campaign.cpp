@@ -1,0 +1,220 @@
+// Requests of rows from draws, outcomes by formulas, and the rule that ends a campaign early.
+#include "mbd_solver/campaign/campaign.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <sstream>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/base/fingerprint.h"
+#include "mbd_solver/model/control/signal_chain.h"
+#include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/campaign/statistics.h"
+#include "mbd_solver/studies/run_store.h"
+#include "mbd_solver/studies/tables.h"
+
+namespace footfall {
+
+namespace {
+
+constexpr int kShortRuns = 8;
+constexpr std::size_t kFewest = 60, kEvery = 20;  // draws, before and between looks at the intervals
+
+SweepSpec shortened(SweepSpec spec, bool short_form) {
+  if (short_form) spec.runs = std::min(spec.runs, kShortRuns);
+  if (short_form && spec.ground_check) spec.ground_check->runs = std::min(spec.ground_check->runs, 2);
+  return spec;
+}
+
+// The value of a drawn parameter in formulas and tables.
+double number_of(const ParameterSpec& p, double value) {
+  if (p.choices.empty()) return value;
+  return number_in(p.choices[static_cast<std::size_t>(value)].name).value_or(value);
+}
+
+std::string text_of(const ParameterSpec& p, double value) {
+  return p.choices.empty() ? number_text(value, 10) : p.choices[static_cast<std::size_t>(value)].name;
+}
+
+}  // namespace
+
+Campaign::Campaign(const SweepSpec& spec, bool short_form)
+    : spec_(shortened(spec, short_form)),
+      plan_(plan_of(spec_, short_form)),
+      draws_(spec_),
+      rows_(draws_.count() * plan_.runs.size()),
+      hits_(plan_.runs.size(), std::vector<long>(spec_.outcomes.size(), 0)),
+      known_(hits_) {}
+
+std::string Campaign::case_name(std::size_t c) const { return cases() == 1 ? "all" : plan_.cases[c].name; }
+
+std::string Campaign::name(std::size_t row) const {
+  std::string number = std::to_string(row);
+  return "row_" + std::string(number.size() < 6 ? 6 - number.size() : 0, '0') + number;
+}
+
+std::map<std::string, double> Campaign::values_of(std::size_t draw) const {
+  std::map<std::string, double> values = {{"row", static_cast<double>(draw)},
+                                          {"seed", static_cast<double>(draws_.seed(draw))}};
+  for (std::size_t k = 0; k < draws_.parameters().size(); ++k) {
+    const ParameterSpec& p = spec_.parameters[draws_.parameters()[k]];
+    values[p.name] = number_of(p, draws_.values(draw)[k]);
+  }
+  return values;
+}
+
+RunRequest Campaign::request(std::size_t row, const std::vector<std::string>& more) const {
+  RunRequest r = plan_.runs[case_of(row)];
+  r.name = name(row);
+  const std::vector<double>& drawn = draws_.values(draw_of(row));
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    const ParameterSpec& p = spec_.parameters[draws_.parameters()[k]];
+    r.values.push_back(text_of(p, drawn[k]));
+    if (p.choices.empty()) {
+      append(r.settings, filled(p.settings, r.values.back()));
+    } else {
+      const ChoiceSpec& choice = p.choices[static_cast<std::size_t>(drawn[k])];
+      append(r.settings, choice.settings);
+      if (!choice.scene.empty()) r.scene = choice.scene;
+    }
+  }
+  append(r.settings, more);
+  std::map<std::string, double> values = values_of(draw_of(row));
+  r.settings = with_formulas(r.settings, values);
+  return r;
+}
+
+std::vector<std::string> Campaign::case_values(std::size_t row) const { return plan_.runs[case_of(row)].values; }
+
+std::vector<std::string> Campaign::drawn_values(std::size_t row) const {
+  std::vector<std::string> texts;
+  const std::vector<double>& drawn = draws_.values(draw_of(row));
+  for (std::size_t k = 0; k < drawn.size(); ++k)
+    texts.push_back(text_of(spec_.parameters[draws_.parameters()[k]], drawn[k]));
+  return texts;
+}
+
+std::vector<int> Campaign::outcomes_of(std::size_t row, const std::vector<double>& figures) const {
+  std::vector<int> outcomes(spec_.outcomes.size(), -1);
+  if (figures.empty()) return outcomes;
+  NamedValues values = values_of(draw_of(row));
+  for (std::size_t k = 0; k < figures.size(); ++k) values[formula_name(spec_.metrics[k].name)] = figures[k];
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    const std::string& when = spec_.outcomes[k].when;
+    const std::vector<std::string> names = Expression::names_in(when);
+    // A comparison with no number would be false.
+    if (std::any_of(names.begin(), names.end(), [&](const std::string& name) { return !std::isfinite(values[name]); }))
+      continue;
+    const double value = Expression(when, values).value_or_nan();
+    if (!std::isnan(value)) outcomes[k] = value != 0.0 ? 1 : 0;
+  }
+  return outcomes;
+}
+
+void Campaign::set(std::size_t k, CampaignRow row) {
+  row.outcomes = outcomes_of(k, row.figures);
+  rows_[k] = std::move(row);
+  look_for_end();
+}
+
+// Looks at whole draws in their order, so that the end does not depend on which run ends first.
+void Campaign::look_for_end() {
+  while (!stopped_ && used_ < draws_.count()) {
+    for (std::size_t c = 0; c < cases(); ++c)
+      if (rows_[used_ * cases() + c].code < 0) return;
+    for (std::size_t c = 0; c < cases(); ++c)
+      for (std::size_t k = 0; k < spec_.outcomes.size(); ++k) {
+        const int outcome = rows_[used_ * cases() + c].outcomes[k];
+        hits_[c][k] += outcome > 0 ? 1 : 0;
+        known_[c][k] += outcome >= 0 ? 1 : 0;
+      }
+    ++used_;
+    if (!(spec_.until_width > 0.0) || spec_.outcomes.empty() || used_ < kFewest || used_ % kEvery != 0) continue;
+    stopped_ = true;
+    for (std::size_t c = 0; c < cases(); ++c)
+      for (std::size_t k = 0; k < spec_.outcomes.size(); ++k) {
+        const auto count = static_cast<double>(known_[c][k]);
+        stopped_ = stopped_ && count > 0.0 &&
+                   wilson(static_cast<double>(hits_[c][k]) / count, count).width() <= spec_.until_width;
+      }
+  }
+}
+
+std::string Campaign::recipe() const {
+  std::ostringstream text;
+  text.precision(17);
+  const auto put = [&](const std::optional<double>& value) { text << ' ' << (value ? number_text(*value, 17) : "-"); };
+  text << name_of(spec_.design) << ' ' << spec_.seed << ' '
+       << (spec_.design == Design::kLatinHypercube ? spec_.runs : 0) << ' ' << spec_.time_limit << '\n';
+  for (const ParameterSpec& p : spec_.parameters) {
+    const DistributionSpec& d = p.distribution;
+    text << p.name << ' ' << (p.is_drawn() ? name_of(*d.kind) : "") << joined(p.settings, "\n");
+    for (const auto& value : {d.mean, d.deviation, d.least, d.most, d.likely, d.shape, d.scale}) put(value);
+    for (const double value : d.weights) put(value);
+    for (const double value : d.measured) put(value);
+    for (const ChoiceSpec& choice : p.choices)
+      text << '\n' << choice.name << ' ' << choice.scene << ' ' << joined(choice.settings, "\n");
+    text << '\n';
+  }
+  for (const CorrelationSpec& c : spec_.correlations) text << joined(c.between) << ' ' << c.rank << '\n';
+  for (const MetricSpec& m : spec_.metrics) {
+    text << m.name << ' ' << m.key << ' ' << joined(m.columns) << ' ' << name_of(m.reduction) << ' ' << m.average << ' '
+         << m.prominence << ' ' << m.over << '\n';
+    for (const double height : m.slope) put(height);
+  }
+  for (std::size_t c = 0; c < cases(); ++c) {
+    const RunRequest r = request(c);
+    text << recipe_of(read_scene(r.scene, r.settings), r.until) << joined(spec_.settings, "\n") << '\n';
+  }
+  return fingerprint(text.str());
+}
+
+std::vector<RepeatedRun> rows_to_keep(const Campaign& campaign, std::size_t most) {
+  const SweepSpec& spec = campaign.spec();
+  const std::size_t count = campaign.used() * campaign.cases();
+  struct List {
+    std::string why;
+    std::vector<std::size_t> rows;
+    std::size_t next = 0;
+  };
+  std::vector<List> lists(1);
+  lists[0].why = "no result";
+  for (std::size_t row = 0; row < count; ++row)
+    if (campaign.row(row).code > 0) lists[0].rows.push_back(row);
+  for (std::size_t k = 0; k < spec.outcomes.size(); ++k) {
+    List list{spec.outcomes[k].name, {}};
+    for (std::size_t row = 0; row < count; ++row)
+      if (campaign.row(row).outcomes.size() > k && campaign.row(row).outcomes[k] > 0) list.rows.push_back(row);
+    lists.push_back(list);
+  }
+  for (std::size_t k = 0; k < spec.metrics.size(); ++k)
+    for (const bool largest : {true, false}) {
+      List list{(largest ? "largest " : "least ") + spec.metrics[k].name, {}};
+      const auto value = [&](std::size_t row) { return campaign.row(row).figures[k]; };
+      for (std::size_t row = 0; row < count; ++row)
+        if (!campaign.row(row).figures.empty() && std::isfinite(value(row))) list.rows.push_back(row);
+      std::stable_sort(list.rows.begin(), list.rows.end(), [&](std::size_t a, std::size_t b) {
+        return largest ? value(a) > value(b) : value(a) < value(b);
+      });
+      lists.push_back(list);
+    }
+  std::vector<RepeatedRun> kept;
+  std::set<std::size_t> chosen;
+  for (bool any = true; any && kept.size() < most;) {
+    any = false;
+    for (List& list : lists) {
+      while (list.next < list.rows.size() && chosen.count(list.rows[list.next]) > 0) ++list.next;
+      if (list.next == list.rows.size() || kept.size() == most) continue;
+      chosen.insert(list.rows[list.next]);
+      kept.push_back({list.rows[list.next++], list.why, "", {}});
+      any = true;
+    }
+  }
+  return kept;
+}
+
+}  // namespace footfall

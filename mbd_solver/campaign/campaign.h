@@ -1,0 +1,78 @@
+#pragma once
+// A campaign: a sweep file with drawn runs. Every case has the same draws, so that cases differ by themselves alone. A row
+// is one run: number = draw * cases + case. Finished rows are lines of rows.journal; a campaign that was ended in any way
+// goes on from them.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mbd_solver/campaign/sampling.h"
+#include "mbd_solver/studies/plan.h"
+#include "mbd_solver/studies/sweep_command.h"
+
+namespace footfall {
+
+struct CampaignRow {
+  int code = -1;                // exit code of the run; -1: not done
+  std::string message;          // of a run without result
+  std::vector<double> figures;  // as SweepSpec::metrics; empty without result
+  std::vector<int> outcomes;    // as SweepSpec::outcomes; -1: unknown
+};
+
+class Campaign {
+ public:
+  Campaign(const SweepSpec& spec, bool short_form);
+
+  const SweepSpec& spec() const { return spec_; }
+  const Draws& draws() const { return draws_; }
+  std::size_t cases() const { return plan_.runs.size(); }
+  std::size_t size() const { return rows_.size(); }  // rows of all draws
+  std::string case_name(std::size_t c) const;        // "all" for the only one
+  std::size_t draw_of(std::size_t row) const { return row / cases(); }
+  std::size_t case_of(std::size_t row) const { return row % cases(); }
+  // What the row runs, with more settings; throws InputError or NumericalError when formulas have no value.
+  RunRequest request(std::size_t row, const std::vector<std::string>& more = {}) const;
+  std::string name(std::size_t row) const;  // of its folder: row_000012
+
+  const CampaignRow& row(std::size_t k) const { return rows_[k]; }
+  void set(std::size_t k, CampaignRow row);  // evaluates its outcomes
+  // Outcomes of a run with these figures.
+  std::vector<int> outcomes_of(std::size_t row, const std::vector<double>& figures) const;
+  std::vector<std::string> case_values(std::size_t row) const;   // of the parameters that are not drawn
+  std::vector<std::string> drawn_values(std::size_t row) const;  // as text
+
+  // The draws that the results are of: all, or as many as until_width required. Rows before them are done.
+  std::size_t used() const { return used_; }
+  bool stopped_early() const { return stopped_; }
+
+  // Of the inputs of all rows: a journal with another one is of another campaign.
+  std::string recipe() const;
+
+ private:
+  std::map<std::string, double> values_of(std::size_t draw) const;  // for formulas
+  void look_for_end();
+
+  SweepSpec spec_;
+  Plan plan_;
+  Draws draws_;
+  std::vector<CampaignRow> rows_;
+  std::size_t used_ = 0;                         // draws, from the first, all of whose rows are done
+  bool stopped_ = false;                         // the intervals are as narrow as asked for
+  std::vector<std::vector<long>> hits_, known_;  // of those, by case and outcome
+};
+
+// A run of a row that was repeated with all its files, or with the settings of [check].
+struct RepeatedRun {
+  std::size_t row = 0;
+  std::string why, folder;
+  std::vector<double> figures;  // empty: it failed
+};
+
+// Rows worth looking at, at most `most`: without result, with an outcome, or with the least or largest value of a figure.
+std::vector<RepeatedRun> rows_to_keep(const Campaign& campaign, std::size_t most);
+
+// Runs, and writes the results into the folder. As sweep_command.
+int campaign_command(const SweepArguments& arguments);
+
+}  // namespace footfall

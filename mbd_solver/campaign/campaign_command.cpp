@@ -1,0 +1,468 @@
+// Rows without grains go to workers, rows on grains are runs of their own; each result is a line of the journal at once.
+// Then rows worth looking at are repeated with all their files, the check is run, and tables and pictures are written.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <numeric>
+#include <sstream>
+#include <thread>
+
+#include "coupler/base/clock.h"
+#include "coupler/base/errors.h"
+#include "coupler/base/files.h"
+#include "coupler/base/number.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/app/results.h"
+#include "mbd_solver/base/live_line.h"
+#include "mbd_solver/base/lock.h"
+#include "mbd_solver/base/quote.h"
+#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/campaign/campaign.h"
+#include "mbd_solver/campaign/campaign_page.h"
+#include "mbd_solver/campaign/worker_pool.h"
+#include "mbd_solver/studies/codes.h"
+#include "mbd_solver/studies/run_store.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kElements = 100;  // of a Slurm job array
+constexpr const char* kJournal = "footfall campaign ";
+
+// Results as they come: a line "row TAB code TAB figures ... TAB message" each. An incomplete last line is dropped.
+class Journal {
+ public:
+  Journal(const std::string& path, const std::string& recipe) {
+    const std::string head = kJournal + recipe + "\n";
+    const std::string text = read_whole_file(path).value_or("");
+    const std::size_t whole = text.rfind('\n') + 1;  // 0: no line
+    const bool mine = text.compare(0, head.size(), head) == 0;
+    if (!mine && whole > 0) keep_others(path);
+    file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (mine ? 0 : O_TRUNC), 0644);
+    if (file_ < 0 || (mine && ::ftruncate(file_, static_cast<off_t>(whole)) != 0) || ::lseek(file_, 0, SEEK_END) < 0)
+      throw FileError(path + ": cannot be written; choose another folder with --out");
+    if (!mine) put(head);
+  }
+  ~Journal() { ::close(file_); }
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  void write(std::size_t row, const CampaignRow& r) {
+    std::string line = std::to_string(row) + '\t' + std::to_string(r.code);
+    for (const double figure : r.figures) {
+      line += '\t';
+      append_number(line, figure, 17);
+    }
+    std::string message = r.message;
+    std::replace_if(
+        message.begin(), message.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+    put(line + '\t' + message + '\n');
+  }
+
+ private:
+  // Rows of other numbers, or of files that have changed since.
+  static void keep_others(const std::string& path) {
+    const std::string kept = fs::path(path).replace_extension(".before").string();
+    std::error_code error;
+    fs::rename(path, kept, error);
+    if (error) return;
+    std::fprintf(stderr, "footfall: the rows of %s are of other inputs and are made again; the old ones are in %s\n",
+                 path.c_str(), kept.c_str());
+  }
+  void put(const std::string& text) {
+    for (std::size_t at = 0; at < text.size();) {
+      const ssize_t sent = ::write(file_, text.data() + at, text.size() - at);
+      if (sent < 0 && errno == EINTR) continue;
+      if (sent <= 0) throw FileError("the journal of the campaign cannot be written: is the disk full?");
+      at += static_cast<std::size_t>(sent);
+    }
+  }
+  int file_ = -1;
+};
+
+// The rows of all journals in the folder that are of this campaign.
+void read_journals(const std::string& folder, const std::string& recipe, Campaign& campaign) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.path().extension() == ".journal") files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  const std::size_t figures = campaign.spec().metrics.size();
+  for (const std::string& file : files) {
+    const std::string text = read_whole_file(file).value_or("");
+    std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
+    std::string line;
+    if (!std::getline(lines, line) || line != kJournal + recipe) continue;
+    while (std::getline(lines, line)) {
+      line += '\t';  // an empty message is a cell as well
+      const std::vector<std::string> cells = split(line, '\t');
+      if (cells.size() < 2) continue;
+      const std::size_t row = std::strtoul(cells[0].c_str(), nullptr, 10);
+      CampaignRow r;
+      r.code = std::atoi(cells[1].c_str());
+      const std::size_t numbers = r.code == kExitDone ? figures : 0;
+      if (row >= campaign.size() || cells.size() < 2 + numbers) continue;
+      for (std::size_t k = 0; k < numbers; ++k) r.figures.push_back(read_number(cells[2 + k].c_str(), nullptr));
+      if (cells.size() > 2 + numbers) r.message = cells[2 + numbers];
+      campaign.set(row, std::move(r));
+    }
+  }
+}
+
+// What the line of progress says: of the first outcome in the first cases.
+std::string progress_text(const Campaign& campaign, std::size_t done, std::size_t all, double started,
+                          std::size_t before) {
+  std::string text = std::to_string(done) + " of " + std::to_string(all) + " runs";
+  std::size_t without = 0;
+  for (std::size_t row = 0; row < campaign.used() * campaign.cases(); ++row) without += campaign.row(row).code > 0;
+  if (without > 0) text += ", " + std::to_string(without) + " without result";
+  const SweepSpec& spec = campaign.spec();
+  for (std::size_t c = 0; c < std::min<std::size_t>(3, campaign.cases()) && !spec.outcomes.empty(); ++c) {
+    const Probability p = probability_of(campaign, c, 0);
+    long hits = 0;
+    for (const std::size_t row : rows_of_case(campaign, c)) hits += campaign.row(row).outcomes[0] > 0 ? 1 : 0;
+    text += ", " + (campaign.cases() > 1 ? campaign.case_name(c) + ": " : "") + spec.outcomes[0].name + " " +
+            std::to_string(hits) + " times, " + number_text(100.0 * p.value, 3) + " % (" +
+            number_text(100.0 * p.low, 3) + " to " + number_text(100.0 * p.high, 3) + " %)";
+  }
+  const double share = static_cast<double>(done) / static_cast<double>(all);
+  const std::string left =
+      time_left({share, static_cast<double>(done - before) / static_cast<double>(all), wall_clock() - started});
+  return text + (left.empty() ? "" : ", " + left);
+}
+
+class CampaignRun {
+ public:
+  CampaignRun(Campaign& campaign, std::string folder, int jobs)
+      : campaign_(campaign), folder_(std::move(folder)), jobs_(jobs) {}
+
+  // Rows from `first` to before `last`; false when interrupted.
+  bool run(std::size_t first, std::size_t last, const std::string& part, const std::string& recipe) {
+    read_journals(folder_, recipe, campaign_);
+    Journal journal((fs::path(folder_) / ("rows" + part + ".journal")).string(), recipe);
+    std::vector<std::size_t> left;
+    for (std::size_t row = first; row < last; ++row)
+      if (campaign_.row(row).code < 0) left.push_back(row);
+    before_ = done_ = last - first - left.size();
+    all_ = last - first;
+    started_ = wall_clock();
+    std::printf("runs to do: %zu, done before: %zu, at once: %d\n", ended() ? 0 : left.size(), before_, jobs_);
+    std::fflush(stdout);
+    const auto record = [&](std::size_t row, CampaignRow r) {
+      journal.write(row, r);
+      campaign_.set(row, std::move(r));
+      ++done_;
+      const double share = static_cast<double>(done_) / static_cast<double>(all_);
+      if (line_.due(share)) line_.show(progress_text(campaign_, done_, all_, started_, before_));
+    };
+    const bool whole = on_grains() ? by_runs(left, record) : by_workers(left, part, record);
+    if (done_ > before_) line_.show(progress_text(campaign_, done_, all_, started_, before_));
+    line_.finish();
+    const double spent = wall_clock() - started_;
+    if (done_ > before_ && whole)
+      std::printf("%zu runs in %s s: %s runs per second, %d at once\n", done_ - before_, number_text(spent, 4).c_str(),
+                  number_text(static_cast<double>(done_ - before_) / spent, 3).c_str(), jobs_);
+    return whole;
+  }
+
+  // Repeats rows with all their files; the figures must be those of the table. False when interrupted.
+  bool repeat(std::vector<RepeatedRun>& runs, const std::string& where) {
+    RunStore store((fs::path(folder_) / where).string(), true);
+    std::vector<std::size_t> numbers;
+    for (RepeatedRun& run : runs) {
+      try {
+        numbers.push_back(store.add(campaign_.request(run.row, {"output.vtk=true"})));  // to be played
+        run.folder = store.folder(numbers.back());
+      } catch (const std::exception& e) {  // a row that cannot be run has only its message
+        run.folder.clear();
+        numbers.push_back(static_cast<std::size_t>(-1));
+      }
+    }
+    std::vector<std::size_t> valid;
+    for (const std::size_t n : numbers)
+      if (n != static_cast<std::size_t>(-1)) valid.push_back(n);
+    const std::vector<std::size_t> left = store.left(valid);
+    if (!left.empty()) std::printf("runs to repeat with all their files: %zu\n", left.size());
+    std::fflush(stdout);
+    if (!store.carry_out(left, jobs_, [](std::size_t) {})) return false;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      if (runs[k].folder.empty()) continue;
+      if (store.end_of(numbers[k]).code == kExitDone)
+        runs[k].figures = metrics_of_run(campaign_.spec().metrics, runs[k].folder, campaign_.spec().file);
+      if (same(runs[k])) continue;
+      ++differing_;
+      std::fprintf(
+          stderr, "footfall: %s\n",
+          with_code(code::kRowDiffers, runs[k].folder + " has other figures than row " + std::to_string(runs[k].row) +
+                                           " of runs.csv, expected the same digits: programs or files have "
+                                           "changed meanwhile; start again in another folder (--out)")
+              .c_str());
+    }
+    runs.erase(std::remove_if(runs.begin(), runs.end(), [](const RepeatedRun& r) { return r.folder.empty(); }),
+               runs.end());
+    return true;
+  }
+  int differing() const { return differing_; }
+
+ private:
+  bool ended() const { return campaign_.stopped_early(); }
+
+  bool same(const RepeatedRun& run) const {
+    const CampaignRow& row = campaign_.row(run.row);
+    if (row.figures.size() != run.figures.size()) return false;
+    for (std::size_t k = 0; k < row.figures.size(); ++k)
+      if (!(row.figures[k] == run.figures[k]) && !(std::isnan(row.figures[k]) && std::isnan(run.figures[k])))
+        return false;
+    return true;
+  }
+
+  bool on_grains() const {
+    for (std::size_t c = 0; c < campaign_.cases(); ++c) {
+      const RunRequest r = campaign_.request(c);
+      if (read_scene(r.scene, r.settings).touches_particles()) return true;
+    }
+    return false;
+  }
+
+  template <class Record>
+  bool by_workers(const std::vector<std::size_t>& left, const std::string& part, const Record& record) {
+    if (left.empty() || ended()) return true;
+    WorkerPool pool((fs::path(folder_) / ("work" + part)).string(), std::min(jobs_, static_cast<int>(left.size())),
+                    campaign_.spec().time_limit);
+    std::size_t next = 0;
+    while ((next < left.size() && !ended()) || (pool.busy() && !ended())) {
+      while (pool.idle() && next < left.size() && !ended()) {
+        const std::size_t row = left[next++];
+        try {
+          RunRequest r = campaign_.request(row);
+          pool.start({row, r.scene, r.settings, r.until, r.trusted});
+        } catch (const NumericalError& e) {
+          record(row, {kExitBadInput, e.what(), {}, {}});
+        }
+      }
+      const std::optional<WorkerAnswer> answer = pool.wait();
+      if (pool.interrupted()) return false;
+      if (!answer) continue;
+      CampaignRow r;
+      r.code = answer->code;
+      r.message = answer->message;
+      if (r.code == kExitDone)
+        r.figures = metrics_of_run(campaign_.spec().metrics, answer->folder, campaign_.spec().file);
+      record(answer->run, std::move(r));
+    }
+    return true;
+  }
+
+  // Runs with grains have folders, which are kept.
+  template <class Record>
+  bool by_runs(const std::vector<std::size_t>& left, const Record& record) {
+    constexpr std::size_t kAtOnce = 60;  // between looks at the intervals
+    RunStore store((fs::path(folder_) / "runs").string(), true);
+    for (std::size_t first = 0; first < left.size() && !ended(); first += kAtOnce) {
+      std::vector<std::size_t> rows, numbers;
+      for (std::size_t k = first; k < std::min(left.size(), first + kAtOnce); ++k) {
+        try {
+          numbers.push_back(store.add(campaign_.request(left[k])));
+          rows.push_back(left[k]);
+        } catch (const std::exception& e) {
+          record(left[k], {kExitBadInput, e.what(), {}, {}});
+        }
+      }
+      for (const std::size_t n : numbers) store.try_bed(n);
+      if (!store.carry_out(store.left(numbers), jobs_, [](std::size_t) {})) return false;
+      for (std::size_t k = 0; k < rows.size(); ++k) {
+        const RunEnd end = store.end_of(numbers[k]);
+        CampaignRow r{end.code, end.message, {}, {}};
+        if (end.code == kExitDone)
+          r.figures = metrics_of_run(campaign_.spec().metrics, end.folder, campaign_.spec().file);
+        record(rows[k], std::move(r));
+      }
+    }
+    return true;
+  }
+
+  Campaign& campaign_;
+  std::string folder_;
+  int jobs_, differing_ = 0;
+  std::size_t before_ = 0, done_ = 0, all_ = 0;
+  double started_ = 0.0;
+  LiveLine line_{false, ::isatty(STDOUT_FILENO) == 1};
+};
+
+// The runs of [check] of one case: most where the outcome is uncertain. False when interrupted.
+bool check_case(const Campaign& campaign, const std::string& folder, int jobs, GroundCheckResult& result) {
+  const SweepSpec& spec = campaign.spec();
+  const GroundCheckSpec& check = *spec.ground_check;
+  const std::size_t outcome =
+      check.outcome.empty() ? 0 : static_cast<std::size_t>(index_of(spec.outcomes, check.outcome));
+  std::vector<std::size_t> rows;
+  std::vector<int> cheap;
+  for (const std::size_t row : rows_of_case(campaign, result.which_case))
+    if (campaign.row(row).outcomes[outcome] >= 0) {
+      rows.push_back(row);
+      cheap.push_back(campaign.row(row).outcomes[outcome]);
+    }
+  if (rows.size() < 2) return true;
+  // Weights fall off about the boundary as (p (1 - p))^1/4, more slowly than the scatter of the outcome, as wrong calls reach
+  // further than that; and a share that all have.
+  const std::vector<double> p = chances(campaign, result.which_case, outcome, rows);
+  std::vector<double> weights;
+  for (const double chance : p) weights.push_back(std::pow(chance * (1.0 - chance), 0.25));
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (double& w : weights)
+    w = (sum > 0.0 ? (1.0 - check.far) * w / sum : 0.0) + std::max(check.far, 0.01) / static_cast<double>(rows.size());
+  result.drawn = draw_checked(weights, check.runs, static_cast<std::uint64_t>(spec.seed) + 1);
+  RunStore store((fs::path(folder) / "check").string(), true);
+  std::vector<std::size_t> numbers;
+  for (const CheckedRun& drawn : result.drawn) {
+    RunRequest r = campaign.request(rows[drawn.run], check.settings);
+    if (!check.scene.empty()) r.scene = check.scene;
+    if (check.until > 0.0) r.until = check.until;
+    numbers.push_back(store.add(r));
+    result.runs.push_back({rows[drawn.run], "check", store.folder(numbers.back()), {}});
+    result.chance.push_back(p[drawn.run]);
+  }
+  std::printf("%s: runs of the check: %zu\n", campaign.case_name(result.which_case).c_str(), numbers.size());
+  std::fflush(stdout);
+  for (const std::size_t n : numbers) store.try_bed(n);
+  const int at_once = std::max(1, jobs / store.most_ranks());
+  if (!store.carry_out(store.left(numbers), at_once, [](std::size_t) {})) return false;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    RepeatedRun& run = result.runs[k];
+    if (const RunEnd& end = store.end_of(numbers[k]); end.code == kExitDone)
+      run.figures = metrics_of_run(spec.metrics, run.folder, spec.file);
+    else
+      std::printf("row %zu in the check ended with exit code %d: %s\n", run.row, end.code, end.message.c_str());
+    result.better.push_back(campaign.outcomes_of(run.row, run.figures)[outcome]);
+  }
+  result.levels = two_levels(cheap, result.drawn, result.better);
+  return true;
+}
+
+std::string command_words(const SweepArguments& a, const std::string& out) {
+  std::vector<std::string> words = {built_program("footfall"), a.command, fs::absolute(a.file).string(), "--out", out};
+  if (a.short_form) words.push_back("--short");
+  if (a.trust_script) words.push_back("--trust-script");
+  return shell_line({words, {}, "", ""});
+}
+
+void write_array(const SweepArguments& a, const Campaign& campaign, const std::string& out) {
+  const std::string path = (fs::path(out) / "sweep.sbatch").string(),
+                    line = command_words(a, fs::absolute(out).string());
+  for (const char c : line)
+    if (static_cast<unsigned char>(c) < 0x20)
+      throw InputError(code::kSlurmName, "--slurm: a name on the command line has a control character; rename it");
+  const std::size_t elements = std::min(kElements, campaign.size());
+  std::string output = fs::absolute(out).string() + "/slurm_";
+  for (std::size_t at = output.find('%'); at != std::string::npos; at = output.find('%', at + 2))
+    output.insert(at, "%");  // Slurm replaces %
+  std::ostringstream file;
+  file << "#!/bin/bash\n#SBATCH --job-name=" << shell_word(fs::path(a.file).stem().string()) << "\n#SBATCH --array=0-"
+       << elements - 1 << "\n#SBATCH --nodes=1\n#SBATCH --ntasks=1\n#SBATCH --output=" << shell_word(output + "%a.txt")
+       << "\n# Each element carries out a share of the rows. At the end tables and pictures:  " << line << " --merge\n"
+       << line << " --jobs 1 --only \"$SLURM_ARRAY_TASK_ID\"\n";
+  write_whole_file(path, file.str());
+  std::printf("%s: %zu runs in %zu elements; submit with  sbatch %s\n", path.c_str(), campaign.size(), elements,
+              shell_word(path).c_str());
+}
+
+}  // namespace
+
+int campaign_command(const SweepArguments& a) {
+  SweepSpec spec = read_sweep_file(a.file);
+  spec.trusted = a.trust_script;
+  Campaign campaign(spec, a.short_form);
+  const std::string name = fs::path(a.file).stem().string();
+  const std::string folder =
+      short_path(fs::absolute(a.out.empty() ? (fs::path(a.runs) / name).string() : a.out).string());
+  const std::string recipe = campaign.recipe();  // reads the scene of every case: its faults are found before all runs
+  const std::size_t elements = std::min(kElements, campaign.size());
+  if (a.only >= static_cast<int>(elements))
+    throw InputError(code::kNoSuchRun, "--only " + std::to_string(a.only) +
+                                           ": expected an element of the job array, 0 to " +
+                                           std::to_string(elements - 1));
+  if (a.row >= static_cast<long>(campaign.size()))
+    throw InputError(code::kNoSuchRun, "--row " + std::to_string(a.row) + ": expected a row from 0 to " +
+                                           std::to_string(campaign.size() - 1));
+  if (a.list) {
+    for (std::size_t row = 0; row < campaign.size(); ++row) {
+      const RunRequest r = campaign.request(row);
+      std::printf("%zu  %s\n", row, r.scene.c_str());
+      for (const std::string& setting : r.settings) std::printf("     --set %s\n", setting.c_str());
+    }
+    return kExitDone;
+  }
+  make_folder(folder);
+  const FileLock lock = a.only < 0 && !a.merge ? lock_folder(folder) : FileLock();
+  if (a.slurm) {
+    write_array(a, campaign, folder);
+    return kExitDone;
+  }
+  const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int jobs = a.jobs > 0 ? a.jobs : machine;
+  CampaignRun run(campaign, folder, jobs);
+  if (a.row >= 0) {
+    read_journals(folder, recipe, campaign);
+    std::vector<RepeatedRun> one = {{static_cast<std::size_t>(a.row), "", "", {}}};
+    const bool known = campaign.row(one[0].row).code >= 0;
+    if (!run.repeat(one, "kept")) return study_interrupted();
+    if (one.empty()) throw NumericalError(code::kRunWithoutRows, "row " + std::to_string(a.row) + " cannot be run");
+    std::printf("%s%s\n", one[0].folder.c_str(), known ? "" : " (the row is not in the table yet)");
+    return !known || run.differing() == 0 ? kExitDone : kExitFailed;
+  }
+  if (a.only >= 0) {
+    const auto element = static_cast<std::size_t>(a.only);
+    const std::size_t first = element * campaign.size() / elements, last = (element + 1) * campaign.size() / elements;
+    return run.run(first, last, "_" + std::to_string(a.only), recipe) ? kExitDone : study_interrupted();
+  }
+  if (a.merge) {
+    read_journals(folder, recipe, campaign);
+    if (campaign.used() < campaign.draws().count() && !campaign.stopped_early())
+      std::fprintf(stderr, "footfall: %s\n",
+                   with_code(code::kRowsMissing,
+                             "the first row that is not done is of draw " + std::to_string(campaign.used()) + " of " +
+                                 std::to_string(campaign.draws().count()) + "; tables have the draws before it")
+                       .c_str());
+  } else if (!run.run(0, campaign.size(), "", recipe)) {
+    return study_interrupted();
+  }
+  // The table first: what follows takes time, and repeats nothing when it is ended.
+  write_whole_file((fs::path(folder) / "runs.csv").string(), campaign_table(campaign).csv());
+  std::vector<RepeatedRun> kept = rows_to_keep(campaign, static_cast<std::size_t>(campaign.spec().keep));
+  if (!kept.empty() && !run.repeat(kept, "kept")) return study_interrupted();
+  std::vector<GroundCheckResult> checks;
+  for (std::size_t c = 0; c < campaign.cases() && campaign.spec().ground_check && campaign.used() > 1; ++c) {
+    checks.emplace_back();
+    checks.back().which_case = c;
+    if (!check_case(campaign, folder, jobs, checks.back())) return study_interrupted();
+  }
+  std::vector<std::string> pictures;
+  try {
+    pictures = draw_campaign(campaign, folder);
+  } catch (const InputError& e) {
+    warn_missing_file("picture", e);
+  }
+  const StudyPage page = campaign_page(campaign, kept, checks, "./footfall " + a.command + " " + a.file, pictures);
+  const auto path = [&](const std::string& file) { return (fs::path(folder) / file).string(); };
+  write_whole_file(path(name + ".md"), page.markdown());
+  write_whole_file(path("report.html"), page.html());
+  if (!a.table.empty()) write_whole_file(a.table, page.markdown());
+  std::printf("%s%s\n%s\n%s\n", page.markdown().c_str(), path("runs.csv").c_str(), path(name + ".md").c_str(),
+              path("report.html").c_str());
+  bool all = run.differing() == 0;
+  for (std::size_t row = 0; row < campaign.used() * campaign.cases(); ++row) all = all && campaign.row(row).code == 0;
+  return all ? kExitDone : kExitFailed;
+}
+
+}  // namespace footfall

@@ -1,0 +1,534 @@
+// Markdown with a column per case; boundaries are found by looking along lines for a change of sign.
+#include "mbd_solver/campaign/campaign_page.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+#include <sstream>
+
+#include "coupler/base/files.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/base/quote.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kBand = 1.959963984540054;  // deviations, 95 %
+constexpr int kSteps = 400;                  // along a line, between looks for the boundary
+constexpr double kGoodChaos = 0.8;           // least explained variance with which Sobol' indices are shown
+
+std::string share_with_interval(const Probability& p) {
+  return number_text(100.0 * p.value, 3) + " (" + number_text(100.0 * p.low, 3) + " to " +
+         number_text(100.0 * p.high, 3) + ")";
+}
+
+std::size_t place_of_outcome(const SweepSpec& spec, const std::string& name) {
+  return name.empty() ? 0 : static_cast<std::size_t>(index_of(spec.outcomes, name));
+}
+
+// Place among the drawn parameters.
+std::size_t drawn_place(const Campaign& campaign, const std::string& name) {
+  const std::vector<std::size_t>& all = campaign.draws().parameters();
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (campaign.spec().parameters[all[k]].name == name) return k;
+  FOOTFALL_DEMAND(false);
+  return 0;
+}
+
+double drawn_number(const Campaign& campaign, std::size_t row, std::size_t place) {
+  const ParameterSpec& p = campaign.spec().parameters[campaign.draws().parameters()[place]];
+  const double value = campaign.draws().values(campaign.draw_of(row))[place];
+  return p.choices.empty() ? value : number_in(p.choices[static_cast<std::size_t>(value)].name).value_or(value);
+}
+
+}  // namespace
+
+std::vector<std::size_t> rows_of_case(const Campaign& campaign, std::size_t which_case) {
+  std::vector<std::size_t> rows;
+  for (std::size_t draw = 0; draw < campaign.used(); ++draw)
+    if (const std::size_t row = draw * campaign.cases() + which_case; !campaign.row(row).figures.empty())
+      rows.push_back(row);
+  return rows;
+}
+
+Probability probability_of(const Campaign& campaign, std::size_t which_case, std::size_t outcome) {
+  long hits = 0, known = 0;
+  for (const std::size_t row : rows_of_case(campaign, which_case)) {
+    hits += campaign.row(row).outcomes[outcome] > 0 ? 1 : 0;
+    known += campaign.row(row).outcomes[outcome] >= 0 ? 1 : 0;
+  }
+  const auto count = static_cast<double>(known);
+  return wilson(known > 0 ? static_cast<double>(hits) / count : 0.0, count);
+}
+
+// ---- boundary ----
+
+Boundary::Boundary(const Campaign& campaign, const EnvelopeSpec& envelope, std::size_t which_case)
+    : two_(!envelope.y.empty()), level_(std::log(envelope.level / (1.0 - envelope.level))) {
+  const std::size_t outcome = place_of_outcome(campaign.spec(), envelope.outcome);
+  std::vector<std::array<double, 2>> points;
+  std::vector<int> happened;
+  const std::size_t places[2] = {drawn_place(campaign, envelope.x),
+                                 two_ ? drawn_place(campaign, envelope.y) : std::size_t{0}};
+  for (const std::size_t row : rows_of_case(campaign, which_case)) {
+    if (campaign.row(row).outcomes[outcome] < 0) continue;
+    points.push_back({drawn_number(campaign, row, places[0]), two_ ? drawn_number(campaign, row, places[1]) : 0.0});
+    happened.push_back(campaign.row(row).outcomes[outcome]);
+  }
+  const long hits = std::count(happened.begin(), happened.end(), 1);
+  fitted_ = hits > 0 && hits < static_cast<long>(happened.size());
+  if (points.empty()) return;
+  for (int axis = 0; axis < 2; ++axis) {
+    std::vector<double> values;
+    for (const auto& point : points) values.push_back(point[static_cast<std::size_t>(axis)]);
+    low_[axis] = *std::min_element(values.begin(), values.end());
+    high_[axis] = *std::max_element(values.begin(), values.end());
+    if (!(high_[axis] > low_[axis])) high_[axis] = low_[axis] + 1.0;
+    median_[axis] = quantile(values, 0.5);
+  }
+  if (!fitted_) return;
+  Eigen::MatrixXd x(static_cast<Eigen::Index>(points.size()), two_ ? 6 : 3);
+  Eigen::VectorXd y(x.rows());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    x.row(static_cast<Eigen::Index>(i)) = terms(points[i][0], points[i][1]);
+    y[static_cast<Eigen::Index>(i)] = happened[i];
+  }
+  fit_ = fit_logistic(x, y);
+  long right = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    right += (score(points[i][0], points[i][1]) > 0.0) == (happened[i] > 0) ? 1 : 0;
+  agreement_ = static_cast<double>(right) / static_cast<double>(points.size());
+}
+
+Eigen::VectorXd Boundary::terms(double x, double y) const {
+  const double u = 2.0 * (x - low_[0]) / (high_[0] - low_[0]) - 1.0;
+  if (!two_) return Eigen::Vector3d(1.0, u, u * u);
+  const double w = 2.0 * (y - low_[1]) / (high_[1] - low_[1]) - 1.0;
+  Eigen::VectorXd t(6);
+  t << 1.0, u, w, u * u, u * w, w * w;
+  return t;
+}
+
+double Boundary::score(double x, double y) const { return fit_.score(terms(x, y)) - level_; }
+
+bool Boundary::in_band(double x, double y) const {
+  const Eigen::VectorXd t = terms(x, y);
+  return std::abs(fit_.score(t) - level_) < kBand * fit_.deviation(t);
+}
+
+// The band about a crossing ends where the score differs from 0 by more than its own deviation allows.
+std::vector<Boundary::Crossing> Boundary::along(int axis, double other) const {
+  std::vector<Crossing> found;
+  if (!fitted_) return found;
+  const double step = (high_[axis] - low_[axis]) / kSteps;
+  const auto at = [&](double s) { return axis == 0 ? score(s, other) : score(other, s); };
+  const auto inside = [&](double s) { return axis == 0 ? in_band(s, other) : in_band(other, s); };
+  for (int k = 0; k < kSteps; ++k) {
+    double a = low_[axis] + k * step, b = a + step;
+    if ((at(a) > 0.0) == (at(b) > 0.0)) continue;
+    for (int half = 0; half < 40; ++half) {
+      const double middle = 0.5 * (a + b);
+      ((at(middle) > 0.0) == (at(a) > 0.0) ? a : b) = middle;
+    }
+    Crossing c;
+    const double root = 0.5 * (a + b);
+    c.low = c.high = root;
+    while (c.low > low_[axis] && inside(c.low)) c.low -= 0.1 * step;
+    while (c.high < high_[axis] && inside(c.high)) c.high += 0.1 * step;
+    c.along_x = axis == 0;
+    c.x = axis == 0 ? root : other;
+    c.y = axis == 0 ? other : root;
+    found.push_back(c);
+  }
+  return found;
+}
+
+std::vector<Boundary::Crossing> Boundary::crossings() const {
+  if (!two_) return along(0, 0.0);
+  constexpr int kLines = 80;
+  std::vector<Crossing> all;
+  for (const int axis : {1, 0})
+    for (int k = 0; k <= kLines; ++k) {
+      const int other = 1 - axis;
+      const std::vector<Crossing> more = along(axis, low_[other] + k * (high_[other] - low_[other]) / kLines);
+      all.insert(all.end(), more.begin(), more.end());
+    }
+  return all;
+}
+
+std::vector<Boundary::Crossing> Boundary::middle() const {
+  if (!two_) return along(0, 0.0);
+  const std::vector<Crossing> up = along(1, median_[0]);
+  return up.empty() ? along(0, median_[1]) : up;
+}
+
+std::vector<double> chances(const Campaign& campaign, std::size_t which_case, std::size_t outcome,
+                            const std::vector<std::size_t>& rows) {
+  (void)which_case;
+  const std::size_t width = campaign.draws().parameters().size();
+  // Squares as well, if there are enough runs for them.
+  const bool squares = rows.size() > 20 * (1 + 2 * width);
+  Eigen::MatrixXd x(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(1 + (squares ? 2 : 1) * width));
+  Eigen::VectorXd y(x.rows());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    x(at, 0) = 1.0;
+    for (std::size_t k = 0; k < width; ++k) {
+      const double u = 2.0 * campaign.draws().positions(campaign.draw_of(rows[i]))[k] - 1.0;
+      x(at, static_cast<Eigen::Index>(1 + k)) = u;
+      if (squares) x(at, static_cast<Eigen::Index>(1 + width + k)) = u * u;
+    }
+    y[at] = campaign.row(rows[i]).outcomes[outcome] > 0 ? 1.0 : 0.0;
+  }
+  const Logistic fit = fit_logistic(x, y);
+  std::vector<double> p;
+  for (Eigen::Index i = 0; i < x.rows(); ++i) p.push_back(fit.probability(x.row(i)));
+  return p;
+}
+
+// ---- tables ----
+
+Table campaign_table(const Campaign& campaign) {
+  const SweepSpec& spec = campaign.spec();
+  std::vector<std::string> head = {"row"};
+  for (const bool drawn : {false, true})
+    for (const ParameterSpec& p : spec.parameters)
+      if (p.is_drawn() == drawn) head.push_back(p.name);
+  head.push_back("seed");
+  append(head, names_in(spec.metrics));
+  append(head, names_in(spec.outcomes));
+  append(head, {"code", "message"});
+  Table table(head);
+  for (std::size_t row = 0; row < campaign.used() * campaign.cases(); ++row) {
+    const CampaignRow& r = campaign.row(row);
+    std::vector<std::string> cells = {std::to_string(row)};
+    append(cells, campaign.case_values(row));
+    append(cells, campaign.drawn_values(row));
+    cells.push_back(std::to_string(campaign.draws().seed(campaign.draw_of(row))));
+    for (std::size_t k = 0; k < spec.metrics.size(); ++k)
+      cells.push_back(r.figures.empty() ? "" : cell(r.figures[k], 17));
+    for (const int outcome : r.outcomes) cells.push_back(outcome < 0 ? "" : std::to_string(outcome));
+    append(cells, {std::to_string(r.code), r.message});
+    table.add(cells);
+  }
+  return table;
+}
+
+namespace {
+
+// The values of a figure over the rows of a case, sorted.
+std::vector<double> sorted_figure(const Campaign& campaign, std::size_t which_case, std::size_t figure) {
+  std::vector<double> values;
+  for (const std::size_t row : rows_of_case(campaign, which_case))
+    if (std::isfinite(campaign.row(row).figures[figure])) values.push_back(campaign.row(row).figures[figure]);
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+std::string quantile_text(const std::vector<double>& sorted, double share) {
+  if (sorted.empty()) return "";
+  const auto [low, high] = quantile_bounds(sorted.size(), share);
+  const auto bound = [&](long k) {
+    return k < 0 || k >= static_cast<long>(sorted.size()) ? "?" : number_text(sorted[static_cast<std::size_t>(k)], 4);
+  };
+  return number_text(quantile(sorted, share), 4) + " (" + bound(low) + " to " + bound(high) + ")";
+}
+
+// A row per probability and percentile, a column per case.
+Table main_table(const Campaign& campaign) {
+  const SweepSpec& spec = campaign.spec();
+  std::vector<std::string> head = {"95 % intervals in brackets"};
+  std::vector<std::string> runs = {"runs"}, without = {"without result"};
+  for (std::size_t c = 0; c < campaign.cases(); ++c) {
+    head.push_back(campaign.case_name(c));
+    const std::size_t good = rows_of_case(campaign, c).size();
+    runs.push_back(std::to_string(campaign.used()));
+    without.push_back(std::to_string(campaign.used() - good));
+  }
+  Table table(head);
+  table.add(runs);
+  table.add(without);
+  for (std::size_t k = 0; k < spec.outcomes.size(); ++k) {
+    std::vector<std::string> cells = {"probability of " + spec.outcomes[k].name + " [%]"};
+    for (std::size_t c = 0; c < campaign.cases(); ++c)
+      cells.push_back(share_with_interval(probability_of(campaign, c, k)));
+    table.add(cells);
+  }
+  for (std::size_t k = 0; k < spec.metrics.size(); ++k)
+    for (const double share : {0.05, 0.5, 0.95, 0.99}) {
+      std::vector<std::string> cells = {spec.metrics[k].name + ", " + number_text(100.0 * share) + " %"};
+      for (std::size_t c = 0; c < campaign.cases(); ++c)
+        cells.push_back(quantile_text(sorted_figure(campaign, c, k), share));
+      table.add(cells);
+    }
+  return table;
+}
+
+Table envelope_table(const Campaign& campaign) {
+  const SweepSpec& spec = campaign.spec();
+  Table table({"envelope", "case", "outcome", "boundary (band of 95 %)", "runs on its right side"});
+  for (const EnvelopeSpec& e : spec.envelopes)
+    for (std::size_t c = 0; c < campaign.cases(); ++c) {
+      const Boundary boundary(campaign, e, c);
+      std::vector<std::string> texts;
+      for (const Boundary::Crossing& at : boundary.middle()) {
+        const std::string& name = at.along_x ? e.x : e.y;
+        const std::string value = number_text(at.along_x ? at.x : at.y, 4) + " (" + number_text(at.low, 4) + " to " +
+                                  number_text(at.high, 4) + ")";
+        const std::string where =
+            e.y.empty() ? "" : " at " + (at.along_x ? e.y : e.x) + " = " + number_text(at.along_x ? at.y : at.x, 4);
+        texts.push_back(name + " = " + value + where);
+      }
+      const std::string none = boundary.fitted() ? "none in the sampled range" : "only one side has been seen";
+      table.add({e.name, campaign.case_name(c), spec.outcomes[place_of_outcome(spec, e.outcome)].name,
+                 texts.empty() ? none : joined(texts, "; "),
+                 boundary.fitted() ? share_text(boundary.agreement()) : ""});
+    }
+  return table;
+}
+
+// Which input matters: total Sobol' indices where a polynomial explains the figure, otherwise rank correlations.
+Table sensitivity_table(const Campaign& campaign) {
+  const SweepSpec& spec = campaign.spec();
+  std::vector<std::string> head = {"case", "quantity", "measure"};
+  for (const std::size_t k : campaign.draws().parameters()) head.push_back(spec.parameters[k].name);
+  Table table(head);
+  for (std::size_t c = 0; c < campaign.cases(); ++c) {
+    for (std::size_t k = 0; k < spec.metrics.size() + spec.outcomes.size(); ++k) {
+      const bool figure = k < spec.metrics.size();
+      std::vector<std::vector<double>> x;
+      std::vector<double> y;
+      for (const std::size_t row : rows_of_case(campaign, c)) {
+        const CampaignRow& r = campaign.row(row);
+        const double value = figure ? r.figures[k] : r.outcomes[k - spec.metrics.size()];
+        if (!std::isfinite(value) || (!figure && value < 0.0)) continue;
+        x.push_back(campaign.draws().positions(campaign.draw_of(row)));
+        y.push_back(value);
+      }
+      const std::string name = figure ? spec.metrics[k].name : spec.outcomes[k - spec.metrics.size()].name;
+      const auto add = [&](const std::string& measure, const std::vector<double>& values) {
+        std::vector<std::string> cells = {campaign.case_name(c), name, measure};
+        for (const double value : values) cells.push_back(fixed_text(value, 2));
+        if (!values.empty()) table.add(cells);
+      };
+      if (figure && campaign.draws().independent()) {
+        const Sensitivity s = sobol_indices(x, y);
+        if (s.explained >= kGoodChaos) {
+          add("Sobol', alone", s.first);
+          add("Sobol', with interactions (polynomials explain " + share_text(s.explained) + ")", s.total);
+          continue;
+        }
+      }
+      add("rank correlation", rank_correlations(x, y));
+    }
+  }
+  return table;
+}
+
+Table kept_table(const Campaign& campaign, const std::vector<RepeatedRun>& kept) {
+  const SweepSpec& spec = campaign.spec();
+  std::vector<std::string> head = {"row", "kept as"};
+  append(head, names_in(spec.outcomes));
+  append(head, names_in(spec.metrics));
+  head.push_back("to play it");
+  Table table(head);
+  for (const RepeatedRun& run : kept) {
+    const CampaignRow& r = campaign.row(run.row);
+    std::vector<std::string> cells = {std::to_string(run.row), run.why};
+    for (const int outcome : r.outcomes) cells.push_back(outcome < 0 ? "" : outcome > 0 ? "yes" : "no");
+    for (std::size_t k = 0; k < spec.metrics.size(); ++k)
+      cells.push_back(r.figures.empty() ? "" : cell(r.figures[k], 4));
+    cells.push_back("`footfall view " + run.folder + "`");
+    table.add(cells);
+  }
+  return table;
+}
+
+Table check_text(const Campaign& campaign, const std::vector<GroundCheckResult>& checks) {
+  const SweepSpec& spec = campaign.spec();
+  const std::string outcome = spec.outcomes[place_of_outcome(spec, spec.ground_check->outcome)].name;
+  Table table({"case", "runs of the check", "without result", "probability of " + outcome + " before [%]",
+               "corrected [%]", "called wrong", "of those near the boundary", "missed", "false alarms"});
+  for (const GroundCheckResult& check : checks) {
+    int known = 0, wrong = 0, near = 0, near_wrong = 0;
+    for (std::size_t k = 0; k < check.runs.size(); ++k) {
+      if (check.better[k] < 0) continue;
+      const bool differs = check.better[k] !=
+                           campaign.row(check.runs[k].row).outcomes[place_of_outcome(spec, spec.ground_check->outcome)];
+      ++known;
+      wrong += differs ? 1 : 0;
+      if (std::abs(check.chance[k] - 0.5) > 0.4) continue;  // chances of 10 to 90 %
+      ++near;
+      near_wrong += differs ? 1 : 0;
+    }
+    table.add({campaign.case_name(check.which_case), std::to_string(check.runs.size()),
+               std::to_string(static_cast<int>(check.runs.size()) - known), share_with_interval(check.levels.cheap),
+               share_with_interval(check.levels.corrected), std::to_string(wrong) + " of " + std::to_string(known),
+               std::to_string(near_wrong) + " of " + std::to_string(near), std::to_string(check.levels.missed),
+               std::to_string(check.levels.false_alarms)});
+  }
+  return table;
+}
+
+// How far the figures of the rows are from those of the same rows in the check.
+Table check_figures_table(const Campaign& campaign, const std::vector<GroundCheckResult>& checks) {
+  const SweepSpec& spec = campaign.spec();
+  Table table({"case", "quantity", "median before", "median in the check", "median of the deviations [%]",
+               "largest deviation [%]", "in row"});
+  for (const GroundCheckResult& check : checks)
+    for (std::size_t k = 0; k < spec.metrics.size(); ++k) {
+      std::vector<double> cheap, better, deviations;
+      std::size_t worst = 0;  // row of the largest deviation so far
+      double largest = -1.0;
+      for (const RepeatedRun& run : check.runs) {
+        const std::vector<double>& before = campaign.row(run.row).figures;
+        if (run.figures.empty() || before.empty() || !std::isfinite(before[k]) || !std::isfinite(run.figures[k]))
+          continue;
+        cheap.push_back(before[k]);
+        better.push_back(run.figures[k]);
+        const double size = std::abs(run.figures[k]);
+        deviations.push_back(size > 0.0         ? std::abs(before[k] - run.figures[k]) / size
+                             : before[k] == 0.0 ? 0.0
+                                                : HUGE_VAL);
+        if (deviations.back() > largest) {
+          largest = deviations.back();
+          worst = run.row;
+        }
+      }
+      if (deviations.empty()) continue;
+      table.add({campaign.case_name(check.which_case), spec.metrics[k].name, cell(quantile(cheap, 0.5), 4),
+                 cell(quantile(better, 0.5), 4), cell(100.0 * quantile(deviations, 0.5), 3), cell(100.0 * largest, 3),
+                 std::to_string(worst)});
+    }
+  return table;
+}
+
+}  // namespace
+
+StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>& kept,
+                        const std::vector<GroundCheckResult>& checks, const std::string& command,
+                        const std::vector<std::string>& pictures) {
+  const SweepSpec& spec = campaign.spec();
+  StudyPage page(spec.title.empty() ? fs::path(spec.file).stem().string() : spec.title);
+  page.paragraph("`" + command + "`: " + std::to_string(campaign.used()) + " draws (" +
+                 std::string(name_of(spec.design)) + ", seed " + std::to_string(spec.seed) + ")" +
+                 (campaign.stopped_early()
+                      ? ", ended where all intervals were as narrow as " + number_text(spec.until_width)
+                      : "") +
+                 ". Rows are in `runs.csv`.");
+  page.table(main_table(campaign));
+  if (!checks.empty()) {
+    page.section("Repeated with the settings of the check");
+    page.paragraph("The interval of the corrected probability has the scatter of the draws and of the check.");
+    page.table(check_text(campaign, checks));
+    page.paragraph("Deviations are relative to the figure in the check.");
+    page.table(check_figures_table(campaign, checks));
+  }
+  if (!spec.envelopes.empty()) {
+    page.section("Envelopes");
+    page.table(envelope_table(campaign));
+  }
+  page.section("Which input matters");
+  page.table(sensitivity_table(campaign));
+  if (!kept.empty()) {
+    page.section("Runs to look at");
+    page.table(kept_table(campaign, kept));
+  }
+  if (!pictures.empty()) page.section("Pictures");
+  for (const std::string& picture : pictures) page.picture(picture);
+  return page;
+}
+
+// ---- pictures ----
+
+std::vector<std::string> draw_campaign(const Campaign& campaign, const std::string& folder) {
+  const SweepSpec& spec = campaign.spec();
+  std::vector<std::string> scripts;
+  // Histograms: shares per bin, lines of steps for each case.
+  constexpr int kMostBins = 40;
+  std::vector<std::string> panels;
+  std::ostringstream bins;
+  for (std::size_t k = 0; k < spec.metrics.size(); ++k) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    std::vector<std::vector<double>> all;
+    std::size_t most = 0;
+    for (std::size_t c = 0; c < campaign.cases(); ++c) {
+      all.push_back(sorted_figure(campaign, c, k));
+      most = std::max(most, all.back().size());
+      if (!all.back().empty()) low = std::min(low, all.back().front()), high = std::max(high, all.back().back());
+    }
+    if (!(high >= low)) continue;
+    if (!(high > low)) low -= 0.5, high += 0.5;
+    const int count = std::clamp(static_cast<int>(2.0 * std::cbrt(static_cast<double>(most))), 4, kMostBins);
+    const double width = (high - low) / count;
+    std::vector<std::string> lines;
+    for (std::size_t c = 0; c < all.size(); ++c) {
+      std::vector<int> in_bin(static_cast<std::size_t>(count), 0);
+      for (const double value : all[c])
+        ++in_bin[static_cast<std::size_t>(std::min(count - 1, static_cast<int>((value - low) / width)))];
+      for (int b = 0; b < count; ++b)
+        bins << k << ',' << c << ',' << number_text(low + (b + 0.5) * width, 8) << ','
+             << number_text(
+                    100.0 * in_bin[static_cast<std::size_t>(b)] / std::max(1.0, static_cast<double>(all[c].size())), 6)
+             << '\n';
+      lines.push_back("'histograms.csv' using ($1==" + std::to_string(k) + "&&$2==" + std::to_string(c) +
+                      "?$3:1/0):4 with histeps lw 1.6 lc rgb '" + series_colour(static_cast<int>(c) % kSeriesColours) +
+                      "' title " + gnuplot_text(campaign.case_name(c)));
+    }
+    panels.push_back("set xlabel " + gnuplot_text(spec.metrics[k].name) + " noenhanced\nplot " + joined(lines, ", ") +
+                     "\n");
+  }
+  if (!panels.empty()) {
+    write_whole_file((fs::path(folder) / "histograms.csv").string(), "figure,case,value,percent\n" + bins.str());
+    const int rows = (static_cast<int>(panels.size()) + 1) / 2;
+    scripts.push_back(write_drawing(folder, "histograms", {1100, 320 * rows + 40}, csv_setup(),
+                                    "set multiplot layout " + std::to_string(rows) +
+                                        ",2\nset grid\nset ylabel 'runs [%]'\nset key noenhanced\n" +
+                                        joined(panels, "") + "unset multiplot\n"));
+  }
+  for (const EnvelopeSpec& e : spec.envelopes)
+    for (std::size_t c = 0; c < campaign.cases(); ++c) {
+      const std::string name = e.name + (campaign.cases() == 1 ? "" : "_" + std::to_string(c));
+      const std::size_t outcome = place_of_outcome(spec, e.outcome);
+      const Boundary boundary(campaign, e, c);
+      std::ostringstream points;
+      points << "kind,x,y\n";
+      const std::size_t x = drawn_place(campaign, e.x), y = e.y.empty() ? 0 : drawn_place(campaign, e.y);
+      for (const std::size_t row : rows_of_case(campaign, c))
+        if (const int happened = campaign.row(row).outcomes[outcome]; happened >= 0)
+          points << happened << ',' << number_text(drawn_number(campaign, row, x), 8) << ','
+                 << (e.y.empty() ? std::to_string(happened) : number_text(drawn_number(campaign, row, y), 8)) << '\n';
+      for (const Boundary::Crossing& at : boundary.crossings())
+        points << "2," << number_text(at.x, 8) << ',' << number_text(e.y.empty() ? 0.5 : at.y, 8) << '\n';
+      constexpr int kGrid = 90;
+      for (int i = 0; boundary.fitted() && i <= kGrid; ++i)
+        for (int j = 0; j <= (e.y.empty() ? 0 : kGrid); ++j) {
+          const double px = boundary.low(0) + i * (boundary.high(0) - boundary.low(0)) / kGrid,
+                       py = boundary.low(1) + j * (boundary.high(1) - boundary.low(1)) / kGrid;
+          if (boundary.in_band(px, py))
+            points << "3," << number_text(px, 8) << ',' << number_text(e.y.empty() ? 0.5 : py, 8) << '\n';
+        }
+      write_whole_file((fs::path(folder) / (name + ".csv")).string(), points.str());
+      const std::string file = gnuplot_text(name + ".csv");
+      const auto of = [&](int kind) { return file + " using ($1==" + std::to_string(kind) + "?$2:1/0):3 "; };
+      scripts.push_back(write_drawing(
+          folder, name, {800, 640}, csv_setup(),
+          "set grid\nset key outside top center horizontal noenhanced\nset title " +
+              gnuplot_text(campaign.cases() == 1 ? spec.title : campaign.case_name(c)) + " noenhanced\nset xlabel " +
+              gnuplot_text(e.x) + " noenhanced\nset ylabel " + gnuplot_text(e.y.empty() ? "outcome" : e.y) +
+              " noenhanced\nplot " + of(3) + "with points pt 5 ps 0.9 lc rgb '#e0e0e0' title 'band of 95 %', " + of(0) +
+              "with points pt 6 ps 0.7 lc rgb '#0072b2' title " + gnuplot_text("not " + spec.outcomes[outcome].name) +
+              ", " + of(1) + "with points pt 2 ps 0.9 lc rgb '#d55e00' title " +
+              gnuplot_text(spec.outcomes[outcome].name) + ", " + of(2) +
+              "with points pt 7 ps 0.3 lc rgb 'black' title 'boundary'\n"));
+    }
+  return run_gnuplot(folder, scripts);
+}
+
+}  // namespace footfall

@@ -1,0 +1,187 @@
+// Functions of std::vector as those of OpenTURNS.
+#include "mbd_solver/campaign/optimum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <openturns/CMinpack.hxx>
+#include <openturns/EvaluationImplementation.hxx>
+#include <openturns/Function.hxx>
+#include <openturns/GradientImplementation.hxx>
+#include <openturns/LeastSquaresProblem.hxx>
+#include <openturns/Log.hxx>
+#include <openturns/NLopt.hxx>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/studies/codes.h"
+
+namespace footfall {
+namespace {
+
+using Numbers = std::vector<double>;
+constexpr double kVeryBad = 1e6;   // residual where there is none
+constexpr double kOutside = 0.01;  // slope of residuals outside of the bounds, of those at the start per range
+constexpr double kRounded = 1e12;  // positions between the bounds are rounded to its inverse
+
+Numbers numbers_of(const OT::Point& p) { return {p.begin(), p.end()}; }
+OT::Point point_of(const Numbers& x) { return OT::Point(OT::Collection<double>(x.begin(), x.end())); }
+
+class OurEvaluation : public OT::EvaluationImplementation {
+ public:
+  OurEvaluation(std::size_t inputs, std::size_t outputs, std::function<Numbers(const Numbers&)> f)
+      : inputs_(inputs), outputs_(outputs), f_(std::move(f)) {
+    setInputDescription(OT::Description::BuildDefault(inputs, "x"));
+    setOutputDescription(OT::Description::BuildDefault(outputs, "y"));
+  }
+  OurEvaluation* clone() const override { return new OurEvaluation(*this); }
+  OT::UnsignedInteger getInputDimension() const override { return inputs_; }
+  OT::UnsignedInteger getOutputDimension() const override { return outputs_; }
+  OT::Point operator()(const OT::Point& x) const override { return point_of(f_(numbers_of(x))); }
+
+ private:
+  std::size_t inputs_, outputs_;
+  std::function<Numbers(const Numbers&)> f_;
+};
+
+// A function of the nearest point within the bounds, continued by residuals that grow with the distance from them: OpenTURNS
+// would bend the variables at the bounds instead, where searches then jump from one end to the other. Its derivatives by
+// central differences within the bounds, as OpenTURNS has them: a row per input.
+class Continued : public OT::GradientImplementation {
+ public:
+  Continued(const OptimumTask& task, const Residuals& f) : task_(task), f_(f) {
+    const Numbers r = f_({inside(task.start)}).front();
+    rows_ = r.size();
+    for (const double one : r) outside_ += one * one;
+    outside_ = kOutside * std::sqrt(outside_);
+  }
+  Continued* clone() const override { return new Continued(*this); }
+  OT::UnsignedInteger getInputDimension() const override { return task_.start.size(); }
+  OT::UnsignedInteger getOutputDimension() const override { return rows_ + task_.start.size(); }
+
+  Numbers inside(Numbers x) const {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] = std::clamp(std::round(x[i] * kRounded) / kRounded, task_.least[i], task_.most[i]);
+    return x;
+  }
+  std::size_t rows() const { return rows_; }  // 0: the start has none
+  double slope(std::size_t i) const { return outside_ / (task_.most[i] - task_.least[i]); }
+
+  Numbers values(const Numbers& x) const {
+    const Numbers within = inside(x);
+    Numbers r = f_({within}).front();
+    if (r.size() != rows_) r.assign(rows_, kVeryBad);
+    for (std::size_t i = 0; i < x.size(); ++i) r.push_back(slope(i) * (x[i] - within[i]));
+    return r;
+  }
+  OT::Matrix gradient(const OT::Point& at) const override {
+    const Numbers x = numbers_of(at);
+    std::vector<Numbers> points;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      for (const double step : {task_.step, -task_.step}) {
+        points.push_back(inside(x));
+        if (!out(x, i)) points.back()[i] = std::clamp(points.back()[i] + step, task_.least[i], task_.most[i]);
+      }
+    points.push_back(inside(x));
+    const std::vector<Numbers> r = f_(points);
+    OT::Matrix d(x.size(), getOutputDimension());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const Numbers &up = r[2 * i], &down = r[2 * i + 1];
+      const double width = points[2 * i][i] - points[2 * i + 1][i];
+      if (width == 0.0 || up.size() != rows_ || down.size() != rows_ || r.back().size() != rows_) continue;
+      double push = 0.0;  // of |r|^2
+      for (std::size_t k = 0; k < rows_; ++k) push += r.back()[k] * (up[k] - down[k]);
+      // At a bound that keeps the number from less |r|^2 only the others move.
+      if ((x[i] <= task_.least[i] && push > 0.0) || (x[i] >= task_.most[i] && push < 0.0)) continue;
+      for (std::size_t k = 0; k < rows_; ++k) d(i, k) = (up[k] - down[k]) / width;
+    }
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (x[i] < task_.least[i] || x[i] > task_.most[i]) d(i, rows_ + i) = slope(i);
+    return d;
+  }
+
+ private:
+  // By more than the step of differences: the number only comes back to the bound.
+  bool out(const Numbers& x, std::size_t i) const {
+    return x[i] < task_.least[i] - task_.step || x[i] > task_.most[i] + task_.step;
+  }
+
+  const OptimumTask& task_;
+  const Residuals& f_;
+  std::size_t rows_ = 0;
+  double outside_ = 0.0;  // slope of the residuals outside, per range
+};
+
+// Runs f; OpenTURNS and NLopt forget what was thrown.
+template <class F>
+auto noting(std::exception_ptr& thrown, const F& f) {
+  try {
+    return f();
+  } catch (...) {
+    thrown = std::current_exception();
+    throw;
+  }
+}
+
+void run(OT::OptimizationAlgorithmImplementation& search, const Numbers& start, int evaluations,
+         const std::exception_ptr& thrown) {
+  OT::Log::Show(OT::Log::NONE);
+  search.setStartingPoint(point_of(start));
+  search.setMaximumEvaluationNumber(static_cast<std::size_t>(evaluations));
+  try {
+    search.run();
+  } catch (...) {
+    if (thrown) std::rethrow_exception(thrown);
+    throw;
+  }
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+}  // namespace
+
+Numbers minimum(const char* method, const OptimumTask& task, const std::function<double(const Numbers&)>& value) {
+  // Where a method ends without a result, the best point is known all the same.
+  Numbers best = task.start;
+  double least = std::numeric_limits<double>::infinity();
+  std::exception_ptr thrown;
+  const OurEvaluation f(task.start.size(), 1, [&](const Numbers& x) {
+    const double y = noting(thrown, [&] { return value(x); });
+    if (y < least) least = y, best = x;
+    return Numbers{y};
+  });
+  OT::OptimizationProblem problem{OT::Function(f)};
+  problem.setBounds({point_of(task.least), point_of(task.most)});
+  OT::NLopt search(problem, method);
+  search.setMaximumAbsoluteError(task.precision);
+  search.setMaximumRelativeError(0.0);
+  search.setMaximumResidualError(0.0);
+  search.setInitialStep(OT::Point(task.start.size(), task.step));
+  try {
+    run(search, task.start, task.evaluations, thrown);
+  } catch (const std::exception& e) {
+    if (thrown) throw;
+    if (least == std::numeric_limits<double>::infinity())
+      throw InputError(code::kSearchRefused, "NLopt refused the search " + std::string(method) + ": " + e.what());
+  }
+  return best;
+}
+
+Numbers least_squares(const OptimumTask& task, const Residuals& residuals) {
+  std::exception_ptr thrown;
+  const Residuals noted = [&](const std::vector<Numbers>& points) {
+    return noting(thrown, [&] { return residuals(points); });
+  };
+  const Continued continued(task, noted);
+  if (continued.rows() == 0) return task.start;
+  OT::Function function(OurEvaluation(task.start.size(), continued.getOutputDimension(),
+                                      [&](const Numbers& x) { return continued.values(x); }));
+  function.setGradient(continued);
+  OT::CMinpack search{OT::LeastSquaresProblem(function)};
+  search.setMaximumAbsoluteError(task.precision);
+  search.setMaximumRelativeError(task.precision);
+  search.setMaximumResidualError(1e-12);
+  run(search, continued.inside(task.start), task.evaluations, thrown);
+  return continued.inside(numbers_of(search.getResult().getOptimalPoint()));
+}
+
+}  // namespace footfall

@@ -1,0 +1,309 @@
+// A design in the unit cube, a normal copula, and the quantiles of each distribution.
+#include "mbd_solver/campaign/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <openturns/Binomial.hxx>
+#include <openturns/ComposedDistribution.hxx>
+#include <openturns/ConstantBasisFactory.hxx>
+#include <openturns/CorrectedLeaveOneOut.hxx>
+#include <openturns/CorrelationAnalysis.hxx>
+#include <openturns/DistFunc.hxx>
+#include <openturns/FixedStrategy.hxx>
+#include <openturns/FunctionalChaosAlgorithm.hxx>
+#include <openturns/FunctionalChaosSobolIndices.hxx>
+#include <openturns/GeneralLinearModelAlgorithm.hxx>
+#include <openturns/HyperbolicAnisotropicEnumerateFunction.hxx>
+#include <openturns/KrigingAlgorithm.hxx>
+#include <openturns/LARS.hxx>
+#include <openturns/LHSExperiment.hxx>
+#include <openturns/LeastSquaresMetaModelSelectionFactory.hxx>
+#include <openturns/LeastSquaresStrategy.hxx>
+#include <openturns/LegendreFactory.hxx>
+#include <openturns/LinearBasisFactory.hxx>
+#include <openturns/Log.hxx>
+#include <openturns/MaternModel.hxx>
+#include <openturns/Normal.hxx>
+#include <openturns/NormalCopula.hxx>
+#include <openturns/OrthogonalProductPolynomialFactory.hxx>
+#include <openturns/RandomGenerator.hxx>
+#include <openturns/SobolSequence.hxx>
+#include <openturns/Triangular.hxx>
+#include <openturns/TruncatedDistribution.hxx>
+#include <openturns/Uniform.hxx>
+#include <openturns/UserDefined.hxx>
+#include <openturns/WeibullMin.hxx>
+#include <random>
+
+#include "coupler/base/errors.h"
+#include "coupler/base/number.h"
+#include "coupler/base/text.h"
+#include "mbd_solver/scene/codes.h"
+
+namespace footfall {
+namespace {
+
+OT::ComposedDistribution unit_cube(std::size_t width) {
+  return OT::ComposedDistribution(OT::Collection<OT::Distribution>(width, OT::Uniform(0.0, 1.0)));
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> latin_hypercube(std::size_t count, std::size_t width, std::uint64_t seed) {
+  OT::RandomGenerator::SetSeed(static_cast<std::size_t>(seed));
+  OT::LHSExperiment design(unit_cube(width), count);
+  design.setAlwaysShuffle(true);
+  const OT::Sample sample = design.generate();
+  std::vector<std::vector<double>> rows(count, std::vector<double>(width));
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < width; ++k) rows[i][k] = sample(i, k);
+  return rows;
+}
+
+double two_sided_quantile(double confidence, int degrees) {
+  const double share = 0.5 * (1.0 + confidence);
+  return degrees > 0 ? OT::DistFunc::qStudent(degrees, share) : OT::DistFunc::qNormal(share);
+}
+
+namespace {
+
+constexpr std::uint32_t kSeeds = 0x7fffffffU;  // 2^31 - 1, as a mask
+
+OT::Distribution truncated(const OT::Distribution& whole, const DistributionSpec& d) {
+  using OT::TruncatedDistribution;
+  if (d.least && d.most) return TruncatedDistribution(whole, *d.least, *d.most);
+  if (d.least) return TruncatedDistribution(whole, *d.least, TruncatedDistribution::LOWER);
+  if (d.most) return TruncatedDistribution(whole, *d.most, TruncatedDistribution::UPPER);
+  return whole;
+}
+
+OT::Distribution listed(const std::vector<double>& values, const std::vector<double>& weights) {
+  OT::Sample points(values.size(), 1);
+  OT::Point shares(values.size());
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    points(i, 0) = values[i];
+    shares[i] = weights.empty() ? 1.0 / static_cast<double>(values.size()) : weights[i] / sum;
+  }
+  return OT::UserDefined(points, shares);
+}
+
+OT::Distribution distribution_of(const ParameterSpec& p) {
+  const DistributionSpec& d = p.distribution;
+  switch (*d.kind) {
+    case DistributionKind::kNormal: return truncated(OT::Normal(*d.mean, *d.deviation), d);
+    case DistributionKind::kUniform: return OT::Uniform(*d.least, *d.most);
+    case DistributionKind::kTriangular: return OT::Triangular(*d.least, *d.likely, *d.most);
+    case DistributionKind::kWeibull: {
+      // `least` is where it begins: bounded above only.
+      DistributionSpec above = d;
+      above.least.reset();
+      return truncated(OT::WeibullMin(*d.scale, *d.shape, d.least.value_or(0.0)), above);
+    }
+    case DistributionKind::kDiscrete: {
+      std::vector<double> places(p.choices.size());
+      std::iota(places.begin(), places.end(), 0.0);
+      return listed(places, d.weights);
+    }
+    case DistributionKind::kMeasured: return listed(d.measured, {});
+  }
+  FOOTFALL_DEMAND(false);
+  return {};
+}
+
+// Above 0 and below 1.
+double open_unit(double u) { return std::clamp(u, 1e-12, 1.0 - 1e-12); }
+
+std::vector<std::vector<double>> design_of(const SweepSpec& spec, std::size_t width, const Draws& draws) {
+  const auto count = static_cast<std::size_t>(spec.runs);
+  std::vector<std::vector<double>> units(count, std::vector<double>(width));
+  const auto uniform = [](std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  if (spec.design == Design::kRandom) {
+    for (std::size_t run = 0; run < count; ++run) {
+      std::mt19937_64 engine(draws.seed(run));
+      for (double& u : units[run]) u = uniform(engine);
+    }
+    return units;
+  }
+  if (spec.design == Design::kLatinHypercube)
+    return latin_hypercube(count, width, static_cast<std::uint64_t>(spec.seed));
+  const OT::Sample sample = OT::SobolSequence(width).generate(count);
+  std::vector<double> shift(width, 0.0);
+  std::mt19937_64 engine(static_cast<std::uint64_t>(spec.seed));
+  for (double& s : shift) s = uniform(engine);
+  for (std::size_t run = 0; run < count; ++run)
+    for (std::size_t k = 0; k < width; ++k) units[run][k] = std::fmod(sample(run, k) + shift[k], 1.0);
+  return units;
+}
+
+}  // namespace
+
+std::uint32_t scattered(std::uint32_t base, std::uint32_t place) {
+  // Odd factors and shifts are permutations modulo 2^31.
+  std::uint32_t x = (base + place) & kSeeds;
+  x = (x * 0x2c1b3c6dU) & kSeeds;
+  x ^= x >> 15;
+  x = (x * 0x297a2d39U) & kSeeds;
+  x ^= x >> 13;
+  return x;
+}
+
+std::uint32_t Draws::seed(std::size_t run) const { return scattered(base_, static_cast<std::uint32_t>(run)); }
+
+Draws::Draws(const SweepSpec& spec)
+    : base_(scattered(0x1234567U, static_cast<std::uint32_t>(spec.seed) * 0x9e3779b1U & kSeeds)) {
+  OT::Log::Show(OT::Log::NONE);
+  std::vector<OT::Distribution> laws;
+  for (std::size_t k = 0; k < spec.parameters.size(); ++k)
+    if (spec.parameters[k].is_drawn()) {
+      parameters_.push_back(k);
+      laws.push_back(distribution_of(spec.parameters[k]));
+    }
+  const std::size_t width = parameters_.size();
+  units_ = design_of(spec, width, *this);
+  for (auto& row : units_) std::transform(row.begin(), row.end(), row.begin(), open_unit);
+  if (!spec.correlations.empty()) {
+    independent_ = false;
+    OT::CorrelationMatrix ranks(width);
+    const auto place = [&](const std::string& name) {
+      const auto k = static_cast<std::size_t>(index_of(spec.parameters, name));
+      return static_cast<std::size_t>(std::find(parameters_.begin(), parameters_.end(), k) - parameters_.begin());
+    };
+    for (const CorrelationSpec& c : spec.correlations) ranks(place(c.between[0]), place(c.between[1])) = c.rank;
+    OT::TriangularMatrix factor;
+    try {
+      factor = OT::NormalCopula::GetCorrelationFromSpearmanCorrelation(ranks).computeCholesky();
+    } catch (const OT::Exception&) {
+      throw InputError(code::kConflictingKeys,
+                       spec.file +
+                           ": correlations: the coefficients contradict each other, expected the ranks of some "
+                           "common distribution (a positive definite matrix); reduce them");
+    }
+    for (auto& row : units_) {
+      OT::Point z(width);
+      for (std::size_t k = 0; k < width; ++k) z[k] = OT::DistFunc::qNormal(row[k]);
+      for (std::size_t k = 0; k < width; ++k) {
+        double sum = 0.0;
+        for (std::size_t j = 0; j <= k; ++j) sum += factor(k, j) * z[j];
+        row[k] = open_unit(OT::DistFunc::pNormal(sum));
+      }
+    }
+  }
+  for (const auto& row : units_) {
+    std::vector<double> values(width);
+    for (std::size_t k = 0; k < width; ++k)
+      values[k] = read_number(number_text(laws[k].computeQuantile(row[k])[0], 10).c_str(), nullptr);
+    values_.push_back(values);
+  }
+}
+
+std::pair<long, long> quantile_bounds(std::size_t count, double share) {
+  // The number of values below the quantile is binomial.
+  if (count == 0) return {-1, 0};
+  const OT::Binomial below(count, share);
+  const auto low = static_cast<long>(below.computeQuantile(0.025)[0]);
+  const auto high = static_cast<long>(below.computeQuantile(0.975)[0]);
+  return {low - 1, high};
+}
+
+namespace {
+
+OT::Sample column_of(const std::vector<double>& y, std::size_t first, std::size_t last) {
+  OT::Sample sample(last - first, 1);
+  for (std::size_t i = first; i < last; ++i) sample(i - first, 0) = y[i];
+  return sample;
+}
+
+OT::Sample rows_of(const std::vector<std::vector<double>>& x, std::size_t first, std::size_t last) {
+  OT::Sample sample(last - first, x.front().size());
+  for (std::size_t i = first; i < last; ++i)
+    for (std::size_t k = 0; k < x[i].size(); ++k) sample(i - first, k) = x[i][k];
+  return sample;
+}
+
+OT::FunctionalChaosResult chaos_of(const OT::Sample& x, const OT::Sample& y) {
+  constexpr double kNorm = 0.75;           // of the degrees: interactions of high degree are left out
+  constexpr std::size_t kMostTerms = 250;  // time grows with their square
+  const std::size_t width = x.getDimension();
+  const std::size_t terms = std::min(kMostTerms, std::max<std::size_t>(1 + width, x.getSize() / 2));
+  const OT::OrthogonalProductPolynomialFactory basis(
+      OT::Collection<OT::OrthogonalUniVariatePolynomialFamily>(width, OT::LegendreFactory()),
+      OT::HyperbolicAnisotropicEnumerateFunction(width, kNorm));
+  OT::FunctionalChaosAlgorithm algorithm(
+      x, y, unit_cube(width), OT::FixedStrategy(basis, terms),
+      OT::LeastSquaresStrategy(OT::LeastSquaresMetaModelSelectionFactory(OT::LARS(), OT::CorrectedLeaveOneOut())));
+  algorithm.run();
+  return algorithm.getResult();
+}
+
+}  // namespace
+
+Sensitivity sobol_indices(const std::vector<std::vector<double>>& x, const std::vector<double>& y) {
+  Sensitivity s;
+  const std::size_t count = x.size(), width = x.empty() ? 0 : x.front().size();
+  const auto [least, most] = std::minmax_element(y.begin(), y.end());
+  if (count < 8 * (width + 1) || !(*least < *most)) return s;
+  const std::size_t fitted = count - count / 4;
+  const OT::Function model = chaos_of(rows_of(x, 0, fitted), column_of(y, 0, fitted)).getMetaModel();
+  const OT::Sample predicted = model(rows_of(x, fitted, count));
+  const double mean = std::accumulate(y.begin(), y.end(), 0.0) / static_cast<double>(count);
+  double error = 0.0, variance = 0.0;
+  for (std::size_t i = fitted; i < count; ++i) {
+    error += std::pow(y[i] - predicted(i - fitted, 0), 2);
+    variance += std::pow(y[i] - mean, 2);
+  }
+  s.explained = variance > 0.0 ? 1.0 - error / variance : 0.0;
+  const OT::FunctionalChaosSobolIndices indices(chaos_of(rows_of(x, 0, count), column_of(y, 0, count)));
+  for (std::size_t k = 0; k < width; ++k) {
+    s.first.push_back(indices.getSobolIndex(k));
+    s.total.push_back(indices.getSobolTotalIndex(k));
+  }
+  return s;
+}
+
+Surface response_surface(const std::vector<std::vector<double>>& x, const std::vector<double>& y) {
+  constexpr std::size_t kFew = 3;  // points
+  constexpr double kSmoothness = 2.5, kLengths[] = {0.7, 3.0};
+  constexpr double kNoises[] = {1e-8, 1e-4, 1e-2, 1.0};  // variance, over that of the function
+  const auto [least, most] = std::minmax_element(y.begin(), y.end());
+  if (y.size() < kFew || x.front().empty() || !(*least < *most)) {
+    const double mean = std::accumulate(y.begin(), y.end(), 0.0) / static_cast<double>(y.size());
+    return [mean](const std::vector<std::vector<double>>& points) { return std::vector<double>(points.size(), mean); };
+  }
+  OT::Log::Show(OT::Log::NONE);
+  const std::size_t width = x.front().size();
+  const OT::Sample points = rows_of(x, 0, x.size()), values = column_of(y, 0, y.size());
+  const OT::Basis trend =
+      x.size() > width + 2 ? OT::LinearBasisFactory(width).build() : OT::ConstantBasisFactory(width).build();
+  double best = -std::numeric_limits<double>::infinity();
+  OT::CovarianceModel chosen;
+  for (const double length : kLengths)
+    for (const double noise : kNoises) {
+      OT::CovarianceModel model = OT::MaternModel(OT::Point(width, length), kSmoothness);
+      model.setNuggetFactor(noise);
+      OT::GeneralLinearModelAlgorithm algorithm(points, values, model, trend);
+      const double likelihood = algorithm.getObjectiveFunction()(OT::Point(width, length))[0];
+      if (likelihood > best) best = likelihood, chosen = model;
+    }
+  OT::KrigingAlgorithm algorithm(points, values, chosen, trend);
+  algorithm.setOptimizeParameters(false);
+  algorithm.run();
+  const OT::Function model = algorithm.getResult().getMetaModel();
+  return [model](const std::vector<std::vector<double>>& points) {
+    const OT::Sample values = model(rows_of(points, 0, points.size()));
+    std::vector<double> all(points.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = values(i, 0);
+    return all;
+  };
+}
+
+std::vector<double> rank_correlations(const std::vector<std::vector<double>>& x, const std::vector<double>& y) {
+  const auto [least, most] = std::minmax_element(y.begin(), y.end());
+  if (x.size() < 3 || !(*least < *most)) return {};
+  const OT::Point r =
+      OT::CorrelationAnalysis(rows_of(x, 0, x.size()), column_of(y, 0, y.size())).computeSpearmanCorrelation();
+  return {r.begin(), r.end()};
+}
+
+}  // namespace footfall

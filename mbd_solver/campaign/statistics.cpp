@@ -1,0 +1,161 @@
+// Closed forms, and Newton's method for the logistic curve.
+#include "mbd_solver/campaign/statistics.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace footfall {
+
+namespace {
+constexpr double kTwoSided = 1.959963984540054;  // of the normal distribution, 95 %
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  constexpr double kRoundOff = 1e-9;
+  const double place = share * static_cast<double>(values.size());
+  const auto at = [&](double k) { return values[std::min(values.size() - 1, static_cast<std::size_t>(k))]; };
+  if (place >= 1.0 && std::abs(place - std::round(place)) < kRoundOff)
+    return 0.5 * (at(std::round(place) - 1.0) + at(std::round(place)));
+  return at(place);
+}
+
+Probability wilson(double share, double count) {
+  if (!(count > 0.0)) return {share, 0.0, 1.0};
+  const double z2 = kTwoSided * kTwoSided, centre = (share + 0.5 * z2 / count) / (1.0 + z2 / count);
+  const double half =
+      kTwoSided / (1.0 + z2 / count) * std::sqrt(share * (1.0 - share) / count + 0.25 * z2 / (count * count));
+  return {share, share <= 0.0 ? 0.0 : std::max(0.0, centre - half), share >= 1.0 ? 1.0 : std::min(1.0, centre + half)};
+}
+
+double Logistic::deviation(const Eigen::VectorXd& x) const { return std::sqrt(std::max(0.0, x.dot(covariance * x))); }
+
+double Logistic::probability(const Eigen::VectorXd& x) const { return 1.0 / (1.0 + std::exp(-score(x))); }
+
+namespace {
+
+struct Likelihood {
+  Eigen::VectorXd p;
+  Eigen::LLT<Eigen::MatrixXd> information;
+  double value = 0.0;  // penalized: log L + 1/2 log |I|
+};
+
+Likelihood likelihood_of(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, const Eigen::VectorXd& b) {
+  Likelihood l;
+  const Eigen::VectorXd score = x * b;
+  l.p = (1.0 + (-score.array()).exp()).inverse();
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const double s = y[i] > 0.5 ? score[i] : -score[i];
+    l.value -= s > 0.0 ? std::log1p(std::exp(-s)) : std::log1p(std::exp(s)) - s;
+  }
+  const Eigen::VectorXd w = (l.p.array() * (1.0 - l.p.array())).max(1e-12);
+  Eigen::MatrixXd information = x.transpose() * w.asDiagonal() * x;
+  information.diagonal().array() += 1e-9;  // terms that never vary
+  l.information.compute(information);
+  l.value += l.information.matrixLLT().diagonal().array().log().sum();
+  return l;
+}
+
+}  // namespace
+
+Logistic fit_logistic(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
+  constexpr int kMost = 200;
+  constexpr double kLongest = 5.0, kEnd = 1e-8;  // of a step
+  Logistic fit;
+  fit.b = Eigen::VectorXd::Zero(x.cols());
+  Likelihood now = likelihood_of(x, y, fit.b);
+  for (int k = 0; k < kMost; ++k) {
+    // U = X^T (y - p + h (1/2 - p)), h: the diagonal of W^1/2 X I^-1 X^T W^1/2 [Firth 1993].
+    const Eigen::ArrayXd w = now.p.array() * (1.0 - now.p.array());
+    const Eigen::MatrixXd solved = now.information.solve(x.transpose());
+    const Eigen::ArrayXd h = w * (x.array() * solved.transpose().array()).rowwise().sum();
+    const Eigen::VectorXd u = x.transpose() * (y.array() - now.p.array() + h * (0.5 - now.p.array())).matrix();
+    Eigen::VectorXd step = now.information.solve(u);
+    if (const double length = step.cwiseAbs().maxCoeff(); length > kLongest) step *= kLongest / length;
+    bool better = false;
+    for (int halved = 0; halved < 30 && !better; ++halved, step *= 0.5) {
+      const Likelihood next = likelihood_of(x, y, fit.b + step);
+      better = next.value > now.value;
+      if (!better) continue;
+      fit.b += step;
+      now = next;
+    }
+    if (!better || step.cwiseAbs().maxCoeff() < kEnd) break;
+  }
+  fit.covariance = now.information.solve(Eigen::MatrixXd::Identity(x.cols(), x.cols()));
+  return fit;
+}
+
+std::vector<CheckedRun> draw_checked(const std::vector<double>& weights, int count, std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  const std::size_t all = weights.size(), groups = std::min(all, static_cast<std::size_t>(std::max(0, count)));
+  std::vector<std::size_t> order(all);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = all; i > 1; --i)  // std::shuffle differs between libraries
+    std::swap(order[i - 1], order[static_cast<std::size_t>(uniform() * static_cast<double>(i))]);
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  std::vector<CheckedRun> checked;
+  for (std::size_t g = 0; g < groups; ++g) {
+    const std::size_t first = g * all / groups, last = (g + 1) * all / groups;
+    double group = 0.0;
+    for (std::size_t i = first; i < last; ++i) group += weights[order[i]];
+    double left = uniform() * group;
+    std::size_t at = first;
+    while (at + 1 < last && left >= weights[order[at]]) left -= weights[order[at++]];
+    checked.push_back({order[at], group / weights[order[at]] / static_cast<double>(all), group / sum,
+                       static_cast<double>(last - first)});
+  }
+  return checked;
+}
+
+TwoLevels two_levels(const std::vector<int>& cheap, const std::vector<CheckedRun>& checked,
+                     const std::vector<int>& better) {
+  TwoLevels result;
+  const auto all = static_cast<double>(cheap.size());
+  const double share = std::accumulate(cheap.begin(), cheap.end(), 0.0) / all;
+  result.cheap = wilson(share, all);
+  double known = 0.0, squares = 0.0, members = 0.0;  // of the groups whose better result is known
+  std::vector<double> factors;
+  for (std::size_t g = 0; g < checked.size(); ++g) {
+    if (better[g] < 0) continue;
+    const int wrong = better[g] - cheap[checked[g].run];
+    result.missed += wrong > 0 ? 1 : 0;
+    result.false_alarms += wrong < 0 ? 1 : 0;
+    result.correction += checked[g].factor * wrong;
+    known += checked[g].group;
+    squares += checked[g].members * checked[g].members;
+    members += checked[g].members;
+    factors.push_back(checked[g].factor);
+  }
+  if (factors.empty()) {
+    result.corrected = {share, 0.0, 1.0};
+    return result;
+  }
+  result.correction /= known;
+  // v = (sum N_g^2 - N) / (N^2 - sum N_g^2) sum_g Q_g (y_g / q_g - T)^2, with y / q = factor / Q_g times the correction.
+  double variance = 0.0;
+  for (std::size_t g = 0; g < checked.size(); ++g) {
+    if (better[g] < 0) continue;
+    const double wrong = better[g] - cheap[checked[g].run], q = checked[g].group / known;
+    const double y = checked[g].factor / known / q * wrong;
+    variance += q * (y - result.correction) * (y - result.correction);
+  }
+  const double rest = members * members - squares;
+  variance *= rest > 0.0 ? (squares - members) / rest : 1.0;
+  // Where none or few are wrong, the sum knows little of those that were not drawn: half a wrong call of middle weight.
+  std::nth_element(factors.begin(), factors.begin() + static_cast<long>(factors.size() / 2), factors.end());
+  const double middle = factors[factors.size() / 2];
+  if (squares > members) variance += 0.5 * middle * middle;
+  // The scatter of the runs themselves is that of the better model: p (1 - p) / N.
+  const double p = std::clamp(share + result.correction, 0.0, 1.0);
+  const double scatter = std::max(p * (1.0 - p), 0.25 / all) / all + variance;
+  result.corrected = wilson(p, std::max(p * (1.0 - p), 0.25 / all) / scatter);
+  return result;
+}
+
+}  // namespace footfall

@@ -1,0 +1,183 @@
+// Tasks go to a worker by one pipe and answers come back by another. A worker that hangs or dies is replaced.
+#include "mbd_solver/campaign/worker_pool.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "coupler/base/clock.h"
+#include "coupler/base/errors.h"
+#include "coupler/base/files.h"
+#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/studies/codes.h"
+#include "mbd_solver/studies/run_store.h"
+
+namespace footfall {
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr int kPoll = 200;  // [ms]
+}
+
+WorkerPool::WorkerPool(std::string folder, int workers, int time_limit)
+    : folder_(std::move(folder)), time_limit_(time_limit), workers_(static_cast<std::size_t>(std::max(1, workers))) {
+  std::signal(SIGPIPE, SIG_IGN);  // a worker that is gone is noticed by its answer
+  for (std::size_t k = 0; k < workers_.size(); ++k) {
+    workers_[k].folder = (fs::path(folder_) / std::to_string(k)).string();
+    make_folder(workers_[k].folder);
+  }
+}
+
+WorkerPool::~WorkerPool() {
+  for (Worker& worker : workers_) end(worker);
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+bool WorkerPool::idle() const {
+  return std::any_of(workers_.begin(), workers_.end(), [](const Worker& w) { return !w.works; });
+}
+
+bool WorkerPool::busy() const {
+  return std::any_of(workers_.begin(), workers_.end(), [](const Worker& w) { return w.works; });
+}
+
+void WorkerPool::begin(Worker& worker) {
+  const std::string program = built_program("mbd_solver");
+  const std::string log = worker.folder + ".log";
+  int to[2], from[2];
+  if (::pipe2(to, O_CLOEXEC) != 0)
+    throw InputError(code::kNoWorker, "no pipe can be made for a worker: too many open files");
+  if (::pipe2(from, O_CLOEXEC) != 0) {
+    ::close(to[0]), ::close(to[1]);
+    throw InputError(code::kNoWorker, "no pipe can be made for a worker: too many open files");
+  }
+  std::string serve = "--serve", path = program;
+  char* const words[] = {path.data(), serve.data(), nullptr};
+  const pid_t process = ::fork();
+  if (process == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    ::setpgid(0, 0);
+    sigset_t none;
+    ::sigemptyset(&none);
+    ::sigprocmask(SIG_SETMASK, &none, nullptr);
+    std::signal(SIGPIPE, SIG_DFL);
+    ::dup2(to[0], STDIN_FILENO);
+    ::dup2(from[1], STDOUT_FILENO);
+    // Appended to, so that it can be emptied between runs.
+    if (const int out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0644); out >= 0)
+      ::dup2(out, STDERR_FILENO);
+    ::execv(words[0], words);
+    ::_exit(kCannotStart);
+  }
+  ::close(to[0]), ::close(from[1]);
+  if (process < 0) {
+    ::close(to[1]), ::close(from[0]);
+    throw InputError(code::kNoWorker, "no process can be created for a worker");
+  }
+  worker.process = process;
+  worker.to = to[1];
+  worker.from = from[0];
+  worker.heard.clear();
+}
+
+int WorkerPool::end(Worker& worker) {
+  if (worker.process < 0) return 0;
+  ::close(worker.to), ::close(worker.from);
+  ::kill(worker.process, SIGKILL);
+  int status = 0;
+  while (::waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
+  }
+  worker.process = -1;
+  return exit_code_of(status);
+}
+
+void WorkerPool::start(const WorkerTask& task) {
+  const auto found = std::find_if(workers_.begin(), workers_.end(), [](const Worker& w) { return !w.works; });
+  FOOTFALL_DEMAND(found != workers_.end());
+  Worker& worker = *found;
+  // Files of the run before must not be taken for those of one that fails.
+  for (const char* file : {"summary.json", "history.csv", "peaks.csv"}) ::unlink((worker.folder + "/" + file).c_str());
+  if (::truncate((worker.folder + ".log").c_str(), 0) != 0) errno = 0;  // there is none yet
+  if (worker.process < 0) begin(worker);
+  const std::string line = nlohmann::json{{"scene", task.scene},
+                                          {"settings", task.settings},
+                                          {"until", task.until},
+                                          {"out", worker.folder},
+                                          {"trusted", task.trusted}}
+                               .dump() +
+                           "\n";
+  for (std::size_t at = 0; at < line.size();) {
+    const ssize_t sent = ::write(worker.to, line.data() + at, line.size() - at);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) break;  // it is gone: wait() says so
+    at += static_cast<std::size_t>(sent);
+  }
+  worker.works = true;
+  worker.run = task.run;
+  worker.started = wall_clock();
+}
+
+WorkerAnswer WorkerPool::answered(Worker& worker, int code, const std::string& message) {
+  worker.works = false;
+  return {worker.run, code, message, worker.folder};
+}
+
+std::optional<WorkerAnswer> WorkerPool::wait() {
+  std::vector<pollfd> fds;
+  std::vector<std::size_t> who;
+  for (std::size_t k = 0; k < workers_.size(); ++k)
+    if (workers_[k].works) {
+      fds.push_back({workers_[k].from, POLLIN, 0});
+      who.push_back(k);
+    }
+  ::poll(fds.data(), fds.size(), kPoll);
+  const timespec at_once = {0, 0};
+  for (int signal = 0; (signal = ::sigtimedwait(&signals_.held(), nullptr, &at_once)) > 0;)
+    if (signal != SIGCHLD) interrupted_ = true;
+  for (std::size_t i = 0; i < fds.size(); ++i) {
+    Worker& worker = workers_[who[i]];
+    if (fds[i].revents != 0) {
+      char text[4096];
+      const ssize_t count = ::read(worker.from, text, sizeof text);
+      if (count > 0) {
+        worker.heard.append(text, static_cast<std::size_t>(count));
+        const std::size_t line_end = worker.heard.find('\n');
+        if (line_end == std::string::npos) continue;
+        const std::string answer = worker.heard.substr(0, line_end);
+        worker.heard.erase(0, line_end + 1);
+        return answered(worker, std::atoi(answer.c_str()),
+                        answer.substr(std::min(answer.size(), answer.find(' ') + 1)));
+      }
+      if (count < 0 && errno == EINTR) continue;
+      // It has ended: the status of its own end, not of our kill.
+      int status = 0;
+      ::close(worker.to), ::close(worker.from);
+      while (::waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
+      }
+      worker.process = -1;
+      const int code = exit_code_of(status);
+      if (code == kCannotStart)
+        throw InputError(code::kNoWorker, "the program mbd_solver cannot be started; install footfall again");
+      return answered(worker, code == 0 ? kExitFailed : code,
+                      "the program of the run ended with exit code " + std::to_string(code));
+    }
+    if (time_limit_ > 0 && wall_clock() - worker.started > time_limit_) {
+      end(worker);
+      return answered(worker, RunEnd::kHung, "no end within the time limit of " + std::to_string(time_limit_) + " s");
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace footfall

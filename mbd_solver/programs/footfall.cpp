@@ -1,0 +1,37 @@
+// footfall: the command line. It only arranges mbd_solver and liggghts_mbd, with the line that it prints. Commands that
+// start many runs are in footfall_studies and footfall_campaign, which it starts in its place; so are `import` and `fmu`
+// programs of their own.
+#include <unistd.h>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/app/command_line.h"
+#include "mbd_solver/app/new_case.h"
+
+#include "mbd_solver/bed/confined_programs.h"
+#include "mbd_solver/bed/programs.h"
+
+using namespace footfall;
+
+int main(int argc, char** argv) {
+  std::string word = argc > 1 ? argv[1] : "";
+  if (word == "confined") return become_confined(argc, argv);
+  if (word == "help" && argc > 2) word = argv[2];
+  for (const Subcommand& subcommand : subcommands()) {
+    if (word != subcommand.name || subcommand.prepare != nullptr) continue;
+    try {
+      if (word == "import") return start_import({argv + 1, argv + argc});
+      const std::string program = built_program(subcommand.program);
+      execv(program.c_str(), argv);
+      std::perror(program.c_str());
+      return kExitFailed;
+    } catch (const std::exception& e) {
+      std::fprintf(stderr, "%s\n", e.what());
+      return kExitBadInput;
+    }
+  }
+  return run_command_line(argc, argv, subcommands());
+}
