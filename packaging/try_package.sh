@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# packaging/try_package.sh DEB... [WHEEL] [--whole] [--tests BUILD] [--keep]: installs the packages in a clean Debian 12 (debootstrap,
-# network, root), runs the landing there on a small bed, as root and as an ordinary user, builds the C++ example if
+# packaging/try_package.sh RELEASE DEB... [WHEEL] [--whole] [--tests BUILD] [--keep]: installs the packages, made on this RELEASE (bookworm, trixie), in a clean
+# root of it (clean_root.sh, as root), runs the landing there on a small bed, as root and as an ordinary user, builds the C++ example if
 # footfall-dev is given, removes everything and looks for leftovers. A wheel is tried before, without any package, and with them.
 #   --whole        also the whole landing
 #   --tests BUILD  runs the tests of BUILD as an ordinary user, with the installed programs; TESTS: more words for ctest
 #   --keep         keeps the clean system in $TRY_ROOT for the next trial
 set -euo pipefail
-whole=0 keep=0 build='' wheel='' packages=()
+release=${1:?RELEASE} whole=0 keep=0 build='' wheel='' packages=()
+shift
 while (($#)); do
   case $1 in
     --whole) whole=1 ;;
@@ -22,9 +23,8 @@ while (($#)); do
   shift
 done
 ((${#packages[@]})) || { echo "try_package.sh: expected packages, as cpack -G DEB makes them" >&2; exit 2; }
-((EUID == 0)) || { echo "try_package.sh: needs root, for debootstrap and chroot" >&2; exit 2; }
-command -v debootstrap > /dev/null || { echo "try_package.sh: debootstrap is missing; apt-get install debootstrap" >&2; exit 2; }
-base=${TRY_ROOT:-$(mktemp -d)}/bookworm
+((EUID == 0)) || { echo "try_package.sh: needs root, for chroot" >&2; exit 2; }
+base=${TRY_ROOT:-$(mktemp -d)}/$release
 mkdir -p "${base%/*}"
 root=$base.trial
 source=
@@ -37,8 +37,8 @@ clean() {
 trap 'clean; ((keep)) || rm -rf "$base"' EXIT
 
 if [[ ! -f $base/.ready ]]; then
-  echo "A clean Debian 12 in $base"
-  debootstrap --variant=minbase bookworm "$base" > "$base.log" 2>&1 || { tail "$base.log"; die "debootstrap failed"; }
+  echo "A clean $release in $base"
+  ROOT_USER=root "$(dirname "$0")/clean_root.sh" "$release" "$base" true > "$base.log" 2>&1 || { tail "$base.log"; die "no root could be made"; }
   chroot "$base" apt-get update > "$base.log" 2>&1 || { tail "$base.log"; die "no package lists"; }
   touch "$base/.ready"
 fi

@@ -29,14 +29,17 @@ MAY_INCLUDE = {
     "mbd_solver/bed": "mbd_solver/build mbd_solver/run/output",
     "mbd_solver/app": "mbd_solver/bed mbd_solver/run/observe",
     "mbd_solver/studies": "mbd_solver/app",
+    "mbd_solver/campaign": "mbd_solver/studies",
     "mbd_solver/import": "mbd_solver/app",
     "mbd_solver/fmi": "mbd_solver/base",
-    "mbd_solver/fmi/export": "mbd_solver/fmi mbd_solver/embed mbd_solver/app",
-    "mbd_solver": "mbd_solver/run mbd_solver/app",  # main.cpp
+    "mbd_solver/fmi/model": "mbd_solver/fmi mbd_solver/embed mbd_solver/bed",
+    "mbd_solver/fmi/export": "mbd_solver/fmi/model mbd_solver/app",
+    "mbd_solver/fmi/library": "mbd_solver/fmi/model",
+    "mbd_solver/programs": "mbd_solver/run mbd_solver/studies mbd_solver/campaign mbd_solver/import mbd_solver/fmi/export",
 }
 
 # What matches (a regular expression at the start of an include) may be included by these files only.
-MPI_FILES = """coupler/communicator.* coupler/polling_wait.* coupler/abort_guard.* coupler/transport_mpi.* mbd_solver/main.cpp
+MPI_FILES = """coupler/communicator.* coupler/polling_wait.* coupler/abort_guard.* coupler/transport_mpi.* mbd_solver/programs/mbd_solver.cpp
     liggghts_fix/launcher.cpp liggghts_fix/couple/* liggghts_fix/contact/*"""
 ONLY_IN = {
     r"(ida|sundials|nvector|sunmatrix|sunlinsol|sunnonlinsol)/": "mbd_solver/integrator/ida.cpp",
@@ -49,7 +52,7 @@ ONLY_IN = {
     r"zip\.h": "mbd_solver/fmi/fmu_file.cpp",
     r"(urdf_parser|console_bridge)/": "mbd_solver/import/urdf_reader.cpp",
     r"mujoco/": "mbd_solver/import/mjcf_reader.cpp",
-    r"(sdf|ignition)/": "mbd_solver/import/sdf_reader.cpp",
+    r"(sdf|ignition)/": "mbd_solver/import/sdf/sdf_reader.cpp",
     r"pybind11/": "mbd_solver/python/module.cpp",
     r"zlib": "mbd_solver/base/packed_bytes.cpp",
     r"mpi\.h": MPI_FILES + " liggghts_fix/replaced/comm_world.h liggghts_fix/replaced/mpi_abort.cpp liggghts_fix/liggghts_access.cpp",
@@ -60,7 +63,7 @@ ONLY_IN = {
     r"mbd_solver/coupling/(dem_partner|coupling_watch|window_choice)\.h": "mbd_solver/coupling/*",
     r"mbd_solver/coupling/coupled_run\.h": "mbd_solver/coupling/* mbd_solver/run/simulation.h",
     r"mbd_solver/coupling/coupling_sample\.h": "mbd_solver/coupling/* mbd_solver/run/observe/sampler.h",
-    r"mbd_solver/run/(?!codes)[a-z_]*\.h": "mbd_solver/run/* mbd_solver/embed/* mbd_solver/main.cpp",
+    r"mbd_solver/run/(?!codes)[a-z_]*\.h": "mbd_solver/run/* mbd_solver/embed/* mbd_solver/programs/mbd_solver.cpp",
 }
 # Plain C++: only these files of coupler/base may use headers of the operating system.
 SYSTEM_FILES_OF_BASE = ("coupler/base/files.cpp coupler/base/confinement.cpp coupler/base/input_file.cpp coupler/base/number.cpp coupler/base/pulse.cpp"

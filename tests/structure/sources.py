@@ -155,18 +155,16 @@ def named_files():
     found("files that sources name", range(named), 1000)
 
 
-def containers():
-    """The containers install what the script `footfall` installs for a run, by the same names."""
-    packages = re.search(r"^packages=\((.*?)\)", (root / "footfall").read_text(), re.M | re.S)
-    wanted = packages[1].split() if packages else []
-    found("packages of the script footfall", wanted, 10)
-    for recipe in ("packaging/containers/Dockerfile", "packaging/containers/footfall.def"):
-        words = (root / recipe).read_text().split()
-        for package in wanted:
-            if package not in words:
-                complain(f"{recipe}: does not install {package}")
+def packages():
+    """The page on installation names every package of packaging/parts."""
+    rows = [line.split("|") for line in (root / "packaging/parts").read_text().splitlines() if not line.startswith("#")]
+    wanted = {package.rstrip("?") for row in rows if row[0].strip() not in ("test_all", "test_nightly") for package in row[3].split()}
+    found("packages of packaging/parts", wanted, 30)
+    words = re.findall(r"[a-z0-9.+-]+", (root / "docs/how-to/install.md").read_text())
+    for package in sorted(wanted - set(words)):
+        complain(f"docs/how-to/install.md: does not name {package}")
 
 
-for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, quoting, locales, named_files, containers):
+for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, quoting, locales, named_files, packages):
     rule()
 sys.exit(failed)
