@@ -9,8 +9,8 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/app/command_line.h"
+#include "mbd_solver/app/needed_parts.h"
 #include "mbd_solver/app/new_case.h"
-
 #include "mbd_solver/bed/confined_programs.h"
 #include "mbd_solver/bed/programs.h"
 
@@ -19,6 +19,7 @@ using namespace footfall;
 int main(int argc, char** argv) {
   std::string word = argc > 1 ? argv[1] : "";
   if (word == "confined") return become_confined(argc, argv);
+  if (word == "needs") return print_needed_parts({argv + 2, argv + argc});
   if (word == "help" && argc > 2) word = argv[2];
   for (const Subcommand& subcommand : subcommands()) {
     if (word != subcommand.name || subcommand.prepare != nullptr) continue;
