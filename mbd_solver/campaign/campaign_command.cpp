@@ -350,6 +350,35 @@ bool check_case(const Campaign& campaign, const std::string& folder, int jobs, G
   return true;
 }
 
+// The beds of rows first ... last - 1, one after the other. A bed that cannot be made is reported, and the others are made.
+int make_beds(const Campaign& campaign, const std::string& folder, std::size_t first, std::size_t last) {
+  RunStore store((fs::path(folder) / "runs").string(), true);
+  std::vector<std::size_t> runs;
+  int code = kExitDone;
+  const auto report = [&](const std::string& row, const char* why) {
+    std::fprintf(stderr, "footfall: %s: %s\n", row.c_str(), why);
+    code = kExitFailed;
+  };
+  for (std::size_t row = first; row < last; ++row) {
+    try {
+      runs.push_back(store.add(campaign.request(row)));
+    } catch (const std::exception& e) {
+      report("row " + std::to_string(row), e.what());
+    }
+  }
+  const std::vector<std::size_t> missing = store.beds_to_make(runs);
+  std::printf("beds to make: %zu\n", missing.size());
+  std::fflush(stdout);
+  for (const std::size_t run : missing) {
+    try {
+      store.make_bed(run, true);
+    } catch (const InputError& e) {
+      report(store.request(run).name, e.what());
+    }
+  }
+  return code;
+}
+
 std::string command_words(const SweepArguments& a, const std::string& out) {
   std::vector<std::string> words = {built_program("footfall"), a.command, fs::absolute(a.file).string(), "--out", out};
   if (a.short_form) words.push_back("--short");
@@ -411,6 +440,10 @@ int campaign_command(const SweepArguments& a) {
   }
   const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int jobs = a.jobs > 0 ? a.jobs : machine;
+  if (a.beds) {
+    const std::size_t element = a.only < 0 ? 0 : static_cast<std::size_t>(a.only), parts = a.only < 0 ? 1 : elements;
+    return make_beds(campaign, folder, element * campaign.size() / parts, (element + 1) * campaign.size() / parts);
+  }
   CampaignRun run(campaign, folder, jobs);
   if (a.row >= 0) {
     read_journals(folder, recipe, campaign);

@@ -43,7 +43,7 @@ Action ground(CLI::App& command) {
   add_jobs(command, a->jobs);
   command.add_flag("--short", a->short_form, "The short form of the file, as in tests; its results have no meaning");
   add_only(command, a->only);
-  add_list(command, a->list);
+  add_list_and_beds(command, a->list, a->beds);
   return [a] { return ground_command(*a); };
 }
 

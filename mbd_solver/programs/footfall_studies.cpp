@@ -50,7 +50,7 @@ Action rig(CLI::App& command) {
   add_jobs(command, a->jobs);
   command.add_flag("--short", a->short_form, "A short form on a small bed, as in tests; its results have no meaning");
   add_only(command, a->only);
-  add_list(command, a->list);
+  add_list_and_beds(command, a->list, a->beds);
   return [a] { return rig_command(*a); };
 }
 

@@ -301,6 +301,7 @@ int rig_command(const RigArguments& a) {
   e.resume = true;
   e.short_form = a.short_form;
   e.list = a.list;
+  e.beds = a.beds;
   e.again = {"rig", a.name};
   if (!a.file.empty()) append(e.again, {"--file", a.file});
   for (const std::string& setting : a.settings) append(e.again, {"--set", setting});

@@ -32,7 +32,7 @@ struct RigArguments {
   std::vector<std::string> settings;     // of every run, before what the rig varies
   int samples = 0;                       // of the bed; 0: as many as the file has
   int jobs = 0, only = -1;
-  bool checks = false, short_form = false, list = false;
+  bool checks = false, short_form = false, list = false, beds = false;
 };
 
 // "earth", "moon", "mars" or a number [m/s2] as a setting. Throws InputError.

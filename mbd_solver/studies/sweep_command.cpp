@@ -180,14 +180,14 @@ void write_slurm(const SweepArguments& a, const std::string& out, std::size_t ru
   file << "#!/bin/bash\n#SBATCH --job-name=" << shell_word(fs::path(a.file).stem().string()) << "\n#SBATCH --array=0-"
        << runs - 1 << "\n#SBATCH --nodes=1\n#SBATCH --ntasks=" << ranks + 1
        << "\n#SBATCH --output=" << shell_word(output + "%a.txt") << "\n"
-       << "# First, on the machine from which you submit, the beds:  " << line << " --list\n"
+       << "# First, on the machine from which you submit, the beds:  " << line << " --beds\n"
        << "# At the end tables and plots:                            " << line << " --merge\n"
        << line << " --only \"$SLURM_ARRAY_TASK_ID\"\n";
   write_whole_file(path, file.str());
   std::printf("%s: %zu runs; submit with  sbatch %s\n", path.c_str(), runs, shell_word(path).c_str());
 }
 
-// Makes the beds before the runs, several at once, each in a process of its own (--only RUN --list). Throws the error of a
+// Makes the beds before the runs, several at once, each in a process of its own (--only RUN --beds). Throws the error of a
 // process that fails; Interrupted at a signal.
 void make_beds(const RunStore& store, const SweepArguments& a, const std::string& out,
                const std::vector<std::size_t>& runs, int jobs) {
@@ -196,7 +196,7 @@ void make_beds(const RunStore& store, const SweepArguments& a, const std::string
   std::vector<Command> commands;
   for (const std::size_t run : runs) {
     std::vector<std::string> words = words_again(a, a.file, out);
-    words.insert(words.end(), {"--only", std::to_string(run), "--list"});
+    words.insert(words.end(), {"--only", std::to_string(run), "--beds"});
     commands.push_back({words, {}, store.folder(run) + ".bed.log", ""});
   }
   std::printf("beds to make: %zu, at once: %d\n", commands.size(), jobs);
@@ -246,6 +246,7 @@ int start_campaign(const SweepArguments& a) {
   add("--row", a.row >= 0 ? std::to_string(a.row) : "");
   for (const auto& [flag, given] : {std::pair{"--short", a.short_form},
                                     {"--list", a.list},
+                                    {"--beds", a.beds},
                                     {"--merge", a.merge},
                                     {"--slurm", a.slurm},
                                     {"--trust-script", a.trust_script}})
@@ -290,6 +291,12 @@ int sweep_command(const SweepArguments& a) {
   if (a.only >= count)
     throw InputError(code::kNoSuchRun,
                      "--only " + std::to_string(a.only) + ": expected a run from 0 to " + std::to_string(count - 1));
+  std::vector<std::size_t> chosen(a.only < 0 ? plan.runs.size() : 1);
+  std::iota(chosen.begin(), chosen.end(), static_cast<std::size_t>(std::max(0, a.only)));
+  if (a.list) {
+    list_runs(store, chosen);
+    return kExitDone;
+  }
   make_folder(place.folder);
   // Elements of a job array share the folder; each of their runs has its own.
   const FileLock lock = a.only < 0 && !a.merge ? lock_folder(place.folder) : FileLock();
@@ -305,17 +312,15 @@ int sweep_command(const SweepArguments& a) {
     return kExitDone;
   }
 
-  std::vector<std::size_t> chosen(a.only < 0 ? plan.runs.size() : 1);
-  std::iota(chosen.begin(), chosen.end(), static_cast<std::size_t>(std::max(0, a.only)));
   const int jobs = store.at_once(a.jobs);
-  if (a.only >= 0)
-    store.make_bed(chosen.front(), a.list);
-  else
-    make_beds(store, a, place.folder, store.beds_to_make(chosen), jobs);
-  if (a.list) {
-    list_runs(store, chosen);
-    return kExitDone;
+  if (a.only >= 0) {
+    store.make_bed(chosen.front(), a.beds);
+  } else {
+    const std::vector<std::size_t> missing = store.beds_to_make(chosen);
+    make_beds(store, a, place.folder, missing, jobs);
+    if (a.beds) std::printf("beds made: %zu\n", missing.size());
   }
+  if (a.beds) return kExitDone;
 
   const std::vector<std::size_t> left = store.left(chosen);
   const auto done = std::count_if(chosen.begin(), chosen.end(), [&](std::size_t run) { return store.is_done(run); });

@@ -24,7 +24,8 @@ struct SweepArguments {
   bool short_form = false;    // the short form, as in tests
   bool trust_script = false;  // runs may start programs that their scenes name
   bool merge = false;         // no runs: tables and plots of finished ones
-  bool list = false;          // no runs: make the beds, list the runs
+  bool list = false;          // no runs: list them; makes nothing
+  bool beds = false;          // no runs: make the beds that they need
   bool slurm = false;         // no runs: write OUT/sweep.sbatch, the sweep as a Slurm job array
 
   // For a command that builds on sweeps, as footfall rig does; each may be empty.

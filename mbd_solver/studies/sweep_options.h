@@ -22,8 +22,9 @@ inline void add_only(CLI::App& command, int& only) {
   command.add_option("--only", only, "Only this run, without tables: one element of a job array")
       ->check(within(0, 1 << 30));
 }
-inline void add_list(CLI::App& command, bool& list) {
-  command.add_flag("--list", list, "Make the beds, list the runs, and stop");
+inline void add_list_and_beds(CLI::App& command, bool& list, bool& beds) {
+  CLI::Option* const listing = command.add_flag("--list", list, "List the runs with their settings, and stop");
+  command.add_flag("--beds", beds, "Make the beds that the runs need, and stop")->excludes(listing);
 }
 
 // Options of sweep and accuracy.
@@ -35,7 +36,7 @@ inline void add_sweep_options(CLI::App& command, SweepArguments& a) {
   add_only(command, a.only);
   command.add_option("--table", a.table, "Also write the table to this file, as Markdown");
   command.add_flag("--short", a.short_form, "The short form of the file, as in tests");
-  add_list(command, a.list);
+  add_list_and_beds(command, a.list, a.beds);
   command.add_flag("--merge", a.merge, "Tables and plots of the finished runs");
   command.add_flag("--trust-script", a.trust_script,
                    "Runs may start programs that their scenes and scripts name, as of run");

@@ -126,10 +126,32 @@ TEST_F(Study, OfAJobArrayGivesTheSameTables) {
   folder.done("sweep sweep.toml --out whole");
   folder.done("sweep sweep.toml --out array --slurm");
   EXPECT_TRUE(holds(folder.read("array/sweep.sbatch"), "--array=0-7"));
+  const test::Outcome beds = folder.shell("eval \"$(sed -n 's/^# First.*the beds: *//p' array/sweep.sbatch)\"");
+  EXPECT_TRUE(beds.exit_code == 0 && holds(beds.text, "beds made: 0")) << beds.text;
   for (int element = 0; element < 8; ++element)
     folder.done("sweep sweep.toml --out array --only " + std::to_string(element));
   folder.done("sweep sweep.toml --out array --merge");
   expect_same("whole", "array", {"runs.csv", "cases.csv"});
+}
+
+// --list reads files and prints: no bed, no folder, no file.
+TEST_F(Study, OfASweepIsListedAndNothingIsMade) {
+  write_sweep("sweep.toml");
+  setenv("FOOTFALL_CACHE", folder.file("cache").c_str(), 1);
+  std::vector<std::string> lines = {"sweep sweep.toml", "sweep sweep.toml --only 3", "rig plate --short",
+                                    "accuracy " + app::kInputs + "/accuracy/bed_windows.toml --short"};
+  if (fs::exists(test::RunFolder::program("footfall_campaign")))
+    for (const char* line :
+         {"ground fit @/ground_fits/regolith.toml --short", "sweep @/sweeps/touchdowns_on_grains.toml"})
+      lines.push_back(std::regex_replace(std::string(line), std::regex("@"), app::kInputs));
+  const std::string before = folder.shell("find . -printf '%p %y\\n' | sort").text;
+  for (const std::string& line : lines) {
+    const std::string listed = folder.done(line + " --list").text;
+    EXPECT_TRUE(holds(listed, "     --set ")) << line << ": " << listed;
+    EXPECT_EQ(folder.shell("find . -printf '%p %y\\n' | sort").text, before) << line;
+  }
+  EXPECT_EQ(folder.footfall("sweep sweep.toml --list --beds").exit_code, 2);
+  unsetenv("FOOTFALL_CACHE");
 }
 
 // A column or a key that no run has is reported after the first run, which remains; so does everything beside a damaged summary.

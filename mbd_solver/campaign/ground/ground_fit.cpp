@@ -539,6 +539,7 @@ int ground_command(const GroundArguments& a) {
   e.resume = true;
   e.short_form = a.short_form;
   e.list = a.list;
+  e.beds = a.beds;
   e.again = {"ground", "fit", a.file, "--law", a.law};
   for (const std::string& setting : a.settings) {
     e.again.push_back("--set");

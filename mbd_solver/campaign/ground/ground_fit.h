@@ -60,7 +60,7 @@ struct GroundArguments {
   std::string action = "fit", file, out, law = "rft";
   std::vector<std::string> settings;  // of every run
   int jobs = 0, only = -1;
-  bool short_form = false, list = false;
+  bool short_form = false, list = false, beds = false;
 };
 
 // Returns the exit code: 0; 1 when a run failed; 3 when interrupted. Throws InputError.
