@@ -20,6 +20,7 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/mechanism_shape.h"
 #include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/run_command.h"
 #include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/quote.h"
@@ -568,7 +569,7 @@ void run_stock(const std::string& liggghts, const Json& particles, const fs::pat
   std::map<std::string, std::string> variables = particles.value("variables", std::map<std::string, std::string>{});
   const std::vector<std::string> rest = script_arguments(script, variables);
   command.words.insert(command.words.end(), rest.begin() + 2, rest.end());  // without -in SCRIPT
-  command.words.insert(command.words.end(), {"-var", "out", out.string()});
+  command.words.insert(command.words.end(), {"-var", "out", short_path(out.string())});
   const std::string grains = particles.at("grains").is_string() ? particles.at("grains").get<std::string>() : "",
                     ending = ".grains";
   if (grains.size() > ending.size() && grains.compare(grains.size() - ending.size(), ending.size(), ending) == 0)
@@ -631,6 +632,10 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
   const Json summary = coupled_summary(run);
   const double dt = summary.at("dt_dem_s");
   const fs::path out = fs::absolute(fs::path(run) / "compare").lexically_normal();
+  if (other.empty()) {
+    require_one_word("the folder of the comparison", short_path(out.string()));
+    require_one_word("the script of the run", short_path(summary.at("scene").at("particles").value("script", "")));
+  }
   if (other.empty() && !trust_script) {
     const Json& particles = summary.at("scene").at("particles");
     require_safe_script(particles.value("script", ""),
@@ -645,9 +650,9 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
   ComparedRun second;
   std::string remark;
   if (other.empty()) {
-    const std::string motion = fs::absolute(fs::path(run) / "motion").lexically_normal().string();
+    const std::string motion = short_path((fs::path(run) / "motion").string());
     const Json& particles = summary.at("scene").at("particles");
-    const Replay replay = stock_replay(particles.at("script"), motion, out.string(), dt,
+    const Replay replay = stock_replay(particles.at("script"), motion, short_path(out.string()), dt,
                                        particles.value("variables", std::map<std::string, std::string>{}));
     write(out / "in.stock", replay.script);
     for (const auto& [name, text] : replay.files) write(out / name, text);

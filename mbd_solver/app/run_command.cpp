@@ -264,18 +264,18 @@ Command both_programs(const ParticlesSpec& particles, int ranks, const std::stri
   return command;
 }
 
-// LIGGGHTS splits the lines of a script at blanks after it has replaced ${out}, ${bed} and ${here}.
-void require_one_word(const std::string& what, const std::string& path) {
-  if (path.find_first_of(" \t\n\r\"'#&$") == std::string::npos) return;
-  throw InputError(code::kPathWithBlanks,
-                   what + " is \"" + path + "\", expected a path without blanks and \" ' # & $, which LIGGGHTS splits");
+void require_whole_files(const std::map<std::string, std::string>& variables) {
+  for (const auto& [name, value] : variables)
+    if (names_file(value)) require_one_word("the file of the variable " + name, short_path(value));
 }
 
 void require_whole_words(const ParticlesSpec& particles, const std::string& out) {
   require_one_word("the folder of results (--out)", out);
   require_one_word("the script of the grains", short_path(particles.script));
+  require_whole_files(particles.variables);
   if (!particles.bed) return;
   require_one_word("the script of the bed", short_path(particles.bed->script));
+  require_whole_files(particles.bed->variables);
   require_one_word("the cache (FOOTFALL_CACHE)", cache_folder());
 }
 
@@ -319,6 +319,12 @@ std::string newest_run() {
 }
 
 }  // namespace
+
+void require_one_word(const std::string& what, const std::string& path) {
+  if (path.find_first_of(" \t\n\r\"'#&$") == std::string::npos) return;
+  throw InputError(code::kPathWithBlanks,
+                   what + " is \"" + path + "\", expected a path without blanks and \" ' # & $, which LIGGGHTS splits");
+}
 
 RunPlan new_run(const RunArguments& a) {
   std::vector<std::string> settings = a.settings;

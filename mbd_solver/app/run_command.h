@@ -45,4 +45,8 @@ RunPlan new_run(const RunArguments& arguments);
 // begin by reading the restart file ${bed}.
 RunPlan resumed_run(const RunArguments& arguments);
 
+// Throws InputError for a path, named `what`, that LIGGGHTS would split: it looks for the words of a line after it has replaced
+// ${out}, ${bed} and ${here}.
+void require_one_word(const std::string& what, const std::string& path);
+
 }  // namespace footfall

@@ -10,6 +10,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/interrupt.h"
 #include "mbd_solver/bed/codes.h"
+#include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
 
@@ -74,7 +75,8 @@ std::vector<std::string> script_arguments(const std::string& script,
     words.insert(words.end(), {"-var", name});
     std::istringstream lines(value);  // the words of a list, each in a line, are words of LIGGGHTS' index
     bool any = false;
-    for (std::string line; std::getline(lines, line); any = true) words.push_back(line);
+    for (std::string line; std::getline(lines, line); any = true)
+      words.push_back(names_file(line) ? short_path(line) : line);
     if (!any) words.emplace_back();
   }
   return words;

@@ -24,7 +24,8 @@ Command mpirun();
 // seconds to write a checkpoint before it kills them.
 void leave_time_to_end(Command& mpirun);
 
-// Options of LIGGGHTS for a script: -in, then -var here (the folder of the script) and the other variables.
+// Options of LIGGGHTS for a script: -in, then -var here (the folder of the script) and the other variables. Files are named from
+// the current folder: what is above it may have blanks, at which LIGGGHTS would split them.
 std::vector<std::string> script_arguments(const std::string& script,
                                           const std::map<std::string, std::string>& variables);
 

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "coupler/base/input_file.h"
 #include "coupler/base/text.h"
@@ -17,6 +18,23 @@ namespace footfall {
 namespace {
 
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+// The path of the script's folder is one word, whatever is in it, and so is that of a file: LIGGGHTS gets them from the
+// current folder, and `run` refuses what would be split there. Until the words of a line are known, control characters
+// stand for those that split.
+constexpr std::string_view kSplitting = " \t\r\n\"'#";
+
+std::string hidden(std::string path) {
+  for (char& c : path)
+    if (const std::size_t k = kSplitting.find(c); k != std::string_view::npos) c = static_cast<char>(k + 1);
+  return path;
+}
+
+std::string shown(std::string word) {
+  for (char& c : word)
+    if (c > 0 && static_cast<std::size_t>(c) <= kSplitting.size()) c = kSplitting[static_cast<std::size_t>(c - 1)];
+  return word;
+}
 
 }  // namespace
 
@@ -52,6 +70,11 @@ std::optional<double> as_number(const std::string& text) {
   return read_number(text, value) ? std::optional<double>(value) : std::nullopt;
 }
 
+bool names_file(const std::string& value) {
+  std::error_code ignored;
+  return !value.empty() && value.front() == '/' && std::filesystem::is_regular_file(value, ignored);
+}
+
 bool ScriptCommand::is_computed() const {
   return std::any_of(words.begin(), words.end(), [](const std::string& w) { return w.find('$') != std::string::npos; });
 }
@@ -63,11 +86,15 @@ bool ScriptText::straight() const {
 
 ScriptText::ScriptText(const std::string& file, const std::map<std::string, std::string>& variables)
     : fixed_(variables) {
-  fixed_["here"] = std::filesystem::path(file).parent_path().string();
+  for (auto& [name, value] : fixed_)
+    if (names_file(value)) value = hidden(value);
+  fixed_["here"] = hidden(std::filesystem::path(file).parent_path().string());
   read(file, file);
 }
 
-std::string ScriptText::value(const std::string& name) const {
+std::string ScriptText::value(const std::string& name) const { return shown(hidden_value(name)); }
+
+std::string ScriptText::hidden_value(const std::string& name) const {
   if (const auto fixed = fixed_.find(name); fixed != fixed_.end()) return fixed->second;
   const auto own = own_.find(name);
   return own != own_.end() && own->second.find("${") == std::string::npos ? own->second : "";
@@ -105,13 +132,14 @@ void ScriptText::read(const std::string& file, const std::string& included_at) {
   open_.pop_back();
 }
 
-void ScriptText::add(ScriptCommand command) {
+void ScriptText::add(const ScriptCommand& command) {
   if (command.words.empty()) return;
   commands_.push_back(command);
+  for (std::string& word : commands_.back().words) word = shown(word);
   const std::vector<std::string>& w = command.words;
   if (w[0] == "variable" && w.size() >= 4 && (w[2] == "index" || w[2] == "string" || w[2] == "equal"))
     own_.emplace(w[1], w[3]);
-  if (w[0] == "include" && w.size() >= 2) include(w[1], command.place());
+  if (w[0] == "include" && w.size() >= 2) include(shown(w[1]), command.place());
   if (w[0] == "jump" && w.size() >= 2 && w[1] != "SELF") whole_ = false;
   if (w[0] == "if") add_branches(command);
 }
@@ -131,7 +159,7 @@ void ScriptText::add_branches(const ScriptCommand& command) {
 
 // LIGGGHTS includes relative to its working folder; scripts write ${here} for their own.
 void ScriptText::include(const std::string& name, const std::string& included_at) {
-  const std::filesystem::path near = std::filesystem::path(fixed_.at("here")) / name;
+  const std::filesystem::path near = std::filesystem::path(value("here")) / name;
   std::error_code ignored;
   read(std::filesystem::exists(near, ignored) ? near.string() : name, included_at);
 }
@@ -161,7 +189,7 @@ std::string ScriptText::substitute(std::string text) const {
   for (std::size_t at = text.find("${"); at != std::string::npos; at = text.find("${", at)) {
     const std::size_t end = text.find('}', at);
     if (end == std::string::npos) break;
-    const std::string name = text.substr(at + 2, end - at - 2), plain = value(name);
+    const std::string name = text.substr(at + 2, end - at - 2), plain = hidden_value(name);
     if (plain.empty()) {
       at = end;
       continue;

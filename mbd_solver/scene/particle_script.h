@@ -29,6 +29,9 @@ struct ScriptCommand {
 // The whole word as a number.
 std::optional<double> as_number(const std::string& word);
 
+// Whether the value of a variable is the absolute path of a file. LIGGGHTS gets it from the current folder (script_arguments).
+bool names_file(const std::string& value);
+
 class ScriptText {
  public:
   // `variables`: as -var on the command line; `here`, the script's folder, is added.
@@ -50,13 +53,15 @@ class ScriptText {
 
  private:
   void read(const std::string& file, const std::string& included_at);
-  void add(ScriptCommand command);
+  void add(const ScriptCommand& command);  // its words hidden
   void add_branches(const ScriptCommand& command);
   void include(const std::string& name, const std::string& included_at);
   void note_names(const std::string& text);
+  std::string hidden_value(const std::string& name) const;
   std::string substitute(std::string text) const;
 
-  std::map<std::string, std::string> fixed_, own_;  // from the command line (these win), from the script
+  // From the command line (these win), from the script. What would split a path is hidden.
+  std::map<std::string, std::string> fixed_, own_;
   std::vector<ScriptCommand> commands_;
   std::string contents_;
   std::set<std::string> names_;

@@ -266,7 +266,7 @@ TEST_F(Bed, OfClumps) {
 
 TEST_F(Bed, OfASweepIsMadeOnceForRunsThatShareIt) {
   setenv("FOOTFALL_CACHE", folder.file("cache").c_str(), 1);
-  const auto sweep = [&](const std::string& seeds) {
+  const auto sweep = [&](const std::string& seeds, const std::string& options = "--beds") {
     folder.write("beds.toml", "scene = \"" + app::kInputs + R"(/dropped_sphere/scene.toml"
 settings = ["particles.ranks=1", "particles.bed.variables.width=0.42", "particles.variables.width=0.42",
   "bodies.ball.shape.radius=0.07", "particles.bed.variables.depth=0.1", "particles.bed.variables.settle=0.1",
@@ -283,17 +283,52 @@ values = [2, 3]
 name = "peak acceleration [g]"
 key = "peak_acceleration_g"
 )");
-    return folder.footfall("sweep beds.toml --out sweep --jobs 2 --list");
+    return folder.footfall("sweep beds.toml --out sweep --jobs 2 " + options);
   };
+  const test::Outcome listed = sweep("15485863, 32452843", "--list");
+  EXPECT_EQ(listed.exit_code, 0) << listed.text;
+  EXPECT_TRUE(holds(listed.text, "3  seed_32452843__window_3\n") && holds(listed.text, "seed=32452843")) << listed.text;
+  EXPECT_FALSE(folder.has("cache") || folder.has("sweep")) << "a list makes nothing";
   const auto beds = [&] { return folder.shell("ls --full-time cache/beds/*/bed.restart").text; };
   EXPECT_EQ(sweep("15485863, 32452843").exit_code, 0);
   const std::string made = beds();
   EXPECT_EQ(app::lines_of(made), 2) << made;
   EXPECT_EQ(sweep("15485863, 32452843").exit_code, 0);
+  EXPECT_EQ(sweep("15485863, 32452843", "--beds --only 3").exit_code, 0);
   EXPECT_EQ(beds(), made) << "made again";
+  EXPECT_FALSE(folder.has("sweep/runs/seed_15485863__window_2")) << "--beds carries out no run";
   const test::Outcome wrong = sweep("15485863, 4");
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_TRUE(holds(wrong.text, "random seed")) << "LIGGGHTS' own message: " << wrong.text;
+  unsetenv("FOOTFALL_CACHE");
+}
+
+TEST_F(Bed, OfDrawnRunsIsMadeWithoutThem) {
+  if (!fs::exists(test::RunFolder::program("footfall_campaign"))) GTEST_SKIP() << "footfall_campaign is not built";
+  setenv("FOOTFALL_CACHE", folder.file("cache").c_str(), 1);
+  folder.write("drawn.toml", "scene = \"" + app::kInputs + R"(/dropped_sphere/scene.toml"
+settings = ["particles.ranks=1", "particles.bed.variables.width=0.42", "particles.variables.width=0.42",
+  "bodies.ball.shape.radius=0.07", "particles.bed.variables.depth=0.1", "particles.bed.variables.settle=0.1",
+  "particles.bed.variables.rest=0.01"]
+runs = 3
+[[parameters]]
+name = "speed"
+settings = ["initial.velocity=[0,0,-{value}]"]
+distribution = "uniform"
+least = 1
+most = 2
+[[figures]]
+name = "peak acceleration [g]"
+key = "peak_acceleration_g"
+[[outcomes]]
+name = "hard"
+when = "peak_acceleration > 5"
+)");
+  folder.done("sweep drawn.toml --out drawn --list");
+  EXPECT_FALSE(folder.has("cache") || folder.has("drawn")) << "a list makes nothing";
+  folder.done("sweep drawn.toml --out drawn --beds");
+  EXPECT_EQ(app::lines_of(folder.shell("ls cache/beds/*/bed.restart").text), 1) << "all rows share one";
+  EXPECT_TRUE(folder.shell("find drawn -name summary.json").text.empty()) << "--beds carries out no run";
   unsetenv("FOOTFALL_CACHE");
 }
 

@@ -94,8 +94,9 @@ class ScriptCheck : public ::testing::Test {
   std::string findings(const std::string& script, const std::string& particles = "") const {
     return findings_of_whole("fix pad1 all mesh/surface file pad.stl type 1\n" + script + "run 1000\n", particles);
   }
-  std::string findings_of_whole(const std::string& script, const std::string& particles = "") const {
-    text_.write("in.grains", script);
+  std::string findings_of_whole(const std::string& script, const std::string& particles = "",
+                                const std::string& name = "in.grains") const {
+    text_.write(name, script);
     const std::string scene = R"(end_time = 1
 [[bodies]]
 name = "pad"
@@ -107,8 +108,7 @@ surface = {}
 [ground]
 kind = "particles"
 [particles]
-script = "in.grains"
-)" + particles;
+script = ")" + name + "\"\n" + particles;
     return test::refusal([&] { warnings_ = text_.read(scene).warnings; });
   }
   SceneText text_;
@@ -127,6 +127,30 @@ TEST_F(ScriptCheck, FollowsIncludes) {
 TEST_F(ScriptCheck, FollowsIncludesThatAVariableNames) {
   text_.write("couple.in", "fix m all couple/mbd every 5 mesh pad1 pad\n");
   EXPECT_EQ(findings("variable file index couple.in\ninclude ${here}/${file}\n"), "");
+}
+
+// ${here} is one word whatever the path of the script: `run` refuses paths that LIGGGHTS would split.
+TEST_F(ScriptCheck, FollowsIncludesInAFolderWhosePathLiggghtsWouldSplit) {
+  for (const std::string folder : {"two words", "it's", "no #1"}) {
+    text_.write(folder + "/couple.in", "fix m all couple/mbd every ${every} mesh pad1 pad\n");
+    for (const std::string lines :
+         {"include ${here}/couple.in\n", "variable file index ${here}/couple.in\ninclude ${file}\n",
+          "if \"1 > 0\" then \"variable file index ${here}/couple.in\"\ninclude ${file}\n",
+          "if \"1 > 0\" then \"include ${here}/couple.in\"\n"}) {
+      EXPECT_EQ(findings_of_whole("fix pad1 all mesh/surface file pad.stl type 1\n" + lines + "run 1000\n",
+                                  "variables = { every = 5 }\n", folder + "/in.grains"),
+                "")
+          << folder << ": " << lines;
+      EXPECT_THAT(warnings_, testing::IsEmpty()) << folder << ": " << lines;
+    }
+  }
+}
+
+TEST_F(ScriptCheck, FindsAFileOfAVariableWhosePathHasABlank) {
+  const std::string bed = text_.write("two words/bed.grains", "");
+  EXPECT_EQ(findings("read_restart ${bed}\nfix m all couple/mbd every 5 mesh pad1 pad\n",
+                     "variables = { bed = \"" + bed + "\" }\n"),
+            "");
 }
 
 TEST_F(ScriptCheck, FindsTheCouplingInBothBranchesOfAnIf) {
@@ -224,19 +248,20 @@ constexpr const char* kTriangle =
 constexpr double kSingle = 1e-6;  // STL is read in single precision
 
 // The first corner of the mesh, (10, 0, 0) in the file, after the words of its line in the script.
-Eigen::Vector3d first_corner(const std::string& words) {
+Eigen::Vector3d first_corner(const std::string& words, const std::string& folder) {
   const SceneText text;
-  text.write("t.stl", kTriangle);
-  text.write("in.run", "variable size index 0.001\nfix m all mesh/surface/stress file ${here}/t.stl type 2 " + words +
-                           " stress on\nfix mbd all couple/mbd every 1 mesh m b\n");
+  text.write(folder + "t.stl", kTriangle);
+  text.write(folder + "in.run", "variable size index 0.001\nfix m all mesh/surface/stress file ${here}/t.stl type 2 " +
+                                    words + " stress on\nfix mbd all couple/mbd every 1 mesh m b\n");
   const Scene scene = text.read(
       "end_time = 1\n[[bodies]]\nname = \"b\"\nmass = 1\ninertia = [1, 1, 1]\nposition = [0, 0, 0]\n"
-      "[[boundaries]]\nbody = \"b\"\nsurface = { from_script = \"m\" }\n[particles]\nscript = \"in.run\"\n");
+      "[[boundaries]]\nbody = \"b\"\nsurface = { from_script = \"m\" }\n[particles]\nscript = \"" +
+      folder + "in.run\"\n");
   return boundary_surface(scene, scene.boundaries[0]).vertices[0];
 }
 
-void expect_at(const std::string& words, const Eigen::Vector3d& place) {
-  EXPECT_LT((first_corner(words) - place).norm(), kSingle * place.norm()) << words;
+void expect_at(const std::string& words, const Eigen::Vector3d& place, const std::string& folder = "") {
+  EXPECT_LT((first_corner(words, folder) - place).norm(), kSingle * place.norm()) << words;
 }
 
 TEST(ScriptMesh, ScaleRotateAndMoveActInTheOrderOfTheScript) {
@@ -246,6 +271,8 @@ TEST(ScriptMesh, ScaleRotateAndMoveActInTheOrderOfTheScript) {
   expect_at("move 0 0 1 scale 2 rotate axis 1 0 0 angle 90", {20, -2, 0});
   expect_at("rotate axis 0 0 1 angle 90 rotate axis 1 0 0 angle 90", {0, 0, 10});
 }
+
+TEST(ScriptMesh, IsFoundInAFolderWithABlank) { expect_at("scale ${size}", {0.01, 0, 0}, "two words/"); }
 
 }  // namespace
 }  // namespace footfall

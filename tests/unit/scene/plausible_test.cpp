@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <sstream>
 
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/scene_check.h"
@@ -60,16 +60,16 @@ TEST(Plausible, MassThatNoSolidOfThisSizeHas) {
 
 // Half a degree in 61 samples is 15 km, but half a metre beside a pendulum of 1 m.
 TEST(Plausible, MapInDegrees) {
-  const auto scene = [](const std::string& step, const std::string& odd = "1 ") {
-    const std::string file = testing::TempDir() + "degrees.asc";
-    std::ofstream map(file);
+  const SceneText files;
+  const auto scene = [&](const std::string& step, const std::string& odd = "1 ") {
+    std::ostringstream map;
     map << "ncols 61\nnrows 61\nxllcorner 33.1\nyllcorner -2.4\ncellsize " << step << '\n';
     for (int row = 0; row < 61; ++row, map << '\n')
       for (int column = 0; column < 61; ++column) map << (column % 2 ? odd : "1 ");
     return kBall +
            "[ground]\nkind = \"plane\"\nplane = { stiffness = 1e7 }\nterrain = { position = [0, 0, -9], map = { file = "
            "\"" +
-           file + "\" } }\n[[boundaries]]\nbody = \"bob\"\nsurface = {}\n";
+           files.write("degrees.asc", map.str()) + "\" } }\n[[boundaries]]\nbody = \"bob\"\nsurface = {}\n";
   };
   EXPECT_THAT(warnings(scene("0.00833")), ElementsAre(says(code::kImplausibleNumber, "terrain.map.file")));
   EXPECT_THAT(warnings(scene("0.1")), IsEmpty());
@@ -80,11 +80,12 @@ TEST(Plausible, MapInDegrees) {
 
 TEST(HeightMap, FaultsNameTheLineOfTheirKey) {
   const auto fault = [](const std::string& text) {
-    const std::string file = testing::TempDir() + "fault.asc";
-    std::ofstream(file) << text;
-    return SceneText().findings(
-        kBall + "[ground]\nkind = \"plane\"\nplane = { stiffness = 1e7 }\nterrain = { map = { file = \"" + file +
-        "\" } }\n[[boundaries]]\nbody = \"bob\"\nsurface = {}\n");
+    const SceneText scene;
+    scene.write("fault.asc", text);
+    return scene.findings(
+        kBall +
+        "[ground]\nkind = \"plane\"\nplane = { stiffness = 1e7 }\nterrain = { map = { file = \"fault.asc\" "
+        "} }\n[[boundaries]]\nbody = \"bob\"\nsurface = {}\n");
   };
   const auto header = [](const std::string& columns, const std::string& rows, const std::string& cell) {
     return "ncols " + columns + "\nnrows " + rows + "\nxllcorner 0\nyllcorner 0\n" + cell +
