@@ -57,6 +57,15 @@ TEST_F(Commands, ThatTheScriptBuildsOneProgramForAreThoseOfThatProgram) {
   }
 }
 
+// For the script of the checkout (tests/unit/app/needed_parts_test.cpp): an answer and nothing else, whatever the line is.
+TEST_F(Commands, NameThePartsThatALineNeeds) {
+  EXPECT_EQ(folder.done("needs run " + app::kInputs + "/reference --quiet").text, "fmi\n");
+  EXPECT_EQ(folder.done("needs sweep " + app::kInputs + "/sweeps/touchdowns.toml").text, "campaign\n");
+  for (const char* line : {"", "run", "run --until 1", "nonsense missing.toml", "needs", "--help"})
+    EXPECT_EQ(folder.done(std::string("needs ") + line).text, "") << line;
+  EXPECT_EQ(listed().count("needs"), 0u);
+}
+
 TEST_F(Commands, ThatBecameOptionsNameTheNewLine) {
   for (const auto& [old, now] : std::map<std::string, std::string>{
            {"surfaces", "check"}, {"pictures", "view"}, {"watch", "view"}, {"audit", "run"}}) {

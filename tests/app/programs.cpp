@@ -15,11 +15,6 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::milliseconds kMoment{50};
 
-Folder::~Folder() {
-  std::error_code ignored;
-  if (!::testing::Test::HasFailure()) fs::remove_all(path(), ignored);
-}
-
 test::Outcome Folder::footfall(const std::string& line, int limit_seconds) const {
   return command(program("footfall") + " " + line, limit_seconds);
 }

@@ -26,10 +26,6 @@ const std::string kSmallSphere =
 class Folder : public test::RunFolder {
  public:
   using test::RunFolder::RunFolder;
-  // Removed where the test has not failed.
-  ~Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
   // `footfall LINE` (a line for the shell) in this folder.
   test::Outcome footfall(const std::string& line, int limit_seconds = 120) const;
   // The same; a failure of the test where it does not end with 0.

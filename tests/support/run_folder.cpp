@@ -1,5 +1,6 @@
 #include "tests/support/run_folder.h"
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,6 +19,11 @@ RunFolder::RunFolder(const std::string& name)
   // Open MPI refuses root unless it is told that this is meant.
   setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
   setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+}
+
+RunFolder::~RunFolder() {
+  std::error_code ignored;
+  if (!path_.empty() && !::testing::Test::HasFailure()) std::filesystem::remove_all(path_, ignored);
 }
 
 void RunFolder::write(const std::string& file, const std::string& text) const {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace footfall::test {
 
@@ -12,10 +13,13 @@ struct Outcome {
   std::string text;  // standard output and error of all programs
 };
 
-// A clean folder for one test: of this process alone, because ctest runs several tests of one program at once.
+// A clean folder for one test: of this process alone, because ctest runs several tests of one program at once. It goes away
+// with its owner where the test has not failed.
 class RunFolder {
  public:
   explicit RunFolder(const std::string& name);
+  RunFolder(RunFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+  ~RunFolder();
 
   const std::filesystem::path& path() const { return path_; }
   void write(const std::string& file, const std::string& text) const;

@@ -23,8 +23,9 @@ class TemporaryFolder {
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  // Returns the path of the file.
+  // Makes the folders of the name. Returns the path of the file.
   std::string write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories(std::filesystem::path(file(name)).parent_path());
     std::ofstream(file(name)) << text;
     return file(name);
   }

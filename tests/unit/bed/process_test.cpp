@@ -10,6 +10,7 @@
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/liggghts_log.h"
 #include "mbd_solver/bed/process.h"
+#include "mbd_solver/bed/programs.h"
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {
@@ -98,16 +99,29 @@ TEST_F(CliTest, ShellLineReadsBackAsTheSameWords) {
 }
 
 TEST_F(CliTest, BedKeyHoldsScriptIncludesVariablesAndVersion) {
-  write("walls.in", "fix floor all wall/gran\n");
-  BedSpec spec{write("in.bed", "include ${here}/walls.in\nrun 100\n"), {{"depth", "0.4"}}};
-  const std::string key = bed_key(spec, "3.8.0");
-  EXPECT_EQ(bed_key(spec, "3.8.0"), key);
-  EXPECT_NE(bed_key(spec, "3.9.0"), key);
-  BedSpec deeper = spec;
-  deeper.variables["depth"] = "0.5";
-  EXPECT_NE(bed_key(deeper, "3.8.0"), key);
-  write("walls.in", "fix floor all wall/gran model hertz\n");
-  EXPECT_NE(bed_key(spec, "3.8.0"), key);
+  for (const std::string place : {"", "two words/"}) {
+    write(place + "walls.in", "fix floor all wall/gran\n");
+    BedSpec spec{write(place + "in.bed", "include ${here}/walls.in\nrun 100\n"), {{"depth", "0.4"}}};
+    const std::string key = bed_key(spec, "3.8.0");
+    EXPECT_EQ(bed_key(spec, "3.8.0"), key);
+    EXPECT_NE(bed_key(spec, "3.9.0"), key);
+    BedSpec deeper = spec;
+    deeper.variables["depth"] = "0.5";
+    EXPECT_NE(bed_key(deeper, "3.8.0"), key);
+    write(place + "walls.in", "fix floor all wall/gran model hertz\n");
+    EXPECT_NE(bed_key(spec, "3.8.0"), key) << "in \"" << place << "\"";
+  }
+}
+
+// LIGGGHTS splits words at blanks after it has replaced variables.
+TEST_F(CliTest, LiggghtsGetsPathsFromTheCurrentFolder) {
+  const std::string script = write("two words/in.bed", ""), grains = write("two words/run/grains.restart", "");
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(file("two words"));
+  const std::vector<std::string> words = script_arguments(script, {{"grains", grains}, {"list", "one\ntwo"}});
+  std::filesystem::current_path(before);
+  EXPECT_EQ(words, (std::vector<std::string>{"-in", "in.bed", "-var", "here", ".", "-var", "grains",
+                                             "run/grains.restart", "-var", "list", "one", "two"}));
 }
 
 TEST_F(CliTest, ErrorsOfALiggghtsLogAreFound) {

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -21,6 +20,7 @@
 #include "mbd_solver/studies/rig_command.h"
 #include "mbd_solver/studies/sweep_file.h"
 #include "tests/support/refused.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
@@ -319,20 +319,22 @@ TEST(PowerLaw, RefusesWhatLeavesExponentsOpen) {
 // The deviation of a fit from the soil that the columns were made of: bins are means over curved lines.
 constexpr double kOfBins = 5e-3;
 
-RigRun run_with(const std::string& name, const BodySpec& body, const History& history) {
-  RigRun run;
-  run.name = name;
-  run.folder =
-      (std::filesystem::path(testing::TempDir()) / ("rig_" + std::to_string(::getpid()) + "_" + name)).string();
-  std::filesystem::create_directories(run.folder);
-  write_history(run.folder + "/history.csv", history);
-  run.scene.bodies = {body};
-  run.scene.gravity = {0.0, 0.0, -9.81};
-  run.scene.particles.emplace();
-  run.scene.particles->box.emplace();
-  run.scene.particles->box->radius = {0.005};
-  return run;
-}
+class Rigs : public ::testing::Test, protected TemporaryFolder {
+ protected:
+  RigRun run_with(const std::string& name, const BodySpec& body, const History& history) const {
+    RigRun run;
+    run.name = name;
+    run.folder = file(name);
+    std::filesystem::create_directories(run.folder);
+    write_history(run.folder + "/history.csv", history);
+    run.scene.bodies = {body};
+    run.scene.gravity = {0.0, 0.0, -9.81};
+    run.scene.particles.emplace();
+    run.scene.particles->box.emplace();
+    run.scene.particles->box->radius = {0.005};
+    return run;
+  }
+};
 
 double answer(const RigSample& sample, const std::string& name) {
   for (const RigAnswer& a : sample.answers)
@@ -341,7 +343,7 @@ double answer(const RigSample& sample, const std::string& name) {
   return std::nan("");
 }
 
-TEST(Rigs, APlateFindsBekkersNumbers) {
+TEST_F(Rigs, APlateFindsBekkersNumbers) {
   const double k_c = 2e3, k_phi = 4e5, n = 0.9;
   std::vector<RigRun> runs;
   for (const double b : {0.08, 0.12}) {
@@ -364,7 +366,7 @@ TEST(Rigs, APlateFindsBekkersNumbers) {
   EXPECT_NEAR(answer(sample, "k_phi"), k_phi, 2 * kOfBins * k_phi);
 }
 
-TEST(Rigs, ASphereFindsItsDrag) {
+TEST_F(Rigs, ASphereFindsItsDrag) {
   const double D = 0.1, m = 1.2, k = 150.0, d1 = 0.15, g = 9.81, dt = 1e-5;
   BodySpec ball;
   ball.name = "ball";
@@ -391,7 +393,7 @@ TEST(Rigs, ASphereFindsItsDrag) {
   EXPECT_GT(answer(sample, "R^2"), 0.9999);
 }
 
-TEST(Rigs, ARingFindsFrictionAndCohesion) {
+TEST_F(Rigs, ARingFindsFrictionAndCohesion) {
   const double phi = 32.0 * kPi / 180.0, c = 300.0, a = 0.05, b = 0.1;
   std::vector<RigRun> runs;
   for (const double load : {20.0, 50.0, 80.0}) {
