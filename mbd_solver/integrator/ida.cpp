@@ -4,8 +4,8 @@
 #include "mbd_solver/integrator/ida.h"
 
 #include <ida/ida.h>
-#include <ida/ida_impl.h>
 #include <nvector/nvector_serial.h>
+#include <sundials/sundials_config.h>
 #include <sundials/sundials_context.h>
 #include <sundials/sundials_nonlinearsolver.h>
 #include <sundials/sundials_version.h>
@@ -34,6 +34,23 @@
 #include "mbd_solver/integrator/step_control.h"
 
 namespace footfall {
+namespace {
+
+// What releases 6 and 7 call differently. SUNDIALS prints nothing itself: check() reports an error with the name of the body.
+#if SUNDIALS_VERSION_MAJOR >= 7
+const SUNComm kNoCommunicator = SUN_COMM_NULL;
+constexpr int kConverged = SUN_SUCCESS, kOtherFailure = SUN_ERR_EXT_FAIL;
+constexpr const char* kSilence = "SUNContext_ClearErrHandlers";
+int silence(SUNContext context, void*) { return SUNContext_ClearErrHandlers(context); }
+#else
+void* const kNoCommunicator = nullptr;
+constexpr int kConverged = SUN_NLS_SUCCESS, kOtherFailure = SUN_NLS_EXT_FAIL;
+constexpr const char* kSilence = "IDASetErrHandlerFn";
+void print_nothing(int, const char*, const char*, char*, void*) {}
+int silence(SUNContext, void* memory) { return IDASetErrHandlerFn(memory, &print_nothing, nullptr); }
+#endif
+
+}  // namespace
 
 struct Ida::Sundials {
   class View;
@@ -53,6 +70,9 @@ struct Ida::Sundials {
   // Moves all values of the history by the displacement of the newest to the projected `state`. False: the displacement is large,
   // a singular position is near; nothing moves, and IDA must restart.
   bool move_history(const State& state);
+  const Eigen::VectorXd& y_of(N_Vector unknowns) { return actual = view(unknowns) + offset; }
+  void interpolate(double time, N_Vector out);  // y at a time [s] within the last step
+  N_Vector predicted();                         // unknowns at the start of Newton's iteration
   // One step of IDA, with its rows; false: a row has ended the window, and state and rates belong to it.
   bool step(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
   void add_work_between(double begin, double end, const Inputs& inputs, State& state);
@@ -67,13 +87,12 @@ struct Ida::Sundials {
   void begin_passage(double end);
   void forget_passage();
 
-  static int residual(realtype t, N_Vector y, N_Vector ydot, N_Vector F, void* self);
-  static int jacobian(realtype t, realtype c, N_Vector y, N_Vector ydot, N_Vector F, SUNMatrix J, void* self, N_Vector,
-                      N_Vector, N_Vector);
-  static int converged(SUNNonlinearSolver newton, N_Vector, N_Vector change, realtype tolerance, N_Vector weight,
+  static int residual(sunrealtype t, N_Vector unknowns, N_Vector ydot, N_Vector F, void* self);
+  static int jacobian(sunrealtype t, sunrealtype c, N_Vector unknowns, N_Vector ydot, N_Vector F, SUNMatrix J,
+                      void* self, N_Vector, N_Vector, N_Vector);
+  static int converged(SUNNonlinearSolver newton, N_Vector, N_Vector change, sunrealtype tolerance, N_Vector weight,
                        void* self);
-  static int weights(N_Vector y, N_Vector weight, void* self);
-  static void message(int code, const char* module, const char* function, char* text, void* self);
+  static int weights(N_Vector unknowns, N_Vector weight, void* self);
   template <typename Work>
   int guarded(Work work);
 
@@ -84,6 +103,9 @@ struct Ida::Sundials {
   SUNContext context = nullptr;
   void* memory = nullptr;
   N_Vector y = nullptr, ydot = nullptr, scratch = nullptr, scratch2 = nullptr;
+  // The unknowns of IDA are y - offset: a change of the offset moves all values of its history.
+  Eigen::VectorXd offset;  // by which projections have moved q and v since the last restart [m, rad, m/s, rad/s]
+  Eigen::VectorXd actual;  // of y_of
   SUNMatrix matrix = nullptr;
   SUNLinearSolver solver = nullptr;
   SUNNonlinearSolver newton = nullptr;
@@ -125,7 +147,7 @@ class Ida::Sundials::View : public StepView {
     state = end_;
     derivative = ida_.rates;
     if (time >= end_.time) return;
-    ida_.check(IDAGetDky(ida_.memory, time, 0, ida_.scratch), "IDAGetDky");
+    ida_.interpolate(time, ida_.scratch);
     ida_.check(IDAGetDky(ida_.memory, time, 1, ida_.scratch2), "IDAGetDky");
     ida_.equations.unpack(view(ida_.scratch), state);
     state.time = time;
@@ -140,6 +162,8 @@ class Ida::Sundials::View : public StepView {
 };
 
 namespace {
+
+constexpr double kNoOffset = -0.0;  // x + -0.0 is x, even if x is a zero with a sign
 
 // Error limit of one step as a share of the tolerances: a tenth; from an rtol of 1e-9 on, where a tenth comes near the round-off
 // of multipliers, the limit falls with the root of rtol (a third at 1e-10).
@@ -165,13 +189,14 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
       turns(e.model(), e.layout()) {
   const Layout& layout = equations.layout();
   const int n = layout.size();
-  if (SUNContext_Create(nullptr, &context) != 0) throw NumericalError(code::kSundials, "SUNContext_Create failed.");
+  if (SUNContext_Create(kNoCommunicator, &context) != 0)
+    throw NumericalError(code::kSundials, "SUNContext_Create failed.");
   y = N_VNew_Serial(n, context);
   ydot = N_VNew_Serial(n, context);
   scratch = N_VNew_Serial(n, context);
   scratch2 = N_VNew_Serial(n, context);
   const Eigen::SparseMatrix<double>& pattern = equations.jacobian_pattern();
-  matrix = SUNSparseMatrix(n, n, pattern.nonZeros(), CSC_MAT, context);
+  matrix = SUNSparseMatrix(n, n, static_cast<sunindextype>(pattern.nonZeros()), CSC_MAT, context);
   memory = IDACreate(context);
   FOOTFALL_DEMAND(y != nullptr && ydot != nullptr && scratch != nullptr && scratch2 != nullptr && matrix != nullptr &&
                   memory != nullptr);
@@ -183,7 +208,7 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
   writable(y).setZero();
   writable(ydot).setZero();
   check(IDAInit(memory, &Sundials::residual, 0.0, y, ydot), "IDAInit");
-  check(IDASetErrHandlerFn(memory, &Sundials::message, this), "IDASetErrHandlerFn");
+  check(silence(context, memory), kSilence);
   check(IDASetUserData(memory, this), "IDASetUserData");
   check(IDAWFtolerances(memory, &Sundials::weights), "IDAWFtolerances");
   writable(scratch).setOnes();
@@ -199,6 +224,7 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
   check(IDASetMinStep(memory, options.min_step), "IDASetMinStep");
   if (options.max_step > 0.0) check(IDASetMaxStep(memory, exact_limit(options.max_step)), "IDASetMaxStep");
   rates = Eigen::VectorXd::Zero(n);
+  offset = Eigen::VectorXd::Constant(n, kNoOffset);
 }
 
 Ida::Sundials::~Sundials() {
@@ -213,10 +239,11 @@ Ida::Sundials::~Sundials() {
 void Ida::Sundials::check(int flag, const char* function) {
   if (fatal) std::rethrow_exception(std::exchange(fatal, nullptr));
   if (flag >= 0) return;
-  char* name = IDAGetReturnFlagName(flag);
-  const std::string what = std::string(function) + " returned " + name + "; ";
-  std::free(name);
-  give_up(code::kSundials, what);
+  char* text = IDAGetReturnFlagName(flag);
+  std::string name = text;
+  std::free(text);
+  if (name == "NONE") name = std::to_string(flag);  // of another part of SUNDIALS
+  give_up(code::kSundials, std::string(function) + " returned " + name + "; ");
 }
 
 // A reason from below ends with its own code; else the entry with the largest weighted local error is named.
@@ -236,9 +263,6 @@ void Ida::Sundials::give_up(const MessageCode& code, const std::string& what) {
   throw NumericalError(code, out.str());
 }
 
-// SUNDIALS prints nothing itself: check() reports the error with the name of the body.
-void Ida::Sundials::message(int, const char*, const char*, char*, void*) {}
-
 template <typename Work>
 int Ida::Sundials::guarded(Work work) {
   try {
@@ -253,23 +277,23 @@ int Ida::Sundials::guarded(Work work) {
   }
 }
 
-int Ida::Sundials::residual(realtype time, N_Vector y, N_Vector ydot, N_Vector F, void* self) {
+int Ida::Sundials::residual(sunrealtype time, N_Vector unknowns, N_Vector ydot, N_Vector F, void* self) {
   Sundials& s = *static_cast<Sundials*>(self);
   const int flag = s.guarded([&] {
-    s.equations.residual(time, view(y), view(ydot), *s.inputs_now, writable(F));
+    s.equations.residual(time, s.y_of(unknowns), view(ydot), *s.inputs_now, writable(F));
     const int rows = s.equations.layout().row_count;
-    s.equations.saddle().expect_multipliers(view(static_cast<IDAMem>(s.memory)->ida_yypredict).tail(rows),
-                                            writable(F).tail(rows));
+    s.equations.saddle().expect_multipliers(view(s.predicted()).tail(rows), writable(F).tail(rows));
   });
   if (flag != 0) return flag;
   return view(F).allFinite() ? 0 : 1;
 }
 
-int Ida::Sundials::jacobian(realtype time, realtype c, N_Vector y, N_Vector ydot, N_Vector, SUNMatrix J, void* self,
-                            N_Vector, N_Vector, N_Vector) {
+int Ida::Sundials::jacobian(sunrealtype time, sunrealtype c, N_Vector unknowns, N_Vector ydot, N_Vector, SUNMatrix J,
+                            void* self, N_Vector, N_Vector, N_Vector) {
   Sundials& s = *static_cast<Sundials*>(self);
   return s.guarded([&] {
-    const Eigen::SparseMatrix<double>& values = s.equations.jacobian(time, view(y), view(ydot), c, *s.inputs_now);
+    const Eigen::SparseMatrix<double>& values =
+        s.equations.jacobian(time, s.y_of(unknowns), view(ydot), c, *s.inputs_now);
     // The matrix is zeroed before each call, pattern included.
     std::copy_n(values.outerIndexPtr(), values.cols() + 1, SUNSparseMatrix_IndexPointers(J));
     std::copy_n(values.innerIndexPtr(), values.nonZeros(), SUNSparseMatrix_IndexValues(J));
@@ -295,6 +319,7 @@ void Ida::Sundials::restart(const State& state, double t_end, const Inputs& inpu
   equations.pack(state, rates.tail(layout.row_count), writable(y));
   writable(ydot) = rates;
   writable(ydot).tail(layout.row_count).setZero();
+  offset.setConstant(kNoOffset);
   check(IDAReInit(memory, state.time, y, ydot), "IDAReInit");
   check(IDASetInitStep(memory, first_step(t_end - state.time, later)), "IDASetInitStep");
   std::fill(std::begin(counted), std::end(counted), 0L);
@@ -321,19 +346,33 @@ void Ida::Sundials::aim(double t_end, const Rows& rows, const State& state) {
   check(IDASetStopTime(memory, t_end), "IDASetStopTime");
 }
 
-// phi[0] is y_n, phi[j] are differences of y_n, y_(n-1), ...: with phi[0] alone all of them move.
+// The newest y becomes that of `state`, to the last bit: differences of two numbers that are nearly equal are exact.
 bool Ida::Sundials::move_history(const State& state) {
   const Layout& layout = equations.layout();
-  Eigen::Map<Eigen::VectorXd> newest = writable(static_cast<IDAMem>(memory)->ida_phi[0]);
-  norm.set(newest);
-  Eigen::Map<Eigen::VectorXd> moved = writable(scratch);
-  moved.setZero();
-  moved.head(layout.q_size) = state.q - newest.head(layout.q_size);
-  moved.segment(layout.v0(), layout.v_size) = state.v - newest.segment(layout.v0(), layout.v_size);
-  if (!(norm(moved) <= share)) return false;  // in regular positions drift is a part of the error of a step
-  newest.head(layout.q_size) = state.q;
-  newest.segment(layout.v0(), layout.v_size) = state.v;
-  return true;
+  double newest = 0.0;
+  check(IDAGetCurrentTime(memory, &newest), "IDAGetCurrentTime");
+  check(IDAGetDky(memory, newest, 0, scratch), "IDAGetDky");
+  norm.set(y_of(scratch));
+  const Eigen::VectorXd before = offset;
+  offset.head(layout.q_size) = state.q - view(scratch).head(layout.q_size);
+  offset.segment(layout.v0(), layout.v_size) = state.v - view(scratch).segment(layout.v0(), layout.v_size);
+  if (norm(offset - before) <= share) return true;
+  offset = before;  // in regular positions drift is a part of the error of a step
+  return false;
+}
+
+void Ida::Sundials::interpolate(double time, N_Vector out) {
+  check(IDAGetDky(memory, time, 0, out), "IDAGetDky");
+  writable(out) += offset;
+}
+
+N_Vector Ida::Sundials::predicted() {
+  double time = 0.0, factor = 0.0;
+  N_Vector y_predicted = nullptr, unused = nullptr;
+  void* self = nullptr;
+  check(IDAGetNonlinearSystemData(memory, &time, &y_predicted, &unused, &unused, &unused, &unused, &factor, &self),
+        "IDAGetNonlinearSystemData");
+  return y_predicted;
 }
 
 bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, State& state,
@@ -342,6 +381,7 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
   double from = t;
   reason.clear();
   check(IDASolve(memory, t_end, &t, y, ydot, IDA_ONE_STEP), "IDASolve");
+  writable(y) += offset;
   const double error = step_error();
   statistics.reported_error += error;
   statistics.summed_error += error * carried();
@@ -351,7 +391,7 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
   for (; row_time < end; row_time = rows.after(row_time)) {
     add_work_between(from, row_time, inputs, state);
     from = row_time;
-    check(IDAGetDky(memory, row_time, 0, scratch), "IDAGetDky");
+    interpolate(row_time, scratch);
     check(IDAGetDky(memory, row_time, 1, scratch2), "IDAGetDky");
     equations.unpack(view(scratch), state);
     state.time = row_time;
@@ -371,7 +411,7 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
   switched = change < HUGE_VAL;
   if (switched) {
     check(IDAGetDky(memory, end, 1, ydot), "IDAGetDky");
-    check(IDAGetDky(memory, end, 0, y), "IDAGetDky");
+    interpolate(end, y);
   }
   equations.unpack(view(y), state);
   state.time = t = end;
@@ -389,7 +429,7 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
 
 double Ida::Sundials::time_of_switch(double begin, double end, const Inputs& inputs) {
   const auto fits = [&](double time) {
-    check(IDAGetDky(memory, time, 0, scratch), "IDAGetDky");
+    interpolate(time, scratch);
     equations.unpack(view(scratch), row);
     row.time = time;
     return equations.mode_value(row, inputs) >= 0.0;
@@ -426,7 +466,7 @@ void Ida::Sundials::add_work_between(double begin, double end, const Inputs& inp
   error.load_work.setZero(state.load_work.size());
   const auto sample = [&](double place) -> const EnergySample& {
     const double node = begin + half * (1.0 + place);
-    check(IDAGetDky(memory, node, 0, scratch), "IDAGetDky");
+    interpolate(node, scratch);
     equations.powers(node, view(scratch), inputs, energy);
     return energy;
   };
@@ -615,14 +655,14 @@ constexpr int kMostForError = 2;                        // iterations that only 
 // first correction of later steps. IDA also allows Newton a third of the error limit of a step, even if steps have far smaller
 // errors (short max_step): their differences then contain Newton's errors, IDA lowers its order, and errors of many steps of low
 // order accumulate. Here Newton's remaining error is at most a tenth of the last step's error, or round-off.
-int Ida::Sundials::converged(SUNNonlinearSolver newton, N_Vector, N_Vector change, realtype tolerance, N_Vector weight,
-                             void* self) {
+int Ida::Sundials::converged(SUNNonlinearSolver newton, N_Vector, N_Vector change, sunrealtype tolerance,
+                             N_Vector weight, void* self) {
   Sundials& s = *static_cast<Sundials*>(self);
   const double size = N_VWrmsNorm(change, weight);
   const int rows = s.equations.layout().row_count;
   const double reactions = rows == 0 ? 0.0 : view(change).tail(rows).lpNorm<Eigen::Infinity>() / s.reaction_tolerance;
   int iteration = 0;
-  if (SUNNonlinSolGetCurIter(newton, &iteration) != SUN_NLS_SUCCESS) return SUN_NLS_EXT_FAIL;
+  if (SUNNonlinSolGetCurIter(newton, &iteration) != kConverged) return kOtherFailure;
   double rate = kFirstRate;
   if (iteration == 0) {
     s.first_change = size;
@@ -645,13 +685,13 @@ int Ida::Sundials::converged(SUNNonlinearSolver newton, N_Vector, N_Vector chang
   if (reactions > 1.0 && iteration + 1 < kMostForReactions) return SUN_NLS_CONTINUE;
   if (reactions > 1.0 && !s.fresh) return SUN_NLS_CONV_RECVR;
   s.fresh = false;
-  return SUN_NLS_SUCCESS;
+  return kConverged;
 }
 
-int Ida::Sundials::weights(N_Vector y, N_Vector weight, void* self) {
+int Ida::Sundials::weights(N_Vector unknowns, N_Vector weight, void* self) {
   Sundials& s = *static_cast<Sundials*>(self);
   const int head = s.equations.layout().lambda0(), rows = s.equations.layout().row_count;
-  const Eigen::Map<const Eigen::VectorXd> now = view(y);
+  const Eigen::VectorXd& now = s.y_of(unknowns);
   writable(weight).head(head) =
       (s.share * (s.options.rtol * now.head(head).cwiseAbs() + s.norm.absolute())).cwiseInverse();
   if (rows == 0) return 0;
