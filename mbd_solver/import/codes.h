@@ -31,6 +31,8 @@ inline constexpr MessageCode kRobotGround{"E0710", "robot-ground"};
 inline constexpr MessageCode kRobotElement{"E0711", "robot-element"};
 // Nothing in the file moves: all is static or without mass. Import the robot itself, not its surroundings.
 inline constexpr MessageCode kRobotStill{"E0712", "robot-still"};
+// The file is SDF, and footfall was built without the library sdformat. Install libsdformat-dev and build again, or convert to URDF.
+inline constexpr MessageCode kRobotWithoutSdf{"E0713", "robot-without-sdf"};
 // Something of the file is not in the scene, or is there as an approximation. The message says what and where.
 inline constexpr MessageCode kRobotNotTaken{"W0700", "robot-not-taken"};
 

@@ -152,7 +152,7 @@ struct ImportOptions {
 // --- Readers: one per format, and one door to each library. All throw InputError with file and line.
 
 Robot read_urdf(const std::string& file, const ImportOptions& options);
-Robot read_sdf(const std::string& file, const ImportOptions& options);
+Robot read_sdf(const std::string& file, const ImportOptions& options);  // with FOOTFALL_SDFORMAT only
 Robot read_mjcf(const std::string& file, const ImportOptions& options);
 // By the root element of the file.
 Robot read_robot(const std::string& file, const ImportOptions& options);

@@ -40,6 +40,15 @@ TEST_F(BadRobots, NoRobot) {
   EXPECT_TRUE(test::names(message("r.urdf", deep + "</robot>"), {"E0701"}));
 }
 
+// The message says what helps.
+TEST_F(BadRobots, SdfInABuildWithoutItsLibrary) {
+#ifdef FOOTFALL_SDFORMAT
+  GTEST_SKIP() << "built with the library sdformat";
+#endif
+  EXPECT_TRUE(test::names(message("r.sdf", "<sdf version='1.9'><model name='m'/></sdf>\n"),
+                          {"r.sdf:1", "libsdformat-dev", "URDF", "E0713 robot-without-sdf"}));
+}
+
 TEST_F(BadRobots, Urdf) {
   const std::string a = std::string("<link name='a'>") + kMassOfOne + "</link>\n",
                     b = std::string("<link name='b'>") + kMassOfOne + "</link>\n";

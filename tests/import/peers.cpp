@@ -16,8 +16,10 @@
 #include <fstream>
 #include <memory>
 #include <pugixml.hpp>
-#include <sdf/sdf.hh>
 #include <sstream>
+#ifdef FOOTFALL_SDFORMAT
+#include <sdf/sdf.hh>
+#endif
 
 #include "mbd_solver/import/mjcf_source.h"
 #include "mbd_solver/import/robot.h"
@@ -158,6 +160,7 @@ Links of_urdf_in_mujoco(const std::string& file) {
   }
 }
 
+#ifdef FOOTFALL_SDFORMAT
 Links of_sdformat(const std::string& file) {
   sdf::Console::Instance()->SetQuiet(true);
   sdf::Root root;
@@ -190,6 +193,9 @@ Links of_sdformat(const std::string& file) {
           root.WorldByIndex(0)->ModelCount() > 1 ? root.WorldByIndex(0)->ModelByIndex(k)->Name() + "::" : "");
   return links;
 }
+#else
+Links of_sdformat(const std::string&) { return {}; }  // no robot of this format is read
+#endif
 
 // The scene of a robot, read from its file in a folder of its own.
 Scene scene_of(Robot robot, const ImportOptions& options) {

@@ -23,6 +23,9 @@ Eigen::Matrix3d rpy(double r, double p, double y) {
 
 class Sdf : public ::testing::Test, public TemporaryFolder {
  protected:
+#ifndef FOOTFALL_SDFORMAT
+  void SetUp() override { GTEST_SKIP() << "built without the library sdformat"; }
+#endif
   Scene imported(const std::string& inside, const std::string& version = "1.9") {
     ImportArguments a;
     a.file = write("m.sdf", "<sdf version='" + version + "'>\n<model name='m'>\n" + inside + "</model>\n</sdf>\n");
