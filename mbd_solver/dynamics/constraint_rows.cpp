@@ -22,32 +22,6 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 constexpr double kTakesPart = 1e-6;  // smallest share of a unit row in a combination
 constexpr double kZero = 1e-15;      // round-off of the factors of unit rows
 
-// A P = Q [R; 0], R with `rank` rows, its first columns upper triangular. Columns of A are unit vectors; one with an
-// independent part below `tolerance` is a combination of the others and follows them.
-struct SparseQr {
-  SparseQr(const SparseMatrix& A, double tolerance) : size(A.rows()) {
-    qr.setPivotThreshold(tolerance);
-    qr.compute(A);
-    FOOTFALL_DEMAND(qr.info() == Eigen::Success);
-    rank = qr.rank();
-    R = SparseMatrix(qr.matrixR()).topRows(rank);
-    order.resize(static_cast<std::size_t>(A.cols()));
-    for (std::size_t k = 0; k < order.size(); ++k)
-      order[k] = static_cast<int>(qr.colsPermutation().indices()[static_cast<Eigen::Index>(k)]);
-  }
-  // Q [z; 0]
-  Eigen::VectorXd in_range(const Eigen::VectorXd& z) const {
-    Eigen::VectorXd padded = Eigen::VectorXd::Zero(size);
-    padded.head(rank) = z;
-    return qr.matrixQ() * padded;
-  }
-
-  Eigen::SPQR<SparseMatrix> qr;
-  Eigen::Index size = 0, rank = 0;
-  SparseMatrix R;
-  std::vector<int> order;  // column k of A P is column order[k] of A
-};
-
 // Representative of the set that `i` belongs to, paths shortened.
 int root(std::vector<int>& parent, int i) {
   while (parent[static_cast<std::size_t>(i)] != i) {
@@ -95,10 +69,31 @@ class BackSubstitution {
 
 }  // namespace
 
-struct ConstraintRows::Factors : SparseQr {
-  Factors(const SparseMatrix& A, double rank_tolerance) : SparseQr(A, rank_tolerance), tolerance(rank_tolerance) {}
+// A P = Q [R; 0], R with `rank` rows, its first columns upper triangular. Columns of A are unit vectors; one with an
+// independent part below `tolerance` is a combination of the others and follows them.
+struct ConstraintRows::Factors {
+  Factors(const SparseMatrix& A, double rank_tolerance) : tolerance(rank_tolerance), size(A.rows()) {
+    qr.setPivotThreshold(tolerance);
+    qr.compute(A);
+    FOOTFALL_DEMAND(qr.info() == Eigen::Success);
+    rank = qr.rank();
+    R = SparseMatrix(qr.matrixR()).topRows(rank);
+    order.resize(static_cast<std::size_t>(A.cols()));
+    for (std::size_t k = 0; k < order.size(); ++k)
+      order[k] = static_cast<int>(qr.colsPermutation().indices()[static_cast<Eigen::Index>(k)]);
+  }
+  // Q [z; 0]
+  Eigen::VectorXd in_range(const Eigen::VectorXd& z) const {
+    Eigen::VectorXd padded = Eigen::VectorXd::Zero(size);
+    padded.head(rank) = z;
+    return qr.matrixQ() * padded;
+  }
 
   double tolerance;
+  Eigen::SPQR<SparseMatrix> qr;
+  Eigen::Index size = 0, rank = 0;
+  SparseMatrix R;
+  std::vector<int> order;  // column k of A P is column order[k] of A
   // R^T P = Q' [R'; 0]: least squares with more rows than rank, made when they are used.
   std::unique_ptr<Eigen::SPQR<SparseMatrix>> least_squares;
 };

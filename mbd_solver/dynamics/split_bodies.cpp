@@ -37,7 +37,7 @@ SplitBodies::SplitBodies(const Model& model, const Layout& layout) {
   for (int j = 0; j < model.joint_count(); ++j) {
     const int a = model.joint(j).m1.body, b = model.joint(j).m2.body;
     if (a == kGround || b == kGround || is_split(a) || is_split(b)) continue;
-    const auto [low, high] = std::minmax(lowest(parent, a), lowest(parent, b));
+    const auto [low, high] = std::minmax({lowest(parent, a), lowest(parent, b)});  // a list: its values, not references
     parent[static_cast<std::size_t>(high)] = low;
   }
 

@@ -138,11 +138,9 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
   if (collisions_->empty()) collisions_.reset();
 }
 
-namespace {
-
 // The middles of steps without grains, where a peak may exceed those of the ends: a rate that comes near its largest so far is beyond
 // both of its ends, by more than kBeyond of it.
-class StepMiddles {
+class Simulation::StepMiddles {
  public:
   bool are_peaks(StepView& step) {
     step.at(step.end(), state_, end_);
@@ -172,8 +170,6 @@ class StepMiddles {
   Eigen::VectorXd rates_, begin_, end_, largest_;
   double time_ = -1.0;  // of the last end [s]
 };
-
-}  // namespace
 
 struct Simulation::Loop {
   const std::function<void(const Sample&)>& observe;

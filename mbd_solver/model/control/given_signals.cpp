@@ -35,96 +35,38 @@ constexpr double kRounded = 1e-11;            // the same error, as round-off ma
 constexpr int kMostSplits = 12;               // halvings of the time between two corners
 constexpr int kGolden = 40;                   // steps of a search for an extreme: to 1e-8 of a cell
 
-// How a part depends on time: degree 0 is constant, 1 a line, 2 anything else, in one piece or in several between switches.
-struct Shape {
-  bool known = true;  // nothing of it depends on the motion
-  bool varies = false;
-  int degree = 0;
-  bool pieces = false;
-};
-
-Shape combined(const Shape& a, const Shape& b, int degree) {
-  return {a.known && b.known, a.varies || b.varies, std::min(degree, 2), a.pieces || b.pieces};
-}
-
-int first_degree_of(const std::vector<Shape>& shapes) {
-  int degree = 0;
-  for (const Shape& shape : shapes) degree = std::max(degree, shape.degree);
-  return degree;
-}
-
-Shape shape_of(const ExpressionPart& part, const std::vector<Shape>& of_parts,
-               const std::map<std::string, Shape>& names) {
-  Shape all;
-  for (const Shape& shape : of_parts) all = combined(all, shape, 0);
-  const int highest = first_degree_of(of_parts);
-  const auto stepped = [&] { return Shape{all.known, all.varies, 0, all.varies}; };
-  const auto bent = [&](int degree) { return Shape{all.known, all.varies, degree, true}; };
-  const auto smooth = [&](int degree) { return Shape{all.known, all.varies, degree, all.pieces}; };
-  switch (part.kind) {
-    case PartKind::kNumber: return {};
-    case PartKind::kName: {
-      const auto found = names.find(part.name);
-      return found == names.end() ? Shape{} : found->second;  // else a constant
-    }
-    case PartKind::kCall:
-      if (part.name == "abs" || part.name == "min" || part.name == "max") return bent(highest);
-      if (part.name == "sign" || part.name == "rint") return stepped();
-      return smooth(highest == 0 ? 0 : 2);
-    case PartKind::kChoice: return bent(std::max(of_parts[1].degree, of_parts[2].degree));
-    case PartKind::kLogic:
-    case PartKind::kCompare: return stepped();
-    case PartKind::kSum: return smooth(highest);
-    case PartKind::kProduct: {
-      const int left = of_parts[0].degree, right = of_parts[1].degree;
-      return smooth(part.name == "*" ? std::min(left + right, 2) : right == 0 ? left : 2);
-    }
-    case PartKind::kPower: return smooth(highest == 0 ? 0 : 2);
-    case PartKind::kPrefix: return part.name == "!" ? stepped() : smooth(highest);
-  }
-  FOOTFALL_DEMAND(false);
-  return {};
-}
-
-// The class of a switch, from the value of its argument.
-enum class Classes {
-  kNegative,  // g < 0: corners of < >= abs min max, and zeros
-  kPositive,  // g > 0: <= >
-  kSign,      // -1, 0, 1: == != sign, conditions
-  kLevel      // the value itself: rint
-};
-
-double class_of(Classes classes, double g) {
-  if (std::isnan(g)) return kNoClass;
-  switch (classes) {
-    case Classes::kNegative: return g < 0.0 ? 1.0 : 0.0;
-    case Classes::kPositive: return g > 0.0 ? 1.0 : 0.0;
-    case Classes::kSign: return g > 0.0 ? 1.0 : g < 0.0 ? -1.0 : 0.0;
-    case Classes::kLevel: return g;
-  }
-  return kNoClass;
-}
-
-struct Switch {
-  std::string owner;
-  Expression argument;
-  Classes classes;
-  bool smooth;  // its argument is no line: it may touch zero between two points
-};
-
-// A value whose variation the steps must see.
-struct Value {
-  std::string owner;
-  Expression expression;
-  bool curved;  // no line between corners
-};
-
 // No time of a step lies between: near zero doubles are closer than a step can be long (-0.1 t is zero until 2e-323 s).
 bool neighbours(double a, double b) { return std::max(std::nextafter(a, kNoCorner), a + kFinest) >= b; }
 
 }  // namespace
 
 struct GivenSignals::Scan {
+  // How a part depends on time: degree 0 is constant, 1 a line, 2 anything else, in one piece or in several between switches.
+  struct Shape {
+    bool known = true;  // nothing of it depends on the motion
+    bool varies = false;
+    int degree = 0;
+    bool pieces = false;
+  };
+  // The class of a switch, from the value of its argument.
+  enum class Classes {
+    kNegative,  // g < 0: corners of < >= abs min max, and zeros
+    kPositive,  // g > 0: <= >
+    kSign,      // -1, 0, 1: == != sign, conditions
+    kLevel      // the value itself: rint
+  };
+  struct Switch {
+    std::string owner;
+    Expression argument;
+    Classes classes;
+    bool smooth;  // its argument is no line: it may touch zero between two points
+  };
+  // A value whose variation the steps must see.
+  struct Value {
+    std::string owner;
+    Expression expression;
+    bool curved;  // no line between corners
+  };
   struct Node {
     const SignalBlock* block;
     std::vector<Expression> inputs;
@@ -144,6 +86,10 @@ struct GivenSignals::Scan {
   Scan(const std::vector<GivenEntry>& entries, const std::function<GivenSource(const std::string&)>& source,
        double t_end);
 
+  static Shape combined(const Shape& a, const Shape& b, int degree);
+  static Shape shape_of(const ExpressionPart& part, const std::vector<Shape>& of_parts,
+                        const std::map<std::string, Shape>& names);
+  static double class_of(Classes classes, double g);
   void add(const GivenEntry& entry, const std::function<GivenSource(const std::string&)>& source);
   Shape analyse(const ExpressionPart& part, const std::string& owner);  // of an input; collects switches and values
   Shape shape(const ExpressionPart& part, std::map<const ExpressionPart*, Shape>& shapes) const;
@@ -199,6 +145,57 @@ struct GivenSignals::Scan {
   double asked = 0.0;             // the last time [s], and
   Corner answer;                  // the corner after it
 };
+
+GivenSignals::Scan::Shape GivenSignals::Scan::combined(const Shape& a, const Shape& b, int degree) {
+  return {a.known && b.known, a.varies || b.varies, std::min(degree, 2), a.pieces || b.pieces};
+}
+
+GivenSignals::Scan::Shape GivenSignals::Scan::shape_of(const ExpressionPart& part, const std::vector<Shape>& of_parts,
+                                                       const std::map<std::string, Shape>& names) {
+  Shape all;
+  int highest = 0;
+  for (const Shape& shape : of_parts) {
+    all = combined(all, shape, 0);
+    highest = std::max(highest, shape.degree);
+  }
+  const auto stepped = [&] { return Shape{all.known, all.varies, 0, all.varies}; };
+  const auto bent = [&](int degree) { return Shape{all.known, all.varies, degree, true}; };
+  const auto smooth = [&](int degree) { return Shape{all.known, all.varies, degree, all.pieces}; };
+  switch (part.kind) {
+    case PartKind::kNumber: return {};
+    case PartKind::kName: {
+      const auto found = names.find(part.name);
+      return found == names.end() ? Shape{} : found->second;  // else a constant
+    }
+    case PartKind::kCall:
+      if (part.name == "abs" || part.name == "min" || part.name == "max") return bent(highest);
+      if (part.name == "sign" || part.name == "rint") return stepped();
+      return smooth(highest == 0 ? 0 : 2);
+    case PartKind::kChoice: return bent(std::max(of_parts[1].degree, of_parts[2].degree));
+    case PartKind::kLogic:
+    case PartKind::kCompare: return stepped();
+    case PartKind::kSum: return smooth(highest);
+    case PartKind::kProduct: {
+      const int left = of_parts[0].degree, right = of_parts[1].degree;
+      return smooth(part.name == "*" ? std::min(left + right, 2) : right == 0 ? left : 2);
+    }
+    case PartKind::kPower: return smooth(highest == 0 ? 0 : 2);
+    case PartKind::kPrefix: return part.name == "!" ? stepped() : smooth(highest);
+  }
+  FOOTFALL_DEMAND(false);
+  return {};
+}
+
+double GivenSignals::Scan::class_of(Classes classes, double g) {
+  if (std::isnan(g)) return kNoClass;
+  switch (classes) {
+    case Classes::kNegative: return g < 0.0 ? 1.0 : 0.0;
+    case Classes::kPositive: return g > 0.0 ? 1.0 : 0.0;
+    case Classes::kSign: return g > 0.0 ? 1.0 : g < 0.0 ? -1.0 : 0.0;
+    case Classes::kLevel: return g;
+  }
+  return kNoClass;
+}
 
 GivenSignals::Scan::Scan(const std::vector<GivenEntry>& entries,
                          const std::function<GivenSource(const std::string&)>& source, double end)
@@ -257,13 +254,14 @@ void GivenSignals::Scan::add(const GivenEntry& entry, const std::function<GivenS
   if (node.output != nullptr || node.pieces) nodes.push_back(std::move(node));
 }
 
-Shape GivenSignals::Scan::shape(const ExpressionPart& part, std::map<const ExpressionPart*, Shape>& shapes) const {
+GivenSignals::Scan::Shape GivenSignals::Scan::shape(const ExpressionPart& part,
+                                                    std::map<const ExpressionPart*, Shape>& shapes) const {
   std::vector<Shape> of_parts;
   for (const ExpressionPart& inner : part.parts) of_parts.push_back(shape(inner, shapes));
   return shapes[&part] = shape_of(part, of_parts, name_shapes);
 }
 
-Shape GivenSignals::Scan::analyse(const ExpressionPart& part, const std::string& owner) {
+GivenSignals::Scan::Shape GivenSignals::Scan::analyse(const ExpressionPart& part, const std::string& owner) {
   std::map<const ExpressionPart*, Shape> shapes;
   const Shape whole = shape(part, shapes);
   collect(part, owner, shapes);

@@ -201,28 +201,28 @@ CableVector<Jet<kOrder>> variables_of(const Eigen::Vector3d& v, int first) {
   return out;
 }
 
-// The vectors of one guide: centre, axis, direction from which angles count.
-struct GuideVectors {
-  KinematicVector c, a, b;
-  int offset = 0, size = 0;  // of its body in the coordinates of the element
-};
-
-// A sum of functions of spans as a function of the coordinates: gradient, rate and derivative of the rate; and, if wanted,
-// the second derivatives.
-struct Quantity {
-  explicit Quantity(int n, bool second)
-      : by_x(Eigen::VectorXd::Zero(n)), rate_by_x(Eigen::VectorXd::Zero(second ? n : 0)) {
-    if (second) by_xx = Eigen::MatrixXd::Zero(n, n);
-  }
-  double rate = 0.0;
-  Eigen::VectorXd by_x, rate_by_x;
-  Eigen::MatrixXd by_xx;
-};
-
 }  // namespace
 
 // The cable at one instant.
 struct Cable::Way {
+  // The vectors of one guide: centre, axis, direction from which angles count.
+  struct GuideVectors {
+    KinematicVector c, a, b;
+    int offset = 0, size = 0;  // of its body in the coordinates of the element
+  };
+
+  // A sum of functions of spans as a function of the coordinates: gradient, rate and derivative of the rate; and, if wanted,
+  // the second derivatives.
+  struct Quantity {
+    explicit Quantity(int n, bool second)
+        : by_x(Eigen::VectorXd::Zero(n)), rate_by_x(Eigen::VectorXd::Zero(second ? n : 0)) {
+      if (second) by_xx = Eigen::MatrixXd::Zero(n, n);
+    }
+    double rate = 0.0;
+    Eigen::VectorXd by_x, rate_by_x;
+    Eigen::MatrixXd by_xx;
+  };
+
   std::vector<GuideVectors> guides;
   std::vector<char> touched;    // per guide
   std::vector<double> counted;  // per inner state: its angle, with whole turns
@@ -272,7 +272,7 @@ void Cable::measure(const ElementInput& in, bool second, Way& way) const {
   static const BodyKinematics kAtRest;
   for (std::size_t i = 0; i < count; ++i) {
     const CableGuide& guide = guides_[i];
-    GuideVectors& at = way.guides[i];
+    Way::GuideVectors& at = way.guides[i];
     const BodyKinematics* body = &kAtRest;
     for (std::size_t k = 0, offset = 0; guide.marker.body != kGround && k < kMostBodies; ++k) {
       const BodyKinematics* acted = k < 2 ? in.pair.body[k] : in.further[k - 2];
@@ -366,12 +366,12 @@ void Cable::measure(const ElementInput& in, bool second, Way& way) const {
   way.stretch.emplace(n, second);
   way.free.emplace(n, second);
   for (int k = 0; k < states_; ++k) way.angles.emplace_back(n, second);
-  const auto add = [&](std::size_t i, std::size_t j, double factor, const auto& jet, Quantity& out) {
-    const GuideVectors &gi = way.guides[i], &gj = way.guides[j];
+  const auto add = [&](std::size_t i, std::size_t j, double factor, const auto& jet, Way::Quantity& out) {
+    const Way::GuideVectors &gi = way.guides[i], &gj = way.guides[j];
     // Each vector with its first variable and its sign: d = c_j - c_i.
     struct Part {
       const KinematicVector* vector;
-      const GuideVectors* guide;
+      const Way::GuideVectors* guide;
       int first;
       double sign;
     };
@@ -487,7 +487,7 @@ bool Cable::add_derivatives(const ElementInput& in, ElementDerivatives& out) con
   Way way;
   measure(in, true, way);
   const Force f = force(way);
-  const Quantity &e = *way.stretch, &s = *way.free;
+  const Way::Quantity &e = *way.stretch, &s = *way.free;
   if (f.energy > 0.0) {
     const Eigen::VectorXd total_by_x = f.total_by_e * e.by_x + f.total_by_s * s.by_x + f.by_rate * e.rate_by_x;
     out.dQ_dx -= e.by_x * total_by_x.transpose() + f.total * e.by_xx;
@@ -496,7 +496,7 @@ bool Cable::add_derivatives(const ElementInput& in, ElementDerivatives& out) con
       out.dQ_dx -= s.by_x * (f.by_s_e * e.by_x + f.by_s_s * s.by_x).transpose() + f.by_s * s.by_xx;
   }
   for (int k = 0; k < states_; ++k) {
-    const Quantity& angle = way.angles[static_cast<std::size_t>(k)];
+    const Way::Quantity& angle = way.angles[static_cast<std::size_t>(k)];
     out.ddz_dx.row(k) += (angle.rate_by_x + kTurnFollow * angle.by_x).transpose();
     out.ddz_dv.row(k) += angle.by_x.transpose();
     out.ddz_dz(k, 0) -= kTurnFollow;
@@ -527,7 +527,7 @@ std::vector<CablePoint> Cable::points(const ElementInput& in) const {
   std::vector<int> guides;
   for (std::size_t i = 0; i < guides_.size(); ++i) {
     if (!way.touched[i]) continue;
-    const GuideVectors& at = way.guides[i];
+    const Way::GuideVectors& at = way.guides[i];
     places.push_back({at.c.value(), at.a.value(), guides_[i].radius});
     guides.push_back(static_cast<int>(i));
   }

@@ -491,10 +491,10 @@ void TerrainContact::find_contacts(const ElementInput& in, Terrain::With with) c
 }
 
 void TerrainContact::touch_all(const ElementInput& in, Terrain::With with) const {
-  constexpr double kBends = 32.0;  // of the reach: steps in which it grows as the body bends, so that a lid lasts
+  constexpr double kParts = 32.0;  // of the reach: steps in which it grows as the body bends, so that a lid lasts
   const BodyKinematics& body = *in.pair.body[0];
   double reach = reach_;
-  if (body.modes > 0) reach += std::ceil(kBends * flexible_reach_ * body.a.norm() / reach_) * reach_ / kBends;
+  if (body.modes > 0) reach += std::ceil(kParts * flexible_reach_ * body.a.norm() / reach_) * reach_ / kParts;
   const Terrain::Lid& lid = lid_over(body.r, reach);
   if (lid.rocks.empty() && (!field_ || body.r.z() - reach > lid.top || lid.above(body.r, reach))) return;
   offer_own_points(in, lid);
