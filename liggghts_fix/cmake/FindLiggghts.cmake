@@ -38,4 +38,5 @@ endforeach()
 add_library(Liggghts::Liggghts INTERFACE IMPORTED)
 set_target_properties(Liggghts::Liggghts PROPERTIES
   INTERFACE_INCLUDE_DIRECTORIES "${LIGGGHTS_GENERATED_DIR};${LIGGGHTS_INCLUDE_DIR}"
+  INTERFACE_COMPILE_OPTIONS "SHELL:-include cstring"  # my_page.h calls memset without it
   INTERFACE_LINK_LIBRARIES "${LIGGGHTS_LIBRARY};MPI::MPI_CXX")

@@ -12,7 +12,7 @@ namespace LAMMPS_NS {
 // Every grain of this rank is visited once per list of neighbours: a grain that moves far makes LIGGGHTS build a new list.
 class FastGrains : protected Pointers {
  public:
-  FastGrains(LAMMPS* lmp, footfall::DemLink& link) : Pointers(lmp), link_(link) {}
+  FastGrains(LAMMPS* lmp_, footfall::DemLink& link) : Pointers(lmp_), link_(link) {}
 
   // After a substep of the bodies. Reports a grain that will meet a body within the window, and moves farther than
   // kLongestWay relative to it in a time step.

@@ -26,7 +26,7 @@ GrainSum sum_of_grains(LAMMPS* lmp, const Eigen::Vector3d& g, bool only_outside 
 
 class GrainChangeWatch final : protected Pointers, public footfall::GrainChangeListener {
  public:
-  GrainChangeWatch(LAMMPS* lmp, footfall::DemLink& link) : Pointers(lmp), link_(link) {}
+  GrainChangeWatch(LAMMPS* lmp_, footfall::DemLink& link) : Pointers(lmp_), link_(link) {}
   ~GrainChangeWatch() override;
 
   // LIGGGHTS is initialized for a run or a restart file: commands since the end of the last run may have changed grains.
