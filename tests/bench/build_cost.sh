@@ -7,7 +7,6 @@ here=$(cd "$(dirname "$0")/../.." && pwd)
 build=${1:-$(mktemp -d)}
 [[ -n ${1-} ]] || trap 'rm -rf "$build"' EXIT
 mkdir -p "$build"
-export CCACHE_DISABLE=1
 # Stands before the compiler: one line per call, user and system seconds and what was made.
 cat > "$build/timed" <<'SH'
 #!/usr/bin/env bash
@@ -19,7 +18,7 @@ SH
 chmod +x "$build/timed"
 : > "$build/costs"
 began=$(date +%s.%N)
-cmake -S "$here" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="${CXX:-clang++}" -DCCACHE=CCACHE-NOTFOUND -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
+cmake --preset user -S "$here" -B "$build" -DCMAKE_CXX_COMPILER="${CXX:-clang++}" \
   -DCMAKE_CXX_COMPILER_LAUNCHER="$build/timed" -DCMAKE_CXX_LINKER_LAUNCHER="$build/timed" > "$build/log" || { tail -n 30 "$build/log"; exit 1; }
 configured=$(date +%s.%N)
 cmake --build "$build" -j 2 --target footfall mbd_solver liggghts_mbd >> "$build/log" 2>&1 || { tail -n 30 "$build/log"; exit 1; }

@@ -25,8 +25,7 @@ names=("$@")
 echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, long) { return 0; }' | clang++ -x c++ -fsanitize=fuzzer - -o /dev/null 2>/dev/null ||
   { echo "run.sh: clang++ or its libFuzzer is missing (Debian packages: clang libclang-rt-dev)"; exit 2; }
 [[ -f $build/build.ninja ]] ||
-  CXX=clang++ CC=clang cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Fuzz -DFOOTFALL_FUZZ=ON -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
-    -DCMAKE_CXX_FLAGS="-O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -fno-sanitize=pointer-overflow -DFOOTFALL_SANITIZED -w" >/dev/null
+  cmake --preset fuzz -S "$root" -B "$build" >/dev/null
 [[ -n ${BUILT-} ]] || cmake --build "$build" --target libfuzzer
 commit="$(git -C "$root" rev-parse --short HEAD 2>/dev/null || echo none) $(date +%F)"
 ledger=${LEDGER:-$build/fuzzed.txt}

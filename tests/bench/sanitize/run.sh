@@ -24,8 +24,7 @@ mkdir -p "$build"
 build_here() { # FOLDER SANITIZERS TARGET...
   local folder=$1
   [[ -f $folder/build.ninja ]] ||
-    cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Sanitize -DCMAKE_CXX_FLAGS=-O1 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
-      -DFOOTFALL_SANITIZE="$2" >"$folder.log" 2>&1 || { cat "$folder.log"; exit 1; }
+    cmake --preset sanitize -S "$root" -B "$folder" -DFOOTFALL_SANITIZE="$2" >"$folder.log" 2>&1 || { cat "$folder.log"; exit 1; }
   [[ -n ${BUILT-} ]] && return
   cmake --build "$folder" -j 2 --target "${@:3}" >"$folder/build.log" 2>&1 || { tail -n 40 "$folder/build.log"; exit 1; }
   commit >"$folder/commit"
