@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # packaging/clean_root.sh RELEASE FOLDER [COMMAND...]; clean_root.sh --remove FOLDER
 # Runs COMMAND, or a shell, in a minimal Debian in FOLDER, which is made
-# by mmdebstrap if it is not there (a minute, 300 MB). RELEASE: bookworm, trixie, forky.
+# by mmdebstrap if it is not there (a minute, 300 MB). RELEASE: bookworm, trixie, testing.
 # It has apt as this machine has it, git, sudo, an ordinary user `user` who may call sudo, and nothing else: no compiler, no
 # compiler cache. A clone of this checkout's HEAD is in /home/user/footfall, where COMMAND starts as `user`.
 #   ROOT_USER=root     as root, with the clone in /root/footfall

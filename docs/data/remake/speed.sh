@@ -15,7 +15,7 @@ machine="The machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n
 
 # Each stage ends where the front door says what comes next.
 part_first() {
-  tests/bench/first_landing.sh >"$runs/first.log" 2>&1
+  tests/bench/first_landing.sh bookworm >"$runs/first.log" 2>&1
   awk '/ footfall: building/ { packages = $1 } / Making the bed/ { build = $1 } / Bed: / { bed = $1 } / in all$/ { all = $1 }
        END {
          print "| stage | time [s] |\n|---|---|"
