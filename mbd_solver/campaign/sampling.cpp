@@ -290,10 +290,10 @@ Surface response_surface(const std::vector<std::vector<double>>& x, const std::v
   algorithm.setOptimizeParameters(false);
   algorithm.run();
   const OT::Function model = algorithm.getResult().getMetaModel();
-  return [model](const std::vector<std::vector<double>>& points) {
-    const OT::Sample values = model(rows_of(points, 0, points.size()));
-    std::vector<double> all(points.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = values(i, 0);
+  return [model](const std::vector<std::vector<double>>& places) {
+    const OT::Sample found = model(rows_of(places, 0, places.size()));
+    std::vector<double> all(places.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = found(i, 0);
     return all;
   };
 }

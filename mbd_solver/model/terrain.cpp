@@ -422,7 +422,7 @@ void Terrain::find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot
     cell = std::max(1.0, coarser) * parts_.map->step;
     first = parts_.origin.head<2>() + parts_.map->first;
   }
-  struct Corner {
+  struct CellCorner {
     Eigen::Array2d r, more_x, more_y;  // more: bounds of the derivatives of r
     double square, steep;
   };
@@ -431,19 +431,19 @@ void Terrain::find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot
     const Eigen::Vector2d away = place - p.head<2>();
     const Eigen::Vector2d& g = here.slope;
     const double d = here.h - p.z(), across = std::abs(g.x() * g.y()) + std::abs(d * here.bend[2]);
-    return Corner{(away + d * g).array(),
-                  {1.0 + g.x() * g.x() + std::abs(d * here.bend[0]), across},
-                  {across, 1.0 + g.y() * g.y() + std::abs(d * here.bend[1])},
-                  away.squaredNorm() + d * d,
-                  g.norm()};
+    return CellCorner{(away + d * g).array(),
+                      {1.0 + g.x() * g.x() + std::abs(d * here.bend[0]), across},
+                      {across, 1.0 + g.y() * g.y() + std::abs(d * here.bend[1])},
+                      away.squaredNorm() + d * d,
+                      g.norm()};
   };
-  using Cell = std::array<Corner, 4>;
+  using Cell = std::array<CellCorner, 4>;
   Foot one;
   const auto search = [&](const auto& self, const Eigen::Vector2d& low_end, const Cell& at_corners,
                           const Eigen::Vector2d& size, int level) -> void {
     Eigen::Array2d low = at_corners[0].r, high = low, more_x(0.0, 0.0), more_y = more_x;
     double square = at_corners[0].square, steep = 0.0;
-    for (const Corner& corner : at_corners) {
+    for (const CellCorner& corner : at_corners) {
       low = low.min(corner.r);
       high = high.max(corner.r);
       more_x = more_x.max(corner.more_x);
@@ -469,8 +469,8 @@ void Terrain::find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot
     const auto inner = [&](double x, double y) {
       return corner_at(low_end + Eigen::Vector2d(x * size.x(), y * size.y()));
     };
-    const Corner south = inner(0.5, 0.0), west = inner(0.0, 0.5), middle = inner(0.5, 0.5), east = inner(1.0, 0.5),
-                 north = inner(0.5, 1.0);
+    const CellCorner south = inner(0.5, 0.0), west = inner(0.0, 0.5), middle = inner(0.5, 0.5), east = inner(1.0, 0.5),
+                     north = inner(0.5, 1.0);
     const Eigen::Vector2d quarter = 0.5 * size, x(quarter.x(), 0.0), y(0.0, quarter.y());
     self(self, low_end, {at_corners[0], south, west, middle}, quarter, level + 1);
     self(self, low_end + x, {south, at_corners[1], middle, east}, quarter, level + 1);
@@ -479,7 +479,7 @@ void Terrain::find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot
   };
   const auto index = [&](double x, int axis) { return std::floor((x - first[axis]) / (kBlock * cell[axis])); };
   const Eigen::Vector2d block = kBlock * cell;
-  std::array<std::array<Corner, kBlock + 1>, kBlock + 1> corners;
+  std::array<std::array<CellCorner, kBlock + 1>, kBlock + 1> corners;
   for (double b = index(p.y() - radius, 1); b <= index(p.y() + radius, 1); b += 1.0) {
     for (double a = index(p.x() - radius, 0); a <= index(p.x() + radius, 0); a += 1.0) {
       const Eigen::Vector2d low_end = first + Eigen::Vector2d(a * block.x(), b * block.y()),

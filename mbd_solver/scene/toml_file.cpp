@@ -87,10 +87,9 @@ void leave_out(ConfigNode& base, const ConfigNode& without, const std::string& f
 }
 
 void lay_over(ConfigNode& base, const ConfigNode& own, const std::string& file) {
-  using Kind = ConfigNode::Kind;
-  const bool tables = base.kind == Kind::kTable && own.kind == Kind::kTable;
+  const bool tables = base.kind == ConfigNode::Kind::kTable && own.kind == ConfigNode::Kind::kTable;
   const auto named = [](const ConfigNode& list) {
-    return list.kind == Kind::kList && !list.list.empty() &&
+    return list.kind == ConfigNode::Kind::kList && !list.list.empty() &&
            std::all_of(list.list.begin(), list.list.end(),
                        [](const ConfigNode& item) { return !item.entry_name().empty(); });
   };

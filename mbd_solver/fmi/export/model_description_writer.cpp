@@ -10,6 +10,7 @@ namespace footfall {
 namespace {
 
 using BaseUnits = std::map<std::string, int>;
+using Kind = ExportedVariable::Kind;
 
 const std::map<std::string, BaseUnits>& known_units() {
   static const std::map<std::string, BaseUnits> table = {
@@ -44,7 +45,6 @@ const char* causality_of(ExportedVariable::Kind kind) {
 }
 
 std::string variable_element(const ExportedVariable& v) {
-  using Kind = ExportedVariable::Kind;
   std::string text = "    <Float64" + attribute("name", v.name) +
                      attribute("valueReference", std::to_string(v.reference)) +
                      attribute("causality", causality_of(v.kind)) +
@@ -91,7 +91,6 @@ std::map<std::string, int> base_units(const std::string& unit) {
 }
 
 std::string model_description(const ExportedScene& scene) {
-  using Kind = ExportedVariable::Kind;
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiModelDescription" +
                      attribute("fmiVersion", "3.0") + attribute("modelName", scene.name) +
                      attribute("instantiationToken", scene.token) + attribute("description", scene.title) +

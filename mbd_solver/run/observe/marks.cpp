@@ -30,7 +30,7 @@ Marks::Marks(const Subject& subject) : subject_(subject) {
   for (int i = 0; i < model.body_count(); ++i) {
     const BodySpec& spec = subject_.scene.bodies[static_cast<std::size_t>(i)];
     const Marker origin = model.marker_at(i, model.initial(i).r);
-    Mark mark{origin, origin, {}, Load::kGround, 0, i};
+    Mark mark{origin, origin, {}, Load::kFromGround, 0, i};
     mark.m1.s0.setZero();  // Bo itself, whatever node is nearest
     mark.m1.S.setZero();
     mark.m2 = mark.m1;
@@ -244,7 +244,7 @@ void Marks::put_load(const Mark& mark, const Sample& sample, Eigen::Index column
   switch (mark.load) {
     case Load::kNone:
     case Load::kCable: return;
-    case Load::kGround: {
+    case Load::kFromGround: {
       const GeneralizedForce& contact = sample.contact[static_cast<std::size_t>(mark.element)];
       first = contact.F_W;
       second = contact.T_W;

@@ -23,7 +23,7 @@ class Marks {
   const Eigen::Matrix3Xd& vectors(const Kinematics& kinematics, const Sample* sample);
 
  private:
-  enum class Load { kNone, kGround, kStrut, kForce, kDrive, kCable };
+  enum class Load { kNone, kFromGround, kStrut, kForce, kDrive, kCable };
   struct Axis {  // `length` times axis k of marker `on` (0 or 1)
     int on = 0, k = 2;
     double length = 1.0;
@@ -33,7 +33,7 @@ class Marks {
     Axis axes[2];
     Load load = Load::kNone;
     int pieces = 0;                       // of a cable, at the first of its marks
-    int element = -1;                     // the force element, or the body of kGround
+    int element = -1;                     // the force element, or the body of kFromGround
     bool has_numbers = false;             // of a gear, instead of the second axis
     Eigen::Vector3d numbers = {0, 0, 0};  // of a gear
   };
