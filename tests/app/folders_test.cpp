@@ -240,14 +240,14 @@ TEST_F(Disks, ThatLoseTheFolderOfARunEndIt) {
   EXPECT_TRUE(holds(folder.read("gone.txt"), "code 1\n")) << folder.read("gone.txt");
 }
 
-// Nothing of the texts of a scene or an experiment is run by a shell or gnuplot, and nothing is written outside.
 // Paths of scripts are those from the current folder, as LIGGGHTS gets them: what is above it may have a blank.
 TEST_F(Folders, HaveABlankAboveTheSceneOfARun) {
   folder.shell("mkdir 'two words' && cp " + app::kPlate + "/* 'two words'");
   const std::string inside = "cd 'two words' && " + app::quoted(test::RunFolder::program("footfall")) + " ";
   const std::string script = " --set 'particles.script=\"dumped.in\"'";
-  for (const std::string& line :
-       {"check scene.toml", "run scene.toml --quiet --out run" + script, "compare run --quiet"}) {
+  const std::vector<std::string> lines = {"check scene.toml", "run scene.toml --quiet --out run" + script,
+                                          "compare run --quiet"};
+  for (const std::string& line : lines) {
     const test::Outcome outcome = folder.shell(inside + line);
     EXPECT_EQ(outcome.exit_code, 0) << line << "\n" << outcome.text;
     EXPECT_FALSE(holds(outcome.text, "W0135")) << line << "\n" << outcome.text;
@@ -258,6 +258,7 @@ TEST_F(Folders, HaveABlankAboveTheSceneOfARun) {
   folder.refused("compare 'two words/run'", "E0507");
 }
 
+// Nothing of the texts of a scene or an experiment is run by a shell or gnuplot, and nothing is written outside.
 class Quoting : public Folders {
  protected:
   void TearDown() override {
