@@ -127,7 +127,11 @@ void run(OT::OptimizationAlgorithmImplementation& search, const Numbers& start, 
          const std::exception_ptr& thrown) {
   OT::Log::Show(OT::Log::NONE);
   search.setStartingPoint(point_of(start));
+#if OPENTURNS_VERSION >= 102300  // 1.23, which renamed it
+  search.setMaximumCallsNumber(static_cast<std::size_t>(evaluations));
+#else
   search.setMaximumEvaluationNumber(static_cast<std::size_t>(evaluations));
+#endif
   try {
     search.run();
   } catch (...) {
