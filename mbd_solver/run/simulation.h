@@ -105,7 +105,7 @@ class Simulation {
 
  private:
   class StepMiddles;  // where a step may have a peak
-  struct Loop;  // arguments of run() and what its two loops share
+  struct Loop;        // arguments of run() and what its two loops share
 
   void begin(Loop& loop);
   void run_alone(Loop& loop);
