@@ -15,7 +15,7 @@
 #include "mbd_solver/app/grain_pictures.h"
 #include "mbd_solver/app/new_case.h"
 
-#include "mbd_solver/app/option_checks.h"
+#include "mbd_solver/base/option_checks.h"
 #include "mbd_solver/app/plots.h"
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/app/run_command.h"

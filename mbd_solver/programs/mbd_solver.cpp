@@ -24,7 +24,7 @@
 #include "coupler/link.h"
 #include "coupler/programs.h"
 #include "coupler/transport_mpi.h"
-#include "mbd_solver/app/option_checks.h"
+#include "mbd_solver/base/option_checks.h"
 #include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/output/checkpoint_folder.h"
 #include "mbd_solver/run/output/summary.h"

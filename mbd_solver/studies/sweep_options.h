@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "mbd_solver/app/option_checks.h"
+#include "mbd_solver/base/option_checks.h"
 #include "mbd_solver/studies/sweep_command.h"
 
 namespace footfall {
