@@ -17,7 +17,6 @@
 #include "mbd_solver/app/results.h"
 #include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/app/view_page.h"
-#include "mbd_solver/app/viewer_scripts.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/packed_bytes.h"
 #include "mbd_solver/base/pi.h"

@@ -14,7 +14,6 @@
 #include "mbd_solver/app/packed_series.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/run_folder.h"
-#include "mbd_solver/app/viewer_scripts.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/run/observe/terrain_patch.h"

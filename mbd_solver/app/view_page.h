@@ -72,6 +72,10 @@ struct ViewArguments {
 // Writes the page and returns its path. Throws InputError for a folder without a run, or damaged files.
 std::string write_view(const ViewArguments& arguments);
 
+// The scripts of web/dist, built into the program.
+extern const char* const kViewScript;    // of view.html: three.js, uPlot and web/src
+extern const char* const kReportScript;  // of report.html: uPlot and web/src
+
 // True when there are grains or bodies to be played.
 bool has_frames(const std::string& run);
 
