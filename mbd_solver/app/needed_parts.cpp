@@ -57,7 +57,7 @@ SortedLine sorted(const Texts& words) {
 
 // What `look` finds in files; false where one of them cannot be read.
 template <class Look>
-bool found(const Look& look) {
+bool finds(const Look& look) {
   try {
     return look();
   } catch (const std::exception&) {
@@ -88,14 +88,16 @@ void collect(const ConfigNode& node, const std::string& key, Texts& texts) {
   for (const ConfigNode& item : node.list) collect(item, key, texts);
 }
 
-// A sweep, a calibration, a rig: scenes relative to the file, each with one of the settings or none.
+// A sweep, a calibration, a rig: scenes relative to the file, each with one of the settings of signals or none.
 bool study_has_fmu(const std::string& file, const Texts& settings) {
   const ConfigNode study = parse_toml_file(file);
   Texts scenes, all = settings;
   collect(study, "scene", scenes);
   collect(study, "settings", all);
+  all.erase(std::remove_if(all.begin(), all.end(), [](const std::string& one) { return one.rfind("signals", 0) != 0; }),
+            all.end());
   return std::any_of(scenes.begin(), scenes.end(), [&](const std::string& name) {
-    return found([&] {
+    return finds([&] {
       const ConfigNode scene = parse_scene_with_base((fs::path(file).parent_path() / name).string());
       return has_fmu(scene, {}) ||
              std::any_of(all.begin(), all.end(), [&](const std::string& one) { return has_fmu(scene, {one}); });
@@ -121,13 +123,13 @@ Texts needed_parts(const Texts& words) {
   const SortedLine line = sorted(words);
   const auto any_named = [&](const auto& look) {
     return std::any_of(line.named.begin(), line.named.end(),
-                       [&](const std::string& name) { return found([&] { return look(scene_file(name)); }); });
+                       [&](const std::string& name) { return finds([&] { return look(scene_file(name)); }); });
   };
   Texts parts;
   if (line.command == "sweep" && any_named(draws_runs)) parts.push_back("campaign");
   if (any_named([&](const std::string& file) { return has_fmu(parse_scene_with_base(file), line.settings); }) ||
       any_named([&](const std::string& file) { return study_has_fmu(file, line.settings); }) ||
-      (!line.resumed.empty() && found([&] { return resumed_has_fmu(line.resumed); })))
+      (!line.resumed.empty() && finds([&] { return resumed_has_fmu(line.resumed); })))
     parts.push_back("fmi");
   if (line.command == "new" && is_robot_file(line.from)) parts.push_back("import");
   return parts;
