@@ -11,13 +11,15 @@ namespace footfall {
 
 using Action = std::function<int()>;  // returns an exit code; throws the errors of coupler/base/errors.h
 
-using Prepare = Action (*)(CLI::App& command);  // adds the options of a command; returns what it does once they are read
+// Adds the options of a command; returns what it does once they are read.
+using Prepare = Action (*)(CLI::App& command);
 
+// Carried out by a program of its own, such as "footfall_studies": a first run does not wait for the compilation of others.
 struct Subcommand {
   const char* name;
-  const char* what;        // for --help
-  std::string program;     // that carries it out, such as "footfall_studies": a first run does not wait for its compilation
-  Prepare prepare;         // null: not in this program
+  const char* what;  // for --help
+  std::string program;
+  Prepare prepare;  // null: not in this program
 };
 
 // All commands of commands.def, with the functions of those that a program carries out itself. docs/reference/commands.md has a

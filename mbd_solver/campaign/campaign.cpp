@@ -11,9 +11,9 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/fingerprint.h"
+#include "mbd_solver/campaign/statistics.h"
 #include "mbd_solver/model/control/signal_chain.h"
 #include "mbd_solver/scene/scene_reader.h"
-#include "mbd_solver/campaign/statistics.h"
 #include "mbd_solver/studies/run_store.h"
 #include "mbd_solver/studies/tables.h"
 

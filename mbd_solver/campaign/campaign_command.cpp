@@ -24,10 +24,10 @@
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/programs.h"
-#include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/campaign/campaign.h"
 #include "mbd_solver/campaign/campaign_page.h"
 #include "mbd_solver/campaign/worker_pool.h"
+#include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/run_store.h"
 

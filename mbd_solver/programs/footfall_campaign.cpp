@@ -6,8 +6,8 @@
 #include "mbd_solver/app/command_line.h"
 #include "mbd_solver/campaign/calibrate/calibration_run.h"
 #include "mbd_solver/campaign/campaign.h"
-#include "mbd_solver/studies/sweep_options.h"
 #include "mbd_solver/campaign/ground/ground_fit.h"
+#include "mbd_solver/studies/sweep_options.h"
 
 namespace footfall {
 namespace {

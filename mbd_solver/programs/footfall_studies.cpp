@@ -8,11 +8,11 @@
 #include "mbd_solver/app/command_line.h"
 #include "mbd_solver/scene/scene_schema.h"
 #include "mbd_solver/studies/calibration.h"
-#include "mbd_solver/studies/sweep_options.h"
 #include "mbd_solver/studies/rig.h"
 #include "mbd_solver/studies/rig_command.h"
 #include "mbd_solver/studies/sweep_command.h"
 #include "mbd_solver/studies/sweep_file.h"
+#include "mbd_solver/studies/sweep_options.h"
 
 namespace footfall {
 namespace {
@@ -70,6 +70,6 @@ Action schema(CLI::App& command) {
 
 int main(int argc, char** argv) {
   using namespace footfall;
-  return run_command_line(
-      argc, argv, commands_with({{"sweep", sweep}, {"accuracy", accuracy}, {"rig", rig}, {"schema", schema}}));
+  return run_command_line(argc, argv,
+                          commands_with({{"sweep", sweep}, {"accuracy", accuracy}, {"rig", rig}, {"schema", schema}}));
 }

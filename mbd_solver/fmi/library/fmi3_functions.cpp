@@ -15,8 +15,8 @@
 #include <memory>
 
 #include "mbd_solver/base/helper_process.h"
-#include "mbd_solver/fmi/model/exported_model.h"
 #include "mbd_solver/fmi/fmi3_interface.h"
+#include "mbd_solver/fmi/model/exported_model.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/campaign/ground/ground_fit.h"
+#include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {

@@ -14,13 +14,13 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/run/output/history.h"
-#include "mbd_solver/run/run_scene.h"
-#include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/campaign/campaign.h"
 #include "mbd_solver/campaign/campaign_page.h"
 #include "mbd_solver/campaign/sampling.h"
 #include "mbd_solver/campaign/statistics.h"
+#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/run/run_scene.h"
+#include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {
 namespace {
