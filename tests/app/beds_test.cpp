@@ -457,7 +457,9 @@ TEST_F(Bed, ColumnGivesItsPulseToTheFloor) {
       }
       const double arrives = energy * std::pow(0.5 * (1.0 + e), 6);
       EXPECT_NEAR(most, arrives, 5e-3 * arrives) << e;  // five samples of a row, 40 rows in the contact
-      if (e == 1.0) EXPECT_NEAR(sum, 0.0, 1e-4 * arrives);
+      if (e == 1.0) {
+        EXPECT_NEAR(sum, 0.0, 1e-4 * arrives);
+      }
       EXPECT_EQ(sides, 0.0);
     }
   }

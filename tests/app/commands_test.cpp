@@ -37,8 +37,9 @@ TEST_F(Commands, AreThoseOfThePageAndHaveHelp) {
   const std::set<std::string> names = listed();
   for (const std::string& name : names) {
     // The program of `import` is built by its first call.
-    if (name != "import" || std::filesystem::exists(folder.program("footfall_import")))
+    if (name != "import" || std::filesystem::exists(folder.program("footfall_import"))) {
       EXPECT_TRUE(holds(folder.done(name + " --help").text, "--help")) << name;
+    }
     EXPECT_TRUE(holds(page, "footfall " + name)) << name << " is not in docs/reference/commands.md";
   }
 }

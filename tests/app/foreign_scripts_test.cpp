@@ -169,7 +169,7 @@ TEST_P(ForeignScripts, AreNeverCertainlySafe) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Attack, ForeignScripts, ::testing::ValuesIn(kAttacks),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& tested) { return tested.param.name; });
 
 }  // namespace
 }  // namespace footfall::app

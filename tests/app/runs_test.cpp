@@ -54,7 +54,8 @@ std::vector<std::string> examples() {
   for (const CaseKind& kind : case_kinds()) names.push_back(kind.name);
   return names;
 }
-INSTANTIATE_TEST_SUITE_P(All, Example, ::testing::ValuesIn(examples()), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(All, Example, ::testing::ValuesIn(examples()),
+                         [](const auto& tested) { return tested.param; });
 
 // A plate above a small bed; above the plate grains come into being, 1000 a second for 50 ms, and others vanish below it.
 const std::string kFountain = R"(end_time = 0.08
@@ -496,7 +497,7 @@ INSTANTIATE_TEST_SUITE_P(
         Resumed{"clumps", app::kSource + "/tests/app/clumps.toml --set output.checkpoint_interval=0.02"},
         Resumed{"bent_mesh",
                 app::kSource + "/tests/app/bent_rod.toml --ranks 2 --set output.checkpoint_interval=0.09"}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& tested) { return std::string(tested.param.name); });
 
 // By hand a script may have several runs. What a wall-clock checkpoint holds for a resumed run must not come back when the
 // next `run` is set up: checkpoints change no bit.

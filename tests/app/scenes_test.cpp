@@ -34,8 +34,8 @@ TEST_P(Scene, IsGood) {
   ::testing::internal::GetCapturedStdout();
 }
 
-INSTANTIATE_TEST_SUITE_P(OfInputs, Scene, ::testing::ValuesIn(scenes_of_inputs()), [](const auto& info) {
-  std::string name = fs::relative(info.param, FOOTFALL_SOURCE_DIR "/inputs").replace_extension().string();
+INSTANTIATE_TEST_SUITE_P(OfInputs, Scene, ::testing::ValuesIn(scenes_of_inputs()), [](const auto& tested) {
+  std::string name = fs::relative(tested.param, FOOTFALL_SOURCE_DIR "/inputs").replace_extension().string();
   for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
   return name;
 });

@@ -327,7 +327,9 @@ TEST_P(Rigs, AnswerInTheirShortForm) {
     EXPECT_TRUE(folder.has("out/" + name + end)) << end;
   const std::string page = folder.read("out/" + name + ".md");
   EXPECT_TRUE(holds(page, "| answer | unit | mean")) << page;
-  if (name == "repose") EXPECT_FALSE(holds(page, "not found")) << "a steep slope has points enough for a line";
+  if (name == "repose") {
+    EXPECT_FALSE(holds(page, "not found")) << "a steep slope has points enough for a line";
+  }
   const std::set<std::string> before = records("out");
   folder.done(line + " --short --out out", 300);
   EXPECT_EQ(records("out"), before);
@@ -339,7 +341,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Rig{"repose_of_clumps", "repose --samples 1 --set 'particles.box.clumps=[\"pair\"]'"},
                       Rig{"box_of_clumps_on_the_moon",
                           "box --samples 1 --gravity moon --set 'particles.box.clumps=[\"pair\"]'"}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST_F(Study, OfARigIsRefusedBeforeAnythingRuns) {
   const std::string rigs = app::kInputs + "/rigs";

@@ -194,16 +194,24 @@ TEST(ExportedFmu, DescriptionKeepsTheRulesOfTheStandard) {
     const std::string name = v.attribute("name").value(), causality = v.attribute("causality").value();
     EXPECT_TRUE(names.insert(name).second) << name;
     EXPECT_TRUE(references.insert(v.attribute("valueReference").value()).second) << name;
-    if (v.attribute("unit")) EXPECT_EQ(units.count(v.attribute("unit").value()), 1u) << name;
+    if (v.attribute("unit")) {
+      EXPECT_EQ(units.count(v.attribute("unit").value()), 1u) << name;
+    }
     const bool starts = causality == "input" || causality == "parameter";
     EXPECT_EQ(!v.attribute("start").empty(), starts) << name;
     std::istringstream values(v.attribute("start").value());
     const auto count = std::distance(std::istream_iterator<std::string>(values), std::istream_iterator<std::string>());
-    if (starts) EXPECT_EQ(count, v.child("Dimension") ? v.child("Dimension").attribute("start").as_int() : 1) << name;
+    if (starts) {
+      EXPECT_EQ(count, v.child("Dimension") ? v.child("Dimension").attribute("start").as_int() : 1) << name;
+    }
     const std::string initial = v.attribute("initial").value(), variability = v.attribute("variability").value();
     EXPECT_EQ(initial, causality == "output" ? "calculated" : causality == "parameter" ? "exact" : "") << name;
-    if (causality != "parameter") EXPECT_EQ(variability, "continuous") << name;
-    if (causality == "parameter") EXPECT_EQ(std::string(v.attribute("variability").value()), "fixed") << name;
+    if (causality != "parameter") {
+      EXPECT_EQ(variability, "continuous") << name;
+    }
+    if (causality == "parameter") {
+      EXPECT_EQ(std::string(v.attribute("variability").value()), "fixed") << name;
+    }
     independents += causality == "independent" ? 1 : 0;
     causality_of[v.attribute("valueReference").value()] = causality;
   }

@@ -30,13 +30,13 @@ struct Log {
 
 class Interface {
  public:
-  Interface(const std::string& file, const std::string& folder, bool early) : description_(read_fmu(file)) {
+  Interface(const std::string& file, const std::string& folder, bool early_return) : description_(read_fmu(file)) {
     std::filesystem::create_directory(folder);
     unpack_fmu(file, folder);
     library_ = std::make_unique<FmuLibrary>(description_, folder);
     instance = library_->function<fmi3InstantiateCoSimulationTYPE>("fmi3InstantiateCoSimulation")(
-        "test", description_.token.c_str(), (folder + "/resources/").c_str(), false, false, false, early, nullptr, 0,
-        &log, Log::add, nullptr);
+        "test", description_.token.c_str(), (folder + "/resources/").c_str(), false, false, false, early_return,
+        nullptr, 0, &log, Log::add, nullptr);
   }
   ~Interface() { library_->function<fmi3FreeInstanceTYPE>("fmi3FreeInstance")(instance); }
   fmi3Status begin() {

@@ -141,7 +141,9 @@ TEST(FmuScene, SpringsInFmusAreToldWhenTheirPeriodIsTooLong) {
                                           "[initial.joints]\nslider = 0.01\n" + c.more));
     const test::Outcome run = folder.done("run scene.toml --out run --quiet --trust-script");
     EXPECT_EQ(app::count(run.text, "W0668"), c.told ? 1 : 0) << run.text;
-    if (c.told) EXPECT_THAT(run.text, HasSubstr("on 2 (SI): omega H = 0.2 ")) << run.text;
+    if (c.told) {
+      EXPECT_THAT(run.text, HasSubstr("on 2 (SI): omega H = 0.2 ")) << run.text;
+    }
   }
 }
 

@@ -85,7 +85,7 @@ TEST_P(Fuzz, ReadsOrRefusesWhatever) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Readers, Fuzz, ::testing::ValuesIn(targets()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
 }  // namespace footfall::fuzz

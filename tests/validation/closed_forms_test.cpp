@@ -894,7 +894,7 @@ TEST_P(ClosedForm, ComesOut) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, ClosedForm, ::testing::ValuesIn(cases()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& tested) { return tested.param.name; });
 
 }  // namespace closed_forms
 }  // namespace footfall

@@ -576,8 +576,12 @@ TEST(Figures, ChooseUnitsBySize) {
     double largest = 0.0;
     for (const double value : figure.curves[0].formula.values(h)) largest = std::max(largest, std::abs(value));
     EXPECT_TRUE(largest == 0.0 || largest >= 0.001) << figure.name;
-    if (figure.name == "contact_forces") EXPECT_NE(figure.axis.find("[mN]"), std::string::npos) << figure.axis;
-    if (figure.name == "energy") EXPECT_NE(figure.axis.find("[mJ]"), std::string::npos) << figure.axis;
+    if (figure.name == "contact_forces") {
+      EXPECT_NE(figure.axis.find("[mN]"), std::string::npos) << figure.axis;
+    }
+    if (figure.name == "energy") {
+      EXPECT_NE(figure.axis.find("[mJ]"), std::string::npos) << figure.axis;
+    }
   }
 }
 

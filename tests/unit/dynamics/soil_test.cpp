@@ -197,7 +197,9 @@ TEST(SoilLaw, FacetWithoutSidesPassesFromOneToTheOther) {
     const double tilt = 0.2 * (i - 200) / 200.0;
     way.at.normal = {std::sin(tilt), 0.0, std::cos(tilt)};
     const Eigen::Vector3d now = way.now().traction;
-    if (i > 0) EXPECT_LT((now - last).norm(), 0.05 * p) << tilt;
+    if (i > 0) {
+      EXPECT_LT((now - last).norm(), 0.05 * p) << tilt;
+    }
     last = now;
   }
 }
