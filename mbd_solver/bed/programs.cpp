@@ -57,13 +57,15 @@ Command mpirun() {
     command.environment["OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"] = "1";
   }
   // mbd_solver sleeps while the grains move: one process more than there are cores costs nothing.
-  command.words.insert(command.words.end(), {"--oversubscribe", "--bind-to", "none", "--quiet"});
+  command.words.insert(command.words.end(), {"--oversubscribe", "--bind-to", "none"});
+  command.environment["OMPI_MCA_orte_execute_quiet"] = "1";  // option --quiet of Open MPI 4, which Open MPI 5 does not have
   return command;
 }
 
 void leave_time_to_end(Command& mpirun) {
   // SIGCONT, so many seconds, SIGTERM, as many again, SIGKILL.
-  mpirun.environment["OMPI_MCA_odls_base_sigkill_timeout"] = "3";
+  mpirun.environment["OMPI_MCA_odls_base_sigkill_timeout"] = "3";  // Open MPI 4
+  mpirun.environment["PRTE_MCA_odls_base_sigkill_timeout"] = "3";  // Open MPI 5
   mpirun.environment[kLauncherWarns] = "1";
 }
 
