@@ -51,6 +51,7 @@ code=0
   mount -t proc proc "$root/proc"
   mount --rbind /dev "$root/dev"
   mount -t tmpfs tmpfs "$root/dev/shm"
+  mount -t tmpfs tmpfs "$root/tmp"  # Open MPI names folders there by numbers of processes, which begin at 1 again
   mount --rbind /sys "$root/sys"
   printf "127.0.0.1 localhost %s\n" "$(hostname)" >"$root/etc/hosts"  # without it mpirun waits for the name of the host
   [[ ! -e /etc/resolv.conf ]] || cat /etc/resolv.conf >"$root/etc/resolv.conf"

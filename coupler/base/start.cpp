@@ -60,4 +60,10 @@ void prepare_start(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) require("the argument", argv[i]);
 }
 
+bool under_mpirun() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE"})
+    if (std::getenv(name) != nullptr) return true;
+  return false;
+}
+
 }  // namespace footfall

@@ -7,4 +7,7 @@ namespace footfall {
 // and arguments that are not UTF-8, which the files of a run could not name.
 void prepare_start(int argc, char** argv);
 
+// Whether mpirun (of Open MPI 4 or 5, or another with PMI) has started this process.
+bool under_mpirun();
+
 }  // namespace footfall

@@ -364,7 +364,7 @@ Action test(CLI::App& command) {
     if (!fs::exists(build / "CTestTestfile.cmake"))
       throw InputError(code::kNoTests, build.string() + ": holds no tests; run ./footfall test in a checkout");
     // The two programs of a coupled test wait for each other: three tests keep two cores busy.
-    Command ctest{{"ctest", "--test-dir", build.string(), "--output-on-failure", "-j3"}, {}, "", ""};
+    Command ctest{{"ctest", "--test-dir", build.string(), "--output-on-failure", "-j3"}, mpirun().environment, "", ""};
     if (!a->nightly) ctest.words.insert(ctest.words.end(), {"-L", a->all ? "tier_quick|tier_all" : "tier_quick"});
     if (!a->label.empty()) ctest.words.insert(ctest.words.end(), {"-L", a->label});
     return run_child(ctest).code == 0 ? kExitDone : kExitFailed;

@@ -58,14 +58,24 @@ Command mpirun() {
   }
   // mbd_solver sleeps while the grains move: one process more than there are cores costs nothing.
   command.words.insert(command.words.end(), {"--oversubscribe", "--bind-to", "none"});
-  command.environment["OMPI_MCA_orte_execute_quiet"] = "1";  // option --quiet of Open MPI 4, which Open MPI 5 does not have
+#if FOOTFALL_OPEN_MPI < 5
+  command.words.emplace_back("--quiet");
+#else
+  // mpirun of Open MPI 5 with Debian's PMIx dies of several programs on its line, unless this plugin stays away. It passes on
+  // variables that nothing here reads.
+  command.environment["PMIX_MCA_pmdl"] = "^ompi";
+  // All ranks are on this machine, outside of a batch job: no look at its network, which prints warnings.
+  bool batch = false;
+  for (const char* name : {"SLURM_JOB_ID", "PBS_JOBID", "LSB_JOBID", "JOB_ID"}) batch |= std::getenv(name) != nullptr;
+  if (!batch && std::getenv("OMPI_MCA_btl") == nullptr) command.environment["OMPI_MCA_btl"] = "^tcp";
+#endif
   return command;
 }
 
 void leave_time_to_end(Command& mpirun) {
   // SIGCONT, so many seconds, SIGTERM, as many again, SIGKILL.
-  mpirun.environment["OMPI_MCA_odls_base_sigkill_timeout"] = "3";  // Open MPI 4
-  mpirun.environment["PRTE_MCA_odls_base_sigkill_timeout"] = "3";  // Open MPI 5
+  mpirun.environment[FOOTFALL_OPEN_MPI < 5 ? "OMPI_MCA_odls_base_sigkill_timeout"
+                                           : "PRTE_MCA_odls_base_sigkill_timeout"] = "3";
   mpirun.environment[kLauncherWarns] = "1";
 }
 

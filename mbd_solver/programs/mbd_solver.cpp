@@ -213,8 +213,7 @@ int main(int argc, char** argv) {
   if (const int code = guarded([&] { return prepare_start(argc, argv), kExitDone; }); code != kExitDone) return code;
 
   // MPI is started only under mpirun: scenes without grains need none.
-  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMI_SIZE") == nullptr)
-    return guarded([&] { return run_alone(arguments); });
+  if (!under_mpirun()) return guarded([&] { return run_alone(arguments); });
 
   MPI_Init(&argc, &argv);
   const int code = guarded([&] {

@@ -8,13 +8,14 @@
 #include <cstdlib>
 
 #include "coupler/base/clock.h"
+#include "coupler/base/start.h"
 
 namespace footfall {
 namespace {
 
 // Under mpirun standard output is a pseudo-terminal of mpirun; `footfall run` reports what it really is.
 bool on_terminal() {
-  if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) return std::getenv("FOOTFALL_TERMINAL") != nullptr;
+  if (under_mpirun()) return std::getenv("FOOTFALL_TERMINAL") != nullptr;
   return isatty(STDOUT_FILENO) == 1;
 }
 

@@ -20,6 +20,7 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/files.h"
+#include "coupler/base/start.h"
 #include "coupler/base/text.h"
 #include "coupler/programs.h"
 #include "mbd_solver/bed/process.h"
@@ -41,11 +42,11 @@ constexpr const char* kUnfit = " \t\n\r\"'#&$";  // in paths that LIGGGHTS reads
 
 // A program in a job of MPI cannot start one of its own while it is known as a part of the first.
 void leave_mpi_job() {
-  if (std::getenv("PMIX_RANK") == nullptr && std::getenv("OMPI_COMM_WORLD_RANK") == nullptr) return;
+  if (!under_mpirun()) return;
   std::vector<std::string> names;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string name(*entry, std::strcspn(*entry, "="));
-    if (name.rfind("PMIX_", 0) == 0 || name.rfind("OMPI_", 0) == 0) names.push_back(name);
+    if (name.rfind("PMI", 0) == 0 || name.rfind("OMPI_", 0) == 0 || name.rfind("PRTE_", 0) == 0) names.push_back(name);
   }
   for (const std::string& name : names) unsetenv(name.c_str());
 }
