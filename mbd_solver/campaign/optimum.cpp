@@ -1,6 +1,7 @@
 // Functions of std::vector as those of OpenTURNS.
 #include "mbd_solver/campaign/optimum.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -12,6 +13,7 @@
 #include <openturns/LeastSquaresProblem.hxx>
 #include <openturns/Log.hxx>
 #include <openturns/NLopt.hxx>
+#include <unsupported/Eigen/NonLinearOptimization>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/studies/codes.h"
@@ -170,6 +172,59 @@ Numbers minimum(const char* method, const OptimumTask& task, const std::function
   return best;
 }
 
+#if OPENTURNS_VERSION >= 102300  // whose own search reads outside of its memory
+
+namespace {
+
+// For Eigen's Levenberg and Marquardt, which is that of MINPACK (lmder).
+struct Residual {
+  using Scalar = double;
+  using InputType = Eigen::VectorXd;
+  using ValueType = Eigen::VectorXd;
+  using JacobianType = Eigen::MatrixXd;
+  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+
+  int inputs() const { return static_cast<int>(continued.getInputDimension()); }
+  int values() const { return static_cast<int>(continued.getOutputDimension()); }
+  int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& r) const {
+    const Numbers all = continued.values({x.begin(), x.end()});
+    r = Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+    return 0;
+  }
+  int df(const Eigen::VectorXd& x, Eigen::MatrixXd& slopes) const {
+    const OT::Matrix d = continued.gradient(point_of({x.begin(), x.end()}));
+    for (int k = 0; k < values(); ++k)
+      for (int i = 0; i < inputs(); ++i) slopes(k, i) = d(static_cast<std::size_t>(i), static_cast<std::size_t>(k));
+    return 0;
+  }
+
+  const Continued& continued;
+};
+
+}  // namespace
+
+Numbers least_squares(const OptimumTask& task, const Residuals& residuals) {
+  std::exception_ptr thrown;
+  const Residuals noted = [&](const std::vector<Numbers>& points) {
+    return noting(thrown, [&] { return residuals(points); });
+  };
+  const Continued continued(task, noted);
+  if (continued.rows() == 0) return task.start;
+  Residual residual{continued};
+  Eigen::LevenbergMarquardt<Residual> search(residual);
+  search.parameters.xtol = task.precision;
+  search.parameters.ftol = 1e-12;
+  search.parameters.gtol = 0.0;
+  search.parameters.maxfev = task.evaluations;
+  const Numbers start = continued.inside(task.start);
+  Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
+  search.minimize(x);
+  if (thrown) std::rethrow_exception(thrown);
+  return continued.inside({x.begin(), x.end()});
+}
+
+#else
+
 Numbers least_squares(const OptimumTask& task, const Residuals& residuals) {
   std::exception_ptr thrown;
   const Residuals noted = [&](const std::vector<Numbers>& points) {
@@ -187,5 +242,7 @@ Numbers least_squares(const OptimumTask& task, const Residuals& residuals) {
   run(search, continued.inside(task.start), task.evaluations, thrown);
   return continued.inside(numbers_of(search.getResult().getOptimalPoint()));
 }
+
+#endif
 
 }  // namespace footfall

@@ -57,7 +57,7 @@ begin_run() {
       ;;
     start)
       script=$out/start.in
-      sed -e "s|\${here}|$here/plate|" -e '/couple.lammps/i run 1000000000' "$here/plate/on_bed.in" >start.in
+      sed -e "s|\${here}|$here/plate|" -e '/couple.lammps/i thermo_modify flush yes\nrun 1000000000' "$here/plate/on_bed.in" >start.in
       ;;
     checkpoint)
       more+=(--set output.checkpoint_interval=0.01)
