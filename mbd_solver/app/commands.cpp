@@ -15,11 +15,11 @@
 #include "mbd_solver/app/grain_pictures.h"
 #include "mbd_solver/app/new_case.h"
 
-#include "mbd_solver/base/option_checks.h"
 #include "mbd_solver/app/plots.h"
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/app/run_command.h"
 #include "mbd_solver/app/view_page.h"
+#include "mbd_solver/base/option_checks.h"
 #include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/scene/scene_reader.h"
