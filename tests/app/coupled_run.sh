@@ -17,11 +17,11 @@ processes_of() {
   find "${folders[@]}" -maxdepth 0 -printf '%h %l\n' 2>/dev/null | while read -r folder program; do
     case $program in
       *"/$1" | *"/$1 (deleted)") echo "${folder#/proc/}" ;;
-      */footfall | */orterun | */prterun | */liggghts_mbd | */mbd_solver) [[ -z $1 ]] && echo "${folder#/proc/}" ;;
+      */footfall | */orterun | */prterun | */prte | */liggghts_mbd | */mbd_solver) [[ -z $1 ]] && echo "${folder#/proc/}" ;;
     esac
   done | sort -n
 }
-launcher() { processes_of orterun; processes_of prterun; }
+launcher() { processes_of orterun; processes_of prterun; processes_of prte; }
 end_all() { local left; left=$(processes_of ""); [[ -z $left ]] || kill -KILL $left; }
 die() { echo "$*"; tail -n 20 "$out/said.txt"; end_all; exit 1; }
 rows() { local lines=(); mapfile -t lines 2>/dev/null <run/history.csv; echo ${#lines[@]}; } # with the two lines of names
