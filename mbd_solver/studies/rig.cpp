@@ -208,10 +208,10 @@ History history_of(const RigRun& run) {
   return read_history((std::filesystem::path(run.folder) / "history.csv").string());
 }
 
-const BodySpec& body_of(const Scene& scene, const std::string& name) {
+const BodySpec& body_of(const Scene& scene, std::string_view name) {
   for (const BodySpec& body : scene.bodies)
     if (body.name == name) return body;
-  throw InputError(code::kRigScene, scene.file + ": this rig requires a body named \"" + name + "\"");
+  throw InputError(code::kRigScene, scene.file + ": this rig requires a body named \"" + std::string(name) + "\"");
 }
 
 const ShapeSpec& mesh_of(const Scene& scene, const std::string& name, const std::string& file) {

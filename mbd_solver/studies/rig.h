@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mbd_solver/run/output/history.h"
@@ -93,7 +94,7 @@ void require_rft(const Scene& scene);
 
 History history_of(const RigRun& run);
 // A body of the scene. Throws InputError when it is missing.
-const BodySpec& body_of(const Scene& scene, const std::string& name);
+const BodySpec& body_of(const Scene& scene, std::string_view name);
 // The shape of a body that is this mesh of inputs/rigs/scenes, whose dimensions follow from its scale. Throws InputError for
 // any other.
 const ShapeSpec& mesh_of(const Scene& scene, const std::string& name, const std::string& file);
