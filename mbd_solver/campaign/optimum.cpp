@@ -6,11 +6,8 @@
 #include <cmath>
 #include <exception>
 #include <limits>
-#include <openturns/CMinpack.hxx>
 #include <openturns/EvaluationImplementation.hxx>
 #include <openturns/Function.hxx>
-#include <openturns/GradientImplementation.hxx>
-#include <openturns/LeastSquaresProblem.hxx>
 #include <openturns/Log.hxx>
 #include <openturns/NLopt.hxx>
 #include <unsupported/Eigen/NonLinearOptimization>
@@ -27,7 +24,11 @@ constexpr double kOutside = 0.01;  // slope of residuals outside of the bounds, 
 constexpr double kRounded = 1e12;  // positions between the bounds are rounded to its inverse
 
 Numbers numbers_of(const OT::Point& p) { return {p.begin(), p.end()}; }
+Numbers numbers_of(const Eigen::VectorXd& p) { return {p.begin(), p.end()}; }
 OT::Point point_of(const Numbers& x) { return OT::Point(OT::Collection<double>(x.begin(), x.end())); }
+Eigen::VectorXd vector_of(const Numbers& x) {
+  return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+}
 
 class OurEvaluation : public OT::EvaluationImplementation {
  public:
@@ -46,20 +47,25 @@ class OurEvaluation : public OT::EvaluationImplementation {
   std::function<Numbers(const Numbers&)> f_;
 };
 
-// A function of the nearest point within the bounds, continued by residuals that grow with the distance from them: OpenTURNS
-// would bend the variables at the bounds instead, where searches then jump from one end to the other. Its derivatives by
-// central differences within the bounds, as OpenTURNS has them: a row per input.
-class Continued : public OT::GradientImplementation {
+// A function of the nearest point within the bounds, continued by residuals that grow with the distance from them: variables
+// that are bent at the bounds instead let searches jump from one end to the other. Its derivatives by central differences
+// within the bounds. In the form that Eigen's search wants.
+class Continued {
  public:
+  using Scalar = double;
+  using InputType = Eigen::VectorXd;
+  using ValueType = Eigen::VectorXd;
+  using JacobianType = Eigen::MatrixXd;
+  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+
   Continued(const OptimumTask& task, const Residuals& f) : task_(task), f_(f) {
     const Numbers r = f_({inside(task.start)}).front();
     rows_ = r.size();
     for (const double one : r) outside_ += one * one;
     outside_ = kOutside * std::sqrt(outside_);
   }
-  Continued* clone() const override { return new Continued(*this); }
-  OT::UnsignedInteger getInputDimension() const override { return task_.start.size(); }
-  OT::UnsignedInteger getOutputDimension() const override { return rows_ + task_.start.size(); }
+  int inputs() const { return static_cast<int>(task_.start.size()); }
+  int values() const { return static_cast<int>(rows_) + inputs(); }
 
   Numbers inside(Numbers x) const {
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -69,14 +75,16 @@ class Continued : public OT::GradientImplementation {
   std::size_t rows() const { return rows_; }  // 0: the start has none
   double slope(std::size_t i) const { return outside_ / (task_.most[i] - task_.least[i]); }
 
-  Numbers values(const Numbers& x) const {
-    const Numbers within = inside(x);
+  int operator()(const Eigen::VectorXd& at, Eigen::VectorXd& values) const {
+    const Numbers x = numbers_of(at), within = inside(x);
     Numbers r = f_({within}).front();
     if (r.size() != rows_) r.assign(rows_, kVeryBad);
     for (std::size_t i = 0; i < x.size(); ++i) r.push_back(slope(i) * (x[i] - within[i]));
-    return r;
+    values = vector_of(r);
+    return 0;
   }
-  OT::Matrix gradient(const OT::Point& at) const override {
+  // d(k, i): of residual k by input i.
+  int df(const Eigen::VectorXd& at, Eigen::MatrixXd& d) const {
     const Numbers x = numbers_of(at);
     std::vector<Numbers> points;
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -86,7 +94,7 @@ class Continued : public OT::GradientImplementation {
       }
     points.push_back(inside(x));
     const std::vector<Numbers> r = f_(points);
-    OT::Matrix d(x.size(), getOutputDimension());
+    d.setZero();
     for (std::size_t i = 0; i < x.size(); ++i) {
       const Numbers &up = r[2 * i], &down = r[2 * i + 1];
       const double width = points[2 * i][i] - points[2 * i + 1][i];
@@ -95,11 +103,13 @@ class Continued : public OT::GradientImplementation {
       for (std::size_t k = 0; k < rows_; ++k) push += r.back()[k] * (up[k] - down[k]);
       // At a bound that keeps the number from less |r|^2 only the others move.
       if ((x[i] <= task_.least[i] && push > 0.0) || (x[i] >= task_.most[i] && push < 0.0)) continue;
-      for (std::size_t k = 0; k < rows_; ++k) d(i, k) = (up[k] - down[k]) / width;
+      for (std::size_t k = 0; k < rows_; ++k)
+        d(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) = (up[k] - down[k]) / width;
     }
     for (std::size_t i = 0; i < x.size(); ++i)
-      if (x[i] < task_.least[i] || x[i] > task_.most[i]) d(i, rows_ + i) = slope(i);
-    return d;
+      if (x[i] < task_.least[i] || x[i] > task_.most[i])
+        d(static_cast<Eigen::Index>(rows_ + i), static_cast<Eigen::Index>(i)) = slope(i);
+    return 0;
   }
 
  private:
@@ -172,77 +182,17 @@ Numbers minimum(const char* method, const OptimumTask& task, const std::function
   return best;
 }
 
-#if OPENTURNS_VERSION >= 102300  // whose own search reads outside of its memory
-
-namespace {
-
-// For Eigen's Levenberg and Marquardt, which is that of MINPACK (lmder).
-struct Residual {
-  using Scalar = double;
-  using InputType = Eigen::VectorXd;
-  using ValueType = Eigen::VectorXd;
-  using JacobianType = Eigen::MatrixXd;
-  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
-
-  int inputs() const { return static_cast<int>(continued.getInputDimension()); }
-  int values() const { return static_cast<int>(continued.getOutputDimension()); }
-  int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& r) const {
-    const Numbers all = continued.values({x.begin(), x.end()});
-    r = Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
-    return 0;
-  }
-  int df(const Eigen::VectorXd& x, Eigen::MatrixXd& slopes) const {
-    const OT::Matrix d = continued.gradient(point_of({x.begin(), x.end()}));
-    for (int k = 0; k < values(); ++k)
-      for (int i = 0; i < inputs(); ++i) slopes(k, i) = d(static_cast<std::size_t>(i), static_cast<std::size_t>(k));
-    return 0;
-  }
-
-  const Continued& continued;
-};
-
-}  // namespace
-
 Numbers least_squares(const OptimumTask& task, const Residuals& residuals) {
-  std::exception_ptr thrown;
-  const Residuals noted = [&](const std::vector<Numbers>& points) {
-    return noting(thrown, [&] { return residuals(points); });
-  };
-  const Continued continued(task, noted);
+  const Continued continued(task, residuals);
   if (continued.rows() == 0) return task.start;
-  Residual residual{continued};
-  Eigen::LevenbergMarquardt<Residual> search(residual);
+  Eigen::LevenbergMarquardt<const Continued> search(continued);
   search.parameters.xtol = task.precision;
   search.parameters.ftol = 1e-12;
   search.parameters.gtol = 0.0;
   search.parameters.maxfev = task.evaluations;
-  const Numbers start = continued.inside(task.start);
-  Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
+  Eigen::VectorXd x = vector_of(continued.inside(task.start));
   search.minimize(x);
-  if (thrown) std::rethrow_exception(thrown);
-  return continued.inside({x.begin(), x.end()});
+  return continued.inside(numbers_of(x));
 }
-
-#else
-
-Numbers least_squares(const OptimumTask& task, const Residuals& residuals) {
-  std::exception_ptr thrown;
-  const Residuals noted = [&](const std::vector<Numbers>& points) {
-    return noting(thrown, [&] { return residuals(points); });
-  };
-  const Continued continued(task, noted);
-  if (continued.rows() == 0) return task.start;
-  OT::Function function(OurEvaluation(task.start.size(), continued.getOutputDimension(),
-                                      [&](const Numbers& x) { return continued.values(x); }));
-  function.setGradient(continued);
-  OT::CMinpack search{OT::LeastSquaresProblem(function)};
-  search.setMaximumAbsoluteError(task.precision);
-  search.setMaximumRelativeError(task.precision);
-  search.setMaximumResidualError(1e-12);
-  run(search, continued.inside(task.start), task.evaluations, thrown);
-  return continued.inside(numbers_of(search.getResult().getOptimalPoint()));
-}
-
-#endif
 
 }  // namespace footfall
