@@ -73,13 +73,15 @@ std::string loader() {
 }
 
 bool confine_files(const Confinement& confinement) {
-  const RulesetAttributes attributes{handled_rights()};
+  const RulesetAttributes attributes{confinement.limits_writing ? handled_rights() : kExecute};
   const int ruleset = static_cast<int>(syscall(kCreateRuleset, &attributes, sizeof attributes, 0));
   if (ruleset < 0) return false;
   bool done = true;
   const std::uint64_t writes = handled_rights() & ~(kExecute | kMakeOthers | kMakeLink);
-  for (const std::string& path : confinement.writable) done = done && allow(ruleset, path, writes);
-  for (const char* device : {"/dev/null", "/dev/tty"}) done = done && allow(ruleset, device, kOfFiles);
+  if (confinement.limits_writing) {
+    for (const std::string& path : confinement.writable) done = done && allow(ruleset, path, writes);
+    for (const char* device : {"/dev/null", "/dev/tty"}) done = done && allow(ruleset, device, kOfFiles);
+  }
   for (const std::string& path : confinement.executable) done = done && allow(ruleset, path, kExecute);
   if (!confinement.executable.empty()) done = done && allow(ruleset, loader(), kExecute);
   done = done && syscall(kRestrictSelf, ruleset, 0) == 0;

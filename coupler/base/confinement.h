@@ -11,6 +11,7 @@ struct Confinement {
   std::vector<std::string>
       writable;  // folders below which files are written, and single files; missing ones are left out
   std::vector<std::string> executable;  // the only programs that may be started, with the dynamic loader
+  bool limits_writing = true;           // otherwise it writes what it could write
 };
 
 // Does this kernel confine what a process writes? Without Landlock only execution is confined.

@@ -69,6 +69,22 @@ std::vector<std::string> split(const std::string& line, char separator) {
   return cells;
 }
 
+std::string visible(const std::string& text) {
+  constexpr std::size_t kMost = 200;
+  std::string shown;
+  for (const char c : text) {
+    if (shown.size() > kMost) return shown + "...";
+    char escape[8];
+    std::snprintf(escape, sizeof escape,
+                  c == '\n'   ? "\\n"
+                  : c == '\t' ? "\\t"
+                              : "\\x%02x",
+                  static_cast<unsigned char>(c));
+    (c >= 0 && c < ' ') || c == 127 ? shown += escape : shown += c;
+  }
+  return shown;
+}
+
 bool is_plain_name(const std::string& text) {
   if (text.empty() || text.front() == '.' || text.size() > kLongestName) return false;
   return std::all_of(text.begin(), text.end(), [](char c) {

@@ -33,6 +33,8 @@ std::string joined(const std::vector<std::string>& texts, const std::string& bet
 std::vector<std::string> split(const std::string& line, char separator);
 // Without blanks, tabs and carriage returns at both ends.
 std::string trimmed(const std::string& text);
+// With escapes for control characters: a line end is "\\n", others are "\\x1b"; cut after 200 characters.
+std::string visible(const std::string& text);
 bool ends_with(const std::string& text, const std::string& end);
 // Can be the name of a file or of a column: letters, digits, _ - . without a leading dot, at most kLongestName of them.
 inline constexpr int kLongestName = 100;

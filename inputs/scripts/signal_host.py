@@ -1,7 +1,8 @@
-"""The process of a signal of kind "python": signal_host.py FILE FUNCTION STATELESS INPUTS.
+"""The process of a signal of kind "python".
 
-It imports FILE and answers the questions of mbd_solver (mbd_solver/model/control/foreign_block.h): frames on standard input and output, 8 bytes
-of length and then a letter with numbers or bytes. What the file prints goes to standard error.
+It answers the questions of mbd_solver (mbd_solver/model/control/foreign_block.h): frames on standard input and output, 8 bytes of length and then a
+letter with numbers or bytes. The first question is the task: FILE, FUNCTION, STATELESS (1: yes) and the number of inputs. It imports FILE; what that
+prints goes to standard error.
 
 FILE has FUNCTION(time, *inputs), which returns a number, and where it keeps anything between calls also
     begin()          the signal starts, or starts anew in a state of the scene
@@ -67,9 +68,12 @@ def main():
     script = None
     for question in frames(questions):
         try:
-            if script is None:
-                script = Script(sys.argv[1], sys.argv[2], sys.argv[3] == "1", int(sys.argv[4]))
-            answer = script.answer(question[:1], question[1:])
+            if question[:1] == b"T":
+                file, function, stateless, inputs = os.fsdecode(question[1:]).split("\0")
+                script = Script(file, function, stateless == "1", int(inputs))
+                answer = b"V"
+            else:
+                answer = script.answer(question[:1], question[1:])
         except BaseException as error:  # SystemExit, too
             where = traceback.extract_tb(error.__traceback__)[-1]
             answer = f"E{type(error).__name__}: {error} ({where.filename}:{where.lineno})".encode()

@@ -19,8 +19,8 @@
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/app/run_command.h"
 #include "mbd_solver/app/view_page.h"
+#include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/base/option_checks.h"
-#include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/shipped_files.h"
@@ -364,7 +364,8 @@ Action test(CLI::App& command) {
     if (!fs::exists(build / "CTestTestfile.cmake"))
       throw InputError(code::kNoTests, build.string() + ": holds no tests; run ./footfall test in a checkout");
     // The two programs of a coupled test wait for each other: three tests keep two cores busy.
-    Command ctest{{"ctest", "--test-dir", build.string(), "--output-on-failure", "-j3"}, mpirun().environment, "", ""};
+    Command ctest{
+        Rights::of_user(), {"ctest", "--test-dir", build.string(), "--output-on-failure", "-j3"}, mpirun().environment};
     if (!a->nightly) ctest.words.insert(ctest.words.end(), {"-L", a->all ? "tier_quick|tier_all" : "tier_quick"});
     if (!a->label.empty()) ctest.words.insert(ctest.words.end(), {"-L", a->label});
     return run_child(ctest).code == 0 ? kExitDone : kExitFailed;

@@ -562,29 +562,33 @@ double time_limit(const Json& summary) {
 
 void run_stock(const std::string& liggghts, const Json& particles, const fs::path& out, bool trusted, double limit,
                bool quiet) {
-  Command command = mpirun();
-  command.words.insert(command.words.end(), {"-np", std::to_string(particles.value("ranks", 1)), liggghts, "-in",
-                                             (out / "in.stock").string()});
   const std::string script = particles.at("script");
   std::map<std::string, std::string> variables = particles.value("variables", std::map<std::string, std::string>{});
   const std::vector<std::string> rest = script_arguments(script, variables);
-  command.words.insert(command.words.end(), rest.begin() + 2, rest.end());  // without -in SCRIPT
-  command.words.insert(command.words.end(), {"-var", "out", short_path(out.string())});
-  const std::string grains = particles.at("grains").is_string() ? particles.at("grains").get<std::string>() : "",
-                    ending = ".grains";
-  if (grains.size() > ending.size() && grains.compare(grains.size() - ending.size(), ending.size(), ending) == 0)
-    command.words.insert(command.words.end(), {"-var", "bed", grains.substr(0, grains.size() - ending.size())});
-  command.words.insert(command.words.end(), {"-log", (out / "liggghts.log").string()});
+  std::vector<std::string> words = {"-in", (out / "in.stock").string()};
+  words.insert(words.end(), rest.begin() + 2, rest.end());  // without -in SCRIPT
+  words.insert(words.end(), {"-var", "out", short_path(out.string())});
+  const std::string grains = particles.at("grains").is_string() ? particles.at("grains").get<std::string>() : "";
+  constexpr const char* kEnding = ".grains";
+  if (ends_with(grains, kEnding))
+    words.insert(words.end(), {"-var", "bed", grains.substr(0, grains.size() - std::strlen(kEnding))});
+  words.insert(words.end(), {"-log", (out / "liggghts.log").string()});
+
+  Command command = mpirun();
+  const int ranks = particles.value("ranks", 1);
+  if (trusted) {
+    add_program(command, ranks, liggghts, words);
+  } else {
+    words.insert(words.begin(), {"confined", liggghts});
+    add_program(command, ranks, built_program("footfall"), words);
+    command.rights.add(liggghts);
+  }
   command.output = (out / "output.txt").string();
   if (!quiet) std::printf("%s\n", shell_line(command).c_str());
   std::fflush(stdout);
+  limit_script(command, trusted, {out.string()});
   std::optional<SharedMemoryFolder> memory;
-  if (!trusted) {
-    const auto program = std::find(command.words.begin(), command.words.end(), liggghts);
-    command.words.insert(program, {built_program("footfall"), "confined"});
-    confine_script(command, {out.string()});
-    memory.emplace(command);
-  }
+  if (!trusted) memory.emplace(command);
   const std::string log = (out / "liggghts.log").string();
   ProgressWatch progress(limit, out.string(), "", log);
   const ChildEnd end = run_child(command, "", [&] { return progress(); });

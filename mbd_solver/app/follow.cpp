@@ -18,11 +18,11 @@
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/plots.h"
 #include "mbd_solver/app/report.h"
+#include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/live_line.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/bed/liggghts_log.h"
-#include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/run/output/summary.h"
 

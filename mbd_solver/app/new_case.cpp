@@ -12,6 +12,7 @@
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
+#include "mbd_solver/base/child_process.h"
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/scene/shipped_files.h"
@@ -196,11 +197,7 @@ int start_import(const std::vector<std::string>& words) {
   }
   std::vector<std::string> line{"footfall"};
   line.insert(line.end(), words.begin(), words.end());
-  std::vector<char*> arguments;
-  for (std::string& word : line) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  execv(program.c_str(), arguments.data());
-  std::perror(program.c_str());
+  std::fprintf(stderr, "footfall: %s\n", become_program(program, line).c_str());
   return kExitFailed;
 }
 

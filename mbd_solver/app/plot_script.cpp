@@ -11,8 +11,8 @@
 #include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
+#include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/base/quote.h"
-#include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/program_watch.h"
 
 namespace footfall {
@@ -108,7 +108,7 @@ std::vector<std::string> run_gnuplot(const std::string& folder, const std::vecto
     for (const char* ending : {".png", ".svg", ".pdf"})
       Place((fs::path(folder) / fs::path(script).replace_extension(ending)).string()).remove();
   const std::string log = "gnuplot.log";
-  Command command{{"gnuplot"}, {}, log, folder};
+  Command command{Rights::writing({program_in_path("gnuplot")}, {folder}), {"gnuplot"}, {}, log, folder};
   command.words.insert(command.words.end(), scripts.begin(), scripts.end());
   constexpr double kLimit = 300.0;  // [s]
   const TimeLimit limit("gnuplot", kLimit);

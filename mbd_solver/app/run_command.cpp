@@ -29,7 +29,6 @@
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/bed/confined_programs.h"
 #include "mbd_solver/bed/liggghts_log.h"
-#include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/program_watch.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/bed/script_safety.h"
@@ -241,8 +240,8 @@ std::vector<std::string> solver_words(const RunArguments& a, const std::string& 
   if (a.until > 0.0) words.insert(words.end(), {"--until", number_text(a.until, 12)});
   if (!a.scheme.empty()) words.insert(words.end(), {"--scheme", a.scheme});
   if (!a.integrator.empty()) words.insert(words.end(), {"--integrator", a.integrator});
-  for (const std::string& setting : a.settings) words.insert(words.end(), {"--set", setting});
-  if (!grains.empty()) words.insert(words.end(), {"--set", "particles.grains=\"" + grains + "\""});
+  for (const std::string& setting : a.settings) words.push_back("--set=" + setting);
+  if (!grains.empty()) words.push_back("--set=particles.grains=\"" + grains + "\"");
   append_common(words, a);
   return words;
 }
@@ -251,17 +250,18 @@ std::vector<std::string> solver_words(const RunArguments& a, const std::string& 
 Command both_programs(const ParticlesSpec& particles, int ranks, const std::string& out, const std::string& restart,
                       const std::string& log, const std::vector<std::string>& solver) {
   Command command = mpirun();
-  const auto append = [&](const std::vector<std::string>& words) {
-    command.words.insert(command.words.end(), words.begin(), words.end());
-  };
-  append({"-np", std::to_string(ranks), built_program("liggghts_mbd")});
-  append(script_arguments(particles.script, particles.variables));
-  append({"-var", "out", out});
-  if (!restart.empty()) append({"-var", "bed", restart});
-  append({"-log", log, "-screen", "none"});
-  append({":", "-np", "1"});
-  append(solver);
+  std::vector<std::string> words = script_arguments(particles.script, particles.variables);
+  words.insert(words.end(), {"-var", "out", out});
+  if (!restart.empty()) words.insert(words.end(), {"-var", "bed", restart});
+  words.insert(words.end(), {"-log", log, "-screen", "none"});
+  add_program(command, ranks, built_program("liggghts_mbd"), words);
+  add_program(command, 1, solver[0], {solver.begin() + 1, solver.end()});
   return command;
+}
+
+// Without grains. Programs of a scene that the user trusts are started by mbd_solver.
+Command solver_alone(const std::vector<std::string>& words, bool trusted) {
+  return {trusted ? Rights::of_user() : Rights::starting({words[0]}), words};
 }
 
 void require_whole_files(const std::map<std::string, std::string>& variables) {
@@ -292,9 +292,7 @@ void require_safe_scripts(const Scene& scene, const RunArguments& a) {
 // Of several machines the batch system counts the cores.
 void warn_of_ranks(int ranks) {
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
-  for (const char* batch : {"SLURM_JOB_ID", "PBS_NODEFILE", "LSB_HOSTS", "OMPI_MCA_orte_default_hostfile"})
-    if (std::getenv(batch) != nullptr) return;
-  if (cores == 0 || ranks <= cores) return;
+  if (in_batch_job() || cores == 0 || ranks <= cores) return;
   const std::string text =
       std::to_string(ranks) + " ranks on " + std::to_string(cores) +
       " cores: ranks that share a core wait for each other, and the run takes longer; use at most " + "--ranks " +
@@ -336,7 +334,7 @@ RunPlan new_run(const RunArguments& a) {
   require_safe_scripts(scene, a);
   const std::string out = short_path(a.out.empty() ? new_run_folder(scene_name(scene.file)) : a.out);
   if (scene.touches_particles()) require_whole_words(*scene.particles, out);
-  RunPlan plan{scene, out, (fs::path(out) / "liggghts.log").string(), RunFolder(out, a.force), {}, ""};
+  RunPlan plan{scene, out, (fs::path(out) / "liggghts.log").string(), RunFolder(out, a.force), {Rights::of_user()}, ""};
   if (a.until > scene.end_time)
     std::fprintf(stderr, "footfall: warning: %s\n",
                  with_code(code::kUntilAfterEnd, "--until " + number_text(a.until) + ": the scene ends before, at " +
@@ -345,7 +343,7 @@ RunPlan new_run(const RunArguments& a) {
                      .c_str());
   write_run_note(out, {scene.title, scene.file, a.until > 0.0 ? std::min(a.until, scene.end_time) : scene.end_time});
   if (!scene.touches_particles()) {
-    plan.command.words = solver_words(a, out, "");
+    plan.command = solver_alone(solver_words(a, out, ""), a.trust_script);
     return plan;
   }
   const ParticlesSpec& particles = *scene.particles;
@@ -360,7 +358,7 @@ RunPlan new_run(const RunArguments& a) {
                                solver_words(a, out, particles.grains.empty() ? bed.grains : ""));
   std::vector<std::string> folders = {out};
   if (!bed.restart.empty()) folders.push_back(fs::path(bed.restart).parent_path().string());
-  if (!a.trust_script) confine_script(plan.command, folders);
+  limit_script(plan.command, a.trust_script, folders);
   return plan;
 }
 
@@ -370,13 +368,13 @@ RunPlan resumed_run(const RunArguments& a) {
   const std::string checkpoint = newest_checkpoint(out);
   const RunStart start = read_run_start(checkpoint);
   const std::string log = (fs::path(out) / ("liggghts_" + fs::path(checkpoint).filename().string() + ".log")).string();
-  RunPlan plan{read_scene(start.scene_file, start.settings), out, log, std::move(folder), {}, ""};
+  RunPlan plan{read_scene(start.scene_file, start.settings), out, log, std::move(folder), {Rights::of_user()}, ""};
   require_trust(plan.scene, a.trust_script);
   std::vector<std::string> solver = {built_program("mbd_solver"), "--resume", out};
   if (a.until > 0.0) solver.insert(solver.end(), {"--until", number_text(a.until, 12)});
   append_common(solver, a);
   if (!plan.scene.touches_particles()) {
-    plan.command.words = solver;
+    plan.command = solver_alone(solver, a.trust_script);
     return plan;
   }
   const ParticlesSpec& particles = *plan.scene.particles;
@@ -384,7 +382,7 @@ RunPlan resumed_run(const RunArguments& a) {
   require_resumable(particles);
   plan.command =
       both_programs(particles, start.ranks, out, short_path(checkpoint + "/grains.restart"), plan.log, solver);
-  if (!a.trust_script) confine_script(plan.command, {out});
+  limit_script(plan.command, a.trust_script, {out});
   move_rows_aside(out, step_of_checkpoint(checkpoint));
   if (const std::string gravity = energy_at_start(out); !gravity.empty()) {
     std::vector<std::string>& words = plan.command.words;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mbd_solver/app/run_folder.h"
-#include "mbd_solver/bed/process.h"
+#include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/run/output/checkpoint_folder.h"
 #include "mbd_solver/scene/scene.h"
 

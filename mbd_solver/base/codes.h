@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages of mbd_solver/base: E0430 to E0449, and E0250 to E0252 for tables.
+// Codes of the messages of mbd_solver/base: E0430 to E0449, E0250 to E0252 for tables, E0565 to E0567 for programs.
 
 #include "coupler/base/errors.h"
 
@@ -26,5 +26,12 @@ inline constexpr MessageCode kTableNotReadable{"E0250", "table-not-readable"};
 inline constexpr MessageCode kTableCell{"E0251", "table-cell"};
 // A line of a table has another number of cells than expected. Correct the line that is named.
 inline constexpr MessageCode kTableWidth{"E0252", "table-width"};
+
+// A program cannot be started. Install it, or free memory and processes.
+inline constexpr MessageCode kProgramNotStarted{"E0565", "program-not-started"};
+// A program of the run has been suspended (SIGSTOP) for longer than the time limit. Resume the run from its checkpoint.
+inline constexpr MessageCode kProgramSuspended{"E0566", "program-suspended"};
+// A word of a command line has a line end or another control character. Rename the file, or correct the value.
+inline constexpr MessageCode kControlCharacter{"E0567", "control-character"};
 
 }  // namespace footfall::code

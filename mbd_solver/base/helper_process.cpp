@@ -6,7 +6,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,7 +24,6 @@ namespace {
 constexpr std::size_t kLastWords = 2000;             // of the standard error that are kept [bytes]
 constexpr std::uint64_t kLargestFrame = 1ull << 30;  // [bytes]
 constexpr double kTimeToEnd = 0.5;                   // after its input has ended [s]
-constexpr int kNoSuchProgram = 127;                  // exit code, as of a shell
 
 void make_pipe(int (&ends)[2]) {
   if (pipe2(ends, O_CLOEXEC) != 0) throw NoAnswer(std::string("cannot be started: ") + std::strerror(errno));
@@ -36,37 +34,20 @@ void close_file(int& file) {
   file = -1;
 }
 
-// In the child, before its program: nothing here allocates.
-[[noreturn]] void become(char** words, int in, int out, int errors, pid_t parent, bool dies_with_thread) {
-  setpgid(0, 0);  // an interrupt typed at a terminal is for this program
-  if (dies_with_thread) prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(kNoSuchProgram);
-  dup2(in, STDIN_FILENO);
-  dup2(out, STDOUT_FILENO);
-  dup2(errors, STDERR_FILENO);
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGPIPE, SIGXFSZ, SIGCHLD})
-    signal(number, SIG_DFL);
-  for (const int number : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) signal(number, SIG_DFL);
-  execvp(words[0], words);
-  _exit(kNoSuchProgram);
-}
-
 }  // namespace
 
-HelperProcess::HelperProcess(const std::vector<std::string>& words, double limit, Dies dies) : limit_(limit) {
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
+HelperProcess::HelperProcess(const Command& command, double limit, Orphan orphan) : limit_(limit) {
   int in[2] = {-1, -1}, out[2] = {-1, -1}, errors[2] = {-1, -1};
   make_pipe(in);
   make_pipe(out);
   make_pipe(errors);
-  const pid_t parent = getpid();
-  child_ = fork();
-  if (child_ == 0) become(arguments.data(), in[0], out[1], errors[1], parent, dies == Dies::kWithThread);
+  std::string why;
+  try {
+    child_ =
+        start_program(command, {{in[0], STDIN_FILENO}, {out[1], STDOUT_FILENO}, {errors[1], STDERR_FILENO}}, orphan);
+  } catch (const InputError& error) {
+    why = error.what();
+  }
   close(in[0]);
   close(out[1]);
   close(errors[1]);
@@ -74,10 +55,9 @@ HelperProcess::HelperProcess(const std::vector<std::string>& words, double limit
   from_ = out[0];
   errors_ = errors[0];
   for (const int file : {to_, from_, errors_}) fcntl(file, F_SETFL, O_NONBLOCK);
-  if (child_ < 0) {
-    close_all();
-    throw NoAnswer(std::string("cannot be started: ") + std::strerror(errno));
-  }
+  if (child_ > 0) return;
+  close_all();
+  throw NoAnswer("cannot be started: " + why);
 }
 
 void HelperProcess::close_all() {
@@ -131,7 +111,7 @@ std::string HelperProcess::how_it_ended() {
   if (WIFSIGNALED(status))
     return "crashed: it was ended by signal " + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) +
            ")";
-  if (WEXITSTATUS(status) == kNoSuchProgram) return "cannot be started: there is no such program, or it may not be run";
+  if (WEXITSTATUS(status) == kCannotStart) return "cannot be started: there is no such program, or it may not be run";
   return "ended with exit code " + std::to_string(WEXITSTATUS(status));
 }
 
@@ -145,10 +125,10 @@ void HelperProcess::give_up(std::string why) {
   throw NoAnswer(why);
 }
 
-void HelperProcess::wait_for(int file, short events, double until) {
+void HelperProcess::wait_for(int file, short events) {
   for (;;) {
-    const double left = until - wall_clock();
-    if (left <= 0.0) give_up("did not answer within its time limit of " + number_text(limit_) + " s");
+    const double left = asked_ + patience_ - wall_clock();
+    if (left <= 0.0) give_up("did not answer within its time limit of " + number_text(patience_) + " s");
     pollfd files[2] = {{file, events, 0}, {errors_, POLLIN, 0}};
     const int ready = poll(files, errors_ >= 0 ? 2 : 1, static_cast<int>(std::ceil(std::min(left, 60.0) * 1e3)));
     if (ready < 0 && errno != EINTR) give_up(std::string("cannot be waited for: ") + std::strerror(errno));
@@ -158,9 +138,10 @@ void HelperProcess::wait_for(int file, short events, double until) {
   }
 }
 
-std::string HelperProcess::ask(const std::string& question) {
+std::string HelperProcess::ask(const std::string& question, double limit) {
   if (to_ < 0) throw NoAnswer("has ended before");
-  const double until = wall_clock() + limit_;
+  asked_ = wall_clock();
+  patience_ = limit > 0.0 ? limit : limit_;
   struct Ignored {  // a helper that is gone is told by its answer
     struct sigaction before;
     Ignored() {
@@ -179,7 +160,7 @@ std::string HelperProcess::ask(const std::string& question) {
     if (count > 0) {
       done += static_cast<std::size_t>(count);
     } else if (errno == EAGAIN || errno == EINTR) {
-      wait_for(to_, POLLOUT, until);
+      wait_for(to_, POLLOUT);
     } else {
       give_up(how_it_ended());
     }
@@ -190,7 +171,7 @@ std::string HelperProcess::ask(const std::string& question) {
       if (count > 0) {
         done += static_cast<std::size_t>(count);
       } else if (count < 0 && (errno == EAGAIN || errno == EINTR)) {
-        wait_for(from_, POLLIN, until);
+        wait_for(from_, POLLIN);
       } else {
         give_up(how_it_ended());
       }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/child_process.h"
 
 namespace footfall {
 
@@ -29,17 +30,16 @@ class NoAnswer : public std::runtime_error {
 
 class HelperProcess {
  public:
-  // When the kernel kills it: with the thread that made this object, for code that may not watch its input; or never: it ends by itself.
-  enum class Dies { kWithThread, kByItself };
-  // words: program, by its path or to be found in PATH, and its arguments. limit: for one answer, by the wall clock [s].
-  // Throws NoAnswer when the program cannot be started.
-  HelperProcess(const std::vector<std::string>& words, double limit, Dies dies = Dies::kWithThread);
+  // limit: for one answer, by the wall clock [s]. orphan: code of the user, which may not watch its input, is killed with the
+  // thread that made this object. Throws NoAnswer when the program cannot be started.
+  HelperProcess(const Command& command, double limit, Orphan orphan = Orphan::kIsKilled);
   ~HelperProcess();  // ends it and everything in its process group
   HelperProcess(const HelperProcess&) = delete;
   HelperProcess& operator=(const HelperProcess&) = delete;
 
-  // Throws NoAnswer when the helper ends, does not answer within the limit, or sends something else; it is ended then.
-  std::string ask(const std::string& question);
+  // limit: for this answer [s]; 0: the one of all. Throws NoAnswer when the helper ends, does not answer within the limit, or
+  // sends something else; it is ended then.
+  std::string ask(const std::string& question, double limit = 0.0);
   // For a helper that is written in C++.
   static bool read_frame(int file, std::string& content);  // false: the input has ended
   static bool write_frame(int file, const std::string& content);
@@ -50,12 +50,13 @@ class HelperProcess {
   bool has_ended_within(double time);  // [s]
   void end_group();
   void take_errors();  // what stands in the pipe of its standard error
-  void wait_for(int file, short events, double until);
+  void wait_for(int file, short events);
   void close_all();
 
   pid_t child_ = -1;
   int to_ = -1, from_ = -1, errors_ = -1;  // pipes
-  double limit_;                           // [s]
+  double limit_;                           // for one answer [s]
+  double asked_ = 0.0, patience_ = 0.0;    // this answer: asked for at (wall clock), and its limit [s]
   std::string last_words_;                 // of its standard error
 };
 

@@ -25,12 +25,12 @@
 #include "coupler/base/pulse.h"
 #include "coupler/base/text.h"
 #include "coupler/programs.h"
+#include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/bed/confined_programs.h"
 #include "mbd_solver/bed/liggghts_log.h"
-#include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/program_watch.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/bed/script_safety.h"
@@ -84,12 +84,7 @@ std::string unwritten_part(const fs::path& folder) {
 
 // Debian's version of the library that liggghts_mbd uses; "unknown" without dpkg.
 std::string liggghts_version() {
-  std::string version;
-  if (FILE* pipe = popen("dpkg-query -W -f '${Version}' libliggghts3 2>/dev/null", "r")) {
-    char buffer[128];
-    while (std::fgets(buffer, sizeof buffer, pipe)) version += buffer;
-    pclose(pipe);
-  }
+  const std::string version = output_of({Rights::of_user(), {"dpkg-query", "-W", "-f", "${Version}", "libliggghts3"}});
   return version.empty() ? "unknown" : version;
 }
 
@@ -164,14 +159,12 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, bool trusted, double l
   Command command = mpirun();
   command.environment[kAllOrNothing] = "1";
   command.output = (folder / "output.txt").string();
-  command.words.insert(command.words.end(), {"-np", std::to_string(ranks), built_program("liggghts_mbd")});
-  const std::vector<std::string> script = script_arguments(spec.script, spec.variables);
-  command.words.insert(command.words.end(), script.begin(), script.end());
+  add_program(command, ranks, built_program("liggghts_mbd"), script_arguments(spec.script, spec.variables));
   command.words.insert(command.words.end(), {"-var", "bed", restart, "-log", log, "-screen", "none"});
   LiveLine live(quiet, isatty(STDOUT_FILENO) == 1);
   if (!quiet) std::printf("Making the bed (once): %s\n", shown(command).c_str());
   std::fflush(stdout);
-  if (!trusted) confine_script(command, {folder.string()});
+  limit_script(command, trusted, {folder.string()});
   SuspendedWatch suspended(limit);
   ReadingWatch reading(log, limit);
   const std::string pulse = (folder / ".pulse").string();

@@ -18,6 +18,7 @@
 #include "coupler/base/input_file.h"
 #include "mbd_solver/base/packed_bytes.h"
 #include "mbd_solver/bed/codes.h"
+#include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
 
@@ -347,7 +348,7 @@ std::string energy_at_start(const std::string& run) {
   std::istringstream text(read_whole_file(run + "/grains_energy_start.txt").value_or(""));
   std::string number;
   text >> number;
-  return number;
+  return as_number(number) ? number : "";
 }
 
 void join_rows(const std::string& run) {

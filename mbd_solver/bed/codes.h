@@ -54,10 +54,6 @@ inline constexpr MessageCode kProgramNotBuilt{"E0563", "program-not-built"};
 inline constexpr MessageCode kRanksBeyondCores{"W0553", "ranks-beyond-cores"};
 // A program of another Debian package is missing. Install the package.
 inline constexpr MessageCode kProgramNotInstalled{"E0564", "program-not-installed"};
-// A program cannot be started. Install it, or free memory and processes.
-inline constexpr MessageCode kProgramNotStarted{"E0565", "program-not-started"};
-// A program of the run has been suspended (SIGSTOP) for longer than the time limit. Resume the run from its checkpoint.
-inline constexpr MessageCode kProgramSuspended{"E0566", "program-suspended"};
 
 // --- Dumps of grains.
 

@@ -3,12 +3,8 @@
 
 #include "mbd_solver/bed/confined_programs.h"
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 
 #include "coupler/base/codes.h"
@@ -21,24 +17,22 @@ namespace footfall {
 
 namespace fs = std::filesystem;
 
-void confine_script(Command& mpirun, const std::vector<std::string>& folders) {
+void limit_script(Command& mpirun, bool trusted, const std::vector<std::string>& folders) {
+  if (trusted) {
+    mpirun.rights = Rights::of_user();
+    return;
+  }
   std::vector<std::string> absolute;
   for (const std::string& folder : folders) absolute.push_back(fs::absolute(folder).lexically_normal().string());
   mpirun.environment[kMayWrite] = joined(absolute, "\n");
   mpirun.environment[kNoPrograms] = "1";
-}
-
-std::map<std::string, std::string> settings_of_confined(const Command& mpirun) {
-  std::map<std::string, std::string> settings;
-  if (mpirun.environment.count(kMayWrite) == 0) return settings;
   // To other machines as well.
-  settings["OMPI_MCA_mca_base_env_list"] = std::string(kMayWrite) + ";" + kNoPrograms;
+  mpirun.unshown["OMPI_MCA_mca_base_env_list"] = std::string(kMayWrite) + ";" + kNoPrograms;
   // Landlock keeps a process from reading the memory of others, by which MPI would copy long messages.
-  settings["OMPI_MCA_btl_vader_single_copy_mechanism"] = "none";
-  settings["UCX_TLS"] = "^cma";
-  for (const char* kept : {"OMPI_MCA_mca_base_env_list", "UCX_TLS"})
-    if (std::getenv(kept) != nullptr) settings.erase(kept);
-  return settings;
+  mpirun.unshown["OMPI_MCA_btl_vader_single_copy_mechanism"] = "none";
+  mpirun.unshown["UCX_TLS"] = "^cma";
+  for (const char* own : {"OMPI_MCA_mca_base_env_list", "UCX_TLS"})
+    if (std::getenv(own) != nullptr) mpirun.unshown.erase(own);
 }
 
 int become_confined(int argc, char** argv) {
@@ -54,8 +48,7 @@ int become_confined(int argc, char** argv) {
   }
   std::string why = confine(rights);
   if (why.empty()) {
-    execv(argv[2], argv + 2);
-    why = std::strerror(errno);
+    why = become_program(argv[2], {argv + 2, argv + argc});
   }
   const std::string text = std::string(argv[2]) + ": cannot be confined to the files of its script (" + why +
                            "); read the script, and if you trust it, add --trust-script";

@@ -5,15 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/bed/process.h"
+#include "mbd_solver/base/child_process.h"
 
 namespace footfall {
 
-// The script of this mpirun writes below these folders only.
-void confine_script(Command& mpirun, const std::vector<std::string>& folders);
-
-// What Open MPI needs where its programs are confined; without kMayWrite in the environment of the command nothing.
-std::map<std::string, std::string> settings_of_confined(const Command& mpirun);
+// trusted: this mpirun and its programs have the rights of the user. Otherwise its script writes below these folders only.
+void limit_script(Command& mpirun, bool trusted, const std::vector<std::string>& folders);
 
 // `footfall confined PROGRAM ARGUMENTS`, which mpirun starts for a program that cannot confine itself: replaces this
 // process by the program, with the rights of its script. Returns the exit code where that fails.

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -10,6 +11,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/interrupt.h"
 #include "mbd_solver/bed/codes.h"
+#include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
@@ -35,12 +37,7 @@ std::string built_program(const std::string& name) {
 }
 
 std::string installed_program(const std::string& name, const std::string& package) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path ? path : "");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    std::string program = (fs::path(folder.empty() ? "." : folder) / name).string();
-    if (access(program.c_str(), X_OK) == 0 && !fs::is_directory(program)) return program;
-  }
+  if (std::string program = program_in_path(name); !program.empty()) return program;
   throw InputError(code::kProgramNotInstalled, name + ": no such program; install the Debian package " + package);
 }
 
@@ -49,9 +46,29 @@ std::string called_as() {
   return name && *name ? name : "footfall";
 }
 
+namespace {
+
+// mpirun itself; what it becomes and starts on other machines, where a batch system or a list of hosts names some.
+std::vector<std::string> launchers() {
+  std::vector<std::string> programs;
+  std::vector<const char*> names = {"mpirun", "prterun", "prte", "prted", "orted"};
+  if (in_batch_job()) names.insert(names.end(), {"sh", "bash", "ssh", "rsh", "srun", "qrsh", "pbs_tmrsh", "blaunch"});
+  for (const char* name : names)
+    if (std::string program = program_in_path(name); !program.empty()) programs.push_back(program);
+  return programs;
+}
+
+}  // namespace
+
+bool in_batch_job() {
+  for (const char* name : {"SLURM_JOB_ID", "PBS_JOBID", "PBS_NODEFILE", "LSB_JOBID", "LSB_HOSTS", "JOB_ID",
+                           "OMPI_MCA_orte_default_hostfile", "PRTE_MCA_prte_default_hostfile"})
+    if (std::getenv(name) != nullptr) return true;
+  return false;
+}
+
 Command mpirun() {
-  Command command;
-  command.words = {"mpirun"};
+  Command command{Rights::starting(launchers()), {"mpirun"}};
   if (geteuid() == 0) {
     command.environment["OMPI_ALLOW_RUN_AS_ROOT"] = "1";
     command.environment["OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"] = "1";
@@ -65,11 +82,20 @@ Command mpirun() {
   // variables that nothing here reads.
   command.environment["PMIX_MCA_pmdl"] = "^ompi";
   // All ranks are on this machine, outside of a batch job: no look at its network, which prints warnings.
-  bool batch = false;
-  for (const char* name : {"SLURM_JOB_ID", "PBS_JOBID", "LSB_JOBID", "JOB_ID"}) batch |= std::getenv(name) != nullptr;
-  if (!batch && std::getenv("OMPI_MCA_btl") == nullptr) command.environment["OMPI_MCA_btl"] = "^tcp";
+  if (!in_batch_job() && std::getenv("OMPI_MCA_btl") == nullptr) command.environment["OMPI_MCA_btl"] = "^tcp";
 #endif
   return command;
+}
+
+void add_program(Command& mpirun, int ranks, const std::string& program, const std::vector<std::string>& arguments) {
+  std::vector<std::string>& words = mpirun.words;
+  if (std::find(arguments.begin(), arguments.end(), ":") != arguments.end())
+    throw InputError(code::kUnsafeValue,
+                     program + ": a word of its command line is \":\", which begins another program");
+  if (std::find(words.begin(), words.end(), "-np") != words.end()) words.emplace_back(":");
+  words.insert(words.end(), {"-np", std::to_string(ranks), program});
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  mpirun.rights.add(program);
 }
 
 void leave_time_to_end(Command& mpirun) {
@@ -84,6 +110,8 @@ std::vector<std::string> script_arguments(const std::string& script,
   std::vector<std::string> words = {"-in", short_path(script), "-var", "here",
                                     short_path(fs::path(script).parent_path().string())};
   for (const auto& [name, value] : variables) {
+    if (const std::string fault = fault_of_variable(name, value); !fault.empty())
+      throw InputError(code::kUnsafeValue, script + ": " + fault);
     words.insert(words.end(), {"-var", name});
     std::istringstream lines(value);  // the words of a list, each in a line, are words of LIGGGHTS' index
     bool any = false;

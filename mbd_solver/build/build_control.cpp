@@ -153,27 +153,25 @@ SignalNode node_of(const Scene& scene, const SignalSpec& spec, int place) {
 
 // ---- programs of the user ----
 
-std::vector<std::string> words_of_program(const SignalSpec& spec) {
-  if (spec.kind == SignalKind::kPython)
-    return {"python3",
-            shipped_file("inputs/scripts/signal_host.py"),
-            spec.file,
-            spec.function,
-            spec.stateless ? "1" : "0",
-            std::to_string(spec.inputs.size())};
-  std::vector<std::string> words = {fmu_host(), "run", spec.file};
-  for (const std::string& name : spec.input_names) words.insert(words.end(), {"--input", name});
-  for (const std::string& name : spec.outputs) words.insert(words.end(), {"--output", name});
-  for (const auto& [name, value] : spec.start) words.insert(words.end(), {"--start", name, value});
-  if (words[0].empty()) words[0] = "footfall_fmu_host";
-  return words;
+// The program and its task (inputs/scripts/signal_host.py, programs/footfall_fmu_host.cpp).
+void set_program(const SignalSpec& spec, ForeignProgram& program) {
+  if (spec.kind == SignalKind::kPython) {
+    program.command.words = {"python3", shipped_file("inputs/scripts/signal_host.py")};
+    program.task = {spec.file, spec.function, spec.stateless ? "1" : "0", std::to_string(spec.inputs.size())};
+    return;
+  }
+  program.command.words = {fmu_host().empty() ? "footfall_fmu_host" : fmu_host(), "run"};
+  program.task = {spec.file};
+  for (const std::string& name : spec.input_names) program.task.insert(program.task.end(), {"input", name});
+  for (const std::string& name : spec.outputs) program.task.insert(program.task.end(), {"output", name});
+  for (const auto& [name, value] : spec.start) program.task.insert(program.task.end(), {"start", name, value});
 }
 
 // The node that leads the program, and one per output that reads it.
 void add_foreign(const Scene& scene, const SignalSpec& spec, std::size_t index, Mechanism& mechanism) {
   ForeignProgram program;
   program.label = "signal \"" + spec.name + "\" (" + spec.file + ")";
-  program.words = words_of_program(spec);
+  set_program(spec, program);
   program.limit = spec.time_limit;
   program.inputs = static_cast<int>(spec.inputs.size());
   const bool script = spec.kind == SignalKind::kPython;

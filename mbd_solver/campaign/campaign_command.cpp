@@ -383,7 +383,7 @@ std::string command_words(const SweepArguments& a, const std::string& out) {
   std::vector<std::string> words = {built_program("footfall"), a.command, fs::absolute(a.file).string(), "--out", out};
   if (a.short_form) words.push_back("--short");
   if (a.trust_script) words.push_back("--trust-script");
-  return shell_line({words, {}, "", ""});
+  return shell_line(words);
 }
 
 void write_array(const SweepArguments& a, const Campaign& campaign, const std::string& out) {

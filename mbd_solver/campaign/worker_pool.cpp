@@ -3,8 +3,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
@@ -62,30 +61,10 @@ void WorkerPool::begin(Worker& worker) {
     ::close(to[0]), ::close(to[1]);
     throw InputError(code::kNoWorker, "no pipe can be made for a worker: too many open files");
   }
-  std::string serve = "--serve", path = program;
-  char* const words[] = {path.data(), serve.data(), nullptr};
-  const pid_t process = ::fork();
-  if (process == 0) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    ::setpgid(0, 0);
-    sigset_t none;
-    ::sigemptyset(&none);
-    ::sigprocmask(SIG_SETMASK, &none, nullptr);
-    std::signal(SIGPIPE, SIG_DFL);
-    ::dup2(to[0], STDIN_FILENO);
-    ::dup2(from[1], STDOUT_FILENO);
-    // Appended to, so that it can be emptied between runs.
-    if (const int out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0644); out >= 0)
-      ::dup2(out, STDERR_FILENO);
-    ::execv(words[0], words);
-    ::_exit(kCannotStart);
-  }
+  // The log is appended to, so that it can be emptied between runs. What a task may do is decided by its flag `trusted`.
+  const Command command{Rights::of_user(), {program, "--serve"}, {}, log};
+  worker.process = start_program(command, {{to[0], STDIN_FILENO}, {from[1], STDOUT_FILENO}}, Orphan::kIsKilled);
   ::close(to[0]), ::close(from[1]);
-  if (process < 0) {
-    ::close(to[1]), ::close(from[0]);
-    throw InputError(code::kNoWorker, "no process can be created for a worker");
-  }
-  worker.process = process;
   worker.to = to[1];
   worker.from = from[0];
   worker.heard.clear();
@@ -95,11 +74,7 @@ int WorkerPool::end(Worker& worker) {
   if (worker.process < 0) return 0;
   ::close(worker.to), ::close(worker.from);
   ::kill(worker.process, SIGKILL);
-  int status = 0;
-  while (::waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
-  }
-  worker.process = -1;
-  return exit_code_of(status);
+  return wait_for_end(std::exchange(worker.process, -1));
 }
 
 void WorkerPool::start(const WorkerTask& task) {
@@ -161,12 +136,8 @@ std::optional<WorkerAnswer> WorkerPool::wait() {
       }
       if (count < 0 && errno == EINTR) continue;
       // It has ended: the status of its own end, not of our kill.
-      int status = 0;
       ::close(worker.to), ::close(worker.from);
-      while (::waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
-      }
-      worker.process = -1;
-      const int code = exit_code_of(status);
+      const int code = wait_for_end(std::exchange(worker.process, -1));
       if (code == kCannotStart)
         throw InputError(code::kNoWorker, "the program mbd_solver cannot be started; install footfall again");
       return answered(worker, code == 0 ? kExitFailed : code,

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/bed/process.h"
+#include "mbd_solver/base/child_watch.h"
 
 namespace footfall {
 

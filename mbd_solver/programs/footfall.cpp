@@ -1,8 +1,6 @@
 // footfall: the command line. It only arranges mbd_solver and liggghts_mbd, with the line that it prints. Commands that
 // start many runs are in footfall_studies and footfall_campaign, which it starts in its place; so are `import` and `fmu`
 // programs of their own.
-#include <unistd.h>
-
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -11,6 +9,7 @@
 #include "mbd_solver/app/command_line.h"
 #include "mbd_solver/app/needed_parts.h"
 #include "mbd_solver/app/new_case.h"
+#include "mbd_solver/base/child_process.h"
 #include "mbd_solver/bed/confined_programs.h"
 #include "mbd_solver/bed/programs.h"
 
@@ -26,8 +25,7 @@ int main(int argc, char** argv) {
     try {
       if (word == "import") return start_import({argv + 1, argv + argc});
       const std::string program = built_program(subcommand.program);
-      execv(program.c_str(), argv);
-      std::perror(program.c_str());
+      std::fprintf(stderr, "footfall: %s\n", become_program(program, {argv, argv + argc}).c_str());
       return kExitFailed;
     } catch (const std::exception& e) {
       std::fprintf(stderr, "%s\n", e.what());

@@ -1,8 +1,8 @@
 // footfall_fmu_host: reads and runs one FMU for another program, which asks it through standard input and output
 // (base/helper_process.h, model/control/foreign_block.h). The code of the FMU runs in a process that this one watches: whatever
 // becomes of it, the folder with the unpacked FMU is removed.
-//   footfall_fmu_host describe FILE                                         any question: what the FMU says of itself
-//   footfall_fmu_host run FILE [--input NAME | --output NAME | --start NAME VALUE]...      the questions of foreign_block.h
+//   footfall_fmu_host describe      question D with the path of an FMU: what it says of itself
+//   footfall_fmu_host run           the questions of foreign_block.h; the task is FILE, then input NAME, output NAME, start NAME VALUE
 
 #include <signal.h>
 #include <sys/prctl.h>
@@ -186,14 +186,33 @@ int serve(const std::function<std::string(const std::string&)>& answer) {
   return EXIT_SUCCESS;
 }
 
-int describe(const std::string& file) {
-  return serve([&](const std::string&) -> std::string {
+int describe() {
+  return serve([](const std::string& question) -> std::string {
     try {
-      return "V" + text_of(read_fmu(file));
+      return "V" + text_of(read_fmu(question.substr(1)));
     } catch (const FmuProblem& problem) {
       return "E" + problem.kind + "\t" + problem.what();
     }
   });
+}
+
+HostTask task_of(const std::string& question) {
+  const std::vector<std::string> words = split(question.substr(1), '\0');
+  HostTask task;
+  task.file = words.empty() ? "" : words[0];
+  for (std::size_t i = 1; i + 1 < words.size(); i += 2) {
+    if (words[i] == "input") {
+      task.inputs.push_back(words[i + 1]);
+    } else if (words[i] == "output") {
+      task.outputs.push_back(words[i + 1]);
+    } else if (words[i] == "start") {
+      task.starts[words[i + 1]] = i + 2 < words.size() ? words[i + 2] : "";
+      ++i;
+    } else {
+      throw FmuError("its host was given an unknown task");
+    }
+  }
+  return task;
 }
 
 pid_t worker = -1;
@@ -202,7 +221,7 @@ void end_worker(int) {
   if (worker > 0) kill(worker, SIGKILL);
 }
 
-int run(const HostTask& task) {
+int run() {
   std::string folder = (fs::temp_directory_path() / "footfall_fmu_XXXXXX").string();
   if (!mkdtemp(folder.data())) {
     std::fprintf(stderr, "footfall_fmu_host: no folder can be made in %s: %s\n", fs::temp_directory_path().c_str(),
@@ -211,23 +230,25 @@ int run(const HostTask& task) {
   }
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
-  const pid_t watcher = getpid();
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   for (const int number : {SIGTERM, SIGINT, SIGHUP}) signal(number, end_worker);
-  worker = fork();
-  if (worker == 0) {
+  const auto answer_all = [&] {
     for (const int number : {SIGTERM, SIGINT, SIGHUP}) signal(number, SIG_DFL);
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != watcher) _exit(EXIT_FAILURE);
+    HostTask task;
     std::unique_ptr<FmuRun> of_fmu;
-    const int code = serve([&](const std::string& question) {
+    const int code = serve([&](const std::string& question) -> std::string {
+      if (question[0] == 'T') {
+        task = task_of(question);
+        return "V";
+      }
       if (!of_fmu) of_fmu = std::make_unique<FmuRun>(task, folder);
       return of_fmu->answer(question);
     });
     of_fmu.reset();
     std::fflush(nullptr);
-    _exit(code);
-  }
+    return code;
+  };
+  worker = start_copy(answer_all, Orphan::kIsKilled);
   for (const int file : {STDIN_FILENO, STDOUT_FILENO}) close(file);
   int status = 0;
   while (worker > 0 && waitpid(worker, &status, 0) < 0 && errno == EINTR) {
@@ -248,26 +269,11 @@ int main(int argc, char** argv) {
     std::printf("footfall_fmu_host %s\n", FOOTFALL_VERSION);
     return EXIT_SUCCESS;
   }
-  HostTask task;
-  bool known = words.size() >= 2 && (words[0] == "describe" || words[0] == "run");
-  if (known) task.file = words[1];
-  for (std::size_t i = 2; known && i + 1 < words.size(); i += 2) {
-    if (words[i] == "--input") {
-      task.inputs.push_back(words[i + 1]);
-    } else if (words[i] == "--output") {
-      task.outputs.push_back(words[i + 1]);
-    } else if (words[i] == "--start" && i + 2 < words.size()) {
-      task.starts[words[i + 1]] = words[i + 2];
-      ++i;
-    } else {
-      known = false;
-    }
-  }
-  if (!known) {
+  if (words.size() != 1 || (words[0] != "describe" && words[0] != "run")) {
     std::fprintf(stderr,
                  "footfall_fmu_host: reads and runs FMUs for mbd_solver, which starts it; it is not for use by hand\n");
     return kBadUse;
   }
   signal(SIGPIPE, SIG_IGN);
-  return words[0] == "describe" ? describe(task.file) : run(task);
+  return words[0] == "describe" ? describe() : run();
 }

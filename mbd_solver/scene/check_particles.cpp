@@ -67,6 +67,10 @@ void check_bed_is_given(const ScriptText& script, const ParticlesSpec& particles
 void check_values(const std::map<std::string, std::string>& variables, const std::string& key,
                   const EntryFindings& at) {
   for (const auto& [name, value] : variables) {
+    if (const std::string fault = fault_of_variable(name, value); !fault.empty()) {
+      at.error(kUnsafeValue, key + "." + name, fault);
+      continue;
+    }
     std::string chain = name;
     const std::string* text = &value;
     for (std::size_t steps = 0; steps <= variables.size(); ++steps) {

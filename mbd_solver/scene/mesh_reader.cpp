@@ -4,7 +4,6 @@
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <algorithm>
 #include <array>
@@ -23,6 +22,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/child_process.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/decimation.h"
 #include "mbd_solver/fe/fe_mesh.h"
@@ -174,8 +174,7 @@ void limit(int resource, rlim_t most) {
   setrlimit(resource, &both);
 }
 
-[[noreturn]] void answer(int result, const std::string& file, std::size_t bytes,
-                         const std::function<std::string()>& read) {
+int answer(int result, const std::string& file, std::size_t bytes, const std::function<std::string()>& read) {
   for (const int crash : kCrashes) signal(crash, SIG_DFL);  // no crash report
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, seconds_for(bytes));
@@ -190,7 +189,7 @@ void limit(int resource, rlim_t most) {
   } catch (const std::exception& error) {
     text = kWrong + std::string(error.what());
   }
-  _exit(::write(result, text.data(), text.size()) == static_cast<ssize_t>(text.size()) ? 0 : 1);
+  return ::write(result, text.data(), text.size()) == static_cast<ssize_t>(text.size()) ? 0 : 1;
 }
 
 }  // namespace
@@ -201,20 +200,17 @@ std::string read_apart(const std::string& file, std::size_t bytes, const std::fu
   };
   const int result = memfd_create("footfall", MFD_CLOEXEC);
   if (result < 0) throw failed();
-  const pid_t child = fork();
-  if (child == 0) answer(result, file, bytes, read);
-  int status = 0;
-  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  const pid_t child = start_copy([&] { return answer(result, file, bytes, read); }, Orphan::kIsKilled);
+  const int code = wait_for_end(child), ended_by = code > 128 ? code - 128 : 0;
   std::string text(static_cast<std::size_t>(std::max<off_t>(0, lseek(result, 0, SEEK_END))), '\0');
   const bool whole = pread(result, &text[0], text.size(), 0) == static_cast<ssize_t>(text.size());
   close(result);
   if (child < 0 || !whole) throw failed();
   std::string problem;
-  if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)) {
+  if (ended_by == SIGXCPU || ended_by == SIGKILL) {
     problem = "was not read within " + std::to_string(seconds_for(bytes)) + " s";
-  } else if (WIFSIGNALED(status)) {
-    problem = std::string("crashed its reader (") + strsignal(WTERMSIG(status)) + ")";
+  } else if (ended_by != 0) {
+    problem = std::string("crashed its reader (") + strsignal(ended_by) + ")";
   } else if (text.empty()) {
     problem = "ended its reader without a result";
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string_view>
@@ -70,6 +71,30 @@ std::optional<double> as_number(const std::string& text) {
   return read_number(text, value) ? std::optional<double>(value) : std::nullopt;
 }
 
+std::string fault_of_variable(const std::string& name, const std::string& value) {
+  const auto has_only = [](const std::string& text, const char* others) {
+    return std::all_of(text.begin(), text.end(), [&](char c) {
+      return static_cast<unsigned char>(c) >= 0x80 || std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+             (c != '\0' && std::strchr(others, c) != nullptr);
+    });
+  };
+  if (name.empty() || !has_only(name, "_"))
+    return "a variable is named \"" + visible(name) + "\", expected letters, digits and _";
+  for (const std::string& word : split(value, '\n')) {
+    std::string what;
+    if (!has_only(word, " _.,+-*/^=()[]<>!%@~${}:&|"))
+      what = "has a character that no number, name or path has";
+    else if (word == ":")
+      what = "would begin another program";
+    else if (word.size() > 1 && word[0] == '-' && std::strchr("0123456789.", word[1]) == nullptr)
+      what = "would be read as an option";
+    if (!what.empty())
+      return "the variable " + name + " has the value \"" + visible(value) + "\": \"" + visible(word) + "\" " + what +
+             "; expected a number, a name, an expression or a path";
+  }
+  return "";
+}
+
 bool names_file(const std::string& value) {
   std::error_code ignored;
   return !value.empty() && value.front() == '/' && std::filesystem::is_regular_file(value, ignored);
@@ -88,7 +113,8 @@ ScriptText::ScriptText(const std::string& file, const std::map<std::string, std:
     : fixed_(variables) {
   for (auto& [name, value] : fixed_)
     if (names_file(value)) value = hidden(value);
-  fixed_["here"] = hidden(std::filesystem::path(file).parent_path().string());
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  fixed_["here"] = hidden(folder.empty() ? "." : folder);
   read(file, file);
 }
 

@@ -32,6 +32,12 @@ std::optional<double> as_number(const std::string& word);
 // Whether the value of a variable is the absolute path of a file. LIGGGHTS gets it from the current folder (script_arguments).
 bool names_file(const std::string& value);
 
+// What is wrong with a variable of a script, which becomes words of the command line of LIGGGHTS and of mpirun (a word for each
+// line of the value): "the variable k ..., expected ..."; empty: nothing. Names have letters, digits and _. Words have letters,
+// digits, blanks and _ . , + - * / ^ = ( ) [ ] < > ! % @ ~ $ { } : & |. ":" alone would begin another program, and a word
+// with "-" in front an option, unless it is a number.
+std::string fault_of_variable(const std::string& name, const std::string& value);
+
 class ScriptText {
  public:
   // `variables`: as -var on the command line; `here`, the script's folder, is added.

@@ -14,9 +14,9 @@
 #include "coupler/base/input_file.h"
 #include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/bed/bed.h"
-#include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/run/output/checkpoint_folder.h"
 #include "mbd_solver/run/output/summary.h"
@@ -93,7 +93,7 @@ std::vector<std::string> words_of(const RunRequest& request, const std::string& 
                              "--out", folder});
   if (request.trusted) words.push_back("--trust-script");
   if (request.until > 0.0) words.insert(words.end(), {"--until", number_text(request.until)});
-  for (const std::string& setting : request.settings) words.insert(words.end(), {"--set", setting});
+  for (const std::string& setting : request.settings) words.push_back("--set=" + setting);
   return words;
 }
 
@@ -259,7 +259,8 @@ bool RunStore::carry_out(const std::vector<std::size_t>& runs, int jobs,
       Place(record_file(run)).remove();  // until it is done again
       const bool resumes = k == 1 && can_resume(run);
       write_whole_file(begun_file(run), Json{{"recipe", runs_[run].recipe}}.dump(1) + "\n");
-      commands.push_back({words_of(runs_[run].request, folder(run), resumes), {}, folder(run) + ".log", ""});
+      commands.push_back(
+          {Rights::of_user(), words_of(runs_[run].request, folder(run), resumes), {}, folder(run) + ".log"});
     }
     std::vector<std::size_t> again;
     const bool interrupted = run_pool(commands, jobs, [&](int task, int ended_with, double cpu) {

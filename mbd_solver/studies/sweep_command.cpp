@@ -14,12 +14,12 @@
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/results.h"
+#include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/base/live_line.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/codes.h"
-#include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/studies/codes.h"
@@ -167,8 +167,7 @@ void list_runs(const RunStore& store, const std::vector<std::size_t>& chosen) {
 
 void write_slurm(const SweepArguments& a, const std::string& out, std::size_t runs, int ranks) {
   const std::string path = (fs::path(out) / "sweep.sbatch").string();
-  const std::string line =
-      shell_line({words_again(a, fs::absolute(a.file).string(), fs::absolute(out).string()), {}, "", ""});
+  const std::string line = shell_line(words_again(a, fs::absolute(a.file).string(), fs::absolute(out).string()));
   // A line end in a name would begin a new line of the script.
   for (const char c : line)
     if (static_cast<unsigned char>(c) < 0x20)
@@ -197,7 +196,7 @@ void make_beds(const RunStore& store, const SweepArguments& a, const std::string
   for (const std::size_t run : runs) {
     std::vector<std::string> words = words_again(a, a.file, out);
     words.insert(words.end(), {"--only", std::to_string(run), "--beds"});
-    commands.push_back({words, {}, store.folder(run) + ".bed.log", ""});
+    commands.push_back({Rights::of_user(), words, {}, store.folder(run) + ".bed.log"});
   }
   std::printf("beds to make: %zu, at once: %d\n", commands.size(), jobs);
   std::fflush(stdout);
@@ -251,10 +250,7 @@ int start_campaign(const SweepArguments& a) {
                                     {"--slurm", a.slurm},
                                     {"--trust-script", a.trust_script}})
     if (given) words.push_back(flag);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  ::execv(arguments[0], arguments.data());
+  become_program(words[0], words);
   throw InputError(code::kNoCampaignProgram, "the program footfall_campaign cannot be started; install it again");
 }
 
@@ -282,7 +278,7 @@ int sweep_command(const SweepArguments& a) {
   const OutputPlace place = [&] {
     const std::string name = fs::path(a.file).stem().string();
     const std::string out = fs::absolute(a.out.empty() ? (fs::path(a.runs) / name).string() : a.out).string();
-    const std::string words = a.again.empty() ? a.command + " " + a.file : shell_line({a.again, {}, "", ""});
+    const std::string words = a.again.empty() ? a.command + " " + a.file : shell_line(a.again);
     return OutputPlace{short_path(out), name, a.table, "./footfall " + words, a.short_form};
   }();
   RunStore store((fs::path(place.folder) / "runs").string(), a.resume);

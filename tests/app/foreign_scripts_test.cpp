@@ -168,6 +168,36 @@ TEST_P(ForeignScripts, AreNeverCertainlySafe) {
             "");
 }
 
+// Values of variables become words of mpirun, by whatever door they come: scene, option, sweep, summary of a run.
+TEST(ForeignValues, StartNothing) {
+  const Folder folder("foreign_values");
+  folder.shell("cp " + kPlate + "/* .");
+  const std::string value = "1\\n:\\nsh\\n-c\\ntouch evil; kill $PPID";
+  const auto refused = [&](const std::string& line) {
+    const Outcome outcome = folder.footfall(line);
+    EXPECT_EQ(outcome.exit_code, 2) << line << ": " << outcome.text;
+    EXPECT_NE(outcome.text.find("E0214"), std::string::npos) << line << ": " << outcome.text;
+    EXPECT_FALSE(fs::exists(folder.path() / "evil")) << line;
+  };
+  for (const std::string key : {"particles.variables.every", "particles.variables.here"}) {
+    const std::string setting = " --set '" + key + "=\"" + value + "\"'";
+    refused("check scene.toml" + setting);
+    refused("run scene.toml --out out" + setting);
+    EXPECT_FALSE(fs::exists(folder.path() / "out")) << "nothing is written";
+    folder.write("sweep.toml",
+                 "scene = \"scene.toml\"\n[[cases]]\nname = \"a\"\nsettings = { " + key + " = \"" + value + "\" }\n");
+    refused("sweep sweep.toml --out swept");
+  }
+  ASSERT_EQ(folder.footfall("run scene.toml --quiet --out out").exit_code, 0);
+  ASSERT_EQ(folder
+                .shell("python3 -c \"import json; s = json.load(open('out/summary.json')); "
+                       "s['scene']['particles']['variables']['k'] = '1\\n:\\nsh\\n-c\\ntouch evil'; "
+                       "json.dump(s, open('out/summary.json', 'w'))\"")
+                .exit_code,
+            0);
+  refused("compare out");
+}
+
 INSTANTIATE_TEST_SUITE_P(Attack, ForeignScripts, ::testing::ValuesIn(kAttacks),
                          [](const auto& tested) { return tested.param.name; });
 

@@ -12,9 +12,13 @@ namespace footfall::test {
 
 class AskedFmu {
  public:
-  // words: options of the host; limit: of an answer [s].
+  // words: the rest of the task; limit: of an answer [s].
   AskedFmu(const std::string& file, const std::vector<std::string>& words, double limit)
-      : process_(line(file, words), limit) {}
+      : process_({Rights::of_user(), {FMU_HOST, "run"}}, limit) {
+    std::string task = "T" + file;
+    for (const std::string& word : words) task += '\0' + word;
+    process_.ask(task);
+  }
   // The numbers of an answer; throws another answer as its text.
   std::vector<double> ask(char letter, const std::vector<double>& numbers, const std::string& bytes = "") {
     const std::string answer = raw(letter, numbers, bytes);
@@ -30,11 +34,6 @@ class AskedFmu {
   }
 
  private:
-  static std::vector<std::string> line(const std::string& file, const std::vector<std::string>& words) {
-    std::vector<std::string> all = {FMU_HOST, "run", file};
-    all.insert(all.end(), words.begin(), words.end());
-    return all;
-  }
   HelperProcess process_;
 };
 

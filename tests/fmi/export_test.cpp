@@ -89,8 +89,8 @@ struct Slave : test::AskedFmu {
   static std::vector<std::string> words(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
                                         const std::vector<std::string>& more) {
     std::vector<std::string> all;
-    for (const std::string& name : inputs) all.insert(all.end(), {"--input", name});
-    for (const std::string& name : outputs) all.insert(all.end(), {"--output", name});
+    for (const std::string& name : inputs) all.insert(all.end(), {"input", name});
+    for (const std::string& name : outputs) all.insert(all.end(), {"output", name});
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
@@ -141,7 +141,7 @@ TEST(ExportedFmu, MovesByItsClosedFormWithParametersAndStates) {
   const Folder folder("fmu_mass");
   const std::string file = exported(folder, "mass", kMass);
   const std::vector<std::string> outputs = {"block.x", "balance.energy", "time"};
-  Slave slave(file, {"F"}, outputs, {"--start", "bodies.block.mass", "4", "--start", "end_time", "3"});
+  Slave slave(file, {"F"}, outputs, {"start", "bodies.block.mass", "4", "start", "end_time", "3"});
   EXPECT_NEAR(slave.ask('I', {0.0, 8.0})[0], 0.01, 1e-12);
   slave.ask('S', {0.0, 0.5, 8.0});
   const std::string state = slave.raw('G', {});
@@ -150,7 +150,7 @@ TEST(ExportedFmu, MovesByItsClosedFormWithParametersAndStates) {
   EXPECT_NEAR(end[0], 0.01 + 8.0 / 4.0 * 2.0 * 2.0 / 2.0, 1e-7);
   EXPECT_LT(std::abs(end[1]), 1e-6);
   EXPECT_EQ(end[2], 2.0);
-  Slave other(file, {"F"}, outputs, {"--start", "bodies.block.mass", "4", "--start", "end_time", "3"});
+  Slave other(file, {"F"}, outputs, {"start", "bodies.block.mass", "4", "start", "end_time", "3"});
   other.ask('R', {0.5, 8.0}, state.substr(1));
   EXPECT_NEAR(other.ask('S', {0.5, 2.0, 8.0})[0], end[0], 1e-9);
 }

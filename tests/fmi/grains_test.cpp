@@ -160,7 +160,7 @@ TEST(FmuOnGrains, ProgramsEndWithTheImportingProgram) {
   const std::string file = exported(folder, "plate", kPushedPlate);
   pid_t importer = 0;
   try {
-    test::AskedFmu fmu(file, {"--input", "F", "--output", "plate.z"}, 120.0);
+    test::AskedFmu fmu(file, {"input", "F", "output", "plate.z"}, 120.0);
     fmu.ask('I', {0.0, 0.0});
     fmu.ask('S', {0.0, 1e-3, 0.0});
     for (const pid_t pid : programs_below(fs::path(FMU_HOST).string())) {

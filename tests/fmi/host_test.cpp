@@ -44,7 +44,7 @@ std::string failure(const std::string& fmu, const std::vector<std::string>& word
 // m = 1 kg, k = 1e4 N/m, d = 1 N s/m from 10 mm at rest: the FMU is exact, so the rest is round-off.
 TEST(FmuHost, OscillatorMovesByItsClosedForm) {
   for (const char* fmu : {"oscillator_3", "oscillator_2"}) {
-    Asked asked(fmu, {"--input", "F", "--output", "x", "--output", "v"});
+    Asked asked(fmu, {"input", "F", "output", "x", "output", "v"});
     EXPECT_THAT(asked.ask('I', {0.0, 0.0}), ElementsAre(0.01, 0.0));
     const double h = 1e-3, w = std::sqrt(1e4 - 0.25);
     for (int k = 0; k < 200; ++k) {
@@ -57,7 +57,7 @@ TEST(FmuHost, OscillatorMovesByItsClosedForm) {
 
 TEST(FmuHost, StatesAreKeptBetweenProcesses) {
   for (const char* fmu : {"oscillator_3", "oscillator_2"}) {
-    const std::vector<std::string> words = {"--input", "F", "--output", "x", "--start", "k", "5000"};
+    const std::vector<std::string> words = {"input", "F", "output", "x", "start", "k", "5000"};
     Asked first(fmu, words);
     first.ask('I', {0.0, 3.0});
     for (int k = 0; k < 7; ++k) first.ask('S', {0.01 * k, 0.01 * (k + 1), 3.0});
@@ -75,23 +75,22 @@ TEST(FmuHost, StatesAreKeptBetweenProcesses) {
 TEST(FmuHost, EveryTypeOfNumberIsSetAndRead) {
   std::vector<std::string> words;
   const std::vector<std::string> types = {"Float64", "Float32", "Int8", "UInt16", "Int32", "Boolean"};
-  for (const std::string& type : types) words.insert(words.end(), {"--input", type + "_in", "--output", type + "_out"});
-  words.insert(words.end(),
-               {"--input", "array_in[2]", "--output", "array_out[1]", "--output", "array_out[2]", "--output",
-                "array_out[3]", "--output", "resource", "--output", "length", "--start", "text", "five!"});
+  for (const std::string& type : types) words.insert(words.end(), {"input", type + "_in", "output", type + "_out"});
+  words.insert(words.end(), {"input", "array_in[2]", "output", "array_out[1]", "output", "array_out[2]", "output",
+                             "array_out[3]", "output", "resource", "output", "length", "start", "text", "five!"});
   Asked asked("types_3", words);
   EXPECT_THAT(asked.ask('I', {0.0, 1.1, 0.25, -128, 65535, -7.4, 0.2, 80}),
               ElementsAre(1.1, 0.25, -128, 65535, -7, 1, 7, 80, 9, 42.5, 5));
   EXPECT_THAT(asked.raw('S', {0.0, 1.0, 0, 0, 128, 0, 0, 0, 0}), HasSubstr("Int8_in"));
-  Asked two("types_2", {"--input", "Int32_in", "--input", "Boolean_in", "--output", "Int32_out", "--output",
-                        "Boolean_out", "--output", "resource"});
+  Asked two("types_2", {"input", "Int32_in", "input", "Boolean_in", "output", "Int32_out", "output", "Boolean_out",
+                        "output", "resource"});
   EXPECT_THAT(two.ask('I', {0.0, 12.6, 3.0}), ElementsAre(13, 1, 42.5));
 }
 
 TEST(FmuHost, FailuresAreTold) {
   for (const std::string fmu : {"broken_3", "broken_2"}) {
     const auto fails = [&](int fault, double limit = 60.0) {
-      return failure(fmu, {"--output", "y", "--start", "fault", std::to_string(fault)}, limit);
+      return failure(fmu, {"output", "y", "start", "fault", std::to_string(fault)}, limit);
     };
     EXPECT_EQ(fails(0), "nothing");
     EXPECT_THAT(fails(1), HasSubstr("Error; it says: a first word"));
@@ -102,16 +101,16 @@ TEST(FmuHost, FailuresAreTold) {
     EXPECT_THAT(fails(8), HasSubstr("signal 6"));
     EXPECT_THAT(fails(9), HasSubstr("exit code 3"));
   }
-  EXPECT_THAT(failure("broken_3", {"--output", "y", "--start", "fault", "7"}),
+  EXPECT_THAT(failure("broken_3", {"output", "y", "start", "fault", "7"}),
               HasSubstr("fmi3ExitInitializationMode returned fmi3Error"));
-  EXPECT_THAT(failure("broken_3", {"--output", "nothing"}), HasSubstr("no variable \"nothing\""));
+  EXPECT_THAT(failure("broken_3", {"output", "nothing"}), HasSubstr("no variable \"nothing\""));
 }
 
 // Not even after a crash or an FMU that hangs.
 TEST(FmuHost, LeavesNoFolder) {
   const HostFolder folder;
   setenv("TMPDIR", folder.folder_.c_str(), 1);
-  for (const char* fault : {"0", "4", "5"}) failure("broken_3", {"--output", "y", "--start", "fault", fault}, 0.5);
+  for (const char* fault : {"0", "4", "5"}) failure("broken_3", {"output", "y", "start", "fault", fault}, 0.5);
   unsetenv("TMPDIR");
   EXPECT_TRUE(std::filesystem::is_empty(folder.folder_));
 }

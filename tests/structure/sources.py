@@ -12,8 +12,10 @@ MOST_FILES = 40           # of a folder
 SPECIMENS = "tests/unit/dynamics/random_model.h"
 HTML_PAGES = ("mbd_solver/app/report.cpp", "mbd_solver/app/view_page.cpp")
 GNUPLOT = r"set terminal|set output|with lines"  # in sources that write its scripts
-# Files that may hand a text to a shell: the one with a fixed command, and the replacement that refuses.
-SHELL_FILES = ("mbd_solver/bed/bed.cpp", "liggghts_fix/replaced/popen.cpp")
+# What hands a text to a shell: the replacement that refuses it to scripts.
+SHELL_FILES = ("liggghts_fix/replaced/popen.cpp",)
+# Where programs and copies of a process begin.
+CHILD_PROCESS = "mbd_solver/base/child_process.cpp"
 LIBRARIES = ("coupler", "mbd_solver/base", "mbd_solver/model", "mbd_solver/fe", "mbd_solver/dynamics", "mbd_solver/integrator", "mbd_solver/scene",
              "mbd_solver/build", "mbd_solver/coupling", "mbd_solver/run", "mbd_solver/embed")
 SWEEP_SCRIPTS = "mbd_solver/studies"
@@ -126,6 +128,17 @@ def quoting():
                 complain(f"{where}: a name in sweep.sbatch without shell_word")
 
 
+def one_child_process():
+    """Programs and copies of a process are started in one place, which asks for their rights."""
+    starts = r"(?<![\w.>])(v?fork|posix_spawnp?|exec(v|l)\w*|popen)\("
+    if not re.search(starts, sources[CHILD_PROCESS]):
+        complain(f"{CHILD_PROCESS}: starts nothing: this check is blind")
+    for file, text in sources.items():
+        for number, line in enumerate(text.split("\n"), 1):
+            if re.search(starts, line.split("//")[0].replace("::", "")) and file != CHILD_PROCESS and file not in SHELL_FILES:
+                complain(f"{file}:{number}: {line.strip()}: starts a process; base/child_process.h does that")
+
+
 def locales():
     """Numbers are read and written alike in every locale of the program that uses a library: by coupler/base/number.h and text.h."""
     for file, text in sources.items():
@@ -165,6 +178,6 @@ def packages():
         complain(f"docs/how-to/install.md: does not name {package}")
 
 
-for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, quoting, locales, named_files, packages):
+for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, quoting, one_child_process, locales, named_files, packages):
     rule()
 sys.exit(failed)

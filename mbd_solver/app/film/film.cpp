@@ -22,11 +22,11 @@
 #include "mbd_solver/app/grain_pictures.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/view_page.h"
+#include "mbd_solver/base/child_process.h"
 #include "mbd_solver/base/live_line.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/depth_image.h"
-#include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/run/observe/drawing.h"
@@ -227,7 +227,7 @@ class Encoder {
     if (to_ >= 0) close(to_);
     if (pid_ > 0) {
       kill(pid_, SIGKILL);
-      waitpid(pid_, nullptr, 0);
+      wait_for_end(pid_);
     }
     std::error_code ignored;
     fs::remove(part_, ignored);
@@ -245,10 +245,8 @@ class Encoder {
   }
   void finish() {
     close(std::exchange(to_, -1));
-    int status = 0;
-    waitpid(std::exchange(pid_, -1), &status, 0);
     std::error_code error;
-    if (exit_code_of(status) != 0) fail();
+    if (wait_for_end(std::exchange(pid_, -1)) != 0) fail();
     fs::rename(part_, file_, error);
     if (error) fail();
   }
@@ -258,25 +256,11 @@ class Encoder {
     int down[2];
     if (pipe2(down, O_CLOEXEC) != 0) fail();
     std::signal(SIGPIPE, SIG_IGN);
-    pid_ = fork();
-    if (pid_ == 0) {
-      setpgid(0, 0);
-      prctl(PR_SET_PDEATHSIG, SIGKILL);
-      dup2(down[0], STDIN_FILENO);
-      const int log = ::open(log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-      if (log >= 0) {
-        dup2(log, STDOUT_FILENO);
-        dup2(log, STDERR_FILENO);
-      }
-      std::vector<char*> pointers;
-      for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
-      pointers.push_back(nullptr);
-      execv(pointers[0], pointers.data());
-      _exit(kCannotStart);
-    }
+    Command command{Rights::writing({words[0]}, {folder_.path(), fs::path(part_).parent_path().string()}), words};
+    command.output = log_;
+    pid_ = start_program(command, {{down[0], STDIN_FILENO}}, Orphan::kIsKilled);
     close(down[0]);
     to_ = down[1];
-    if (pid_ < 0) fail();
   }
   [[noreturn]] void fail() const {
     const std::string log = read_whole_file(log_).value_or("");

@@ -19,8 +19,8 @@
 #include "coupler/base/text.h"
 #include "coupler/interrupt.h"
 #include "mbd_solver/app/codes.h"
+#include "mbd_solver/base/child_process.h"
 #include "mbd_solver/base/packed_bytes.h"
-#include "mbd_solver/bed/process.h"
 
 namespace footfall {
 
@@ -72,27 +72,6 @@ std::string address_of(const std::string& file) {
   return text;
 }
 
-[[noreturn]] void become_browser(const std::vector<std::string>& words, int from_us, int to_us,
-                                 const std::string& log) {
-  setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // Away from 3 and 4 first: one may be the other's.
-  const int in = fcntl(from_us, F_DUPFD, 10), out = fcntl(to_us, F_DUPFD, 10);
-  dup2(in, kFromUs);
-  dup2(out, kToUs);
-  const int nothing = open("/dev/null", O_RDONLY), file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  if (nothing >= 0) dup2(nothing, STDIN_FILENO);
-  if (file >= 0) {
-    dup2(file, STDOUT_FILENO);
-    dup2(file, STDERR_FILENO);
-  }
-  std::vector<char*> pointers;
-  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
-  pointers.push_back(nullptr);
-  execv(pointers[0], pointers.data());
-  _exit(kCannotStart);
-}
-
 }  // namespace
 
 PageCamera::PageCamera(const std::string& page, const std::string& link, PageSize size) {
@@ -136,13 +115,14 @@ void PageCamera::start(const std::string& program, PageSize size) {
                                     "--window-size=" + std::to_string(size.width) + "," + std::to_string(size.height)};
   if (geteuid() == 0) words.push_back("--no-sandbox");  // Chromium refuses to start for root otherwise
   words.push_back("about:blank");
-  pid_ = fork();
-  if (pid_ == 0) become_browser(words, down[0], up[1], folder_.path() + "/log");
+  // Chromium confines its pages by itself, which it cannot do where it is confined.
+  Command command{Rights::of_user(), words};
+  command.output = folder_.path() + "/log";
+  pid_ = start_program(command, {{down[0], kFromUs}, {up[1], kToUs}}, Orphan::kIsKilled);
   close(down[0]);
   close(up[1]);
   to_ = down[1];
   from_ = up[0];
-  if (pid_ < 0) fail("no process for the browser");
 }
 
 void PageCamera::open(const std::string& page, const std::string& link, PageSize size) {
@@ -263,7 +243,7 @@ void PageCamera::end() {
   to_ = from_ = -1;
   if (pid_ > 0) {
     kill(-pid_, SIGKILL);
-    waitpid(pid_, nullptr, 0);
+    wait_for_end(pid_);
   }
   pid_ = -1;
 }

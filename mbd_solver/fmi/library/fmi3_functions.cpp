@@ -219,9 +219,8 @@ class Instance {
         throw std::runtime_error(programs + name +
                                  " may not be executed; unpack the FMU with your own rights, on a disk that allows it");
     }
-    process_ =
-        std::make_unique<HelperProcess>(std::vector<std::string>{runnable(programs + "footfall_fmu_model"), resources_},
-                                        grains_ ? kTimeOfGrains : kTimeOfAnswer, HelperProcess::Dies::kByItself);
+    const Command command{Rights::of_user(), {runnable(programs + "footfall_fmu_model"), resources_}};
+    process_ = std::make_unique<HelperProcess>(command, grains_ ? kTimeOfGrains : kTimeOfAnswer, Orphan::kEndsByItself);
   }
 
   // In order: mbd_solver and LIGGGHTS have ended when this returns.

@@ -23,7 +23,7 @@
 #include "coupler/base/start.h"
 #include "coupler/base/text.h"
 #include "coupler/programs.h"
-#include "mbd_solver/bed/process.h"
+#include "mbd_solver/base/child_process.h"
 #include "mbd_solver/fmi/codes.h"
 #include "mbd_solver/fmi/model/exported_model.h"
 #include "mbd_solver/scene/scene_reader.h"
@@ -121,17 +121,14 @@ void LedPair::start(const PairToLead& pair) {
       listen(listener_, 1) != 0)
     throw InputError(code::kPairFolder, path + ": cannot be made (" + std::strerror(errno) +
                                             "); name another folder in the variable TMPDIR");
-  Command command;
+  Command command{Rights::of_user()};  // footfall judges the scene by itself
   command.words = {pair.programs + "/footfall", "run", scene, "--out", out, "--quiet"};
   if (pair.trusted) command.words.push_back("--trust-script");
-  for (const std::string& setting : settings) command.words.insert(command.words.end(), {"--set", setting});
+  for (const std::string& setting : settings) command.words.push_back("--set=" + setting);
   command.environment[kLeader] = path;
   command.output = log_;
   leave_mpi_job();
-  {
-    const SignalsHeld signals;
-    process_ = start_process(command, signals);
-  }
+  process_ = start_program(command);
   for (;;) {
     pollfd wait = {listener_, POLLIN, 0};
     if (poll(&wait, 1, kLook) > 0) {

@@ -2,6 +2,7 @@
 
 #include "mbd_solver/model/control/foreign_block.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -15,6 +16,7 @@ namespace footfall {
 namespace {
 
 constexpr double kSampleRounding = 1e-6;  // of a period
+constexpr double kTimeToBegin = 60.0;     // of a new program [s]
 
 std::vector<double> numbers_of(std::initializer_list<double> times, const BlockValues& u) {
   std::vector<double> numbers(times);
@@ -32,17 +34,27 @@ double ForeignFunction::sample_time(double t, int later) const {
   return (std::floor(t / program_.period + kSampleRounding) + later) * program_.period;
 }
 
+// An interpreter and the files that it imports take longer to begin than to answer.
+void ForeignFunction::start() {
+  process_ = std::make_unique<HelperProcess>(program_.command, program_.limit);
+  answer_to("T" + joined(program_.task, std::string(1, '\0')), std::max(program_.limit, kTimeToBegin));
+}
+
 std::string ForeignFunction::ask(char letter, const std::vector<double>& numbers, const std::string& bytes) {
-  std::string question(1, letter), answer;
+  std::string question(1, letter);
   question.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
   question += bytes;
   try {
-    if (!process_) process_ = std::make_unique<HelperProcess>(program_.words, program_.limit);
-    answer = process_->ask(question);
+    if (!process_) start();
+    return answer_to(question, program_.limit);
   } catch (const NoAnswer& error) {
     process_.reset();
     fail(std::string("its program ") + error.what());
   }
+}
+
+std::string ForeignFunction::answer_to(const std::string& question, double limit) {
+  std::string answer = process_->ask(question, limit);
   if (answer.empty()) fail("its program sent an empty answer");
   if (answer[0] == 'E') fail(answer.substr(1));
   return answer;

@@ -2,6 +2,7 @@
 // Signals that code of the user computes, in a program of its own (base/helper_process.h): asked once per period.
 //
 // A question is a letter, then numbers (double, in the machine's order of bytes) or bytes:
+//   T  texts...          the task: words that a zero byte separates          answer V, without outputs
 //   I  t, u...           begins at the time t [s] with these inputs         answer V
 //   S  t, t_next, u...   from t to t_next [s] with these inputs             answer V
 //   G                    what the program must know to continue             answer B, or N where it cannot say
@@ -22,9 +23,10 @@
 namespace footfall {
 
 struct ForeignProgram {
-  std::string label;               // for messages: "signal \"engine\" (engine.fmu)"
-  std::vector<std::string> words;  // program and arguments
-  double limit = 0.0;              // for one answer, by the wall clock [s]
+  std::string label;                   // for messages: "signal \"engine\" (engine.fmu)"
+  Command command{Rights::of_user()};  // the user trusts the scene that names it
+  std::vector<std::string> task;       // the words of question T, which a new program is asked first
+  double limit = 0.0;                  // for one answer, by the wall clock [s]
   int inputs = 0, outputs = 0;
   std::vector<std::string> output_names;  // for messages
   double period = 0.0;                    // [s]
@@ -46,7 +48,9 @@ class ForeignFunction {
   void visit(Archive& archive);
 
  private:
+  void start();
   std::string ask(char letter, const std::vector<double>& numbers, const std::string& bytes);
+  std::string answer_to(const std::string& question, double limit);  // [s]
   void ask_outputs(char letter, const std::vector<double>& numbers, const std::string& bytes = "");
   [[noreturn]] void fail(const std::string& what) const;
   double sample_time(double t, int later) const;  // the multiple of the period at t, or so many later [s]

@@ -140,7 +140,7 @@ FmuDescription describe_fmu(const std::string& file) {
     throw InputError(kFmuHost, "the program footfall_fmu_host is not built, which reads FMUs; " + kBuildFmuHost);
   std::string answer;
   try {
-    answer = HelperProcess({host, "describe", file}, kTimeToDescribe).ask("D");
+    answer = HelperProcess({Rights::starting({host}), {host, "describe"}}, kTimeToDescribe).ask("D" + file);
   } catch (const NoAnswer& error) {
     throw InputError(kFmuFile, file + ": the program that reads it " + error.what());
   }

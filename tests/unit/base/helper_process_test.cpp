@@ -13,7 +13,7 @@ namespace {
 
 std::string why_not(std::vector<std::string> words, double limit) {
   try {
-    HelperProcess helper(words, limit);
+    HelperProcess helper({Rights::of_user(), std::move(words)}, limit);
     return "answered: " + helper.ask("question");
   } catch (const NoAnswer& error) {
     return error.what();
@@ -21,7 +21,7 @@ std::string why_not(std::vector<std::string> words, double limit) {
 }
 
 TEST(HelperProcess, AnswersAreWholeWhateverTheirSize) {
-  HelperProcess helper({"cat"}, 20.0);
+  HelperProcess helper({Rights::of_user(), {"cat"}}, 20.0);
   std::string bytes;  // of all values, and less than a pipe holds: cat answers before it has read all
   for (int i = 0; i < 60000; ++i) bytes += static_cast<char>(i * 31 + i / 256);
   for (const std::string& text : {std::string(), std::string("speed"), bytes, std::string("\0\n", 2)})
@@ -48,7 +48,7 @@ TEST(HelperProcess, OtherOutputIsNoAnswer) {
 
 TEST(HelperProcess, IsKilledWhenItOutlivesItsInput) {
   const double begun = wall_clock();
-  { HelperProcess helper({"sh", "-c", "trap '' TERM; sleep 1000"}, 20.0); }
+  { HelperProcess helper({Rights::of_user(), {"sh", "-c", "trap '' TERM; sleep 1000"}}, 20.0); }
   EXPECT_LT(wall_clock() - begun, 100.0);  // not the 1000 s
 }
 

@@ -7,22 +7,22 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/liggghts_log.h"
-#include "mbd_solver/bed/process.h"
 #include "mbd_solver/bed/programs.h"
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
 
-// mbd_solver/bed/process.h and bed.h: programs that are started, and the key of a bed.
+// mbd_solver/base/child_watch.h and bed.h: programs that are started, and the key of a bed.
 
 class CliTest : public ::testing::Test, protected TemporaryFolder {
  protected:
 };
 
-Command shell(const std::string& script) { return {{"sh", "-c", script}, {}, "", ""}; }
+Command shell(const std::string& script) { return {Rights::of_user(), {"sh", "-c", script}}; }
 
 TEST_F(CliTest, ChildGivesItsExitCode) {
   EXPECT_EQ(run_child(shell("exit 3")).code, 3);
@@ -33,7 +33,7 @@ TEST_F(CliTest, ChildGivesItsExitCode) {
 }
 
 TEST_F(CliTest, ChildThatCannotBeStartedIsNamed) {
-  EXPECT_THROW(run_child({{"no-such-program-anywhere"}, {}, file("out"), ""}), InputError);
+  EXPECT_THROW(run_child({Rights::of_user(), {"no-such-program-anywhere"}, {}, file("out")}), InputError);
 }
 
 TEST_F(CliTest, ChildTakesEnvironmentFolderAndOutputFile) {
@@ -92,7 +92,7 @@ TEST_F(CliTest, AnInterruptWithoutGracefulProgramTerminates) {
 }
 
 TEST_F(CliTest, ShellLineReadsBackAsTheSameWords) {
-  Command command{{"printf", "%s|", "plain", "two words", "it's", "$HOME", "[0, 0, -3]", ""}, {}, "", ""};
+  Command command{Rights::of_user(), {"printf", "%s|", "plain", "two words", "it's", "$HOME", "[0, 0, -3]", ""}};
   const std::string line = shell_line(command);
   ASSERT_EQ(std::system((line + " > " + file("out")).c_str()), 0);
   EXPECT_EQ(text("out"), "plain|two words|it's|$HOME|[0, 0, -3]||") << line;
@@ -122,6 +122,24 @@ TEST_F(CliTest, LiggghtsGetsPathsFromTheCurrentFolder) {
   std::filesystem::current_path(before);
   EXPECT_EQ(words, (std::vector<std::string>{"-in", "in.bed", "-var", "here", ".", "-var", "grains",
                                              "run/grains.restart", "-var", "list", "one", "two"}));
+}
+
+// A value of a foreign scene must not become a program of mpirun, nor an option of LIGGGHTS.
+TEST_F(CliTest, AValueThatIsNoValueStartsNothing) {
+  const std::string script = write("in.bed", "");
+  for (const std::string value :
+       {"1\n:\nsh\n-c\ntouch made", ":", "-in other", "1\n-log\n/tmp/x", "a;b", "`ls`", "it's", "tab\there", "a\\nb"})
+    EXPECT_THROW(script_arguments(script, {{"k", value}}), InputError) << value;
+  for (const std::string name : {"", "-in", ":", "k k", "k\n:"})
+    EXPECT_THROW(script_arguments(script, {{name, "1"}}), InputError) << name;
+  for (const std::string value :
+       {"", "1e-4", "-900", "-.5", "one\ntwo", "${width}*2", "(v_a+1)^2", "../beds/new bed.restart"})
+    EXPECT_EQ(script_arguments(script, {{"k", value}}).size(), value == "one\ntwo" ? 8u : 7u) << value;
+}
+
+TEST_F(CliTest, AProgramOfMpirunCannotBeginAnother) {
+  Command command = mpirun();
+  EXPECT_THROW(add_program(command, 1, "/bin/true", {"-var", ":", "sh"}), InputError);
 }
 
 TEST_F(CliTest, ErrorsOfALiggghtsLogAreFound) {

@@ -1,8 +1,6 @@
-// Child processes: fork and exec in a process group of their own, signals received one by one with sigtimedwait, and
-// all descendants found in /proc and ended in order.
-#include "mbd_solver/bed/process.h"
+// Signals are received one by one with sigtimedwait; all descendants are found in /proc and ended in order.
+#include "mbd_solver/base/child_watch.h"
 
-#include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -14,7 +12,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -24,42 +21,14 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
 #include "coupler/interrupt.h"
-#include "mbd_solver/base/quote.h"
-#include "mbd_solver/bed/codes.h"
-#include "mbd_solver/bed/confined_programs.h"
-#include "mbd_solver/bed/program_watch.h"
+#include "mbd_solver/base/codes.h"
 
 namespace footfall {
 namespace {
 
 constexpr std::chrono::nanoseconds kTick = std::chrono::milliseconds(200);
-
-[[noreturn]] void become(const Command& command, const sigset_t& held) {
-  setpgid(0, 0);  // Ctrl-C in the terminal reaches footfall alone, which ends the others in order
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
-  sigprocmask(SIG_UNBLOCK, &held, nullptr);
-  const int nothing = open("/dev/null", O_RDONLY);
-  if (nothing >= 0) dup2(nothing, STDIN_FILENO);
-  if (!command.folder.empty() && fchdir(Place(command.folder).open(O_RDONLY | O_DIRECTORY)) != 0) _exit(kCannotStart);
-  if (!command.output.empty()) {
-    const int file = Place(command.output).open(O_WRONLY | O_CREAT | O_TRUNC);
-    if (file >= 0) {
-      dup2(file, STDOUT_FILENO);
-      dup2(file, STDERR_FILENO);
-    }
-  }
-  for (const auto& settings : {command.environment, settings_of_confined(command)})
-    for (const auto& [name, value] : settings) setenv(name.c_str(), value.c_str(), 1);
-  std::vector<char*> words;
-  for (const std::string& word : command.words) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  execvp(words[0], words.data());
-  std::fprintf(stderr, "footfall: cannot start %s: %s\n", words[0], std::strerror(errno));
-  _exit(kCannotStart);
-}
 
 }  // namespace
 
@@ -88,16 +57,6 @@ int SignalsHeld::wait() const {
 void SignalsHeld::ignore() const {
   for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGUSR1, SIGHUP}) std::signal(signal, SIG_IGN);
 }
-
-pid_t start_process(const Command& command, const SignalsHeld& signals) {
-  const pid_t pid = fork();
-  if (pid < 0)
-    throw InputError(code::kProgramNotStarted, "cannot start " + command.words[0] + ": " + std::strerror(errno));
-  if (pid == 0) become(command, signals.held());
-  return pid;
-}
-
-int exit_code_of(int status) { return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status); }
 
 namespace {
 
@@ -215,7 +174,7 @@ std::string SuspendedWatch::operator()() {
 ChildEnd run_child(const Command& command, const std::string& graceful, const std::function<std::string()>& tick) {
   const SignalsHeld signals;
   prctl(PR_SET_CHILD_SUBREAPER, 1);
-  const pid_t pid = start_process(command, signals);
+  const pid_t pid = start_program(command);
 
   ChildEnd end;
   int status = 0;
@@ -279,15 +238,6 @@ bool was_asked_to_end(int exit_code) {
   return false;
 }
 
-std::string shell_line(const Command& command) {
-  std::string line;
-  for (const auto& [name, value] : command.environment)
-    if (name.rfind("FOOTFALL_", 0) != 0) line += name + "=" + shell_word(value) + " ";
-  for (const std::string& word : command.words)
-    line += (line.empty() || line.back() == ' ' ? "" : " ") + shell_word(word);
-  return line;
-}
-
 bool run_pool(const std::vector<Command>& commands, int jobs, const std::function<void(int, int, double)>& ended) {
   const SignalsHeld signals;
   std::map<pid_t, int> running;  // number of each process
@@ -300,7 +250,7 @@ bool run_pool(const std::vector<Command>& commands, int jobs, const std::functio
   };
   while (!running.empty() || (next < commands.size() && !interrupted)) {
     while (next < commands.size() && !interrupted && static_cast<int>(running.size()) < jobs) {
-      running[start_process(commands[next], signals)] = static_cast<int>(next);
+      running[start_program(commands[next])] = static_cast<int>(next);
       ++next;
     }
     if (signals.wait() != 0) interrupt();

@@ -11,14 +11,9 @@
 #include <string>
 #include <vector>
 
-namespace footfall {
+#include "mbd_solver/base/child_process.h"
 
-struct Command {
-  std::vector<std::string> words;                  // program and arguments
-  std::map<std::string, std::string> environment;  // added to ours
-  std::string output;                              // file for standard output and error; empty: those of this program
-  std::string folder;                              // working directory; empty: the current one
-};
+namespace footfall {
 
 struct ChildEnd {
   int code = 0;              // exit code; 128 + signal when a signal ended it
@@ -55,10 +50,7 @@ double memory_of_descendants();
 // True for the exit code of a program that ended because it was asked to, by itself or by the signal.
 bool was_asked_to_end(int exit_code);
 
-// The command as a line for a shell, environment first.
-std::string shell_line(const Command& command);
-
-// The parts of run_child and run_pool: starting a process, and receiving signals one by one.
+// The part of run_child and run_pool that receives signals one by one.
 
 // While one of these lives, SIGCHLD and the signals that ask for the end (SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1)
 // are received by wait() instead of interrupting this program. They may be nested.
@@ -78,15 +70,6 @@ class SignalsHeld {
  private:
   sigset_t held_, old_;
 };
-
-constexpr int kCannotStart = 127;  // exit code of a process whose program cannot be started
-
-// Starts a command in a process group of its own; it gets SIGTERM when this program dies. Throws InputError when no
-// process can be created; a program that does not exist ends with kCannotStart.
-pid_t start_process(const Command& command, const SignalsHeld& signals);
-
-// From the status of waitpid(): a signal counts as 128 + its number, as in a shell.
-int exit_code_of(int status);
 
 // From the usage of wait4(): processor time of the process and of all children that it has waited for [s].
 double processor_time(const rusage& usage);
