@@ -174,7 +174,7 @@ TEST(ForeignValues, StartNothing) {
   folder.shell("cp " + kPlate + "/* .");
   const std::string value = "1\\n:\\nsh\\n-c\\ntouch evil; kill $PPID";
   const auto refused = [&](const std::string& line) {
-    const Outcome outcome = folder.footfall(line);
+    const test::Outcome outcome = folder.footfall(line);
     EXPECT_EQ(outcome.exit_code, 2) << line << ": " << outcome.text;
     EXPECT_NE(outcome.text.find("E0214"), std::string::npos) << line << ": " << outcome.text;
     EXPECT_FALSE(fs::exists(folder.path() / "evil")) << line;

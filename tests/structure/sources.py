@@ -168,6 +168,21 @@ def named_files():
     found("files that sources name", range(named), 1000)
 
 
+def readmes():
+    """A README of a folder names files, folders and functions that exist: `link` (a stem or an identifier) or link.cpp."""
+    stems, words, names = set(), set(), 0
+    for path in (path for top in TOPS + ("tests", "inputs", "examples") for path in (root / top).rglob("*") if "node_modules" not in path.parts):
+        stems.update((path.stem, path.name))
+        if path.suffix in (".cpp", ".h", ".py", ".txt", ".sh"):
+            words.update(re.findall(r"\w+", path.read_text(errors="ignore")))
+    for page in (page for top in TOPS for page in (root / top).rglob("README.md") if "node_modules" not in page.parts):
+        for name in re.findall(r"`([a-z]\w*)`|(?<![*\w])(\w+\.(?:h|cpp|py|mjs))\b", page.read_text()):
+            names += 1
+            if (name[0] or name[1]) not in (stems | words if name[0] else stems):
+                complain(f"{page.relative_to(root)} names {name[0] or name[1]}, which does not exist")
+    found("names in READMEs", range(names), 200)
+
+
 def packages():
     """The page on installation names every package of packaging/parts."""
     rows = [line.split("|") for line in (root / "packaging/parts").read_text().splitlines() if not line.startswith("#")]
@@ -178,6 +193,6 @@ def packages():
         complain(f"docs/how-to/install.md: does not name {package}")
 
 
-for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, quoting, one_child_process, locales, named_files, packages):
+for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, quoting, one_child_process, locales, named_files, readmes, packages):
     rule()
 sys.exit(failed)
