@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -12,6 +13,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/campaign/statistics.h"
+#include "mbd_solver/campaign/worker_pool.h"
 #include "mbd_solver/model/control/signal_chain.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/studies/run_store.h"
@@ -23,6 +25,7 @@ namespace {
 
 constexpr int kShortRuns = 8;
 constexpr std::size_t kFewest = 60, kEvery = 20;  // draws, before and between looks at the intervals
+constexpr std::size_t kTried = 50;                // draws, for one whose scene can be read
 
 SweepSpec shortened(SweepSpec spec, bool short_form) {
   if (short_form) spec.runs = std::min(spec.runs, kShortRuns);
@@ -41,6 +44,8 @@ std::string text_of(const ParameterSpec& p, double value) {
 }
 
 }  // namespace
+
+bool CampaignRow::is_lost() const { return code >= WorkerAnswer::kLost || code == kExitInterrupted; }
 
 Campaign::Campaign(const SweepSpec& spec, bool short_form)
     : spec_(shortened(spec, short_form)),
@@ -88,6 +93,17 @@ RunRequest Campaign::request(std::size_t row, const std::vector<std::string>& mo
   return r;
 }
 
+std::pair<RunRequest, Scene> Campaign::first_valid(std::size_t c) const {
+  std::exception_ptr first;
+  for (std::size_t draw = 0; draw < std::min(kTried, draws_.count()); ++draw) try {
+      const RunRequest r = request(draw * cases() + c);
+      return {r, read_scene(r.scene, r.settings)};
+    } catch (const CodedError&) {
+      if (!first) first = std::current_exception();
+    }
+  std::rethrow_exception(first);
+}
+
 std::vector<std::string> Campaign::case_values(std::size_t row) const { return plan_.runs[case_of(row)].values; }
 
 std::vector<std::string> Campaign::drawn_values(std::size_t row) const {
@@ -125,7 +141,7 @@ void Campaign::set(std::size_t k, CampaignRow row) {
 void Campaign::look_for_end() {
   while (!stopped_ && used_ < draws_.count()) {
     for (std::size_t c = 0; c < cases(); ++c)
-      if (rows_[used_ * cases() + c].code < 0) return;
+      if (!rows_[used_ * cases() + c].is_done()) return;
     for (std::size_t c = 0; c < cases(); ++c)
       for (std::size_t k = 0; k < spec_.outcomes.size(); ++k) {
         const int outcome = rows_[used_ * cases() + c].outcomes[k];
@@ -167,8 +183,8 @@ std::string Campaign::recipe() const {
     for (const double height : m.slope) put(height);
   }
   for (std::size_t c = 0; c < cases(); ++c) {
-    const RunRequest r = request(c);
-    text << recipe_of(read_scene(r.scene, r.settings), r.until) << joined(spec_.settings, "\n") << '\n';
+    const auto [r, scene] = first_valid(c);
+    text << recipe_of(scene, r.until) << joined(spec_.settings, "\n") << '\n';
   }
   return fingerprint(text.str());
 }
@@ -184,7 +200,7 @@ std::vector<RepeatedRun> rows_to_keep(const Campaign& campaign, std::size_t most
   std::vector<List> lists(1);
   lists[0].why = "no result";
   for (std::size_t row = 0; row < count; ++row)
-    if (campaign.row(row).code > 0) lists[0].rows.push_back(row);
+    if (campaign.row(row).code > 0 && !campaign.row(row).is_lost()) lists[0].rows.push_back(row);
   for (std::size_t k = 0; k < spec.outcomes.size(); ++k) {
     List list{spec.outcomes[k].name, {}};
     for (std::size_t row = 0; row < count; ++row)

@@ -1,13 +1,15 @@
 #pragma once
 // A campaign: a sweep file with drawn runs. Every case has the same draws, so that cases differ by themselves alone. A row
 // is one run: number = draw * cases + case. Finished rows are lines of rows.journal; a campaign that was ended in any way
-// goes on from them.
+// goes on from them, and repeats rows whose program was ended from outside.
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mbd_solver/campaign/sampling.h"
+#include "mbd_solver/scene/scene.h"
 #include "mbd_solver/studies/plan.h"
 #include "mbd_solver/studies/sweep_command.h"
 
@@ -18,6 +20,10 @@ struct CampaignRow {
   std::string message;          // of a run without result
   std::vector<double> figures;  // as SweepSpec::metrics; empty without result
   std::vector<int> outcomes;    // as SweepSpec::outcomes; -1: unknown
+
+  bool is_done() const { return code >= 0; }
+  // Its program was ended by a signal, was asked to end, or gave no answer: no result of the run, which the same command repeats.
+  bool is_lost() const;
 };
 
 class Campaign {
@@ -33,6 +39,8 @@ class Campaign {
   std::size_t case_of(std::size_t row) const { return row % cases(); }
   // What the row runs, with more settings; throws InputError or NumericalError when formulas have no value.
   RunRequest request(std::size_t row, const std::vector<std::string>& more = {}) const;
+  // The first draw of a case whose scene can be read. Throws what is wrong with the first draw where none of the first fifty can.
+  std::pair<RunRequest, Scene> first_valid(std::size_t c) const;
   std::string name(std::size_t row) const;  // of its folder: row_000012
 
   const CampaignRow& row(std::size_t k) const { return rows_[k]; }

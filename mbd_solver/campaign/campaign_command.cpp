@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <numeric>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -91,8 +94,9 @@ class Journal {
   int file_ = -1;
 };
 
-// The rows of all journals in the folder that are of this campaign.
-void read_journals(const std::string& folder, const std::string& recipe, Campaign& campaign) {
+// The rows of all journals in the folder that are of this campaign. Returns those that are lost and not repeated yet.
+std::set<std::size_t> read_journals(const std::string& folder, const std::string& recipe, Campaign& campaign) {
+  std::set<std::size_t> lost;
   std::vector<std::string> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
@@ -115,9 +119,15 @@ void read_journals(const std::string& folder, const std::string& recipe, Campaig
       if (row >= campaign.size() || cells.size() < 2 + numbers) continue;
       for (std::size_t k = 0; k < numbers; ++k) r.figures.push_back(read_number(cells[2 + k].c_str(), nullptr));
       if (cells.size() > 2 + numbers) r.message = cells[2 + numbers];
+      if (r.is_lost()) {
+        if (!campaign.row(row).is_done()) lost.insert(row);
+        continue;
+      }
+      lost.erase(row);
       campaign.set(row, std::move(r));
     }
   }
+  return lost;
 }
 
 // What the line of progress says: of the first outcome in the first cases.
@@ -149,18 +159,23 @@ class CampaignRun {
 
   // Rows from `first` to before `last`; false when interrupted.
   bool run(std::size_t first, std::size_t last, const std::string& part, const std::string& recipe) {
-    read_journals(folder_, recipe, campaign_);
+    const std::set<std::size_t> lost = read_journals(folder_, recipe, campaign_);
     Journal journal((fs::path(folder_) / ("rows" + part + ".journal")).string(), recipe);
     std::vector<std::size_t> left;
     for (std::size_t row = first; row < last; ++row)
-      if (campaign_.row(row).code < 0) left.push_back(row);
+      if (!campaign_.row(row).is_done()) left.push_back(row);
     before_ = done_ = last - first - left.size();
     all_ = last - first;
     started_ = wall_clock();
     std::printf("runs to do: %zu, done before: %zu, at once: %d\n", ended() ? 0 : left.size(), before_, jobs_);
+    const auto repeated = std::distance(lost.lower_bound(first), lost.lower_bound(last));
+    if (repeated > 0 && !ended())
+      std::printf("runs to repeat, whose programs were ended from outside: %ld\n", static_cast<long>(repeated));
     std::fflush(stdout);
+    std::size_t lost_now = 0;
     const auto record = [&](std::size_t row, CampaignRow r) {
       journal.write(row, r);
+      lost_now += r.is_lost() ? 1 : 0;
       campaign_.set(row, std::move(r));
       ++done_;
       const double share = static_cast<double>(done_) / static_cast<double>(all_);
@@ -173,6 +188,14 @@ class CampaignRun {
     if (done_ > before_ && whole)
       std::printf("%zu runs in %s s: %s runs per second, %d at once\n", done_ - before_, number_text(spent, 4).c_str(),
                   number_text(static_cast<double>(done_ - before_) / spent, 3).c_str(), jobs_);
+    if (lost_now > 0)
+      std::fprintf(
+          stderr, "footfall: %s\n",
+          with_code(code::kRunEndedFromOutside,
+                    std::to_string(lost_now) +
+                        " of the runs have no result, because their programs were ended from outside (by a signal, or "
+                        "for lack of memory); start the same command again, which repeats them")
+              .c_str());
     return whole;
   }
 
@@ -229,8 +252,7 @@ class CampaignRun {
 
   bool on_grains() const {
     for (std::size_t c = 0; c < campaign_.cases(); ++c) {
-      const RunRequest r = campaign_.request(c);
-      if (read_scene(r.scene, r.settings).touches_particles()) return true;
+      if (campaign_.first_valid(c).second.touches_particles()) return true;
     }
     return false;
   }
@@ -244,12 +266,14 @@ class CampaignRun {
     while ((next < left.size() && !ended()) || (pool.busy() && !ended())) {
       while (pool.idle() && next < left.size() && !ended()) {
         const std::size_t row = left[next++];
+        RunRequest r;
         try {
-          RunRequest r = campaign_.request(row);
-          pool.start({row, r.scene, r.settings, r.until, r.trusted});
-        } catch (const NumericalError& e) {
+          r = campaign_.request(row);
+        } catch (const CodedError& e) {
           record(row, {kExitBadInput, e.what(), {}, {}});
+          continue;
         }
+        pool.start({row, r.scene, r.settings, r.until, r.trusted});
       }
       const std::optional<WorkerAnswer> answer = pool.wait();
       if (pool.interrupted()) return false;
@@ -284,6 +308,8 @@ class CampaignRun {
       for (std::size_t k = 0; k < rows.size(); ++k) {
         const RunEnd end = store.end_of(numbers[k]);
         CampaignRow r{end.code, end.message, {}, {}};
+        // Its time limit kills a run that does not end when it is asked to.
+        if (r.code == 128 + SIGKILL && campaign_.spec().time_limit > 0) r.code = RunEnd::kHung;
         if (end.code == kExitDone)
           r.figures = metrics_of_run(campaign_.spec().metrics, end.folder, campaign_.spec().file);
         record(rows[k], std::move(r));
@@ -426,9 +452,13 @@ int campaign_command(const SweepArguments& a) {
                                            std::to_string(campaign.size() - 1));
   if (a.list) {
     for (std::size_t row = 0; row < campaign.size(); ++row) {
-      const RunRequest r = campaign.request(row);
-      std::printf("%zu  %s\n", row, r.scene.c_str());
-      for (const std::string& setting : r.settings) std::printf("     --set %s\n", setting.c_str());
+      try {
+        const RunRequest r = campaign.request(row);
+        std::printf("%zu  %s\n", row, r.scene.c_str());
+        for (const std::string& setting : r.settings) std::printf("     --set %s\n", setting.c_str());
+      } catch (const CodedError& e) {
+        std::printf("%zu  %s\n", row, e.what());
+      }
     }
     return kExitDone;
   }
@@ -448,7 +478,7 @@ int campaign_command(const SweepArguments& a) {
   if (a.row >= 0) {
     read_journals(folder, recipe, campaign);
     std::vector<RepeatedRun> one = {{static_cast<std::size_t>(a.row), "", "", {}}};
-    const bool known = campaign.row(one[0].row).code >= 0;
+    const bool known = campaign.row(one[0].row).is_done();
     if (!run.repeat(one, "kept")) return study_interrupted();
     if (one.empty()) throw NumericalError(code::kRunWithoutRows, "row " + std::to_string(a.row) + " cannot be run");
     std::printf("%s%s\n", one[0].folder.c_str(), known ? "" : " (the row is not in the table yet)");

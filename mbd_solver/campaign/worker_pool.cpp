@@ -140,8 +140,11 @@ std::optional<WorkerAnswer> WorkerPool::wait() {
       const int code = wait_for_end(std::exchange(worker.process, -1));
       if (code == kCannotStart)
         throw InputError(code::kNoWorker, "the program mbd_solver cannot be started; install footfall again");
-      return answered(worker, code == 0 ? kExitFailed : code,
-                      "the program of the run ended with exit code " + std::to_string(code));
+      return answered(
+          worker, std::max(code, WorkerAnswer::kLost),
+          code > WorkerAnswer::kLost
+              ? "the program of the run was ended by signal " + std::to_string(code - WorkerAnswer::kLost)
+              : "the program of the run ended with exit code " + std::to_string(code) + ", without an answer");
     }
     if (time_limit_ > 0 && wall_clock() - worker.started > time_limit_) {
       end(worker);

@@ -21,6 +21,7 @@ struct WorkerTask {
 };
 
 struct WorkerAnswer {
+  static constexpr int kLost = 128;  // and above (+ signal): the worker ended without an answer
   std::size_t run = 0;
   int code = 0;         // exit code of the run; RunEnd::kHung at the time limit
   std::string message;  // of a run that is not done

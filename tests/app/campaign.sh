@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# campaign.sh FOOTFALL OUT: the table of drawn runs is the same from one and from two workers and after kills at any moment; a row is made again
-# to the digit; no program of a landing loads OpenTURNS.
+# campaign.sh FOOTFALL OUT: the table of drawn runs is the same from one and from two workers and after kills at any moment, of the campaign or of a
+# worker; draws that the scene refuses are rows; a row is made again to the digit; no program of a landing loads OpenTURNS.
 set -u
 footfall=$1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -44,6 +44,23 @@ done
 [[ -f killed/rows.journal ]] && printf '7\t0\t0.12' >>killed/rows.journal
 "$footfall" sweep drawn.toml --jobs 2 --out killed >killed.txt 2>&1 || { cat killed.txt; fail "after kills"; }
 cmp one/runs.csv killed/runs.csv || fail "after kills the table is another"
+# A worker that is killed leaves a row without result, which the same command repeats.
+worker() { for p in /proc/[0-9]*; do [[ $(readlink "$p/fd/2") == "$PWD/lost/work/0.log" ]] && echo "${p#/proc/}"; done 2>/dev/null; }
+"$footfall" sweep drawn.toml --jobs 1 --out lost >lost.txt 2>&1 &
+for ((k = 0; k < 1000; ++k)); do
+  (($(cat lost/rows.journal 2>/dev/null | wc -l) > 3)) && kill -KILL "$(worker)" 2>/dev/null && break
+  sleep 0.01
+done
+wait $!
+(($? == 1)) && grep -q E0604 lost.txt && grep -q $'\t137\t' lost/rows.journal || { cat lost.txt; fail "a killed worker is not reported"; }
+"$footfall" sweep drawn.toml --jobs 1 --out lost >lost.txt 2>&1 || { cat lost.txt; fail "the row of a killed worker is not repeated"; }
+grep -q "ended from outside: 1$" lost.txt || { cat lost.txt; fail "the number of repeated rows is missing"; }
+cmp one/runs.csv lost/runs.csv || fail "after a killed worker the table is another"
+# Draws that the scene refuses are rows, also the first.
+sed 's/"end_time=6"/"end_time=6", "bodies.body.mass={= row < 1 ? -1 : 1000}"/' drawn.toml >first.toml
+"$footfall" sweep first.toml --jobs 2 --out first >first.txt 2>&1
+(($? == 1)) && (($(wc -l <first/runs.csv) == 81 && $(grep -c ',2,.*E0105' first/runs.csv) == 2)) || { cat first.txt; fail "an invalid first draw ends the campaign"; }
+"$footfall" sweep first.toml --list >first.txt 2>&1 || { cat first.txt; fail "an invalid first draw is not listed"; }
 sed 's/deviation = 0.3/deviation = 0.2/; s/runs = 40/runs = 4/' drawn.toml >other.toml
 "$footfall" sweep other.toml --jobs 2 --out killed >killed.txt 2>&1 || { cat killed.txt; fail "other inputs"; }
 [[ -s killed/rows.before ]] && grep -q "of other inputs" killed.txt || { cat killed.txt; fail "rows of other inputs are lost without a word"; }

@@ -321,6 +321,21 @@ TEST_F(CampaignOfTheTipOver, EndsAtTheSameDrawInWhateverOrderRunsEnd) {
   EXPECT_LE(probability_of(forward, 0, 0).width(), 0.2);
 }
 
+TEST_F(CampaignOfTheTipOver, IsNotEndedByAFirstDrawThatTheSceneRefuses) {
+  spec_.settings.push_back("bodies.body.mass={= row < 1 ? -1 : 1000}");
+  const Campaign campaign(spec_, true);
+  EXPECT_EQ(campaign.first_valid(0).first.name, campaign.name(campaign.cases()));
+  EXPECT_FALSE(campaign.recipe().empty());
+  spec_.settings.push_back("bodies.body.mass=-1");
+  EXPECT_THROW(Campaign(spec_, true).recipe(), InputError) << "all draws are refused";
+}
+
+TEST(CampaignRow, OfAProgramThatWasEndedFromOutsideIsNoResult) {
+  for (const int code : {3, 128, 128 + SIGKILL, 128 + SIGTERM, 128 + SIGSEGV})
+    EXPECT_TRUE((CampaignRow{code, "", {}, {}}.is_lost())) << code;
+  for (const int code : {-1, 0, 1, 2, 124}) EXPECT_FALSE((CampaignRow{code, "", {}, {}}.is_lost())) << code;
+}
+
 TEST_F(CampaignOfTheTipOver, HasItsBoundaryWithinTheBand) {
   Campaign campaign(spec_, false);
   const double exact = 2.218;
