@@ -247,7 +247,11 @@ void FixCoupleMbd::set_up_done() {
 // done, as by `write_restart` between two `run`, so that this run and the resumed one continue alike.
 void FixCoupleMbd::continue_as_after_restart() {
   for (int i = 0; i < modify->nfix; ++i)
-    if (auto* mesh = dynamic_cast<FixMeshSurface*>(modify->fix[i])) order_as_after_restart(mesh->triMesh());
+    if (auto* mesh = dynamic_cast<FixMeshSurface*>(modify->fix[i])) {
+      order_as_after_restart(mesh->triMesh());
+      mesh->next_reneighbor =
+          -1;  // a mesh that has moved far asks for new lists in the next step, but setup makes them
+    }
   lmp->init();
   update->integrate->setup();
 }

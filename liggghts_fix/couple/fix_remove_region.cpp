@@ -59,6 +59,11 @@ int FixRemoveRegion::setmask() { return FixConst::END_OF_STEP | FixConst::PRE_EX
 
 void FixRemoveRegion::init() { next_reneighbor = 0; }
 
+// A checkpoint sets LIGGGHTS up at the end of a step, and a resumed run begins there: both still remove what is in the region then.
+void FixRemoveRegion::setup(int) {
+  if (update->ntimestep > 0) end_of_step();
+}
+
 bool FixRemoveRegion::is_here(int grain) const {
   const double* x = atom->x[grain];
   return (atom->mask[grain] & groupbit) != 0 && domain->regions[region_]->match(x[0], x[1], x[2]);

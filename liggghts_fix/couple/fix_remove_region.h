@@ -15,6 +15,7 @@ class FixRemoveRegion : public Fix {
 
   int setmask() override;
   void init() override;
+  void setup(int) override;
   void end_of_step() override;
   void pre_exchange() override;
   double compute_vector(int i) override { return i == 0 ? count_ : mass_; }

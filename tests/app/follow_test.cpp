@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <regex>
 #include <string>
@@ -104,6 +105,42 @@ TEST(FollowingBed, EndsTheRunOfABodyThatStaysBehind) {
   const test::Outcome result = folder.footfall("run . --out run --quiet", 300);
   EXPECT_EQ(result.exit_code, 1) << result.text;
   EXPECT_NE(result.text.find("E0484"), std::string::npos) << result.text;
+}
+
+// A run that ends and is resumed after each of its checkpoints about a shift of the bed (at 0.1 s) gives the bytes of the run that does
+// not end: history, and the grains of the last two checkpoints.
+TEST(FollowingBed, ResumesToTheByteFromCheckpointsBeforeAndAfterAShift) {
+  const app::Folder folder("follow_resumed");
+  const auto run = [&](const std::string& words, double until) {
+    folder.done("run " + words + " --quiet --until " + std::to_string(until));
+  };
+  const auto newest = [&](const std::string& out) {
+    long step = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.file(out + "/checkpoint")))
+      step = std::max(step, std::stol(entry.path().filename()));
+    return step;
+  };
+  const auto grains_added = [&] {
+    return folder.summary("parts").value(nlohmann::json::json_pointer("/bed/grains_added"), 0L);
+  };
+  const std::string scene = app::kSource + "/tests/app/follow.toml --set output.checkpoint_interval=1e-3";
+  constexpr double kBegin = 0.0975, kPart = 1e-3, kEnd = 0.1045;
+  run(scene + " --out whole", kEnd);
+  run(scene + " --out parts", kBegin);
+  int before = 0, after = 0;
+  for (double until = kBegin + kPart; until < kEnd + 0.5 * kPart; until += kPart) {
+    (grains_added() == 0 ? before : after) += 1;
+    const long resumed = newest("parts");
+    run("--resume parts", std::min(until, kEnd));
+    EXPECT_GT(newest("parts"), resumed) << "a checkpoint for each part";
+  }
+  EXPECT_GE(before, 2);
+  EXPECT_GE(after, 2);
+  EXPECT_TRUE(folder.read("whole/history.csv") == folder.read("parts/history.csv"));
+  for (const auto& entry : std::filesystem::directory_iterator(folder.file("whole/checkpoint"))) {
+    const std::string grains = "checkpoint/" + entry.path().filename().string() + "/grains.restart";
+    EXPECT_TRUE(folder.read("whole/" + grains) == folder.read("parts/" + grains)) << grains;
+  }
 }
 
 // Means over four parts of a drive: their mean, and its standard error.

@@ -136,6 +136,17 @@ TEST_P(Resume, ReproducesTheRun) {
   EXPECT_EQ(folder.summary("run")["status"], "done");
 }
 
+// A look of the sink falls on each checkpoint.
+TEST(Sink, RemovesGrainsAlsoWhereEveryLookIsACheckpoint) {
+  const app::Folder folder("sink_checkpoints");
+  folder.write("fountain.toml", kFountain + kDrain);
+  const std::string run =
+      "run fountain.toml --quiet --set particles.box.exchange_steps=14";  // 1 ms: the period of looks
+  folder.done(run + " --out without");
+  folder.done(run + " --set output.checkpoint_interval=1e-6 --out with");
+  EXPECT_EQ(folder.summary("with")["particles"], folder.summary("without")["particles"]);
+}
+
 // Atoms by the log of LIGGGHTS, at its rows.
 std::vector<std::pair<long, long>> atoms_in(const std::string& log) {
   std::vector<std::pair<long, long>> rows;
@@ -491,6 +502,9 @@ INSTANTIATE_TEST_SUITE_P(
                               " --set particles.box.frame_interval=0.1"},
         Resumed{"follow_on_two_ranks",
                 app::kSource + "/tests/app/follow.toml --ranks 2 --set output.checkpoint_interval=0.12"},
+        // At the checkpoint of 0.28 s LIGGGHTS asks for new neighbour lists, as its mesh has moved by half the skin.
+        Resumed{"follow_where_its_mesh_asks_for_lists",
+                app::kSource + "/tests/app/follow.toml --set output.checkpoint_interval=0.04"},
         // At the checkpoint of 0.6 s most of the wheel is beyond the first box.
         Resumed{"follow_beyond_the_box",
                 app::kSource + "/tests/app/follow.toml --set end_time=0.85" + " --set output.checkpoint_interval=0.2"},
