@@ -21,5 +21,7 @@ inline constexpr MessageCode kNotRecorded{"E0725", "not-recorded"};
 inline constexpr MessageCode kStateOfAnother{"E0726", "state-of-another"};
 // An argument of a call in Python is of another type than expected, or outside of its range. The message says what is expected.
 inline constexpr MessageCode kWrongArgument{"E0728", "wrong-argument"};
+// A call while another thread steps, saves or restores the same simulation. Wait for its end, or make a simulation for each thread.
+inline constexpr MessageCode kInUse{"E0729", "in-use"};
 
 }  // namespace footfall::code

@@ -1,11 +1,16 @@
 // The loop of Simulation runs in a fiber. It pauses where it observes a sample at the end of the step that is asked for, and at the
-// checkpoint of save(). A run that is no longer wanted is interrupted, and ends as after SIGINT.
+// checkpoint of save(). A run that is no longer wanted is interrupted, and ends as after SIGINT. A lock that nobody waits for refuses
+// calls of other threads; what is read is copied, so that no thread sees it change.
 
 #include "mbd_solver/embed/embedded_simulation.h"
 
+#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <limits>
+#include <shared_mutex>
+#include <thread>
+#include <unordered_map>
 #include <utility>
 
 #include "coupler/base/clock.h"
@@ -48,6 +53,7 @@ struct EmbeddedSimulation::Run {
         metrics(simulation.subject()),
         names(observation.names()),
         units(observation.units()) {
+    for (std::size_t i = 0; i < names.size(); ++i) places.emplace(names[i], i);
     const auto see = [this](const Sample& sample) { metrics.update_peaks(sample); };
     if (options.record) simulation.observe_within(see, nullptr);
     const std::vector<SignalSpec>& signals = scene.signals;
@@ -159,18 +165,59 @@ struct EmbeddedSimulation::Run {
   Observation observation;
   MetricRecorder metrics;
   std::vector<std::string> names, units;
-  NameIndex columns;
+  std::unordered_map<std::string, std::size_t> places;  // in a row, by name
   std::vector<Host> hosts;
   std::unique_ptr<Fiber> fiber;
   volatile std::sig_atomic_t interrupted = 0;
   double target = 0.0;  // of the step [s]
   bool leaving = false, failed = false, saving = false;
   std::string saved;
-  std::function<bool()> asked;  // empty: nobody asks
+  std::function<bool()> asked;  // of the step that is under way; empty: nobody asks
   double next_question = 0.0;   // by the wall clock [s]
   double time = 0.0;            // [s], and what belongs to it
   Eigen::VectorXd q, v, z;
   std::vector<double> row;
+  std::shared_mutex use;                 // shared by those who read, alone for one who changes
+  std::atomic<std::thread::id> changer;  // whose questions within a step may read
+
+  bool has_ended() const { return time >= scene.end_time * (1.0 - 1e-12); }
+  [[noreturn]] void refuse_use() const {
+    throw InputError(code::kInUse, scene.file +
+                                       ": the simulation is being stepped by another thread, or in a call that has not "
+                                       "ended; wait for its end, or make a simulation for each thread");
+  }
+};
+
+// For the time of a call that reads.
+class EmbeddedSimulation::Reading {
+ public:
+  explicit Reading(Run& run) {
+    if (run.changer == std::this_thread::get_id()) return;
+    lock_ = std::shared_lock(run.use, std::try_to_lock);
+    if (!lock_) run.refuse_use();
+  }
+
+ private:
+  std::shared_lock<std::shared_mutex> lock_;
+};
+
+// For the time of a call that changes the simulation.
+class EmbeddedSimulation::Changing {
+ public:
+  explicit Changing(Run& run) : run_(run) {
+    if (run.changer == std::this_thread::get_id() || !run.use.try_lock()) run.refuse_use();
+    run.changer = std::this_thread::get_id();
+  }
+  ~Changing() {
+    run_.asked = nullptr;
+    run_.changer = std::thread::id();
+    run_.use.unlock();
+  }
+  Changing(const Changing&) = delete;
+  Changing& operator=(const Changing&) = delete;
+
+ private:
+  Run& run_;
 };
 
 EmbeddedSimulation::EmbeddedSimulation(Scene scene, EmbeddedOptions options)
@@ -180,20 +227,37 @@ EmbeddedSimulation::EmbeddedSimulation(EmbeddedSimulation&&) noexcept = default;
 EmbeddedSimulation& EmbeddedSimulation::operator=(EmbeddedSimulation&&) noexcept = default;
 
 const Scene& EmbeddedSimulation::scene() const { return run_->scene; }
-double EmbeddedSimulation::time() const { return run_->time; }
+double EmbeddedSimulation::time() const {
+  const Reading reading(*run_);
+  return run_->time;
+}
 double EmbeddedSimulation::end_time() const { return run_->scene.end_time; }
-bool EmbeddedSimulation::finished() const { return run_->time >= run_->scene.end_time * (1.0 - 1e-12); }
-const Eigen::VectorXd& EmbeddedSimulation::q() const { return run_->q; }
-const Eigen::VectorXd& EmbeddedSimulation::v() const { return run_->v; }
-const Eigen::VectorXd& EmbeddedSimulation::z() const { return run_->z; }
+bool EmbeddedSimulation::finished() const {
+  const Reading reading(*run_);
+  return run_->has_ended();
+}
+Eigen::VectorXd EmbeddedSimulation::q() const {
+  const Reading reading(*run_);
+  return run_->q;
+}
+Eigen::VectorXd EmbeddedSimulation::v() const {
+  const Reading reading(*run_);
+  return run_->v;
+}
+Eigen::VectorXd EmbeddedSimulation::z() const {
+  const Reading reading(*run_);
+  return run_->z;
+}
 
-void EmbeddedSimulation::step(double until) {
+void EmbeddedSimulation::step(double until, const std::function<bool()>& asked) {
   Run& run = *run_;
+  const Changing changing(run);
+  run.asked = asked;
   const std::string now = "t = " + number_text(run.time, 9) + " s: ";
   if (run.failed)
     throw InputError(code::kCannotGoOn,
                      now + "the simulation has failed; restore a state that was saved, or make a new simulation");
-  if (finished())
+  if (run.has_ended())
     throw InputError(code::kCannotGoOn,
                      now + "the end of the scene has been reached; set a later end_time and make a new simulation");
   if (!std::isfinite(until) || until < run.time)
@@ -211,22 +275,26 @@ void EmbeddedSimulation::step(double until) {
   }
 }
 
-void EmbeddedSimulation::interrupt_when(std::function<bool()> asked) { run_->asked = std::move(asked); }
-
 const std::vector<std::string>& EmbeddedSimulation::names() const { return run_->names; }
 const std::vector<std::string>& EmbeddedSimulation::units() const { return run_->units; }
-const std::vector<double>& EmbeddedSimulation::row() const { return run_->row; }
-
-std::size_t EmbeddedSimulation::column(const std::string& name) const {
-  const auto itself = [](const std::string& entry) -> const std::string& { return entry; };
-  const std::optional<std::size_t> found = run_->columns.find(run_->names, name, itself);
-  if (!found)
-    throw InputError(code::kNoSuchColumn, run_->scene.file + ": there is no column \"" + name + "\"." +
-                                              known_names("columns", name, run_->names));
-  return *found;
+std::vector<double> EmbeddedSimulation::row() const {
+  const Reading reading(*run_);
+  return run_->row;
 }
 
-double EmbeddedSimulation::value(const std::string& name) const { return run_->row[column(name)]; }
+std::size_t EmbeddedSimulation::column(const std::string& name) const {
+  const auto found = run_->places.find(name);
+  if (found == run_->places.end())
+    throw InputError(code::kNoSuchColumn, run_->scene.file + ": there is no column \"" + name + "\"." +
+                                              known_names("columns", name, run_->names));
+  return found->second;
+}
+
+double EmbeddedSimulation::value(const std::string& name) const {
+  const std::size_t place = column(name);
+  const Reading reading(*run_);
+  return run_->row[place];
+}
 
 std::vector<std::string> EmbeddedSimulation::signals() const {
   std::vector<std::string> names;
@@ -236,6 +304,7 @@ std::vector<std::string> EmbeddedSimulation::signals() const {
 
 void EmbeddedSimulation::set_signal(const std::string& name, double value) {
   Run& run = *run_;
+  const Changing changing(run);
   const double before = signal(name);
   if (!std::isfinite(value))
     throw InputError(code::kGivenNotFinite,
@@ -250,6 +319,7 @@ void EmbeddedSimulation::set_signal(const std::string& name, double value) {
 }
 
 double EmbeddedSimulation::signal(const std::string& name) const {
+  const Reading reading(*run_);
   for (const Run::Host& host : run_->hosts)
     if (host.name == name) return host.value;
   throw InputError(code::kNoHostSignal, run_->scene.file + ": there is no signal \"" + name + "\" of kind \"host\"." +
@@ -258,10 +328,11 @@ double EmbeddedSimulation::signal(const std::string& name) const {
 
 std::string EmbeddedSimulation::save() {
   Run& run = *run_;
+  const Changing changing(run);
   if (run.failed)
     throw InputError(code::kCannotGoOn,
                      "a simulation that has failed has no state to save; restore one that was saved before");
-  if (finished() || run.fiber->ended()) return run.head() + run.archived();
+  if (run.has_ended() || run.fiber->ended()) return run.head() + run.archived();
   run.saving = true;
   run.simulation.request_checkpoint();
   run.resume();
@@ -270,6 +341,7 @@ std::string EmbeddedSimulation::save() {
 
 void EmbeddedSimulation::restore(const std::string& state) {
   Run& run = *run_;
+  const Changing changing(run);
   const std::string head = run.head();
   if (state.compare(0, head.size(), head) != 0)
     throw InputError(code::kStateOfAnother,
@@ -289,10 +361,17 @@ void EmbeddedSimulation::restore(const std::string& state) {
   run.begin();
 }
 
-double EmbeddedSimulation::energy_balance() const { return run_->metrics.metrics().energy_balance_relative(); }
-double EmbeddedSimulation::summed_error() const { return run_->simulation.integrator().statistics().summed_error; }
+double EmbeddedSimulation::energy_balance() const {
+  const Reading reading(*run_);
+  return run_->metrics.metrics().energy_balance_relative();
+}
+double EmbeddedSimulation::summed_error() const {
+  const Reading reading(*run_);
+  return run_->simulation.integrator().statistics().summed_error;
+}
 
 std::vector<std::string> EmbeddedSimulation::warnings() const {
+  const Reading reading(*run_);
   const Run& run = *run_;
   std::vector<std::string> all = run.simulation.mechanism().warnings;  // those of the scene included
   const auto add = [&](const std::vector<std::string>& more) { all.insert(all.end(), more.begin(), more.end()); };
@@ -305,14 +384,18 @@ std::vector<std::string> EmbeddedSimulation::warnings() const {
   return all;
 }
 
-std::vector<std::string> EmbeddedSimulation::notes() const { return run_->simulation.assembly().notes; }
+std::vector<std::string> EmbeddedSimulation::notes() const {
+  const Reading reading(*run_);
+  return run_->simulation.assembly().notes;
+}
 
 std::string EmbeddedSimulation::summary() const {
+  const Reading reading(*run_);
   const Run& run = *run_;
   if (!run.options.record)
     throw InputError(code::kNotRecorded,
                      "a summary needs the peaks of all steps: make the simulation with the option to record");
-  const std::string status = run.failed ? "failed" : finished() ? "done" : "interrupted";
+  const std::string status = run.failed ? "failed" : run.has_ended() ? "done" : "interrupted";
   return run_summary(run.simulation, run.metrics, run.observation, status, "", "").dump(1);
 }
 

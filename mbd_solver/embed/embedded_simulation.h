@@ -7,8 +7,10 @@
 //     use(lander.value("cabin.az"));
 //   }
 // It is the run of the command line (run/simulation.h), paused: while no signal is set and no state saved, times at which it is read
-// influence it as rows of a history do, by round-off at most. No file is written. Objects share nothing; each may be used by one thread at a time.
+// influence it as rows of a history do, by round-off at most. No file is written. Objects share nothing. Each serves one thread at a time: while a call is
+// under way that changes it (step, set_signal, save, restore), every call of another thread throws InputError.
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -39,14 +41,13 @@ class EmbeddedSimulation {
 
   // To this time [s], or to the end of the scene if that is earlier. Throws NumericalError; time, columns and state remain those before
   // the step then, but only restore() lets the simulation go on. Throws InputError for a time before the present one.
-  void step(double until);
-  // step() asks at most every tenth of a second by the wall clock; true ends it early, at a time that it has reached.
-  void interrupt_when(std::function<bool()> asked);
+  // asked: at most every tenth of a second by the wall clock; true ends the step early, at a time that it has reached.
+  void step(double until, const std::function<bool()>& asked = {});
 
   // Columns of history.csv of this scene, as docs/reference/history.md lists them; the first is the time. SI units, "-" of plain numbers.
   const std::vector<std::string>& names() const;
   const std::vector<std::string>& units() const;
-  const std::vector<double>& row() const;             // now, in the order of the names
+  std::vector<double> row() const;                    // now, in the order of the names
   double value(const std::string& name) const;        // one of them; throws InputError
   std::size_t column(const std::string& name) const;  // its place in the row; throws InputError
 
@@ -56,9 +57,9 @@ class EmbeddedSimulation {
   double signal(const std::string& name) const;            // its last value; throws InputError
 
   // Coordinates, velocities and inner states, as integrated: theory 2.1.
-  const Eigen::VectorXd& q() const;  // positions [m] and unit quaternions [-], then modal coordinates
-  const Eigen::VectorXd& v() const;  // their velocities [m/s, rad/s]
-  const Eigen::VectorXd& z() const;  // of struts, drives and signals
+  Eigen::VectorXd q() const;  // positions [m] and unit quaternions [-], then modal coordinates
+  Eigen::VectorXd v() const;  // their velocities [m/s, rad/s]
+  Eigen::VectorXd z() const;  // of struts, drives and signals
 
   // The whole state as text. A simulation goes on from save() and from restore() in the same digits; they differ from those without
   // save() within the tolerances of the scene, because the memory of the integrator is not part of a state. restore() takes a state
@@ -77,6 +78,8 @@ class EmbeddedSimulation {
 
  private:
   struct Run;
+  class Reading;
+  class Changing;
   std::unique_ptr<Run> run_;
 };
 

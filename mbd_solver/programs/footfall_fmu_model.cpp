@@ -201,11 +201,12 @@ class Model {
   std::string values(bool early, double until = 0.0) {
     SteppedModel& s = model();
     const double time = until > 0.0 ? std::min(s.time(), until) : s.time();
+    const std::vector<double> row = s.row();
     std::vector<double> numbers = {time, early ? 1.0 : 0.0, s.finished() ? 1.0 : 0.0};
     for (std::size_t i = 0; i < outputs_.size(); ++i)
       numbers.push_back(outputs_[i] == kBalanceColumn ? s.energy_balance()
                         : outputs_[i] == kErrorColumn ? s.summed_error()
-                                                      : s.row()[places_[i]]);
+                                                      : row[places_[i]]);
     for (std::size_t i = 0; i < outputs_.size(); ++i)
       if (!std::isfinite(numbers[3 + i])) throw std::runtime_error("the output \"" + outputs_[i] + "\" is not finite");
     const std::vector<std::string> all = s.warnings();

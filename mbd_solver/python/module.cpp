@@ -82,15 +82,13 @@ Array array_of(const Eigen::VectorXd& x) { return Array(x.size(), x.data()); }
 // Ctrl-C ends a step at a time that it has reached; the interruption is then raised.
 void step(EmbeddedSimulation& simulation, double until) {
   bool interrupted = false;
-  simulation.interrupt_when([&] {
-    const py::gil_scoped_acquire python;
-    return interrupted = PyErr_CheckSignals() != 0;
-  });
   {
     const py::gil_scoped_release others_may_run;
-    simulation.step(until);
+    simulation.step(until, [&] {
+      const py::gil_scoped_acquire python;
+      return interrupted = PyErr_CheckSignals() != 0;
+    });
   }
-  simulation.interrupt_when({});
   if (interrupted) throw py::error_already_set();
 }
 
@@ -102,7 +100,8 @@ Array sample(EmbeddedSimulation& simulation, double until, double every, const s
   for (const std::string& name : names) places.push_back(simulation.column(name));
   std::vector<double> values;
   const auto take = [&] {
-    for (const std::size_t place : places) values.push_back(simulation.row()[place]);
+    const std::vector<double> row = simulation.row();
+    for (const std::size_t place : places) values.push_back(row[place]);
   };
   const double begin = simulation.time(), end = std::min(until, simulation.end_time());
   take();
@@ -160,8 +159,11 @@ PYBIND11_MODULE(_core, m) {
       .def("sample", &sample)
       .def_property_readonly("names", &Simulation::names)
       .def_property_readonly("units", &Simulation::units)
-      .def_property_readonly(
-          "row", [](const Simulation& s) { return Array(static_cast<py::ssize_t>(s.row().size()), s.row().data()); })
+      .def_property_readonly("row",
+                             [](const Simulation& s) {
+                               const std::vector<double> row = s.row();
+                               return Array(static_cast<py::ssize_t>(row.size()), row.data());
+                             })
       .def("value", &Simulation::value)
       .def_property_readonly("signals", &Simulation::signals)
       .def("set_signal", &Simulation::set_signal)

@@ -3,6 +3,7 @@ import os
 import pathlib
 import signal
 import subprocess
+import threading
 import unittest
 
 from support import ROOT, ff, folder, numpy
@@ -78,6 +79,29 @@ class Pair(unittest.TestCase):
         with self.assertRaises(ff.InputError) as caught:
             ff.Simulation(scene(end_time=-1.0), ranks=1, out=os.path.join(folder(), "led"))
         self.assertTrue(caught.exception.code)
+
+    def test_refuses_calls_of_other_threads_while_it_is_stepped(self):
+        with ff.Simulation(scene(end_time=0.01), ranks=1, out=os.path.join(folder(), "led")) as sim:
+            read, others = sim._core._read_row, []
+
+            def other():
+                for call in (lambda: sim.step(0.01), lambda: sim.set_signal("push", 1.0), sim.save):
+                    with self.assertRaises(ff.InputError) as caught:
+                        call()
+                    others.append(caught.exception.code)
+
+            def read_row():  # the main thread is within its step
+                thread = threading.Thread(target=other)
+                thread.start()
+                thread.join()
+                return read()
+
+            sim._core._read_row = read_row
+            sim.step(0.002)
+            sim._core._read_row = read
+            self.assertEqual(others, ["E0729"] * 3)
+            sim.step(0.004)
+            self.assertGreaterEqual(sim.time, 0.004 - 1e-9)
 
     def test_a_killed_program_is_an_error_and_no_hang(self):
         with ff.Simulation(scene(end_time=0.01), ranks=1, out=os.path.join(folder(), "led")) as sim:

@@ -6,8 +6,10 @@ import hashlib
 import inspect
 import os
 import re
+import signal
 import subprocess
 import sys
+import threading
 import unittest
 import zipfile
 
@@ -173,13 +175,43 @@ class Simulations(unittest.TestCase):
         self.assertAlmostEqual(sim.time, 0.06, delta=1e-12)
 
     def test_ctrl_c_ends_a_step(self):
-        text = TEXT.replace("end_time = 0.2", "end_time = 1e6\noutput = { interval = 1.0 }")
-        script = f"import footfall as ff\nsim = ff.Simulation({text!r})\nprint('begun', flush=True)\nsim.step(1e6)\n"
+        text = TEXT.replace("end_time = 0.2", "end_time = 1e3\noutput = { interval = 1e-3 }")
+        script = f"import footfall as ff\nsim = ff.Simulation({text!r})\nprint('begun', flush=True)\nsim.step(1e3)\n"
         with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
             process.stdout.readline()
             process.send_signal(2)
             said = process.communicate(timeout=60)[1]
         self.assertIn(b"KeyboardInterrupt", said)
+
+    def test_refuse_other_threads_while_they_are_stepped(self):
+        sim = ff.Simulation(TEXT.replace("end_time = 0.2", "end_time = 1e3\noutput = { interval = 1e-3 }"))
+        codes = []
+
+        def refused(call):
+            try:
+                call()
+            except ff.InputError as error:
+                codes.append(error.code)
+
+        def other():
+            try:
+                while not codes:  # until the main thread is within its step
+                    refused(lambda: sim.time)
+                for call in (lambda: sim.step(1e3), lambda: sim.row, lambda: sim["bob.z"], sim.save):
+                    refused(call)
+            finally:
+                os.kill(os.getpid(), signal.SIGINT)
+
+        thread = threading.Thread(target=other)
+        thread.start()
+        with self.assertRaises(KeyboardInterrupt):
+            sim.step(1e3)
+            thread.join()
+        thread.join()
+        self.assertEqual(codes, ["E0729"] * 5)
+        reached = sim.time
+        sim.step(reached + 1.0)
+        self.assertAlmostEqual(sim.time, reached + 1.0, delta=1e-9)
 
 
 # What a newcomer does wrong: each one an exception with its code, at once, and nothing changes.

@@ -38,7 +38,7 @@ class LedPair : public SteppedModel {
   bool finished() const override { return time() >= end_time_ * (1.0 - 1e-12); }
   const std::vector<std::string>& names() const override { return names_; }
   const std::vector<std::string>& units() const override { return units_; }
-  const std::vector<double>& row() const override { return row_; }
+  std::vector<double> row() const override { return row_; }
   std::vector<std::string> signals() const override;
   double signal(const std::string& name) const override;
   void set_signal(const std::string& name, double value) override;

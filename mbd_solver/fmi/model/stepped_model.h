@@ -17,7 +17,7 @@ class SteppedModel {
   // Columns of history.csv, and their values now.
   virtual const std::vector<std::string>& names() const = 0;
   virtual const std::vector<std::string>& units() const = 0;
-  virtual const std::vector<double>& row() const = 0;
+  virtual std::vector<double> row() const = 0;
   virtual std::vector<std::string> signals() const = 0;  // of kind "host"
   virtual double signal(const std::string& name) const = 0;
   virtual void set_signal(const std::string& name, double value) = 0;
@@ -40,7 +40,7 @@ class MechanismModel : public SteppedModel {
   bool finished() const override { return simulation_.finished(); }
   const std::vector<std::string>& names() const override { return simulation_.names(); }
   const std::vector<std::string>& units() const override { return simulation_.units(); }
-  const std::vector<double>& row() const override { return simulation_.row(); }
+  std::vector<double> row() const override { return simulation_.row(); }
   std::vector<std::string> signals() const override { return simulation_.signals(); }
   double signal(const std::string& name) const override { return simulation_.signal(name); }
   void set_signal(const std::string& name, double value) override { simulation_.set_signal(name, value); }

@@ -1,11 +1,13 @@
 """The coupled pair, led from Python: `footfall run` with a socket on which mbd_solver asks what to do (mbd_solver/run/leader.h)."""
 
+import contextlib
 import json
 import os
 import shutil
 import socket
 import subprocess
 import tempfile
+import threading
 
 import numpy
 
@@ -27,6 +29,7 @@ class Pair:
             scene.set("coupling.timeout", _PATIENCE)
         self._folder = tempfile.mkdtemp(prefix="footfall-")
         self._socket = self._process = self._log = None
+        self._use = threading.Lock()  # of the conversation: nobody waits for it
         self._received = b""
         self.energy_balance = float("nan")
         try:
@@ -104,6 +107,16 @@ class Pair:
                 self.time = float(self.row[0])
                 return saved
 
+    @contextlib.contextmanager
+    def _alone(self):
+        if not self._use.acquire(blocking=False):
+            raise _refused("E0729", "in-use", "the simulation is being stepped by another thread, or in a call that has not ended; "
+                                              "wait for its end, or make a simulation for each thread")
+        try:
+            yield
+        finally:
+            self._use.release()
+
     # ---- as _core.Simulation ----
 
     @property
@@ -111,6 +124,10 @@ class Pair:
         return self.time >= self.end_time * (1 - 1e-12)
 
     def step(self, until):
+        with self._alone():
+            self._step(until)
+
+    def _step(self, until):
         if self.finished:
             raise _refused("E0722", "cannot-go-on", "the end of the scene has been reached; set a later end_time")
         if not until >= self.time:
@@ -120,10 +137,11 @@ class Pair:
 
     def sample(self, until, every, names):
         places = [self._place(name) for name in names]
-        rows, begin, end = [self.row[places]], self.time, min(until, self.end_time)
-        while self.time < end * (1 - 1e-12):
-            self.step(min(begin + len(rows) * every, end))
-            rows.append(self.row[places])
+        with self._alone():
+            rows, begin, end = [self.row[places]], self.time, min(until, self.end_time)
+            while self.time < end * (1 - 1e-12):
+                self._step(min(begin + len(rows) * every, end))
+                rows.append(self.row[places])
         return numpy.array(rows)
 
     def _place(self, name):
@@ -147,12 +165,14 @@ class Pair:
         self.signal(name)
         if not numpy.isfinite(value):
             raise _refused("E0724", "given-not-finite", f'signal "{name}" was set to {value}, expected a finite number')
-        self._signals[name] = value
-        self._say(f"set {name} {value!r}")
+        with self._alone():
+            self._signals[name] = value
+            self._say(f"set {name} {value!r}")
 
     def save(self):
-        self._say("save")
-        return self._read_row()
+        with self._alone():
+            self._say("save")
+            return self._read_row()
 
     def restore(self, state):
         raise InputError("a simulation with grains cannot go back; resume its folder: footfall run --resume " + str(state))

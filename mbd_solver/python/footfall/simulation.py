@@ -28,7 +28,8 @@ class Simulation:
     Without grains the mechanism is integrated in this process, in the digits of `footfall run` where steps end at its rows.
     trust_script: FMUs and Python files that the scene names may run.
     With grains the programs of `footfall run` are started on `ranks` ranks and write the folder `out` (default: a new one in runs);
-    use `with`, which ends them. Objects share nothing; one of them serves one thread at a time.
+    use `with`, which ends them. Objects share nothing; one of them serves one thread at a time,
+    and refuses calls of others meanwhile (E0729).
     """
 
     def __init__(self, scene, ranks=None, out=None, record=False, trust_script=False):

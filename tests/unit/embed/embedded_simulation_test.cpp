@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <thread>
 #include <utility>
 
 #include "mbd_solver/embed/codes.h"
@@ -217,14 +218,53 @@ TEST(EmbeddedSimulation, RefusesWhatItCannotDo) {
 
 TEST(EmbeddedSimulation, AHostMayEndAStepEarly) {
   EmbeddedSimulation led(SceneText().read(kPendulum, {"end_time=1e3", "output.interval=1e-3"}));
-  led.interrupt_when([] { return true; });
-  led.step(1e3);
+  led.step(1e3, [] { return true; });
   EXPECT_GT(led.time(), 0.0);
   EXPECT_LT(led.time(), 1e3);
   const double reached = led.time();
-  led.interrupt_when({});
   led.step(reached + 0.01);
   EXPECT_NEAR(led.time(), reached + 0.01, 1e-12);
+}
+
+// The question within a step is the time at which other threads, and the thread itself, find the simulation under way.
+TEST(EmbeddedSimulation, RefusesCallsWhileItIsBeingStepped) {
+  EmbeddedSimulation led(SceneText().read(kPushed, {"end_time=1e3", "output.interval=1e-3", "solver.max_step=1e-3"}),
+                         {false, true});
+  const std::string state = led.save();
+  const auto refused = [&](const auto& what) {
+    const std::string message = test::refusal(what);
+    EXPECT_NE(message.find(code::kInUse.number), std::string::npos) << message;
+  };
+  const auto change = [&] {
+    refused([&] { led.step(1e3); });
+    refused([&] { led.save(); });
+    refused([&] { led.restore(state); });
+    refused([&] { led.set_signal("thrust", 1.0); });
+  };
+  int questions = 0;
+  led.step(1e3, [&] {
+    ++questions;
+    std::thread([&] {
+      change();
+      refused([&] { led.time(); });
+      refused([&] { led.finished(); });
+      refused([&] { led.row(); });
+      refused([&] { led.q(); });
+      refused([&] { led.value("b.x"); });
+      refused([&] { led.signal("thrust"); });
+      refused([&] { led.warnings(); });
+      refused([&] { led.summary(); });
+      EXPECT_EQ(led.end_time(), 1e3) << "constants can be read";
+    }).join();
+    change();
+    EXPECT_EQ(led.time(), 0.0) << "the thread that steps may read what was before the step";
+    return true;
+  });
+  ASSERT_EQ(questions, 1);
+  const double reached = led.time();
+  EXPECT_GT(reached, 0.0);
+  std::thread([&] { led.step(reached + 0.01); }).join();
+  EXPECT_NEAR(led.value("b.x"), 4.0 / 2.0 * led.time() * led.time() / 2.0, 1e-9 * led.time() * led.time());
 }
 
 // Of a host that writes 1.234,5: the scene, its expressions, states and messages are read and written as elsewhere.
