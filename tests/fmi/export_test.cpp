@@ -1,11 +1,15 @@
 // Scenes as FMUs: the rules of modelDescription.xml, runs by a small master (the host of FMUs), states, errors and early returns.
 
 #include <gmock/gmock.h>
+#include <signal.h>
+#include <unistd.h>
 
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -279,6 +283,60 @@ TEST(ExportedFmu, RefusesBadCallsAndKeepsItsState) {
   constexpr fmi3EnterInitializationModeTYPE* kEnter = nullptr;
   for (const double start : {std::nan(""), std::numeric_limits<double>::infinity(), 2.0})
     EXPECT_EQ(call("fmi3EnterInitializationMode", kEnter, false, 0.0, start, true, 1.0), fmi3Error) << start;
+}
+
+// The program of the model, which this test process has started.
+pid_t program_of_model() {
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename();
+    std::ifstream file(entry.path() / "stat");
+    std::string id, program, state;
+    pid_t parent = 0;
+    if (std::isdigit(static_cast<unsigned char>(name[0])) == 0 || !(file >> id >> program >> state >> parent)) continue;
+    if (parent == getpid() && program == "(footfall_fmu_mo)" && state != "Z") return std::stoi(id);
+  }
+  return 0;
+}
+
+TEST(ExportedFmu, StartsItsProgramAgainAfterAReset) {
+  const Folder folder("fmu_died");
+  Interface fmu(exported(folder, "mass", kMass), folder.file("unpacked"), false);
+  const auto kill_program = [] {
+    const pid_t program = program_of_model();
+    ASSERT_GT(program, 0);
+    kill(program, SIGKILL);
+  };
+  const double x = 0.01 - 100.0 * 0.01 / 2.0;  // at 0.1 s
+  for (const bool steps : {true, false}) {     // it dies in use, and between a step and the reset
+    ASSERT_EQ(fmu.begin(), fmi3OK) << fmu.log.text;
+    ASSERT_EQ(fmu.step(0.0, 0.1), fmi3OK) << fmu.log.text;
+    kill_program();
+    if (steps) {
+      EXPECT_EQ(fmu.step(0.1, 0.1), fmi3Error);
+      EXPECT_THAT(fmu.log.text, HasSubstr("signal 9"));
+      EXPECT_EQ(fmu.step(0.1, 0.1), fmi3Error) << "there is no program";
+    }
+    ASSERT_EQ(fmu.mode("fmi3Reset"), fmi3OK);
+  }
+  ASSERT_EQ(fmu.begin(), fmi3OK) << fmu.log.text;
+  ASSERT_EQ(fmu.step(0.0, 0.1), fmi3OK) << fmu.log.text;
+  EXPECT_NEAR(fmu.get("block.x"), x, 1e-8);
+
+  // A saved state brings the simulation back as well.
+  fmi3FMUState state = nullptr;
+  ASSERT_EQ(fmu.library().function<fmi3GetFMUStateTYPE>("fmi3GetFMUState")(fmu.instance, &state), fmi3OK);
+  kill_program();
+  EXPECT_EQ(fmu.step(0.1, 0.1), fmi3Error);
+  ASSERT_EQ(fmu.library().function<fmi3SetFMUStateTYPE>("fmi3SetFMUState")(fmu.instance, state), fmi3OK)
+      << fmu.log.text;
+  EXPECT_NEAR(fmu.get("block.x"), x, 1e-8);
+  EXPECT_EQ(fmu.step(0.1, 0.1), fmi3OK) << fmu.log.text;
+  EXPECT_EQ(fmu.library().function<fmi3GetFMUStateTYPE>("fmi3FreeFMUState")(fmu.instance, &state), fmi3OK);
+
+  // Without its program a new one cannot be started.
+  ASSERT_EQ(fmu.mode("fmi3Reset"), fmi3OK);
+  fs::remove(folder.file("unpacked/resources/bin/footfall_fmu_model"));
+  EXPECT_EQ(fmu.begin(), fmi3Error);
 }
 
 // Free fall to z = -0.5 m switches the state at t = sqrt(2 0.5 / 9.81).

@@ -66,8 +66,9 @@ class Instance {
   }
   ~Instance() { end_pair(); }
 
+  // The next initialization starts a program anew: the present one may have died, or hang.
   void reset() {
-    end_pair();
+    end_program();
     state_ = State();
     for (const ExportedVariable& v : variables_) {
       by_reference_[v.reference] = &v;
@@ -124,6 +125,7 @@ class Instance {
       throw std::runtime_error("fmi3EnterInitializationMode from " + exact_text(start) + " s" +
                                (stop_defined ? " to " + exact_text(stop) + " s" : "") +
                                ", expected a finite start time, and a stop time behind it");
+    require_program();
     phase_ = Phase::kInitializing;
     state_.start = state_.time = start;
     duration_ = stop_defined ? stop - start : 0.0;
@@ -175,7 +177,10 @@ class Instance {
     if (saved.values.size() != state_.values.size() || !std::isfinite(saved.time) || !std::isfinite(saved.start) ||
         !std::all_of(saved.values.begin(), saved.values.end(), finite))
       throw std::runtime_error("the state is damaged, or belongs to another FMU");
-    if (saved.initialized) take_values("R" + saved.simulation);
+    if (saved.initialized) {
+      require_program();
+      take_values("R" + saved.simulation);
+    }
     state_ = saved;
     phase_ = saved.initialized ? Phase::kStepping : Phase::kInstantiated;
     made_ = saved.initialized;
@@ -223,6 +228,14 @@ class Instance {
     process_ = std::make_unique<HelperProcess>(command, grains_ ? kTimeOfGrains : kTimeOfAnswer, Orphan::kEndsByItself);
   }
 
+  void require_program() {
+    if (!process_) start_program();
+  }
+  void end_program() {
+    end_pair();
+    process_.reset();
+  }
+
   // In order: mbd_solver and LIGGGHTS have ended when this returns.
   void end_pair() {
     if (grains_ && process_) try {
@@ -232,10 +245,15 @@ class Instance {
   }
 
   std::string ask(const std::string& question) {
+    if (!process_)
+      throw std::runtime_error(
+          "the program of the model has ended; call fmi3Reset and initialize again, or fmi3SetFMUState with a state "
+          "that was saved");
     std::string answer;
     try {
       answer = process_->ask(question);
     } catch (const NoAnswer& error) {
+      process_.reset();
       throw std::runtime_error(std::string("the program of the model (resources/bin/footfall_fmu_model) ") +
                                error.what());
     }
