@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
@@ -49,8 +50,8 @@ class FlexibleOutput : public ::testing::Test {
  protected:
   // The flexible lander on the rigid plane, past first touch, every body recorded, pictures every 5 ms.
   static void SetUpTestSuite() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "footfall_flexible_XXXXXX").string();
-    folder = ::mkdtemp(pattern.data());
+    place.emplace();
+    folder = place->folder_.string();
     scene = read_scene(FOOTFALL_SOURCE_DIR "/inputs/rigid_plane",
                        {"output.vtk=true", "output.vtk_interval=5e-3", "output.interval=5e-3", "output.bodies=[]"});
     RunOptions options;
@@ -62,13 +63,15 @@ class FlexibleOutput : public ::testing::Test {
     history = read_history(folder + "/history.csv");
     summary = read_summary(folder + "/summary.json");
   }
-  static void TearDownTestSuite() { std::filesystem::remove_all(folder); }
+  static void TearDownTestSuite() { place.reset(); }
 
+  static std::optional<TemporaryFolder> place;
   static std::string folder;
   static Scene scene;
   static History history;
   static nlohmann::ordered_json summary;
 };
+std::optional<TemporaryFolder> FlexibleOutput::place;
 std::string FlexibleOutput::folder;
 Scene FlexibleOutput::scene;
 History FlexibleOutput::history;

@@ -1,13 +1,10 @@
 // The readers that are fed with random bytes, and the entry of libFuzzer, which feeds the one that FOOTFALL_FUZZ_TARGET names.
 #include "tests/fuzz/targets.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 
 #include "coupler/archive.h"
@@ -27,6 +24,7 @@
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/studies/calibration.h"
 #include "mbd_solver/studies/sweep_file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall::fuzz {
 namespace {
@@ -43,15 +41,8 @@ void allowed(const Read& read) {
 
 // A file of this process that holds the bytes.
 std::string file_of(const char* name, const std::string& bytes) {
-  static const std::string folder = [] {
-    static std::string pattern = (std::filesystem::temp_directory_path() / "footfall_fuzz_XXXXXX").string();
-    if (!mkdtemp(pattern.data())) std::abort();
-    std::atexit([] { std::filesystem::remove_all(pattern); });
-    return pattern;
-  }();
-  const std::string path = folder + "/" + name;
-  std::ofstream(path, std::ios::binary) << bytes;
-  return path;
+  static const TemporaryFolder folder;
+  return folder.write(name, bytes);
 }
 
 template <class Read>

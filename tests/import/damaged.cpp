@@ -16,6 +16,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/import/import_command.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
@@ -132,8 +133,8 @@ int damage(double seconds, unsigned seed, const std::vector<std::string>& files)
   std::vector<std::string> texts;
   for (const std::string& file : files) texts.push_back(whole(file));
   Damage dice(seed, texts);
-  std::string folder = (fs::temp_directory_path() / "footfall_damaged_XXXXXX").string();
-  if (::mkdtemp(folder.data()) == nullptr) return 1;
+  const TemporaryFolder place;
+  const std::string folder = place.folder_.string();
   const std::string said = folder + "/said", out = folder + "/out";
   std::map<int, int> codes;
   int count = 0, failed = 0;
@@ -157,9 +158,7 @@ int damage(double seconds, unsigned seed, const std::vector<std::string>& files)
                       (code == 2 && !fs::exists(out) && message.find(" [E") != std::string::npos);
     if (!good) {
       const std::string kept =
-          (fs::temp_directory_path() /
-           ("damaged_" + std::to_string(seed) + "_" + std::to_string(++failed) + fs::path(a.file).extension().string()))
-              .string();
+          "damaged_" + std::to_string(seed) + "_" + std::to_string(++failed) + fs::path(a.file).extension().string();
       fs::copy_file(a.file, kept, fs::copy_options::overwrite_existing);
       std::printf("%s: exit code or -signal %d, options %zu: %s\n", kept.c_str(), code, how,
                   message.substr(message.size() > 300 ? message.size() - 300 : 0).c_str());
@@ -167,7 +166,6 @@ int damage(double seconds, unsigned seed, const std::vector<std::string>& files)
     }
     fs::remove_all(out);
   }
-  fs::remove_all(folder);
   std::printf("%d damaged files:", count);
   for (const auto& [code, times] : codes) std::printf(" %d of exit code %d,", times, code);
   std::printf(" %d failed\n", failed);

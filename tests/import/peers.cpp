@@ -5,7 +5,6 @@
 //           scene by this solver, the model by MuJoCo (RK4, at most 0.1 ms): the largest difference of a mass centre [m] or attitude [rad]
 // Without contacts, limits, dry friction, loops and couplings on both sides: MuJoCo has soft ones. Exit code 1 above kRead or kMotion.
 #include <mujoco/mujoco.h>
-#include <unistd.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include <Eigen/Dense>
@@ -13,7 +12,6 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <pugixml.hpp>
 #include <sstream>
@@ -25,6 +23,7 @@
 #include "mbd_solver/import/robot.h"
 #include "mbd_solver/run/simulation.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
@@ -199,15 +198,9 @@ Links of_sdformat(const std::string&) { return {}; }  // no robot of this format
 
 // The scene of a robot, read from its file in a folder of its own.
 Scene scene_of(Robot robot, const ImportOptions& options) {
-  const fs::path folder = fs::temp_directory_path() / ("footfall_peers_" + std::to_string(getpid()));
-  fs::create_directories(folder);
-  for (const SceneFile& file : write_robot_scene(robot, options)) {
-    fs::create_directories((folder / file.name).parent_path());
-    std::ofstream(folder / file.name) << file.content;
-  }
-  Scene scene = read_scene(folder.string());
-  fs::remove_all(folder);
-  return scene;
+  const TemporaryFolder folder;
+  for (const SceneFile& file : write_robot_scene(robot, options)) folder.write(file.name, file.content);
+  return read_scene(folder.folder_.string());
 }
 
 struct Difference {

@@ -193,6 +193,19 @@ def packages():
         complain(f"docs/how-to/install.md: does not name {package}")
 
 
-for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, quoting, one_child_process, locales, named_files, readmes, packages):
+def tests_leave_nothing():
+    """Tests write into folders of tests/support, which go away with their owner; no log of LIGGGHTS is left in the tree."""
+    tests = [path for path in (root / "tests").rglob("*") if path.suffix in (".cpp", ".h") and path.parent.name != "support"]
+    found("sources of tests", tests, 150)
+    for path in tests:
+        for number, line in enumerate(path.read_text().split("\n"), 1):
+            if re.search(r"\b(temp_directory_path|TempDir|mkdtemp|mkstemp|tmpnam|tempnam)\(", line):
+                complain(f"{path.relative_to(root)}:{number}: {line.strip()}: a file that a failing test leaves; use tests/support/temporary_folder.h")
+    for top in (*TOPS, "tests", "inputs", "examples", "docs", "."):
+        for path in (root / top).glob("log.liggghts" if top == "." else "**/log.liggghts"):
+            complain(f"{path.relative_to(root)}: left by a run; run programs in a folder of tests/support")
+
+
+for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, quoting, one_child_process, locales, named_files, readmes, packages, tests_leave_nothing):
     rule()
 sys.exit(failed)

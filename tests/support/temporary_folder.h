@@ -1,5 +1,5 @@
 #pragma once
-// A folder of a test's own, gone with it. A fixture derives from it beside ::testing::Test.
+// A folder of a test's own, gone with it: a local object, or a base of a fixture beside ::testing::Test.
 
 #include <cstdlib>
 #include <filesystem>
@@ -10,7 +10,7 @@
 namespace footfall {
 
 class TemporaryFolder {
- protected:
+ public:
   TemporaryFolder() {
     std::string pattern = (std::filesystem::temp_directory_path() / "footfall_test_XXXXXX").string();
     folder_ = ::mkdtemp(pattern.data());

@@ -1,7 +1,6 @@
 // Pages and pictures of a run.
 #include <gtest/gtest.h>
 #include <stdlib.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -84,12 +83,10 @@ TEST(HtmlPage, EscapesWhatItIsGiven) {
 }
 
 TEST(HtmlPage, PicturesStandInThePage) {
-  const std::string file =
-      (std::filesystem::temp_directory_path() / ("footfall_dot_" + std::to_string(::getpid()) + ".png")).string();
-  std::ofstream(file, std::ios::binary) << "PNG!";
+  const TemporaryFolder folder;
+  const std::string file = folder.write("dot.png", "PNG!");
   HtmlPage page("t");
   page.picture(file);
-  std::filesystem::remove(file);
   EXPECT_NE(page.text().find("src=\"data:image/png;base64,UE5HIQ==\""), std::string::npos);
   EXPECT_THROW(page.picture("/no/such/picture.png"), InputError);
 }

@@ -30,14 +30,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string run_folder() {
-  const std::string folder =
-      (fs::temp_directory_path() / ("footfall_grain_series_" + std::to_string(::getpid()))).string();
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
-}
-
 void dump(const std::string& folder, int step) {
   std::ofstream(folder + "/grains_" + std::to_string(step) + ".vtk")
       << "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n1 2 3\n\nPOINT_DATA 1\nFIELD "
@@ -46,7 +38,8 @@ void dump(const std::string& folder, int step) {
 
 // Dumps every 10 ms; the bodies were drawn at the first window end behind each 10 ms, 0.2 ms later, but for the last.
 TEST(GrainSeries, StepsTogetherWithTheDrawingsOfTheBodies) {
-  const std::string folder = run_folder();
+  const TemporaryFolder place;
+  const std::string folder = place.folder_.string();
   for (const int step : {0, 100, 200, 300}) dump(folder, step);
   write_summary(folder + "/summary.json", {{"dt_dem_s", 1e-4}, {"substeps_per_window", 3}});
   VtkFrame frame;
@@ -62,13 +55,13 @@ TEST(GrainSeries, StepsTogetherWithTheDrawingsOfTheBodies) {
     EXPECT_EQ(series[k].second, "grains_" + std::to_string(100 * k) + ".vtp");
     EXPECT_TRUE(fs::exists(folder + "/" + series[k].second));
   }
-  fs::remove_all(folder);
 }
 
 // The run chose windows of 4 substeps, then of 2: the drawings come 0.3 ms and 0.1 ms behind the dumps; the last one comes 0.3 ms behind,
 // which is no window of 2.
 TEST(GrainSeries, StepsTogetherWithTheDrawingsWhereTheRunChoseItsWindows) {
-  const std::string folder = run_folder();
+  const TemporaryFolder place;
+  const std::string folder = place.folder_.string();
   for (const int step : {0, 100, 200, 300}) dump(folder, step);
   write_summary(folder + "/summary.json", {{"dt_dem_s", 1e-4}, {"substeps_per_window", "auto"}});
   write_history(folder + "/history.csv",
@@ -82,13 +75,13 @@ TEST(GrainSeries, StepsTogetherWithTheDrawingsWhereTheRunChoseItsWindows) {
   ASSERT_EQ(series.size(), 4u);
   const double expected[] = {0.0, 0.0103, 0.0201, 0.03};
   for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(series[k].first, expected[k], 1e-12);
-  fs::remove_all(folder);
 }
 
 // Single precision holds more than the six digits of a dump: the .vtp is the same bed, and takes its place. A dump with columns that a .vtp
 // does not hold stays, and so does a text, which scripts of users read.
 TEST(GrainSeries, TakeThePlaceOfDumpsThatTheyHoldWhole) {
-  const std::string folder = run_folder();
+  const TemporaryFolder place;
+  const std::string folder = place.folder_.string();
   const std::string head =
       "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n1.25 -2.5 3.12345 4 5 6\n\nPOINT_DATA "
       "2\n";
@@ -119,15 +112,14 @@ TEST(GrainSeries, TakeThePlaceOfDumpsThatTheyHoldWhole) {
     std::ofstream(folder + "/cut_0.vtp") << whole.substr(0, size);
     EXPECT_THROW(read_bed_frame(folder + "/cut_0.vtp"), InputError) << size;
   }
-  fs::remove_all(folder);
 }
 
 TEST(GrainSeries, ARunWithoutGrainsGetsNone) {
-  const std::string folder = run_folder();
+  const TemporaryFolder place;
+  const std::string folder = place.folder_.string();
   write_summary(folder + "/summary.json", {{"status", "done"}});
   write_grain_series(folder);
   EXPECT_FALSE(fs::exists(folder + "/grains.pvd"));
-  fs::remove_all(folder);
 }
 
 // mbd_solver/app/compare_command.h: the stock script that replays a run's motion, as text.

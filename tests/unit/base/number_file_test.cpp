@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "coupler/base/errors.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
@@ -24,11 +25,8 @@ double nearest(const std::string& word) {
 }
 
 std::shared_ptr<NumberFile> file_of(const std::string& text) {
-  const std::string path = testing::TempDir() + "number_file_" + std::to_string(getpid());
-  std::ofstream(path, std::ios::binary) << text;
-  std::shared_ptr<NumberFile> file = NumberFile::open(path);
-  unlink(path.c_str());
-  return file;
+  const TemporaryFolder folder;
+  return NumberFile::open(folder.write("numbers", text));
 }
 
 bool judged(const std::string& text, std::size_t count, double hole = -9999.0) {
@@ -124,8 +122,8 @@ TEST(NumberFile, JudgesWordsAcrossChunks) {
 }
 
 TEST(NumberFile, TellsOfAFileThatIsChangedWhileItIsInUse) {
-  const std::string path = testing::TempDir() + "number_file_changed_" + std::to_string(getpid());
-  std::ofstream(path) << "1 2 3";
+  const TemporaryFolder folder;
+  const std::string path = folder.write("numbers", "1 2 3");
   const auto file = NumberFile::open(path);
   ASSERT_TRUE(file->judge(0, 3, -9999.0));
   double values[3];

@@ -1,7 +1,6 @@
 // Calibration: parameters, misfit, searches, intervals.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -21,6 +20,7 @@
 #include "mbd_solver/campaign/sampling.h"
 #include "mbd_solver/studies/calibration.h"
 #include "tests/support/refused.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/calibrate/search_stage.h"
 #include "tests/unit/studies/text_file.h"
 
@@ -726,7 +726,7 @@ TEST(Together, MostAreCountedByWeight) {
 
 // mbd_solver/campaign/calibrate/evaluations.h: what runs said comes back to the last bit, and only as an answer to the same question; damage is named.
 
-class LedgerOfRuns : public ::testing::Test {
+class LedgerOfRuns : public ::testing::Test, protected TemporaryFolder {
  protected:
   void SetUp() override {
     spec.scenes.resize(2);
@@ -738,7 +738,6 @@ class LedgerOfRuns : public ::testing::Test {
     spec.targets[0].metric = "depth", spec.targets[0].scene = "one", spec.targets[0].against = "two";
     spec.targets[1].metric = "angle", spec.targets[1].scene = "two";
   }
-  void TearDown() override { std::filesystem::remove(file); }
 
   RunRecords::Entry entry(const std::string& run, double depth, double angle) const {
     RunRecords::Entry e;
@@ -755,8 +754,7 @@ class LedgerOfRuns : public ::testing::Test {
   }
 
   CalibrationSpec spec;
-  std::string file =
-      (std::filesystem::temp_directory_path() / ("footfall_ledger_" + std::to_string(::getpid()))).string();
+  std::string file = TemporaryFolder::file("numbers.jsonl");
 };
 
 TEST_F(LedgerOfRuns, ComesBackToTheLastBit) {

@@ -1,13 +1,10 @@
 // Drawn runs: distributions, intervals and corrections with known answers.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
 #include <numeric>
 #include <random>
 #include <set>
@@ -21,6 +18,7 @@
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 namespace {
@@ -281,8 +279,8 @@ TEST(TipOver, OfAPlaneBodyBeginsAtTheSpeedOfTheClosedForm) {
   const double h = 1.5, r = std::sqrt(2.0) * 1.5, k = 1.0, g = 1.62;
   const double exact = std::sqrt(2.0 * g * (r - h) * (k * k + r * r)) / h;
   EXPECT_NEAR(exact, 2.218, 5e-4);
-  const std::string out =
-      (std::filesystem::temp_directory_path() / ("footfall_tip_over_" + std::to_string(::getpid()))).string();
+  const TemporaryFolder folder;
+  const std::string out = folder.file("run");
   double low = 1.5, high = 3.0;
   const volatile std::sig_atomic_t never = 0;
   while (high - low > 1e-3) {
@@ -298,7 +296,6 @@ TEST(TipOver, OfAPlaneBodyBeginsAtTheSpeedOfTheClosedForm) {
     const std::vector<double>& turn = history.column("foot.angle");
     (*std::max_element(turn.begin(), turn.end()) > kPi / 4.0 ? high : low) = v;
   }
-  std::filesystem::remove_all(out);
   EXPECT_NEAR(0.5 * (low + high), exact, 0.002 * exact);
 }
 

@@ -1,11 +1,9 @@
 #include "mbd_solver/fe/modal_body_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <sstream>
 
 #include "coupler/base/errors.h"
@@ -16,6 +14,7 @@
 #include "mbd_solver/model/body.h"
 #include "mbd_solver/model/modal_inertia.h"
 #include "tests/support/linear_algebra.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
@@ -30,18 +29,11 @@ using Eigen::VectorXd;
 // A file that is removed with its owner.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& text = "") {
-    static int number = 0;
-    path_ =
-        ::testing::TempDir() + "footfall_modal_" + std::to_string(::getpid()) + "_" + std::to_string(number++) + ".txt";
-    std::ofstream(path_) << text;
-  }
-  ~TemporaryFile() { std::remove(path_.c_str()); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  explicit TemporaryFile(const std::string& text = "") : path_(folder_.write("modal.txt", text)) {}
   const std::string& path() const { return path_; }
 
  private:
+  TemporaryFolder folder_;
   std::string path_;
 };
 

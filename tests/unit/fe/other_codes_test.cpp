@@ -1,12 +1,10 @@
 // Models of CalculiX, made with gmsh (tests/bench/calculix): bar, plate, bracket and leg of a lander, each with the matrices,
 // frequencies and deflections that CalculiX 2.20 gives; and the same numbers in the formats of other codes.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -23,6 +21,7 @@
 #include "mbd_solver/model/body.h"
 #include "mbd_solver/model/modal_inertia.h"
 #include "tests/support/linear_algebra.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
@@ -39,23 +38,8 @@ using Sparse = Eigen::SparseMatrix<double>;
 std::string data(const std::string& file) { return std::string(FOOTFALL_CALCULIX) + "/" + file; }
 
 // A folder of files that is removed with its owner.
-class Files {
- public:
-  Files() {
-    static int number = 0;
-    folder_ = ::testing::TempDir() + "footfall_fe_" + std::to_string(::getpid()) + "_" + std::to_string(number++);
-    std::filesystem::create_directories(folder_);
-  }
-  ~Files() { std::filesystem::remove_all(folder_); }
-  Files(const Files&) = delete;
-  Files& operator=(const Files&) = delete;
-  std::string add(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ + "/" + name, std::ios::binary) << text;
-    return folder_ + "/" + name;
-  }
-
- private:
-  std::string folder_;
+struct Files : TemporaryFolder {
+  std::string add(const std::string& name, const std::string& text) const { return write(name, text); }
 };
 
 // What CalculiX says about a model.

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "mbd_solver/model/control/fuzzy.h"
+#include "tests/support/temporary_folder.h"
 
 namespace footfall {
 
@@ -29,12 +30,8 @@ inline std::string lander_text() {
 }
 
 // A .fll file that disappears with the test.
-struct TemporaryFll {
-  explicit TemporaryFll(const std::string& text)
-      : path(std::filesystem::temp_directory_path() / ("footfall_" + std::to_string(std::random_device{}()) + ".fll")) {
-    std::ofstream(path) << text;
-  }
-  ~TemporaryFll() { std::filesystem::remove(path); }
+struct TemporaryFll : TemporaryFolder {
+  explicit TemporaryFll(const std::string& text) : path(write("controller.fll", text)) {}
   std::filesystem::path path;
 };
 

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <initializer_list>
 #include <random>
 
@@ -63,28 +62,15 @@ sum = ["height", "depth [m]"]
 published = { Uehara = 0.3333, Walsh = 0.25 }
 )";
 
-class FitsTest : public ::testing::Test {
+class FitsTest : public ::testing::Test, protected TemporaryFolder {
  protected:
-  FitsTest() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "footfall_fit_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~FitsTest() override { std::filesystem::remove_all(folder_); }
-  SweepSpec read(const std::string& text) const {
-    std::ofstream(folder_ / "sweep.toml") << text;
-    return read_sweep_file((folder_ / "sweep.toml").string());
-  }
+  SweepSpec read(const std::string& text) const { return read_sweep_file(write("sweep.toml", text)); }
   // kSweep + kFit with `from` replaced.
   SweepSpec read_with(const std::string& from, const std::string& to) const {
     std::string text = kSweep + kFit;
     text.replace(text.find(from), from.size(), to);
     return read(text);
   }
-  std::string written(const std::string& name) const {
-    std::ifstream stream(folder_ / name);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-  std::filesystem::path folder_;
 };
 
 // d = 0.002 rho^(1/2) (h + d)^(1/3), solved for d.
@@ -147,14 +133,13 @@ TEST_F(FitsTest, TablesAndPictureAreWritten) {
   const std::vector<std::string> files = write_fits(sweep, plan, results_of(plan), folder_.string());
   for (const std::string& file : files) EXPECT_GT(std::filesystem::file_size(file), 100U) << file;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "law.svg"));
-  EXPECT_THAT(written("fits.md"), HasSubstr("`d = 0.002 (rho)^0.50 (H)^0.33`: 18 runs, R^2 = 1.0000"));
-  EXPECT_THAT(written("fits.md"),
-              HasSubstr("| exponent of | found | standard error | 95 % interval | Uehara | Walsh |"));
-  EXPECT_THAT(written("fits.md"), HasSubstr("| rho | 0.500 | 0.000 | 0.500 to 0.500 | 0.5 |  |"));
-  EXPECT_THAT(written("fits.md"), HasSubstr("With the exponents of Uehara: `d = 0.002 (rho)^0.50 (H)^0.33`"));
+  EXPECT_THAT(text("fits.md"), HasSubstr("`d = 0.002 (rho)^0.50 (H)^0.33`: 18 runs, R^2 = 1.0000"));
+  EXPECT_THAT(text("fits.md"), HasSubstr("| exponent of | found | standard error | 95 % interval | Uehara | Walsh |"));
+  EXPECT_THAT(text("fits.md"), HasSubstr("| rho | 0.500 | 0.000 | 0.500 to 0.500 | 0.5 |  |"));
+  EXPECT_THAT(text("fits.md"), HasSubstr("With the exponents of Uehara: `d = 0.002 (rho)^0.50 (H)^0.33`"));
   // who gives only one of two
-  EXPECT_THAT(written("fits.md"), ::testing::Not(HasSubstr("With the exponents of Walsh")));
-  EXPECT_THAT(written("fits.csv"), HasSubstr("\nlaw,fitted,rho,0.5,"));
+  EXPECT_THAT(text("fits.md"), ::testing::Not(HasSubstr("With the exponents of Walsh")));
+  EXPECT_THAT(text("fits.csv"), HasSubstr("\nlaw,fitted,rho,0.5,"));
 }
 
 TEST_F(FitsTest, WrongFilesAreReportedAtTheirKey) {

@@ -1,7 +1,6 @@
 // Sweeps: plan, runs, figures, results.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +23,7 @@
 #include "mbd_solver/studies/sweep_file.h"
 #include "mbd_solver/studies/tables.h"
 #include "mbd_solver/studies/window_growth.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/studies/text_file.h"
 
 namespace footfall {
@@ -62,8 +62,8 @@ TEST(ReadExperiment, AsksForNoDrawingsUnlessTheFileDoes) {
 }
 
 TEST(ReadExperiment, TheShortFormOfACurveIsItsFirstValueUnlessTheFileSaysOtherwise) {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("footfall_short_" + std::to_string(::getpid()) + ".toml")).string();
+  const TemporaryFolder folder;
+  const std::string path = folder.file("sweep.toml");
   const auto shortened = [&](const std::string& words) {
     std::ofstream(path) << "scene = \"scene.toml\"\n[reference]\n[[curves]]\nname = \"c\"\nsettings = [\"x={value}\"]\n"
                            "values = [1, 2]\n" +
@@ -73,7 +73,6 @@ TEST(ReadExperiment, TheShortFormOfACurveIsItsFirstValueUnlessTheFileSaysOtherwi
   EXPECT_EQ(shortened(""), std::vector<std::string>{"1"});
   EXPECT_EQ(shortened("short = [2]\n"), std::vector<std::string>{"2"});
   EXPECT_EQ(shortened("short = []\n"), std::vector<std::string>{});
-  std::filesystem::remove(path);
 }
 
 TEST(ReadExperiment, SaysWhatIsWrongWithCurvesAndFigures) {
@@ -300,18 +299,7 @@ TEST(PlanOf, RunsOfOneNameAreTold) {
 
 namespace fs = std::filesystem;
 
-class RunStoreTest : public ::testing::Test {
- protected:
-  RunStoreTest() {
-    std::string pattern = (fs::temp_directory_path() / "footfall_store_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~RunStoreTest() override { fs::remove_all(folder_); }
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(file(name)) << text; }
-
-  fs::path folder_;
-};
+class RunStoreTest : public ::testing::Test, protected TemporaryFolder {};
 
 TEST_F(RunStoreTest, KnowsARunByEveryFileThatItsSceneNames) {
   write("scene.toml", R"(
@@ -443,9 +431,8 @@ TEST(CountPeaks, ShoulderIsNoPeakAndARiseAtTheEndIsOne) {
 }
 
 TEST(FiguresOfRun, ReduceEveryColumnAndTakeTheExtremeOrTheMean) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("footfall_figures_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder place;
+  const std::filesystem::path& folder = place.folder_;
   std::ofstream(folder / "summary.json") << "{\"weight\": 2.0}";
   std::ofstream(folder / "history.csv") << "# units: s,N,N\ntime,a,b\n0,1,5\n1,3,-1\n2,2,4\n";
   const std::vector<std::string> both = {"a", "b"};
@@ -461,28 +448,24 @@ TEST(FiguresOfRun, ReduceEveryColumnAndTakeTheExtremeOrTheMean) {
   figures[6].reduction = Reduction::kDrop;
   EXPECT_THAT(metrics_of_run(figures, folder.string(), "file.toml"),
               ::testing::ElementsAre(5.0, 4.0, -1.0, 0.0, 4.0, 2.0, 6.0));
-  std::filesystem::remove_all(folder);
 }
 
 // (first - last) / first.
 TEST(FiguresOfRun, LossIsTheShareOfTheFirstValueThatIsGone) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("footfall_loss_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder place;
+  const std::filesystem::path& folder = place.folder_;
   std::ofstream(folder / "summary.json") << "{}";
   std::ofstream(folder / "history.csv") << "# units: s,J\ntime,E\n0,8\n1,1\n2,2\n";
   MetricSpec figure;
   figure.columns = {"E"};
   figure.reduction = Reduction::kLoss;
   EXPECT_THAT(metrics_of_run({figure}, folder.string(), "file.toml"), ::testing::ElementsAre(0.75));
-  std::filesystem::remove_all(folder);
 }
 
 // The last four of ten rows: (1 + 3 + 2 + 6) / 4.
 TEST(FiguresOfRun, SteadyIsTheMeanOfTheLastRows) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("footfall_steady_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder place;
+  const std::filesystem::path& folder = place.folder_;
   std::ofstream(folder / "summary.json") << "{}";
   std::ofstream(folder / "history.csv")
       << "# units: s,N\ntime,a\n0,99\n1,99\n2,99\n3,99\n4,99\n5,99\n6,1\n7,3\n8,2\n9,6\n";
@@ -490,13 +473,11 @@ TEST(FiguresOfRun, SteadyIsTheMeanOfTheLastRows) {
   figure.columns = {"a"};
   figure.reduction = Reduction::kSteady;
   EXPECT_THAT(metrics_of_run({figure}, folder.string(), "file.toml"), ::testing::ElementsAre(3.0));
-  std::filesystem::remove_all(folder);
 }
 
 TEST(FiguresOfRun, AreReducedColumnsOverAKeyOfTheSummary) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("footfall_figures_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder place;
+  const std::filesystem::path& folder = place.folder_;
   std::ofstream(folder / "summary.json") << "{\"reference_energy_J\": 50.0}\n";
   std::ofstream(folder / "history.csv") << "# units: s,J\ntime,work.contact\n0,0\n0.1,-20\n0.2,-10\n";
   MetricSpec figure;
@@ -504,7 +485,6 @@ TEST(FiguresOfRun, AreReducedColumnsOverAKeyOfTheSummary) {
   figure.reduction = Reduction::kLargest;
   figure.over = "reference_energy_J";
   EXPECT_THAT(metrics_of_run({figure}, folder.string(), "file.toml"), ::testing::ElementsAre(0.4));
-  std::filesystem::remove_all(folder);
 }
 
 // mbd_solver/studies/metrics.h: beds whose surface is a known line, and the figure of an experiment that is read from dumps.
@@ -554,8 +534,8 @@ TEST(BedSlope, OfTooFewSlicesIsNoNumber) {
 
 TEST(BedSlope, IsAFigureOfARunFromItsLastDump) {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::temp_directory_path() / ("footfall_slope_" + std::to_string(::getpid()));
-  fs::create_directories(folder);
+  const TemporaryFolder place;
+  const fs::path& folder = place.folder_;
   std::ofstream(folder / "summary.json") << "{}";
   MetricSpec figure;
   figure.slope = {-0.9, -0.1};
@@ -571,7 +551,6 @@ TEST(BedSlope, IsAFigureOfARunFromItsLastDump) {
            << '\n';
   }
   EXPECT_NEAR(metrics_of_run({figure}, folder.string(), "file.toml")[0], std::atan(0.5) * 180.0 / kPi, kDegree);
-  fs::remove_all(folder);
 }
 
 // What known runs say: means of cases, limits and ranking, and whether statements come out.
