@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "coupler/base/errors.h"
@@ -48,14 +49,21 @@ std::string called_as() {
 
 namespace {
 
-// mpirun itself; what it becomes and starts on other machines, where a batch system or a list of hosts names some.
-std::vector<std::string> launchers() {
+// mpirun, what it becomes, and what it starts on other machines where a batch system or a list of hosts names some. A mpirun
+// that is a script may start anything: its programs cannot be known.
+Rights rights_of_launcher() {
   std::vector<std::string> programs;
   std::vector<const char*> names = {"mpirun", "prterun", "prte", "prted", "orted"};
   if (in_batch_job()) names.insert(names.end(), {"sh", "bash", "ssh", "rsh", "srun", "qrsh", "pbs_tmrsh", "blaunch"});
-  for (const char* name : names)
-    if (std::string program = program_in_path(name); !program.empty()) programs.push_back(program);
-  return programs;
+  for (const char* name : names) {
+    const std::string program = program_in_path(name);
+    if (program.empty()) continue;
+    char head[2] = {};
+    if (programs.empty() && std::ifstream(program).read(head, 2) && head[0] == '#' && head[1] == '!')
+      return Rights::of_user();
+    programs.push_back(program);
+  }
+  return Rights::starting(std::move(programs));
 }
 
 }  // namespace
@@ -68,7 +76,7 @@ bool in_batch_job() {
 }
 
 Command mpirun() {
-  Command command{Rights::starting(launchers()), {"mpirun"}};
+  Command command{rights_of_launcher(), {"mpirun"}};
   if (geteuid() == 0) {
     command.environment["OMPI_ALLOW_RUN_AS_ROOT"] = "1";
     command.environment["OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"] = "1";
