@@ -19,6 +19,8 @@ inline constexpr MessageCode kParameterOutOfRange{"E0434", "parameter-out-of-ran
 inline constexpr MessageCode kFileNotRemoved{"E0435", "file-not-removed"};
 // A file that a run reads as it goes was changed. Leave it as it is until the run has ended.
 inline constexpr MessageCode kFileChanged{"E0436", "file-changed"};
+// A file has more of something than its reader takes: unpacked bytes, parts within parts, included files. Make it smaller as the message says.
+inline constexpr MessageCode kReadLimit{"E0437", "read-limit"};
 
 // A table cannot be opened. Check path and permissions.
 inline constexpr MessageCode kTableNotReadable{"E0250", "table-not-readable"};

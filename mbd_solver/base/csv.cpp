@@ -8,6 +8,7 @@
 
 #include "coupler/base/input_file.h"
 #include "coupler/base/number.h"
+#include "mbd_solver/base/budget.h"
 
 namespace footfall {
 namespace {
@@ -37,7 +38,7 @@ CsvReader::CsvReader(const std::string& path, const std::string& expected, Separ
 }
 
 bool CsvReader::next() {
-  while (std::getline(file_, content_)) {
+  while (read_line(file_, content_, path_)) {
     if (++line_ == 1 && content_.rfind("\xEF\xBB\xBF", 0) == 0)
       content_.erase(0, 3);  // byte order mark of spreadsheets
     if (content_.find('"') != std::string::npos) {
@@ -73,14 +74,17 @@ bool CsvReader::split_quoted() {
     closed = false;
   };
   unquoted_.clear();
+  ReadBudget bytes(limit::kLine, path_ + ":" + std::to_string(first));
+  bytes.take(content_.size());
   for (std::size_t at = 0; at < content_.size() || quoted; ++at) {
     if (at == content_.size()) {
       std::string more;
-      if (!std::getline(file_, more)) {
+      if (!read_line(file_, more, path_)) {
         line_ = first;
         fail(code::kTableCell, "a cell begins with a quote and never ends, expected another quote");
       }
       ++line_;
+      bytes.take(more.size() + 1);
       content_ += '\n' + more;
     }
     const char c = content_[at];
