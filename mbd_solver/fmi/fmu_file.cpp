@@ -1,4 +1,5 @@
-// libzip reads the archive. Entries are written below the given folder only, and in reasonable number and size.
+// libzip reads the archive. Entries are written below the given folder only; their number and unpacked sizes are counted while
+// they are read, as what the archive announces need not be true.
 
 #include "mbd_solver/fmi/fmu_file.h"
 
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "coupler/base/text.h"
+#include "mbd_solver/base/budget.h"
 
 namespace footfall {
 namespace {
@@ -20,9 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kDescription = "modelDescription.xml";
-constexpr zip_uint64_t kLargestDescription = 256ull << 20;  // [bytes]
-constexpr zip_uint64_t kLargestFmu = 8ull << 30;            // unpacked [bytes]
-constexpr zip_int64_t kMostEntries = 100000;
 constexpr std::size_t kElfHead = 4;  // [bytes]
 
 #if defined(__x86_64__)
@@ -35,10 +34,25 @@ constexpr const char *kPlatform3 = "this machine", *kPlatform2 = "this machine";
 
 using Zip = std::unique_ptr<zip_t, decltype(&zip_discard)>;
 
+void take(ReadBudget& budget, std::uint64_t amount) {
+  if (!budget.takes(amount)) throw FmuProblem("limit", budget.excess());
+}
+
+// All that is unpacked of the archive.
+ReadBudget unpacked_budget(const std::string& file) {
+  std::error_code none;
+  const std::uint64_t most = limit::kFmuSmall + limit::kFmuRatio * fs::file_size(file, none);
+  return {limit::kFmuUnpacked, file, std::min(most, limit::kFmuUnpacked.most)};
+}
+
 Zip opened(const std::string& file) {
   int code = 0;
   Zip zip(zip_open(file.c_str(), ZIP_RDONLY, &code), zip_discard);
-  if (zip) return zip;
+  if (zip) {
+    ReadBudget entries(limit::kFmuEntries, file);
+    take(entries, static_cast<std::uint64_t>(zip_get_num_entries(zip.get(), 0)));
+    return zip;
+  }
   zip_error_t error;
   zip_error_init_with_code(&error, code);
   const std::string why = zip_error_strerror(&error);
@@ -47,19 +61,17 @@ Zip opened(const std::string& file) {
 }
 
 // The entry in pieces, to a function.
-void read_entry(zip_t* zip, zip_uint64_t index, zip_uint64_t most,
+void read_entry(zip_t* zip, zip_uint64_t index, ReadBudget& bytes_left,
                 const std::function<void(const char*, std::size_t)>& write) {
   const char* const name = zip_get_name(zip, index, 0);
   const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> entry(zip_fopen_index(zip, index, 0), zip_fclose);
   if (!entry) throw FmuProblem("file", std::string("its entry ") + name + " cannot be read: " + zip_strerror(zip));
   std::vector<char> bytes(1 << 16);
-  zip_uint64_t total = 0;
   for (zip_int64_t count = 0; (count = zip_fread(entry.get(), bytes.data(), bytes.size())) != 0;) {
     if (count < 0)
       throw FmuProblem("file", std::string("its entry ") + name + " is damaged (" + zip_file_strerror(entry.get()) +
                                    "); export the FMU again");
-    total += static_cast<zip_uint64_t>(count);
-    if (total > most) throw FmuProblem("file", std::string("its entry ") + name + " is too large");
+    take(bytes_left, static_cast<std::uint64_t>(count));
     write(bytes.data(), static_cast<std::size_t>(count));
   }
 }
@@ -84,9 +96,9 @@ fs::path place_of(const std::string& name) {
 }
 
 // Reads the library whole, which compares its sum, and looks at its first bytes: those of an ELF file of this machine.
-void check_library(zip_t* zip, zip_uint64_t index, const std::string& name) {
+void check_library(zip_t* zip, zip_uint64_t index, const std::string& name, ReadBudget bytes_left) {
   std::string head;
-  read_entry(zip, index, kLargestFmu, [&](const char* bytes, std::size_t count) {
+  read_entry(zip, index, bytes_left, [&](const char* bytes, std::size_t count) {
     if (head.size() < kElfHead) head.append(bytes, std::min(count, kElfHead));
   });
   if (head != "\177ELF")
@@ -106,14 +118,16 @@ FmuDescription read_fmu(const std::string& file) {
     throw FmuProblem("file",
                      std::string("is no FMU: the archive has no ") + kDescription + " at its top; export it again");
   std::string xml;
-  read_entry(zip.get(), static_cast<zip_uint64_t>(index), kLargestDescription,
+  ReadBudget bytes_left(limit::kFmuDescription, file);
+  read_entry(zip.get(), static_cast<zip_uint64_t>(index), bytes_left,
              [&](const char* bytes, std::size_t count) { xml.append(bytes, count); });
   FmuDescription description = parse_model_description(xml);
-  for (zip_int64_t i = 0; i < std::min(zip_get_num_entries(zip.get(), 0), kMostEntries); ++i)
+  for (zip_int64_t i = 0; i < zip_get_num_entries(zip.get(), 0); ++i)
     place_of(zip_get_name(zip.get(), static_cast<zip_uint64_t>(i), 0));
   const std::string path = library_path(description);
   const zip_int64_t library = zip_name_locate(zip.get(), path.c_str(), 0);
-  if (description.obstacle.empty() && library >= 0) check_library(zip.get(), static_cast<zip_uint64_t>(library), path);
+  if (description.obstacle.empty() && library >= 0)
+    check_library(zip.get(), static_cast<zip_uint64_t>(library), path, unpacked_budget(file));
   if (description.obstacle.empty() && library < 0) {
     const std::set<std::string> found = platforms(zip.get());
     description.obstacle =
@@ -127,8 +141,7 @@ FmuDescription read_fmu(const std::string& file) {
 void unpack_fmu(const std::string& file, const std::string& folder) {
   const Zip zip = opened(file);
   const zip_int64_t count = zip_get_num_entries(zip.get(), 0);
-  if (count > kMostEntries) throw FmuProblem("file", "has more than " + std::to_string(kMostEntries) + " entries");
-  zip_uint64_t left = kLargestFmu;
+  ReadBudget bytes_left = unpacked_budget(file);
   for (zip_int64_t i = 0; i < count; ++i) {
     const auto index = static_cast<zip_uint64_t>(i);
     const std::string name = zip_get_name(zip.get(), index, 0);
@@ -139,10 +152,8 @@ void unpack_fmu(const std::string& file, const std::string& folder) {
     }
     fs::create_directories(path.parent_path());
     std::ofstream out(path, std::ios::binary);
-    read_entry(zip.get(), index, left, [&](const char* bytes, std::size_t size) {
-      out.write(bytes, static_cast<std::streamsize>(size));
-      left -= size;
-    });
+    read_entry(zip.get(), index, bytes_left,
+               [&](const char* bytes, std::size_t size) { out.write(bytes, static_cast<std::streamsize>(size)); });
     out.close();
     if (!out) throw FmuProblem("file", "cannot be unpacked to " + path.string() + ": the disk may be full");
   }

@@ -9,7 +9,7 @@
 
 namespace footfall {
 
-// A file that is no usable FMU. kind: "file", "version", "platform" or "tool".
+// A file that is no usable FMU. kind: "file", "version", "platform", "tool" or "limit" (base/budget.h).
 struct FmuProblem : std::runtime_error {
   FmuProblem(std::string of_kind, const std::string& text) : std::runtime_error(text), kind(std::move(of_kind)) {}
   std::string kind;

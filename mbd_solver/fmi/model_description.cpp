@@ -5,9 +5,11 @@
 #include <limits>
 #include <pugixml.hpp>
 #include <set>
+#include <sstream>
 
 #include "coupler/base/number.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/budget.h"
 #include "mbd_solver/fmi/fmu_file.h"
 
 namespace footfall {
@@ -42,12 +44,14 @@ void check_variables(const pugi::xml_node& variables, const FmuDescription& d) {
     while (node->type() != pugi::node_element) ++node;
     if (v.name.empty() || !names.insert(v.name).second)
       fail(*node, v.name.empty() ? "has no name" : "is there twice, expected each name once");
-    for (const std::string& word : split(v.start, ' ')) {
+    ReadBudget values(limit::kFmuStart, "");
+    std::istringstream words(v.start);
+    for (std::string word; v.is_number() && std::getline(words, word, ' ');) {
+      if (!word.empty() && !values.takes()) throw FmuProblem("limit", values.excess());
       char* end = nullptr;
       const bool number = word.empty() || word == "true" || word == "false" ||
                           (read_number(word.c_str(), &end), end != word.c_str() && *end == '\0');
-      if (v.is_number() && !number)
-        fail(*node, "has the start value \"" + word.substr(0, 40) + "\", expected a number");
+      if (!number) fail(*node, "has the start value \"" + word.substr(0, 40) + "\", expected a number");
     }
     ++node;
   }
@@ -100,6 +104,8 @@ FmuVariable variable_2(const pugi::xml_node& node) {
 }  // namespace
 
 FmuDescription parse_model_description(const std::string& xml) {
+  ReadBudget parts(limit::kXmlParts, "");
+  if (!parts.takes(xml_parts(xml))) throw FmuProblem("limit", "its modelDescription.xml " + parts.excess());
   pugi::xml_document document;
   const pugi::xml_parse_result result = document.load_buffer(xml.data(), xml.size());
   if (!result)

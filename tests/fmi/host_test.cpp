@@ -199,6 +199,34 @@ TEST(ModelDescription, OtherFilesAreNoFmu) {
 }
 
 // [1,1] [1,2] [2,1] [2,2] of an array of two by two whose size is a parameter.
+// A bomb of 65 kB; before, 256 MB were unpacked, and parsed into 4 GB.
+TEST(ModelDescription, IsUnpackedTo64MegabytesAtMost) {
+  const HostFolder folder;
+  const std::string file = (folder.folder_ / "bomb.fmu").string();
+  write_fmu(file, {{"modelDescription.xml", "", std::string((64 << 20) + 1, ' ')}});
+  EXPECT_LT(std::filesystem::file_size(file), 100000u);
+  try {
+    read_fmu(file);
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const FmuProblem& problem) {
+    EXPECT_EQ(problem.kind, "limit");
+    EXPECT_THAT(problem.what(), HasSubstr("64 MB of modelDescription.xml"));
+  }
+}
+
+// Parsed, an element of four bytes takes sixty.
+TEST(ModelDescription, HasTwoMillionPartsAtMostAndArraysOfAMillion) {
+  std::string parts = "<fmiModelDescription fmiVersion='3.0'>";
+  for (int k = 0; k < 2000000; ++k) parts += "<a/>";
+  EXPECT_EQ(described(parts + "</fmiModelDescription>"), "limit");
+  std::string values;
+  for (int k = 0; k <= 1 << 20; ++k) values += "0 ";
+  EXPECT_EQ(described("<fmiModelDescription fmiVersion='3.0'><CoSimulation modelIdentifier='m'/><ModelVariables>"
+                      "<Float64 name='x' valueReference='1' start='" +
+                      values + "'/></ModelVariables></fmiModelDescription>"),
+            "limit");
+}
+
 TEST(ModelDescription, ElementsAreCountedRowByRow) {
   FmuDescription fmu;
   fmu.variables.push_back({"n", "UInt64", "structuralParameter", "fixed", "", "3", 7, {}});

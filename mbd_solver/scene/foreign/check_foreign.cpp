@@ -11,6 +11,7 @@
 #include "coupler/base/files.h"
 #include "coupler/base/number.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/codes.h"
 #include "mbd_solver/base/helper_process.h"
 #include "mbd_solver/scene/foreign/foreign_code.h"
 #include "mbd_solver/scene/scene_check.h"
@@ -40,6 +41,7 @@ const MessageCode& code_of_problem(const std::string& kind) {
   if (kind == "version") return kFmuVersion;
   if (kind == "platform") return kFmuPlatform;
   if (kind == "tool") return kFmuTool;
+  if (kind == "limit") return kReadLimit;
   return kFmuFile;
 }
 
