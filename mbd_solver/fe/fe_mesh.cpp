@@ -26,6 +26,16 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostIncludes = 8;  // files within files
 
+// Files that are being read, the outermost first, and what they may be in all.
+struct Includes {
+  explicit Includes(const std::string& file)
+      : open{std::filesystem::path(file).lexically_normal().string()},
+        files(limit::kIncludedFiles, file),
+        bytes(limit::kIncludedMesh, file) {}
+  std::vector<std::string> open;
+  ReadBudget files, bytes;
+};
+
 // --- Abaqus and CalculiX.
 
 // "C3D20R" -> 3 dimensions and 20 nodes. False: a type without a surface, such as springs and masses.
@@ -54,11 +64,12 @@ bool type_of(const std::string& name, int& dimension, int& nodes) {
 }
 
 struct InpState {
+  explicit InpState(const std::string& file) : mesh(file), includes(file) {}
   MeshBuilder mesh;
+  Includes includes;
   std::unordered_map<long, int> elements;  // number -> index
   std::map<std::string, std::vector<int>> element_sets;
   std::map<std::string, std::string> spellings;  // of names of sets: upper case -> the first one
-  std::vector<std::string> open;                 // files that are being read
   bool in_part = false, part_had_nodes = false;
   // Abaqus and CalculiX tell names apart without their case.
   const std::string& named(const std::string& set) { return spellings.try_emplace(upper_case(set), set).first->second; }
@@ -127,10 +138,29 @@ void inp_elements(ModelText& text, const InpKeyword& keyword, InpState& state) {
     fail("the last element of type " + type + " lacks nodes, expected " + std::to_string(nodes) + ".");
 }
 
+// Of the numbers first, first + step ... last those that exist, with their indices, in order. Counts what it passes over.
+std::vector<std::pair<long, int>> within(const std::unordered_map<long, int>& numbers, long first, long last, long step,
+                                         ReadBudget& entries) {
+  std::vector<std::pair<long, int>> found;
+  if (last < first) return found;
+  const auto asked = static_cast<std::size_t>((last - first) / step + 1);
+  entries.take(std::min(asked, numbers.size()));
+  if (asked <= numbers.size()) {
+    for (long id = first; id <= last; id += step)
+      if (const auto entry = numbers.find(id); entry != numbers.end()) found.emplace_back(*entry);
+    return found;
+  }
+  for (const auto& [id, index] : numbers)
+    if (id >= first && id <= last && (id - first) % step == 0) found.emplace_back(id, index);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 // NSET or ELSET: numbers, ranges (GENERATE), names of other sets. `numbers`: index by number.
 std::vector<int> inp_set(ModelText& text, const InpKeyword& keyword, const std::string& name,
                          const std::unordered_map<long, int>& numbers,
-                         const std::map<std::string, std::vector<int>>& sets, bool of_nodes) {
+                         const std::map<std::string, std::vector<int>>& sets,
+                         const std::map<std::string, std::string>& spellings, bool of_nodes, ReadBudget& entries) {
   if (name.empty()) text.fail("a set without a name.");
   const bool ranges = keyword.values.count("GENERATE") > 0;
   std::vector<int> found;
@@ -139,19 +169,16 @@ std::vector<int> inp_set(ModelText& text, const InpKeyword& keyword, const std::
       if (cells.size() < 2) text.fail("expected first, last and step of a range.");
       const long first = text.whole(cells[0], 0, kLargestId), last = text.whole(cells[1], 0, kLargestId);
       const long step = cells.size() > 2 && !cells[2].empty() ? text.whole(cells[2], 1, kLargestId) : 1;
-      std::vector<std::pair<long, int>> within;
-      for (const auto& [id, index] : numbers)
-        if (id >= first && id <= last && (id - first) % step == 0) within.emplace_back(id, index);
-      std::sort(within.begin(), within.end());
-      for (const auto& entry : within) found.push_back(entry.second);
+      for (const auto& entry : within(numbers, first, last, step, entries)) found.push_back(entry.second);
       return;
     }
     for (const std::string& cell : cells) {
       if (cell.empty()) continue;
       if (std::isdigit(static_cast<unsigned char>(cell[0])) == 0) {
-        const auto other = std::find_if(sets.begin(), sets.end(),
-                                        [&](const auto& s) { return upper_case(s.first) == upper_case(cell); });
+        const auto spelling = spellings.find(upper_case(cell));
+        const auto other = spelling == spellings.end() ? sets.end() : sets.find(spelling->second);
         if (other == sets.end()) text.fail("unknown set \"" + cell + "\", expected one that is defined above.");
+        entries.take(other->second.size());
         found.insert(found.end(), other->second.begin(), other->second.end());
         continue;
       }
@@ -165,7 +192,8 @@ std::vector<int> inp_set(ModelText& text, const InpKeyword& keyword, const std::
 }
 
 // The path of a file within this one, which joins those that are being read. The caller takes it away again.
-std::string path_within(const ModelText& text, const std::string& name, std::vector<std::string>& open) {
+std::string path_within(const ModelText& text, const std::string& name, Includes& includes) {
+  std::vector<std::string>& open = includes.open;
   const std::string path = (std::filesystem::path(text.name()).parent_path() / name).lexically_normal().string();
   if (std::find(open.begin(), open.end(), path) != open.end() || open.size() > kMostIncludes)
     text.fail("includes \"" + name.substr(0, 100) + "\", " +
@@ -174,6 +202,8 @@ std::string path_within(const ModelText& text, const std::string& name, std::vec
   std::error_code none;
   if (!std::filesystem::is_regular_file(path, none))
     text.fail("includes \"" + name.substr(0, 100) + "\", but there is no file " + path + ".");
+  includes.files.take();
+  includes.bytes.take(std::filesystem::file_size(path, none));
   open.push_back(path);
   return path;
 }
@@ -209,11 +239,13 @@ void parse_inp(ModelText& text, InpState& state) {
         for (const int e : of->second) state.mesh.add_element_to_set(name, e);
         continue;
       }
-      for (const int n : inp_set(text, keyword, name, state.mesh.mesh().index, state.mesh.mesh().sets, true))
+      for (const int n : inp_set(text, keyword, name, state.mesh.mesh().index, state.mesh.mesh().sets, state.spellings,
+                                 true, state.mesh.entries))
         state.mesh.add_to_set(name, n);
     } else if (keyword.name == "ELSET") {
       const std::string name = state.named(keyword.value("ELSET"));
-      const std::vector<int> found = inp_set(text, keyword, name, state.elements, state.element_sets, false);
+      const std::vector<int> found =
+          inp_set(text, keyword, name, state.elements, state.element_sets, state.spellings, false, state.mesh.entries);
       state.element_sets[name].insert(state.element_sets[name].end(), found.begin(), found.end());
     } else if (keyword.name == "PART") {
       state.part_had_nodes = !state.mesh.mesh().ids.empty();
@@ -231,18 +263,17 @@ void parse_inp(ModelText& text, InpState& state) {
     } else if (keyword.name == "INCLUDE") {
       const std::string name = keyword.value("INPUT");
       if (name.empty()) fail("*INCLUDE without INPUT.");
-      const std::string path = path_within(text, name, state.open);
+      const std::string path = path_within(text, name, state.includes);
       ModelText included(bytes_of_model(path), path);
       parse_inp(included, state);
-      state.open.pop_back();
+      state.includes.open.pop_back();
     }
   }
 }
 
 FeMesh inp_mesh(const std::string& bytes, const std::string& file) {
   ModelText text(bytes, file);
-  InpState state;
-  state.open.push_back(std::filesystem::path(file).lexically_normal().string());
+  InpState state(file);
   parse_inp(text, state);
   for (const auto& [name, elements] : state.element_sets) {
     if (state.mesh.mesh().sets.count(name) > 0) continue;  // Abaqus writes both under one name: that of nodes is meant
@@ -266,8 +297,9 @@ struct BdfState {
     std::vector<long> ids;
     std::string place;
   };
+  explicit BdfState(const std::string& file) : mesh(file), includes(file) {}
   MeshBuilder mesh;
-  std::vector<std::string> open;  // files that are being read
+  Includes includes;
   std::vector<Pending> elements;
   struct Set {
     std::string name;
@@ -366,9 +398,9 @@ void parse_bdf(const std::string& bytes, const std::string& file, BdfState& stat
       for (std::size_t i = std::strlen("INCLUDE"); i < cards.line().size(); ++i)
         if (std::strchr("'\" \t", cards.line()[i]) == nullptr) path += cards.line()[i];
       if (path.empty()) fail("INCLUDE without a file.");
-      path = path_within(text, path, state.open);
+      path = path_within(text, path, state.includes);
       parse_bdf(bytes_of_model(path), path, state);
-      state.open.pop_back();
+      state.includes.open.pop_back();
     } else {
       const auto card =
           std::find_if(std::begin(kCards), std::end(kCards), [&](const NastranCard& c) { return name == c.name; });
@@ -391,8 +423,7 @@ void parse_bdf(const std::string& bytes, const std::string& file, BdfState& stat
 }
 
 FeMesh bdf_mesh(const std::string& bytes, const std::string& file) {
-  BdfState state;
-  state.open.push_back(std::filesystem::path(file).lexically_normal().string());
+  BdfState state(file);
   parse_bdf(bytes, file, state);
   MeshBuilder& mesh = state.mesh;
   const auto& index = mesh.mesh().index;
@@ -407,9 +438,11 @@ FeMesh bdf_mesh(const std::string& bytes, const std::string& file) {
         if (node != index.end()) mesh.add_to_set(name, node->second);
         continue;
       }
-      for (std::size_t n = 0; n < mesh.mesh().ids.size(); ++n)
-        if (const long id = mesh.mesh().ids[n]; id >= -ids[i] && id <= ids[i + 1] && without.count(id) == 0)
-          mesh.add_to_set(name, static_cast<int>(n));
+      std::vector<int> nodes;
+      for (const auto& [id, node] : within(index, -ids[i], ids[i + 1], 1, mesh.entries))
+        if (without.count(id) == 0) nodes.push_back(node);
+      std::sort(nodes.begin(), nodes.end());  // as in the file
+      for (const int node : nodes) mesh.add_to_set(name, node);
       ++i;
     }
   return std::move(mesh.mesh());
@@ -443,7 +476,7 @@ bool frd_wide(const ModelText& text) {
 
 FeMesh frd_mesh(const std::string& bytes, const std::string& file) {
   ModelText text(bytes, file);
-  MeshBuilder mesh;
+  MeshBuilder mesh(file);
   const auto fail = [&](const std::string& what) { text.fail(what); };
   static const std::map<long, std::pair<int, int>> kTypes = {{1, {3, 8}},  {2, {3, 6}},  {3, {3, 4}},  {4, {3, 20}},
                                                              {5, {3, 15}}, {6, {3, 10}}, {7, {2, 3}},  {8, {2, 6}},
@@ -482,7 +515,7 @@ FeMesh frd_mesh(const std::string& bytes, const std::string& file) {
 
 FeMesh node_list(const std::string& bytes, const std::string& file) {
   ModelText text(bytes, file);
-  MeshBuilder mesh;
+  MeshBuilder mesh(file);
   const auto fail = [&](const std::string& what) { text.fail(what); };
   std::size_t columns = 0;
   while (text.next()) {

@@ -125,7 +125,7 @@ std::pair<int, int> gmsh_type(long type) {
 
 class MshFile {
  public:
-  MshFile(const std::string& bytes, const std::string& file) : in_(bytes, file) {}
+  MshFile(const std::string& bytes, const std::string& file) : in_(bytes, file), mesh_(file) {}
 
   FeMesh read() {
     if (in_.at_end() || in_.word() != "$MeshFormat") in_.fail("no mesh of gmsh, expected \"$MeshFormat\".");

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "mbd_solver/base/budget.h"
 #include "mbd_solver/fe/fe_mesh.h"
 
 namespace footfall {
@@ -32,9 +33,11 @@ inline int corners_of(int dimension, int nodes) {
   }
 }
 
-// Names of sets keep the order of their nodes.
+// Names of sets keep the order of their nodes. Entries of sets are counted: sets that name sets can have any number of them.
 class MeshBuilder {
  public:
+  explicit MeshBuilder(const std::string& file) : entries(limit::kSetEntries, file) {}
+
   template <class Fail>
   void add_node(long id, const Eigen::Vector3d& x, const Fail& fail) {
     if (!mesh_.index.emplace(id, static_cast<int>(mesh_.ids.size())).second) {
@@ -67,6 +70,7 @@ class MeshBuilder {
     return found->second;
   }
   void add_to_set(const std::string& name, int node) {
+    entries.take();
     if (node >= 0 && seen_[name].insert(node).second) mesh_.sets[name].push_back(node);
   }
   void add_element_to_set(const std::string& name, int element) {
@@ -74,6 +78,8 @@ class MeshBuilder {
     for (const int n : mesh_.elements[static_cast<std::size_t>(element)].nodes) add_to_set(name, n);
   }
   FeMesh& mesh() { return mesh_; }
+
+  ReadBudget entries;
 
  private:
   FeMesh mesh_;

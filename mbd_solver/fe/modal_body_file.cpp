@@ -13,6 +13,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/input_file.h"
 #include "coupler/base/number.h"
+#include "mbd_solver/base/budget.h"
 #include "mbd_solver/model/codes.h"
 
 namespace footfall {
@@ -56,7 +57,7 @@ TextRecords::TextRecords(const std::string& path, char comment) : path_(path), c
 
 bool TextRecords::next() {
   std::string line;
-  while (std::getline(stream_, line)) {
+  while (read_line(stream_, line, path_)) {
     ++line_;
     line.erase(std::find(line.begin(), line.end(), comment_), line.end());
     std::istringstream blanks(line);
@@ -221,13 +222,15 @@ void read_rest(TextRecords& file, ModalBody& body, BasisOptions& options) {
     } else if (keyword == "segments" && body.segments.empty()) {
       read_cells<2>(file, keyword, body.node_count(), body.segments);
     } else if (keyword == "stress" && body.stress_modes.rows() == 0) {
-      const int points = read_count(file, keyword, 0);
-      body.stress_modes.resize(6 * static_cast<Index>(points), s);
-      for (Index i = 0; s > 0 && i < body.stress_modes.rows(); ++i) {
+      const Index rows = 6 * static_cast<Index>(read_count(file, keyword, 0));
+      std::vector<double> values;  // row by row, so that a wrong count does not allocate
+      for (Index i = 0; s > 0 && i < rows; ++i) {
         file.require_next("row " + std::to_string(i) + " of the stress");
         require_size(file, static_cast<std::size_t>(s), static_cast<std::size_t>(s));
-        for (Index k = 0; k < s; ++k) body.stress_modes(i, k) = file.number(static_cast<std::size_t>(k));
+        for (Index k = 0; k < s; ++k) values.push_back(file.number(static_cast<std::size_t>(k)));
       }
+      using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+      body.stress_modes = Eigen::Map<const Rows>(values.data(), rows, s);
     } else {
       file.fail("\"" + keyword + "\", expected one of damping, triangles, segments, stress (each once) or end.");
     }
