@@ -16,6 +16,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/input_file.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/budget.h"
 #include "mbd_solver/base/parameter_check.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/control/fuzzy_table.h"
@@ -55,8 +56,11 @@ std::vector<FllBlock> read_fll_text(const std::filesystem::path& file) {
     throw InputError(code::kFllSyntax,
                      file.string() + ": cannot be read; expected a fuzzy controller (.fll). Check the path.");
   std::vector<FllBlock> blocks;
+  std::map<std::string, int> variables, terms;  // lines; terms of this block
+  ReadBudget lines(limit::kFllLines, file.string());
   std::string text;
-  for (int number = 1; std::getline(in, text); ++number) {
+  for (int number = 1; read_line(in, text, file.string()); ++number) {
+    lines.take();
     const std::string where = file.string() + ":" + std::to_string(number) + ": ";
     const std::string line = trimmed(text.substr(0, text.find('#')));
     if (line.empty()) continue;
@@ -66,12 +70,12 @@ std::vector<FllBlock> read_fll_text(const std::filesystem::path& file) {
                        where + "\"" + line + "\" has no colon; expected \"key: value\", for example \"range: 0 5\".");
     const FllLine entry{number, trimmed(line.substr(0, colon)), trimmed(line.substr(colon + 1))};
     if (kKeys.count(entry.key) > 0) {
-      for (const FllBlock& other : blocks)
-        if (entry.key.find("Variable") != std::string::npos && other.head.value == entry.value &&
-            other.head.key != "Engine" && other.head.key != "RuleBlock")
+      if (entry.key.find("Variable") != std::string::npos)
+        if (const auto [other, is_new] = variables.emplace(entry.value, number); !is_new)
           throw InputError(code::kFllSyntax, where + "variable \"" + entry.value + "\" is already defined in line " +
-                                                 std::to_string(other.head.number) + ".");
+                                                 std::to_string(other->second) + ".");
       blocks.push_back({entry, {}});
+      terms.clear();
       continue;
     }
     if (blocks.empty())
@@ -83,11 +87,9 @@ std::vector<FllBlock> read_fll_text(const std::filesystem::path& file) {
       throw InputError(code::kFllSyntax, where + "unknown key \"" + entry.key + "\" in " + block.head.key + " \"" +
                                              block.head.value + "\". Known keys: " + joined(known) + ".");
     if (entry.key == "term")
-      for (const FllLine& other : block.lines)
-        if (other.key == "term" && first_word(other.value) == first_word(entry.value))
-          throw InputError(code::kFllSyntax, where + "term \"" + first_word(entry.value) + "\" of \"" +
-                                                 block.head.value + "\" is already defined in line " +
-                                                 std::to_string(other.number) + ".");
+      if (const auto [other, is_new] = terms.emplace(first_word(entry.value), number); !is_new)
+        throw InputError(code::kFllSyntax, where + "term \"" + first_word(entry.value) + "\" of \"" + block.head.value +
+                                               "\" is already defined in line " + std::to_string(other->second) + ".");
     block.lines.push_back(entry);
   }
   return blocks;

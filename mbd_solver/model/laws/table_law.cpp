@@ -7,6 +7,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/budget.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/parameter_check.h"
 #include "mbd_solver/model/codes.h"
@@ -129,8 +130,10 @@ TableLawParameters read_table_law(const std::filesystem::path& file) {
   TableLawParameters p;
   p.source = file.string();
   std::vector<std::vector<double>> rows;
+  ReadBudget cells(limit::kTableCells, p.source);
   while (csv.next()) {
     const std::size_t width = csv.cells().size();
+    cells.take(width);
     if (p.rate.empty()) {  // the head: a label, then the rates
       if (width < 3)
         csv.fail(code::kTableWidth,

@@ -283,6 +283,14 @@ TEST(FuzzyBadFile, IsNamedWithTheLineThatIsWrong) {
   }
 }
 
+// Each line is compiled alone.
+TEST(FuzzyBadFile, HasTwentyThousandLinesAtMost) {
+  std::string many = "Engine: e\n";
+  for (int k = 0; k < 20000; ++k) many += "\n";
+  const TemporaryFll file(many);
+  EXPECT_TRUE(test::names(test::error_of([&] { FuzzySystem(file.path); }), {".fll", "20000 lines", "E0437"}));
+}
+
 TEST(FuzzyBadFile, LeavesOutNoVariableAndNoRegion) {
   const TemporaryFll pitch(
       replaced(replaced(lander_text(), "InputVariable: alpha", "InputVariable: pitch"), "alpha is", "pitch is", true));
