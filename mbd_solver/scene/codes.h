@@ -49,6 +49,11 @@ inline constexpr MessageCode kNotRising{"E0118", "not-rising"};
 // Two ends of a range are in the wrong order. Give a smaller minimum or a larger maximum.
 inline constexpr MessageCode kRangeReversed{"E0119", "range-reversed"};
 
+// A file has more errors than are listed. Correct the first ones, and check again.
+inline constexpr MessageCode kMoreErrors{"E0137", "more-errors"};
+// A file has more warnings than are listed. Mend the first ones, and check again.
+inline constexpr MessageCode kMoreWarnings{"W0172", "more-warnings"};
+
 // ---- names ----
 
 // Two entries of one kind have the same name. Rename one of them.

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "coupler/base/text.h"
+#include "mbd_solver/base/budget.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/rotation.h"
@@ -232,10 +233,12 @@ static std::string read_value(const ConfigNode& node, const ValueContext& c, std
 std::vector<Eigen::Vector2d> read_two_columns(const std::string& file) {
   CsvReader csv(file, "a text file with two columns of numbers", CsvReader::Separators::kAny);
   std::vector<Eigen::Vector2d> rows;
+  ReadBudget cells(limit::kTableCells, file);
   for (bool first = true; csv.next(); first = false) {
     const char begin = csv.cells().front().front();
     if (first && (std::isalpha(static_cast<unsigned char>(begin)) || begin == '"')) continue;  // names of the columns
     csv.require_width(2);
+    cells.take(2);
     rows.emplace_back(csv.number(0), csv.number(1));
   }
   return rows;
@@ -646,6 +649,10 @@ class FieldReader final : public FieldVisitor {
     const Frame& frame = frames_.back();
     for (const auto& [key, node] : frame.node->table) {
       if (std::find(frame.taken.begin(), frame.taken.end(), key) != frame.taken.end()) continue;
+      if (findings_.is_full()) {  // the search of near names takes its time
+        findings_.skip_error();
+        continue;
+      }
       report(kUnknownKey, key, node.line, "unknown key." + known_names("keys here", key, frame.known));
     }
   }

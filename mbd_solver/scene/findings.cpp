@@ -1,4 +1,4 @@
-// Findings: places, order and the final error. A finding that repeats another word for word is dropped.
+// Findings: places, order, number and the final error. A finding that repeats another word for word is dropped.
 
 #include <algorithm>
 
@@ -39,6 +39,7 @@ bool names_a_place(const std::string& file, const std::string& message) {
 }
 
 void Findings::coded_error(int line, const std::string& path, const std::string& what) {
+  if (is_full()) return skip_error();
   const std::string text = place_of(file_, line, path) + what;
   if (texts_.insert(text).second) errors_.push_back({line, text});
 }
@@ -56,7 +57,19 @@ void Findings::error(const MessageCode& code, const Source& source, const std::s
 }
 
 void Findings::warning(const MessageCode& code, const Source& source, const std::string& key, const std::string& what) {
-  warnings_.push_back(with_code(code, place_of(file_, source, key) + what));
+  if (warnings_.size() == kMost) {
+    ++more_warnings_;
+  } else {
+    warnings_.push_back(with_code(code, place_of(file_, source, key) + what));
+  }
+}
+
+std::vector<std::string> Findings::warnings() const {
+  std::vector<std::string> all = warnings_;
+  if (more_warnings_ > 0)
+    all.push_back(with_code(code::kMoreWarnings, file_ + ": and " + std::to_string(more_warnings_) +
+                                                     " more warnings; mend the first ones, and check again"));
+  return all;
 }
 
 void Findings::throw_if_errors() const {
@@ -65,6 +78,9 @@ void Findings::throw_if_errors() const {
   std::stable_sort(sorted.begin(), sorted.end(), [](const Finding& a, const Finding& b) { return a.line < b.line; });
   std::string text;
   for (const Finding& f : sorted) text += (text.empty() ? "" : "\n") + f.text;
+  if (more_errors_ > 0)
+    text += "\n" + with_code(code::kMoreErrors, file_ + ": and " + std::to_string(more_errors_) +
+                                                    " more errors; correct the first ones, and check again");
   throw InputError(text);
 }
 

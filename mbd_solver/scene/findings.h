@@ -53,10 +53,17 @@ class Findings {
   void coded_error(int line, const std::string& path, const std::string& what);
 
   bool has_errors() const { return !errors_.empty(); }
-  int error_count() const { return static_cast<int>(errors_.size()); }
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  int error_count() const { return static_cast<int>(errors_.size()) + more_errors_; }
+  // Further errors are counted, not listed: whoever finds them one by one may call skip_error() and make no text of them.
+  bool is_full() const { return errors_.size() == kMost; }
+  void skip_error() { ++more_errors_; }
+  // At most kMost, and how many there are more.
+  std::vector<std::string> warnings() const;
   // Throws InputError with one finding per line, sorted by line, if there is any error.
   void throw_if_errors() const;
+
+  static constexpr std::size_t kMost =
+      100;  // that are listed: who made a file by a program has one mistake a million times
 
  private:
   struct Finding {
@@ -68,6 +75,7 @@ class Findings {
   std::vector<Finding> errors_;
   std::set<std::string> texts_;  // of all errors
   std::vector<std::string> warnings_;
+  int more_errors_ = 0, more_warnings_ = 0;
 };
 
 // Findings about one entry of a scene.

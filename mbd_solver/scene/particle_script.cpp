@@ -110,7 +110,10 @@ bool ScriptText::straight() const {
 }
 
 ScriptText::ScriptText(const std::string& file, const std::map<std::string, std::string>& variables)
-    : fixed_(variables) {
+    : fixed_(variables),
+      files_(limit::kIncludedFiles, file),
+      bytes_(limit::kIncludedText, file),
+      words_(limit::kScriptWords, file) {
   for (auto& [name, value] : fixed_)
     if (names_file(value)) value = hidden(value);
   const std::string folder = std::filesystem::path(file).parent_path().string();
@@ -139,11 +142,13 @@ void ScriptText::read(const std::string& file, const std::string& included_at) {
     whole_ = false;
     return;
   }
+  files_.take();
   open_.push_back(path);
   int number = 0, start = 0;
   std::string text, line;
   while (std::getline(stream, line)) {
     ++number;
+    bytes_.take(line.size() + 1);
     contents_ += line + "\n";
     if (text.empty()) start = number;
     line.erase(line.find_last_not_of(" \t\r") + 1);
@@ -160,6 +165,7 @@ void ScriptText::read(const std::string& file, const std::string& included_at) {
 
 void ScriptText::add(const ScriptCommand& command) {
   if (command.words.empty()) return;
+  words_.take(command.words.size());
   commands_.push_back(command);
   for (std::string& word : commands_.back().words) word = shown(word);
   const std::vector<std::string>& w = command.words;
@@ -211,19 +217,18 @@ void ScriptText::note_names(const std::string& text) {
 }
 
 // A value is inserted once and not expanded again: a variable may name itself.
-std::string ScriptText::substitute(std::string text) const {
-  for (std::size_t at = text.find("${"); at != std::string::npos; at = text.find("${", at)) {
+std::string ScriptText::substitute(const std::string& text) {
+  std::string result;
+  std::size_t from = 0;  // of what is not in the result yet
+  for (std::size_t at = text.find("${"); at != std::string::npos; at = text.find("${", from)) {
     const std::size_t end = text.find('}', at);
     if (end == std::string::npos) break;
-    const std::string name = text.substr(at + 2, end - at - 2), plain = hidden_value(name);
-    if (plain.empty()) {
-      at = end;
-      continue;
-    }
-    text.replace(at, end - at + 1, plain);
-    at += plain.size();
+    const std::string plain = hidden_value(text.substr(at + 2, end - at - 2));
+    bytes_.take(plain.size());
+    result.append(text, from, plain.empty() ? end - from : at - from).append(plain);
+    from = plain.empty() ? end : end + 1;
   }
-  return text;
+  return result.append(text, from);
 }
 
 // The line of a fix mesh/surface as one scale, turn and displacement, and the boundaries that take it.
@@ -297,6 +302,7 @@ SurfaceSpec mesh_in_script(const ScriptCommand& command, const std::string& here
 }
 
 void resolve_script_meshes(Scene& scene, Findings& findings) {
+  std::optional<ScriptText> script;  // read once
   for (BoundarySpec& boundary : scene.boundaries) {
     if (!boundary.surface || boundary.surface->from_script.empty()) continue;
     const std::string &id = boundary.surface->from_script, key = "surface.from_script";
@@ -309,10 +315,10 @@ void resolve_script_meshes(Scene& scene, Findings& findings) {
       continue;
     }
     const std::string& file = scene.particles->script;
-    const ScriptText script(file, scene.particles->variables);
+    if (!script) script.emplace(file, scene.particles->variables);
     Words known;
     const ScriptCommand* found = nullptr;
-    for (const ScriptCommand& command : script.commands()) {
+    for (const ScriptCommand& command : script->commands()) {
       if (!is_mesh(command)) continue;
       known.push_back(command.words[1]);
       if (command.words[1] == id) found = &command;

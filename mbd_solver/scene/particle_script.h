@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/base/budget.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene.h"
 
@@ -40,7 +41,8 @@ std::string fault_of_variable(const std::string& name, const std::string& value)
 
 class ScriptText {
  public:
-  // `variables`: as -var on the command line; `here`, the script's folder, is added.
+  // `variables`: as -var on the command line; `here`, the script's folder, is added. Throws InputError where files that include
+  // files, or variables that name variables, make more text than base/budget.h allows.
   ScriptText(const std::string& file, const std::map<std::string, std::string>& variables);
   // In the order of the text, with the commands of all branches of an `if`.
   const std::vector<ScriptCommand>& commands() const { return commands_; }
@@ -64,7 +66,7 @@ class ScriptText {
   void include(const std::string& name, const std::string& included_at);
   void note_names(const std::string& text);
   std::string hidden_value(const std::string& name) const;
-  std::string substitute(std::string text) const;
+  std::string substitute(const std::string& text);
 
   // From the command line (these win), from the script. What would split a path is hidden.
   std::map<std::string, std::string> fixed_, own_;
@@ -72,6 +74,7 @@ class ScriptText {
   std::string contents_;
   std::set<std::string> names_;
   std::vector<std::string> open_;  // files that are being read, the outermost first
+  ReadBudget files_, bytes_, words_;
   bool whole_ = true;
   std::string circle_;
 };

@@ -10,6 +10,7 @@
 #include "coupler/base/files.h"
 #include "coupler/base/input_file.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/budget.h"
 #include "mbd_solver/base/named_file.h"
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/codes.h"
@@ -125,6 +126,9 @@ ConfigNode parse_toml_file(const std::string& file) {
 }
 
 ConfigNode parse_toml(const std::string& text, const std::string& file) {
+  ReadBudget parts(limit::kTomlParts, file);
+  parts.take(static_cast<std::uint64_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return c == '=' || c == ',' || c == '['; })));
   require_flat_keys(file, text);
   try {
     return convert(toml::parse(text, file));
@@ -230,15 +234,21 @@ Scene read_scene_text(const std::string& text, const std::string& folder, const 
 
 namespace {
 
-// Whether "leg_{leg}_knee", the name of an array's entries, may become this name.
+// Whether "leg_{leg}_knee", the name of an array's entries, may become this name: braces stand for any text, and what is between
+// them comes as early as it can.
 bool may_become(const std::string& pattern, const std::string& name) {
-  const std::size_t open = pattern.find('{'), close = pattern.find('}', open);
-  if (open == std::string::npos || close == std::string::npos) return pattern == name;
-  const std::string rest = pattern.substr(close + 1);
-  if (name.compare(0, open, pattern, 0, open) != 0) return false;
-  for (std::size_t at = open; at <= name.size(); ++at)
-    if (may_become(rest, name.substr(at))) return true;
-  return false;
+  std::size_t from = 0, at = 0;  // in the pattern, in the name
+  for (;;) {
+    const std::size_t open = pattern.find('{', from), close = pattern.find('}', open);
+    const bool last = open == std::string::npos || close == std::string::npos;
+    const std::string piece = last ? pattern.substr(from) : pattern.substr(from, open - from);
+    if (last && from > 0) return name.size() - at >= piece.size() && ends_with(name, piece);
+    if (last) return name == piece;
+    const std::size_t found = name.find(piece, at);
+    if (found == std::string::npos || (from == 0 && found > 0)) return false;
+    at = found + piece.size();
+    from = close + 1;
+  }
 }
 
 // The type of the joint of this name, if it can be read; errors of the joint are reported by the reader.

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "coupler/base/text.h"
 #include "mbd_solver/scene/codes.h"
@@ -72,18 +73,19 @@ void move_to(ConfigNode& node, const fs::path& folder) {
 void leave_out(ConfigNode& base, const ConfigNode& without, const std::string& file) {
   std::vector<std::string> known;
   for (const auto& entry : base.table) known.push_back(entry.first);
+  std::unordered_set<std::string> left(known.begin(), known.end());
   const auto wrong = [&](const std::string& what) {
     throw InputError(kBadWithout, place_of(file, without.line, "without") + what);
   };
   if (without.kind != ConfigNode::Kind::kList)
     wrong("is " + without.description() + ", expected a list of keys of the base");
   for (const ConfigNode& key : without.list) {
-    const auto found =
-        std::find_if(base.table.begin(), base.table.end(), [&](const auto& entry) { return entry.first == key.text; });
-    if (found == base.table.end())
+    if (left.erase(key.text) == 0)
       wrong("the base has no key \"" + key.text + "\" here." + known_names("keys", key.text, known));
-    base.table.erase(found);
   }
+  base.table.erase(std::remove_if(base.table.begin(), base.table.end(),
+                                  [&](const auto& entry) { return left.count(entry.first) == 0; }),
+                   base.table.end());
 }
 
 void lay_over(ConfigNode& base, const ConfigNode& own, const std::string& file) {
@@ -137,22 +139,27 @@ void require_scene(const ConfigNode& own, const std::string& file) {
 
 // "frames_ms" with the second spelling "frames" of "frame_interval": "frame_interval_ms".
 void rename_key(ConfigNode& table, const std::string& second, const std::string& key) {
+  const auto is = [](const std::string& written, const std::string& one) {
+    return written == one || written.rfind(one + "_", 0) == 0;
+  };
+  const auto first =
+      std::find_if(table.table.begin(), table.table.end(), [&](const auto& entry) { return is(entry.first, key); });
+  auto same = static_cast<std::size_t>(first - table.table.begin());  // the size: none
   for (std::size_t i = 0; i < table.table.size(); ++i) {
     auto& [written, node] = table.table[i];
-    const bool is_second = written == second || written.rfind(second + "_", 0) == 0;
-    if (!is_second) continue;
+    if (!is(written, second)) continue;
     const std::string renamed = key + written.substr(second.size());
-    const auto same = std::find_if(table.table.begin(), table.table.end(), [&](const auto& entry) {
-      return entry.first == key || entry.first.rfind(key + "_", 0) == 0;
-    });
-    if (same != table.table.end()) {
+    if (same < table.table.size()) {
       if (node.line != Source::kFromSet) continue;
-      same->second = node;
-      same->first = renamed;
-      same->second.spelt = written;
+      auto& [name, value] = table.table[same];
+      value = node;
+      name = renamed;
+      value.spelt = written;
+      if (i < same) --same;
       table.table.erase(table.table.begin() + static_cast<std::ptrdiff_t>(i--));
       continue;
     }
+    same = i;
     node.spelt = written;
     written = renamed;
   }
