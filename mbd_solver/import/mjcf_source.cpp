@@ -48,7 +48,12 @@ std::string quoted_after(const std::string& message, const std::string& key) {
 }  // namespace
 
 MjcfSource::MjcfSource(const std::string& file, const ImportOptions& options, Robot& robot)
-    : options_(options), robot_(robot), folder_(fs::absolute(file).parent_path().string()) {
+    : options_(options),
+      robot_(robot),
+      folder_(fs::absolute(file).parent_path().string()),
+      files_(limit::kIncludedFiles, file),
+      bytes_(limit::kIncludedText, file),
+      parts_(limit::kXmlParts, file) {
   sources_.push_back(std::make_unique<XmlSource>(file));
   copy(merged_, sources_.front()->root(), *sources_.front(), 0);
   take_what_is_for_looks();
@@ -83,8 +88,11 @@ void MjcfSource::add_children(pugi::xml_node into, const pugi::xml_node& of, con
     if (depth >= kDeepestInclude)
       xml.fail(code::kRobotTree, child,
                "includes files more than " + std::to_string(kDeepestInclude) + " deep; they include each other");
+    files_.take();
     sources_.push_back(std::make_unique<XmlSource>(path.lexically_relative(fs::current_path()).string()));
     const XmlSource& included = *sources_.back();
+    bytes_.take(included.text().size());
+    parts_.take(xml_parts(included.text()));
     add_children(into, included.root(), included, depth + 1);
   }
 }

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "mbd_solver/base/budget.h"
 #include "mbd_solver/import/xml_source.h"
 
 namespace footfall {
@@ -41,6 +42,7 @@ class MjcfSource {
   const ImportOptions& options_;
   Robot& robot_;
   std::string folder_;
+  ReadBudget files_, bytes_, parts_;  // of all that are included
   std::vector<std::unique_ptr<XmlSource>> sources_;
   pugi::xml_document merged_;
   std::unordered_map<std::size_t, Origin> origins_;  // by hash of the node

@@ -163,8 +163,26 @@ Robot read_robot(const std::string& file, const ImportOptions& options);
 // in not_taken.
 void tidy_robot(Robot& robot, const ImportOptions& options);
 
-// Inertia of everything beyond the joint about its axis (or the mass, of a displacement) [kg m2, kg].
-double moved_inertia(const Robot& robot, const RobotJoint& joint, bool slides);
+// What the joints of a robot move, computed once.
+class MovedInertias {
+ public:
+  explicit MovedInertias(const Robot& robot);
+  // Inertia of everything beyond the joint about its axis (or the mass, of a displacement) [kg m2, kg].
+  double beyond(const RobotJoint& joint, bool slides) const;
+
+ private:
+  struct Sum {
+    double mass = 0.0;                                  // [kg]
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();   // about the origin of D [kg m]
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the origin of D [kg m2]
+    void operator+=(const Sum& other) {
+      mass += other.mass;
+      moment += other.moment;
+      inertia += other.inertia;
+    }
+  };
+  std::vector<Sum> beyond_;  // of each link with all that it carries
+};
 
 // The triangles of a geometry in G, cleaned of what no surface can have. Throws InputError.
 TriangleMesh geometry_mesh(const RobotGeometry& geometry);

@@ -11,6 +11,7 @@
 
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/budget.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/import/codes.h"
@@ -38,7 +39,11 @@ std::string existing(const fs::path& path) {
 
 class Collada {
  public:
-  explicit Collada(const std::string& file) : xml_(file) {
+  explicit Collada(const std::string& file)
+      : xml_(file),
+        instances_(limit::kMeshInstances, file),
+        numbers_(limit::kMeshNumbers, file),
+        triangles_(limit::kMeshTriangles, file) {
     for (const char* library : {"library_geometries", "library_nodes", "library_visual_scenes"})
       for (const pugi::xml_node& one : xml_.root().child(library).children()) by_id_[one.attribute("id").value()] = one;
   }
@@ -66,8 +71,10 @@ class Collada {
     return found == by_id_.end() ? pugi::xml_node() : found->second;
   }
 
-  std::vector<double> list(const pugi::xml_node& node, std::size_t count) const {
+  // Numbers of a part that is there several times count each time.
+  std::vector<double> list(const pugi::xml_node& node, std::size_t count) {
     const std::optional<std::vector<double>> values = numbers_of(node.text().get());
+    if (values) numbers_.take(values->size());
     if (!values || (count > 0 && values->size() != count))
       xml_.fail(code::kRobotNumber, node, "has no list of " + (count > 0 ? std::to_string(count) : "") + " numbers");
     return *values;
@@ -75,7 +82,9 @@ class Collada {
 
   void add_node(const pugi::xml_node& node, Eigen::Affine3d X, int depth) {
     if (depth > 50) xml_.fail(code::kRobotElement, node, "is within itself");
+    instances_.take();
     for (const pugi::xml_node& part : node.children()) {
+      numbers_.take();
       const std::string name = part.name();
       if (name == "matrix") {
         const std::vector<double> m = list(part, 16);
@@ -94,17 +103,20 @@ class Collada {
         X = X * Eigen::AngleAxisd(v[3] * kPi / 180.0, Eigen::Vector3d(v[0], v[1], v[2]).normalized());
       }
     }
-    for (const pugi::xml_node& instance : node.children("instance_geometry"))
+    for (const pugi::xml_node& instance : node.children("instance_geometry")) {
+      instances_.take();
       add_geometry(referenced(instance).child("mesh"), X);
+    }
     for (const pugi::xml_node& instance : node.children("instance_node")) add_node(referenced(instance), X, depth + 1);
     for (const pugi::xml_node& child : node.children("node")) add_node(child, X, depth + 1);
   }
 
-  std::vector<Eigen::Vector3d> positions(const pugi::xml_node& mesh, const Eigen::Affine3d& X) const {
+  std::vector<Eigen::Vector3d> positions(const pugi::xml_node& mesh, const Eigen::Affine3d& X) {
     std::string id;
     for (const pugi::xml_node& input : mesh.child("vertices").children("input"))
       if (std::string(input.attribute("semantic").value()) == "POSITION") id = input.attribute("source").value();
     for (const pugi::xml_node& source : mesh.children("source")) {
+      numbers_.take();
       if (id != "#" + std::string(source.attribute("id").value())) continue;
       const std::vector<double> v = list(source.child("float_array"), 0);
       const auto stride = static_cast<std::size_t>(
@@ -123,6 +135,7 @@ class Collada {
     mesh_.vertices.insert(mesh_.vertices.end(), points.begin(), points.end());
     const bool mirrored = X.linear().determinant() < 0.0;
     for (const pugi::xml_node& part : mesh.children()) {
+      numbers_.take();
       const std::string name = part.name();
       if (name != "triangles" && name != "polylist" && name != "polygons") continue;
       std::size_t stride = 1, at = 0;
@@ -147,6 +160,7 @@ class Collada {
           for (std::size_t k = 2; k < polygon.size(); ++k) {
             Eigen::Vector3i t(polygon[0], polygon[k - 1], polygon[k]);
             if (mirrored) std::swap(t[1], t[2]);
+            triangles_.take();
             mesh_.triangles.push_back(t);
           }
         };
@@ -164,6 +178,7 @@ class Collada {
   XmlSource xml_;
   std::map<std::string, pugi::xml_node> by_id_;
   TriangleMesh mesh_;
+  ReadBudget instances_, numbers_, triangles_;
 };
 
 // Without triangles that have no height, that are there twice, or whose two sides are.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <list>
 #include <map>
 #include <set>
 
@@ -45,26 +46,54 @@ void add_mass(RobotLink& into, const RobotLink& from) {
   into.centre = common;
 }
 
+// Links and joints keep their numbers until renumber(): a link that joins another one is marked, and so is a joint that goes. Each step
+// touches its neighbours only, so that a chain of any length takes time in proportion.
 class Tidy {
  public:
   Tidy(Robot& robot, const ImportOptions& options) : robot_(robot), options_(options) {}
 
   void carry_out() {
+    dropped_.assign(robot_.joints.size(), false);
     for (std::size_t k = 0; k < robot_.joints.size(); ++k) hold_without_range(static_cast<int>(k));
     if (options_.fix_base) fix_base();
-    for (int joint = fixed_to_join(); joint >= 0; joint = fixed_to_join()) join(joint);
-    give_masses();
+    dropped_.resize(robot_.joints.size(), false);
+    gone_.assign(robot_.joints.size(), false);
+    joints_of_.resize(robot_.links.size());
+    for (std::size_t k = 0; k < robot_.joints.size(); ++k)
+      for (const int end : {robot_.joints[k].parent, robot_.joints[k].child})
+        if (end >= 0) joints_of_[at(end)].insert(static_cast<int>(k));
+    for (std::size_t k = 0; k < robot_.links.size(); ++k) {
+      into_.push_back(static_cast<int>(k));
+      parts_.push_back({static_cast<int>(k)});
+      const std::string& remark = robot_.links[k].remark;
+      remarks_.push_back(remark.empty() ? std::list<std::string>() : std::list<std::string>{remark});
+    }
+    // From the last one: links without anything below first, so that remarks follow the tree. No join makes a later one due.
+    for (std::size_t k = robot_.joints.size(); k-- > 0;)
+      if (is_to_join(static_cast<int>(k))) join(static_cast<int>(k));
+    join_massless();
+    renumber();
+    give_small_masses();
     for (RobotLink& link : robot_.links) mend_inertia(link);
   }
 
  private:
-  RobotLink& link(int index) { return robot_.links[at(index)]; }
+  static constexpr int kGround = -1;
 
-  std::vector<int> joints_of(int of) const {
-    std::vector<int> result;
-    for (std::size_t k = 0; k < robot_.joints.size(); ++k)
-      if (robot_.joints[k].parent == of || robot_.joints[k].child == of) result.push_back(static_cast<int>(k));
-    return result;
+  RobotLink& link(int index) { return robot_.links[at(index)]; }
+  RobotJoint& joint(int index) { return robot_.joints[at(index)]; }
+  bool is_empty(int index) { return !(link(index).mass > 0.0); }
+
+  // The link that this one has become part of.
+  int body(int index) {
+    int whole = index;
+    while (whole >= 0 && into_[at(whole)] != whole) whole = into_[at(whole)];
+    while (index != whole) {
+      const int next = into_[at(index)];
+      into_[at(index)] = whole;
+      index = next;
+    }
+    return whole;
   }
 
   // Limits that leave no room.
@@ -79,191 +108,195 @@ class Tidy {
     drop_uses(index);
   }
 
+  // The first root.
   void fix_base() {
-    for (std::size_t k = 0; k < robot_.links.size(); ++k) {
-      const int index = static_cast<int>(k);
-      const bool below = std::any_of(robot_.joints.begin(), robot_.joints.end(),
-                                     [&](const RobotJoint& joint) { return !joint.loop && joint.child == index; });
-      if (below) continue;
-      RobotJoint mount;
-      mount.origin = link(index).origin;
-      mount.name = link(index).name + "_mount";
-      mount.child = index;
-      mount.point = link(index).X_DL.p;
-      mount.remark = "of --fix-base";
-      robot_.joints.push_back(mount);
-      return;  // the first root
-    }
+    std::vector<bool> below(robot_.links.size(), false);
+    for (const RobotJoint& joint : robot_.joints)
+      if (!joint.loop && joint.child >= 0) below[at(joint.child)] = true;
+    const auto root = std::find(below.begin(), below.end(), false);
+    if (root == below.end()) return;
+    RobotJoint mount;
+    mount.child = static_cast<int>(root - below.begin());
+    mount.origin = link(mount.child).origin;
+    mount.name = link(mount.child).name + "_mount";
+    mount.point = link(mount.child).X_DL.p;
+    mount.remark = "of --fix-base";
+    robot_.joints.push_back(mount);
   }
 
   // A fixed joint whose links become one: because one of them has no mass, or by --merge-fixed.
-  int fixed_to_join() {
-    int found = -1;
-    for (std::size_t k = 0; k < robot_.joints.size(); ++k) {
-      const RobotJoint& joint = robot_.joints[k];
-      if (joint.kind != RobotJointKind::kFixed || joint.loop || joint.child < 0) continue;
-      const bool child_empty = !(link(joint.child).mass > 0.0);
-      const bool parent_empty = joint.parent >= 0 && !(link(joint.parent).mass > 0.0);
-      if (joint.parent < 0 && !child_empty) continue;  // a body on the ground stays
-      // Links without anything below first, so that remarks follow the tree.
-      if (child_empty || parent_empty || options_.merge_fixed) found = static_cast<int>(k);
-    }
-    return found;
+  bool is_to_join(int index) {
+    const RobotJoint& of = joint(index);
+    const int parent = body(of.parent), child = body(of.child);
+    if (gone_[at(index)] || of.kind != RobotJointKind::kFixed || of.loop || child < 0) return false;
+    if (parent < 0) return is_empty(child);  // a body on the ground stays
+    return options_.merge_fixed || is_empty(child) || is_empty(parent);
   }
 
   void join(int index) {
-    const RobotJoint joint = robot_.joints[at(index)];
-    const bool child_empty = !(link(joint.child).mass > 0.0);
-    const bool up = joint.parent < 0 || child_empty || link(joint.parent).mass > 0.0;
-    const int from = up ? joint.child : joint.parent, into = up ? joint.parent : joint.child;
-    if (into >= 0) {
-      const RigidFrame X = link(into).X_DL.inverse() * link(from).X_DL;
-      add_mass(link(into), link(from));
-      for (auto list : {&RobotLink::collisions, &RobotLink::visuals})
-        for (RobotGeometry geometry : link(from).*list) {
-          geometry.X_LG = X * geometry.X_LG;
-          (link(into).*list).push_back(geometry);
-        }
-      std::string& remark = link(into).remark;
-      remark += (remark.empty() ? "with " : "; with ") + ("\"" + link(from).name + "\"");
-      if (!link(from).remark.empty()) remark += " (" + link(from).remark + ")";
-      if (!link(into).friction) link(into).friction = link(from).friction;
-    } else if (!link(from).collisions.empty()) {
-      robot_.leave_out(link(from).origin, "link \"" + link(from).name + "\": its surface",
-                       "it stands on the ground without mass; a scene has bodies with mass only");
-    }
+    const int parent = body(joint(index).parent), child = body(joint(index).child);
+    const bool up = parent < 0 || is_empty(child) || !is_empty(parent);
+    const int from = up ? child : parent, into = up ? parent : child;
     remove_joint(index);
-    for (RobotJoint& other : robot_.joints) {
-      if (other.parent == from) other.parent = into;
-      if (other.child == from) other.child = into;
+    if (into < 0) return stand_on_ground(from);
+    add_mass(link(into), link(from));
+    parts_[at(into)].splice(parts_[at(into)].end(), parts_[at(from)]);
+    std::list<std::string>&remark = remarks_[at(into)], &other_remark = remarks_[at(from)];
+    remark.push_back((remark.empty() ? "with \"" : "; with \"") + link(from).name + "\"");
+    if (!other_remark.empty()) {
+      remark.push_back(" (");
+      remark.splice(remark.end(), other_remark);
+      remark.push_back(")");
     }
-    for (auto& [first, second] : robot_.apart) {
-      if (first == from) first = into;
-      if (second == from) second = into;
-    }
-    remove_link(from);
-    for (std::size_t k = robot_.joints.size(); k-- > 0;) {
-      if (robot_.joints[k].parent != robot_.joints[k].child) continue;
-      robot_.leave_out(robot_.joints[k].origin, "joint \"" + robot_.joints[k].name + "\"",
-                       "both of its links are one body");
-      remove_joint(static_cast<int>(k));
-    }
+    if (!link(into).friction) link(into).friction = link(from).friction;
+    into_[at(from)] = into;
+    std::set<int>&joints = joints_of_[at(into)], &others = joints_of_[at(from)];
+    if (joints.size() < others.size()) joints.swap(others);
+    std::vector<int> within;
+    for (const int other : others)
+      if (!joints.insert(other).second) within.push_back(other);
+    for (const int other : within) remove_within(other);
   }
 
-  void remove_link(int index) {
-    robot_.links.erase(robot_.links.begin() + index);
-    const auto renumber = [&](int& number) {
-      if (number > index) --number;
-    };
-    for (RobotJoint& joint : robot_.joints) {
-      renumber(joint.parent);
-      renumber(joint.child);
-    }
-    auto& apart = robot_.apart;
-    apart.erase(std::remove_if(apart.begin(), apart.end(),
-                               [&](const auto& p) {
-                                 return p.first == index || p.second == index || p.first < 0 || p.second < 0;
-                               }),
-                apart.end());
-    for (auto& [first, second] : apart) {
-      renumber(first);
-      renumber(second);
-    }
+  // A link without mass becomes the ground.
+  void stand_on_ground(int index) {
+    if (std::any_of(parts_[at(index)].begin(), parts_[at(index)].end(),
+                    [&](int part) { return !link(part).collisions.empty(); }))
+      robot_.leave_out(link(index).origin, "link \"" + link(index).name + "\": its surface",
+                       "it stands on the ground without mass; a scene has bodies with mass only");
+    into_[at(index)] = kGround;
+    const std::set<int> joints = joints_of_[at(index)];
+    for (const int other : joints)
+      if (body(joint(other).parent) == body(joint(other).child)) remove_within(other);
   }
 
-  // Links without mass that only moving joints hold.
-  void give_masses() {
-    bool again = true;
-    while (again) {
-      again = false;
-      for (std::size_t k = 0; k < robot_.links.size() && !again; ++k) {
-        const int index = static_cast<int>(k);
-        if (link(index).mass > 0.0) continue;
-        const std::vector<int> joints = joints_of(index);
-        if (joints.empty()) {
-          robot_.leave_out(link(index).origin, "link \"" + link(index).name + "\"", "it has no mass");
-          remove_link(index);
-          again = true;
-          continue;
-        }
-        const bool root =
-            std::none_of(joints.begin(), joints.end(), [&](int j) { return robot_.joints[at(j)].child == index; });
-        const bool leaf =
-            std::none_of(joints.begin(), joints.end(), [&](int j) { return robot_.joints[at(j)].parent == index; });
-        if (root) {
-          robot_.leave_out(link(index).origin, "link \"" + link(index).name + "\" without mass",
-                           "no joint holds it and it has no mass: it is the ground");
-          ground(index);
-          again = true;
-        } else if (leaf) {
-          const int joint = joints.front();
-          robot_.leave_out(robot_.joints[at(joint)].origin, "joint \"" + robot_.joints[at(joint)].name + "\"",
-                           "its link \"" + link(index).name + "\" has no mass and cannot move by itself: it is held");
-          drop_uses(joint);
-          robot_.joints[at(joint)].kind = RobotJointKind::kFixed;
-          for (std::size_t other = joints.size(); other-- > 1;) {
-            remove_joint(joints[other]);
-          }
-          join(joint);
-          again = true;
-        }
-      }
-    }
-    for (std::size_t k = 0; k < robot_.links.size(); ++k)
-      if (!(robot_.links[k].mass > 0.0)) give_small_mass(static_cast<int>(k));
+  void remove_within(int index) {
+    robot_.leave_out(joint(index).origin, "joint \"" + joint(index).name + "\"", "both of its links are one body");
+    remove_joint(index);
   }
 
   void remove_joint(int index) {
     drop_uses(index);
-    robot_.joints.erase(robot_.joints.begin() + index);
-    const auto renumber = [&](int& number) {
-      if (number > index) --number;
-    };
-    for (RobotGear& gear : robot_.gears)
-      for (int& number : gear.joints) renumber(number);
-    for (RobotDrive& drive : robot_.drives) renumber(drive.joint);
+    gone_[at(index)] = true;
+    for (const int end : {body(joint(index).parent), body(joint(index).child)})
+      if (end >= 0) joints_of_[at(end)].erase(index);
   }
 
   // The joint has no coordinates any more; gears and drives of it go.
-  void drop_uses(int joint) {
-    robot_.joints[at(joint)].coordinates.clear();
+  void drop_uses(int index) {
+    joint(index).coordinates.clear();
+    dropped_[at(index)] = true;
+  }
+
+  // Links without mass that only moving joints hold: roots are the ground, leaves are held.
+  void join_massless() {
+    std::set<int> open;
+    for (std::size_t k = 0; k < robot_.links.size(); ++k) open.insert(static_cast<int>(k));
+    while (!open.empty()) {
+      const int index = *open.begin();
+      open.erase(open.begin());
+      if (body(index) != index || !is_empty(index)) continue;
+      const std::set<int>& joints = joints_of_[at(index)];
+      const bool root =
+          std::none_of(joints.begin(), joints.end(), [&](int j) { return body(joint(j).child) == index; });
+      const bool leaf =
+          std::none_of(joints.begin(), joints.end(), [&](int j) { return body(joint(j).parent) == index; });
+      if (!root && !leaf) continue;
+      for (const int j : joints)  // their ends have other joints after this
+        for (const int end : {body(joint(j).parent), body(joint(j).child)})
+          if (end >= 0 && end != index) open.insert(end);
+      if (joints.empty()) {
+        robot_.leave_out(link(index).origin, "link \"" + link(index).name + "\"", "it has no mass");
+        into_[at(index)] = kGround;
+      } else if (root) {
+        robot_.leave_out(link(index).origin, "link \"" + link(index).name + "\" without mass",
+                         "no joint holds it and it has no mass: it is the ground");
+        stand_on_ground(index);
+      } else {
+        const int first = *joints.begin();
+        robot_.leave_out(joint(first).origin, "joint \"" + joint(first).name + "\"",
+                         "its link \"" + link(index).name + "\" has no mass and cannot move by itself: it is held");
+        joint(first).kind = RobotJointKind::kFixed;
+        while (joints.size() > 1) remove_joint(*joints.rbegin());
+        join(first);
+      }
+    }
+  }
+
+  // The links and joints that are left, and what refers to them.
+  void renumber() {
+    std::vector<RobotLink> links;
+    std::vector<int> link_places(robot_.links.size(), kGround);
+    for (std::size_t k = 0; k < robot_.links.size(); ++k) {
+      if (into_[k] != static_cast<int>(k)) continue;
+      RobotLink& whole = robot_.links[k];
+      for (const int part : parts_[k]) {
+        if (part == static_cast<int>(k)) continue;
+        const RigidFrame X = whole.X_DL.inverse() * link(part).X_DL;
+        for (auto list : {&RobotLink::collisions, &RobotLink::visuals})
+          for (RobotGeometry& geometry : link(part).*list) {
+            geometry.X_LG = X * geometry.X_LG;
+            (whole.*list).push_back(std::move(geometry));
+          }
+      }
+      whole.remark.clear();
+      for (const std::string& piece : remarks_[k]) whole.remark += piece;
+      link_places[k] = static_cast<int>(links.size());
+      links.push_back(std::move(whole));
+    }
+    const auto place_of_link = [&](int old) {
+      const int whole = body(old);
+      return whole < 0 ? kGround : link_places[at(whole)];
+    };
+    std::vector<RobotJoint> joints;
+    std::vector<int> joint_places(robot_.joints.size(), -1);
+    for (std::size_t k = 0; k < robot_.joints.size(); ++k) {
+      if (gone_[k]) continue;
+      joint_places[k] = static_cast<int>(joints.size());
+      joints.push_back(std::move(robot_.joints[k]));
+      joints.back().parent = place_of_link(joints.back().parent);
+      joints.back().child = place_of_link(joints.back().child);
+    }
+    robot_.links = std::move(links);
+    robot_.joints = std::move(joints);
     auto& gears = robot_.gears;
+    const auto is_dropped = [&](int joint) { return dropped_[at(joint)]; };
     gears.erase(std::remove_if(gears.begin(), gears.end(),
                                [&](const RobotGear& gear) {
-                                 return std::find(gear.joints.begin(), gear.joints.end(), joint) != gear.joints.end();
+                                 return std::any_of(gear.joints.begin(), gear.joints.end(), is_dropped);
                                }),
                 gears.end());
+    for (RobotGear& gear : gears)
+      for (int& number : gear.joints) number = joint_places[at(number)];
     auto& drives = robot_.drives;
-    drives.erase(std::remove_if(drives.begin(), drives.end(), [&](const RobotDrive& d) { return d.joint == joint; }),
+    drives.erase(std::remove_if(drives.begin(), drives.end(), [&](const RobotDrive& d) { return is_dropped(d.joint); }),
                  drives.end());
-  }
-
-  void ground(int index) {
-    for (RobotJoint& joint : robot_.joints) {
-      if (joint.parent == index) joint.parent = -1;
-      if (joint.child == index) joint.child = -1;
-    }
-    if (!link(index).collisions.empty())
-      robot_.leave_out(link(index).origin, "link \"" + link(index).name + "\": its surface",
-                       "it stands on the ground without mass; a scene has bodies with mass only");
+    for (RobotDrive& drive : drives) drive.joint = joint_places[at(drive.joint)];
     auto& apart = robot_.apart;
-    apart.erase(std::remove_if(apart.begin(), apart.end(),
-                               [&](const auto& p) { return p.first == index || p.second == index; }),
+    for (auto& [first, second] : apart) {
+      first = place_of_link(first);
+      second = place_of_link(second);
+    }
+    apart.erase(std::remove_if(apart.begin(), apart.end(), [](const auto& p) { return p.first < 0 || p.second < 0; }),
                 apart.end());
-    remove_link(index);
   }
 
-  void give_small_mass(int index) {
-    double mass = 0.0, inertia = 0.0;
+  void give_small_masses() {
+    const MovedInertias moved(robot_);
+    std::vector<double> mass(robot_.links.size(), 0.0), inertia(robot_.links.size(), 0.0);  // that each link carries
     for (const RobotJoint& joint : robot_.joints) {
-      if (joint.parent != index || joint.child < 0 || joint.loop) continue;
-      mass += moved_inertia(robot_, joint, true);
-      inertia += moved_inertia(robot_, joint, false);
+      if (joint.parent < 0 || joint.child < 0 || joint.loop) continue;
+      mass[at(joint.parent)] += moved.beyond(joint, true);
+      inertia[at(joint.parent)] += moved.beyond(joint, false);
     }
+    for (std::size_t k = 0; k < robot_.links.size(); ++k)
+      if (!(robot_.links[k].mass > 0.0)) give_small_mass(robot_.links[k], mass[k], inertia[k]);
+  }
+
+  void give_small_mass(RobotLink& made, double mass, double inertia) {
     if (!(mass > 0.0))
-      throw InputError(code::kRobotMass, link(index).origin.place() + ": link \"" + link(index).name +
+      throw InputError(code::kRobotMass, made.origin.place() + ": link \"" + made.name +
                                              "\" has no mass, nor has what it carries; give it an inertia");
-    RobotLink& made = link(index);
     made.mass = kSmallMass * mass;
     const double least = made.mass * 1e-4;
     made.inertia = Eigen::Matrix3d::Identity() * std::max(kSmallMass * inertia, least);
@@ -305,22 +338,29 @@ class Tidy {
 
   Robot& robot_;
   const ImportOptions& options_;
+  std::vector<int> into_;                        // of a link: itself, the one that it has joined, or kGround
+  std::vector<std::list<int>> parts_;            // links that a link consists of
+  std::vector<std::list<std::string>> remarks_;  // pieces of the remark of a link
+  std::vector<std::set<int>> joints_of_;         // at either end of a link
+  std::vector<bool> gone_, dropped_;             // joints; those whose gears and drives go
 };
 
-std::string plain_name(const std::string& name, const std::string& otherwise, std::set<std::string>& used) {
+// used: names, with the last number that was put behind each.
+std::string plain_name(const std::string& name, const std::string& otherwise, std::map<std::string, int>& used) {
   std::string plain;
   for (const char c : name.substr(0, kLongestName - 8))
     plain += std::isalnum(static_cast<unsigned char>(c)) != 0 && static_cast<unsigned char>(c) < 128 ? c : '_';
   if (plain.find_first_not_of('_') == std::string::npos) plain = otherwise;
   if (std::isdigit(static_cast<unsigned char>(plain[0])) != 0) plain = otherwise + "_" + plain;
   std::string result = plain;
-  for (int k = 2; result == "ground" || result == "plane" || result == "world" || !used.insert(result).second; ++k)
-    result = plain + "_" + std::to_string(k);
+  for (int& k = used.try_emplace(" " + plain, 1).first->second;  // no name has a blank
+       result == "ground" || result == "plane" || result == "world" || !used.try_emplace(result, 1).second;)
+    result = plain + "_" + std::to_string(++k);
   return result;
 }
 
 void give_plain_names(Robot& robot) {
-  std::set<std::string> used;
+  std::map<std::string, int> used;
   const auto give = [&](auto& entries, const std::string& otherwise) {
     for (auto& entry : entries) {
       entry.label = entry.name;
@@ -336,27 +376,55 @@ void give_plain_names(Robot& robot) {
 
 }  // namespace
 
-double moved_inertia(const Robot& robot, const RobotJoint& joint, bool slides) {
-  std::set<int> moved{joint.child};
-  bool grown = true;
-  while (grown) {
-    grown = false;
-    for (const RobotJoint& other : robot.joints)
-      if (!other.loop && moved.count(other.parent) > 0 && moved.insert(other.child).second) grown = true;
+// Masses are added from the leaves to the roots. In a circle of joints each one moves all.
+MovedInertias::MovedInertias(const Robot& robot) : beyond_(robot.links.size()) {
+  for (std::size_t k = 0; k < robot.links.size(); ++k) {
+    const RobotLink& link = robot.links[k];
+    const Eigen::Vector3d centre = link.X_DL * link.centre;
+    beyond_[k] = {link.mass, link.mass * centre,
+                  link.X_DL.R * link.inertia * link.X_DL.R.transpose() + steiner(link.mass, centre)};
   }
-  double sum = 0.0;
-  for (const int index : moved) {
-    if (index < 0) continue;
-    const RobotLink& link = robot.links[at(index)];
-    if (slides) {
-      sum += link.mass;
-      continue;
+  std::vector<int> above(robot.links.size(), -1),
+      open(robot.links.size(), 0);  // open: links below that are not added yet
+  for (const RobotJoint& joint : robot.joints)
+    if (!joint.loop && joint.parent >= 0 && joint.child >= 0 && above[at(joint.child)] < 0) {
+      above[at(joint.child)] = joint.parent;
+      ++open[at(joint.parent)];
     }
-    const Eigen::Vector3d axis = link.X_DL.R.transpose() * joint.axis;
-    const Eigen::Vector3d arm = (link.X_DL * link.centre - joint.point).cross(joint.axis);
-    sum += axis.dot(link.inertia * axis) + link.mass * arm.squaredNorm();
+  std::vector<int> ready;
+  for (std::size_t k = 0; k < open.size(); ++k)
+    if (open[k] == 0) ready.push_back(static_cast<int>(k));
+  while (!ready.empty()) {
+    const int link = ready.back(), parent = above[at(link)];
+    ready.pop_back();
+    if (parent < 0) continue;
+    beyond_[at(parent)] += beyond_[at(link)];
+    if (--open[at(parent)] == 0) ready.push_back(parent);
   }
-  return sum;
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    if (open[k] == 0) continue;
+    Sum all;
+    std::vector<int> circle;
+    for (int link = static_cast<int>(k); circle.empty() || link != circle.front(); link = above[at(link)]) {
+      circle.push_back(link);
+      all += beyond_[at(link)];
+    }
+    for (const int link : circle) {
+      beyond_[at(link)] = all;
+      open[at(link)] = 0;
+    }
+  }
+}
+
+// About the point p: I_p = I_D - 2 p.h + p h^T + h p^T + m (p.p - p p^T), where h is the first moment about the origin of D.
+double MovedInertias::beyond(const RobotJoint& joint, bool slides) const {
+  if (joint.child < 0) return 0.0;
+  const Sum& sum = beyond_[at(joint.child)];
+  if (slides) return sum.mass;
+  const Eigen::Vector3d &a = joint.axis, &p = joint.point, &h = sum.moment;
+  const double along = a.dot(p);
+  return a.dot(sum.inertia * a) + (sum.mass * p.squaredNorm() - 2.0 * p.dot(h)) * a.squaredNorm() +
+         2.0 * along * a.dot(h) - sum.mass * along * along;
 }
 
 void tidy_robot(Robot& robot, const ImportOptions& options) {

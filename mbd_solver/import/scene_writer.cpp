@@ -11,6 +11,7 @@
 #include "coupler/base/files.h"
 #include "coupler/base/number.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/budget.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/import/codes.h"
 #include "mbd_solver/import/robot.h"
@@ -100,7 +101,8 @@ std::string obj_text(const TriangleMesh& mesh, const std::string& what) {
 
 class Writer {
  public:
-  Writer(Robot& robot, const ImportOptions& options) : robot_(robot), options_(options) {
+  Writer(Robot& robot, const ImportOptions& options)
+      : robot_(robot), options_(options), moved_(robot), mesh_bytes_(limit::kRobotMeshes, robot.file) {
     for (const RobotDrive& drive : robot_.drives) driven_.insert({drive.joint, drive.coordinate});
     for (const RobotGear& gear : robot_.gears)
       if (!gear.joints.empty()) driven_.insert({gear.joints[0], gear.coordinates[0]});
@@ -203,6 +205,9 @@ class Writer {
     TriangleMesh all;
     for (const RobotGeometry& g : parts) {
       TriangleMesh mesh;
+      std::error_code none;
+      const std::uintmax_t bytes = g.file.empty() ? 0 : fs::file_size(g.file, none);
+      if (!none) mesh_bytes_.take(bytes);
       try {
         mesh = geometry_mesh(g);
       } catch (const InputError& error) {
@@ -306,7 +311,7 @@ class Writer {
   }
 
   double inertia_of(const RobotJoint& joint, const RobotCoordinate& q) const {
-    return std::max(1e-9, moved_inertia(robot_, joint, q.name != "angle") + q.armature);
+    return std::max(1e-9, moved_.beyond(joint, q.name != "angle") + q.armature);
   }
 
   // Angles beyond one turn in degrees: a scene asks back whether so many radians are meant.
@@ -420,20 +425,30 @@ class Writer {
 
   // --- Pairs of bodies that pass through each other.
 
+  // The first ones of the list; how many there are follows from their numbers, as there may be millions.
   std::string contacts() {
     std::set<std::pair<int, int>> jointed, apart;
-    for (const RobotJoint& joint : robot_.joints) jointed.insert(std::minmax(joint.parent, joint.child));
-    for (const auto& [a, b] : robot_.apart) apart.insert(std::minmax(a, b));
+    const std::set<int> bounded(bounded_.begin(), bounded_.end());
+    const auto add = [&](std::set<std::pair<int, int>>& pairs, int a, int b) {
+      if (a != b && bounded.count(a) > 0 && bounded.count(b) > 0) pairs.insert(std::minmax(a, b));
+    };
+    for (const RobotJoint& joint : robot_.joints) add(jointed, joint.parent, joint.child);
     std::string text;
     std::size_t pairs = 0;
-    for (std::size_t i = 0; i < bounded_.size(); ++i)
-      for (std::size_t k = i + 1; k < bounded_.size(); ++k) {
-        const std::pair<int, int> pair = std::minmax(bounded_[i], bounded_[k]);
-        if (jointed.count(pair) > 0 || (robot_.touches_itself && apart.count(pair) == 0)) continue;
-        if (++pairs <= kMostPairs)
-          text += "\n[[contacts]]\nbetween = [" + toml_text(robot_.links[at(pair.first)].name) + ", " +
-                  toml_text(robot_.links[at(pair.second)].name) + "]\nignore = true\n";
-      }
+    const auto write = [&](const std::pair<int, int>& pair) {
+      if (jointed.count(pair) > 0 || ++pairs > kMostPairs) return;
+      text += "\n[[contacts]]\nbetween = [" + toml_text(robot_.links[at(pair.first)].name) + ", " +
+              toml_text(robot_.links[at(pair.second)].name) + "]\nignore = true\n";
+    };
+    if (robot_.touches_itself) {
+      for (const auto& [a, b] : robot_.apart) add(apart, a, b);
+      for (const auto& pair : apart) write(pair);
+    } else {
+      for (std::size_t i = 0; i < bounded_.size() && pairs <= kMostPairs; ++i)
+        for (std::size_t k = i + 1; k < bounded_.size() && pairs <= kMostPairs; ++k)
+          write(std::minmax(bounded_[i], bounded_[k]));
+      if (pairs > kMostPairs) pairs = bounded_.size() * (bounded_.size() - 1) / 2 - jointed.size();
+    }
     if (pairs > kMostPairs) {
       robot_.leave_out({robot_.file, 1}, std::to_string(pairs) + " pairs of links that do not touch each other",
                        "are too many for a scene: the first " + std::to_string(kMostPairs) + " are there");
@@ -515,11 +530,13 @@ class Writer {
 
   Robot& robot_;
   const ImportOptions& options_;
+  const MovedInertias moved_;
   std::set<std::pair<int, std::string>> driven_;  // coordinates that a motor or gear moves
   std::string bodies_, joints_, gears_, drives_, boundaries_, rest_, initial_;
   std::vector<int> bounded_;  // links with a boundary
   Eigen::AlignedBox3d box_;   // of all surfaces in D
   std::map<std::string, std::string> meshes_, copies_;
+  ReadBudget mesh_bytes_;  // that are read
 };
 
 }  // namespace

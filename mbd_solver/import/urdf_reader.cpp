@@ -169,14 +169,19 @@ void check_tree(const XmlSource& xml, const NodesByName& links, const NodesByNam
                    "; a URDF is a tree (SDF and MJCF can have loops)");
   }
   std::string root;
+  std::set<std::string> passed;  // they lead to the root
   for (const auto& [name, link] : links) {
     std::string at = name;
-    std::size_t steps = 0;
+    std::set<std::string> way;
     for (auto above = joint_above.find(at); above != joint_above.end(); above = joint_above.find(at)) {
-      at = above->second.child("parent").attribute("link").value();
-      if (++steps > links.size())
+      if (!way.insert(at).second)
         xml.fail(code::kRobotTree, link, "is below itself: its joints go round in a circle; a URDF is a tree");
+      if (passed.count(at) > 0) break;
+      at = above->second.child("parent").attribute("link").value();
     }
+    const bool known = passed.count(at) > 0;
+    passed.merge(way);
+    if (known) continue;
     if (root.empty()) root = at;
     if (at != root)
       xml.fail(code::kRobotTree, links.at(at),
@@ -264,12 +269,17 @@ class UrdfRobot {
     model_ = &model;
     const urdf::Link& root = *model.getRoot();
     if (root.name == "world" && !root.inertial) {
-      add_children(root, -1, {});
+      open_children(root, -1, {});
       if (!root.collision_array.empty())
         robot_.leave_out(xml_.origin(link_nodes_.at(root.name)), "link \"world\": its surface",
                          "it is the ground; give the scene a [ground], or --ground");
     } else {
-      add_link(root, -1, {});
+      open_.push_back({&root, -1, {}});
+    }
+    while (!open_.empty()) {  // depth first, in the order of the file
+      const OpenLink next = open_.back();
+      open_.pop_back();
+      add_link(*next.link, next.parent, next.X_DL);
     }
     for (const auto& [follower, mimic] : mimics_) add_gear(follower, *mimic);
     return std::move(robot_);
@@ -298,36 +308,42 @@ class UrdfRobot {
     auto visual = node.children("visual").begin();
     for (const auto& of : link.visual_array) made.visuals.push_back(geometry(*of->geometry, of->origin, *visual++));
     if (link.parent_joint) add_joint(*link.parent_joint, parent, index);
-    add_children(link, index, X_DL);
+    open_children(link, index, X_DL);
   }
 
-  // In the order of the file, not of names.
-  void add_children(const urdf::Link& link, int index, const RigidFrame& X_DL) {
+  // In the order of the file, not of names; the first one is the last of the open ones.
+  void open_children(const urdf::Link& link, int index, const RigidFrame& X_DL) {
     std::vector<urdf::LinkSharedPtr> children = link.child_links;
     std::sort(children.begin(), children.end(), [&](const auto& a, const auto& b) {
-      return joint_nodes_.at(a->parent_joint->name).offset_debug() <
+      return joint_nodes_.at(a->parent_joint->name).offset_debug() >
              joint_nodes_.at(b->parent_joint->name).offset_debug();
     });
     for (const auto& child : children) {
       const urdf::Joint& joint = *child->parent_joint;
       RigidFrame X = X_DL * placement(joint.parent_to_joint_origin_transform);
       if (joint.mimic) X = X * displaced(joint, drawn(joint));
-      add_link(*child, index, X);
+      open_.push_back({child.get(), index, X});
     }
   }
 
   // Coordinate in the drawing: those of joints that follow no other one are zero.
-  double drawn(const urdf::Joint& joint) const {
-    double value = 0.0, factor = 1.0;
+  double drawn(const urdf::Joint& joint) {
+    double value = 0.0;
+    std::vector<const urdf::Joint*> followers;
     std::set<std::string> followed;
     for (const urdf::Joint* at = &joint; at != nullptr && at->mimic;
          at = model_->getJoint(at->mimic->joint_name).get()) {
+      if (const auto known = drawn_.find(at->name); known != drawn_.end()) {
+        value = known->second;
+        break;
+      }
       if (!followed.insert(at->name).second)
         xml_.fail(code::kRobotTree, joint_nodes_.at(joint.name).child("mimic"),
                   "joints follow each other in a circle; one of them must move by itself");
-      value += factor * at->mimic->offset;
-      factor *= at->mimic->multiplier;
+      followers.push_back(at);
     }
+    for (auto at = followers.rbegin(); at != followers.rend(); ++at)
+      drawn_[(*at)->name] = value = (*at)->mimic->offset + (*at)->mimic->multiplier * value;
     return value;
   }
 
@@ -397,15 +413,15 @@ class UrdfRobot {
           robot_.leave_out(xml_.origin(of), "<" + std::string(name) + "> of " + title_of(node),
                            "has no meaning for a planar joint");
     }
+    joint_places_[made.name] = static_cast<int>(robot_.joints.size());
     robot_.joints.push_back(made);
   }
 
   void add_gear(int follower, const urdf::JointMimic& mimic) {
     const RobotJoint& driven = robot_.joints[static_cast<std::size_t>(follower)];
     const pugi::xml_node node = joint_nodes_.at(driven.name).child("mimic");
-    int leader = -1;
-    for (std::size_t k = 0; k < robot_.joints.size(); ++k)
-      if (robot_.joints[k].name == mimic.joint_name) leader = static_cast<int>(k);
+    const auto found = joint_places_.find(mimic.joint_name);
+    const int leader = found == joint_places_.end() ? -1 : found->second;
     if (leader < 0 || leader == follower)
       xml_.fail(code::kRobotName, node,
                 "joint = \"" + mimic.joint_name.substr(0, 60) + "\" is no other joint that moves");
@@ -467,6 +483,14 @@ class UrdfRobot {
   Robot robot_;
   const urdf::ModelInterface* model_ = nullptr;
   std::vector<std::pair<int, const urdf::JointMimic*>> mimics_;
+  std::map<std::string, int> joint_places_;
+  std::map<std::string, double> drawn_;  // coordinates of joints that follow others
+  struct OpenLink {
+    const urdf::Link* link;
+    int parent;
+    RigidFrame X_DL;
+  };
+  std::vector<OpenLink> open_;  // links that are not added yet
 };
 
 void refuse_xacro(const XmlSource& xml) {

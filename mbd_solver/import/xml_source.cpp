@@ -12,13 +12,12 @@
 #include "coupler/base/input_file.h"
 #include "coupler/base/number.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/budget.h"
 #include "mbd_solver/base/named_file.h"
 #include "mbd_solver/import/codes.h"
 
 namespace footfall {
 namespace {
-
-constexpr int kDeepest = 200;  // of elements within elements: what follows them recursively stays within its stack
 
 std::string text_of_file(const std::string& file) {
   require_file(file, "a robot: URDF, SDF or MJCF");
@@ -33,7 +32,7 @@ int depth_of(const pugi::xml_node& node) {
     int most = 0;
     bool for_each(pugi::xml_node&) override {
       most = std::max(most, depth());
-      return most <= kDeepest;
+      return most <= static_cast<int>(limit::kXmlDepth.most);
     }
   } walker;
   pugi::xml_node start = node;
@@ -58,6 +57,8 @@ XmlSource::XmlSource(const std::string& file, std::string text) : file_(file), t
     const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), at);
     return file_ + ":" + std::to_string(after - line_starts_.begin());
   };
+  ReadBudget parts(limit::kXmlParts, file_), levels(limit::kXmlDepth, file_);
+  parts.take(xml_parts(text_));
   const std::size_t zero = text_.find('\0');
   if (zero != std::string::npos)
     throw InputError(code::kRobotXml, place(static_cast<std::ptrdiff_t>(zero)) +
@@ -68,9 +69,7 @@ XmlSource::XmlSource(const std::string& file, std::string text) : file_(file), t
     throw InputError(code::kRobotXml, place(result.offset) + ": is no well-formed XML: " + result.description() +
                                           "; expected a whole URDF, SDF or MJCF file");
   if (!root()) throw InputError(code::kRobotXml, file_ + ":1: has no element, expected a URDF, SDF or MJCF file");
-  if (depth_of(document_) > kDeepest)
-    throw InputError(code::kRobotXml, file_ + ":1: has elements within elements more than " + std::to_string(kDeepest) +
-                                          " deep; the file is damaged");
+  levels.take(static_cast<std::uint64_t>(depth_of(document_)));
 }
 
 Origin XmlSource::origin(const pugi::xml_node& node) const {

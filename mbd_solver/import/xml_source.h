@@ -15,7 +15,7 @@ namespace footfall {
 
 class XmlSource {
  public:
-  // Reads the file. Throws InputError: no file, or no well-formed XML, with line and column.
+  // Reads the file. Throws InputError: no file, no well-formed XML, with its line, or more than base/budget.h allows.
   explicit XmlSource(const std::string& file);
   XmlSource(const std::string& file, std::string text);
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "mbd_solver/import/import_command.h"
+#include "mbd_solver/import/robot.h"
 #include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
 
@@ -37,7 +38,10 @@ TEST_F(BadRobots, NoRobot) {
   std::string deep = "<robot>";
   for (int k = 0; k < 100000; ++k) deep += "<a>";
   for (int k = 0; k < 100000; ++k) deep += "</a>";
-  EXPECT_TRUE(test::names(message("r.urdf", deep + "</robot>"), {"E0701"}));
+  EXPECT_TRUE(test::names(message("r.urdf", deep + "</robot>"), {"r.urdf", "200 levels", "E0437"}));
+  std::string many = "<robot>";
+  for (int k = 0; k < 2000000; ++k) many += "<a/>";
+  EXPECT_TRUE(test::names(message("r.urdf", many + "</robot>"), {"r.urdf", "2000000 elements", "E0437"}));
 }
 
 // The message says what helps.
@@ -138,6 +142,59 @@ TEST_F(BadRobots, Mjcf) {
                                   "<mujoco><worldbody><body name='a'><geom size='1'/></body><body name='a'><geom "
                                   "size='1'/></body></worldbody></mujoco>"),
                           {"r.xml:1", "E0707"}));
+}
+
+// 2^18 files, in depth less than a file that includes itself. Before, 1 GB.
+TEST_F(BadRobots, MjcfFilesThatIncludeEachOtherTwice) {
+  for (int k = 1; k <= 18; ++k) {
+    const std::string include = "<include file='m" + std::to_string(k + 1) + ".xml'/>";
+    write("m" + std::to_string(k) + ".xml", "<mujoco>" + include + include + "</mujoco>");
+  }
+  write("m19.xml", "<mujoco/>");
+  EXPECT_TRUE(test::names(message("r.xml", "<mujoco><include file='m1.xml'/></mujoco>"),
+                          {"r.xml", "1000 included files", "E0437"}));
+}
+
+// Each file is small enough, all of them are not.
+TEST_F(BadRobots, MjcfFilesWithTooManyPartsInAll) {
+  std::string many = "<mujoco>", includes = "<mujoco>";
+  for (int k = 0; k < 150000; ++k) many += "<a b=''/>";
+  for (int k = 0; k < 7; ++k) includes += "<include file='many.xml'/>";
+  write("many.xml", many + "</mujoco>");
+  EXPECT_TRUE(test::names(message("r.xml", includes + "</mujoco>"), {"r.xml", "2000000 elements", "E0437"}));
+}
+
+// A node of COLLADA that has two instances of the next one, 45 levels: 2^45 triangles in 4 kB. Geometries likewise.
+TEST_F(BadRobots, ColladaMeshesWithTooManyInstances) {
+  const auto robot_with = [&](const std::string& nodes, const std::string& numbers) {
+    const std::string dae =
+        "<COLLADA><library_geometries><geometry id='g'><mesh><source id='p'><float_array>" + numbers +
+        "</float_array></source><vertices id='v'><input semantic='POSITION' source='#p'/></vertices><triangles><input "
+        "semantic='VERTEX' source='#v' offset='0'/><p>0 1 2</p></triangles></mesh></geometry></library_geometries>"
+        "<library_nodes>" +
+        nodes +
+        "</library_nodes><library_visual_scenes><visual_scene id='s'><node><instance_node url='#n0'/></node>"
+        "</visual_scene></library_visual_scenes><scene><instance_visual_scene url='#s'/></scene></COLLADA>";
+    RobotGeometry g;
+    g.kind = GeometryKind::kMesh;
+    g.file = write("mesh.dae", dae);
+    return g;
+  };
+  const std::string triangle = "0 0 0 1 0 0 0 1 0", last = "<instance_geometry url='#g'/></node>";
+  std::string nodes;
+  for (int k = 0; k < 45; ++k) {
+    const std::string next = "<instance_node url='#n" + std::to_string(k + 1) + "'/>";
+    nodes += "<node id='n" + std::to_string(k) + "'>" + next + next + "</node>";
+  }
+  EXPECT_TRUE(
+      test::names(test::error_of([&] { geometry_mesh(robot_with(nodes + "<node id='n45'>" + last, triangle)); }),
+                  {"mesh.dae", "100000 instances", "E0437"}));
+  std::string numbers = triangle, instances = "<node id='n0'>";
+  for (int k = 0; k < 100000; ++k) numbers += " 0";
+  for (int k = 0; k < 250; ++k) instances += "<instance_geometry url='#g'/>";
+  EXPECT_TRUE(test::names(test::error_of([&] { geometry_mesh(robot_with(instances + last, numbers)); }),
+                          {"mesh.dae", "20000000 numbers", "E0437"}));
+  EXPECT_EQ(geometry_mesh(robot_with("<node id='n0'>" + last, triangle)).triangles.size(), 1u);
 }
 
 TEST_F(BadRobots, Options) {

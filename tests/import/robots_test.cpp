@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
 
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/import/import_command.h"
+#include "mbd_solver/import/robot.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
@@ -487,6 +490,108 @@ TEST_F(Robots, GroundOfASoilIsBelowTheRobot) {
   EXPECT_TRUE(s.initial.clearance);
   ASSERT_EQ(s.drives.size(), 1u);
   EXPECT_EQ(*s.drives[0].motor.largest_torque, 5.0);
+}
+
+// --- Of many links.
+
+RobotLink random_link() {
+  RobotLink link;
+  link.mass = 1.0 + std::abs(Eigen::Vector3d::Random()[0]);
+  link.centre.setRandom();
+  link.inertia = kInertia;
+  link.X_DL = {3.0 * Eigen::Vector3d::Random(), rz(link.centre[0]) * rx(link.centre[1])};
+  return link;
+}
+
+// Tolerance: the sums are about the origin, some sizes away.
+TEST(MovedInertias, AreTheSumsOverAllThatAJointCarries) {
+  constexpr int kLinks = 40;
+  std::srand(1);
+  Robot robot;
+  std::vector<int> above(kLinks, -1);
+  for (int k = 0; k < kLinks; ++k) {
+    robot.links.push_back(random_link());
+    RobotJoint joint;
+    above[static_cast<std::size_t>(k)] = joint.parent = k == 0 ? -1 : std::rand() % k;
+    joint.child = k;
+    joint.point.setRandom();
+    joint.axis = Eigen::Vector3d::Random().normalized();
+    robot.joints.push_back(joint);
+  }
+  RobotJoint loop;
+  loop.loop = true;
+  loop.parent = 1;
+  loop.child = kLinks - 1;
+  robot.joints.push_back(loop);
+  const MovedInertias moved(robot);
+  for (int j = 0; j < kLinks; ++j) {
+    const RobotJoint& joint = robot.joints[static_cast<std::size_t>(j)];
+    double mass = 0.0, inertia = 0.0;
+    for (int k = 0; k < kLinks; ++k) {
+      int at = k;
+      while (at >= 0 && at != j) at = above[static_cast<std::size_t>(at)];
+      if (at != j) continue;
+      const RobotLink& link = robot.links[static_cast<std::size_t>(k)];
+      const Eigen::Vector3d a = link.X_DL.R.transpose() * joint.axis;
+      mass += link.mass;
+      inertia +=
+          a.dot(link.inertia * a) + link.mass * (link.X_DL * link.centre - joint.point).cross(joint.axis).squaredNorm();
+    }
+    EXPECT_NEAR(moved.beyond(joint, true), mass, kExact * mass);
+    EXPECT_NEAR(moved.beyond(joint, false), inertia, 1e-11 * inertia);
+  }
+}
+
+TEST(MovedInertias, InACircleAreThoseOfAllItsLinks) {
+  Robot robot;
+  for (int k = 0; k < 3; ++k) {
+    robot.links.push_back(random_link());
+    RobotJoint joint;
+    joint.parent = k;
+    joint.child = (k + 1) % 3;
+    robot.joints.push_back(joint);
+  }
+  const double all = robot.links[0].mass + robot.links[1].mass + robot.links[2].mass;
+  for (const RobotJoint& joint : robot.joints) EXPECT_NEAR(MovedInertias(robot).beyond(joint, true), all, kExact * all);
+}
+
+// A chain four times as long takes four times as long, sixteen times where each link looks at all others. The least of three.
+TEST_F(Robots, OfManyLinksTakeTimeInProportion) {
+  for (const char* type : {"continuous", "fixed"}) {
+    const auto seconds = [&](int links) {
+      std::string inside = link("l0");
+      for (int k = 1; k < links; ++k)
+        inside += link("l" + std::to_string(k)) +
+                  joint(type, "", "l" + std::to_string(k - 1), "l" + std::to_string(k), "j" + std::to_string(k));
+      const std::string path = write("chain.urdf", urdf(inside));
+      ImportOptions options;
+      options.merge_fixed = options.hold = true;
+      double least = 1e9;
+      for (int repeat = 0; repeat < 3; ++repeat) {
+        const std::clock_t start = std::clock();
+        Robot robot = read_robot(path, options);
+        tidy_robot(robot, options);
+        EXPECT_EQ(robot.links.size(), type[0] == 'f' ? 1u : static_cast<std::size_t>(links));
+        write_robot_scene(robot, options);
+        least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+      }
+      return least;
+    };
+    const double shorter = seconds(1500), longer = seconds(6000);
+    EXPECT_LT(longer, 9.0 * shorter) << type;
+  }
+}
+
+// A leaf without mass is held, the link that carries it alone then, too: all become one.
+TEST_F(Robots, LeavesWithoutMassJoinOneAfterTheOther) {
+  std::string inside = link("a");
+  for (int k = 0; k < 5; ++k)
+    inside += link("m" + std::to_string(k), "") + joint("continuous", "", k == 0 ? "a" : "m" + std::to_string(k - 1),
+                                                        "m" + std::to_string(k), "j" + std::to_string(k));
+  const Scene s = imported("leaves.urdf", urdf(inside));
+  ASSERT_EQ(s.bodies.size(), 1u);
+  EXPECT_EQ(s.bodies[0].mass, 1.0);
+  EXPECT_TRUE(s.joints.empty());
 }
 
 }  // namespace

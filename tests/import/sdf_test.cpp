@@ -258,6 +258,25 @@ TEST_F(Sdf, IncludesTheModelThatItNames) {
   EXPECT_EQ(s.bodies[0].position.z() + s.bodies[1].position.z(), 2.0);
 }
 
+// 2^12 models, each of which has two of the next one. Before, sdformat read them all.
+TEST_F(Sdf, ModelsThatIncludeEachOtherTwiceAreRefused) {
+  const std::string config =
+      "<?xml version='1.0'?><model><name>m</name><sdf version='1.9'>model.sdf</sdf><description/></model>\n";
+  const auto including = [](const std::string& name) {
+    const auto include = [&](const char* as) {
+      return "<include><uri>model://" + name + "</uri><name>" + as + "</name></include>";
+    };
+    return "<sdf version='1.9'><model name='m'>" + link("a") + include("x") + include("y") + "</model></sdf>";
+  };
+  for (int k = 0; k < 12; ++k) {
+    const std::string folder = "m" + std::to_string(k) + "/";
+    write(folder + "model.config", config);
+    write(folder + "model.sdf", k == 11 ? "<sdf version='1.9'><model name='m'>" + link("a") + "</model></sdf>"
+                                        : including("m" + std::to_string(k + 1)));
+  }
+  EXPECT_TRUE(test::names(refused(including("m0")), {"bad.sdf", "1000 included files", "E0437"}));
+}
+
 TEST_F(Sdf, WithoutAMovingPartOrAnAxisIsRefused) {
   const auto model = [](const std::string& inside) {
     return "<sdf version='1.9'>\n<model name='m'>\n" + inside + "</model></sdf>\n";

@@ -5,18 +5,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <sdf/sdf.hh>
+#include <set>
 
 #include "coupler/base/text.h"
+#include "mbd_solver/base/budget.h"
 #include "mbd_solver/import/codes.h"
 #include "mbd_solver/import/xml_source.h"
 #include "mbd_solver/scene/mesh_reader.h"
 
 namespace footfall {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestMessage = 300;  // of sdformat [bytes]
 constexpr double kNoLimit = 1e15;             // limits beyond it are none
@@ -91,7 +97,11 @@ class Hush {
 
 class SdfRobot {
  public:
-  SdfRobot(const XmlSource& xml, const ImportOptions& options) : xml_(xml), options_(options) {
+  SdfRobot(const XmlSource& xml, const ImportOptions& options)
+      : xml_(xml),
+        options_(options),
+        files_(limit::kIncludedFiles, xml.file()),
+        bytes_(limit::kIncludedText, xml.file()) {
     robot_.format = "SDF";
     robot_.file = xml.file();
   }
@@ -132,6 +142,7 @@ class SdfRobot {
     }
     if (models.empty()) xml_.fail(code::kRobotElement, xml_.root(), "has no <model>, expected a robot");
     if (models.size() == 1) robot_.name = models[0].first->Name();
+    for (const auto& [model, X] : models) robot_.touches_itself = robot_.touches_itself || collides_with_itself(*model);
     for (const auto& [model, X] : models) add_model(*model, X, models.size() > 1 ? model->Name() + "::" : "", false);
     return std::move(robot_);
   }
@@ -169,6 +180,33 @@ class SdfRobot {
   }
 
   std::string found_model(const std::string& uri) const { return find_model(uri, xml_.file(), options_); }
+
+  // sdformat reads models within models without end: they are counted before.
+  void count_model(const std::string& found) {
+    files_.take();
+    fs::path file = found;
+    if (fs::is_directory(file)) {
+      const fs::path config = file / "model.config";
+      const std::string name = fs::exists(config) ? XmlSource(config.string()).root().child("sdf").text().get() : "";
+      file /= name.empty() ? "model.sdf" : name;
+    }
+    if (!fs::is_regular_file(file)) return;
+    struct Walker : pugi::xml_tree_walker {
+      std::vector<std::string> uris;
+      bool for_each(pugi::xml_node& node) override {
+        if (std::string(node.name()) == "include") uris.push_back(trimmed(node.child("uri").text().get()));
+        return true;
+      }
+    } walker;
+    {
+      const XmlSource xml(file.string());
+      bytes_.take(xml.text().size());
+      pugi::xml_node root = xml.root();
+      root.traverse(walker);
+    }
+    for (const std::string& uri : walker.uris)
+      if (const std::string inner = find_model(uri, file.string(), options_); !inner.empty()) count_model(inner);
+  }
 
   // The text with blanks in the place of: a declaration behind a comment, which sdformat does not take; what it would judge and no
   // scene has; includes of what is not there.
@@ -219,7 +257,10 @@ class SdfRobot {
       const std::string uri = trimmed(include.child("uri").text().get());
       const bool plane = uri.find("ground_plane") != std::string::npos;
       const bool sun = uri.size() >= 3 && uri.compare(uri.size() - 3, 3, "sun") == 0;
-      if (!plane && !sun && !found_model(uri).empty()) continue;
+      if (const std::string found = found_model(uri); !plane && !sun && !found.empty()) {
+        count_model(found);
+        continue;
+      }
       if (plane)
         robot_.plane = true;
       else
@@ -232,22 +273,23 @@ class SdfRobot {
 
   // The element of this kind and name; of several, in nested models, the one of sdformat's line. The root where it comes from an
   // included file.
-  pugi::xml_node node_of(const char* kind, const std::string& name, const sdf::ElementPtr& element) const {
-    struct Walker : pugi::xml_tree_walker {
-      std::string kind, name;
-      std::vector<pugi::xml_node> found;
-      bool for_each(pugi::xml_node& node) override {
-        if (kind == node.name() && name == node.attribute("name").value()) found.push_back(node);
-        return true;
-      }
-    } walker;
-    walker.kind = kind;
-    walker.name = name;
-    pugi::xml_node root = xml_.root();
-    root.traverse(walker);
-    for (const pugi::xml_node& node : walker.found)
+  pugi::xml_node node_of(const char* kind, const std::string& name, const sdf::ElementPtr& element) {
+    if (nodes_.empty()) {
+      struct Walker : pugi::xml_tree_walker {
+        std::map<std::pair<std::string, std::string>, std::vector<pugi::xml_node>>* nodes = nullptr;
+        bool for_each(pugi::xml_node& node) override {
+          (*nodes)[{node.name(), node.attribute("name").value()}].push_back(node);
+          return true;
+        }
+      } walker;
+      walker.nodes = &nodes_;
+      pugi::xml_node root = xml_.root();
+      root.traverse(walker);
+    }
+    const std::vector<pugi::xml_node>& found = nodes_[{kind, name}];
+    for (const pugi::xml_node& node : found)
       if (element && xml_.origin(node).line == element->LineNumber().value_or(0)) return node;
-    return walker.found.size() == 1 ? walker.found[0] : root;
+    return found.size() == 1 ? found[0] : xml_.root();
   }
 
   // The value of an element within others, where the file gives it.
@@ -260,14 +302,18 @@ class SdfRobot {
   }
 
   int link_index(const std::string& name) const {
-    for (std::size_t k = 0; k < robot_.links.size(); ++k)
-      if (robot_.links[k].name == name) return static_cast<int>(k);
-    return -1;
+    const auto found = link_places_.find(name);
+    return found == link_places_.end() ? -1 : found->second;
+  }
+
+  static bool collides_with_itself(const sdf::Model& model) {
+    bool does = model.SelfCollide();
+    for (std::uint64_t k = 0; k < model.ModelCount(); ++k) does = does || collides_with_itself(*model.ModelByIndex(k));
+    return does;
   }
 
   void add_model(const sdf::Model& model, const RigidFrame& X_DM, const std::string& prefix, bool still) {
     still = still || model.Static();
-    robot_.touches_itself = robot_.touches_itself || model.SelfCollide();
     const std::size_t first = robot_.links.size();
     for (std::uint64_t k = 0; k < model.LinkCount(); ++k) add_link(*model.LinkByIndex(k), X_DM, prefix, still);
     for (std::uint64_t k = 0; k < model.ModelCount(); ++k) {
@@ -278,7 +324,7 @@ class SdfRobot {
     }
     if (still) return;
     for (std::uint64_t k = 0; k < model.JointCount(); ++k) add_joint(*model.JointByIndex(k), X_DM, prefix);
-    if (!model.SelfCollide())
+    if (robot_.touches_itself && !model.SelfCollide())  // else no two links touch
       for (std::size_t i = first; i < robot_.links.size(); ++i)
         for (std::size_t j = i + 1; j < robot_.links.size(); ++j)
           robot_.apart.emplace_back(static_cast<int>(i), static_cast<int>(j));
@@ -331,6 +377,7 @@ class SdfRobot {
     if (!std::isfinite(made.mass) || !made.inertia.allFinite() || !made.X_DL.p.allFinite() || !made.X_DL.R.allFinite())
       throw InputError(code::kRobotNumber,
                        made.origin.place() + ": link \"" + made.name + "\" has a number that is not finite");
+    link_places_.emplace(made.name, static_cast<int>(robot_.links.size()));
     robot_.links.push_back(made);
   }
 
@@ -430,8 +477,7 @@ class SdfRobot {
     if (made.child < 0 || (made.parent < 0 && parent != "world"))
       throw InputError(code::kRobotName,
                        made.origin.place() + ": " + title_of(node) + " names a link that moves with no model here");
-    made.loop = std::any_of(robot_.joints.begin(), robot_.joints.end(),
-                            [&](const RobotJoint& other) { return other.child == made.child; });
+    made.loop = held_.count(made.child) > 0;
     const sdf::JointType type = joint.Type();
     const bool two = type == sdf::JointType::UNIVERSAL || type == sdf::JointType::REVOLUTE2;
     const bool one = two || type == sdf::JointType::REVOLUTE || type == sdf::JointType::CONTINUOUS ||
@@ -463,7 +509,12 @@ class SdfRobot {
       case sdf::JointType::GEARBOX: add_gearbox(made, joint, node, X_DM); return;
       default: robot_.leave_out(made.origin, title_of(node), "a scene has no such joint"); return;
     }
-    robot_.joints.push_back(made);
+    push(made);
+  }
+
+  void push(const RobotJoint& joint) {
+    held_.insert(joint.child);
+    robot_.joints.push_back(joint);
   }
 
   // angle = -thread_pitch displacement, thread_pitch in rad/m.
@@ -483,7 +534,7 @@ class SdfRobot {
     gear.joints = {index, index};
     gear.coordinates = {"angle", "displacement"};
     gear.factors = {1.0, pitch};
-    robot_.joints.push_back(made);
+    push(made);
     robot_.gears.push_back(gear);
   }
 
@@ -495,7 +546,7 @@ class SdfRobot {
     if (right && !has_laws(q1) && !has_laws(q2)) {
       made.kind = RobotJointKind::kUniversal;
       made.axis2 = axis2;
-      robot_.joints.push_back(made);
+      push(made);
       return;
     }
     RobotLink between;
@@ -503,6 +554,7 @@ class SdfRobot {
     between.name = made.name + "_between";
     between.X_DL = robot_.links[static_cast<std::size_t>(made.child)].X_DL;
     const int middle = static_cast<int>(robot_.links.size());
+    link_places_.emplace(between.name, middle);
     robot_.links.push_back(between);
     RobotJoint first = made, second = made;
     first.kind = second.kind = RobotJointKind::kRevolute;
@@ -512,8 +564,8 @@ class SdfRobot {
     second.axis = axis2;
     second.coordinates = {q2};
     second.name += "_axis2";
-    robot_.joints.push_back(first);
-    robot_.joints.push_back(second);
+    push(first);
+    push(second);
   }
 
   // angle of the child = -ratio times angle of the parent, both about the reference body.
@@ -553,6 +605,10 @@ class SdfRobot {
   const XmlSource& xml_;
   const ImportOptions& options_;
   Robot robot_;
+  ReadBudget files_, bytes_;                                                          // of all models that are included
+  std::map<std::pair<std::string, std::string>, std::vector<pugi::xml_node>> nodes_;  // by element and name
+  std::map<std::string, int> link_places_;
+  std::set<int> held_;  // links that are the child of a joint
 };
 
 }  // namespace
