@@ -13,8 +13,6 @@
 #include <cstring>
 #include <ctime>
 
-#include "coupler/base/start.h"
-
 namespace footfall {
 namespace {
 
@@ -99,8 +97,6 @@ void end_on_signals(const char* program) {
   action.sa_flags = SA_SIGINFO | SA_RESTART;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1})
     if (signal != SIGHUP || !is_ignored(signal)) sigaction(signal, &action, nullptr);
-  // Output goes through mpirun. When mpirun has gone, writing must not kill this program before it has saved its work.
-  if (under_mpirun()) std::signal(SIGPIPE, SIG_IGN);
   g_parent_warns = std::getenv(kLauncherWarns) != nullptr;
   if (g_parent_warns) sigaction(SIGCONT, &action, nullptr);
 }

@@ -11,9 +11,9 @@ namespace footfall {
 // From here on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGUSR1 end this program with kExitInterrupted: at once while there
 // is no work to save, and after work_is_under_way() in order, through the flag interrupted(). The first signal then
 // starts a time limit: kEndingTime later the program ends with a line on standard error only.
-// program: its name for messages; must outlive the program. An ignored SIGHUP (nohup) stays ignored. Under mpirun
-// SIGPIPE is ignored. With kLauncherWarns in the environment, a SIGCONT of the parent process counts as such a signal
-// too, unless it ends a stop (promise_progress).
+// program: its name for messages; must outlive the program. An ignored SIGHUP (nohup) stays ignored. With
+// kLauncherWarns in the environment, a SIGCONT of the parent process counts as such a signal too, unless it ends a stop
+// (promise_progress).
 void end_on_signals(const char* program);
 void work_is_under_way();
 inline constexpr unsigned kEndingTime = 8;  // [s]

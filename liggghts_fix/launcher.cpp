@@ -20,6 +20,7 @@
 #include "coupler/base/confinement.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/pulse.h"
+#include "coupler/base/start.h"
 #include "coupler/communicator.h"
 #include "coupler/interrupt.h"
 #include "coupler/link.h"
@@ -189,8 +190,8 @@ int run_and_report(int argc, char** argv, const Communicator& communicator, DemL
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_streams();
   open_pulse();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that cannot grow is an error of write()
   end_on_signals("liggghts_mbd");
   MPI_Init(&argc, &argv);
   int exit_code = kExitDone;

@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages of coupler/base: E0424 to E0429.
+// Codes of the messages of coupler/base: E0424 to E0429, and E0437.
 
 #include "coupler/base/errors.h"
 
@@ -17,5 +17,7 @@ inline constexpr MessageCode kNotUtf8{"E0427", "not-utf8"};
 inline constexpr MessageCode kScriptWritesElsewhere{"E0428", "script-writes-elsewhere"};
 // The kernel does not confine a program to the files of its script. Read the script, and allow it with --trust-script.
 inline constexpr MessageCode kNotConfined{"E0429", "not-confined"};
+// A file or folder cannot be looked at, mostly for want of a permission. Check that it exists, and the permissions above it.
+inline constexpr MessageCode kFileSystem{"E0437", "file-system"};
 
 }  // namespace footfall::code

@@ -2,11 +2,13 @@
 
 #include "coupler/base/start.h"
 
+#include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
-#include <filesystem>
 #include <string>
 
 #include "coupler/base/codes.h"
@@ -39,25 +41,47 @@ std::string printable(std::string text) {
   return text;
 }
 
+void require_utf8(const std::string& what, const std::string& text) {
+  if (!is_utf8(text))
+    throw InputError(code::kNotUtf8, what + " \"" + printable(text) +
+                                         "\" is not UTF-8 text, expected names in UTF-8; rename the file or folder");
+}
+
 }  // namespace
+
+void keep_streams() {
+  for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
+  for (int file = open("/dev/null", O_RDWR); file >= 0; file = dup(file))
+    if (file > STDERR_FILENO) {
+      close(file);
+      break;
+    }
+}
+
+bool output_is_unread() {
+  pollfd output{STDOUT_FILENO, 0, 0};
+  return poll(&output, 1, 0) == 1 && (output.revents & (POLLERR | POLLHUP)) != 0;
+}
 
 void prepare_start(int argc, char** argv) {
   const char* const path = std::getenv("PATH");
   if (path == nullptr || *path == '\0') setenv("PATH", "/usr/local/bin:/usr/bin:/bin", 1);
+  for (int i = 1; i < argc; ++i) require_utf8("the argument", argv[i]);
+}
 
+void require_current_folder() {
   std::error_code error;
   const std::string folder = std::filesystem::current_path(error).string();
   if (!error && access(".", X_OK) != 0) error.assign(errno, std::generic_category());
   if (error)
     throw InputError(code::kCurrentFolder, "the current folder cannot be entered: " + error.message() +
                                                "; change to a folder that exists and that you may enter");
-  const auto require = [](const std::string& what, const std::string& text) {
-    if (!is_utf8(text))
-      throw InputError(code::kNotUtf8, what + " \"" + printable(text) +
-                                           "\" is not UTF-8 text, expected names in UTF-8; rename the file or folder");
-  };
-  require("the current folder", folder);
-  for (int i = 1; i < argc; ++i) require("the argument", argv[i]);
+  require_utf8("the current folder", folder);
+}
+
+InputError as_input_error(const std::filesystem::filesystem_error& error) {
+  return {code::kFileSystem, error.path1().string() + ": cannot be used: " + error.code().message() +
+                                 "; check that it exists, and the permissions of it and of the folders above it"};
 }
 
 bool under_mpirun() {

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <string>
 
 #include "coupler/base/errors.h"
@@ -155,17 +154,12 @@ std::vector<Subcommand> commands_with(const std::vector<std::pair<std::string, P
 }
 
 int run_command_line(int argc, char** argv, const std::vector<Subcommand>& commands) {
+  keep_streams();
   CLI::App app{"footfall: a flexible multibody mechanism with controlled dampers on a bed of particles", "footfall"};
   app.set_version_flag("--version", std::string("footfall ") + FOOTFALL_VERSION);
   app.require_subcommand(1);
   app.footer("`footfall COMMAND --help` lists the options of a command.");
-  std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit of sizes fails in its write
   Action action;
-  for (const Subcommand& subcommand : commands) {
-    CLI::App* command = app.add_subcommand(subcommand.name, subcommand.what)->footer("");
-    if (subcommand.prepare != nullptr)
-      command->callback([&action, prepared = subcommand.prepare(*command)] { action = prepared; });
-  }
   // `help` and `help COMMAND` are `--help` and `COMMAND --help`.
   Line line(argv + 1, argv + argc);
   if (!line.empty() && line.front() == "help") {
@@ -173,12 +167,18 @@ int run_command_line(int argc, char** argv, const std::vector<Subcommand>& comma
     line.push_back("--help");
   }
   try {
+    for (const Subcommand& subcommand : commands) {
+      CLI::App* command = app.add_subcommand(subcommand.name, subcommand.what)->footer("");
+      if (subcommand.prepare != nullptr)
+        command->callback([&action, prepared = subcommand.prepare(*command)] { action = prepared; });
+    }
     prepare_start(argc, argv);
     require_command(line, commands);
-    app.parse(Line(line.rbegin(), line.rend()));
+    app.parse(Line(line.rbegin(), line.rend()));  // --help and --version end here
+    require_current_folder();
     const int exit_code = action();
     const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-    if (written || errno == EPIPE) return exit_code;  // nobody reads on
+    if (written || output_is_unread()) return exit_code;
     std::fprintf(stderr, "footfall: %s\n",
                  with_code(code::kOutputNotWritten,
                            "the standard output cannot be written in full; free space there, or send it elsewhere")
@@ -190,6 +190,9 @@ int run_command_line(int argc, char** argv, const std::vector<Subcommand>& comma
     return kExitBadInput;
   } catch (const InputError& e) {
     std::fprintf(stderr, "%s\n", e.what());
+    return kExitBadInput;
+  } catch (const std::filesystem::filesystem_error& e) {
+    std::fprintf(stderr, "footfall: %s\n", as_input_error(e).what());
     return kExitBadInput;
   } catch (const Interrupted& e) {
     std::fprintf(stderr, "footfall: %s\n", e.what());

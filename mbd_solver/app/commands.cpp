@@ -33,7 +33,8 @@ namespace fs = std::filesystem;
 // inputs/landing_mr of the current folder, otherwise that of this program.
 std::string default_scene() {
   const std::string name = "inputs/landing_mr";
-  if (fs::exists(name)) return name;
+  std::error_code unknown;  // where the current folder may not be entered
+  if (fs::exists(name, unknown)) return name;
   try {
     return shipped_file(name);
   } catch (const InputError&) {

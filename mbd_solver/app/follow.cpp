@@ -13,6 +13,7 @@
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/start.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/plot_script.h"
@@ -241,7 +242,7 @@ int follow_run(const FollowArguments& arguments) {
       next_page = wall_clock() + interval;
     }
     first_time = false;
-    if (last) break;
+    if (last || (!page && output_is_unread())) break;
     if (!wait_for(arguments.interval)) {
       line.finish();
       return kExitInterrupted;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/start.h"
 #include "mbd_solver/app/command_line.h"
 #include "mbd_solver/app/needed_parts.h"
 #include "mbd_solver/app/new_case.h"
@@ -17,20 +18,21 @@ using namespace footfall;
 
 int main(int argc, char** argv) {
   std::string word = argc > 1 ? argv[1] : "";
-  if (word == "confined") return become_confined(argc, argv);
-  if (word == "needs") return print_needed_parts({argv + 2, argv + argc});
-  if (word == "help" && argc > 2) word = argv[2];
-  for (const Subcommand& subcommand : subcommands()) {
-    if (word != subcommand.name || subcommand.prepare != nullptr) continue;
-    try {
+  try {
+    if (word == "confined") return become_confined(argc, argv);
+    keep_streams();
+    if (word == "needs") return print_needed_parts({argv + 2, argv + argc});
+    if (word == "help" && argc > 2) word = argv[2];
+    for (const Subcommand& subcommand : subcommands()) {
+      if (word != subcommand.name || subcommand.prepare != nullptr) continue;
       if (word == "import") return start_import({argv + 1, argv + argc});
       const std::string program = built_program(subcommand.program);
       std::fprintf(stderr, "footfall: %s\n", become_program(program, {argv, argv + argc}).c_str());
       return kExitFailed;
-    } catch (const std::exception& e) {
-      std::fprintf(stderr, "%s\n", e.what());
-      return kExitBadInput;
     }
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return kExitBadInput;
   }
   return run_command_line(argc, argv, subcommands());
 }

@@ -222,10 +222,14 @@ void end_worker(int) {
 }
 
 int run() {
-  std::string folder = (fs::temp_directory_path() / "footfall_fmu_XXXXXX").string();
-  if (!mkdtemp(folder.data())) {
-    std::fprintf(stderr, "footfall_fmu_host: no folder can be made in %s: %s\n", fs::temp_directory_path().c_str(),
-                 std::strerror(errno));
+  std::error_code error;
+  const fs::path place = fs::temp_directory_path(error);
+  std::string folder = (place / "footfall_fmu_XXXXXX").string();
+  if (error || !mkdtemp(folder.data())) {
+    std::fprintf(stderr,
+                 "footfall_fmu_host: no folder can be made in %s: %s; set TMPDIR to a folder that you may write to\n",
+                 error ? "the temporary folder (TMPDIR)" : place.c_str(),
+                 error ? error.message().c_str() : std::strerror(errno));
     return EXIT_FAILURE;
   }
   const rlimit none{0, 0};
@@ -253,7 +257,6 @@ int run() {
   int status = 0;
   while (worker > 0 && waitpid(worker, &status, 0) < 0 && errno == EINTR) {
   }
-  std::error_code error;
   fs::remove_all(folder, error);
   if (!WIFSIGNALED(status)) return WEXITSTATUS(status);
   signal(WTERMSIG(status), SIG_DFL);

@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -133,6 +134,8 @@ int guarded(const std::function<int()>& work, const std::function<int(const std:
     return told(error, kExitBadInput);
   } catch (const ProtocolError& error) {
     return told(error, kExitBadInput);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return told(as_input_error(error), kExitBadInput);
   } catch (const Interrupted& error) {
     return told(error, kExitInterrupted);
   } catch (const std::exception& error) {
@@ -196,8 +199,8 @@ int run_coupled(const Arguments& arguments, const Communicator& communicator) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_streams();
   if (argc == 2 && std::string(argv[1]) == "--serve") {
-    std::signal(SIGXFSZ, SIG_IGN);
     end_on_signals("mbd_solver");
     return serve();
   }
@@ -208,9 +211,13 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitDone : kExitBadInput;
   }
-  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit becomes an error of the write
   end_on_signals("mbd_solver");
-  if (const int code = guarded([&] { return prepare_start(argc, argv), kExitDone; }); code != kExitDone) return code;
+  const auto prepare = [&] {
+    prepare_start(argc, argv);
+    require_current_folder();
+    return kExitDone;
+  };
+  if (const int code = guarded(prepare); code != kExitDone) return code;
 
   // MPI is started only under mpirun: scenes without grains need none.
   if (!under_mpirun()) return guarded([&] { return run_alone(arguments); });

@@ -1,6 +1,7 @@
 // Command lines: every command has its help and its place in the pages, and a line that cannot be read is answered by one line that says
 // what to do.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <regex>
@@ -133,6 +134,46 @@ TEST_F(Commands, ThatCannotBeReadAreAnsweredByOneLine) {
     EXPECT_EQ(app::lines_of(outcome.text), 1) << line.line << ": " << outcome.text;
   }
   EXPECT_FALSE(folder.has("other") || folder.has("my case"));
+}
+
+// As another user, or without the right to enter the folder that they are in.
+TEST_F(Commands, NeedNoFolderToTellOfThemselves) {
+  const bool is_root = geteuid() == 0;
+  const std::string other = is_root ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
+  const auto in_closed_folder = [&](const std::string& program, const std::string& words) {
+    return folder.shell("rm -rf closed; mkdir closed && cd closed && chmod " + std::string(is_root ? "700" : "0") +
+                        " . && " + other + test::RunFolder::program(program) + " " + words);
+  };
+  if (is_root && folder.shell(other + "test -x " + test::RunFolder::program("footfall")).exit_code != 0)
+    GTEST_SKIP() << "another user may not start the programs of this build";
+  const std::string programs[] = {"footfall", "footfall_studies", "footfall_campaign", "footfall_import", "mbd_solver"};
+  for (const std::string& program : programs)
+    for (const std::string word : {"--version", "--help"})
+      if (std::filesystem::exists(test::RunFolder::program(program)))  // that of `import` is built by its first call
+        EXPECT_EQ(in_closed_folder(program, word).exit_code, 0) << program << " " << word;
+  for (const std::string line : {"run", "check", "sweep x.toml", "calibrate x.toml", "needs run"}) {
+    const test::Outcome outcome = in_closed_folder("footfall", line);
+    EXPECT_EQ(outcome.exit_code, line == "needs run" ? 0 : 2) << line << ": " << outcome.text;
+    if (line != "needs run") EXPECT_TRUE(holds(outcome.text, "[E0426 ")) << line << ": " << outcome.text;
+  }
+  EXPECT_TRUE(holds(in_closed_folder("mbd_solver", "x.toml").text, "[E0426 "));
+}
+
+// Whatever becomes of the standard output, the work is done.
+TEST_F(Commands, EndAsTheyWouldWhenNobodyReadsTheirOutput) {
+  const std::string run = app::kSliderCrank + " --until 0.02 --out ", footfall = test::RunFolder::program("footfall");
+  const std::pair<std::string, std::string> lines[] = {{footfall + " run " + run + "a", "a"},
+                                                       {test::RunFolder::program("mbd_solver") + " " + run + "b", "b"},
+                                                       {footfall + " check " + app::kInputs + "/rigid_plane", ""}};
+  for (const auto& [line, out] : lines)
+    for (const std::string where : {" | true", " >&-"}) {
+      const std::string closed = where == " >&-" ? where : "";
+      const test::Outcome outcome = folder.shell("rm -rf a b; { sleep 0.2; " + line + closed + "; echo code $? >&2; }" +
+                                                 (closed.empty() ? where : ""));
+      EXPECT_TRUE(holds(outcome.text, "code 0\n")) << line << where << ": " << outcome.text;
+      if (!out.empty()) EXPECT_EQ(folder.summary(out)["status"], "done") << line << where;
+    }
+  EXPECT_TRUE(holds(folder.shell(lines[0].first + " --force > /dev/full").text, "E0519"));
 }
 
 TEST_F(Commands, AreCompletedByBash) {

@@ -181,7 +181,40 @@ TEST_F(ForeignFiles, ArgumentsAreTextAndTheCurrentFolderExists) {
     fs::create_directory(file("gone"));
     fs::current_path(file("gone"));
     fs::remove(file("gone"));
-    return refuses(code::kCurrentFolder, [&] { starts("plain"); }) ? 0 : 1;
+    return refuses(code::kCurrentFolder, [] { require_current_folder(); }) ? 0 : 1;
+  });
+  EXPECT_EQ(result, 0);
+}
+
+TEST_F(ForeignFiles, ThatTheLibraryCannotUseAreNamed) {
+  try {
+    FAIL() << fs::file_size(file("missing"));
+  } catch (const fs::filesystem_error& error) {
+    EXPECT_EQ(std::string(as_input_error(error).what()).rfind(file("missing") + ": cannot be used: No such file", 0),
+              0u);
+  }
+}
+
+// A history that got the number of a closed standard output would hold what is printed.
+TEST_F(ForeignFiles, NeverGetTheNumberOfAStandardStream) {
+  const int result = in_a_child([&] {
+    close(STDIN_FILENO), close(STDOUT_FILENO);
+    keep_streams();
+    const int own = open(file("own").c_str(), O_WRONLY | O_CREAT, 0644);
+    return own > STDERR_FILENO && ::write(STDOUT_FILENO, "x", 1) == 1 && fs::file_size(file("own")) == 0 ? 0 : 1;
+  });
+  EXPECT_EQ(result, 0);
+}
+
+TEST_F(ForeignFiles, AnOutputThatNobodyReadsIsAnErrorOfTheWrite) {
+  const int result = in_a_child([] {
+    int ends[2];
+    if (pipe(ends) != 0) return 1;
+    dup2(ends[1], STDOUT_FILENO);
+    if (output_is_unread()) return 2;
+    close(ends[0]);
+    keep_streams();
+    return ::write(STDOUT_FILENO, "x", 1) == -1 && errno == EPIPE && output_is_unread() ? 0 : 3;
   });
   EXPECT_EQ(result, 0);
 }
