@@ -5,7 +5,6 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/build/codes.h"
-#include "mbd_solver/build/time_functions.h"
 
 namespace footfall {
 namespace {
@@ -74,8 +73,15 @@ Corners::Corners(const Scene& scene, const Mechanism& mechanism)
 
 Corner Corners::next(double t, const Eigen::VectorXd& values) {
   Corner next = signals_.next(t, values);
-  for (const TimeFunctionPtr& function : functions_) next = std::min(next, function->next_corner(t));
+  for (const NamedFunction& named : functions_) next = std::min(next, named.function->next_corner(t));
   return next;
+}
+
+std::string Corners::name_of_next(double t, const Eigen::VectorXd& values) {
+  const Corner first = next(t, values);
+  for (const NamedFunction& named : functions_)
+    if (!(first < named.function->next_corner(t))) return named.name;
+  return signals_.too_fast().empty() ? "signals of time" : signals_.too_fast().front();
 }
 
 Corner Corners::next_step_end(double t, const Eigen::VectorXd& values) {

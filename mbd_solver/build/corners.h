@@ -9,8 +9,8 @@
 #include <Eigen/Dense>
 
 #include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/model/control/given_signals.h"
-#include "mbd_solver/model/laws/time_function.h"
 
 namespace footfall {
 
@@ -26,10 +26,12 @@ class Corners {
   // Likewise, with the times between corners at which steps of the mechanism end for the integrals of curved functions.
   Corner next_step_end(double t, const Eigen::VectorXd& values);
   double next_time(double t, const Eigen::VectorXd& values) { return next(t, values).after; }  // [s] > t
+  std::string name_of_next(double t,
+                           const Eigen::VectorXd& values);  // of the function or signals that have the first one
   std::vector<std::string> warnings() const;  // about signals that vary too fast, as far as next() has looked
 
  private:
-  std::vector<TimeFunctionPtr> functions_;
+  std::vector<NamedFunction> functions_;
   std::vector<SignalNode> conditions_;  // of events without a period
   GivenSignals signals_;
 };

@@ -31,20 +31,21 @@ TimeFunctionPtr time_function(const std::optional<TimeFunctionSpec>& spec, Table
   return spec ? time_function(*spec, shape) : nullptr;
 }
 
-std::vector<TimeFunctionPtr> time_functions(const Scene& scene) {
-  std::vector<TimeFunctionPtr> functions;
-  const auto add = [&](const std::optional<TimeFunctionSpec>& spec, TableShape shape) {
-    if (spec) functions.push_back(time_function(*spec, shape));
+std::vector<NamedFunction> time_functions(const Scene& scene) {
+  std::vector<NamedFunction> functions;
+  const auto add = [&](const std::string& name, const std::optional<TimeFunctionSpec>& spec, TableShape shape) {
+    if (spec) functions.push_back({name, time_function(*spec, shape)});
   };
   for (const JointSpec& joint : scene.joints) {
     if (!joint.motion) continue;
     for (const auto* f : {&joint.motion->x, &joint.motion->y, &joint.motion->z, &joint.motion->rotation})
-      add(*f, TableShape::kSpline);
+      add("joints." + joint.name + ".motion", *f, TableShape::kSpline);
   }
-  for (const DriveSpec& drive : scene.drives) add(drive.command, command_shape(drive.motor.kind));
+  for (const DriveSpec& drive : scene.drives)
+    add("drives." + drive.name + ".command", drive.command, command_shape(drive.motor.kind));
   for (const ForceSpec& force : scene.forces) {
-    add(force.force, TableShape::kLines);
-    add(force.torque, TableShape::kLines);
+    add("forces." + force.name + ".force", force.force, TableShape::kLines);
+    add("forces." + force.name + ".torque", force.torque, TableShape::kLines);
   }
   return functions;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Functions of time of a scene, for the model.
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,7 +22,11 @@ TimeFunctionPtr time_function(const TimeFunctionSpec& spec, TableShape shape);
 // Null where none is given.
 TimeFunctionPtr time_function(const std::optional<TimeFunctionSpec>& spec, TableShape shape);
 
+struct NamedFunction {
+  std::string name;  // "forces.f.force"
+  TimeFunctionPtr function;
+};
 // All that a scene gives, without their signals: prescribed motions, commands of drives, forces and torques.
-std::vector<TimeFunctionPtr> time_functions(const Scene& scene);
+std::vector<NamedFunction> time_functions(const Scene& scene);
 
 }  // namespace footfall

@@ -39,6 +39,9 @@ inline constexpr MessageCode kRequirementName{"E0672", "requirement-name"};
 // The program that leads the run cannot be reached. Start it first, or unset FOOTFALL_LEADER.
 inline constexpr MessageCode kLeaderGone{"E0673", "leader-gone"};
 
+// Steps that end at corners of functions of time, or at samples, hardly advance the run. Remove points of the table, or lengthen the period.
+inline constexpr MessageCode kWindowsTooShort{"E0674", "windows-too-short"};
+
 // Two surfaces overlap at the start; collisions between them are not detected. Move them apart if this is not intended.
 inline constexpr MessageCode kOverlapAtStart{"W0660", "overlap-at-start"};
 // The mechanism was settled into static equilibrium before the run. Check the distance that is reported.

@@ -232,7 +232,9 @@ void Simulation::run_alone(Loop& loop) {
     return loop.interrupted == 0 && !inputs_change_ && !led && !given;
   };
 
+  WindowWatch watch(state_.time);
   while (!finished()) {
+    if (watch.is_stuck(state_.time, t_end_)) give_up_short_windows(watch.moved());
     const bool end_requested = loop.interrupted != 0;
     bool saved = false;
     const bool due = checkpoints_.is_due(state_.time) || end_requested || checkpoint_requested_;
@@ -268,6 +270,17 @@ void Simulation::run_alone(Loop& loop) {
     loop.observation_pending = true;
     observe_sample(loop);
   }
+}
+
+void Simulation::give_up_short_windows(double moved) {
+  const bool samples = control_.next_sample() < corners_.next_time(state_.time, inputs_.values);
+  throw NumericalError(code::kWindowsTooShort,
+                       "t = " + plain_text(state_.time) + " s: " + std::to_string(WindowWatch::kWatched) +
+                           " windows advanced the time by only " + number_text(moved, 2) + " s of " +
+                           number_text(t_end_) + " s. They end at " +
+                           (samples ? "samples of signals or controllers: lengthen their period"
+                                    : "corners of " + corners_.name_of_next(state_.time, inputs_.values) +
+                                          ": remove points of tables that are so near to each other"));
 }
 
 void Simulation::run_coupled(Loop& loop) {

@@ -109,6 +109,7 @@ class Simulation {
 
   void begin(Loop& loop);
   void run_alone(Loop& loop);
+  [[noreturn]] void give_up_short_windows(double moved);  // [s], over all that were watched
   void run_coupled(Loop& loop);
   void observe_sample(Loop& loop);                     // unless it has been observed
   bool save_checkpoint(Loop& loop, bool undisturbed);  // false when the DEM side could not

@@ -562,4 +562,23 @@ void check_signals(const Scene& scene, Findings& findings) {
   check_states(scene, findings);
 }
 
+void for_each_function(const Scene& scene,
+                       const std::function<void(const Source&, const std::string&, const TimeFunctionSpec&)>& visit) {
+  const auto give = [&](const Source& source, const char* key, const std::optional<TimeFunctionSpec>& f) {
+    if (f) visit(source, key, *f);
+  };
+  for (const JointSpec& joint : scene.joints) {
+    if (!joint.motion) continue;
+    give(joint.source, "motion.x", joint.motion->x);
+    give(joint.source, "motion.y", joint.motion->y);
+    give(joint.source, "motion.z", joint.motion->z);
+    give(joint.source, "motion.rotation", joint.motion->rotation);
+  }
+  for (const DriveSpec& drive : scene.drives) give(drive.source, "command", drive.command);
+  for (const ForceSpec& force : scene.forces) {
+    give(force.source, "force", force.force);
+    give(force.source, "torque", force.torque);
+  }
+}
+
 }  // namespace footfall

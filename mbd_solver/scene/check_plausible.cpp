@@ -37,6 +37,8 @@ constexpr double kLeastPressure = 2000.0, kMostPressure = 2e8;  // of gas in a s
 constexpr double kFarAway = 500.0;                              // of a point of a body [its reach]
 constexpr double kPlaces = 100.0;                               // of a boundary that bear it on a plane
 constexpr double kOpenMotion = 1e-3;                            // largest gap that the start closes [m]
+constexpr double kLongRun = 1e6;                                // steps, of minutes to hours
+constexpr double kStepsOfPeriod = 10.0;                         // of a sine, at least
 constexpr double kSunk = 0.1;                                   // on a plane, at rest [size of the mechanism]
 
 // Any two unit vectors that are perpendicular to the axis and to each other.
@@ -730,10 +732,24 @@ class Plausibility {
         findings_.warning(kImplausibleNumber, source, "period",
                           "is " + number_text(period) + " s, longer than the scene, " + number_text(scene_.end_time) +
                               " s: it is computed at the start alone; use the suffix _ms for milliseconds");
+      if (period > 0.0 && scene_.end_time / period > kLongRun)
+        findings_.warning(kImplausibleNumber, source, "period",
+                          "is " + number_text(period) + " s: the run takes at least " +
+                              number_text(scene_.end_time / period, 2) +
+                              " steps until end_time, one for each sample, " +
+                              "and may take hours; give a longer period if it need not be so short");
     };
     for (const ControllerSpec& controller : scene_.controllers) check(controller.source, controller.period);
     for (const SignalSpec& signal : scene_.signals) check(signal.source, signal.period);
     for (const EventSpec& event : scene_.events) check(event.source, event.period);
+    for_each_function(scene_, [&](const Source& source, const std::string& key, const TimeFunctionSpec& f) {
+      const double steps = f.amplitude != 0.0 ? kStepsOfPeriod * f.frequency * scene_.end_time : 0.0;
+      if (steps > kLongRun)
+        findings_.warning(kImplausibleNumber, source, key + ".frequency",
+                          "is " + number_text(f.frequency) + " Hz: the run takes about " + number_text(steps, 2) +
+                              " steps until end_time, " + number_text(kStepsOfPeriod) + " for each period, and may " +
+                              "take hours; check that it is in Hz");
+    });
   }
 
   // A body whose outline is inside of another one that nothing connects to it.

@@ -287,8 +287,9 @@ namespace {
 
 constexpr double kMostRows = 1e7;            // of history.csv
 constexpr double kMostFiles = 1e5;           // pictures, checkpoints
-constexpr double kMostSamples = 1e8;         // of a controller
+constexpr double kMostSamples = 1e8;         // of a controller, signal or event
 constexpr double kMostSteps = 1e9;           // of the integrator
+constexpr double kMostPeriods = 1e8;         // of a function of time, each of which takes ten steps or more
 constexpr double kLargestRtol = 0.1;         // [-]
 constexpr double kMostGenerated = 1e5;       // triangles of a generated or decimated surface
 constexpr double kMostPlateTriangles = 2e4;  // finite elements
@@ -342,6 +343,17 @@ void check_limits(const Scene& scene, Findings& findings) {
   check_count(output.source, "checkpoint_interval", output.checkpoint_interval, kMostFiles, "checkpoints");
   for (const ControllerSpec& controller : scene.controllers)
     check_count(controller.source, "period", controller.period, kMostSamples, "samples");
+  for (const SignalSpec& signal : scene.signals)
+    check_count(signal.source, "period", signal.period, kMostSamples, "samples");
+  for (const EventSpec& event : scene.events)
+    check_count(event.source, "period", event.period, kMostSamples, "samples");
+  for_each_function(scene, [&](const Source& source, const std::string& key, const TimeFunctionSpec& f) {
+    if (f.amplitude != 0.0 && f.frequency * scene.end_time > kMostPeriods)
+      findings.error(kTooLarge, source, key + ".frequency",
+                     "is " + number_text(f.frequency) + " Hz: " + number_text(f.frequency * scene.end_time, 3) +
+                         " periods until end_time, expected at most " + number_text(kMostPeriods) +
+                         "; give a lower frequency, in Hz");
+  });
   const SolverSpec& solver = scene.solver;
   if (solver.source.given("max_step")) check_count(solver.source, "max_step", solver.max_step, kMostSteps, "steps");
   if (!(solver.rtol < kLargestRtol))

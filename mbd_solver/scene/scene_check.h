@@ -3,6 +3,7 @@
 // sense.
 
 #include <algorithm>
+#include <functional>
 #include <unordered_map>
 
 #include "coupler/base/text.h"
@@ -77,6 +78,10 @@ const JointSpec* find_joint(const Scene& scene, const EntryFindings& at, const s
 void check_min_below_max(const EntryFindings& at, const std::string& within, double min, double max, Unit unit);
 // A function of time: an amplitude has a frequency, times of a table rise.
 void check_function(const EntryFindings& at, const std::string& key, const std::optional<TimeFunctionSpec>& f);
+
+// Every function of time that the scene gives, with the entry and the key that it belongs to.
+void for_each_function(const Scene& scene,
+                       const std::function<void(const Source&, const std::string&, const TimeFunctionSpec&)>& visit);
 
 // Keys of other kinds are errors where both were written in the scene itself; what: "spring".
 template <class Kind>

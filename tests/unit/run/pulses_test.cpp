@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mbd_solver/run/simulation.h"
+#include "tests/support/refused.h"
 #include "tests/unit/run/never.h"
 #include "tests/unit/scene/scene_text.h"
 
@@ -242,6 +243,17 @@ TEST_P(CurvedPulses, GiveTheirImpulse) {
 INSTANTIATE_TEST_SUITE_P(EveryCurve, CurvedPulses, testing::Range(0, static_cast<int>(std::size(kCurved))));
 
 INSTANTIATE_TEST_SUITE_P(EveryNotation, PulseTrain, testing::Range(0, static_cast<int>(std::size(kNotations))));
+
+// Points that no step can tell apart: the run ends, and names them.
+TEST(Tables, WithPointsAtOneInstantEndTheRun) {
+  std::string rows = "[0, 0]";
+  for (int i = 1; i < 25000; ++i) rows += ", [" + number(1e-18 * i) + ", " + std::to_string(i % 2) + "]";
+  const Scene scene = SceneText().read(scene_with(
+      "[[forces]]\nname = \"f\"\nbody = \"b\"\ndirection = [1, 0, 0]\nforce = { table = [" + rows + "] }\n", ""));
+  Simulation simulation(scene, scene.end_time, nullptr);
+  const std::string said = test::refusal<NumericalError>([&] { simulation.run([](const Sample&) {}, test::kNever); });
+  EXPECT_TRUE(test::names(said, {"t = ", "forces.f.force", "E0674"}));
+}
 
 }  // namespace
 }  // namespace footfall
