@@ -28,6 +28,7 @@
 #include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/bed/bed_measures.h"
 #include "mbd_solver/bed/confined_programs.h"
+#include "mbd_solver/bed/launch_limits.h"
 #include "mbd_solver/bed/liggghts_log.h"
 #include "mbd_solver/bed/program_watch.h"
 #include "mbd_solver/bed/programs.h"
@@ -562,6 +563,7 @@ double time_limit(const Json& summary) {
 
 void run_stock(const std::string& liggghts, const Json& particles, const fs::path& out, bool trusted, double limit,
                bool quiet) {
+  require_room_to_launch(particles.value("ranks", 1));
   const std::string script = particles.at("script");
   std::map<std::string, std::string> variables = particles.value("variables", std::map<std::string, std::string>{});
   const std::vector<std::string> rest = script_arguments(script, variables);

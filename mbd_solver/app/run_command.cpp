@@ -28,6 +28,7 @@
 #include "mbd_solver/bed/bed_report.h"
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/bed/confined_programs.h"
+#include "mbd_solver/bed/launch_limits.h"
 #include "mbd_solver/bed/liggghts_log.h"
 #include "mbd_solver/bed/program_watch.h"
 #include "mbd_solver/bed/programs.h"
@@ -54,19 +55,6 @@ void print_error(const MessageCode& code, const std::string& text) {
   std::fprintf(stderr, "footfall: %s\n", with_code(code, text).c_str());
 }
 
-// Of a full temporary folder MPI tells in words of its own only.
-void report_full_folder() {
-  constexpr std::uintmax_t kLeast = 4 << 20;  // [bytes]: MPI needs somewhat less
-  std::error_code unknown;
-  const fs::path folder = fs::temp_directory_path(unknown);
-  const fs::space_info space = fs::space(folder, unknown);
-  if (unknown || space.available >= kLeast) return;
-  print_error(code::kProgramsGone, "the programs of the run could not start: the temporary folder " + folder.string() +
-                                       " has " + std::to_string(space.available >> 10) +
-                                       " kB left, and MPI needs some MB there; free space, or name another folder in "
-                                       "the variable TMPDIR");
-}
-
 // The exit code of the run, from that of its command; reports what no program of the run can report itself. An mpirun
 // that was asked to end also gives the code of a failure: then both programs had begun, and neither has noted a failure.
 int exit_code(const ChildEnd& end, const std::string& status, bool begun, bool noted) {
@@ -87,7 +75,6 @@ int exit_code(const ChildEnd& end, const std::string& status, bool begun, bool n
     std::fprintf(stderr, "footfall: %s\n", end.given_up.c_str());
     return kExitFailed;
   }
-  if (end.code == kExitFailed && status.empty() && !noted) report_full_folder();
   if (end.code <= kExitInterrupted) return end.code;
   if (end.code > 128) {
     print_error(code::kProgramKilled, "a program of the run was killed by signal " + std::to_string(end.code - 128) +
@@ -333,7 +320,11 @@ RunPlan new_run(const RunArguments& a) {
   require_foreign_code(scene);
   require_safe_scripts(scene, a);
   const std::string out = short_path(a.out.empty() ? new_run_folder(scene_name(scene.file)) : a.out);
-  if (scene.touches_particles()) require_whole_words(*scene.particles, out);
+  const int ranks = a.ranks > 0 || !scene.touches_particles() ? a.ranks : scene.particles->ranks;
+  if (scene.touches_particles()) {
+    require_whole_words(*scene.particles, out);
+    require_room_to_launch(ranks + 1);
+  }
   RunPlan plan{scene, out, (fs::path(out) / "liggghts.log").string(), RunFolder(out, a.force), {Rights::of_user()}, ""};
   if (a.until > scene.end_time)
     std::fprintf(stderr, "footfall: warning: %s\n",
@@ -347,7 +338,6 @@ RunPlan new_run(const RunArguments& a) {
     return plan;
   }
   const ParticlesSpec& particles = *scene.particles;
-  const int ranks = a.ranks > 0 ? a.ranks : particles.ranks;
   warn_of_ranks(ranks);
   Bed bed;
   store_box_scripts(scene, out);
@@ -380,6 +370,7 @@ RunPlan resumed_run(const RunArguments& a) {
   const ParticlesSpec& particles = *plan.scene.particles;
   require_safe_scripts(plan.scene, a);
   require_resumable(particles);
+  require_room_to_launch(start.ranks + 1);
   plan.command =
       both_programs(particles, start.ranks, out, short_path(checkpoint + "/grains.restart"), plan.log, solver);
   limit_script(plan.command, a.trust_script, {out});

@@ -30,6 +30,7 @@
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/bed/confined_programs.h"
+#include "mbd_solver/bed/launch_limits.h"
 #include "mbd_solver/bed/liggghts_log.h"
 #include "mbd_solver/bed/program_watch.h"
 #include "mbd_solver/bed/programs.h"
@@ -156,6 +157,7 @@ std::string shown(Command command) {
 
 void make_bed(const BedSpec& spec, int ranks, bool quiet, bool trusted, double limit, const fs::path& folder) {
   const std::string restart = (folder / kBedRestart).string(), log = (folder / "liggghts.log").string();
+  require_room_to_launch(ranks);
   Command command = mpirun();
   command.environment[kAllOrNothing] = "1";
   command.output = (folder / "output.txt").string();

@@ -9,7 +9,7 @@
 #                                to them, as it does when it ends a job: the run goes on, and still ends in order when asked to
 #   full motion|pictures|restart|state   a file may not grow, or finds the disk full
 #   disks                        runs into disks of 16 kB to 1 MB (a tmpfs; exit code 77 where none can be mounted)
-#   temporary_folder             the folder in which MPI keeps its files is full (likewise)
+#   no_room                      limits that leave MPI no room for its files: a full folder, files, their size (likewise)
 #   launcher                     mpirun crashes when both programs have ended, which is no failure; or before them, which is one
 set -u
 self=$(realpath "$0") footfall=$(realpath "$1")
@@ -195,18 +195,26 @@ disks() {
   done
 }
 
-# MPI keeps files in the temporary folder: full, it starts no program.
-temporary_folder() {
+# Limits that leave mpirun no room for its own files: said before it starts, and nothing is made.
+no_room() {
   rm -rf "$out" && mkdir -p "$out/disk" && cd "$out" && out=$PWD || exit 1
   trap 'cd /; umount "$out/disk" 2>/dev/null' EXIT
-  mount -t tmpfs -o size=256k tmpfs disk 2>/dev/null || exit 77
-  head -c 1M /dev/zero >disk/full 2>/dev/null
-  TMPDIR=$PWD/disk "$footfall" run "$here/plate" --quiet --out run >said.txt 2>&1 &
-  run=$!
-  wait_for_end 60 || die "still there"
-  [[ $code == 1 ]] || die "exit code $code, expected 1"
-  grep -q E0568 said.txt || die "no message names the folder: $(cat said.txt)"
-  summary_says failed
+  refused() { # WHAT WORD: a run in the environment of this shell
+    "$footfall" run "$here/plate" --quiet --out run >said.txt 2>&1 &
+    run=$!
+    wait_for_end 10 || die "$1: still there"
+    [[ $code == 2 ]] || die "$1: exit code $code, expected 2"
+    grep -q "$2.*E0575" said.txt || die "$1: no message names $2: $(cat said.txt)"
+    [[ ! -e run ]] || die "$1: there is a folder of the run"
+  }
+  (ulimit -n 24 && refused "ulimit -n" "ulimit -n") && (ulimit -f 64 && refused "ulimit -f" "ulimit -f") || exit 1
+  for size in 200k 300k 1000k 8000k; do
+    mount -t tmpfs -o size=$size tmpfs disk 2>/dev/null || exit 77
+    (TMPDIR=$PWD/disk && export TMPDIR && refused "$size" "$PWD/disk has .* kB left") || exit 1
+    umount disk
+  done
+  mount -t tmpfs -o size=64m,nr_inodes=12 tmpfs disk || exit 77
+  (TMPDIR=$PWD/disk && export TMPDIR && refused inodes inodes)
 }
 
 launcher_crash() {
