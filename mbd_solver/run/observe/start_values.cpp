@@ -170,6 +170,7 @@ AssemblyOptions assembly_options(const Scene& scene, const Model& model) {
 
 void require_values_at_start(const Scene& scene, bool is_placed, Mechanism& mechanism) {
   const Layout layout(mechanism.model);
+  StartedMechanism start(scene, mechanism);  // assembled as a run does, which refuses what does not fit
   if (scene.landing) LandingWatch({scene, mechanism, layout});
   if (!scene.requirements.empty()) Requirements(scene, Observation({scene, mechanism, layout}).names());
   if (scene.signals.empty() && scene.events.empty()) return;
@@ -179,18 +180,17 @@ void require_values_at_start(const Scene& scene, bool is_placed, Mechanism& mech
   names.insert(names.end(), conditions.names().begin(), conditions.names().end());
   Readings readings(names, {scene, mechanism, layout});
 
-  std::unique_ptr<StartedMechanism> start;
-  if (is_placed && start_is_known(scene, mechanism)) start = std::make_unique<StartedMechanism>(scene, mechanism);
+  const bool is_known = is_placed && start_is_known(scene, mechanism);
   StartValues values(scene, mechanism);
   try {
     if (const ContinuousSignals* const continuous = mechanism.model.signals()) {
       const SignalChain& chain = continuous->chain();
       values.evaluate(chain, [&](std::size_t name) -> std::optional<double> {
-        if (!start) return std::nullopt;
-        return start->measure(*sensor_of(mechanism, chain.names()[name]));
+        if (!is_known) return std::nullopt;
+        return start.measure(*sensor_of(mechanism, chain.names()[name]));
       });
     }
-    const Sample* const sample = start ? start->sample() : nullptr;
+    const Sample* const sample = is_known ? start.sample() : nullptr;
     if (sample) readings.update(*sample);
     const auto read = [&](std::size_t name) -> std::optional<double> {
       if (!sample) return std::nullopt;
