@@ -385,6 +385,8 @@ std::vector<double> FuzzySystem::evaluate_on_grid(const std::array<Eigen::Vector
 struct FuzzyFunction::Parts {
   std::unique_ptr<fl::Engine> engine;
   fl::OutputVariable* output = nullptr;
+  Eigen::VectorXd inputs;  // of the last evaluation, and
+  double value = 0.0;      // its result: a step asks several times
 };
 
 FuzzyFunction::FuzzyFunction(const std::filesystem::path& path, std::size_t inputs, const std::string& output)
@@ -402,8 +404,12 @@ FuzzyFunction::FuzzyFunction(const std::filesystem::path& path, std::size_t inpu
   if (output.empty() && outputs.size() != 1)
     throw InputError(code::kFllVariables, file + ": has " + std::to_string(outputs.size()) + " output variables (" +
                                               joined(outputs) + "); select one by output = \"...\" of the signal.");
-  for (fl::OutputVariable* v : engine.outputVariables())
-    if (output.empty() || v->getName() == output) parts_->output = v;
+  for (fl::OutputVariable* v : engine.outputVariables()) {
+    if (output.empty() || v->getName() == output)
+      parts_->output = v;
+    else
+      v->setEnabled(false);  // most of the time of an evaluation goes into an output
+  }
   if (!parts_->output)
     throw InputError(code::kFllVariables, file + ": there is no OutputVariable \"" + output + "\"." +
                                               known_names("outputs", output, outputs));
@@ -420,6 +426,7 @@ FuzzyFunction::FuzzyFunction(const std::filesystem::path& path, std::size_t inpu
 FuzzyFunction::~FuzzyFunction() = default;
 
 double FuzzyFunction::value(const Eigen::Ref<const Eigen::VectorXd>& inputs) const {
+  if (inputs.size() == parts_->inputs.size() && inputs == parts_->inputs) return parts_->value;
   fl::Engine& engine = *parts_->engine;
   FOOTFALL_DEMAND(inputs.size() == static_cast<Eigen::Index>(engine.numberOfInputVariables()));
   for (std::size_t i = 0; i < engine.numberOfInputVariables(); ++i) {
@@ -430,6 +437,8 @@ double FuzzyFunction::value(const Eigen::Ref<const Eigen::VectorXd>& inputs) con
   const double value = parts_->output->getValue();
   if (!std::isfinite(value))
     throw NumericalError(code::kNoRuleFires, "no rule of the fuzzy system fires for these inputs.");
+  parts_->inputs = inputs;
+  parts_->value = value;
   return value;
 }
 

@@ -47,6 +47,7 @@ struct GivenSignals::Scan {
     bool varies = false;
     int degree = 0;
     bool pieces = false;
+    bool rough = false;  // of a fuzzy system: bends where nothing shows it
   };
   // The class of a switch, from the value of its argument.
   enum class Classes {
@@ -66,6 +67,8 @@ struct GivenSignals::Scan {
     std::string owner;
     Expression expression;
     bool curved;  // no line between corners
+    bool rough;   // as Shape::rough: no step is short enough for its bends, and the error test decides
+    bool splits() const { return curved && !rough; }
   };
   struct Node {
     const SignalBlock* block;
@@ -147,7 +150,7 @@ struct GivenSignals::Scan {
 };
 
 GivenSignals::Scan::Shape GivenSignals::Scan::combined(const Shape& a, const Shape& b, int degree) {
-  return {a.known && b.known, a.varies || b.varies, std::min(degree, 2), a.pieces || b.pieces};
+  return {a.known && b.known, a.varies || b.varies, std::min(degree, 2), a.pieces || b.pieces, a.rough || b.rough};
 }
 
 GivenSignals::Scan::Shape GivenSignals::Scan::shape_of(const ExpressionPart& part, const std::vector<Shape>& of_parts,
@@ -158,9 +161,9 @@ GivenSignals::Scan::Shape GivenSignals::Scan::shape_of(const ExpressionPart& par
     all = combined(all, shape, 0);
     highest = std::max(highest, shape.degree);
   }
-  const auto stepped = [&] { return Shape{all.known, all.varies, 0, all.varies}; };
-  const auto bent = [&](int degree) { return Shape{all.known, all.varies, degree, true}; };
-  const auto smooth = [&](int degree) { return Shape{all.known, all.varies, degree, all.pieces}; };
+  const auto stepped = [&] { return Shape{all.known, all.varies, 0, all.varies, false}; };
+  const auto bent = [&](int degree) { return Shape{all.known, all.varies, degree, true, all.rough}; };
+  const auto smooth = [&](int degree) { return Shape{all.known, all.varies, degree, all.pieces, all.rough}; };
   switch (part.kind) {
     case PartKind::kNumber: return {};
     case PartKind::kName: {
@@ -230,7 +233,7 @@ void GivenSignals::Scan::add(const GivenEntry& entry, const std::function<GivenS
   for (const std::string& input : entry.inputs) {
     node.inputs.emplace_back(input, names);
     const std::optional<ExpressionPart> part = parts_of(input);
-    const Shape shape = part ? analyse(*part, entry.label) : Shape{false, false, 2, true};
+    const Shape shape = part ? analyse(*part, entry.label) : Shape{false, false, 2, true, false};
     node.shapes.push_back(shape);
     all = combined(all, shape, std::max(all.degree, shape.degree));
   }
@@ -241,13 +244,14 @@ void GivenSignals::Scan::add(const GivenEntry& entry, const std::function<GivenS
     const bool plain = dynamic_cast<const PassBlock*>(entry.block) != nullptr;
     const bool lines = node.pieces && entry.inputs.size() == 1;
     node.output = &names["signal." + entry.name];
+    const bool rough = all.rough || (all.varies && !plain && !node.pieces);
     name_shapes["signal." + entry.name] = {true, all.varies,
                                            plain || lines ? all.degree
                                            : all.varies   ? 2
                                                           : 0,
-                                           all.pieces || node.pieces};
+                                           all.pieces || node.pieces, rough};
     if (all.varies && !plain && !lines) {  // its own shape is not known
-      values.push_back({entry.label, Expression("signal." + entry.name, names), true});
+      values.push_back({entry.label, Expression("signal." + entry.name, names), true, rough});
       curved = true;
     }
   }
@@ -278,7 +282,7 @@ void GivenSignals::Scan::collect(const ExpressionPart& part, const std::string& 
   }
   if (!shape.varies || part.kind == PartKind::kName) return;
   const bool bends = shape.degree == 2;
-  values.push_back({owner, Expression(part.text, names), bends});
+  values.push_back({owner, Expression(part.text, names), bends, shape.rough});
   curved = curved || bends;
   collect_switches(part, owner, bends, shapes);
 }
@@ -625,8 +629,8 @@ void GivenSignals::Scan::split(double a, double b, const std::vector<double>& wh
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double error = errors[k] = std::abs(left[k] + right[k] - whole[k]);
     const bool rounded = error > kSlow * errors_before[k] && error < kRounded * integrals[k];
-    exact =
-        exact && !(values[k].curved && error > kQuadrature * integrals[k] && !rounded);  // also where there is no value
+    exact = exact &&
+            !(values[k].splits() && error > kQuadrature * integrals[k] && !rounded);  // also where there is no value
   }
   if (exact) return;
   split(a, middle, left, errors, halvings + 1);
@@ -635,6 +639,7 @@ void GivenSignals::Scan::split(double a, double b, const std::vector<double>& wh
 }
 
 void GivenSignals::Scan::add_splits(double begin, double end) {
+  if (std::none_of(values.begin(), values.end(), [](const Value& value) { return value.splits(); })) return;
   std::vector<std::pair<double, double>> spans;
   double from = begin;
   for (const Corner& corner : corners) {

@@ -61,6 +61,7 @@ class GivenSignals {
   // The first time after t and before that corner at which a step must end for the integral of curved values [s]; at infinity:
   // none. Between such times the quadrature of Radau IIA with three stages (order 5) is exact to 1e-14 of the largest
   // integral of the value over a block; that of one_step, which has larger constants, to some 1e-9 of a pulse.
+  // Not of fuzzy signals, which bend where nothing shows it.
   double next_split(double t, const Eigen::VectorXd& values);
   // Signals that vary too fast for the grid, once each: their labels. Known as far as next() has looked.
   const std::vector<std::string>& too_fast() const;

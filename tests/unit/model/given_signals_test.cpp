@@ -198,5 +198,25 @@ TEST(GivenSignals, TooFastForTheGridAreNamed) {
   EXPECT_EQ(given.too_fast, std::vector<std::string>{"noise"});
 }
 
+// As a fuzzy system: it bends many times, and no class shows where.
+class ManyBends final : public SignalBlock {
+ public:
+  double value(const BlockValues& u, const BlockValues&) const override {
+    const double x = 40.0 * u[0];
+    return std::abs(x - std::floor(x) - 0.5);
+  }
+};
+
+// Steps that halve towards each bend would be ten times as many as its corners, and each evaluates the block again.
+TEST(GivenSignals, OfABlockThatBendsUnseenEndNoStepsForTheirIntegral) {
+  Given bends;
+  bends.add("s", "time", std::make_unique<ManyBends>());
+  EXPECT_EQ(bends.splits(), 0);
+  bends.add("t", "2 * signal.s + 1");
+  EXPECT_EQ(bends.splits(), 0);
+  bends.add("u", "sin(20 * time)");
+  EXPECT_GT(bends.splits(), 0);
+}
+
 }  // namespace
 }  // namespace footfall
