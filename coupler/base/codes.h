@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages of coupler/base: E0424 to E0429, and E0437.
+// Codes of the messages of coupler/base: E0424 to E0429, and E0438.
 
 #include "coupler/base/errors.h"
 
@@ -18,6 +18,6 @@ inline constexpr MessageCode kScriptWritesElsewhere{"E0428", "script-writes-else
 // The kernel does not confine a program to the files of its script. Read the script, and allow it with --trust-script.
 inline constexpr MessageCode kNotConfined{"E0429", "not-confined"};
 // A file or folder cannot be looked at, mostly for want of a permission. Check that it exists, and the permissions above it.
-inline constexpr MessageCode kFileSystem{"E0437", "file-system"};
+inline constexpr MessageCode kFileSystem{"E0438", "file-system"};
 
 }  // namespace footfall::code

@@ -25,7 +25,7 @@
 #include "mbd_solver/bed/bed_forecast.h"
 #include "mbd_solver/bed/bed_report.h"
 #include "mbd_solver/bed/liggghts_log.h"
-#include "mbd_solver/bed/process.h"
+#include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/bed/program_watch.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/build/mechanism.h"
@@ -76,8 +76,9 @@ constexpr double kPatience = 10.0;  // [s] what settles for longer is left to th
 void require_rest(const Scene& scene, const std::string& argument, const std::vector<std::string>& settings) {
   if (!scene.initial.settle) return;
   const ScratchFolder temporary("footfall_check");
-  Command command{{built_program(kMbdProgram), argument, "--start"}, {}, temporary.path() + "/output.txt", ""};
-  for (const std::string& setting : settings) command.words.insert(command.words.end(), {"--set", setting});
+  const std::string program = built_program(kMbdProgram);
+  Command command{Rights::starting({program}), {program, argument, "--start"}, {}, temporary.path() + "/output.txt"};
+  for (const std::string& setting : settings) command.words.push_back("--set=" + setting);
   const double begun = wall_clock();
   const ChildEnd end = run_child(
       command, kMbdProgram, [&] { return wall_clock() - begun > kPatience ? std::string("left to the run") : ""; });
