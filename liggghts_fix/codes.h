@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages of liggghts_fix/: errors E0450 to E0499, warnings W0450 to W0499.
+// Codes of the messages of liggghts_fix/: errors E0450 to E0499, warnings W1450 to W0499.
 
 #include "coupler/base/errors.h"
 
@@ -124,30 +124,30 @@ inline constexpr MessageCode kSourceSyntax{"E0499", "source-syntax"};
 // --- Warnings.
 
 // New grains find no space in the region of their source. Enlarge it, or let them leave it faster.
-inline constexpr MessageCode kNoSpaceForGrains{"W0461", "no-space-for-grains"};
+inline constexpr MessageCode kNoSpaceForGrains{"W1461", "no-space-for-grains"};
 
 // Grains have left the box, and LIGGGHTS has lost them. Enlarge the region of create_box if it matters.
-inline constexpr MessageCode kGrainsLost{"W0450", "grains-lost"};
+inline constexpr MessageCode kGrainsLost{"W1450", "grains-lost"};
 // The scene offers a surface or beam to grains, but the script does not couple it. Couple it, or ignore the warning.
-inline constexpr MessageCode kBoundaryNotCoupled{"W0451", "boundary-not-coupled"};
+inline constexpr MessageCode kBoundaryNotCoupled{"W1451", "boundary-not-coupled"};
 // The script's gravity varies and is compared with the scene's at the start only. Nothing, if this is intended.
-inline constexpr MessageCode kGravityVaries{"W0452", "gravity-varies"};
+inline constexpr MessageCode kGravityVaries{"W1452", "gravity-varies"};
 // fix multisphere is defined before a wall, which its clumps miss in the first half step. Define it after all walls.
-inline constexpr MessageCode kClumpsBeforeWall{"W0453", "clumps-before-wall"};
+inline constexpr MessageCode kClumpsBeforeWall{"W1453", "clumps-before-wall"};
 // Spheres belong to no clump and are not integrated. Use a bed of clumps, or integrate the spheres.
-inline constexpr MessageCode kSpheresAtRest{"W0454", "spheres-at-rest"};
+inline constexpr MessageCode kSpheresAtRest{"W1454", "spheres-at-rest"};
 // washino liquid bridges act on walls only at a distance. Use easo/capillary/viscous.
-inline constexpr MessageCode kLiquidOnlyApart{"W0455", "liquid-only-apart"};
+inline constexpr MessageCode kLiquidOnlyApart{"W1455", "liquid-only-apart"};
 // easo liquid bridges take a wrong velocity of the wall. Set fluidViscosity to 0 and use meshes or beams.
-inline constexpr MessageCode kLiquidWallVelocity{"W0456", "liquid-wall-velocity"};
+inline constexpr MessageCode kLiquidWallVelocity{"W1456", "liquid-wall-velocity"};
 // No grain has the radius that the run gives. Make bed and variable agree.
-inline constexpr MessageCode kRadiusDiffers{"W0457", "radius-differs"};
+inline constexpr MessageCode kRadiusDiffers{"W1457", "radius-differs"};
 // The script moves a mesh, and bodies pass through it unnoticed. Nothing, if this is intended.
-inline constexpr MessageCode kMeshMovedByScript{"W0458", "mesh-moved-by-script"};
+inline constexpr MessageCode kMeshMovedByScript{"W1458", "mesh-moved-by-script"};
 // A body has passed through a wall, which stops grains only. Add a contact in the scene if it should stop.
-inline constexpr MessageCode kBodyThroughWall{"W0459", "body-through-wall"};
+inline constexpr MessageCode kBodyThroughWall{"W1459", "body-through-wall"};
 
 // A body has passed through a side wall of the bed. Make the bed larger, or end the scene earlier.
-inline constexpr MessageCode kBodyLeavesBed{"W0460", "body-leaves-bed"};
+inline constexpr MessageCode kBodyLeavesBed{"W1460", "body-leaves-bed"};
 
 }  // namespace footfall::code

@@ -31,8 +31,8 @@ for file in sorted(root.glob("*/codes.h")) + sorted(root.glob("*/*/codes.h")):
             meaning = " ".join(comment)
             if not meaning or meaning.startswith("----"):
                 faults.append(f"{file.relative_to(root)}: {number} {name} has no comment: expected its meaning and what to do")
-            if number in codes:
-                faults.append(f"{file.relative_to(root)}: {number} stands twice: {codes[number][0]} and {name}")
+            for other in [code for code in codes if code[1:] == number[1:]]:
+                faults.append(f"{file.relative_to(root)}: the digits of {number} stand twice: {codes[other][0]} and {name}")
             if name in [n for n, *_ in codes.values()]:
                 faults.append(f"{file.relative_to(root)}: the name {name} stands twice")
             codes[number] = (name, meaning, constant, file)

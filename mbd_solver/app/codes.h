@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages of mbd_solver/app: E0500 to E0549, W0500 to W0549.
+// Codes of the messages of mbd_solver/app: E0500 to E0549, W1500 to W0549.
 
 #include "coupler/base/errors.h"
 
@@ -48,7 +48,7 @@ inline constexpr MessageCode kTrialFailed{"E0515", "trial-failed"};
 // The run was interrupted before it had results. Start it again.
 inline constexpr MessageCode kInterruptedEarly{"E0516", "interrupted-early"};
 // mpirun crashed after both programs had ended. The results are complete; nothing is to be done.
-inline constexpr MessageCode kLauncherCrashed{"W0500", "launcher-crashed"};
+inline constexpr MessageCode kLauncherCrashed{"W1500", "launcher-crashed"};
 
 // The run is done, but a requirement of its scene is missed or could not be computed. The message names them.
 inline constexpr MessageCode kRequirementsMissed{"E0517", "requirements-missed"};
@@ -88,6 +88,6 @@ inline constexpr MessageCode kPageFailed{"E0541", "page-failed"};
 // ffmpeg wrote no video. The message has its words.
 inline constexpr MessageCode kVideoFailed{"E0542", "video-failed"};
 // Energies, plots, or files for ParaView could not be made. The results of the run itself are complete.
-inline constexpr MessageCode kNoExtraFiles{"W0501", "no-extra-files"};
+inline constexpr MessageCode kNoExtraFiles{"W1501", "no-extra-files"};
 
 }  // namespace footfall::code

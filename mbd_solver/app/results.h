@@ -46,7 +46,7 @@ History energy_ledger(const History& run, const GrainEnergies& grains);
 // The energy that errors are related to [J]: in the first row without gravity, or the largest kinetic energy if larger.
 double reference_energy(const History& run);
 
-// Warns on standard error that a file after the run could not be made: with the code of `error`, or W0501.
+// Warns on standard error that a file after the run could not be made: with the code of `error`, or W1501.
 void warn_missing_file(const std::string& file, const std::exception& error);
 
 // Prints the summary and the paths of the files in `out`.

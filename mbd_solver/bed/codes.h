@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages of mbd_solver/bed: E0550 to E0579, W0550 to W0579.
+// Codes of the messages of mbd_solver/bed: E0550 to E0579, W1550 to W0579.
 
 #include "coupler/base/errors.h"
 
@@ -26,15 +26,15 @@ inline constexpr MessageCode kNoCacheFolder{"E0557", "no-cache-folder"};
 // A bed in the cache belongs to another user, or is a link. Set FOOTFALL_CACHE to a folder of your own.
 inline constexpr MessageCode kForeignBed{"E0558", "foreign-bed"};
 // A bed in the cache is damaged. It is made again; nothing is to be done.
-inline constexpr MessageCode kBedDamaged{"W0550", "bed-damaged"};
+inline constexpr MessageCode kBedDamaged{"W1550", "bed-damaged"};
 // The bed was made of another material than the run has. Give both scripts the same constants unless this is meant.
-inline constexpr MessageCode kBedMaterialDiffers{"W0551", "bed-material-differs"};
+inline constexpr MessageCode kBedMaterialDiffers{"W1551", "bed-material-differs"};
 // Grains of the bed at rest overlap more than their contact law allows. Raise material.young.
-inline constexpr MessageCode kBedOverlaps{"W0552", "bed-overlaps"};
+inline constexpr MessageCode kBedOverlaps{"W1552", "bed-overlaps"};
 // A body may pass a side wall of the bed before the end of the scene. Make the bed larger, or end the scene earlier.
-inline constexpr MessageCode kMayLeaveBed{"W0555", "may-leave-bed"};
+inline constexpr MessageCode kMayLeaveBed{"W1555", "may-leave-bed"};
 // LIGGGHTS has so few grains per rank that more ranks cost time. Use the number of ranks that the message gives.
-inline constexpr MessageCode kFewGrainsPerRank{"W0556", "few-grains-per-rank"};
+inline constexpr MessageCode kFewGrainsPerRank{"W1556", "few-grains-per-rank"};
 
 // --- LIGGGHTS and other programs.
 
@@ -53,7 +53,7 @@ inline constexpr MessageCode kNoRoomToLaunch{"E0575", "no-room-to-launch"};
 // A program of footfall is missing. Build footfall again.
 inline constexpr MessageCode kProgramNotBuilt{"E0563", "program-not-built"};
 // A run has more LIGGGHTS processes than this machine has cores. Use fewer ranks.
-inline constexpr MessageCode kRanksBeyondCores{"W0553", "ranks-beyond-cores"};
+inline constexpr MessageCode kRanksBeyondCores{"W1553", "ranks-beyond-cores"};
 // A program of another Debian package is missing. Install the package.
 inline constexpr MessageCode kProgramNotInstalled{"E0564", "program-not-installed"};
 

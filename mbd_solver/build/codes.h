@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages about building a mechanism from a scene: E0260 to E0279, W0260 to W0279.
+// Codes of the messages about building a mechanism from a scene: E0260 to E0279, W1260 to W0279.
 
 #include "coupler/base/errors.h"
 
@@ -26,16 +26,16 @@ inline constexpr MessageCode kModelInertia{"E0269", "model-inertia"};
 // The folder of initial.from is not that of a run that has ended, or its bodies differ. Run that scene, or correct the folder.
 inline constexpr MessageCode kEndState{"E0263", "end-state"};
 // A tabulated controller differs from the exact one by this much. Use a finer grid if it matters.
-inline constexpr MessageCode kTableDifference{"W0260", "table-difference"};
+inline constexpr MessageCode kTableDifference{"W1260", "table-difference"};
 // A signal varies in time faster than its corners can be found, and steps may pass over parts of it. Shorten the run.
-inline constexpr MessageCode kVariesTooFast{"W0261", "varies-too-fast"};
+inline constexpr MessageCode kVariesTooFast{"W1261", "varies-too-fast"};
 // The contact of two bodies, or of a body and a plane, throws them apart at the start. Move one of them.
-inline constexpr MessageCode kThrownAtStart{"W0265", "thrown-at-start"};
+inline constexpr MessageCode kThrownAtStart{"W1265", "thrown-at-start"};
 // A flexible body bends by more than a tenth of its size under its own weight, where linear modes fail. Check its material.
-inline constexpr MessageCode kBendsUnderWeight{"W0266", "bends-under-weight"};
+inline constexpr MessageCode kBendsUnderWeight{"W1266", "bends-under-weight"};
 // initial.from does not carry this over. Nothing, if this is intended.
-inline constexpr MessageCode kNotCarried{"W0267", "not-carried"};
+inline constexpr MessageCode kNotCarried{"W1267", "not-carried"};
 // A pulley with grip holds a cable that would leave it. Remove grip, or place the pulley so that the cable stays on it.
-inline constexpr MessageCode kGripWithoutWrap{"W0269", "grip-without-wrap"};
+inline constexpr MessageCode kGripWithoutWrap{"W1269", "grip-without-wrap"};
 
 }  // namespace footfall::code

@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages of coupling/: E0640 to E0659, W0640 to W0659.
+// Codes of the messages of coupling/: E0640 to E0659, W1640 to W0659.
 
 #include "coupler/base/errors.h"
 
@@ -27,7 +27,7 @@ inline constexpr MessageCode kChatter{"E0648", "chatter"};
 inline constexpr MessageCode kScriptUnits{"E0649", "script-units"};
 
 // Loads of the grains have triggered an event up to a coupling interval late. Use the coupling interval in the message.
-inline constexpr MessageCode kEventLate{"W0640", "event-late"};
+inline constexpr MessageCode kEventLate{"W1640", "event-late"};
 // The coupling interval is too long for the stiffness of the contacts. Use the value of `every` in the message.
 inline constexpr MessageCode kIntervalTooLong{"W0650", "coupling-interval-too-long"};
 // The coupling added spurious energy. Use a shorter coupling interval.

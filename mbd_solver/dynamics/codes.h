@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages of dynamics/: E0340 to E0359, W0340 to W0359.
+// Codes of the messages of dynamics/: E0340 to E0359, W1340 to W0359.
 
 #include "coupler/base/errors.h"
 
@@ -18,12 +18,12 @@ inline constexpr MessageCode kSingular{"E0344", "singular"};
 // A joint has opened during the run. Check masses, jammed positions and contradicting motions; then reduce rtol or max_step.
 inline constexpr MessageCode kJointOpened{"E0345", "joint-opened"};
 // Conditions of a joint follow from other joints: reactions are the smallest ones. No action is required.
-inline constexpr MessageCode kRedundantConditions{"W0340", "redundant-conditions"};
+inline constexpr MessageCode kRedundantConditions{"W1340", "redundant-conditions"};
 // Joints were closed by moving bodies. Correct the reference configuration if the distance is not negligible.
-inline constexpr MessageCode kJointsClosed{"W0341", "joints-closed"};
+inline constexpr MessageCode kJointsClosed{"W1341", "joints-closed"};
 // Initial velocities were changed to fit the joints. Give velocities that fit.
-inline constexpr MessageCode kVelocitiesChanged{"W0342", "velocities-changed"};
+inline constexpr MessageCode kVelocitiesChanged{"W1342", "velocities-changed"};
 // A gear starts more than half a turn from zero. Count its angle from the nearest turn in laws and histories.
-inline constexpr MessageCode kGearTurn{"W0343", "gear-turn"};
+inline constexpr MessageCode kGearTurn{"W1343", "gear-turn"};
 
 }  // namespace footfall::code

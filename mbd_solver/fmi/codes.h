@@ -19,6 +19,6 @@ inline constexpr MessageCode kPairInterrupted{"E0746", "pair-interrupted"};
 inline constexpr MessageCode kPairState{"E0747", "pair-state"};
 
 // An input of an exported FMU answers motion like a stiff spring: steps are too long for an explicit exchange. Shorten them.
-inline constexpr MessageCode kFmuOmegaH{"W0740", "fmu-omega-h"};
+inline constexpr MessageCode kFmuOmegaH{"W1740", "fmu-omega-h"};
 
 }  // namespace footfall::code

@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages of mbd_solver/import: E0700 to E0719, W0700 to W0719.
+// Codes of the messages of mbd_solver/import: E0700 to E0719, W1700 to W0719.
 
 #include "coupler/base/errors.h"
 
@@ -34,6 +34,6 @@ inline constexpr MessageCode kRobotStill{"E0712", "robot-still"};
 // The file is SDF, and footfall was built without the library sdformat. Install libsdformat-dev and build again, or convert to URDF.
 inline constexpr MessageCode kRobotWithoutSdf{"E0713", "robot-without-sdf"};
 // Something of the file is not in the scene, or is there as an approximation. The message says what and where.
-inline constexpr MessageCode kRobotNotTaken{"W0700", "robot-not-taken"};
+inline constexpr MessageCode kRobotNotTaken{"W1700", "robot-not-taken"};
 
 }  // namespace footfall::code

@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages of integrator/: E0360 to E0379, W0360 to W0379.
+// Codes of the messages of integrator/: E0360 to E0379, W1360 to W0379.
 
 #include "coupler/base/errors.h"
 
@@ -16,8 +16,8 @@ inline constexpr MessageCode kNoProgress{"E0363", "no-progress"};
 // SUNDIALS reports an error. Check the body or joint that is named, or use "one_step".
 inline constexpr MessageCode kSundials{"E0364", "sundials"};
 // A singular position was passed with a larger error than the tolerance. Compare with solver.rtol = 1e-7.
-inline constexpr MessageCode kSingularPassed{"W0360", "singular-position-passed"};
+inline constexpr MessageCode kSingularPassed{"W1360", "singular-position-passed"};
 // Errors of single steps of "ida" have accumulated. Compare with "one_step", or reduce solver.rtol.
-inline constexpr MessageCode kErrorsAccumulated{"W0361", "errors-accumulated"};
+inline constexpr MessageCode kErrorsAccumulated{"W1361", "errors-accumulated"};
 
 }  // namespace footfall::code

@@ -96,8 +96,8 @@ inline constexpr MessageCode kModelFileNotWritten{"E0333", "model-file-not-writt
 inline constexpr MessageCode kSupports{"E0329", "supports"};
 
 // Natural frequencies are unusually low or high. Check the units of the model.
-inline constexpr MessageCode kUnusualFrequencies{"W0320", "unusual-frequencies"};
+inline constexpr MessageCode kUnusualFrequencies{"W1320", "unusual-frequencies"};
 // Static deflections of a reduced body are underestimated. Add modes, or list the interface nodes.
-inline constexpr MessageCode kStaticError{"W0321", "static-error"};
+inline constexpr MessageCode kStaticError{"W1321", "static-error"};
 
 }  // namespace footfall::code

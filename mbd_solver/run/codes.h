@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages of run/: E0660 to E0699, W0660 to W0699.
+// Codes of the messages of run/: E0660 to E0699, W1660 to W0699.
 
 #include "coupler/base/errors.h"
 
@@ -12,7 +12,7 @@ inline constexpr MessageCode kSceneChanged{"E0660", "scene-changed"};
 // A file of a checkpoint cannot be read. Resume from another checkpoint, or start a new run.
 inline constexpr MessageCode kCheckpointFile{"E0661", "checkpoint-file"};
 // Another version of footfall wrote the checkpoint. Resume with that version, or start a new run.
-inline constexpr MessageCode kCheckpointVersion{"E0662", "checkpoint-version"};
+inline constexpr MessageCode kCheckpointVersion{"E1662", "checkpoint-version"};
 // The state of the mechanism is no longer finite. Reduce rtol or max_step; check stiffnesses and masses.
 inline constexpr MessageCode kStateNotFinite{"E0663", "state-not-finite"};
 // Events follow each other without end at one instant. Give each a condition that is false in the state it leads to.
@@ -22,9 +22,9 @@ inline constexpr MessageCode kNotSettled{"E0665", "not-settled"};
 // Two surfaces without contact overlap. Add [[contacts]] between them, or ignore = true.
 inline constexpr MessageCode kCollision{"E0666", "collision"};
 // The scene needs LIGGGHTS, or must run without it. Use `footfall run`, which starts the right programs.
-inline constexpr MessageCode kWrongPrograms{"E0667", "wrong-programs"};
+inline constexpr MessageCode kWrongPrograms{"E1667", "wrong-programs"};
 // mbd_solver runs on more than one rank. Write `: -np 1 mbd_solver ...`.
-inline constexpr MessageCode kSeveralRanks{"E0668", "several-ranks"};
+inline constexpr MessageCode kSeveralRanks{"E1668", "several-ranks"};
 // The run has no valid checkpoint. Start it again; set output.checkpoint_interval for more frequent checkpoints.
 inline constexpr MessageCode kNoValidCheckpoint{"E0669", "no-valid-checkpoint"};
 // Events of two states follow each other faster than the motion changes. Give their conditions a hysteresis or a period.
@@ -43,23 +43,23 @@ inline constexpr MessageCode kLeaderGone{"E0673", "leader-gone"};
 inline constexpr MessageCode kWindowsTooShort{"E0674", "windows-too-short"};
 
 // Two surfaces overlap at the start; collisions between them are not detected. Move them apart if this is not intended.
-inline constexpr MessageCode kOverlapAtStart{"W0660", "overlap-at-start"};
+inline constexpr MessageCode kOverlapAtStart{"W1660", "overlap-at-start"};
 // The mechanism was settled into static equilibrium before the run. Check the distance that is reported.
-inline constexpr MessageCode kSettled{"W0661", "settled"};
+inline constexpr MessageCode kSettled{"W1661", "settled"};
 // The energy of the mechanism is not balanced to 1 %. Reduce solver.rtol and solver.atol, or solver.max_step.
 inline constexpr MessageCode kEnergyBalance{"W0662", "energy-balance"};
 // A flexible body spins or bends beyond the range of linear modes. Divide it into several bodies.
-inline constexpr MessageCode kBeyondLinearRange{"W0663", "beyond-linear-range"};
+inline constexpr MessageCode kBeyondLinearRange{"W1663", "beyond-linear-range"};
 // The stress of a flexible body exceeds the yield stress of its material; plasticity is not modelled. Strengthen it.
-inline constexpr MessageCode kYields{"W0664", "yields"};
+inline constexpr MessageCode kYields{"W1664", "yields"};
 // A joint turned too fast in an integration step for its turns to be counted. Reduce solver.max_step.
-inline constexpr MessageCode kTurnsNotCounted{"W0665", "turns-not-counted"};
+inline constexpr MessageCode kTurnsNotCounted{"W1665", "turns-not-counted"};
 
 // Joints change the damping ratio of a flexible body's lowest mode. Give the damping that the message computes, if that is meant.
-inline constexpr MessageCode kAttachedDamping{"W0666", "attached-damping"};
+inline constexpr MessageCode kAttachedDamping{"W1666", "attached-damping"};
 
 // A requirement states another unit than that of the number that it reads; nothing is converted. Convert the value, or state its unit.
-inline constexpr MessageCode kRequirementUnit{"W0669", "requirement-unit"};
+inline constexpr MessageCode kRequirementUnit{"W1669", "requirement-unit"};
 
 // A signal of another program (FMU, Python file) answers motion like a stiff spring: its period is too long. Shorten it, or use a spring of the scene.
 inline constexpr MessageCode kSignalOmegaH{"W0668", "signal-omega-h"};

@@ -52,7 +52,7 @@ inline constexpr MessageCode kRangeReversed{"E0119", "range-reversed"};
 // A file has more errors than are listed. Correct the first ones, and check again.
 inline constexpr MessageCode kMoreErrors{"E0137", "more-errors"};
 // A file has more warnings than are listed. Mend the first ones, and check again.
-inline constexpr MessageCode kMoreWarnings{"W0172", "more-warnings"};
+inline constexpr MessageCode kMoreWarnings{"W1172", "more-warnings"};
 
 // ---- names ----
 
@@ -155,7 +155,7 @@ inline constexpr MessageCode kCamCurve{"E0168", "cam-curve"};
 // The gas of a strut would be compressed to nothing. Add a stop before that stroke.
 inline constexpr MessageCode kGasVolume{"E0170", "gas-volume"};
 // The stages or stiffnesses of a honeycomb are in the wrong order. List the softest stage first.
-inline constexpr MessageCode kHoneycomb{"E0171", "honeycomb"};
+inline constexpr MessageCode kHoneycomb{"E1171", "honeycomb"};
 // A table over the voltage does not run from 0 to 1, or its values fall. Correct the table.
 inline constexpr MessageCode kVoltageTable{"E0172", "voltage-table"};
 // An element on a flexible body has no point of action. Add the key point.
@@ -246,27 +246,27 @@ inline constexpr MessageCode kShippedFile{"E0230", "shipped-file"};
 // ---- warnings ----
 
 // The script does not use the variable, so its value has no effect. Remove it unless another script needs it.
-inline constexpr MessageCode kUnusedVariable{"W0135", "unused-variable"};
+inline constexpr MessageCode kUnusedVariable{"W1135", "unused-variable"};
 // The key has no effect on this kind of controller. Remove it.
-inline constexpr MessageCode kUnusedKey{"W0141", "unused-key"};
+inline constexpr MessageCode kUnusedKey{"W1141", "unused-key"};
 // A material is lighter than foam, mostly by a wrong unit. Use the suffix _g_cm3 for grams per cubic centimetre.
-inline constexpr MessageCode kLightMaterial{"W0150", "light-material"};
+inline constexpr MessageCode kLightMaterial{"W1150", "light-material"};
 // Nothing holds or touches the body. Add a joint, or remove the body.
-inline constexpr MessageCode kLooseBody{"W0151", "loose-body"};
+inline constexpr MessageCode kLooseBody{"W1151", "loose-body"};
 // Gravity pulls the bodies off the ground. Change its sign.
-inline constexpr MessageCode kGravityUpwards{"W0152", "gravity-upwards"};
+inline constexpr MessageCode kGravityUpwards{"W1152", "gravity-upwards"};
 // No solid of this size has this mass or density. Check the units of mass and size.
-inline constexpr MessageCode kImplausibleMass{"W0153", "implausible-mass"};
+inline constexpr MessageCode kImplausibleMass{"W1153", "implausible-mass"};
 // The mass of the body would be far outside of the body. Check the unit of the inertia, kg m2.
-inline constexpr MessageCode kImplausibleInertia{"W0154", "implausible-inertia"};
+inline constexpr MessageCode kImplausibleInertia{"W1154", "implausible-inertia"};
 // Gravity is beyond that of any planet or centrifuge. Write m/s2.
-inline constexpr MessageCode kImplausibleGravity{"W0155", "implausible-gravity"};
+inline constexpr MessageCode kImplausibleGravity{"W1155", "implausible-gravity"};
 // A body is inside another one that nothing connects to it. Move it, or connect the two.
-inline constexpr MessageCode kBodyInside{"W0156", "body-inside"};
+inline constexpr MessageCode kBodyInside{"W1156", "body-inside"};
 // The spline through a table leaves the range of its values. Give more points where the motion begins and ends.
-inline constexpr MessageCode kSplineOvershoot{"W0160", "spline-overshoot"};
+inline constexpr MessageCode kSplineOvershoot{"W1160", "spline-overshoot"};
 // The motion continues beyond the end of its table at the last speed. Give more points, the last ones equal to rest.
-inline constexpr MessageCode kMotionContinues{"W0161", "motion-continues"};
+inline constexpr MessageCode kMotionContinues{"W1161", "motion-continues"};
 // ---- programs of the user ----
 
 // A file is no FMU, or its modelDescription.xml is missing or damaged. Export the FMU again.
@@ -294,32 +294,32 @@ inline constexpr MessageCode kScriptState{"E0727", "script-state"};
 // Checkpoints are asked for, but an FMU cannot tell its state. Remove checkpoint_interval, or export the FMU with that ability.
 inline constexpr MessageCode kFmuState{"E0280", "fmu-state"};
 // An FMU cannot tell its state: the run has no checkpoints and cannot be resumed.
-inline constexpr MessageCode kNoCheckpoints{"W0280", "no-checkpoints"};
+inline constexpr MessageCode kNoCheckpoints{"W1280", "no-checkpoints"};
 // The program that runs FMUs is not built: variables of the FMU are not checked. Build the target footfall_fmu_host.
 inline constexpr MessageCode kFmuUnchecked{"W0281", "fmu-unchecked"};
 
 // A joint starts beyond its stop, which throws it back at once. Start it within, or move the stop.
-inline constexpr MessageCode kStartBeyondStop{"W0165", "start-beyond-stop"};
+inline constexpr MessageCode kStartBeyondStop{"W1165", "start-beyond-stop"};
 // The clearance is measured before [initial.joints] moves the bodies. Check the gap to the ground.
-inline constexpr MessageCode kClearance{"W0166", "clearance"};
+inline constexpr MessageCode kClearance{"W1166", "clearance"};
 // An angle in rad exceeds a turn, mostly meant in degrees. Use the suffix _deg.
-inline constexpr MessageCode kAngleInDegrees{"W0167", "angle-in-degrees"};
+inline constexpr MessageCode kAngleInDegrees{"W1167", "angle-in-degrees"};
 // The speed exceeds that of sound in the body, where contact laws do not hold. Check its unit.
-inline constexpr MessageCode kImplausibleSpeed{"W0168", "implausible-speed"};
+inline constexpr MessageCode kImplausibleSpeed{"W1168", "implausible-speed"};
 // A number is far outside of what is built, mostly by a wrong unit, or in percent or degrees. Check its unit.
 inline constexpr MessageCode kImplausibleNumber{"W0157", "implausible-number"};
 // Springs yield by more than the size of the mechanism under the weight that they carry. Check the unit of their stiffness.
-inline constexpr MessageCode kSoftSpring{"W0170", "soft-spring"};
+inline constexpr MessageCode kSoftSpring{"W1170", "soft-spring"};
 // A key is written in a second spelling, which is read as well. Write the one that the message names.
 inline constexpr MessageCode kSecondSpelling{"W0171", "second-spelling"};
 // The script has no fix gravity, so its grains have no weight. Add the line that the message gives.
-inline constexpr MessageCode kNoGrainGravity{"W0207", "no-grain-gravity"};
+inline constexpr MessageCode kNoGrainGravity{"W1207", "no-grain-gravity"};
 // The mesh is far larger than the simulation box, mostly drawn in millimetres. Add "scale 0.001" to its fix.
-inline constexpr MessageCode kMeshLargerThanBox{"W0210", "mesh-larger-than-box"};
+inline constexpr MessageCode kMeshLargerThanBox{"W1210", "mesh-larger-than-box"};
 // The mesh is far from the origin of its file, and its coordinates have few digits. Export it nearer, or as text.
-inline constexpr MessageCode kMeshFewDigits{"W0220", "mesh-few-digits"};
+inline constexpr MessageCode kMeshFewDigits{"W1220", "mesh-few-digits"};
 // The mesh has been decimated as asked: how far its surface is from that of the file. Give more triangles if that is too far.
-inline constexpr MessageCode kMeshDecimated{"W0221", "mesh-decimated"};
+inline constexpr MessageCode kMeshDecimated{"W1221", "mesh-decimated"};
 // The bed is made under other conditions than the run has. Make them agree unless this is intended.
 inline constexpr MessageCode kBedDiffers{"W0211", "bed-differs"};
 

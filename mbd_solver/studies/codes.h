@@ -88,6 +88,6 @@ inline constexpr MessageCode kWrongSweep{"E0624", "wrong-sweep"};
 // The runs do not determine a soil. Give 5 to 20 runs of one pad that reach the bed.
 inline constexpr MessageCode kGroundFit{"E0628", "ground-fit"};
 // The fitted law meets the grains poorly. Try the other law, or fit the range that matters.
-inline constexpr MessageCode kPoorGroundFit{"W0628", "poor-ground-fit"};
+inline constexpr MessageCode kPoorGroundFit{"W1628", "poor-ground-fit"};
 
 }  // namespace footfall::code

@@ -250,10 +250,10 @@ TEST_F(Folders, HaveABlankAboveTheSceneOfARun) {
   for (const std::string& line : lines) {
     const test::Outcome outcome = folder.shell(inside + line);
     EXPECT_EQ(outcome.exit_code, 0) << line << "\n" << outcome.text;
-    EXPECT_FALSE(holds(outcome.text, "W0135")) << line << "\n" << outcome.text;
+    EXPECT_FALSE(holds(outcome.text, "W1135")) << line << "\n" << outcome.text;
   }
   EXPECT_TRUE(folder.has("two words/run/compare/comparison.txt"));
-  EXPECT_FALSE(holds(folder.done("check 'two words/scene.toml'").text, "W0135"));
+  EXPECT_FALSE(holds(folder.done("check 'two words/scene.toml'").text, "W1135"));
   folder.refused("run 'two words/scene.toml' --out run", "E0507");
   folder.refused("compare 'two words/run'", "E0507");
 }

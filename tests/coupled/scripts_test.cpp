@@ -169,7 +169,7 @@ TEST(Script, TellsOfSpheresThatNoClumpMoves) {
   const std::string rest = kMeshFromFile + mesh_wall() + couple(5), clumps = "fix integr all multisphere\n";
   folder.write("in.still", bed + rest + clumps + "run 20\n");
   folder.write("in.moved", bed + rest + clumps + "fix others all nve/sphere\nrun 20\n");
-  const std::string said = "W0454";
+  const std::string said = "W1454";
   const Outcome still = folder.coupled(2, "-in in.still", "until 0.001" + kFalling);
   EXPECT_EQ(still.exit_code, 0) << still.text;
   EXPECT_NE(still.text.find(said), std::string::npos) << still.text;
@@ -383,7 +383,7 @@ TEST(ForeignScript, ABodyThatGoesThroughASideWallIsToldOnce) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   EXPECT_EQ(count(outcome.text, code::kBodyLeavesBed.number), 1U) << outcome.text;
   EXPECT_TRUE(names(outcome.text, {"\"plate\"", "fix side"}));  // it stands in the slot from the start
-  EXPECT_EQ(count(outcome.text, "W0459"), 0U) << outcome.text;
+  EXPECT_EQ(count(outcome.text, "W1459"), 0U) << outcome.text;
 }
 
 // On a slope gravity has a part towards the side wall, which is no floor for that; once the body is beside the bed, the
@@ -399,8 +399,8 @@ TEST(ForeignScript, OnASlopeASideIsASideAndTheFloorTheFloor) {
   const std::string run = "until 0.01 body plate plate.stl 0 0 0.24 prescribed ";
   const Outcome beside = folder.coupled(2, "-in in", run + "1 0 -1 0 0 0");
   EXPECT_EQ(beside.exit_code, 0) << beside.text;
-  EXPECT_EQ(count(beside.text, "W0460"), 1U) << beside.text;
-  EXPECT_EQ(count(beside.text, "W0459"), 1U) << "the floor, beside the bed: " << beside.text;
+  EXPECT_EQ(count(beside.text, "W1460"), 1U) << beside.text;
+  EXPECT_EQ(count(beside.text, "W1459"), 1U) << "the floor, beside the bed: " << beside.text;
   const Outcome below = folder.coupled(2, "-in in", run + "0 0 -1 0 0 0");
   EXPECT_EQ(below.exit_code, 1) << below.text;
   EXPECT_NE(below.text.find("E0487"), std::string::npos) << below.text;

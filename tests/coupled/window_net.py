@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 OFF = 0.05  # of the largest force, of the largest work
-CODES = re.compile(r"(W065[0-4]|W0659|W0640|E064[678])")
+CODES = re.compile(r"(W065[0-4]|W0659|W1640|E064[678])")
 DT = 2e-5  # [s]
 
 

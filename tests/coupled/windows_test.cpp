@@ -184,7 +184,7 @@ TEST(Events, OfLoadsEndLongWindows) {
   ASSERT_GT(force, 100.0);
   const Ran ran = run("loaded_20", grains(0.0, "20", "plate"), scene);
   EXPECT_NEAR(ran.summary["max_contact_force_N"].get<double>(), force, 0.025 * force);
-  EXPECT_FALSE(warns(ran, "W0640"));
+  EXPECT_FALSE(warns(ran, "W1640"));
 }
 
 // Grains rest on the gate of a shaft until it opens: no step of their contacts with it is taken for energy of the coupling.

@@ -199,7 +199,7 @@ TEST(FmuScene, WithoutStateHasNoCheckpoints) {
   const Folder folder("fmu_stateless");
   folder.write("scene.toml", scene_with(fmu_signal("push", "broken_3", "outputs = [\"y\"]")));
   folder.refused("run scene.toml --out run --quiet --trust-script --set output.checkpoint_interval=0.04", "E0280");
-  EXPECT_THAT(folder.done("run scene.toml --out run --quiet --trust-script").text, HasSubstr("[W0280 "));
+  EXPECT_THAT(folder.done("run scene.toml --out run --quiet --trust-script").text, HasSubstr("[W1280 "));
 }
 
 TEST(FmuScene, CheckNamesEveryMistake) {

@@ -91,7 +91,7 @@ TEST_F(Robots, UrdfTurnedInertialFrameAndProducts) {
   EXPECT_EQ(j.angle->stops->largest_stroke.value(), 2.0);
 }
 
-// A scene asks whether more than a turn in radians is meant (W0167): such limits are written in degrees.
+// A scene asks whether more than a turn in radians is meant (W1167): such limits are written in degrees.
 TEST_F(Robots, LimitsBeyondATurnAreWrittenInDegrees) {
   const Scene s = imported("r.urdf", urdf(link("a") + link("b") +
                                           joint("revolute",

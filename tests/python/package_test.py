@@ -59,7 +59,7 @@ class Scenes(unittest.TestCase):
         self.assertEqual([(f.severity, f.code, f.line) for f in findings], [("error", "E0103", 13), ("error", "E0103", 15)])
         self.assertTrue(findings[1].advice and findings[1].key == "solver.rtoll")
         strange = ff.Scene(TEXT).set("gravity", [0, 0, -9810]).check()
-        self.assertIn("W0155", [f.code for f in strange if f.severity == "warning"])
+        self.assertIn("W1155", [f.code for f in strange if f.severity == "warning"])
         self.assertEqual(ff.Scene(TEXT).check(), [])
 
     def test_errors_have_code_place_and_advice(self):

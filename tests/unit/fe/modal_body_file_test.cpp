@@ -470,7 +470,7 @@ TEST(CoupledMass, WithNodesInMillimetresGetsAWordOfUnits) {
   solid.nodes *= 1000.0;
   const ReducedBody reduced = reduce(solid, modes(2), "cube");
   ASSERT_EQ(reduced.warnings.size(), 1u);
-  EXPECT_TRUE(names(reduced.warnings[0], {"W0320", "mm"}));
+  EXPECT_TRUE(names(reduced.warnings[0], {"W1320", "mm"}));
 }
 
 TEST(MatrixMarket, NamesFileAndLineOfWhatIsWrong) {

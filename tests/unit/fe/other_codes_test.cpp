@@ -618,7 +618,7 @@ TEST(StressFile, GivesAModeTheStressThatCalculixFinds) {
   held.mode_count = 2;
   const ReducedBody with_statics = reduce(model, held, "bar");
   ASSERT_EQ(with_statics.warnings.size(), 1u);
-  EXPECT_TRUE(names(with_statics.warnings[0], {"W0322"}));
+  EXPECT_TRUE(names(with_statics.warnings[0], {"W1322"}));
 }
 
 // --- Meshes.

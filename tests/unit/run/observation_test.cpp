@@ -271,7 +271,7 @@ TEST_F(HistoryColumns, TellWhereTurnsCannotBeCounted) {
   bench.state.uncertain_angle = 0;
   for (int i = 0; i < 2; ++i) value("axle.angle");
   ASSERT_EQ(joints.warnings().size(), 1u);
-  EXPECT_TRUE(test::names(joints.warnings()[0], {"axle", "W0665"}));
+  EXPECT_TRUE(test::names(joints.warnings()[0], {"axle", "W1665"}));
 }
 
 TEST_F(HistoryColumns, ShowWhereASlideIs) {

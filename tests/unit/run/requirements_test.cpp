@@ -124,7 +124,7 @@ TEST(Requirements, TellOfUnitsThatTheirNumberDoesNotHave) {
                                                       {"peak_acceleration_g", "m/s2"}};
   for (const auto& [value, unit] : told) {
     ASSERT_EQ(warnings(value, unit).size(), 1u) << value;
-    EXPECT_TRUE(test::names(warnings(value, unit)[0], {"W0669", unit}));
+    EXPECT_TRUE(test::names(warnings(value, unit)[0], {"W1669", unit}));
   }
   const std::pair<const char*, const char*> fine[] = {{"ball.roll.max", "rad"},
                                                       {"ball.roll.max / deg", "deg"},

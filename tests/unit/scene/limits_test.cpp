@@ -41,7 +41,7 @@ TEST(FindingsOfAFile, AreListedToAHundredAndCounted) {
   EXPECT_EQ(findings.error_count(), most + 5) << "checks that ask whether there was one more still see it";
   EXPECT_TRUE(test::names(test::error_of([&] { findings.throw_if_errors(); }), {"and 5 more errors", "E0137"}));
   EXPECT_EQ(findings.warnings().size(), Findings::kMost + 1);
-  EXPECT_TRUE(test::names(findings.warnings().back(), {"and 5 more warnings", "W0172 more-warnings"}));
+  EXPECT_TRUE(test::names(findings.warnings().back(), {"and 5 more warnings", "W1172 more-warnings"}));
 }
 
 TEST(TomlText, HasFourMillionValuesAtMost) {

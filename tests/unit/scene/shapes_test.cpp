@@ -345,7 +345,7 @@ TEST(MeshReader, TellsWhatFewDigitsLeave) {
       "shape = { kind = \"mesh\", file = \"few.stl\" }\n";
   const Scene scene = text.read(body);
   ASSERT_EQ(scene.warnings.size(), 1u);
-  EXPECT_THAT(scene.warnings[0], HasSubstr("W0220"));
+  EXPECT_THAT(scene.warnings[0], HasSubstr("W1220"));
 }
 
 TEST(MeshReader, ReadsStlAsItIsWritten) {
