@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/simulation.h"
+#include "tests/support/scene_texts.h"
 #include "tests/unit/run/never.h"
 #include "tests/unit/scene/scene_text.h"
 
@@ -33,24 +33,10 @@ struct Case {
 
 // --- Parts of scenes.
 
-template <class... Words>
-std::string lines(const Words&... words) {
-  std::ostringstream out;
-  out.precision(17);
-  (out << ... << words);
-  return out.str();
-}
+using test::body;
+using test::joint;
+using test::lines;
 
-std::string body(const std::string& name, double mass, const std::string& position,
-                 const std::string& inertia = "[0.1, 0.1, 0.1]") {
-  return lines("[[bodies]]\nname = \"", name, "\"\nmass = ", mass, "\ninertia = ", inertia, "\nposition = ", position,
-               "\n");
-}
-std::string joint(const std::string& name, const std::string& type, const std::string& a, const std::string& b,
-                  const std::string& point, const std::string& axis, const std::string& more = "") {
-  return "[[joints]]\nname = \"" + name + "\"\nkind = \"" + type + "\"\nbodies = [\"" + a + "\", \"" + b +
-         "\"]\npoint = " + point + (axis.empty() ? "" : "\naxis = \"" + axis + "\"") + "\n" + more;
-}
 std::string rail(const std::string& more = "", const std::string& axis = "x") {
   return joint("p", "prismatic", "ground", "b", "[0, 0, 0]", axis, more);
 }

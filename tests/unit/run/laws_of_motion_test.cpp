@@ -10,28 +10,17 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/build/codes.h"
 #include "mbd_solver/run/observe/attached_damping.h"
+#include "tests/support/scene_texts.h"
 #include "tests/unit/build/kind_scenes.h"
 #include "tests/unit/run/recorded.h"
 
 namespace footfall {
 namespace {
 
-std::string text(double x) {
-  char out[40];
-  std::snprintf(out, sizeof out, "%.17g", x);
-  return out;
-}
-std::string body(const std::string& name, double mass, double inertia, const std::string& position) {
-  return "[[bodies]]\nname = \"" + name + "\"\nmass = " + text(mass) + "\ninertia = [" + text(inertia) + ", " +
-         text(inertia) + ", " + text(inertia) + "]\nposition = " + position + "\n";
-}
+using test::body;
+using test::joint;
 
-std::string joint(const std::string& name, const std::string& kind, const std::string& bodies, const std::string& point,
-                  const std::string& axis) {
-  return "[[joints]]\nname = \"" + name + "\"\nkind = \"" + kind + "\"\nbodies = [" + bodies + "]\npoint = " + point +
-         "\naxis = " + axis + "\n";
-}
-
+std::string text(double x) { return test::word(x); }
 using Rows = test::Ran;
 
 // --- Dry friction (theory 3.6).
@@ -39,7 +28,7 @@ using Rows = test::Ran;
 // A body on rails under a force that is there at once.
 std::string pushed(double force, double mass, const std::string& more = "") {
   return "end_time = 5.0\ngravity = [" + text(force / mass) + ", 0, -9.81]\n" + body("b", mass, 0.1, "[0, 0, 0]") +
-         joint("p", "prismatic", R"("ground", "b")", "[0, 0, 0]", "\"x\"") +
+         joint("p", "prismatic", "ground", "b", "[0, 0, 0]", "\"x\"") +
          "displacement = { friction = { coulomb = 4.0, breakaway = 5.2 } }\n" + more;
 }
 
@@ -93,10 +82,10 @@ TEST_P(Belt, SticksAndSlipsWithTheClosedPeriod) {
   const double v = 0.1, k = 100.0, m = 1.0, F_c = 4.0, F_b = 5.2;
   const std::string scene = "end_time = 4.0\ngravity = [0, 0, -9.81]\n" + body("belt", 5.0, 0.1, "[0, 0, 0]") +
                             body("m", m, 0.1, "[0, 0, 0.1]") +
-                            joint("drive", "prescribed", R"("ground", "belt")", "[0, 0, 0]", "\"z\"") +
+                            joint("drive", "prescribed", "ground", "belt", "[0, 0, 0]", "\"z\"") +
                             R"(axis2 = "x"
 motion = { x = { polynomial = [0, 0.1] }, y = { polynomial = [0] }, z = { polynomial = [0] }, rotation = { polynomial = [0] }, hold_other_rotations = true }
-)" + joint("p", "prismatic", R"("belt", "m")", "[0, 0, 0.1]", "\"x\"") +
+)" + joint("p", "prismatic", "belt", "m", "[0, 0, 0.1]", "\"x\"") +
                             R"(displacement = { friction = { coulomb = 4.0, breakaway = 5.2 } }
 [[struts]]
 name = "s"
@@ -127,9 +116,9 @@ INSTANTIATE_TEST_SUITE_P(Integrators, Belt, ::testing::Values("one_step", "ida")
 std::string bent_shafts(const std::string& axis2) {
   return "end_time = 2.0\ngravity = [0, 0, 0]\n" + body("a", 1.0, 0.1, "[0, 0, -0.5]") +
          body("b", 1.0, 0.1, "[0.286788218175523, 0.0, 0.409576022144496]") +
-         joint("ja", "revolute", R"("ground", "a")", "[0, 0, -0.5]", "\"z\"") +
-         joint("u", "constant_velocity", R"("a", "b")", "[0, 0, 0]", "\"z\"") + axis2 + "\n" +
-         joint("jb", "revolute", R"("ground", "b")", "[0.286788218175523, 0.0, 0.409576022144496]",
+         joint("ja", "revolute", "ground", "a", "[0, 0, -0.5]", "\"z\"") +
+         joint("u", "constant_velocity", "a", "b", "[0, 0, 0]", "\"z\"") + axis2 + "\n" +
+         joint("jb", "revolute", "ground", "b", "[0.286788218175523, 0.0, 0.409576022144496]",
                "[0.573576436351046, 0.0, 0.819152044288992]") +
          R"([[forces]]
 name = "f"
@@ -164,8 +153,8 @@ TEST(ConstantVelocity, IsRefusedWhereOneAxisCannotBeThatOfBothShafts) {
 TEST(OpenCam, GoesOnAlongItsTangentPastHalfATurn) {
   const std::string scene = "end_time = 1.0\ngravity = [0, 0, 0]\n" + body("s", 1.0, 0.1, "[0, 0, 0]") +
                             body("rod", 2.0, 0.1, "[1, 0, 0]") +
-                            joint("sa", "revolute", R"("ground", "s")", "[0, 0, 0]", "\"z\"") +
-                            joint("ro", "prismatic", R"("ground", "rod")", "[1, 0, 0]", "\"x\"") +
+                            joint("sa", "revolute", "ground", "s", "[0, 0, 0]", "\"z\"") +
+                            joint("ro", "prismatic", "ground", "rod", "[1, 0, 0]", "\"x\"") +
                             R"([[gears]]
 name = "cam"
 joints = ["ro", "sa"]
@@ -193,7 +182,7 @@ interval = 0.02
 // A body that turns at 20 rad/s is moved by 0.1 sin(2 pi t): the work of the motion is the kinetic energy of that, m x'^2 / 2.
 TEST(Work, OfAPrescribedMotionStandsUnderTheErrorTest) {
   const std::string scene = "end_time = 2.0\ngravity = [0, 0, 0]\n" + body("a", 2.0, 0.3, "[0.5, 0, 0]") +
-                            joint("d", "prescribed", R"("ground", "a")", "[0, 0, 0]", "\"z\"") +
+                            joint("d", "prescribed", "ground", "a", "[0, 0, 0]", "\"z\"") +
                             R"(axis2 = "x"
 motion = { x = { amplitude = 0.1, frequency = 1.0 }, y = { polynomial = [0] }, z = { polynomial = [0] }, rotation = { polynomial = [0, 20.0] }, hold_other_rotations = true }
 [initial]
@@ -220,7 +209,7 @@ interval = 0.0173
 // Force and damper of a shaken strut take nearly the same work with nearly the same error, which cancels in the sum.
 TEST(Work, OfAShakenStrutHasNoLargerErrorThanItsBalance) {
   const std::string scene = "end_time = 2.0\ngravity = [0, 0, 0]\n" + body("a", 2.0, 0.1, "[0, 0, 0]") +
-                            joint("s", "prismatic", R"("ground", "a")", "[0, 0, 0]", "\"x\"") +
+                            joint("s", "prismatic", "ground", "a", "[0, 0, 0]", "\"x\"") +
                             R"([[struts]]
 name = "k"
 bodies = ["ground", "a"]
@@ -249,7 +238,7 @@ interval = 0.01
 // on. What the damper takes tends to the kinetic energy of the start, 1.01 J.
 TEST(Work, OfADampedSpringIsWithinTheBoundOfIda) {
   const std::string scene = "end_time = 2.0\ngravity = [0, 0, 0]\n" + body("a", 2.02, 1.0, "[0, 0, 0]") +
-                            joint("s", "prismatic", R"("ground", "a")", "[0, 0, 0]", "\"z\"") +
+                            joint("s", "prismatic", "ground", "a", "[0, 0, 0]", "\"z\"") +
                             R"([joints.displacement.spring]
 stiffness = 4871.2
 damping = 99.24

@@ -9,6 +9,7 @@
 
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/run/simulation.h"
+#include "tests/support/scene_texts.h"
 #include "tests/unit/run/never.h"
 #include "tests/unit/scene/scene_text.h"
 
@@ -36,18 +37,14 @@ Ends ends_of(const Scene& scene) {
   return ends;
 }
 
-std::string body(const std::string& name, double mass, double x, double z) {
-  return "[[bodies]]\nname = \"" + name + "\"\nmass = " + std::to_string(mass) +
-         "\ninertia = [0.1, 0.1, 0.1]\nposition = [" + std::to_string(x) + ", 0, " + std::to_string(z) + "]\n";
-}
+std::string at(double x, double z) { return test::lines("[", x, ", 0, ", z, "]"); }
+std::string body(const std::string& name, double mass, double x, double z) { return test::body(name, mass, at(x, z)); }
 std::string hinge(const std::string& name, const std::string& a, const std::string& b, double x, double z) {
-  return "[[joints]]\nname = \"" + name + "\"\nkind = \"revolute\"\nbodies = [\"" + a + "\", \"" + b +
-         "\"]\npoint = [" + std::to_string(x) + ", 0, " + std::to_string(z) + "]\naxis = \"y\"\n";
+  return test::joint(name, "revolute", a, b, at(x, z), "y");
 }
 std::string rail(const std::string& name, const std::string& a, const std::string& b, double z, double stiffness) {
-  return "[[joints]]\nname = \"" + name + "\"\nkind = \"prismatic\"\nbodies = [\"" + a + "\", \"" + b +
-         "\"]\npoint = [0, 0, " + std::to_string(z) +
-         "]\naxis = \"z\"\n[joints.displacement]\nspring = { stiffness = " + std::to_string(stiffness) + " }\n";
+  return test::joint(name, "prismatic", a, b, at(0.0, z), "z",
+                     test::lines("[joints.displacement]\nspring = { stiffness = ", stiffness, " }\n"));
 }
 
 const std::string kHead = "end_time = 0.5\ngravity = [0, 0, -9.81]\n[initial]\nsettle = true\n";
