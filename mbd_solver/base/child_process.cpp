@@ -90,6 +90,12 @@ void give(const Files& files, const std::string& output) {
 
 }  // namespace
 
+std::vector<std::string> Rights::absolute(std::vector<std::string> paths) {
+  paths.erase(std::remove(paths.begin(), paths.end(), ""), paths.end());
+  for (std::string& path : paths) path = std::filesystem::absolute(path).string();
+  return paths;
+}
+
 pid_t start_program(const Command& command, const Files& files, Orphan orphan) {
   require_words(command.words);
   std::vector<char*> words = pointers(command.words);

@@ -21,21 +21,23 @@ class Rights {
   // Those of the user: for what the user trusts, and for programs of footfall that judge what they read by themselves.
   static Rights of_user() { return Rights(std::nullopt); }
   // Starts only these programs (paths), itself among them; it writes what the user may.
-  static Rights starting(std::vector<std::string> programs) {
-    return Rights(Confinement{{}, std::move(programs), false});
+  static Rights starting(const std::vector<std::string>& programs) {
+    return Rights(Confinement{{}, absolute(programs), false});
   }
   // The same, and it writes only below these folders.
-  static Rights writing(std::vector<std::string> programs, std::vector<std::string> folders) {
-    return Rights(Confinement{std::move(folders), std::move(programs), true});
+  static Rights writing(const std::vector<std::string>& programs, const std::vector<std::string>& folders) {
+    return Rights(Confinement{absolute(folders), absolute(programs), true});
   }
   // One program more, where programs are limited.
   void add(const std::string& program) {
-    if (limits_) limits_->executable.push_back(program);
+    if (limits_) limits_->executable.push_back(absolute({program})[0]);
   }
   // Empty: those of the user.
   const std::optional<Confinement>& limits() const { return limits_; }
 
  private:
+  // They hold wherever the program begins. Without those that are empty, of programs that are not installed.
+  static std::vector<std::string> absolute(std::vector<std::string> paths);
   explicit Rights(std::optional<Confinement> limits) : limits_(std::move(limits)) {}
   std::optional<Confinement> limits_;
 };

@@ -82,7 +82,7 @@ std::string fault_of_variable(const std::string& name, const std::string& value)
     return "a variable is named \"" + visible(name) + "\", expected letters, digits and _";
   for (const std::string& word : split(value, '\n')) {
     std::string what;
-    if (!has_only(word, " _.,+-*/^=()[]<>!%@~${}:&|"))
+    if (!has_only(word, " _.,+-*/^=()[]<>!%@~${}:&|'\""))
       what = "has a character that no number, name or path has";
     else if (word == ":")
       what = "would begin another program";

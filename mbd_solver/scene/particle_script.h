@@ -35,7 +35,7 @@ bool names_file(const std::string& value);
 
 // What is wrong with a variable of a script, which becomes words of the command line of LIGGGHTS and of mpirun (a word for each
 // line of the value): "the variable k ..., expected ..."; empty: nothing. Names have letters, digits and _. Words have letters,
-// digits, blanks and _ . , + - * / ^ = ( ) [ ] < > ! % @ ~ $ { } : & |. ":" alone would begin another program, and a word
+// digits, blanks, quotes and _ . , + - * / ^ = ( ) [ ] < > ! % @ ~ $ { } : & |. ":" alone would begin another program, and a word
 // with "-" in front an option, unless it is a number.
 std::string fault_of_variable(const std::string& name, const std::string& value);
 

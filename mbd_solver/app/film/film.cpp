@@ -256,7 +256,7 @@ class Encoder {
     int down[2];
     if (pipe2(down, O_CLOEXEC) != 0) fail();
     std::signal(SIGPIPE, SIG_IGN);
-    Command command{Rights::writing({words[0]}, {folder_.path(), fs::path(part_).parent_path().string()}), words};
+    Command command{Rights::writing({words[0]}, {folder_.path(), fs::absolute(part_).parent_path().string()}), words};
     command.output = log_;
     pid_ = start_program(command, {{down[0], STDIN_FILENO}}, Orphan::kIsKilled);
     close(down[0]);

@@ -36,6 +36,12 @@ TEST_F(ChildProcess, WritesOnlyBelowItsFolders) {
   EXPECT_NE(run(limited, "echo 1 > '" + file("b") + "'"), 0);
   EXPECT_EQ(run(Rights::starting({"/bin/sh"}), "echo 1 > '" + file("b") + "'"), 0);
   EXPECT_TRUE(std::filesystem::exists(file("in/a")));
+  // Paths are those of here, also where the program begins elsewhere.
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder_);
+  const Command there{Rights::writing({"/bin/sh"}, {"in"}), {"/bin/sh", "-c", "echo 1 > b"}, {}, "", "in"};
+  EXPECT_EQ(wait_for_end(start_program(there)), 0);
+  std::filesystem::current_path(before);
 }
 
 // Not lifted by what it starts.

@@ -128,7 +128,7 @@ TEST_F(CliTest, LiggghtsGetsPathsFromTheCurrentFolder) {
 TEST_F(CliTest, AValueThatIsNoValueStartsNothing) {
   const std::string script = write("in.bed", "");
   for (const std::string value :
-       {"1\n:\nsh\n-c\ntouch made", ":", "-in other", "1\n-log\n/tmp/x", "a;b", "`ls`", "it's", "tab\there", "a\\nb"})
+       {"1\n:\nsh\n-c\ntouch made", ":", "-in other", "1\n-log\n/tmp/x", "a;b", "`ls`", "a#b", "tab\there", "a\\nb"})
     EXPECT_THROW(script_arguments(script, {{"k", value}}), InputError) << value;
   for (const std::string name : {"", "-in", ":", "k k", "k\n:"})
     EXPECT_THROW(script_arguments(script, {{name, "1"}}), InputError) << name;
