@@ -15,8 +15,8 @@
 #include <thread>
 #include <utility>
 
+#include "coupler/base/interrupt.h"
 #include "coupler/communicator.h"
-#include "coupler/interrupt.h"
 
 namespace footfall {
 namespace {

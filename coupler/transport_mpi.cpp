@@ -13,10 +13,10 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/base/text.h"
 #include "coupler/codes.h"
 #include "coupler/communicator.h"
-#include "coupler/interrupt.h"
 #include "coupler/polling_wait.h"
 
 namespace footfall {

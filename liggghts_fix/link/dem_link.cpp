@@ -10,8 +10,8 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/base/text.h"
-#include "coupler/interrupt.h"
 #include "coupler/message_fields.h"
 #include "coupler/schemes/registry.h"
 #include "liggghts_fix/codes.h"

@@ -14,9 +14,9 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/base/pulse.h"
 #include "coupler/base/text.h"
-#include "coupler/interrupt.h"
 #include "coupler/programs.h"
 #include "mbd_solver/app/check_command.h"
 #include "mbd_solver/app/codes.h"

@@ -21,8 +21,8 @@
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/base/text.h"
-#include "coupler/interrupt.h"
 #include "mbd_solver/base/codes.h"
 
 namespace footfall {

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
-#include "coupler/interrupt.h"
+#include "coupler/base/interrupt.h"
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/particle_script.h"

@@ -19,9 +19,9 @@
 
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/base/start.h"
 #include "coupler/communicator.h"
-#include "coupler/interrupt.h"
 #include "coupler/link.h"
 #include "coupler/programs.h"
 #include "coupler/transport_mpi.h"

@@ -15,7 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "coupler/base/errors.h"
-#include "coupler/interrupt.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/programs.h"
 #include "mbd_solver/run/codes.h"
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "coupler/base/interrupt.h"
 #include "coupler/base/text.h"
-#include "coupler/interrupt.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/run/checkpoint.h"
 #include "mbd_solver/run/leader.h"

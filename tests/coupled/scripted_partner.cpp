@@ -47,8 +47,8 @@
 
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/communicator.h"
-#include "coupler/interrupt.h"
 #include "coupler/link.h"
 #include "coupler/schemes/registry.h"
 #include "coupler/transport_mpi.h"

@@ -67,7 +67,7 @@ ONLY_IN = {
 }
 # Plain C++: only these files of coupler/base may use headers of the operating system.
 SYSTEM_FILES_OF_BASE = ("coupler/base/files.cpp coupler/base/confinement.cpp coupler/base/input_file.cpp coupler/base/number.cpp coupler/base/pulse.cpp"
-                        " coupler/base/run_directory.cpp coupler/base/run_directory.h coupler/base/start.cpp")
+                        " coupler/base/run_directory.cpp coupler/base/run_directory.h coupler/base/start.cpp coupler/base/interrupt.cpp")
 SYSTEM_HEADER = re.compile(r"[a-z_]+[/.]")
 COUPLED_RUN_IS_MADE_IN = "mbd_solver/run/simulation.cpp"
 

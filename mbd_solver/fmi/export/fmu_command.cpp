@@ -11,8 +11,8 @@
 #include <set>
 
 #include "coupler/base/files.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/base/text.h"
-#include "coupler/interrupt.h"
 #include "mbd_solver/app/check_command.h"
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/bed/bed.h"

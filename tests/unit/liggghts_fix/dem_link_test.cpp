@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "coupler/base/clock.h"
-#include "coupler/interrupt.h"
+#include "coupler/base/interrupt.h"
 #include "coupler/schemes/registry.h"
 #include "coupler/transport_loopback.h"
 #include "liggghts_fix/codes.h"

@@ -1,7 +1,7 @@
 // Signal handlers that set flags and an alarm. SIGCONT has two meanings: a suspended job resumes, or mpirun warns that it
 // will kill. After a suspension the last promise of progress is overdue.
 
-#include "coupler/interrupt.h"
+#include "coupler/base/interrupt.h"
 
 #include <unistd.h>
 
