@@ -256,6 +256,24 @@ State initial_state(const Model& model, const Layout& layout) {
   return state;
 }
 
+// The given velocities belong to the places in the reference configuration. A mechanism that spins as a whole still does so
+// where its bodies start: dr += w x (r - r_drawn), without a change of its momentum.
+void move_velocities(const Model& model, const Layout& layout, const Eigen::VectorXd& drawn, State& state) {
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  // added [kg m/s]
+  double mass = 0.0;                                   // of what spins [kg]
+  const auto w = [&](std::size_t i) { return state.v.segment<3>(layout.body_v[i] + 3); };
+  for (std::size_t i = 0; i < layout.body_q.size(); ++i) {
+    if (w(i).isZero(0.0)) continue;
+    const Eigen::Vector3d way = state.q.segment<3>(layout.body_q[i]) - drawn.segment<3>(layout.body_q[i]);
+    const Eigen::Vector3d change = Eigen::Vector3d(w(i)).cross(way);
+    state.v.segment<3>(layout.body_v[i]) += change;
+    momentum += model.body(static_cast<int>(i)).mass() * change;
+    mass += model.body(static_cast<int>(i)).mass();
+  }
+  for (std::size_t i = 0; i < layout.body_q.size() && mass > 0.0; ++i)
+    if (!w(i).isZero(0.0)) state.v.segment<3>(layout.body_v[i]) -= momentum / mass;
+}
+
 std::string number(double x) { return number_text(x, 3); }
 
 // Cosine of the angle between required and actual attitude of a joint, for half turns, which its rows do not detect.
@@ -404,7 +422,9 @@ Assembly assemble(const Model& model, const AssemblyOptions& options) {
                                   "joints are open in the reference configuration by up to " + number(out.largest_gap) +
                                       " m or rad; bodies were moved by the smallest displacements that close them."));
   if (!options.start.empty()) {
+    const Eigen::VectorXd drawn = out.state.q;
     move_to_start(model, options.start, out.state);
+    move_velocities(model, layout, drawn, out.state);
     rows.evaluate(out.state);
     note_turns(model, layout, out);
   }

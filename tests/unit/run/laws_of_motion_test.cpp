@@ -23,6 +23,24 @@ using test::joint;
 std::string text(double x) { return test::word(x); }
 using Rows = test::Ran;
 
+// --- Velocities at the start.
+
+// A free pair that is bent at its hinge before it starts spins as one body, about its own mass centre.
+TEST(InitialVelocities, AreThoseOfThePlaceInWhichAMechanismStarts) {
+  const Rows rows("end_time = 1e-6\ngravity = [0, 0, 0]\noutput = { attitudes = true, interval = 1e-6 }\n" +
+                  body("a", 2.0, 0.1, "[0, 0, 0]") + body("b", 1.0, 0.05, "[1, 0, 0]") +
+                  joint("h", "revolute", "a", "b", "[0.5, 0, 0]", "y") +
+                  "[initial]\nvelocity = [0, 0, 0.5]\nangular_velocity = [0, 0, 2]\njoints = { h = 1.5 }\n");
+  for (const std::string name : {"a", "b"})
+    for (const auto& [axis, right] : {std::pair{".wx", 0.0}, {".wy", 0.0}, {".wz", 2.0}})
+      EXPECT_NEAR(rows.last(name + axis), right, 1e-5) << name << axis;
+  for (const auto& [axis, right] : {std::pair{".vx", 0.0}, {".vy", 0.0}, {".vz", 0.5}})
+    EXPECT_NEAR((2.0 * rows.last("a" + std::string(axis)) + rows.last("b" + std::string(axis))) / 3.0, right, 1e-9)
+        << axis;
+  // The distance of b from the mass centre along x, 2/3 of (0.5 + 0.5 cos(1.5)), times the spin.
+  EXPECT_NEAR(rows.last("b.vy"), 2.0 * (1.0 + std::cos(1.5)) / 3.0, 1e-5);
+}
+
 // --- Dry friction (theory 3.6).
 
 // A body on rails under a force that is there at once.
