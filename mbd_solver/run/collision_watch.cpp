@@ -31,9 +31,14 @@ bool are_joined(const Model& model, int body_1, int body_2) {
   return false;
 }
 
-FramePose between(const FramePose& from, const FramePose& to) {
-  const Eigen::Quaterniond a(from.R), b(to.R);
-  return {a.slerp(0.5, b).toRotationMatrix(), 0.5 * (from.p + to.p)};
+// Half the way of a body whose point c (in its frame) moves on a straight line.
+FramePose between(const FramePose& from, const FramePose& to, const Eigen::Vector3d& c) {
+  const Eigen::Matrix3d R = Eigen::Quaterniond(from.R).slerp(0.5, Eigen::Quaterniond(to.R)).toRotationMatrix();
+  return {R, 0.5 * (from.p + from.R * c + to.p + to.R * c) - R * c};
+}
+
+double angle_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
+  return 2.0 * std::asin(std::min(1.0, (to - from).norm() / (2.0 * std::sqrt(2.0))));
 }
 
 }  // namespace
@@ -135,16 +140,23 @@ void CollisionWatch::deform(Surface& surface, const Eigen::VectorXd& a) {
   surface.modes = a;
 }
 
+FramePose CollisionWatch::Place::pose() const {
+  return {first.R.transpose() * second.R, first.R.transpose() * (second.p - first.p)};
+}
+
 CollisionWatch::Place CollisionWatch::place(const Pair& pair, const Kinematics& kinematics) const {
   const BodyKinematics& first = kinematics.of(surfaces_[pair.first].body);
   const BodyKinematics& second = kinematics.of(surfaces_[pair.second].body);
-  return {{first.A.transpose() * second.A, first.A.transpose() * (second.r - first.r)}, first.a, second.a};
+  return {{first.A, first.r}, {second.A, second.r}, first.a, second.a};
 }
 
 double CollisionWatch::travel(const Pair& pair, const Place& from, const Place& to) const {
   const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
-  const Eigen::Matrix3d dR = to.pose.R - from.pose.R;
-  double way = (to.pose.p - from.pose.p + dR * second.centre).norm() + second.radius * dR.norm() / std::sqrt(2.0);
+  const auto apart = [&](const Place& at) -> Eigen::Vector3d {
+    return at.second.p + at.second.R * second.centre - at.first.p - at.first.R * first.centre;
+  };
+  double way = (apart(to) - apart(from)).norm() + first.radius * angle_between(from.first.R, to.first.R) +
+               second.radius * angle_between(from.second.R, to.second.R);
   if (first.modal_reach > 0.0) way += first.modal_reach * (to.a_1 - from.a_1).norm();
   if (second.modal_reach > 0.0) way += second.modal_reach * (to.a_2 - from.a_2).norm();
   return way;
@@ -153,7 +165,8 @@ double CollisionWatch::travel(const Pair& pair, const Place& from, const Place& 
 // Negative where the spheres intersect.
 double CollisionWatch::sphere_distance(const Pair& pair, const Place& at) const {
   const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
-  double distance = (at.pose.p + at.pose.R * second.centre - first.centre).norm() - first.radius - second.radius;
+  double distance = (at.second.p + at.second.R * second.centre - at.first.p - at.first.R * first.centre).norm() -
+                    first.radius - second.radius;
   if (first.modal_reach > 0.0) distance -= first.modal_reach * at.a_1.norm();
   if (second.modal_reach > 0.0) distance -= second.modal_reach * at.a_2.norm();
   return distance;
@@ -165,11 +178,12 @@ SurfaceGap CollisionWatch::gap(const Pair& pair, const Place& at) {
     return {apart, Eigen::Vector3d::Zero()};
   if (first.boundary != nullptr) deform(first, at.a_1);
   deform(second, at.a_2);
+  const FramePose pose = at.pose();
   SurfaceGap least;
   bool any = false;
   for (const SurfaceModel& a : first.parts) {
     for (const SurfaceModel& b : second.parts) {
-      const SurfaceGap one = gap_between(a, b, at.pose);
+      const SurfaceGap one = gap_between(a, b, pose);
       if (!any || one.distance < least.distance) least = one;
       any = true;
     }
@@ -177,12 +191,14 @@ SurfaceGap CollisionWatch::gap(const Pair& pair, const Place& at) {
   return least;
 }
 
-// Neither end touches. Between them the second surface moves on a straight line and rotates uniformly.
+// Neither end touches.
 bool CollisionWatch::met_between(const Pair& pair, const Place& from, double gap_from, const Place& to, double gap_to,
                                  SurfaceGap& met) {
   const double way = travel(pair, from, to);
   if (way < gap_from + gap_to || way < kShortest * surfaces_[pair.second].radius) return false;
-  const Place middle{between(from.pose, to.pose), 0.5 * (from.a_1 + to.a_1), 0.5 * (from.a_2 + to.a_2)};
+  const Place middle{between(from.first, to.first, surfaces_[pair.first].centre),
+                     between(from.second, to.second, surfaces_[pair.second].centre), 0.5 * (from.a_1 + to.a_1),
+                     0.5 * (from.a_2 + to.a_2)};
   met = gap(pair, middle);
   const double gap_middle = met.distance;
   return gap_middle <= 0.0 || met_between(pair, from, gap_from, middle, gap_middle, met) ||
@@ -193,6 +209,7 @@ void CollisionWatch::begin(const Kinematics& kinematics) {
   for (Pair& pair : pairs_) {
     pair.measured = pair.last = place(pair, kinematics);
     pair.gap = 0.0;
+    pair.touched = pair.contact >= 0;  // unknown
   }
 }
 
@@ -200,20 +217,23 @@ void CollisionWatch::begin(const Kinematics& kinematics) {
 bool CollisionWatch::may_have_passed(const Pair& pair, const Place& now) const {
   const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
   const double smaller = first.body == kGround ? second.radius : std::min(first.radius, second.radius);
-  return pair.contact < 0 || travel(pair, pair.last, now) > kLongMotion * smaller;
+  return pair.contact < 0 || (!pair.touched && travel(pair, pair.last, now) > kLongMotion * smaller);
 }
 
 void CollisionWatch::check(const Subject& subject, const Sample& sample) {
   for (Pair& pair : pairs_) {
     Place now = place(pair, sample.kinematics);
     const bool far = travel(pair, pair.measured, now) < pair.gap;
-    if (!far) {
+    if (far) {
+      pair.touched = false;
+    } else {
       const auto touches = [&] {
         if (pair.contact < 0) return false;
         const auto& contact = static_cast<const SurfaceContact&>(subject.mechanism.model.force(pair.contact));
         return contact.largest_overlap(element_input(subject, sample, pair.contact)) > 0.0;
       };
-      if (touches()) {  // a contact acts: checked again when it opens
+      const bool touched = touches();
+      if (touched) {  // a contact acts: checked again when it opens
         pair.gap = 0.0;
         pair.measured = now;
       } else {
@@ -226,6 +246,7 @@ void CollisionWatch::check(const Subject& subject, const Sample& sample) {
         pair.gap = gap_now;
         pair.measured = now;
       }
+      pair.touched = touched;
     }
     pair.last = std::move(now);
   }

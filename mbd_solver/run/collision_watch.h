@@ -2,12 +2,13 @@
 // Detects collisions: the surfaces of bodies ([[boundaries]]) and the static meshes of the script must not pass through
 // each other. Surfaces with a contact of the scene may touch; without one the run ends. theory 6.6.
 //
-// Distances are computed only for pairs that can have met. Around each surface lies a sphere (centre c, radius r). Seen
-// from the first surface, no point of the second has moved by more than
-//   s = |dc_2| + r_2 ||dR||_F / sqrt(2) + (modes),   dc_2, dR: change of position of its centre and of its attitude,
-// since a lower bound d of their distance was found: while s < d they have not met. Otherwise d is found again, from the
+// Distances are computed only for pairs that can have met. Around each surface lies a sphere (centre c, radius r). Their
+// distance has changed by no more than
+//   s = |d(c_2 - c_1)| + r_1 phi_1 + r_2 phi_2 + (modes),   phi: angle by which a body has turned,
+// since a lower bound d of it was found: while s < d they have not met. Otherwise d is found again, from the
 // spheres where they are far apart; where the motion since the last sample exceeds both distances together, it is
-// halved (conservative advancement).
+// halved (conservative advancement). Between two samples each body moves on a straight line and turns uniformly. Bodies that
+// have touched at the earlier sample are left to their contact, which bends a path that samples do not show.
 
 #include <string>
 #include <vector>
@@ -45,12 +46,15 @@ class CollisionWatch {
     Eigen::VectorXd modes;            // modal coordinates of the present shape of the parts
   };
   struct Place {
-    FramePose pose;            // of the second in the frame of the first
+    FramePose first, second;   // in W
     Eigen::VectorXd a_1, a_2;  // modes
+
+    FramePose pose() const;  // of the second in the frame of the first
   };
   struct Pair {
     std::size_t first = 0, second = 0;  // of surfaces_; the second is a body
     int contact = -1;                   // force element between them; -1: none
+    bool touched = false;               // it acted at the last sample
     double gap = 0.0;                   // at `measured`, not larger than the true one [m]
     Place measured, last;               // where the gap was found; at the last sample
   };
