@@ -195,11 +195,25 @@ void Simulation::begin(Loop& loop) {
   if (collisions_) collisions_->begin(sampler_.sample().kinematics);
   if (!resumed_) {
     apply_events();
+    sample_at_start();
     loop.observe(sampler_.sample());
   }
   if (resumed_ && control_.signals()) control_.signals()->triggered(sampler_.sample(), inputs_.values);  // is read
   loop.observation_pending = false;
   stand_without_event();
+}
+
+// The first row has what acts from the start on. A program that leads the run sets its signals after that row, and a signal that
+// jumps at the start is read behind its jump.
+void Simulation::sample_at_start() {
+  for (const SignalSpec& signal : scene_.signals)
+    if (signal.kind == SignalKind::kHost) return;
+  if (corners_.next(state_.time, inputs_.values).before <= state_.time) return;
+  const Eigen::VectorXd before = inputs_.values;
+  sample_controllers();
+  if (inputs_.values == before) return;
+  equations_.saddle().accelerations(state_, inputs_, rates_);
+  update_sample();
 }
 
 void Simulation::run_alone(Loop& loop) {

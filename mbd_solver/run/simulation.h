@@ -125,6 +125,7 @@ class Simulation {
   void extrapolate_loads(double time);  // inputs_.loads, from the means over the last two windows [s]
   // With grains: an event without a period changes rates_ by this at the end of a window [as rates_].
   void tell_of_late_event(const std::string& event, const Eigen::VectorXd& change);
+  void sample_at_start();
   void sample_before_window(Loop& loop);  // what is due now, and ended the last window for this reason
   // Steps end at corners of given functions.
   void advance(State from, double time, const Rows& rows = {});

@@ -41,6 +41,16 @@ TEST(InitialVelocities, AreThoseOfThePlaceInWhichAMechanismStarts) {
   EXPECT_NEAR(rows.last("b.vy"), 2.0 * (1.0 + std::cos(1.5)) / 3.0, 1e-5);
 }
 
+// A sampled force acts from the start: the first row has it, and what it drives.
+TEST(SampledSignals, AreInTheFirstRow) {
+  const Rows rows("end_time = 0.2\ngravity = [0, 0, 0]\noutput = { interval = 0.05 }\n" +
+                  body("b", 2.0, 0.1, "[0, 0, 0]") +
+                  "[[signals]]\nname = \"e\"\nkind = \"expression\"\ninput = \"10 + time\"\nperiod = 0.1\n"
+                  "[[forces]]\nname = \"f\"\nbody = \"b\"\ndirection = [0, 0, 1]\nforce = { signal = \"e\" }\n");
+  EXPECT_EQ(rows.value(0, "signal.e"), 10.0);
+  EXPECT_NEAR(rows.value(0, "b.az"), 5.0, 1e-12);
+}
+
 // --- Dry friction (theory 3.6).
 
 // A body on rails under a force that is there at once.
