@@ -104,6 +104,15 @@ void check_variables(const ScriptText& script, const std::map<std::string, std::
   }
 }
 
+// The comparison of the handshake, made before a bed is poured.
+void check_units(const ScriptText& script, const EntryFindings& at) {
+  for (const ScriptCommand& command : script.commands())
+    if (command.words[0] == "units" && !command.conditional && !command.is_computed() && command.words.size() == 2)
+      at.error_if(command.words[1] != "si", kScriptUnits, "script",
+                  command.place() + " sets `units " + command.words[1] +
+                      "`, expected `units si`: masses, lengths and times of the mechanism are in kg, m and s");
+}
+
 std::string gravity_text(const Eigen::Vector3d& v) {
   return "[" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + "] m/s2";
 }
@@ -228,6 +237,7 @@ void check_script(const Scene& scene, Findings& findings) {
   check_coupling(*script, scene, findings);
   check_script_meshes(*script, scene, findings);
   check_bed_is_given(*script, particles, findings);
+  check_units(*script, at);
   check_gravity(*script, scene, at);
   check_values(particles.variables, "variables", at);
   check_variables(*script, particles.variables, "variables", at);
