@@ -9,7 +9,6 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/tables.h"
-#include "mbd_solver/studies/window_growth.h"
 
 namespace footfall {
 namespace {
@@ -84,7 +83,6 @@ class Planner {
         combinations_(combinations_of(spec.parameters, short_form)) {}
 
   Plan plan() {
-    if (spec_.growth) return growth_plan();
     if (!spec_.curves.empty()) plan_.members = combinations_.size();
     int common = -1;
     if (spec_.reference && !spec_.is_map()) common = add_reference("reference", -1, {}, "", 0.0);
@@ -168,13 +166,6 @@ class Planner {
       r.values = combination.values;
       plan_.runs.push_back(r);
     }
-  }
-
-  // Without a scene nothing runs: only the coupling code is measured.
-  Plan growth_plan() {
-    if (!spec_.scene.empty()) plan_.runs = growth_runs(*spec_.growth, spec_.scene);
-    for (RunRequest& run : plan_.runs) run.time_limit = spec_.time_limit;
-    return plan_;
   }
 
   const SweepSpec& spec_;

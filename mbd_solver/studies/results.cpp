@@ -1,14 +1,11 @@
 // Reads the folders of finished runs, and judges cases by their metrics, errors and energies.
 #include "mbd_solver/studies/results.h"
 
-#include <regex.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/number.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/tables.h"
 
@@ -274,109 +271,71 @@ std::string shortened(const SweepSpec& spec, std::string text) {
   return text.substr(0, end == std::string::npos || end < 40 ? most : end) + " ...";
 }
 
-// By the C library: std::regex needs stack for every character of a text, and may take for ever.
-bool mentions(const RunEnd& run, std::string pattern) {
-  for (std::size_t at = 0; (at = pattern.find("\\d", at)) != std::string::npos;) pattern.replace(at, 2, "[0-9]");
-  regex_t expression;
-  if (regcomp(&expression, pattern.c_str(), REG_EXTENDED | REG_NOSUB) != 0) return false;
-  const auto found = [&](const std::string& text) {
-    return regexec(&expression, text.substr(0, 10000).c_str(), 0, nullptr, 0) == 0;
-  };
-  const bool mentioned = found(run.message) || std::any_of(run.warnings.begin(), run.warnings.end(), found);
-  regfree(&expression);
-  return mentioned;
-}
-
 // Of a finished run: its error and created energy.
-void judge_motion(const SweepSpec& spec, const EndSpec& end, const RunEnd& run, const RunEnd* reference,
-                  Verdict& verdict) {
+void judge_motion(const SweepSpec& spec, const MapSpec& map, const RunEnd& run, const RunEnd* reference, MapRow& row) {
   const History history = read_history(run.folder + "/history.csv");
-  if (!end.columns.empty()) {
+  double error = 0.0;
+  if (!map.columns.empty()) {
     if (reference->code != kExitDone)
       throw NumericalError(code::kReferenceFailed,
-                           verdict.name + " " + verdict.value + ": its reference has failed: " + reference->message);
-    verdict.error = history_error(history, read_history(reference->folder + "/history.csv"), end.columns, end.at_end);
-    verdict.note = "error " + percent(verdict.error) + " %, ";
+                           row.name + " " + row.value + ": its reference has failed: " + reference->message);
+    error = history_error(history, read_history(reference->folder + "/history.csv"), map.columns, map.at_end);
+    row.result = "error " + percent(error) + " %, ";
   }
   const double gain = energy_gain(history, run.summary.value("reference_energy_J", 0.0));
-  verdict.note += "created energy " + percent(gain) + " %";
+  row.result += "created energy " + percent(gain) + " %";
   // Without a reference a warning decides.
-  const bool good = gain <= kGain && (end.columns.empty() ? run.warnings.empty() : verdict.error <= end.tolerance);
-  verdict.found = good ? "accurate" : run.warnings.empty() ? "WRONG WITHOUT A WARNING" : "warned";
-  if (verdict.found == "warned") verdict.note += "; " + shortened(spec, run.warnings.front());
+  const bool good = gain <= kGain && (map.columns.empty() ? run.warnings.empty() : error <= map.tolerance);
+  row.fault = !good && run.warnings.empty();
+  row.end = good ? "accurate" : row.fault ? "WRONG WITHOUT A WARNING" : "warned";
+  if (row.end == "warned") row.result += "; " + shortened(spec, run.warnings.front());
 }
 
-Verdict judge(const SweepSpec& spec, const PlannedCase& c, const RunEnd& run, const RunEnd* reference) {
+MapRow map_row(const SweepSpec& spec, const PlannedCase& c, const RunEnd& run, const RunEnd* reference) {
   const CurveSpec& curve = spec.curves[static_cast<std::size_t>(c.curve)];
-  const EndSpec& end = curve.end;
-  const auto at = std::find(curve.values.begin(), curve.values.end(), c.value) - curve.values.begin();
-  Verdict verdict;
-  verdict.group = end.group;
-  verdict.name = curve.name;
-  verdict.value = c.value;
-  verdict.expected = end.ends[end.ends.size() == 1 ? 0 : static_cast<std::size_t>(at)];
+  MapRow row{curve.map.group, curve.name, c.value, "", "", false};
   if (run.code == kExitDone) {
-    judge_motion(spec, end, run, reference, verdict);
-  } else {
-    const bool own = run.code == kExitFailed || run.code == kExitBadInput;
-    verdict.found = run.code == RunEnd::kHung ? "no end"
-                    : !own                    ? "exit code " + std::to_string(run.code)
-                    : run.message.empty()     ? "ended without a message"
-                    : run.code == kExitFailed ? "stopped"
-                                              : "refused";
-    verdict.note = shortened(spec, run.message);
+    judge_motion(spec, curve.map, run, reference, row);
+    return row;
   }
-  verdict.as_expected = verdict.found == verdict.expected;
-  if (verdict.as_expected && !end.message.empty() && !mentions(run, end.message)) {
-    verdict.as_expected = false;
-    verdict.note += "; no message matches " + end.message;
-  }
-  return verdict;
-}
-
-// First order at most: from the value `beyond` on no error exceeds that of an earlier value times the ratio of the values.
-void judge_order(double beyond, const std::vector<Verdict>& earlier, Verdict& verdict) {
-  const double x = read_number(verdict.value.c_str(), nullptr);
-  if (beyond <= 0.0 || x < beyond) return;
-  for (const Verdict& v : earlier) {
-    const double y = read_number(v.value.c_str(), nullptr);
-    if (v.name != verdict.name || y < beyond || v.error <= 0.0 || verdict.error <= v.error * x / y) continue;
-    verdict.as_expected = false;
-    verdict.note += "; error grew from " + percent(v.error) + " % at " + v.value + ", more than in proportion";
-    return;
-  }
+  const bool own = run.code == kExitFailed || run.code == kExitBadInput;
+  row.fault = !own || run.message.empty();
+  row.end = run.code == RunEnd::kHung ? "no end"
+            : !own                    ? "exit code " + std::to_string(run.code)
+            : run.message.empty()     ? "ended without a message"
+            : run.code == kExitFailed ? "stopped"
+                                      : "refused";
+  row.result = shortened(spec, run.message);
+  return row;
 }
 
 }  // namespace
 
-std::vector<Verdict> verdicts_of(const SweepSpec& spec, const Results& results) {
-  std::vector<Verdict> verdicts;
+std::vector<MapRow> map_rows(const SweepSpec& spec, const Results& results) {
+  std::vector<MapRow> rows;
   const auto end_of = [&](const PlannedCase& c) { return &results.runs[c.runs.front()].end; };
   for (const CaseResult& c : results.cases) {
     if (c.plan.is_reference) continue;
     const int k = c.plan.reference;
     const RunEnd* reference = k < 0 ? nullptr : end_of(results.cases[static_cast<std::size_t>(k)].plan);
-    Verdict verdict = judge(spec, c.plan, *end_of(c.plan), reference);
-    judge_order(spec.curves[static_cast<std::size_t>(c.plan.curve)].end.order_beyond, verdicts, verdict);
-    verdicts.push_back(verdict);
+    rows.push_back(map_row(spec, c.plan, *end_of(c.plan), reference));
   }
-  return verdicts;
+  return rows;
 }
 
-std::string verdict_page(const SweepSpec& spec, const std::vector<Verdict>& verdicts) {
+std::string map_page(const SweepSpec& spec, const std::vector<MapRow>& rows) {
   std::string text =
       "# " + spec.title + "\n\nWritten by `footfall accuracy " + fs::path(spec.file).filename().string() +
-      "`; every line is a test. accurate: within the tolerance of its reference, or without created "
-      "energy. warned: done, energy bounded,\nerror larger, and a warning reported it. stopped: ended by "
-      "itself with this message. refused: not started.\n";
+      "`. accurate: within the tolerance of its reference, or without created energy. warned: done, energy "
+      "bounded,\nerror larger, and a warning reported it. stopped: ended by itself with this message. refused: not "
+      "started.\n";
   std::vector<std::string> groups;
-  for (const Verdict& v : verdicts)
-    if (std::find(groups.begin(), groups.end(), v.group) == groups.end()) groups.push_back(v.group);
+  for (const MapRow& row : rows)
+    if (std::find(groups.begin(), groups.end(), row.group) == groups.end()) groups.push_back(row.group);
   for (const std::string& group : groups) {
-    Table table({"case", "value", "verdict", "result"});
-    for (const Verdict& v : verdicts)
-      if (v.group == group)
-        table.add({v.name, v.value, v.found + (v.as_expected ? "" : " (expected: " + v.expected + ")"), v.note});
+    Table table({"case", "value", "end", "result"});
+    for (const MapRow& row : rows)
+      if (row.group == group) table.add({row.name, row.value, row.end, row.result});
     text += "\n## " + group + "\n\n" + table.page();
   }
   return text;

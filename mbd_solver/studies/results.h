@@ -1,5 +1,5 @@
 #pragma once
-// Results of a sweep: metrics of every run; mean, spread and error of every case; checks; recommended values; and verdicts of
+// Results of a sweep: metrics of every run; mean, spread and error of every case; checks; recommended values; and the rows of
 // a stability map.
 
 #include <string>
@@ -83,21 +83,21 @@ std::vector<Recommendation> recommendations_of(const SweepSpec& spec, const Resu
 // Of each curve with a default, at the default, the largest error first.
 std::vector<Recommendation> errors_of_defaults(const SweepSpec& spec, const Results& results);
 
-// A run of a stability map, stiff, extreme or unstable. How it ended, or must end (EndSpec::ends):
+// A run of a stability map, stiff, extreme or unstable, and how it ended:
 //   accurate   done, error within the tolerance (without a reference: no warning), no energy created
 //   warned     done, energy bounded, but the error is larger, and a warning reported it
 //   stopped    ended by itself with a message (exit code 1)
 //   refused    not started (exit code 2)
-struct Verdict {
-  std::string group, name, value, expected, found;  // found: as above, or the fault
-  std::string note;                                 // error, gain, message
-  double error = 0.0;                               // against its reference [-]; 0: none
-  bool as_expected = false;
+struct MapRow {
+  std::string group, name, value;
+  std::string end;     // as above, or the fault: wrong without a warning, without end, or without a message
+  std::string result;  // error, created energy, message
+  bool fault = false;
 };
 
 // One per case, without references. Throws NumericalError when a reference has failed.
-std::vector<Verdict> verdicts_of(const SweepSpec& spec, const Results& results);
+std::vector<MapRow> map_rows(const SweepSpec& spec, const Results& results);
 // The table as Markdown.
-std::string verdict_page(const SweepSpec& spec, const std::vector<Verdict>& verdicts);
+std::string map_page(const SweepSpec& spec, const std::vector<MapRow>& rows);
 
 }  // namespace footfall

@@ -309,8 +309,8 @@ int rig_command(const RigArguments& a) {
   if (a.samples > 0) append(e.again, {"--samples", std::to_string(a.samples)});
   if (a.checks) e.again.push_back("--checks");
   e.change = [&](SweepSpec& spec) {
-    if (!spec.curves.empty() || spec.growth || spec.parameters.empty())
-      throw InputError(code::kRigRuns, spec.file + ": a rig requires [[parameters]], without [[curves]] and [growth]");
+    if (!spec.curves.empty() || spec.parameters.empty())
+      throw InputError(code::kRigRuns, spec.file + ": a rig requires [[parameters]], without [[curves]]");
     require_not_varied(spec, settings);
     append(spec.settings, settings);
     append(spec.short_form.settings, settings);

@@ -28,7 +28,6 @@
 #include "mbd_solver/studies/results.h"
 #include "mbd_solver/studies/run_store.h"
 #include "mbd_solver/studies/tables.h"
-#include "mbd_solver/studies/window_growth.h"
 
 namespace footfall {
 
@@ -43,31 +42,15 @@ std::string path_of(const OutputPlace& place, const std::string& file) {
 void print_line(const std::string& text) { std::printf("%s\n", text.c_str()); }
 
 // Writes it into the folder and to --table, and prints it.
-void write_page(const OutputPlace& place, const std::string& text) {
-  write_whole_file(path_of(place, place.name + ".md"), text);
-  if (!place.table.empty()) write_whole_file(place.table, text);
-  print_line(text + path_of(place, place.name + ".md"));
-}
-
-bool write_growth(const SweepSpec& spec, const Results& results, const OutputPlace& place) {
-  const std::vector<GrowthPoint> points = growth_of_schemes(*spec.growth, results.runs);
-  write_page(place, growth_page(spec, points));
-  bool all = true;
-  for (const GrowthPoint& p : points) {
-    if (p.as_theory(!results.runs.empty())) continue;
-    all = false;
-    std::printf("differs: %s, %d substeps, omega H %g: growth in LIGGGHTS %.6g, coupling code %.6g, theory %.6g\n",
-                p.scheme.c_str(), p.substeps, p.omega_h, p.in_liggghts, p.measured, p.theory);
-  }
-  return all;
-}
-
 bool write_map(const SweepSpec& spec, const Results& results, const OutputPlace& place) {
-  const std::vector<Verdict> verdicts = verdicts_of(spec, results);
-  write_page(place, verdict_page(spec, verdicts));
-  const auto bad = std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return !v.as_expected; });
-  std::printf("%zu cases, %td not as expected\n", verdicts.size(), bad);
-  return bad == 0;
+  const std::vector<MapRow> rows = map_rows(spec, results);
+  const std::string page = map_page(spec, rows), file = path_of(place, place.name + ".md");
+  write_whole_file(file, page);
+  if (!place.table.empty()) write_whole_file(place.table, page);
+  const auto faults = std::count_if(rows.begin(), rows.end(), [](const MapRow& row) { return row.fault; });
+  std::printf("%s%s\n%zu cases, %td wrong without a warning, or without a message at their end\n", page.c_str(),
+              file.c_str(), rows.size(), faults);
+  return faults == 0;
 }
 
 // True when all [[expect]] are reproduced.
@@ -106,7 +89,6 @@ void require_results(const SweepSpec& spec, const std::string& folder) {
 }
 
 bool write_output(const SweepSpec& spec, const Plan& plan, const Results& results, const OutputPlace& place) {
-  if (spec.growth) return write_growth(spec, results, place);
   if (spec.is_map()) return write_map(spec, results, place);
   write_whole_file(path_of(place, "runs.csv"), run_table(spec, plan, results).csv());
   write_whole_file(path_of(place, "cases.csv"), case_table(spec, results.cases).csv());
@@ -271,8 +253,6 @@ int sweep_command(const SweepArguments& a) {
     throw InputError(code::kWrongSweep, a.file + ": has no drawn runs, expected --only RUN instead of --row");
   if (a.change) a.change(spec);
   if (!a.of_case.empty()) spec = with_curve(spec, a.of_case);
-  if (a.short_form && spec.growth && !spec.growth->short_omega_h.empty())
-    spec.growth->omega_h = spec.growth->short_omega_h;
   Plan plan = plan_of(spec, a.short_form);
   if (a.extend) a.extend(plan);
   const OutputPlace place = [&] {

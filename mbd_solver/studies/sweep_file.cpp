@@ -75,10 +75,9 @@ static void visit_fields(FieldVisitor& v, CurveSpec& c) {
   v.fields(kWords, {{"settings", &c.settings}, {"reference", &c.reference}, {"default", &c.default_value}});
   v.fields(kWords, {{"values", &c.values}, {"short", &c.short_values}, {"beside", &c.beside}});
   v.fields(rule::not_negative(), {{"until", &c.until}});
-  EndSpec& e = c.end;
-  v.fields(kWords, {{"ends", &e.ends}, {"columns", &e.columns}});
-  v.fields(rule::plain, {{"group", &e.group}, {"message", &e.message}, {"at_end", &e.at_end}});
-  v.fields(rule::not_negative(), {{"tolerance", &e.tolerance}, {"order_beyond", &e.order_beyond}});
+  v.fields(kWords, {{"columns", &c.map.columns}});
+  v.fields(rule::plain, {{"group", &c.map.group}, {"at_end", &c.map.at_end}});
+  v.fields(rule::not_negative(), {{"tolerance", &c.map.tolerance}});
 }
 
 static void visit_fields(FieldVisitor& v, ReferenceSpec& r) {
@@ -89,10 +88,6 @@ static void visit_fields(FieldVisitor& v, ReferenceSpec& r) {
 static void visit_fields(FieldVisitor& v, ShortSpec& s) {
   v.fields(rule::not_negative(), {{"until", &s.until}});
   v.fields(kWords, {{"settings", &s.settings}});
-}
-
-static void visit_fields(FieldVisitor& v, GrowthSpec& g) {
-  v.fields(rule::positive(), {{"omega_h", &g.omega_h}, {"short", &g.short_omega_h}, {"substeps", &g.substeps}});
 }
 
 void visit_fields(FieldVisitor& v, MetricSpec& f) {
@@ -108,12 +103,6 @@ void visit_fields(FieldVisitor& v, MetricSpec& f) {
 static void visit_fields(FieldVisitor& v, LimitSpec& l) {
   v.fields(rule::plain, {{"", &l.source}});
   v.fields(rule::required(), {{"figure", &l.metric}, {"most", &l.most}});
-}
-
-static void visit_fields(FieldVisitor& v, PublishedSpec& p) {
-  v.fields(rule::plain, {{"", &p.source}});
-  v.fields(rule::required(kWords), {{"name", &p.name}});
-  v.fields(kWords, {{"values", &p.values}});
 }
 
 static void visit_fields(FieldVisitor& v, CheckSpec& s) {
@@ -152,12 +141,10 @@ void visit_fields(FieldVisitor& v, SweepSpec& s) {
   v.fields(rule::positive(), {{"repeats", &s.repeats}});
   v.section("short", s.short_form);
   v.section("reference", s.reference);
-  v.section("growth", s.growth);
   v.list("parameters", s.parameters);
   v.list("curves", s.curves);
   v.list("figures", s.metrics);
   v.list("limits", s.limits);
-  v.list("printed", s.published_values);
   v.list("statements", s.checks);
   v.list("expect", s.expected);
   v.list("plots", s.plots);
@@ -335,16 +322,9 @@ class Checker {
   }
 
   void complete(CurveSpec& c) {
-    const std::vector<std::string>& ends = c.end.ends;
-    if (c.values.empty() && !ends.empty()) c.values = {""};  // one run
+    if (c.values.empty() && !c.map.group.empty()) c.values = {""};  // one run
     if (c.values.empty()) return wrong(code::kMissingKey, c.source, "values", "are missing");
     if (c.short_values == CurveSpec().short_values) c.short_values = {c.values.front()};
-    if (ends.size() > 1 && ends.size() != c.values.size())
-      wrong(code::kWrongCount, c.source, "ends", "expected one for all values, or one per value");
-    for (const std::string& end : ends)
-      if (!is_in({"accurate", "warned", "stopped", "refused"}, end))
-        wrong(code::kUnknownChoice, c.source, "ends",
-              "is \"" + end + "\", expected accurate, warned, stopped or refused");
     if (!c.beside.empty() && c.beside.size() != c.values.size())
       wrong(code::kWrongCount, c.source, "beside",
             "has " + std::to_string(c.beside.size()) + " entries, expected one for each of the " +
@@ -418,10 +398,8 @@ class Checker {
       return;
     }
     only("curves", !spec_.curves.empty());
-    only("growth", spec_.growth.has_value());
     only("reference", spec_.reference.has_value());
     only("limits", !spec_.limits.empty());
-    only("printed", !spec_.published_values.empty());
     only("statements", !spec_.checks.empty());
     only("plots", !spec_.plots.empty());
     only("fits", !spec_.fits.empty());
@@ -562,20 +540,14 @@ class Checker {
   }
 
   void check_runs() {
-    if (spec_.growth) {
-      for (const double n : spec_.growth->substeps)
-        if (n != std::floor(n)) wrong(code::kOutOfRange, spec_.source, "growth.substeps", "expected whole numbers");
-      if (spec_.growth->omega_h.empty()) wrong(code::kMissingKey, spec_.source, "growth.omega_h", "is missing");
-      return;
-    }
     if (spec_.curves.empty() && spec_.parameters.empty())
-      wrong(code::kMissingKey, spec_.source, "", "expected [[parameters]], [[curves]] or [growth]");
+      wrong(code::kMissingKey, spec_.source, "", "expected [[parameters]] or [[curves]]");
     bool scenes = !spec_.curves.empty();  // each curve names one
     for (const CurveSpec& curve : spec_.curves) {
       scenes = scenes && !curve.scene.empty();
-      if (curve.end.ends.empty() == spec_.is_map())
-        wrong(code::kConflictingKeys, curve.source, "ends", "expected ends for all curves, or for none");
-      if (!curve.end.columns.empty() && curve.reference.empty() && !spec_.reference)
+      if (curve.map.group.empty() == spec_.is_map())
+        wrong(code::kConflictingKeys, curve.source, "group", "expected a group for all curves, or for none");
+      if (!curve.map.columns.empty() && curve.reference.empty() && !spec_.reference)
         wrong(code::kNeedsOtherKey, curve.source, "columns", "have no reference to be compared with");
     }
     if (spec_.scene.empty() && !scenes) wrong(code::kMissingKey, spec_.source, "scene", "is missing");
@@ -599,14 +571,6 @@ class Checker {
     }
     for (const LimitSpec& limit : spec_.limits) require_metric(limit.source, "figure", limit.metric);
     if (!spec_.minimise.empty()) require_metric(spec_.source, "minimise", spec_.minimise);
-    for (const PublishedSpec& published : spec_.published_values) {
-      if (published.values.size() > spec_.metrics.size())
-        wrong(code::kWrongCount, published.source, "values", "has more values than there are [[figures]]");
-      for (const std::string& value : published.values)
-        if (!value.empty() && !number_in(value))
-          wrong(code::kWrongType, published.source, "values",
-                "has \"" + value + "\", expected numbers, or \"\" for none");
-    }
   }
 
   void check(const CheckSpec& s, const std::vector<std::string>& cases) {

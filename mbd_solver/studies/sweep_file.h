@@ -66,15 +66,12 @@ struct ParameterSpec {
   bool is_drawn() const { return distribution.kind.has_value(); }
 };
 
-// How the runs of a stability map must end: see Verdict in results.h.
-struct EndSpec {
-  std::vector<std::string> ends;     // one for all, or one per value; empty: not a stability map
-  std::string group;                 // heading in the table
-  std::string message;               // regular expression that warnings or the last message must match; empty: any
+// Of the runs of a stability map: see MapRow in results.h.
+struct MapSpec {
+  std::string group;                 // heading in the table; empty: not a stability map
   std::vector<std::string> columns;  // of history.csv, compared with the reference; empty: judged by energy
   bool at_end = false;               // compare the last row only
   double tolerance = 0.02;           // of the error, over the reference's range [-]
-  double order_beyond = 0.0;  // from this value on errors grow at most in proportion to the value; 0: not checked
 };
 
 // [[curves]]: their values are cases, one after the other.
@@ -87,7 +84,7 @@ struct CurveSpec {
   std::string default_value;                     // the value that the scene has; empty: none of them
   double scale = 1.0;                            // x = scale value
   double until = 0.0;                            // [s]; 0: the sweep's
-  EndSpec end;
+  MapSpec map;
   Source source;
 };
 
@@ -115,13 +112,6 @@ struct PlotSpec {
   std::string name, title, column, label;
 };
 
-// [[printed]]: published values of the metrics, in the order of [[figures]].
-struct PublishedSpec {
-  std::string name;
-  std::vector<std::string> values;  // numbers; empty: not published
-  Source source;
-};
-
 // [[statements]] and [[expect]]: bounds of a metric of a case; with `order` or `error`, of a curve.
 struct CheckSpec {
   std::string text, metric, why;  // why: explanation, shown where the check is not reproduced
@@ -133,12 +123,6 @@ struct CheckSpec {
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
   bool must = false;  // [[expect]]: exit code 1 unless reproduced
   Source source;
-};
-
-// [growth]: growth per window instead of all the above: window_growth.h.
-struct GrowthSpec {
-  std::vector<double> omega_h, short_omega_h;  // [-]; short_omega_h empty: all
-  std::vector<double> substeps = {20.0};       // DEM steps per window, whole numbers
 };
 
 struct FitFactor {
@@ -202,11 +186,9 @@ struct SweepSpec {
   std::optional<ReferenceSpec> reference;
   std::vector<MetricSpec> metrics;  // [[figures]]
   std::vector<LimitSpec> limits;
-  std::vector<PublishedSpec> published_values;
   std::vector<CheckSpec> checks, expected;  // those of [[expect]] are in both
   std::vector<PlotSpec> plots;
   std::vector<FitSpec> fits;
-  std::optional<GrowthSpec> growth;
   // A campaign: drawn runs.
   int runs = 0;  // of each case; 0: not a campaign
   Design design = Design::kRandom;
@@ -219,7 +201,7 @@ struct SweepSpec {
   Source source;
 
   bool is_campaign() const { return runs > 0; }
-  bool is_map() const { return !curves.empty() && !curves.front().end.ends.empty(); }
+  bool is_map() const { return !curves.empty() && !curves.front().map.group.empty(); }
 };
 
 // Texts that may be written as numbers.

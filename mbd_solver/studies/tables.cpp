@@ -144,13 +144,6 @@ std::string case_page(const SweepSpec& spec, const std::vector<CaseResult>& case
   append(head, names_in(spec.metrics));
   if (limits) head.push_back("within the limits");
   Table table(head);
-  for (const PublishedSpec& published_values : spec.published_values) {
-    std::vector<std::string> row = {published_values.name};
-    for (const std::string& value : published_values.values)
-      row.push_back(value.empty() ? "" : rounded(*number_in(value)));
-    row.resize(head.size());
-    table.add(row);
-  }
   for (const CaseResult& c : cases) {
     std::vector<std::string> row = {c.plan.name};
     for (const SampledMetric& f : c.metrics)

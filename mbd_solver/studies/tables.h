@@ -51,8 +51,7 @@ std::string percent(double share);
 // The number that a text is; nothing if it is anything else.
 std::optional<double> number_in(const std::string& text);
 
-// Runs, cases and checks. The pages have published values, the command that makes them, and explanations of checks that are
-// not reproduced.
+// Runs, cases and checks. The pages have the command that makes them, and explanations of checks that are not reproduced.
 Table run_table(const SweepSpec& spec, const Plan& plan, const Results& results);
 Table case_table(const SweepSpec& spec, const std::vector<CaseResult>& cases);
 std::string case_page(const SweepSpec& spec, const std::vector<CaseResult>& cases);

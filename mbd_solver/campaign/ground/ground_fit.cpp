@@ -546,9 +546,8 @@ int ground_command(const GroundArguments& a) {
     e.again.push_back(setting);
   }
   e.change = [&](SweepSpec& spec) {
-    if (!spec.curves.empty() || spec.growth || spec.parameters.empty())
-      throw InputError(code::kGroundFit,
-                       spec.file + ": a fit requires [[parameters]], without [[curves]] and [growth]");
+    if (!spec.curves.empty() || spec.parameters.empty())
+      throw InputError(code::kGroundFit, spec.file + ": a fit requires [[parameters]], without [[curves]]");
     spec.settings.insert(spec.settings.end(), a.settings.begin(), a.settings.end());
     spec.short_form.settings.insert(spec.short_form.settings.end(), a.settings.begin(), a.settings.end());
   };

@@ -162,6 +162,21 @@ TEST(WindowMap, CssTrapezoidKeepsAMotionAndFrozenPumpsIt) {
   }
 }
 
+// Numbers of docs/explanation: theory 7.3, and omega H = 2.1 of coupling.md.
+TEST(WindowMap, GrowthIsThatOfThePages) {
+  const double digits = 0.005;  // of the pages, at most two after the point
+  const auto expect = [&](const char* scheme, double omega_h, std::initializer_list<std::pair<int, double>> growths) {
+    for (const auto& [n, growth] : growths)
+      EXPECT_NEAR(predicted_growth(*make_scheme(scheme), omega_h, n), growth, digits) << scheme << ", " << n;
+  };
+  expect("css-trapezoid", 1.0, {{1, 1.138}, {3, 1.014}, {20, 1.0003}});
+  expect("css", 1.0, {{1, 0.707}, {3, 0.885}, {20, 0.981}});
+  expect("quadratic", 1.0, {{1, 0.707}, {3, 0.920}, {20, 0.930}});
+  expect("css-trapezoid", 2.1, {{20, 1.87}});
+  expect("frozen", 2.1, {{20, 1.79}});
+  expect("tangent", 2.1, {{20, 0.63}});
+}
+
 // The scheme `tangent` on the body's side.
 
 // [kg, kg m2]

@@ -22,7 +22,6 @@
 #include "mbd_solver/studies/run_store.h"
 #include "mbd_solver/studies/sweep_file.h"
 #include "mbd_solver/studies/tables.h"
-#include "mbd_solver/studies/window_growth.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/studies/text_file.h"
 
@@ -88,7 +87,7 @@ TEST(ReadExperiment, SaysWhatIsWrongWithCurvesAndFigures) {
   EXPECT_THAT(complaint(curve + figure + "columns = [\"a\"]\nreduce = \"mean\"\n"), HasSubstr("\"mean\""));
 }
 
-TEST(ReadExperiment, SaysWhatIsWrongWithStatementsAndPrintedFigures) {
+TEST(ReadExperiment, SaysWhatIsWrongWithStatements) {
   const std::string figure =
       "[[parameters]]\nname = \"speed\"\nvalues = [1, 2]\nsettings = [\"x={value}\"]\n"
       "[[figures]]\nname = \"peak\"\nkey = \"peak_acceleration_g\"\n";
@@ -99,20 +98,23 @@ TEST(ReadExperiment, SaysWhatIsWrongWithStatementsAndPrintedFigures) {
   EXPECT_THAT(complaint(statement + "case = \"speed 7\"\nmost = 3\n"), HasSubstr("\"speed 7\""));
   EXPECT_THAT(complaint(figure + "[[statements]]\ntext = \"t\"\nfigure = \"force\"\ncase = \"speed 1\"\nmost = 3\n"),
               HasSubstr("\"force\""));
-  EXPECT_NE(complaint(figure + "[[printed]]\nname = \"p\"\nvalues = [1, 2]\n"), "");
-  EXPECT_THAT(complaint(figure + "[[printed]]\nname = \"p\"\nvalues = [\"much\"]\n"), HasSubstr("\"much\""));
   EXPECT_NE(complaint(figure + "[[figures]]\nname = \"f\"\ncolumns = [\"x\"]\nreduce = \"mean\"\n"), "");
   EXPECT_NE(complaint(figure + "[[figures]]\nname = \"f\"\nkey = \"x\"\naverage = true\n"), "");
 }
 
-TEST(ReadExperiment, SaysWhatIsWrongWithWaysToEnd) {
+TEST(ReadExperiment, SaysWhatIsWrongWithStabilityMaps) {
   const std::string curve = "[[curves]]\nname = \"c\"\nsettings = [\"x={value}\"]\nvalues = [1, 2]\n";
-  EXPECT_EQ(complaint(curve + "ends = [\"stopped\", \"warned\"]\n"), "");
-  EXPECT_EQ(complaint("[[curves]]\nname = \"c\"\nends = \"stopped\"\n"), "");  // one run
-  EXPECT_NE(complaint(curve + "ends = \"broken\"\n"), "");
-  EXPECT_NE(complaint(curve + "ends = [\"warned\", \"warned\", \"warned\"]\n"), "");
-  EXPECT_NE(complaint(curve + "ends = \"warned\"\ncolumns = \"a\"\n"), "");
-  EXPECT_NE(complaint(curve + "ends = \"warned\"\n[[curves]]\nname = \"d\"\nvalues = 1\n"), "");
+  EXPECT_EQ(complaint(curve + "group = \"g\"\n"), "");
+  EXPECT_EQ(complaint("[[curves]]\nname = \"c\"\ngroup = \"g\"\n"), "");  // one run
+  EXPECT_NE(complaint(curve + "group = \"g\"\ncolumns = \"a\"\n"), "");
+  EXPECT_NE(complaint(curve + "group = \"g\"\n[[curves]]\nname = \"d\"\nvalues = 1\n"), "");
+}
+
+TEST(ReadExperiment, KeysThatAreGoneAreUnknown) {
+  const std::string curve = "[[curves]]\nname = \"c\"\ngroup = \"g\"\n";
+  for (const char* lines :
+       {"ends = \"stopped\"\n", "order_beyond = 2\n", "message = \"m\"\n", "[growth]\n", "[[printed]]\n"})
+    EXPECT_THAT(complaint(curve + lines), HasSubstr("E0103")) << lines;
 }
 
 TEST(ReadExperiment, ExpectationsOfACurveAreOrdersOrErrors) {
@@ -182,10 +184,9 @@ TEST(ExperimentSchema, TakesEveryShippedExperiment) {
 TEST(ExperimentSchema, HoldsTheKeysOfEverySection) {
   const Json s = schema()["properties"];
   EXPECT_TRUE(s["parameters"]["items"]["properties"]["choices"]["items"]["properties"].contains("settings"));
-  EXPECT_TRUE(s["curves"]["items"]["properties"].contains("order_beyond"));
+  EXPECT_TRUE(s["curves"]["items"]["properties"].contains("tolerance"));
   EXPECT_TRUE(s["figures"]["items"]["properties"]["reduce"].contains("enum"));
   EXPECT_TRUE(s["fits"]["items"]["properties"]["factors"]["items"]["properties"].contains("published"));
-  EXPECT_TRUE(s["growth"]["properties"].contains("substeps"));
   EXPECT_EQ(
       wrong(parse_toml_file(std::string(FOOTFALL_SOURCE_DIR) + "/inputs/dropped_sphere/scene.toml"), schema(), ""),
       ": knows no bodies");
@@ -804,28 +805,62 @@ TEST(Recommendation, LinesOfThePage) {
   EXPECT_THAT(page, HasSubstr(" 4 by 0.50 times that"));
 }
 
-// mbd_solver/studies/window_growth.h: growth per window from the values of a motion.
+// Stability maps: how a run ended, by its exit code, its message and its files.
 
-std::vector<double> sampled(int count, double (*f)(int)) {
-  std::vector<double> v;
-  for (int k = 0; k < count; ++k) v.push_back(f(k));
-  return v;
+class StabilityMap : public ::testing::Test {
+ protected:
+  StabilityMap() {
+    spec.file = "/inputs/accuracy/map.toml";
+    spec.folder = "/inputs/accuracy";
+    spec.title = "Map";
+    spec.curves.resize(1);
+    spec.curves[0].name = "pad";
+    spec.curves[0].map.group = "Windows";
+    results.runs.resize(1);
+    results.cases.resize(1);
+    results.cases[0].plan.curve = 0;
+    results.cases[0].plan.value = "5";
+    results.cases[0].plan.runs = {0};
+    RunEnd& end = results.runs[0].end;
+    end.folder = folder.file("run");
+    std::filesystem::create_directory(end.folder);
+    write({1.0, 1.0});
+    end.summary["reference_energy_J"] = 1.0;
+  }
+  void write(const std::vector<double>& energies) {
+    std::ofstream history(folder.file("run/history.csv"));
+    history << "# units: s,J\ntime,energy.total\n";
+    for (std::size_t k = 0; k < energies.size(); ++k) history << k << "," << energies[k] << "\n";
+  }
+  MapRow row(int code = 0, const std::string& message = "", const std::vector<std::string>& warnings = {}) {
+    results.runs[0].end.code = code;
+    results.runs[0].end.message = message;
+    results.runs[0].end.warnings = warnings;
+    return map_rows(spec, results).at(0);
+  }
+  const TemporaryFolder folder;
+  SweepSpec spec;
+  Results results;
+};
+
+TEST_F(StabilityMap, ShowsHowEveryRunEnded) {
+  EXPECT_EQ(row().end, "accurate");
+  EXPECT_EQ(row(0, "", {"stiff"}).end, "warned");
+  EXPECT_EQ(row(1, "unstable").end, "stopped");
+  EXPECT_EQ(row(2, "no such body").end, "refused");
+  EXPECT_FALSE(row().fault || row(0, "", {"stiff"}).fault || row(1, "unstable").fault || row(2, "no body").fault);
+  EXPECT_THAT(map_page(spec, {row(1, "unstable")}), HasSubstr("## Windows\n\n| case | value | end | result |\n"
+                                                              "|---|---|---|---|\n| pad | 5 | stopped | unstable |\n"));
 }
 
-TEST(GrowthOfSeries, OscillationThatNeitherGrowsNorDecays) {
-  EXPECT_NEAR(growth_of_series(sampled(200, [](int k) { return std::cos(0.3 * k + 0.1); })), 1.0, 1e-9);
+TEST_F(StabilityMap, AFaultIsAnEndWithoutAWordOrAWrongResultWithoutAWarning) {
+  EXPECT_TRUE(row(1).fault);
+  EXPECT_TRUE(row(RunEnd::kHung, "hangs").fault);
+  EXPECT_TRUE(row(139, "signal 11").fault);
+  write({1.0, 1.5});  // half of the reference energy is created
+  EXPECT_TRUE(row().fault);
+  EXPECT_FALSE(row(0, "", {"the coupling added energy"}).fault);
 }
-
-TEST(GrowthOfSeries, OscillationThatDecaysAlthoughItPassesThroughZero) {
-  EXPECT_NEAR(growth_of_series(sampled(60, [](int k) { return std::pow(0.8, k) * std::cos(1.3 * k); })), 0.8, 1e-9);
-}
-
-TEST(GrowthOfSeries, AlternatingGrowthBesideADecayingPart) {
-  EXPECT_NEAR(growth_of_series(sampled(6, [](int k) { return std::pow(-97.0, k) + 5.0 * std::pow(0.5, k); })), 97.0,
-              1e-3);
-}
-
-TEST(GrowthOfSeries, TooShortAMotionTellsNothing) { EXPECT_TRUE(std::isnan(growth_of_series({1.0, 2.0, 4.0}))); }
 
 }  // namespace
 }  // namespace footfall
