@@ -40,7 +40,7 @@ double number_of(const ParameterSpec& p, double value) {
 }
 
 std::string text_of(const ParameterSpec& p, double value) {
-  return p.choices.empty() ? number_text(value, 10) : p.choices[static_cast<std::size_t>(value)].name;
+  return p.choices.empty() ? exact_text(value) : p.choices[static_cast<std::size_t>(value)].name;
 }
 
 }  // namespace
@@ -176,6 +176,7 @@ std::string Campaign::recipe() const {
       text << '\n' << choice.name << ' ' << choice.scene << ' ' << joined(choice.settings, "\n");
     text << '\n';
   }
+  for (const double value : draws_.values(0)) put(value);  // by another OpenTURNS it may have other digits
   for (const CorrelationSpec& c : spec_.correlations) text << joined(c.between) << ' ' << c.rank << '\n';
   for (const MetricSpec& m : spec_.metrics) {
     text << m.name << ' ' << m.key << ' ' << joined(m.columns) << ' ' << name_of(m.reduction) << ' ' << m.average << ' '

@@ -37,8 +37,6 @@
 #include <random>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/number.h"
-#include "coupler/base/text.h"
 #include "mbd_solver/scene/codes.h"
 
 namespace footfall {
@@ -192,8 +190,7 @@ Draws::Draws(const SweepSpec& spec)
   }
   for (const auto& row : units_) {
     std::vector<double> values(width);
-    for (std::size_t k = 0; k < width; ++k)
-      values[k] = read_number(number_text(laws[k].computeQuantile(row[k])[0], 10).c_str(), nullptr);
+    for (std::size_t k = 0; k < width; ++k) values[k] = laws[k].computeQuantile(row[k])[0];
     values_.push_back(values);
   }
 }

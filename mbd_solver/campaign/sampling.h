@@ -20,7 +20,7 @@ class Draws {
 
   std::size_t count() const { return values_.size(); }                                 // runs of a case
   const std::vector<std::size_t>& parameters() const { return parameters_; }           // of SweepSpec::parameters
-  const std::vector<double>& values(std::size_t run) const { return values_[run]; }    // ten digits; discrete: place
+  const std::vector<double>& values(std::size_t run) const { return values_[run]; }    // of a discrete one its place
   const std::vector<double>& positions(std::size_t run) const { return units_[run]; }  // quantiles, 0 to 1
   std::uint32_t seed(std::size_t run) const;  // of the run, below 2^31; different in every run
   bool independent() const { return independent_; }

@@ -321,7 +321,10 @@ double CalibrationParameter::position(double value) const {
                                       : std::log(value / least) / std::log(most / least);
 }
 
-std::string CalibrationParameter::text(double u) const { return number_text(value(u), 10); }
+// Records of runs are known by these digits (docs/data/calibration).
+static std::string ten_digits(double value) { return number_text(value, 10); }
+
+std::string CalibrationParameter::text(double u) const { return ten_digits(value(u)); }
 
 double distance(const UnitPoint& a, const UnitPoint& b) {
   double sum = 0.0;
@@ -340,7 +343,7 @@ std::vector<std::string> with_formulas(std::vector<std::string> texts, const Cal
   NamedValues values;
   for (std::size_t i = 0; i < point.size(); ++i)
     values[spec.parameters[i].name] = read_number(spec.parameters[i].text(point[i]).c_str(), nullptr);
-  return with_formulas(std::move(texts), values);
+  return with_formulas(std::move(texts), values, ten_digits);
 }
 
 double violation_of(const CalibrationSpec& spec, const UnitPoint& point) {

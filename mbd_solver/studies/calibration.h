@@ -44,7 +44,7 @@ struct CalibrationParameter {
   // Between a value and its position u in the range, 0 to 1.
   double value(double u) const;
   double position(double value) const;
-  std::string text(double u) const;  // the value as runs get it: ten digits
+  std::string text(double u) const;  // the value as runs and formulas get it: ten digits
 };
 
 // [[scenes]]: runs for each set of parameters.
@@ -134,7 +134,7 @@ std::string calibration_schema();
 UnitPoint start_of(const CalibrationSpec& spec);
 double distance(const UnitPoint& a, const UnitPoint& b);  // Euclidean
 
-// Replaces "{= formula}" in every text by its value with these parameters. Throws InputError.
+// Replaces "{= formula}" in every text by its value with these parameters, in ten digits. Throws InputError.
 std::vector<std::string> with_formulas(std::vector<std::string> texts, const CalibrationSpec& spec,
                                        const UnitPoint& point);
 // 0: all constraints hold; otherwise the sum of violations over their bounds.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/named_file.h"
@@ -640,8 +641,15 @@ std::string formula_name(const std::string& name) {
   return text;
 }
 
+std::string exact_text(double value) {
+  std::string text;
+  for (int digits = 15; digits <= 17; ++digits)
+    if (text = number_text(value, digits); read_number(text.c_str(), nullptr) == value) break;
+  return text;
+}
+
 std::vector<std::string> with_formulas(std::vector<std::string> texts, std::map<std::string, double>& values,
-                                       int digits) {
+                                       std::string (*written)(double)) {
   std::vector<std::string> known;
   for (const auto& [name, value] : values) known.push_back(name);
   for (std::string& text : texts)
@@ -654,7 +662,7 @@ std::vector<std::string> with_formulas(std::vector<std::string> texts, std::map<
         if (values.find(name) == values.end())
           throw InputError(code::kStudyFormula, "\"" + formula + "\": unknown parameter \"" + name + "\"." +
                                                     known_names("parameters", name, known));
-      text.replace(at, end + 1 - at, number_text(Expression(formula, values).value(), digits));
+      text.replace(at, end + 1 - at, written(Expression(formula, values).value()));
     }
   return texts;
 }

@@ -217,9 +217,11 @@ inline constexpr const char* kFormulaMark = "{=";
 bool is_formula_name(const std::string& name);  // letters, digits and _, without a leading digit
 // The name of a metric or parameter in formulas: "peak acceleration [g]" is peak_acceleration.
 std::string formula_name(const std::string& name);
-// Replaces every "{= formula}" in the texts by its value. Throws InputError.
+// With as many digits, 15 to 17, as it takes to read back the same number: "0.1", "2147483647".
+std::string exact_text(double value);
+// Replaces every "{= formula}" in the texts by its value, as `written` writes it. Throws InputError.
 std::vector<std::string> with_formulas(std::vector<std::string> texts, std::map<std::string, double>& values,
-                                       int digits = 10);
+                                       std::string (*written)(double) = exact_text);
 inline constexpr double kMostRuns = 1e5;  // of one file
 
 // Replaces "{value}", or another mark, in every text.

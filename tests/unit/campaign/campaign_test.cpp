@@ -10,6 +10,8 @@
 #include <set>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/number.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/campaign/campaign.h"
 #include "mbd_solver/campaign/campaign_page.h"
@@ -325,6 +327,26 @@ TEST_F(CampaignOfTheTipOver, IsNotEndedByAFirstDrawThatTheSceneRefuses) {
   EXPECT_FALSE(campaign.recipe().empty());
   spec_.settings.push_back("bodies.body.mass=-1");
   EXPECT_THROW(Campaign(spec_, true).recipe(), InputError) << "all draws are refused";
+}
+
+// From the draw to the scene, the outcome and the table.
+TEST_F(CampaignOfTheTipOver, HasTheSameBitsInTheDrawTheRunTheOutcomeAndTheTable) {
+  spec_.settings.push_back("end_time={= exp(v) / 3}");
+  spec_.outcomes = {{"differs", "turn != exp(v) / 3", {}}};
+  const Campaign campaign(spec_, false), resumed(spec_, false);
+  int of_more_than_ten_digits = 0;
+  for (std::size_t row = 0; row < campaign.size(); ++row) {
+    const double v = campaign.draws().values(row)[0];
+    const RunRequest request = campaign.request(row);
+    const Scene scene = read_scene(request.scene, request.settings);
+    EXPECT_EQ(scene.initial.velocity.x(), v);
+    EXPECT_EQ(scene.end_time, std::exp(v) / 3.0);
+    EXPECT_EQ(campaign.outcomes_of(row, {scene.end_time}), std::vector<int>{0});
+    EXPECT_EQ(read_number(campaign.drawn_values(row)[0].c_str(), nullptr), v);
+    EXPECT_EQ(resumed.draws().values(row)[0], v);
+    of_more_than_ten_digits += number_text(v, 10) != exact_text(v) ? 1 : 0;
+  }
+  EXPECT_GT(of_more_than_ten_digits, 190) << "of 200 draws";
 }
 
 TEST(CampaignRow, OfAProgramThatWasEndedFromOutsideIsNoResult) {

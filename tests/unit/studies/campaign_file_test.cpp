@@ -87,5 +87,13 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"[[outcomes]]", "[check]\nsettings = [\"a=1\"]\nruns = 1\n[[outcomes]]", "E0105"},
         Fault{"name = \"peak acceleration [g]\"", "name = \"[g]\"", "E0116"}));
 
+TEST(ExactText, ReadsBackTheSameNumberInTheFewestDigits) {
+  for (const double x : {0.1, 1.0 / 3.0, -2.0 / 3.0, 1e-300, 5e-324, 1.7976931348623157e308, 0.1 + 0.2})
+    EXPECT_EQ(std::strtod(exact_text(x).c_str(), nullptr), x);
+  EXPECT_EQ(exact_text(0.1), "0.1");
+  EXPECT_EQ(exact_text(2147483647.0), "2147483647");
+  EXPECT_EQ(exact_text(0.1 + 0.2), "0.30000000000000004");
+}
+
 }  // namespace
 }  // namespace footfall
