@@ -29,7 +29,7 @@ constexpr std::size_t kTried = 50;                // draws, for one whose scene 
 
 SweepSpec shortened(SweepSpec spec, bool short_form) {
   if (short_form) spec.runs = std::min(spec.runs, kShortRuns);
-  if (short_form && spec.ground_check) spec.ground_check->runs = std::min(spec.ground_check->runs, 2);
+  if (short_form && spec.better_model) spec.better_model->runs = std::min(spec.better_model->runs, 2);
   return spec;
 }
 
@@ -114,11 +114,11 @@ std::vector<std::string> Campaign::drawn_values(std::size_t row) const {
   return texts;
 }
 
-std::vector<int> Campaign::outcomes_of(std::size_t row, const std::vector<double>& figures) const {
+std::vector<int> Campaign::outcomes_of(std::size_t row, const std::vector<double>& metrics) const {
   std::vector<int> outcomes(spec_.outcomes.size(), -1);
-  if (figures.empty()) return outcomes;
+  if (metrics.empty()) return outcomes;
   NamedValues values = values_of(draw_of(row));
-  for (std::size_t k = 0; k < figures.size(); ++k) values[formula_name(spec_.metrics[k].name)] = figures[k];
+  for (std::size_t k = 0; k < metrics.size(); ++k) values[formula_name(spec_.metrics[k].name)] = metrics[k];
   for (std::size_t k = 0; k < outcomes.size(); ++k) {
     const std::string& when = spec_.outcomes[k].when;
     const std::vector<std::string> names = Expression::names_in(when);
@@ -132,7 +132,7 @@ std::vector<int> Campaign::outcomes_of(std::size_t row, const std::vector<double
 }
 
 void Campaign::set(std::size_t k, CampaignRow row) {
-  row.outcomes = outcomes_of(k, row.figures);
+  row.outcomes = outcomes_of(k, row.metrics);
   rows_[k] = std::move(row);
   look_for_end();
 }
@@ -211,9 +211,9 @@ std::vector<RepeatedRun> rows_to_keep(const Campaign& campaign, std::size_t most
   for (std::size_t k = 0; k < spec.metrics.size(); ++k)
     for (const bool largest : {true, false}) {
       List list{(largest ? "largest " : "least ") + spec.metrics[k].name, {}};
-      const auto value = [&](std::size_t row) { return campaign.row(row).figures[k]; };
+      const auto value = [&](std::size_t row) { return campaign.row(row).metrics[k]; };
       for (std::size_t row = 0; row < count; ++row)
-        if (!campaign.row(row).figures.empty() && std::isfinite(value(row))) list.rows.push_back(row);
+        if (!campaign.row(row).metrics.empty() && std::isfinite(value(row))) list.rows.push_back(row);
       std::stable_sort(list.rows.begin(), list.rows.end(), [&](std::size_t a, std::size_t b) {
         return largest ? value(a) > value(b) : value(a) < value(b);
       });

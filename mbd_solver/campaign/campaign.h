@@ -18,7 +18,7 @@ namespace footfall {
 struct CampaignRow {
   int code = -1;                // exit code of the run; -1: not done
   std::string message;          // of a run without result
-  std::vector<double> figures;  // as SweepSpec::metrics; empty without result
+  std::vector<double> metrics;  // as SweepSpec::metrics; empty without result
   std::vector<int> outcomes;    // as SweepSpec::outcomes; -1: unknown
 
   bool is_done() const { return code >= 0; }
@@ -45,8 +45,8 @@ class Campaign {
 
   const CampaignRow& row(std::size_t k) const { return rows_[k]; }
   void set(std::size_t k, CampaignRow row);  // evaluates its outcomes
-  // Outcomes of a run with these figures.
-  std::vector<int> outcomes_of(std::size_t row, const std::vector<double>& figures) const;
+  // Outcomes of a run with these metrics.
+  std::vector<int> outcomes_of(std::size_t row, const std::vector<double>& metrics) const;
   std::vector<std::string> case_values(std::size_t row) const;   // of the parameters that are not drawn
   std::vector<std::string> drawn_values(std::size_t row) const;  // as text
 
@@ -74,10 +74,10 @@ class Campaign {
 struct RepeatedRun {
   std::size_t row = 0;
   std::string why, folder;
-  std::vector<double> figures;  // empty: it failed
+  std::vector<double> metrics;  // empty: it failed
 };
 
-// Rows worth looking at, at most `most`: without result, with an outcome, or with the least or largest value of a figure.
+// Rows worth looking at, at most `most`: without result, with an outcome, or with the least or largest value of a metric.
 std::vector<RepeatedRun> rows_to_keep(const Campaign& campaign, std::size_t most);
 
 // Runs, and writes the results into the folder. As sweep_command.

@@ -43,7 +43,7 @@ namespace {
 constexpr std::size_t kElements = 100;  // of a Slurm job array
 constexpr const char* kJournal = "footfall campaign ";
 
-// Results as they come: a line "row TAB code TAB figures ... TAB message" each. An incomplete last line is dropped.
+// Results as they come: a line "row TAB code TAB metrics ... TAB message" each. An incomplete last line is dropped.
 class Journal {
  public:
   Journal(const std::string& path, const std::string& recipe) {
@@ -63,9 +63,9 @@ class Journal {
 
   void write(std::size_t row, const CampaignRow& r) {
     std::string line = std::to_string(row) + '\t' + std::to_string(r.code);
-    for (const double figure : r.figures) {
+    for (const double metric : r.metrics) {
       line += '\t';
-      append_number(line, figure, 17);
+      append_number(line, metric, 17);
     }
     std::string message = r.message;
     std::replace_if(
@@ -102,7 +102,7 @@ std::set<std::size_t> read_journals(const std::string& folder, const std::string
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (entry.path().extension() == ".journal") files.push_back(entry.path().string());
   std::sort(files.begin(), files.end());
-  const std::size_t figures = campaign.spec().metrics.size();
+  const std::size_t metrics = campaign.spec().metrics.size();
   for (const std::string& file : files) {
     const std::string text = read_whole_file(file).value_or("");
     std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
@@ -115,9 +115,9 @@ std::set<std::size_t> read_journals(const std::string& folder, const std::string
       const std::size_t row = std::strtoul(cells[0].c_str(), nullptr, 10);
       CampaignRow r;
       r.code = std::atoi(cells[1].c_str());
-      const std::size_t numbers = r.code == kExitDone ? figures : 0;
+      const std::size_t numbers = r.code == kExitDone ? metrics : 0;
       if (row >= campaign.size() || cells.size() < 2 + numbers) continue;
-      for (std::size_t k = 0; k < numbers; ++k) r.figures.push_back(read_number(cells[2 + k].c_str(), nullptr));
+      for (std::size_t k = 0; k < numbers; ++k) r.metrics.push_back(read_number(cells[2 + k].c_str(), nullptr));
       if (cells.size() > 2 + numbers) r.message = cells[2 + numbers];
       if (r.is_lost()) {
         if (!campaign.row(row).is_done()) lost.insert(row);
@@ -199,7 +199,7 @@ class CampaignRun {
     return whole;
   }
 
-  // Repeats rows with all their files; the figures must be those of the table. False when interrupted.
+  // Repeats rows with all their files; the metrics must be those of the table. False when interrupted.
   bool repeat(std::vector<RepeatedRun>& runs, const std::string& where) {
     RunStore store((fs::path(folder_) / where).string(), true);
     std::vector<std::size_t> numbers;
@@ -222,7 +222,7 @@ class CampaignRun {
     for (std::size_t k = 0; k < runs.size(); ++k) {
       if (runs[k].folder.empty()) continue;
       if (store.end_of(numbers[k]).code == kExitDone)
-        runs[k].figures = metrics_of_run(campaign_.spec().metrics, runs[k].folder, campaign_.spec().file);
+        runs[k].metrics = metrics_of_run(campaign_.spec().metrics, runs[k].folder, campaign_.spec().file);
       if (same(runs[k])) continue;
       ++differing_;
       std::fprintf(
@@ -243,9 +243,9 @@ class CampaignRun {
 
   bool same(const RepeatedRun& run) const {
     const CampaignRow& row = campaign_.row(run.row);
-    if (row.figures.size() != run.figures.size()) return false;
-    for (std::size_t k = 0; k < row.figures.size(); ++k)
-      if (!(row.figures[k] == run.figures[k]) && !(std::isnan(row.figures[k]) && std::isnan(run.figures[k])))
+    if (row.metrics.size() != run.metrics.size()) return false;
+    for (std::size_t k = 0; k < row.metrics.size(); ++k)
+      if (!(row.metrics[k] == run.metrics[k]) && !(std::isnan(row.metrics[k]) && std::isnan(run.metrics[k])))
         return false;
     return true;
   }
@@ -282,7 +282,7 @@ class CampaignRun {
       r.code = answer->code;
       r.message = answer->message;
       if (r.code == kExitDone)
-        r.figures = metrics_of_run(campaign_.spec().metrics, answer->folder, campaign_.spec().file);
+        r.metrics = metrics_of_run(campaign_.spec().metrics, answer->folder, campaign_.spec().file);
       record(answer->run, std::move(r));
     }
     return true;
@@ -311,7 +311,7 @@ class CampaignRun {
         // Its time limit kills a run that does not end when it is asked to.
         if (r.code == 128 + SIGKILL && campaign_.spec().time_limit > 0) r.code = RunEnd::kHung;
         if (end.code == kExitDone)
-          r.figures = metrics_of_run(campaign_.spec().metrics, end.folder, campaign_.spec().file);
+          r.metrics = metrics_of_run(campaign_.spec().metrics, end.folder, campaign_.spec().file);
         record(rows[k], std::move(r));
       }
     }
@@ -327,9 +327,9 @@ class CampaignRun {
 };
 
 // The runs of [check] of one case: most where the outcome is uncertain. False when interrupted.
-bool check_case(const Campaign& campaign, const std::string& folder, int jobs, GroundCheckResult& result) {
+bool run_better_model(const Campaign& campaign, const std::string& folder, int jobs, BetterModelResult& result) {
   const SweepSpec& spec = campaign.spec();
-  const GroundCheckSpec& check = *spec.ground_check;
+  const BetterModelSpec& check = *spec.better_model;
   const std::size_t outcome =
       check.outcome.empty() ? 0 : static_cast<std::size_t>(index_of(spec.outcomes, check.outcome));
   std::vector<std::size_t> rows;
@@ -348,10 +348,10 @@ bool check_case(const Campaign& campaign, const std::string& folder, int jobs, G
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (double& w : weights)
     w = (sum > 0.0 ? (1.0 - check.far) * w / sum : 0.0) + std::max(check.far, 0.01) / static_cast<double>(rows.size());
-  result.drawn = draw_checked(weights, check.runs, static_cast<std::uint64_t>(spec.seed) + 1);
+  result.drawn = draw_by_groups(weights, check.runs, static_cast<std::uint64_t>(spec.seed) + 1);
   RunStore store((fs::path(folder) / "check").string(), true);
   std::vector<std::size_t> numbers;
-  for (const CheckedRun& drawn : result.drawn) {
+  for (const GroupDraw& drawn : result.drawn) {
     RunRequest r = campaign.request(rows[drawn.run], check.settings);
     if (!check.scene.empty()) r.scene = check.scene;
     if (check.until > 0.0) r.until = check.until;
@@ -367,10 +367,10 @@ bool check_case(const Campaign& campaign, const std::string& folder, int jobs, G
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     RepeatedRun& run = result.runs[k];
     if (const RunEnd& end = store.end_of(numbers[k]); end.code == kExitDone)
-      run.figures = metrics_of_run(spec.metrics, run.folder, spec.file);
+      run.metrics = metrics_of_run(spec.metrics, run.folder, spec.file);
     else
       std::printf("row %zu in the check ended with exit code %d: %s\n", run.row, end.code, end.message.c_str());
-    result.better.push_back(campaign.outcomes_of(run.row, run.figures)[outcome]);
+    result.better.push_back(campaign.outcomes_of(run.row, run.metrics)[outcome]);
   }
   result.levels = two_levels(cheap, result.drawn, result.better);
   return true;
@@ -504,11 +504,11 @@ int campaign_command(const SweepArguments& a) {
   write_whole_file((fs::path(folder) / "runs.csv").string(), campaign_table(campaign).csv());
   std::vector<RepeatedRun> kept = rows_to_keep(campaign, static_cast<std::size_t>(campaign.spec().keep));
   if (!kept.empty() && !run.repeat(kept, "kept")) return study_interrupted();
-  std::vector<GroundCheckResult> checks;
-  for (std::size_t c = 0; c < campaign.cases() && campaign.spec().ground_check && campaign.used() > 1; ++c) {
+  std::vector<BetterModelResult> checks;
+  for (std::size_t c = 0; c < campaign.cases() && campaign.spec().better_model && campaign.used() > 1; ++c) {
     checks.emplace_back();
     checks.back().which_case = c;
-    if (!check_case(campaign, folder, jobs, checks.back())) return study_interrupted();
+    if (!run_better_model(campaign, folder, jobs, checks.back())) return study_interrupted();
   }
   std::vector<std::string> pictures;
   try {

@@ -52,7 +52,7 @@ double drawn_number(const Campaign& campaign, std::size_t row, std::size_t place
 std::vector<std::size_t> rows_of_case(const Campaign& campaign, std::size_t which_case) {
   std::vector<std::size_t> rows;
   for (std::size_t draw = 0; draw < campaign.used(); ++draw)
-    if (const std::size_t row = draw * campaign.cases() + which_case; !campaign.row(row).figures.empty())
+    if (const std::size_t row = draw * campaign.cases() + which_case; !campaign.row(row).metrics.empty())
       rows.push_back(row);
   return rows;
 }
@@ -212,7 +212,7 @@ Table campaign_table(const Campaign& campaign) {
     append(cells, campaign.drawn_values(row));
     cells.push_back(std::to_string(campaign.draws().seed(campaign.draw_of(row))));
     for (std::size_t k = 0; k < spec.metrics.size(); ++k)
-      cells.push_back(r.figures.empty() ? "" : cell(r.figures[k], 17));
+      cells.push_back(r.metrics.empty() ? "" : cell(r.metrics[k], 17));
     for (const int outcome : r.outcomes) cells.push_back(outcome < 0 ? "" : std::to_string(outcome));
     append(cells, {std::to_string(r.code), r.message});
     table.add(cells);
@@ -222,11 +222,11 @@ Table campaign_table(const Campaign& campaign) {
 
 namespace {
 
-// The values of a figure over the rows of a case, sorted.
-std::vector<double> sorted_figure(const Campaign& campaign, std::size_t which_case, std::size_t figure) {
+// The values of a metric over the rows of a case, sorted.
+std::vector<double> sorted_metric(const Campaign& campaign, std::size_t which_case, std::size_t metric) {
   std::vector<double> values;
   for (const std::size_t row : rows_of_case(campaign, which_case))
-    if (std::isfinite(campaign.row(row).figures[figure])) values.push_back(campaign.row(row).figures[figure]);
+    if (std::isfinite(campaign.row(row).metrics[metric])) values.push_back(campaign.row(row).metrics[metric]);
   std::sort(values.begin(), values.end());
   return values;
 }
@@ -264,7 +264,7 @@ Table main_table(const Campaign& campaign) {
     for (const double share : {0.05, 0.5, 0.95, 0.99}) {
       std::vector<std::string> cells = {spec.metrics[k].name + ", " + number_text(100.0 * share) + " %"};
       for (std::size_t c = 0; c < campaign.cases(); ++c)
-        cells.push_back(quantile_text(sorted_figure(campaign, c, k), share));
+        cells.push_back(quantile_text(sorted_metric(campaign, c, k), share));
       table.add(cells);
     }
   return table;
@@ -293,7 +293,7 @@ Table envelope_table(const Campaign& campaign) {
   return table;
 }
 
-// Which input matters: total Sobol' indices where a polynomial explains the figure, otherwise rank correlations.
+// Which input matters: total Sobol' indices where a polynomial explains the metric, otherwise rank correlations.
 Table sensitivity_table(const Campaign& campaign) {
   const SweepSpec& spec = campaign.spec();
   std::vector<std::string> head = {"case", "quantity", "measure"};
@@ -301,23 +301,23 @@ Table sensitivity_table(const Campaign& campaign) {
   Table table(head);
   for (std::size_t c = 0; c < campaign.cases(); ++c) {
     for (std::size_t k = 0; k < spec.metrics.size() + spec.outcomes.size(); ++k) {
-      const bool figure = k < spec.metrics.size();
+      const bool is_metric = k < spec.metrics.size();
       std::vector<std::vector<double>> x;
       std::vector<double> y;
       for (const std::size_t row : rows_of_case(campaign, c)) {
         const CampaignRow& r = campaign.row(row);
-        const double value = figure ? r.figures[k] : r.outcomes[k - spec.metrics.size()];
-        if (!std::isfinite(value) || (!figure && value < 0.0)) continue;
+        const double value = is_metric ? r.metrics[k] : r.outcomes[k - spec.metrics.size()];
+        if (!std::isfinite(value) || (!is_metric && value < 0.0)) continue;
         x.push_back(campaign.draws().positions(campaign.draw_of(row)));
         y.push_back(value);
       }
-      const std::string name = figure ? spec.metrics[k].name : spec.outcomes[k - spec.metrics.size()].name;
+      const std::string name = is_metric ? spec.metrics[k].name : spec.outcomes[k - spec.metrics.size()].name;
       const auto add = [&](const std::string& measure, const std::vector<double>& values) {
         std::vector<std::string> cells = {campaign.case_name(c), name, measure};
         for (const double value : values) cells.push_back(fixed_text(value, 2));
         if (!values.empty()) table.add(cells);
       };
-      if (figure && campaign.draws().independent()) {
+      if (is_metric && campaign.draws().independent()) {
         const Sensitivity s = sobol_indices(x, y);
         if (s.explained >= kGoodChaos) {
           add("Sobol', alone", s.first);
@@ -343,24 +343,24 @@ Table kept_table(const Campaign& campaign, const std::vector<RepeatedRun>& kept)
     std::vector<std::string> cells = {std::to_string(run.row), run.why};
     for (const int outcome : r.outcomes) cells.push_back(outcome < 0 ? "" : outcome > 0 ? "yes" : "no");
     for (std::size_t k = 0; k < spec.metrics.size(); ++k)
-      cells.push_back(r.figures.empty() ? "" : cell(r.figures[k], 4));
+      cells.push_back(r.metrics.empty() ? "" : cell(r.metrics[k], 4));
     cells.push_back("`footfall view " + run.folder + "`");
     table.add(cells);
   }
   return table;
 }
 
-Table check_text(const Campaign& campaign, const std::vector<GroundCheckResult>& checks) {
+Table better_model_table(const Campaign& campaign, const std::vector<BetterModelResult>& checks) {
   const SweepSpec& spec = campaign.spec();
-  const std::string outcome = spec.outcomes[place_of_outcome(spec, spec.ground_check->outcome)].name;
+  const std::string outcome = spec.outcomes[place_of_outcome(spec, spec.better_model->outcome)].name;
   Table table({"case", "runs of the check", "without result", "probability of " + outcome + " before [%]",
                "corrected [%]", "called wrong", "of those near the boundary", "missed", "false alarms"});
-  for (const GroundCheckResult& check : checks) {
+  for (const BetterModelResult& check : checks) {
     int known = 0, wrong = 0, near = 0, near_wrong = 0;
     for (std::size_t k = 0; k < check.runs.size(); ++k) {
       if (check.better[k] < 0) continue;
       const bool differs = check.better[k] !=
-                           campaign.row(check.runs[k].row).outcomes[place_of_outcome(spec, spec.ground_check->outcome)];
+                           campaign.row(check.runs[k].row).outcomes[place_of_outcome(spec, spec.better_model->outcome)];
       ++known;
       wrong += differs ? 1 : 0;
       if (std::abs(check.chance[k] - 0.5) > 0.4) continue;  // chances of 10 to 90 %
@@ -376,24 +376,24 @@ Table check_text(const Campaign& campaign, const std::vector<GroundCheckResult>&
   return table;
 }
 
-// How far the figures of the rows are from those of the same rows in the check.
-Table check_figures_table(const Campaign& campaign, const std::vector<GroundCheckResult>& checks) {
+// How far the metrics of the rows are from those of the same rows in the check.
+Table better_metrics_table(const Campaign& campaign, const std::vector<BetterModelResult>& checks) {
   const SweepSpec& spec = campaign.spec();
   Table table({"case", "quantity", "median before", "median in the check", "median of the deviations [%]",
                "largest deviation [%]", "in row"});
-  for (const GroundCheckResult& check : checks)
+  for (const BetterModelResult& check : checks)
     for (std::size_t k = 0; k < spec.metrics.size(); ++k) {
       std::vector<double> cheap, better, deviations;
       std::size_t worst = 0;  // row of the largest deviation so far
       double largest = -1.0;
       for (const RepeatedRun& run : check.runs) {
-        const std::vector<double>& before = campaign.row(run.row).figures;
-        if (run.figures.empty() || before.empty() || !std::isfinite(before[k]) || !std::isfinite(run.figures[k]))
+        const std::vector<double>& before = campaign.row(run.row).metrics;
+        if (run.metrics.empty() || before.empty() || !std::isfinite(before[k]) || !std::isfinite(run.metrics[k]))
           continue;
         cheap.push_back(before[k]);
-        better.push_back(run.figures[k]);
-        const double size = std::abs(run.figures[k]);
-        deviations.push_back(size > 0.0         ? std::abs(before[k] - run.figures[k]) / size
+        better.push_back(run.metrics[k]);
+        const double size = std::abs(run.metrics[k]);
+        deviations.push_back(size > 0.0         ? std::abs(before[k] - run.metrics[k]) / size
                              : before[k] == 0.0 ? 0.0
                                                 : HUGE_VAL);
         if (deviations.back() > largest) {
@@ -412,7 +412,7 @@ Table check_figures_table(const Campaign& campaign, const std::vector<GroundChec
 }  // namespace
 
 StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>& kept,
-                        const std::vector<GroundCheckResult>& checks, const std::string& command,
+                        const std::vector<BetterModelResult>& checks, const std::string& command,
                         const std::vector<std::string>& pictures) {
   const SweepSpec& spec = campaign.spec();
   StudyPage page(spec.title.empty() ? fs::path(spec.file).stem().string() : spec.title);
@@ -426,9 +426,9 @@ StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>
   if (!checks.empty()) {
     page.section("Repeated with the settings of the check");
     page.paragraph("The interval of the corrected probability has the scatter of the draws and of the check.");
-    page.table(check_text(campaign, checks));
+    page.table(better_model_table(campaign, checks));
     page.paragraph("Deviations are relative to the figure in the check.");
-    page.table(check_figures_table(campaign, checks));
+    page.table(better_metrics_table(campaign, checks));
   }
   if (!spec.envelopes.empty()) {
     page.section("Envelopes");
@@ -459,7 +459,7 @@ std::vector<std::string> draw_campaign(const Campaign& campaign, const std::stri
     std::vector<std::vector<double>> all;
     std::size_t most = 0;
     for (std::size_t c = 0; c < campaign.cases(); ++c) {
-      all.push_back(sorted_figure(campaign, c, k));
+      all.push_back(sorted_metric(campaign, c, k));
       most = std::max(most, all.back().size());
       if (!all.back().empty()) low = std::min(low, all.back().front()), high = std::max(high, all.back().back());
     }

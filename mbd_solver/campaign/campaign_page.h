@@ -10,10 +10,10 @@
 
 namespace footfall {
 
-// The runs of [check] of one case.
-struct GroundCheckResult {
+// The runs of [check], by the better model, of one case.
+struct BetterModelResult {
   std::size_t which_case = 0;
-  std::vector<CheckedRun> drawn;
+  std::vector<GroupDraw> drawn;
   std::vector<RepeatedRun> runs;  // one per entry of `drawn`
   std::vector<int> better;        // their outcome; -1: without result
   std::vector<double> chance;     // of the outcome, by the fitted boundary
@@ -64,7 +64,7 @@ std::vector<double> chances(const Campaign& campaign, std::size_t which_case, st
 Table campaign_table(const Campaign& campaign);
 // `pictures`: of draw_campaign.
 StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>& kept,
-                        const std::vector<GroundCheckResult>& checks, const std::string& command,
+                        const std::vector<BetterModelResult>& checks, const std::string& command,
                         const std::vector<std::string>& pictures);
 // Histograms and envelopes; returns the pictures. Throws InputError when gnuplot is missing or fails.
 std::vector<std::string> draw_campaign(const Campaign& campaign, const std::string& folder);

@@ -90,7 +90,7 @@ Logistic fit_logistic(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
   return fit;
 }
 
-std::vector<CheckedRun> draw_checked(const std::vector<double>& weights, int count, std::uint64_t seed) {
+std::vector<GroupDraw> draw_by_groups(const std::vector<double>& weights, int count, std::uint64_t seed) {
   std::mt19937_64 engine(seed);
   const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
   const std::size_t all = weights.size(), groups = std::min(all, static_cast<std::size_t>(std::max(0, count)));
@@ -99,7 +99,7 @@ std::vector<CheckedRun> draw_checked(const std::vector<double>& weights, int cou
   for (std::size_t i = all; i > 1; --i)  // std::shuffle differs between libraries
     std::swap(order[i - 1], order[static_cast<std::size_t>(uniform() * static_cast<double>(i))]);
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-  std::vector<CheckedRun> checked;
+  std::vector<GroupDraw> checked;
   for (std::size_t g = 0; g < groups; ++g) {
     const std::size_t first = g * all / groups, last = (g + 1) * all / groups;
     double group = 0.0;
@@ -113,7 +113,7 @@ std::vector<CheckedRun> draw_checked(const std::vector<double>& weights, int cou
   return checked;
 }
 
-TwoLevels two_levels(const std::vector<int>& cheap, const std::vector<CheckedRun>& checked,
+TwoLevels two_levels(const std::vector<int>& cheap, const std::vector<GroupDraw>& checked,
                      const std::vector<int>& better) {
   TwoLevels result;
   const auto all = static_cast<double>(cheap.size());

@@ -35,13 +35,13 @@ Logistic fit_logistic(const Eigen::MatrixXd& x, const Eigen::VectorXd& y);
 
 // Runs that are repeated with a better model, by random groups (Rao, Hartley, Cochran, J. R. Stat. Soc. B 24, 1962): the
 // runs are dealt into as many groups, and one of each is drawn with a probability in proportion to its weight.
-struct CheckedRun {
+struct GroupDraw {
   std::size_t run = 0;   // its place
   double factor = 0.0;   // of its correction: weight of the group over that of the run, over all runs
   double group = 0.0;    // share of the weights of its group
   double members = 0.0;  // of its group
 };
-std::vector<CheckedRun> draw_checked(const std::vector<double>& weights, int count, std::uint64_t seed);
+std::vector<GroupDraw> draw_by_groups(const std::vector<double>& weights, int count, std::uint64_t seed);
 
 struct TwoLevels {
   Probability cheap, corrected;  // by the model of all runs; with the correction
@@ -49,7 +49,7 @@ struct TwoLevels {
   int missed = 0, false_alarms = 0;  // of the checked runs: the cheap model says no and the better one yes, and reverse
 };
 // cheap: 0 or 1 for every run; better: likewise for every checked run, or -1 where it is unknown.
-TwoLevels two_levels(const std::vector<int>& cheap, const std::vector<CheckedRun>& checked,
+TwoLevels two_levels(const std::vector<int>& cheap, const std::vector<GroupDraw>& checked,
                      const std::vector<int>& better);
 
 }  // namespace footfall

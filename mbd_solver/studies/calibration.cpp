@@ -1,4 +1,4 @@
-// Keys are described as those of a scene (scene/field_visitor.h); the checker reports contradictions.
+// Keys are described as those of a scene (scene/field_visitor.h); a validator reports contradictions.
 #include "mbd_solver/studies/calibration.h"
 
 #include <algorithm>
@@ -99,11 +99,11 @@ bool holds(const std::vector<std::string>& texts, const std::string& mark) {
 }
 
 // Fills what follows from other keys, and finds contradictions.
-class CalibrationChecker {
+class CalibrationValidator {
  public:
-  CalibrationChecker(CalibrationSpec& spec, Findings& findings) : spec_(spec), findings_(findings) {}
+  CalibrationValidator(CalibrationSpec& spec, Findings& findings) : spec_(spec), findings_(findings) {}
 
-  void check() {
+  void validate() {
     if (spec_.parameters.empty()) wrong(code::kMissingKey, spec_.source, "parameters", "are missing");
     if (spec_.targets.empty()) wrong(code::kMissingKey, spec_.source, "targets", "are missing");
     if (spec_.stages.empty())
@@ -113,14 +113,14 @@ class CalibrationChecker {
       wrong(code::kOutOfRange, spec_.source, "confidence", "expected a number between 0 and 1, such as 0.95");
     if (spec_.step > 0.5)
       wrong(code::kOutOfRange, spec_.source, "step", "is relative to the ranges, expected at most 0.5");
-    check_scenes();
-    for (const CalibrationParameter& p : spec_.parameters) check(p);
+    validate_scenes();
+    for (const CalibrationParameter& p : spec_.parameters) validate(p);
     findings_.throw_if_errors();  // formulas need the parameters
-    check_formulas();
-    if (spec_.seeds) check(*spec_.seeds);
-    for (const MetricSpec& f : spec_.metrics) check(f);
-    for (TargetSpec& t : spec_.targets) check(t);
-    for (StageSpec& stage : spec_.stages) check(stage);
+    validate_formulas();
+    if (spec_.seeds) validate(*spec_.seeds);
+    for (const MetricSpec& f : spec_.metrics) validate(f);
+    for (TargetSpec& t : spec_.targets) validate(t);
+    for (StageSpec& stage : spec_.stages) validate(stage);
     unique(names_in(spec_.targets), "targets");
     findings_.throw_if_errors();
   }
@@ -152,7 +152,7 @@ class CalibrationChecker {
       wrong(code::kDuplicateName, spec_.source, list, "two are named \"" + *twice + "\"; expected different names");
   }
 
-  void check_scenes() {
+  void validate_scenes() {
     if (spec_.scenes.empty()) spec_.scenes = {{"run", "", {}, 0.0, spec_.source}};
     for (CalibrationScene& s : spec_.scenes) {
       if (!is_plain_name(s.name))
@@ -165,7 +165,7 @@ class CalibrationChecker {
     unique(names_in(spec_.scenes), "scenes");
   }
 
-  void check(const CalibrationParameter& p) {
+  void validate(const CalibrationParameter& p) {
     if (!is_formula_name(p.name))
       wrong(code::kBadName, p.source, "name",
             "is \"" + p.name + "\", expected letters, digits and _, without a leading digit, for formulas");
@@ -187,7 +187,7 @@ class CalibrationChecker {
   }
 
   // Every formula can be evaluated at the start; every parameter has an effect.
-  void check_formulas() {
+  void validate_formulas() {
     std::vector<std::string> all = spec_.settings;
     for (const CalibrationScene& s : spec_.scenes) append(all, s.settings);
     for (const StageSpec& s : spec_.stages) append(all, s.settings);
@@ -216,7 +216,7 @@ class CalibrationChecker {
             "the start violates one; give parameters a start that satisfies all");
   }
 
-  void check(const SeedsSpec& s) {
+  void validate(const SeedsSpec& s) {
     if (s.values.empty()) wrong(code::kMissingKey, s.source, "values", "are missing");
     if (!holds(s.settings, "{value}")) wrong(code::kMissingKey, s.source, "settings", "do not contain {value}");
     if (s.search > static_cast<int>(s.values.size()))
@@ -225,7 +225,7 @@ class CalibrationChecker {
                 std::to_string(s.values.size()));
   }
 
-  void check(StageSpec& stage) {
+  void validate(StageSpec& stage) {
     const bool listed = stage.method == SearchMethod::kListed;
     if (!listed && !stage.file.empty())
       wrong(code::kConflictingKeys, stage.source, "file", "is of method = \"listed\" only");
@@ -266,7 +266,7 @@ class CalibrationChecker {
     return sets;
   }
 
-  void check(const MetricSpec& f) {
+  void validate(const MetricSpec& f) {
     if (const MetricFault fault = fault_of(f); !fault.key.empty())
       wrong(code::kConflictingKeys, f.source, fault.key, fault.text);
     if (f.compares_curves())
@@ -274,7 +274,7 @@ class CalibrationChecker {
             "compares with a reference, which a calibration does not have; use a curve as target");
   }
 
-  void check(TargetSpec& t) {
+  void validate(TargetSpec& t) {
     if (t.scene.empty()) t.scene = spec_.scenes.front().name;
     if (t.name.empty()) t.name = (t.is_curve() ? t.column : t.metric) + ", " + t.scene;
     for (const std::string& scene : {t.scene, t.against})
@@ -368,7 +368,7 @@ CalibrationSpec read_calibration(const std::string& file) {
       root, s.folder, [&](FieldVisitor& reader) { visit_fields(reader, s); }, findings);
   findings.throw_if_errors();
   s.settings.insert(s.settings.begin(), {"output.vtk=false", "output.plots=false"});  // defaults
-  CalibrationChecker(s, findings).check();
+  CalibrationValidator(s, findings).validate();
   return s;
 }
 

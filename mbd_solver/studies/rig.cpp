@@ -56,7 +56,7 @@ const std::vector<Rig>& all_rigs() {
        require_box,
        true,
        {},
-       checks_of_holding_bodies},
+       variations_of_holding_bodies},
       {"repose",
        "angle of repose",
        "x [m]",
@@ -65,7 +65,7 @@ const std::vector<Rig>& all_rigs() {
        require_repose,
        true,
        {},
-       checks_of_holding_bodies},
+       variations_of_holding_bodies},
       {"sphere",
        "drag of a dropped sphere, k and d1 of Katsuragi and Durian",
        "depth [m]",
@@ -120,8 +120,8 @@ std::string slower(std::vector<double> polynomial) {
   return list_text(polynomial, 1.0);
 }
 
-RigCheck half_speed(const Scene& scene) {
-  RigCheck half{"half speed", {"end_time=" + number_text(2.0 * scene.end_time, kRigDigits)}};
+RigVariation half_speed(const Scene& scene) {
+  RigVariation half{"half speed", {"end_time=" + number_text(2.0 * scene.end_time, kRigDigits)}};
   const bool box = scene.particles && scene.particles->box;
   if (box && scene.particles->box->frames > 0.0)
     half.settings.push_back("particles.box.frame_interval=" +
@@ -153,7 +153,7 @@ const BoxSpec& box_to_change(const Scene& scene) {
   return *scene.particles->box;
 }
 
-RigCheck half_grains(const BoxSpec& box) {
+RigVariation half_grains(const BoxSpec& box) {
   return {"half grains", {"particles.box.radius=" + list_text(box.radius, 0.5)}};
 }
 
@@ -168,16 +168,16 @@ std::vector<std::string> twice_the_bed(const BoxSpec& box) {
 
 }  // namespace
 
-std::vector<RigCheck> checks_of(const Scene& scene, bool slow) {
+std::vector<RigVariation> variations_of(const Scene& scene, bool slow) {
   const BoxSpec& box = box_to_change(scene);
-  std::vector<RigCheck> checks = {{"double box", twice_the_bed(box)}, half_grains(box)};
+  std::vector<RigVariation> checks = {{"double box", twice_the_bed(box)}, half_grains(box)};
   if (slow) checks.push_back(half_speed(scene));
   return checks;
 }
 
-std::vector<RigCheck> checks_of_holding_bodies(const Scene& scene, bool slow) {
+std::vector<RigVariation> variations_of_holding_bodies(const Scene& scene, bool slow) {
   const BoxSpec& box = box_to_change(scene);
-  RigCheck twice{"double box", {"end_time=" + number_text(2.0 * scene.end_time, kRigDigits)}};
+  RigVariation twice{"double box", {"end_time=" + number_text(2.0 * scene.end_time, kRigDigits)}};
   for (const BodySpec& body : scene.bodies) {
     if (!body.shape) continue;
     const ShapeSpec& shape = *body.shape;
@@ -199,7 +199,7 @@ std::vector<RigCheck> checks_of_holding_bodies(const Scene& scene, bool slow) {
   for (const auto& [name, room] : {std::pair("margin", box.margin), std::pair("headroom", box.headroom)})
     if (room)
       twice.settings.push_back(std::string("particles.box.") + name + "=" + number_text(2.0 * *room, kRigDigits));
-  std::vector<RigCheck> checks = {twice, half_grains(box)};
+  std::vector<RigVariation> checks = {twice, half_grains(box)};
   if (slow) checks.push_back(half_speed(scene));
   return checks;
 }

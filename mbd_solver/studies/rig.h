@@ -12,17 +12,17 @@
 
 namespace footfall {
 
-struct RigCheck {
+struct RigVariation {
   std::string name;
   std::vector<std::string> settings;  // of --set
 };
 
 // For a scene with [particles.box]. Half the speed, only if `slow`: every prescribed motion, a polynomial of time, becomes
 // c_k / 2^k, with twice the end time. Throws InputError for a bed from a script, or other motions.
-std::vector<RigCheck> checks_of(const Scene& scene, bool slow);
+std::vector<RigVariation> variations_of(const Scene& scene, bool slow);
 // For a rig whose bodies contain the bed (tray, frame and lid of a shear box, the gate before a slope): with twice the bed also
 // bodies and motions are twice as long, pressures are unchanged.
-std::vector<RigCheck> checks_of_holding_bodies(const Scene& scene, bool slow);
+std::vector<RigVariation> variations_of_holding_bodies(const Scene& scene, bool slow);
 
 // A finished run of the sweep.
 struct RigRun {
@@ -65,7 +65,7 @@ struct Rig {
   void (*require)(const Scene& scene);
   bool slow = true;  // half the speed is a check
   std::vector<RigClaim> claims;
-  std::vector<RigCheck> (*checks)(const Scene& scene, bool slow) = checks_of;
+  std::vector<RigVariation> (*variations)(const Scene& scene, bool slow) = variations_of;
 };
 
 const std::vector<Rig>& all_rigs();

@@ -214,14 +214,14 @@ void require_scenes(const Plan& plan, const Rig& rig) {
 }
 
 // Repeats every run for each check, whose name is the last of its values; empty without checks.
-void add_checks(Plan& plan, const Rig& rig, bool with_checks) {
+void add_variations(Plan& plan, const Rig& rig, bool with_checks) {
   const std::size_t own = plan.runs.size();
   for (std::size_t i = 0; i < own; ++i) {
     plan.runs[i].values.emplace_back();
     if (!with_checks) continue;
     const RunRequest run = plan.runs[i];
     const Scene scene = read_scene(run.scene, run.settings);
-    for (const RigCheck& check : rig.checks(scene, rig.slow)) {
+    for (const RigVariation& check : rig.variations(scene, rig.slow)) {
       RunRequest again = run;
       again.name = check.name;
       std::replace(again.name.begin(), again.name.end(), ' ', '_');
@@ -318,7 +318,7 @@ int rig_command(const RigArguments& a) {
   };
   e.extend = [&](Plan& plan) {
     require_scenes(plan, rig);
-    add_checks(plan, rig, a.checks);
+    add_variations(plan, rig, a.checks);
   };
   e.write = [&](const SweepSpec& spec, const Plan& plan, const Results& results, const std::string& folder,
                 const std::string& command) {

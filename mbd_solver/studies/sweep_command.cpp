@@ -35,18 +35,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string path_of(const OutputPlace& place, const std::string& file) {
-  return (fs::path(place.folder) / file).string();
+std::string path_of(const OutputFolder& output, const std::string& file) {
+  return (fs::path(output.folder) / file).string();
 }
 
 void print_line(const std::string& text) { std::printf("%s\n", text.c_str()); }
 
 // Writes it into the folder and to --table, and prints it.
-bool write_map(const SweepSpec& spec, const Results& results, const OutputPlace& place) {
+bool write_map(const SweepSpec& spec, const Results& results, const OutputFolder& output) {
   const std::vector<MapRow> rows = map_rows(spec, results);
-  const std::string page = map_page(spec, rows), file = path_of(place, place.name + ".md");
+  const std::string page = map_page(spec, rows), file = path_of(output, output.name + ".md");
   write_whole_file(file, page);
-  if (!place.table.empty()) write_whole_file(place.table, page);
+  if (!output.table.empty()) write_whole_file(output.table, page);
   const auto faults = std::count_if(rows.begin(), rows.end(), [](const MapRow& row) { return row.fault; });
   std::printf("%s%s\n%zu cases, %td wrong without a warning, or without a message at their end\n", page.c_str(),
               file.c_str(), rows.size(), faults);
@@ -54,25 +54,25 @@ bool write_map(const SweepSpec& spec, const Results& results, const OutputPlace&
 }
 
 // True when all [[expect]] are reproduced.
-bool write_checks(const SweepSpec& spec, const Results& results, const OutputPlace& place) {
+bool write_checks(const SweepSpec& spec, const Results& results, const OutputFolder& output) {
   const std::vector<CheckResult> check_results = check_results_of(spec, results.cases);
   if (check_results.empty()) return true;
-  write_whole_file(path_of(place, "statements.csv"), check_table(spec, check_results).csv());
-  write_whole_file(path_of(place, "statements.md"), check_page(spec, check_results));
+  write_whole_file(path_of(output, "statements.csv"), check_table(spec, check_results).csv());
+  write_whole_file(path_of(output, "statements.md"), check_page(spec, check_results));
   print_line("\n" + check_page(spec, check_results));
   for (std::size_t i = 0; i < check_results.size(); ++i)
     if (spec.checks[i].must && !check_results[i].reproduced) return false;
   return true;
 }
 
-void write_errors(const SweepSpec& spec, const Results& results, const OutputPlace& place) {
-  const std::string csv = path_of(place, place.name + ".csv");
+void write_errors(const SweepSpec& spec, const Results& results, const OutputFolder& output) {
+  const std::string csv = path_of(output, output.name + ".csv");
   const Table table = error_table(spec, results);
   write_whole_file(csv, table.csv());
-  if (!place.table.empty()) write_whole_file(place.table, error_page(spec, results, place.command));
-  print_line(error_page(spec, results, place.command) + csv);
+  if (!output.table.empty()) write_whole_file(output.table, error_page(spec, results, output.command));
+  print_line(error_page(spec, results, output.command) + csv);
   try {
-    print_line(joined(draw_errors(spec, results, place.folder, place.name, table), "\n"));
+    print_line(joined(draw_errors(spec, results, output.folder, output.name, table), "\n"));
   } catch (const InputError& e) {
     warn_missing_file("picture", e);
   }
@@ -88,27 +88,27 @@ void require_results(const SweepSpec& spec, const std::string& folder) {
     require_columns({plot.column}, history, folder, spec.file, "plots." + plot.name + ".column");
 }
 
-bool write_output(const SweepSpec& spec, const Plan& plan, const Results& results, const OutputPlace& place) {
-  if (spec.is_map()) return write_map(spec, results, place);
-  write_whole_file(path_of(place, "runs.csv"), run_table(spec, plan, results).csv());
-  write_whole_file(path_of(place, "cases.csv"), case_table(spec, results.cases).csv());
-  write_whole_file(path_of(place, "cases.md"), case_page(spec, results.cases));
+bool write_output(const SweepSpec& spec, const Plan& plan, const Results& results, const OutputFolder& output) {
+  if (spec.is_map()) return write_map(spec, results, output);
+  write_whole_file(path_of(output, "runs.csv"), run_table(spec, plan, results).csv());
+  write_whole_file(path_of(output, "cases.csv"), case_table(spec, results.cases).csv());
+  write_whole_file(path_of(output, "cases.md"), case_page(spec, results.cases));
   if (spec.curves.empty()) print_line(case_page(spec, results.cases));
   for (const CaseResult& c : results.cases)
     if (c.code != 0) std::printf("%s ended with exit code %d: %s\n", c.plan.name.c_str(), c.code, c.message.c_str());
-  const bool expected = write_checks(spec, results, place);
+  const bool expected = write_checks(spec, results, output);
   const std::vector<std::size_t> order = ranking(spec, results.cases);
   if (!order.empty())
     std::printf("best in %s within the limits: %s\n", spec.minimise.c_str(),
                 results.cases[order.front()].plan.name.c_str());
-  for (const std::string& file : {path_of(place, "runs.csv"), path_of(place, "cases.csv")}) print_line(file);
-  for (const std::string& file : draw_plots(spec, results, place.folder)) print_line(file);
-  if (!place.short_form)
-    for (const std::string& file : write_fits(spec, plan, results.runs, place.folder)) print_line(file);
+  for (const std::string& file : {path_of(output, "runs.csv"), path_of(output, "cases.csv")}) print_line(file);
+  for (const std::string& file : draw_plots(spec, results, output.folder)) print_line(file);
+  if (!output.short_form)
+    for (const std::string& file : write_fits(spec, plan, results.runs, output.folder)) print_line(file);
   if (!spec.curves.empty())
-    write_errors(spec, results, place);
-  else if (!place.table.empty())
-    write_whole_file(place.table, case_page(spec, results.cases));
+    write_errors(spec, results, output);
+  else if (!output.table.empty())
+    write_whole_file(output.table, case_page(spec, results.cases));
   // With curves, how a run ended is a result.
   return expected && (!spec.curves.empty() || results.all_done());
 }
@@ -255,13 +255,13 @@ int sweep_command(const SweepArguments& a) {
   if (!a.of_case.empty()) spec = with_curve(spec, a.of_case);
   Plan plan = plan_of(spec, a.short_form);
   if (a.extend) a.extend(plan);
-  const OutputPlace place = [&] {
+  const OutputFolder output = [&] {
     const std::string name = fs::path(a.file).stem().string();
     const std::string out = fs::absolute(a.out.empty() ? (fs::path(a.runs) / name).string() : a.out).string();
     const std::string words = a.again.empty() ? a.command + " " + a.file : shell_line(a.again);
-    return OutputPlace{short_path(out), name, a.table, "./footfall " + words, a.short_form};
+    return OutputFolder{short_path(out), name, a.table, "./footfall " + words, a.short_form};
   }();
-  RunStore store((fs::path(place.folder) / "runs").string(), a.resume);
+  RunStore store((fs::path(output.folder) / "runs").string(), a.resume);
   for (const RunRequest& run : plan.runs) store.add(run);
   const int count = static_cast<int>(plan.runs.size());
   if (a.only >= count)
@@ -273,18 +273,18 @@ int sweep_command(const SweepArguments& a) {
     list_runs(store, chosen);
     return kExitDone;
   }
-  make_folder(place.folder);
+  make_folder(output.folder);
   // Elements of a job array share the folder; each of their runs has its own.
-  const FileLock lock = a.only < 0 && !a.merge ? lock_folder(place.folder) : FileLock();
+  const FileLock lock = a.only < 0 && !a.merge ? lock_folder(output.folder) : FileLock();
   const auto write = [&] {
     const Results results = results_of(spec, plan, store);
-    const bool good =
-        a.write ? a.write(spec, plan, results, place.folder, place.command) : write_output(spec, plan, results, place);
+    const bool good = a.write ? a.write(spec, plan, results, output.folder, output.command)
+                              : write_output(spec, plan, results, output);
     return good ? kExitDone : kExitFailed;
   };
   if (a.merge) return write();
   if (a.slurm) {
-    write_slurm(a, place.folder, plan.runs.size(), store.most_ranks());
+    write_slurm(a, output.folder, plan.runs.size(), store.most_ranks());
     return kExitDone;
   }
 
@@ -293,7 +293,7 @@ int sweep_command(const SweepArguments& a) {
     store.make_bed(chosen.front(), a.beds);
   } else {
     const std::vector<std::size_t> missing = store.beds_to_make(chosen);
-    make_beds(store, a, place.folder, missing, jobs);
+    make_beds(store, a, output.folder, missing, jobs);
     if (a.beds) std::printf("beds made: %zu\n", missing.size());
   }
   if (a.beds) return kExitDone;

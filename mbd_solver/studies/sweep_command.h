@@ -43,7 +43,7 @@ int sweep_command(const SweepArguments& arguments);
 // Says that the same command resumes the study, and returns the exit code.
 int study_interrupted();
 
-struct OutputPlace {
+struct OutputFolder {
   std::string folder, name;  // of the files
   std::string table;         // also write the table for a page to this file; empty: no
   std::string command;       // that makes it
@@ -52,7 +52,7 @@ struct OutputPlace {
 
 // Prints all results and writes them into the folder. True when all [[expect]] are reproduced and, of [[parameters]], all
 // runs are done.
-bool write_output(const SweepSpec& spec, const Plan& plan, const Results& results, const OutputPlace& place);
+bool write_output(const SweepSpec& spec, const Plan& plan, const Results& results, const OutputFolder& output);
 
 // Throws InputError when the finished run in `folder` lacks a number or column that metrics or plots require: reported
 // after the first run, not after the last.

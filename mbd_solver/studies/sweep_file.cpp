@@ -1,4 +1,4 @@
-// Keys are described as those of a scene (scene/field_visitor.h); Checker completes the spec and reports contradictions.
+// Keys are described as those of a scene (scene/field_visitor.h); SweepValidator completes the spec and reports contradictions.
 #include "mbd_solver/studies/sweep_file.h"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ static void visit_fields(FieldVisitor& v, EnvelopeSpec& e) {
   v.fields(rule::share, {{"level", &e.level}});
 }
 
-static void visit_fields(FieldVisitor& v, GroundCheckSpec& c) {
+static void visit_fields(FieldVisitor& v, BetterModelSpec& c) {
   v.fields(rule::plain, {{"", &c.source}, {"scene", &c.scene}, {"outcome", &c.outcome}});
   v.fields(kWords, {{"settings", &c.settings}});
   v.fields(rule::positive(), {{"runs", &c.runs}});
@@ -156,7 +156,7 @@ void visit_fields(FieldVisitor& v, SweepSpec& s) {
   v.list("correlations", s.correlations);
   v.list("outcomes", s.outcomes);
   v.list("envelopes", s.envelopes);
-  v.section("check", s.ground_check);
+  v.section("check", s.better_model);
 }
 
 std::string sweep_schema() {
@@ -173,11 +173,11 @@ bool is_in(const std::vector<std::string>& list, const std::string& word) {
 }
 
 // Fills what follows from other keys, and finds contradictions.
-class Checker {
+class SweepValidator {
  public:
-  Checker(SweepSpec& spec, Findings& findings) : spec_(spec), findings_(findings) {}
+  SweepValidator(SweepSpec& spec, Findings& findings) : spec_(spec), findings_(findings) {}
 
-  // Before check(), which requires a complete spec.
+  // Before validate(), which requires a complete spec.
   void complete() {
     for (ParameterSpec& parameter : spec_.parameters) complete(parameter);
     for (CurveSpec& curve : spec_.curves) complete(curve);
@@ -187,14 +187,14 @@ class Checker {
     findings_.throw_if_errors();
   }
 
-  void check() {
-    check_kind();
-    check_runs();
-    check_metrics();
-    for (const FitSpec& fit : spec_.fits) check(fit);
+  void validate() {
+    validate_kind();
+    validate_runs();
+    validate_metrics();
+    for (const FitSpec& fit : spec_.fits) validate(fit);
     findings_.throw_if_errors();
     const std::vector<std::string> cases = names_in(plan_of(spec_, false).cases);
-    for (const CheckSpec& check_spec : spec_.checks) check(check_spec, cases);
+    for (const CheckSpec& check_spec : spec_.checks) validate(check_spec, cases);
     findings_.throw_if_errors();
   }
 
@@ -264,10 +264,10 @@ class Checker {
             "is \"" + p.name + "\", expected letters, digits and _, without a leading digit, for formulas");
     if (p.name == "row" || p.name == "seed")
       wrong(code::kReservedName, p.source, "name", "is \"" + p.name + "\", which formulas have of every run");
-    check_lists(p, kind);
+    validate_lists(p, kind);
   }
 
-  void check_lists(ParameterSpec& p, DistributionKind kind) {
+  void validate_lists(ParameterSpec& p, DistributionKind kind) {
     DistributionSpec& d = p.distribution;
     const bool discrete = kind == DistributionKind::kDiscrete;
     const std::string name(name_of(kind));
@@ -374,11 +374,11 @@ class Checker {
     for (ParameterSpec& parameter : spec_.parameters)
       for (auto* choices : {&parameter.choices, &parameter.short_choices})
         for (ChoiceSpec& choice : *choices) find(choice.scene);
-    if (spec_.ground_check) find(spec_.ground_check->scene);
+    if (spec_.better_model) find(spec_.better_model->scene);
   }
 
   // What a campaign has and other sweeps do not, and the reverse.
-  void check_kind() {
+  void validate_kind() {
     const auto only = [&](const char* key, bool given) {
       if (!given) return;
       wrong(spec_.is_campaign() ? code::kConflictingKeys : code::kNeedsOtherKey, spec_.source, key,
@@ -394,7 +394,7 @@ class Checker {
       only("correlations", !spec_.correlations.empty());
       only("outcomes", !spec_.outcomes.empty());
       only("envelopes", !spec_.envelopes.empty());
-      only("check", spec_.ground_check.has_value());
+      only("check", spec_.better_model.has_value());
       for (const char* key : {"until_width", "design", "keep", "seed"}) only(key, spec_.source.given(key));
       return;
     }
@@ -407,10 +407,10 @@ class Checker {
     only("minimise", !spec_.minimise.empty());
     only("repeats", spec_.repeats != 1);
     findings_.throw_if_errors();
-    check_campaign();
+    validate_campaign();
   }
 
-  void check_campaign() {
+  void validate_campaign() {
     double cases = 1.0;
     std::set<std::string> drawn;
     for (const ParameterSpec& p : spec_.parameters) {
@@ -436,7 +436,7 @@ class Checker {
       if (m.compares_curves())
         wrong(code::kConflictingKeys, m.source, "error", "compares with a reference, which drawn runs do not have");
     }
-    check_formulas(drawn);
+    validate_formulas(drawn);
     for (const CorrelationSpec& c : spec_.correlations) {
       if (c.between.size() != 2 || c.between[0] == c.between[1])
         wrong(code::kWrongCount, c.source, "between", "expected the names of two drawn parameters");
@@ -452,20 +452,20 @@ class Checker {
         wrong(code::kOutOfRange, e.source, "level", "expected a probability between 0 and 1, without the ends");
       require_outcome(e.source, e.outcome);
     }
-    if (!spec_.ground_check) return;
-    require_outcome(spec_.ground_check->source, spec_.ground_check->outcome);
-    if (spec_.ground_check->settings.empty() && spec_.ground_check->scene.empty())
-      wrong(code::kMissingKey, spec_.ground_check->source, "settings",
+    if (!spec_.better_model) return;
+    require_outcome(spec_.better_model->source, spec_.better_model->outcome);
+    if (spec_.better_model->settings.empty() && spec_.better_model->scene.empty())
+      wrong(code::kMissingKey, spec_.better_model->source, "settings",
             "are missing, expected what differs in the runs of the check, such as \"ground.kind=particles\"");
-    if (spec_.ground_check->runs < 2)
-      wrong(code::kOutOfRange, spec_.ground_check->source, "runs", "expected at least 2");
+    if (spec_.better_model->runs < 2)
+      wrong(code::kOutOfRange, spec_.better_model->source, "runs", "expected at least 2");
   }
 
-  void check_formulas(const std::set<std::string>& drawn) {
+  void validate_formulas(const std::set<std::string>& drawn) {
     std::map<std::string, double> values = {{"row", 1.0}, {"seed", 1.0}};
     for (const std::string& name : drawn) values[name] = 1.0;
     std::set<std::string> used;
-    const auto check_texts = [&](const Source& at, const std::string& key, const std::vector<std::string>& texts) {
+    const auto validate_texts = [&](const Source& at, const std::string& key, const std::vector<std::string>& texts) {
       for (const std::string& text : texts) {
         for (std::size_t k = text.find(kFormulaMark); k != std::string::npos; k = text.find(kFormulaMark, k + 1)) {
           try {
@@ -482,11 +482,11 @@ class Checker {
         }
       }
     };
-    check_texts(spec_.source, "settings", spec_.settings);
-    if (spec_.ground_check) check_texts(spec_.ground_check->source, "settings", spec_.ground_check->settings);
+    validate_texts(spec_.source, "settings", spec_.settings);
+    if (spec_.better_model) validate_texts(spec_.better_model->source, "settings", spec_.better_model->settings);
     for (const ParameterSpec& p : spec_.parameters) {
-      check_texts(p.source, "settings", p.settings);
-      for (const ChoiceSpec& choice : p.choices) check_texts(p.source, "settings", choice.settings);
+      validate_texts(p.source, "settings", p.settings);
+      for (const ChoiceSpec& choice : p.choices) validate_texts(p.source, "settings", choice.settings);
     }
     for (const ParameterSpec& p : spec_.parameters)
       if (p.is_drawn() && used.count(p.name) == 0 && p.settings.empty() &&
@@ -540,7 +540,7 @@ class Checker {
             "\"" + name + "\" is not one of [[outcomes]]." + known_names("outcomes", name, names_in(spec_.outcomes)));
   }
 
-  void check_runs() {
+  void validate_runs() {
     if (spec_.curves.empty() && spec_.parameters.empty())
       wrong(code::kMissingKey, spec_.source, "", "expected [[parameters]] or [[curves]]");
     bool scenes = !spec_.curves.empty();  // each curve names one
@@ -560,7 +560,7 @@ class Checker {
       wrong(code::kMissingKey, spec_.source, "figures", "are missing");
   }
 
-  void check_metrics() {
+  void validate_metrics() {
     for (const MetricSpec& f : spec_.metrics) {
       if (const MetricFault fault = fault_of(f); !fault.key.empty())
         wrong(code::kConflictingKeys, f.source, fault.key, fault.text);
@@ -574,7 +574,7 @@ class Checker {
     if (!spec_.minimise.empty()) require_metric(spec_.source, "minimise", spec_.minimise);
   }
 
-  void check(const CheckSpec& s, const std::vector<std::string>& cases) {
+  void validate(const CheckSpec& s, const std::vector<std::string>& cases) {
     require_metric(s.source, "figure", s.metric);
     if (!s.curve.empty() && index_of(spec_.curves, s.curve) < 0)
       wrong(code::kUnknownCurve, s.source, "curve",
@@ -585,7 +585,7 @@ class Checker {
               "unknown case \"" + name + "\"." + known_names("cases", name, cases));
   }
 
-  void check(const FitSpec& fit) {
+  void validate(const FitSpec& fit) {
     require_metric(fit.source, "figure", fit.metric);
     if (!fit.marks.empty()) parameter(fit.source, "marks", fit.marks);
     for (const auto& [name, value] : fit.where)
@@ -689,9 +689,9 @@ SweepSpec read_sweep_file(const std::string& file) {
     check_spec.must = true;
     s.checks.push_back(check_spec);
   }
-  Checker checker(s, findings);
-  checker.complete();
-  checker.check();
+  SweepValidator validator(s, findings);
+  validator.complete();
+  validator.validate();
   return s;
 }
 

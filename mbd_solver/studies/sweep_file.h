@@ -161,8 +161,8 @@ struct EnvelopeSpec {
   Source source;
 };
 
-// [check]: drawn runs that are repeated with other settings, such as on grains.
-struct GroundCheckSpec {
+// [check]: drawn runs that are repeated with a better model, such as on grains.
+struct BetterModelSpec {
   std::string scene, outcome;         // empty: that of the run; the first
   std::vector<std::string> settings;  // after those of the run
   int runs = 20;                      // of each case
@@ -197,7 +197,7 @@ struct SweepSpec {
   std::vector<CorrelationSpec> correlations;
   std::vector<OutcomeSpec> outcomes;
   std::vector<EnvelopeSpec> envelopes;
-  std::optional<GroundCheckSpec> ground_check;
+  std::optional<BetterModelSpec> better_model;
   Source source;
 
   bool is_campaign() const { return runs > 0; }

@@ -70,8 +70,8 @@ void CalibrationRun::print_progress(const std::string& text) const {
   std::fflush(stdout);
 }
 
-bool CalibrationRun::follow(const StageSpec& stage, const Fidelity& fidelity, const UnitPoint& start,
-                            const Sets& earlier, SearchPath& path) {
+bool CalibrationRun::carry_out_search(const StageSpec& stage, const Fidelity& fidelity, const UnitPoint& start,
+                                      const Sets& earlier, SearchPath& path) {
   if (stage.method == SearchMethod::kSurrogate) {
     path = surrogate_path(stage, start, surrogate_queries(fidelity, start, earlier));
     return path.requested.empty();
@@ -129,7 +129,7 @@ bool CalibrationRun::run_stage(const StageSpec& stage, UnitPoint& at) {
   if (!evaluations_.carry_out(fidelity, {at})) return false;
   StageOutcome outcome;
   outcome.best = evaluations_.known(fidelity, at)->misfit;
-  const bool ended = follow(stage, fidelity, at, sets_like(stage), outcome.path);
+  const bool ended = carry_out_search(stage, fidelity, at, sets_like(stage), outcome.path);
   for (const UnitPoint& set : outcome.path.sets) outcome.evaluations.push_back(evaluations_.known(fidelity, set));
   if (outcome.path.misfit < outcome.best) at = outcome.path.best, outcome.best = outcome.path.misfit;
   outcome_.stages.push_back(outcome);
@@ -189,7 +189,7 @@ bool CalibrationRun::seek_single_targets() {
     };
     SingleTarget found{target, 0, *std::min_element(sets.begin(), sets.end(), less)};
     SearchPath path;
-    if (!follow(stage, fidelity, found.nearest->point, sets, path)) return false;
+    if (!carry_out_search(stage, fidelity, found.nearest->point, sets, path)) return false;
     found.sets = path.sets.size() - 1;
     for (const UnitPoint& set : path.sets) {
       const Evaluation* e = evaluations_.known(fidelity, set);

@@ -52,8 +52,8 @@ class CalibrationRun {
  private:
   bool run_stage(const StageSpec& stage, UnitPoint& at);
   // The search by the method of the stage, with the runs that it requests. False when interrupted.
-  bool follow(const StageSpec& stage, const Fidelity& fidelity, const UnitPoint& start, const Sets& earlier,
-              SearchPath& path);
+  bool carry_out_search(const StageSpec& stage, const Fidelity& fidelity, const UnitPoint& start, const Sets& earlier,
+                        SearchPath& path);
   SurrogateQueries surrogate_queries(const Fidelity& fidelity, const UnitPoint& start, const Sets& earlier);
   bool confirm(UnitPoint at);
   bool seek_single_targets();

@@ -71,7 +71,7 @@ RunNumbers numbers_of(const CalibrationSpec& spec, const std::string& scene, con
     if (!target.is_curve()) {
       const MetricSpec& metric = spec.metrics[static_cast<std::size_t>(index_of(spec.metrics, target.metric))];
       const double y = metrics_of_run({metric}, folder, spec.file).front();
-      if (std::isfinite(y)) numbers.figures[target.metric] = y;
+      if (std::isfinite(y)) numbers.metrics[target.metric] = y;
       continue;
     }
     if (history.names.empty()) history = read_history((fs::path(folder) / "history.csv").string());
@@ -92,7 +92,7 @@ TargetResult result_of(const CalibrationSpec& spec, std::size_t target,
     std::vector<std::vector<double>> all(rows);
     for (const RunNumbers& run : runs[static_cast<std::size_t>(index_of(spec.scenes, scene))]) {
       std::vector<double> y;
-      if (run.figures.count(t.metric) > 0) y = {run.figures.at(t.metric)};
+      if (run.metrics.count(t.metric) > 0) y = {run.metrics.at(t.metric)};
       if (t.is_curve()) y = run.curves.count(t.name) > 0 ? run.curves.at(t.name) : std::vector<double>();
       if (y.size() != rows) return std::vector<std::vector<double>>();
       for (std::size_t k = 0; k < rows; ++k) all[k].push_back(y[k]);
@@ -189,7 +189,7 @@ void RunRecords::write() {
                  {"run", entry.run},
                  {"wall_s", entry.wall},
                  {"cpu_s", entry.cpu},
-                 {"figures", entry.numbers.figures},
+                 {"figures", entry.numbers.metrics},
                  {"curves", entry.numbers.curves}}
                 .dump() +
             "\n";

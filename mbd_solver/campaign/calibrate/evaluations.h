@@ -20,7 +20,7 @@ namespace footfall {
 
 // Results of one finished run that targets require. A number that the run does not have is not in it.
 struct RunNumbers {
-  std::map<std::string, double> figures;              // by the metric's name
+  std::map<std::string, double> metrics;              // by the metric's name
   std::map<std::string, std::vector<double>> curves;  // y at the file's x, by the target's name
 };
 

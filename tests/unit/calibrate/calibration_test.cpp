@@ -742,8 +742,8 @@ class LedgerOfRuns : public ::testing::Test, protected TemporaryFolder {
   RunRecords::Entry entry(const std::string& run, double depth, double angle) const {
     RunRecords::Entry e;
     e.run = run, e.wall = 1.5, e.cpu = 0.1 + 0.2;
-    e.numbers.figures = {{"depth", depth}};
-    if (!std::isnan(angle)) e.numbers.figures["angle"] = angle;
+    e.numbers.metrics = {{"depth", depth}};
+    if (!std::isnan(angle)) e.numbers.metrics["angle"] = angle;
     return e;
   }
   void write_two() const {
@@ -763,11 +763,11 @@ TEST_F(LedgerOfRuns, ComesBackToTheLastBit) {
   const RunRecords::Entry* one = ledger.find("one", "recipe1");
   ASSERT_TRUE(one);
   EXPECT_EQ(one->run, "one_1");
-  EXPECT_EQ(one->numbers.figures.at("depth"), 1.0 / 3.0);
-  EXPECT_EQ(one->numbers.figures.count("angle"), 0u) << "not asked";
+  EXPECT_EQ(one->numbers.metrics.at("depth"), 1.0 / 3.0);
+  EXPECT_EQ(one->numbers.metrics.count("angle"), 0u) << "not asked";
   EXPECT_EQ(one->cpu, 0.1 + 0.2);
   ASSERT_TRUE(ledger.find("two", "recipe2"));
-  EXPECT_EQ(ledger.find("two", "recipe2")->numbers.figures.at("angle"), M_PI);
+  EXPECT_EQ(ledger.find("two", "recipe2")->numbers.metrics.at("angle"), M_PI);
   EXPECT_FALSE(ledger.find("one", "recipe2")) << "of another scene";
   EXPECT_FALSE(ledger.find("one", "")) << "a scene that cannot be read";
 }
@@ -783,8 +783,8 @@ TEST_F(LedgerOfRuns, AnswersTheSameQuestionOnlyAndKeepsTheOthers) {
     ledger.add("two", "recipe2", entry("two_2", 0.5, 2.0));
     ledger.write();
   }
-  EXPECT_EQ(RunRecords(other, file).find("two", "recipe2")->numbers.figures.at("angle"), 2.0);
-  EXPECT_EQ(RunRecords(spec, file).find("two", "recipe2")->numbers.figures.at("angle"), M_PI);
+  EXPECT_EQ(RunRecords(other, file).find("two", "recipe2")->numbers.metrics.at("angle"), 2.0);
+  EXPECT_EQ(RunRecords(spec, file).find("two", "recipe2")->numbers.metrics.at("angle"), M_PI);
 }
 
 TEST_F(LedgerOfRuns, CutAnywhereLosesTheLastLineAlone) {

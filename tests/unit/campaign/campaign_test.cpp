@@ -258,9 +258,9 @@ TEST(TwoLevelEstimate, IsUnbiasedAndNarrowerThanHalfOfItsGrainRunsAlone) {
       sum += weights.back();
     }
     for (double& w : weights) w = 0.8 * w / sum + 0.2 / kRuns;
-    const std::vector<CheckedRun> checked = draw_checked(weights, kChecked, static_cast<std::uint64_t>(seed));
+    const std::vector<GroupDraw> checked = draw_by_groups(weights, kChecked, static_cast<std::uint64_t>(seed));
     std::vector<int> better_ones;
-    for (const CheckedRun& c : checked) better_ones.push_back(better(draws.values(c.run)[0], draws.values(c.run)[1]));
+    for (const GroupDraw& c : checked) better_ones.push_back(better(draws.values(c.run)[0], draws.values(c.run)[1]));
     const TwoLevels levels = two_levels(cheaply, checked, better_ones);
     estimates.push_back(levels.corrected.value);
     widths.push_back(levels.corrected.width());

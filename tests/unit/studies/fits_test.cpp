@@ -431,19 +431,19 @@ TEST(RigChecks, HalfTheSpeedIsTheSamePathInTwiceTheTime) {
   press.motion->z.emplace();
   press.motion->z->polynomial = {0.0, -0.2, 0.4};
   scene.joints = {press};
-  const std::vector<RigCheck> checks = checks_of(scene, true);
+  const std::vector<RigVariation> checks = variations_of(scene, true);
   ASSERT_EQ(checks.size(), 3u);
   EXPECT_EQ(checks[0].settings[0], "particles.box.size=[0.6,0.4]");
   EXPECT_EQ(checks[1].settings[0], "particles.box.radius=[0.002,0.003]");
   EXPECT_EQ(checks[2].settings,
             (std::vector<std::string>{"end_time=1", "joints.press.motion.z.polynomial=[0,-0.1,0.1]"}));
-  EXPECT_EQ(checks_of(scene, false).size(), 2u);
+  EXPECT_EQ(variations_of(scene, false).size(), 2u);
 }
 
 // The pressure stays: four times the force on four times the area.
 TEST(RigChecks, AShearBoxOfTwiceTheSizeHasTheSamePressure) {
   const Scene scene = read_scene(std::string(FOOTFALL_SOURCE_DIR) + "/inputs/rigs/scenes/box.toml", {});
-  const std::vector<RigCheck> checks = checks_of_holding_bodies(scene, true);
+  const std::vector<RigVariation> checks = variations_of_holding_bodies(scene, true);
   ASSERT_EQ(checks.size(), 3u);
   const Scene twice = read_scene(scene.file, checks[0].settings);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -463,7 +463,7 @@ TEST(RigChecks, AShearBoxOfTwiceTheSizeHasTheSamePressure) {
 
 TEST(RigChecks, ASlopeOfTwiceTheSizeHasItsGateAndItsPit) {
   const Scene scene = read_scene(std::string(FOOTFALL_SOURCE_DIR) + "/inputs/rigs/scenes/repose.toml", {});
-  const std::vector<RigCheck> checks = checks_of_holding_bodies(scene, true);
+  const std::vector<RigVariation> checks = variations_of_holding_bodies(scene, true);
   ASSERT_EQ(checks.size(), 3u);
   const Scene twice = read_scene(scene.file, checks[0].settings);
   EXPECT_TRUE(twice.bodies[0].shape->size.isApprox(2.0 * scene.bodies[0].shape->size));
@@ -476,8 +476,8 @@ TEST(RigChecks, ASlopeOfTwiceTheSizeHasItsGateAndItsPit) {
 TEST(RigChecks, NameWhatTheyCannotChange) {
   Scene scene;
   scene.file = "own.toml";
-  EXPECT_THAT([&] { checks_of(scene, true); }, ThrowsMessage<InputError>(HasSubstr("own.toml")));
-  EXPECT_THAT([&] { checks_of_holding_bodies(scene, true); }, ThrowsMessage<InputError>(HasSubstr("own.toml")));
+  EXPECT_THAT([&] { variations_of(scene, true); }, ThrowsMessage<InputError>(HasSubstr("own.toml")));
+  EXPECT_THAT([&] { variations_of_holding_bodies(scene, true); }, ThrowsMessage<InputError>(HasSubstr("own.toml")));
 }
 
 TEST(RigCommand, KnowsTheGravities) {
