@@ -33,12 +33,6 @@ SweepSpec shortened(SweepSpec spec, bool short_form) {
   return spec;
 }
 
-// The value of a drawn parameter in formulas and tables.
-double number_of(const ParameterSpec& p, double value) {
-  if (p.choices.empty()) return value;
-  return number_in(p.choices[static_cast<std::size_t>(value)].name).value_or(value);
-}
-
 std::string text_of(const ParameterSpec& p, double value) {
   return p.choices.empty() ? exact_text(value) : p.choices[static_cast<std::size_t>(value)].name;
 }
@@ -57,6 +51,12 @@ Campaign::Campaign(const SweepSpec& spec, bool short_form)
 
 std::string Campaign::case_name(std::size_t c) const { return cases() == 1 ? "all" : plan_.cases[c].name; }
 
+double Campaign::drawn_number(std::size_t draw, std::size_t place) const {
+  const ParameterSpec& p = spec_.parameters[draws_.parameters()[place]];
+  const double value = draws_.values(draw)[place];
+  return p.choices.empty() ? value : number_in(p.choices[static_cast<std::size_t>(value)].name).value_or(value);
+}
+
 std::string Campaign::name(std::size_t row) const {
   std::string number = std::to_string(row);
   return "row_" + std::string(number.size() < 6 ? 6 - number.size() : 0, '0') + number;
@@ -65,10 +65,8 @@ std::string Campaign::name(std::size_t row) const {
 std::map<std::string, double> Campaign::values_of(std::size_t draw) const {
   std::map<std::string, double> values = {{"row", static_cast<double>(draw)},
                                           {"seed", static_cast<double>(draws_.seed(draw))}};
-  for (std::size_t k = 0; k < draws_.parameters().size(); ++k) {
-    const ParameterSpec& p = spec_.parameters[draws_.parameters()[k]];
-    values[p.name] = number_of(p, draws_.values(draw)[k]);
-  }
+  for (std::size_t k = 0; k < draws_.parameters().size(); ++k)
+    values[spec_.parameters[draws_.parameters()[k]].name] = drawn_number(draw, k);
   return values;
 }
 
@@ -178,11 +176,7 @@ std::string Campaign::recipe() const {
   }
   for (const double value : draws_.values(0)) put(value);  // by another OpenTURNS it may have other digits
   for (const CorrelationSpec& c : spec_.correlations) text << joined(c.between) << ' ' << c.rank << '\n';
-  for (const MetricSpec& m : spec_.metrics) {
-    text << m.name << ' ' << m.key << ' ' << joined(m.columns) << ' ' << name_of(m.reduction) << ' ' << m.average << ' '
-         << m.prominence << ' ' << m.over << '\n';
-    for (const double height : m.slope) put(height);
-  }
+  for (const MetricSpec& m : spec_.metrics) text << metric_recipe(m) << '\n';
   for (std::size_t c = 0; c < cases(); ++c) {
     const auto [r, scene] = first_valid(c);
     text << recipe_of(scene, r.until) << joined(spec_.settings, "\n") << '\n';

@@ -49,6 +49,8 @@ class Campaign {
   std::vector<int> outcomes_of(std::size_t row, const std::vector<double>& metrics) const;
   std::vector<std::string> case_values(std::size_t row) const;   // of the parameters that are not drawn
   std::vector<std::string> drawn_values(std::size_t row) const;  // as text
+  // The value of a drawn parameter in formulas and tables: a draw's; of a choice that is no number its place.
+  double drawn_number(std::size_t draw, std::size_t place) const;
 
   // The draws that the results are of: all, or as many as until_width required. Rows before them are done.
   std::size_t used() const { return used_; }

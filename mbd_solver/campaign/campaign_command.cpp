@@ -25,8 +25,6 @@
 #include "mbd_solver/app/results.h"
 #include "mbd_solver/base/live_line.h"
 #include "mbd_solver/base/lock.h"
-#include "mbd_solver/base/quote.h"
-#include "mbd_solver/bed/programs.h"
 #include "mbd_solver/campaign/campaign.h"
 #include "mbd_solver/campaign/campaign_page.h"
 #include "mbd_solver/campaign/worker_pool.h"
@@ -342,7 +340,7 @@ bool run_better_model(const Campaign& campaign, const std::string& folder, int j
   if (rows.size() < 2) return true;
   // Weights fall off about the boundary as (p (1 - p))^1/4, more slowly than the scatter of the outcome, as wrong calls reach
   // further than that; and a share that all have.
-  const std::vector<double> p = chances(campaign, result.which_case, outcome, rows);
+  const std::vector<double> p = chances(campaign, outcome, rows);
   std::vector<double> weights;
   for (const double chance : p) weights.push_back(std::pow(chance * (1.0 - chance), 0.25));
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
@@ -405,42 +403,14 @@ int make_beds(const Campaign& campaign, const std::string& folder, std::size_t f
   return code;
 }
 
-std::string command_words(const SweepArguments& a, const std::string& out) {
-  std::vector<std::string> words = {built_program("footfall"), a.command, fs::absolute(a.file).string(), "--out", out};
-  if (a.short_form) words.push_back("--short");
-  if (a.trust_script) words.push_back("--trust-script");
-  return shell_line(words);
-}
-
-void write_array(const SweepArguments& a, const Campaign& campaign, const std::string& out) {
-  const std::string path = (fs::path(out) / "sweep.sbatch").string(),
-                    line = command_words(a, fs::absolute(out).string());
-  for (const char c : line)
-    if (static_cast<unsigned char>(c) < 0x20)
-      throw InputError(code::kSlurmName, "--slurm: a name on the command line has a control character; rename it");
-  const std::size_t elements = std::min(kElements, campaign.size());
-  std::string output = fs::absolute(out).string() + "/slurm_";
-  for (std::size_t at = output.find('%'); at != std::string::npos; at = output.find('%', at + 2))
-    output.insert(at, "%");  // Slurm replaces %
-  std::ostringstream file;
-  file << "#!/bin/bash\n#SBATCH --job-name=" << shell_word(fs::path(a.file).stem().string()) << "\n#SBATCH --array=0-"
-       << elements - 1 << "\n#SBATCH --nodes=1\n#SBATCH --ntasks=1\n#SBATCH --output=" << shell_word(output + "%a.txt")
-       << "\n# Each element carries out a share of the rows. At the end tables and pictures:  " << line << " --merge\n"
-       << line << " --jobs 1 --only \"$SLURM_ARRAY_TASK_ID\"\n";
-  write_whole_file(path, file.str());
-  std::printf("%s: %zu runs in %zu elements; submit with  sbatch %s\n", path.c_str(), campaign.size(), elements,
-              shell_word(path).c_str());
-}
-
 }  // namespace
 
 int campaign_command(const SweepArguments& a) {
   SweepSpec spec = read_sweep_file(a.file);
   spec.trusted = a.trust_script;
   Campaign campaign(spec, a.short_form);
-  const std::string name = fs::path(a.file).stem().string();
-  const std::string folder =
-      short_path(fs::absolute(a.out.empty() ? (fs::path(a.runs) / name).string() : a.out).string());
+  const OutputFolder output(a);
+  const std::string& folder = output.folder;
   const std::string recipe = campaign.recipe();  // reads the scene of every case: its faults are found before all runs
   const std::size_t elements = std::min(kElements, campaign.size());
   if (a.only >= static_cast<int>(elements))
@@ -455,7 +425,7 @@ int campaign_command(const SweepArguments& a) {
       try {
         const RunRequest r = campaign.request(row);
         std::printf("%zu  %s\n", row, r.scene.c_str());
-        for (const std::string& setting : r.settings) std::printf("     --set %s\n", setting.c_str());
+        print_settings(r);
       } catch (const CodedError& e) {
         std::printf("%zu  %s\n", row, e.what());
       }
@@ -465,7 +435,11 @@ int campaign_command(const SweepArguments& a) {
   make_folder(folder);
   const FileLock lock = a.only < 0 && !a.merge ? lock_folder(folder) : FileLock();
   if (a.slurm) {
-    write_array(a, campaign, folder);
+    write_job_array(
+        a, output,
+        {elements, 1, " --jobs 1",
+         "# Each element carries out a share of the rows. At the end tables and pictures:  {command} --merge\n",
+         std::to_string(campaign.size()) + " runs in " + std::to_string(elements) + " elements"});
     return kExitDone;
   }
   const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -501,7 +475,7 @@ int campaign_command(const SweepArguments& a) {
     return study_interrupted();
   }
   // The table first: what follows takes time, and repeats nothing when it is ended.
-  write_whole_file((fs::path(folder) / "runs.csv").string(), campaign_table(campaign).csv());
+  write_whole_file(output.path("runs.csv"), campaign_table(campaign).csv());
   std::vector<RepeatedRun> kept = rows_to_keep(campaign, static_cast<std::size_t>(campaign.spec().keep));
   if (!kept.empty() && !run.repeat(kept, "kept")) return study_interrupted();
   std::vector<BetterModelResult> checks;
@@ -516,13 +490,10 @@ int campaign_command(const SweepArguments& a) {
   } catch (const InputError& e) {
     warn_missing_file("picture", e);
   }
-  const StudyPage page = campaign_page(campaign, kept, checks, "./footfall " + a.command + " " + a.file, pictures);
-  const auto path = [&](const std::string& file) { return (fs::path(folder) / file).string(); };
-  write_whole_file(path(name + ".md"), page.markdown());
-  write_whole_file(path("report.html"), page.html());
-  if (!a.table.empty()) write_whole_file(a.table, page.markdown());
-  std::printf("%s%s\n%s\n%s\n", page.markdown().c_str(), path("runs.csv").c_str(), path(name + ".md").c_str(),
-              path("report.html").c_str());
+  const StudyPage page = campaign_page(campaign, kept, checks, output.command, pictures);
+  write_page(page, output);
+  std::printf("%s%s\n%s\n%s\n", page.markdown().c_str(), output.path("runs.csv").c_str(),
+              output.path(output.name + ".md").c_str(), output.path("report.html").c_str());
   bool all = run.differing() == 0;
   for (std::size_t row = 0; row < campaign.used() * campaign.cases(); ++row) all = all && campaign.row(row).code == 0;
   return all ? kExitDone : kExitFailed;

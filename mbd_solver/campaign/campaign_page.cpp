@@ -41,12 +41,6 @@ std::size_t drawn_place(const Campaign& campaign, const std::string& name) {
   return 0;
 }
 
-double drawn_number(const Campaign& campaign, std::size_t row, std::size_t place) {
-  const ParameterSpec& p = campaign.spec().parameters[campaign.draws().parameters()[place]];
-  const double value = campaign.draws().values(campaign.draw_of(row))[place];
-  return p.choices.empty() ? value : number_in(p.choices[static_cast<std::size_t>(value)].name).value_or(value);
-}
-
 }  // namespace
 
 std::vector<std::size_t> rows_of_case(const Campaign& campaign, std::size_t which_case) {
@@ -78,7 +72,8 @@ Boundary::Boundary(const Campaign& campaign, const EnvelopeSpec& envelope, std::
                                  two_ ? drawn_place(campaign, envelope.y) : std::size_t{0}};
   for (const std::size_t row : rows_of_case(campaign, which_case)) {
     if (campaign.row(row).outcomes[outcome] < 0) continue;
-    points.push_back({drawn_number(campaign, row, places[0]), two_ ? drawn_number(campaign, row, places[1]) : 0.0});
+    points.push_back({campaign.drawn_number(campaign.draw_of(row), places[0]),
+                      two_ ? campaign.drawn_number(campaign.draw_of(row), places[1]) : 0.0});
     happened.push_back(campaign.row(row).outcomes[outcome]);
   }
   const long hits = std::count(happened.begin(), happened.end(), 1);
@@ -168,9 +163,7 @@ std::vector<Boundary::Crossing> Boundary::middle() const {
   return up.empty() ? along(0, median_[1]) : up;
 }
 
-std::vector<double> chances(const Campaign& campaign, std::size_t which_case, std::size_t outcome,
-                            const std::vector<std::size_t>& rows) {
-  (void)which_case;
+std::vector<double> chances(const Campaign& campaign, std::size_t outcome, const std::vector<std::size_t>& rows) {
   const std::size_t width = campaign.draws().parameters().size();
   // Squares as well, if there are enough runs for them.
   const bool squares = rows.size() > 20 * (1 + 2 * width);
@@ -502,8 +495,10 @@ std::vector<std::string> draw_campaign(const Campaign& campaign, const std::stri
       const std::size_t x = drawn_place(campaign, e.x), y = e.y.empty() ? 0 : drawn_place(campaign, e.y);
       for (const std::size_t row : rows_of_case(campaign, c))
         if (const int happened = campaign.row(row).outcomes[outcome]; happened >= 0)
-          points << happened << ',' << number_text(drawn_number(campaign, row, x), 8) << ','
-                 << (e.y.empty() ? std::to_string(happened) : number_text(drawn_number(campaign, row, y), 8)) << '\n';
+          points << happened << ',' << number_text(campaign.drawn_number(campaign.draw_of(row), x), 8) << ','
+                 << (e.y.empty() ? std::to_string(happened)
+                                 : number_text(campaign.drawn_number(campaign.draw_of(row), y), 8))
+                 << '\n';
       for (const Boundary::Crossing& at : boundary.crossings())
         points << "2," << number_text(at.x, 8) << ',' << number_text(e.y.empty() ? 0.5 : at.y, 8) << '\n';
       constexpr int kGrid = 90;

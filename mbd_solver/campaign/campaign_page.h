@@ -57,9 +57,8 @@ class Boundary {
   bool fitted_ = false;
 };
 
-// The chance of an outcome for each row of the case, by a logistic curve in all drawn numbers.
-std::vector<double> chances(const Campaign& campaign, std::size_t which_case, std::size_t outcome,
-                            const std::vector<std::size_t>& rows);
+// The chance of an outcome for each of the rows, by a logistic curve in all drawn numbers.
+std::vector<double> chances(const Campaign& campaign, std::size_t outcome, const std::vector<std::size_t>& rows);
 
 Table campaign_table(const Campaign& campaign);
 // `pictures`: of draw_campaign.

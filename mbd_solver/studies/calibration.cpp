@@ -11,13 +11,9 @@
 #include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/csv.h"
-#include "mbd_solver/base/named_file.h"
 #include "mbd_solver/model/control/signal_chain.h"
-#include "mbd_solver/scene/codes.h"
-#include "mbd_solver/scene/field_reader.h"
-#include "mbd_solver/scene/field_visitor.h"
 #include "mbd_solver/scene/scene_schema.h"
-#include "mbd_solver/studies/codes.h"
+#include "mbd_solver/studies/study_file.h"
 #include "mbd_solver/studies/sweep_file.h"
 #include "mbd_solver/studies/tables.h"
 
@@ -89,8 +85,6 @@ std::string calibration_schema() {
   return schema_of("Calibration file of footfall", [&](FieldVisitor& v) { visit_fields(v, defaults); });
 }
 
-namespace fs = std::filesystem;
-
 namespace {
 
 bool holds(const std::vector<std::string>& texts, const std::string& mark) {
@@ -99,9 +93,9 @@ bool holds(const std::vector<std::string>& texts, const std::string& mark) {
 }
 
 // Fills what follows from other keys, and finds contradictions.
-class CalibrationValidator {
+class CalibrationValidator : StudyValidator<CalibrationSpec> {
  public:
-  CalibrationValidator(CalibrationSpec& spec, Findings& findings) : spec_(spec), findings_(findings) {}
+  CalibrationValidator(CalibrationSpec& spec, Findings& findings) : StudyValidator(spec, findings) {}
 
   void validate() {
     if (spec_.parameters.empty()) wrong(code::kMissingKey, spec_.source, "parameters", "are missing");
@@ -126,9 +120,6 @@ class CalibrationValidator {
   }
 
  private:
-  void wrong(const MessageCode& code, const Source& at, const std::string& key, const std::string& what) {
-    findings_.error(code, at, key, what);
-  }
   // An error of `action` has a code if it is one of ours.
   template <class Action>
   void attempt(const Source& at, const std::string& key, const Action& action) {
@@ -139,10 +130,6 @@ class CalibrationValidator {
     } catch (const std::exception& error) {
       wrong(code::kStudyFormula, at, key, error.what());
     }
-  }
-
-  std::string in_folder(const std::string& file) const {
-    return (fs::path(spec_.folder) / file).lexically_normal().string();
   }
 
   void unique(std::vector<std::string> names, const std::string& list) {
@@ -192,14 +179,8 @@ class CalibrationValidator {
     for (const CalibrationScene& s : spec_.scenes) append(all, s.settings);
     for (const StageSpec& s : spec_.stages) append(all, s.settings);
     for (const CalibrationParameter& p : spec_.parameters) append(all, p.settings);
-    std::set<std::string> names;  // in formulas
-    attempt(spec_.source, "settings", [&] {
-      for (const std::string& text : all)
-        for (std::size_t at = text.find(kFormulaMark); at != std::string::npos; at = text.find(kFormulaMark, at + 2))
-          for (const std::string& name : Expression::names_in(text.substr(at + 2, text.find('}', at) - at - 2)))
-            names.insert(name);
-      with_formulas(all, spec_, start_of(spec_));
-    });
+    const std::set<std::string> names = names_in_formulas(all);
+    attempt(spec_.source, "settings", [&] { with_formulas(all, spec_, start_of(spec_)); });
     for (const CalibrationParameter& p : spec_.parameters)
       if (p.settings.empty() && names.count(p.name) == 0)
         wrong(code::kKeyWithoutEffect, p.source, "settings",
@@ -267,8 +248,7 @@ class CalibrationValidator {
   }
 
   void validate(const MetricSpec& f) {
-    if (const MetricFault fault = fault_of(f); !fault.key.empty())
-      wrong(code::kConflictingKeys, f.source, fault.key, fault.text);
+    validate_source(f);
     if (f.compares_curves())
       wrong(code::kConflictingKeys, f.source, "error",
             "compares with a reference, which a calibration does not have; use a curve as target");
@@ -294,18 +274,12 @@ class CalibrationValidator {
     }
     if (!t.column.empty())
       wrong(code::kMissingKey, t.source, "file", "is missing, expected a file of x and y for the column");
-    if (index_of(spec_.metrics, t.metric) < 0)
-      wrong(code::kUnknownMetric, t.source, "figure",
-            "\"" + t.metric + "\" is not one of [[figures]]." +
-                known_names("metrics", t.metric, names_in(spec_.metrics)));
+    require_metric(t.source, "figure", t.metric);
     const bool band = std::isfinite(t.least) || std::isfinite(t.most);
     if (t.value.has_value() == band)
       wrong(code::kConflictingKeys, t.source, "value", "expected either value, or least, most or both");
     if (!(t.least <= t.most)) wrong(code::kRangeReversed, t.source, "most", "is less than least");
   }
-
-  CalibrationSpec& spec_;
-  Findings& findings_;
 };
 
 }  // namespace
@@ -358,16 +332,8 @@ double violation_of(const CalibrationSpec& spec, const UnitPoint& point) {
 }
 
 CalibrationSpec read_calibration(const std::string& file) {
-  require_file(file, "a calibration file (TOML), as in inputs/calibrations");
-  const ConfigNode root = parse_toml_file(file);
   Findings findings(file);
-  CalibrationSpec s;
-  s.file = file;
-  s.folder = fs::absolute(file).parent_path().string();
-  read_fields(
-      root, s.folder, [&](FieldVisitor& reader) { visit_fields(reader, s); }, findings);
-  findings.throw_if_errors();
-  s.settings.insert(s.settings.begin(), {"output.vtk=false", "output.plots=false"});  // defaults
+  CalibrationSpec s = read_study<CalibrationSpec>(file, "a calibration file", "inputs/calibrations", findings);
   CalibrationValidator(s, findings).validate();
   return s;
 }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 #include <numeric>
+#include <sstream>
 #include <tuple>
 
 #include "coupler/base/errors.h"
@@ -128,13 +129,13 @@ void require_columns(const std::vector<std::string>& columns, const History& his
                                                  name + "\"." + known_names("columns", name, history.names));
 }
 
-MetricFault fault_of(const MetricSpec& f) {
-  const int sources = (f.key.empty() ? 0 : 1) + (f.columns.empty() ? 0 : 1) + (f.slope.empty() ? 0 : 1);
-  if (sources != 1)
-    return {"key", "expected one of key (of summary.json), columns (of history.csv) and slope (of the bed)"};
-  if (!f.slope.empty() && (f.slope.size() != 2 || !(f.slope[0] < f.slope[1])))
-    return {"slope", "expected two heights [m], the lower one first, such as [-0.06, -0.02]"};
-  return {};
+std::string metric_recipe(const MetricSpec& f) {
+  std::ostringstream text;
+  text.precision(17);
+  text << f.name << '\n' << f.key << '\n' << joined(f.columns, ",") << '\n' << name_of(f.reduction) << ' ';
+  text << f.average << ' ' << f.prominence << ' ' << f.over;
+  for (const double height : f.slope) text << ' ' << height;
+  return text.str();
 }
 
 std::vector<double> metrics_of_run(const std::vector<MetricSpec>& metrics, const std::string& folder,

@@ -62,11 +62,8 @@ struct MetricSpec {
 
 class FieldVisitor;
 void visit_fields(FieldVisitor& v, MetricSpec& metric);  // its keys
-// A fault in the source of its number, as "key" and a text; both empty: none.
-struct MetricFault {
-  std::string key, text;
-};
-MetricFault fault_of(const MetricSpec& metric);
+// All on which its number depends, without its unit and limits of errors.
+std::string metric_recipe(const MetricSpec& metric);
 
 // Of the finished run in `folder`; NaN when its history is empty, or for metrics that compare curves. Throws InputError,
 // beginning with `file`, when the run lacks a number or column.

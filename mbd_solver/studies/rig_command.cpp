@@ -151,17 +151,18 @@ RigStatistic statistic_of(const std::vector<RigSample>& samples, std::size_t ans
   return s;
 }
 
-void write_rig(const Rig& rig, const std::vector<RigVariant>& variants, const std::string& folder,
-               const std::string& title, const std::string& command, bool verdicts) {
+void write_rig(const Rig& rig, const std::vector<RigVariant>& variants, const OutputFolder& output,
+               const std::string& title) {
   const Table table = answer_table(variants);
-  const auto path = [&](const std::string& end) { return (fs::path(folder) / (rig.name + end)).string(); };
-  std::string page = "## " + title + "\n\nMade by `" + command + "`.\n\n" + table.page();
-  if (verdicts) page += claim_lines(rig, variants.front());
+  const auto path = [&](const std::string& end) { return output.path(rig.name + end); };
+  std::string page = "## " + title + "\n\nMade by `" + output.command + (output.short_form ? " --short" : "") +
+                     "`.\n\n" + table.page();
+  if (!output.short_form) page += claim_lines(rig, variants.front());
   write_whole_file(path(".csv"), table.csv());
   write_whole_file(path("_samples.csv"), sample_table(variants).csv());
   write_whole_file(path(".md"), page);
   std::printf("%s\n", page.c_str());
-  const std::string pictures = draw_curves(rig, variants.front(), folder, title);
+  const std::string pictures = draw_curves(rig, variants.front(), output.folder, title);
   std::printf("%s\n%s%s\n", path(".md").c_str(), pictures.c_str(), path(".csv").c_str());
 }
 
@@ -291,17 +292,8 @@ int rig_command(const RigArguments& a) {
   const Rig& rig = rig_named(a.name);
   std::vector<std::string> settings = a.settings;
   if (!a.gravity.empty()) settings.push_back(gravity_setting(a.gravity));
-  SweepArguments e;
-  e.command = "rig";
-  e.file = a.file.empty() ? shipped_file(std::string("inputs/rigs/") + rig.name + ".toml") : a.file;
-  e.out = a.out;
-  e.runs = "runs/rigs";
-  e.jobs = a.jobs;
-  e.only = a.only;
-  e.resume = true;
-  e.short_form = a.short_form;
-  e.list = a.list;
-  e.beds = a.beds;
+  SweepArguments e = a;
+  if (a.file.empty()) e.file = shipped_file(std::string("inputs/rigs/") + rig.name + ".toml");
   e.again = {"rig", a.name};
   if (!a.file.empty()) append(e.again, {"--file", a.file});
   for (const std::string& setting : a.settings) append(e.again, {"--set", setting});
@@ -320,12 +312,11 @@ int rig_command(const RigArguments& a) {
     require_scenes(plan, rig);
     add_variations(plan, rig, a.checks);
   };
-  e.write = [&](const SweepSpec& spec, const Plan& plan, const Results& results, const std::string& folder,
-                const std::string& command) {
+  e.write = [&](const SweepSpec& spec, const Plan& plan, const Results& results, const OutputFolder& output) {
     const std::vector<RigVariant> variants = variants_of(rig, spec, plan, results);
     if (variants.empty() || variants.front().samples.empty())
-      throw InputError(code::kRigRuns, folder + ": no sample of the bed has all its runs, nothing to evaluate");
-    write_rig(rig, variants, folder, spec.title, command + (a.short_form ? " --short" : ""), !a.short_form);
+      throw InputError(code::kRigRuns, output.folder + ": no sample of the bed has all its runs, nothing to evaluate");
+    write_rig(rig, variants, output, spec.title);
     return results.all_done();
   };
   return sweep_command(e);

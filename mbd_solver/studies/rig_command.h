@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mbd_solver/studies/rig.h"
+#include "mbd_solver/studies/sweep_command.h"
 
 namespace footfall {
 
@@ -22,17 +23,16 @@ struct RigStatistic {
 };
 RigStatistic statistic_of(const std::vector<RigSample>& samples, std::size_t answer);
 
-// Prints the page and writes NAME.md, NAME.csv, NAME_samples.csv, NAME_curves.csv, NAME.png and .svg into the folder. `title`
-// and `command` head the page; `verdicts`: with published laws.
-void write_rig(const Rig& rig, const std::vector<RigVariant>& variants, const std::string& folder,
-               const std::string& title, const std::string& command, bool verdicts);
+// Prints the page and writes NAME.md, NAME.csv, NAME_samples.csv, NAME_curves.csv, NAME.png and .svg into the folder. In the
+// short form without published laws.
+void write_rig(const Rig& rig, const std::vector<RigVariant>& variants, const OutputFolder& output,
+               const std::string& title);
 
-struct RigArguments {
-  std::string name, file, out, gravity;  // file empty: inputs/rigs/NAME.toml; gravity empty: the scene's
-  std::vector<std::string> settings;     // of every run, before what the rig varies
-  int samples = 0;                       // of the bed; 0: as many as the file has
-  int jobs = 0, only = -1;
-  bool checks = false, short_form = false, list = false, beds = false;
+struct RigArguments : SweepArguments {  // file empty: inputs/rigs/NAME.toml; settings: before what the rig varies
+  RigArguments() { command = "rig", runs = "runs/rigs", resume = true; }
+  std::string name, gravity;  // gravity empty: the scene's
+  int samples = 0;            // of the bed; 0: as many as the file has
+  bool checks = false;
 };
 
 // "earth", "moon", "mars" or a number [m/s2] as a setting. Throws InputError.

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <numeric>
-#include <sstream>
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
@@ -35,16 +34,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string path_of(const OutputFolder& output, const std::string& file) {
-  return (fs::path(output.folder) / file).string();
-}
-
 void print_line(const std::string& text) { std::printf("%s\n", text.c_str()); }
 
 // Writes it into the folder and to --table, and prints it.
 bool write_map(const SweepSpec& spec, const Results& results, const OutputFolder& output) {
   const std::vector<MapRow> rows = map_rows(spec, results);
-  const std::string page = map_page(spec, rows), file = path_of(output, output.name + ".md");
+  const std::string page = map_page(spec, rows), file = output.path(output.name + ".md");
   write_whole_file(file, page);
   if (!output.table.empty()) write_whole_file(output.table, page);
   const auto faults = std::count_if(rows.begin(), rows.end(), [](const MapRow& row) { return row.fault; });
@@ -57,8 +52,8 @@ bool write_map(const SweepSpec& spec, const Results& results, const OutputFolder
 bool write_checks(const SweepSpec& spec, const Results& results, const OutputFolder& output) {
   const std::vector<CheckResult> check_results = check_results_of(spec, results.cases);
   if (check_results.empty()) return true;
-  write_whole_file(path_of(output, "statements.csv"), check_table(spec, check_results).csv());
-  write_whole_file(path_of(output, "statements.md"), check_page(spec, check_results));
+  write_whole_file(output.path("statements.csv"), check_table(spec, check_results).csv());
+  write_whole_file(output.path("statements.md"), check_page(spec, check_results));
   print_line("\n" + check_page(spec, check_results));
   for (std::size_t i = 0; i < check_results.size(); ++i)
     if (spec.checks[i].must && !check_results[i].reproduced) return false;
@@ -66,7 +61,7 @@ bool write_checks(const SweepSpec& spec, const Results& results, const OutputFol
 }
 
 void write_errors(const SweepSpec& spec, const Results& results, const OutputFolder& output) {
-  const std::string csv = path_of(output, output.name + ".csv");
+  const std::string csv = output.path(output.name + ".csv");
   const Table table = error_table(spec, results);
   write_whole_file(csv, table.csv());
   if (!output.table.empty()) write_whole_file(output.table, error_page(spec, results, output.command));
@@ -90,9 +85,9 @@ void require_results(const SweepSpec& spec, const std::string& folder) {
 
 bool write_output(const SweepSpec& spec, const Plan& plan, const Results& results, const OutputFolder& output) {
   if (spec.is_map()) return write_map(spec, results, output);
-  write_whole_file(path_of(output, "runs.csv"), run_table(spec, plan, results).csv());
-  write_whole_file(path_of(output, "cases.csv"), case_table(spec, results.cases).csv());
-  write_whole_file(path_of(output, "cases.md"), case_page(spec, results.cases));
+  write_whole_file(output.path("runs.csv"), run_table(spec, plan, results).csv());
+  write_whole_file(output.path("cases.csv"), case_table(spec, results.cases).csv());
+  write_whole_file(output.path("cases.md"), case_page(spec, results.cases));
   if (spec.curves.empty()) print_line(case_page(spec, results.cases));
   for (const CaseResult& c : results.cases)
     if (c.code != 0) std::printf("%s ended with exit code %d: %s\n", c.plan.name.c_str(), c.code, c.message.c_str());
@@ -101,7 +96,7 @@ bool write_output(const SweepSpec& spec, const Plan& plan, const Results& result
   if (!order.empty())
     std::printf("best in %s within the limits: %s\n", spec.minimise.c_str(),
                 results.cases[order.front()].plan.name.c_str());
-  for (const std::string& file : {path_of(output, "runs.csv"), path_of(output, "cases.csv")}) print_line(file);
+  for (const std::string& file : {output.path("runs.csv"), output.path("cases.csv")}) print_line(file);
   for (const std::string& file : draw_plots(spec, results, output.folder)) print_line(file);
   if (!output.short_form)
     for (const std::string& file : write_fits(spec, plan, results.runs, output.folder)) print_line(file);
@@ -138,34 +133,6 @@ std::vector<std::string> words_again(const SweepArguments& a, const std::string&
   if (a.trust_script) words.push_back("--trust-script");
   if (!a.of_case.empty()) words.insert(words.end(), {"--case", a.of_case});
   return words;
-}
-
-void list_runs(const RunStore& store, const std::vector<std::size_t>& chosen) {
-  for (const std::size_t i : chosen) {
-    std::printf("%zu  %s\n", i, store.request(i).name.c_str());
-    for (const std::string& setting : store.request(i).settings) std::printf("     --set %s\n", setting.c_str());
-  }
-}
-
-void write_slurm(const SweepArguments& a, const std::string& out, std::size_t runs, int ranks) {
-  const std::string path = (fs::path(out) / "sweep.sbatch").string();
-  const std::string line = shell_line(words_again(a, fs::absolute(a.file).string(), fs::absolute(out).string()));
-  // A line end in a name would begin a new line of the script.
-  for (const char c : line)
-    if (static_cast<unsigned char>(c) < 0x20)
-      throw InputError(code::kSlurmName, "--slurm: a name on the command line has a control character; rename it");
-  std::string output = fs::absolute(out).string() + "/slurm_";
-  for (std::size_t at = output.find('%'); at != std::string::npos; at = output.find('%', at + 2))
-    output.insert(at, "%");  // Slurm replaces %
-  std::ostringstream file;
-  file << "#!/bin/bash\n#SBATCH --job-name=" << shell_word(fs::path(a.file).stem().string()) << "\n#SBATCH --array=0-"
-       << runs - 1 << "\n#SBATCH --nodes=1\n#SBATCH --ntasks=" << ranks + 1
-       << "\n#SBATCH --output=" << shell_word(output + "%a.txt") << "\n"
-       << "# First, on the machine from which you submit, the beds:  " << line << " --beds\n"
-       << "# At the end tables and plots:                            " << line << " --merge\n"
-       << line << " --only \"$SLURM_ARRAY_TASK_ID\"\n";
-  write_whole_file(path, file.str());
-  std::printf("%s: %zu runs; submit with  sbatch %s\n", path.c_str(), runs, shell_word(path).c_str());
 }
 
 // Makes the beds before the runs, several at once, each in a process of its own (--only RUN --beds). Throws the error of a
@@ -238,6 +205,43 @@ int start_campaign(const SweepArguments& a) {
 
 }  // namespace
 
+OutputFolder::OutputFolder(const SweepArguments& a)
+    : name(fs::path(a.file).stem().string()),
+      table(a.table),
+      command("./footfall " + (a.again.empty() ? a.command + " " + a.file : shell_line(a.again))),
+      short_form(a.short_form) {
+  folder = short_path(fs::absolute(a.out.empty() ? (fs::path(a.runs) / name).string() : a.out).string());
+}
+
+std::string OutputFolder::path(const std::string& file) const { return (fs::path(folder) / file).string(); }
+
+void write_job_array(const SweepArguments& a, const OutputFolder& output, const JobArray& array) {
+  const std::string folder = fs::absolute(output.folder).string(), path = output.path("sweep.sbatch");
+  const std::string line = shell_line(words_again(a, fs::absolute(a.file).string(), folder));
+  // A line end in a name would begin a new line of the script.
+  for (const char c : line)
+    if (static_cast<unsigned char>(c) < 0x20)
+      throw InputError(code::kSlurmName, "--slurm: a name on the command line has a control character; rename it");
+  write_whole_file(path, "#!/bin/bash\n#SBATCH --job-name=" + shell_word(output.name) + "\n#SBATCH --array=0-" +
+                             std::to_string(array.elements - 1) +
+                             "\n#SBATCH --nodes=1\n#SBATCH --ntasks=" + std::to_string(array.tasks) +
+                             "\n#SBATCH --output=" + shell_word(filled({folder}, "%%", "%").front() + "/slurm_%a.txt") +
+                             "\n" +  // Slurm replaces %
+                             filled({array.notes}, line, "{command}").front() + line + array.options +
+                             " --only \"$SLURM_ARRAY_TASK_ID\"\n");
+  std::printf("%s: %s; submit with  sbatch %s\n", path.c_str(), array.contents.c_str(), shell_word(path).c_str());
+}
+
+void write_page(const StudyPage& page, const OutputFolder& output) {
+  write_whole_file(output.path(output.name + ".md"), page.markdown());
+  write_whole_file(output.path("report.html"), page.html());
+  if (!output.table.empty()) write_whole_file(output.table, page.markdown());
+}
+
+void print_settings(const RunRequest& run) {
+  for (const std::string& setting : run.settings) std::printf("     --set %s\n", setting.c_str());
+}
+
 int study_interrupted() {
   std::fprintf(
       stderr, "footfall: %s\n",
@@ -255,13 +259,8 @@ int sweep_command(const SweepArguments& a) {
   if (!a.of_case.empty()) spec = with_curve(spec, a.of_case);
   Plan plan = plan_of(spec, a.short_form);
   if (a.extend) a.extend(plan);
-  const OutputFolder output = [&] {
-    const std::string name = fs::path(a.file).stem().string();
-    const std::string out = fs::absolute(a.out.empty() ? (fs::path(a.runs) / name).string() : a.out).string();
-    const std::string words = a.again.empty() ? a.command + " " + a.file : shell_line(a.again);
-    return OutputFolder{short_path(out), name, a.table, "./footfall " + words, a.short_form};
-  }();
-  RunStore store((fs::path(output.folder) / "runs").string(), a.resume);
+  const OutputFolder output(a);
+  RunStore store(output.path("runs"), a.resume);
   for (const RunRequest& run : plan.runs) store.add(run);
   const int count = static_cast<int>(plan.runs.size());
   if (a.only >= count)
@@ -270,7 +269,10 @@ int sweep_command(const SweepArguments& a) {
   std::vector<std::size_t> chosen(a.only < 0 ? plan.runs.size() : 1);
   std::iota(chosen.begin(), chosen.end(), static_cast<std::size_t>(std::max(0, a.only)));
   if (a.list) {
-    list_runs(store, chosen);
+    for (const std::size_t i : chosen) {
+      std::printf("%zu  %s\n", i, store.request(i).name.c_str());
+      print_settings(store.request(i));
+    }
     return kExitDone;
   }
   make_folder(output.folder);
@@ -278,13 +280,16 @@ int sweep_command(const SweepArguments& a) {
   const FileLock lock = a.only < 0 && !a.merge ? lock_folder(output.folder) : FileLock();
   const auto write = [&] {
     const Results results = results_of(spec, plan, store);
-    const bool good = a.write ? a.write(spec, plan, results, output.folder, output.command)
-                              : write_output(spec, plan, results, output);
+    const bool good = a.write ? a.write(spec, plan, results, output) : write_output(spec, plan, results, output);
     return good ? kExitDone : kExitFailed;
   };
   if (a.merge) return write();
   if (a.slurm) {
-    write_slurm(a, output.folder, plan.runs.size(), store.most_ranks());
+    write_job_array(a, output,
+                    {plan.runs.size(), store.most_ranks() + 1, "",
+                     "# First, on the machine from which you submit, the beds:  {command} --beds\n"
+                     "# At the end tables and plots:                            {command} --merge\n",
+                     std::to_string(plan.runs.size()) + " runs"});
     return kExitDone;
   }
 

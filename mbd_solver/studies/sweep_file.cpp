@@ -11,14 +11,10 @@
 #include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/csv.h"
-#include "mbd_solver/base/named_file.h"
 #include "mbd_solver/model/control/signal_chain.h"
-#include "mbd_solver/scene/codes.h"
-#include "mbd_solver/scene/field_reader.h"
-#include "mbd_solver/scene/field_visitor.h"
 #include "mbd_solver/scene/scene_schema.h"
-#include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/plan.h"
+#include "mbd_solver/studies/study_file.h"
 #include "mbd_solver/studies/tables.h"
 
 namespace footfall {
@@ -173,9 +169,9 @@ bool is_in(const std::vector<std::string>& list, const std::string& word) {
 }
 
 // Fills what follows from other keys, and finds contradictions.
-class SweepValidator {
+class SweepValidator : StudyValidator<SweepSpec> {
  public:
-  SweepValidator(SweepSpec& spec, Findings& findings) : spec_(spec), findings_(findings) {}
+  SweepValidator(SweepSpec& spec, Findings& findings) : StudyValidator(spec, findings) {}
 
   // Before validate(), which requires a complete spec.
   void complete() {
@@ -199,10 +195,6 @@ class SweepValidator {
   }
 
  private:
-  void wrong(const MessageCode& code, const Source& at, const std::string& key, const std::string& what) {
-    findings_.error(code, at, key, what);
-  }
-
   void complete(ParameterSpec& p) {
     if (p.is_drawn()) complete_drawn(p);
     if (p.is_drawn() && p.distribution.kind != DistributionKind::kDiscrete) return;
@@ -296,7 +288,7 @@ class SweepValidator {
 
   void read_measured(ParameterSpec& p) {
     DistributionSpec& d = p.distribution;
-    d.file = (fs::path(spec_.folder) / d.file).lexically_normal().string();
+    d.file = in_folder(d.file);
     try {
       CsvReader csv(d.file, "a table of measured values, a row per measurement");
       std::size_t column = 0;
@@ -366,7 +358,7 @@ class SweepValidator {
   // Scenes are relative to the file.
   void find_scenes() {
     const auto find = [&](std::string& scene) {
-      if (!scene.empty()) scene = (fs::path(spec_.folder) / scene).lexically_normal().string();
+      if (!scene.empty()) scene = in_folder(scene);
     };
     find(spec_.scene);
     if (spec_.reference) find(spec_.reference->scene);
@@ -466,14 +458,9 @@ class SweepValidator {
     for (const std::string& name : drawn) values[name] = 1.0;
     std::set<std::string> used;
     const auto validate_texts = [&](const Source& at, const std::string& key, const std::vector<std::string>& texts) {
+      const std::set<std::string> names = names_in_formulas(texts);
+      used.insert(names.begin(), names.end());
       for (const std::string& text : texts) {
-        for (std::size_t k = text.find(kFormulaMark); k != std::string::npos; k = text.find(kFormulaMark, k + 1)) {
-          try {
-            for (const std::string& name : Expression::names_in(text.substr(k + 2, text.find('}', k) - k - 2)))
-              used.insert(name);
-          } catch (const InputError&) {  // reported below
-          }
-        }
         try {
           with_formulas({text}, values);
         } catch (const InputError& e) {
@@ -562,8 +549,7 @@ class SweepValidator {
 
   void validate_metrics() {
     for (const MetricSpec& f : spec_.metrics) {
-      if (const MetricFault fault = fault_of(f); !fault.key.empty())
-        wrong(code::kConflictingKeys, f.source, fault.key, fault.text);
+      validate_source(f);
       if (f.compares_curves() && f.columns.empty()) wrong(code::kMissingKey, f.source, "columns", "are missing");
       if (f.compares_curves() && !spec_.reference)
         wrong(code::kNeedsOtherKey, f.source, "error", "compares with [reference], which is missing");
@@ -606,12 +592,6 @@ class SweepValidator {
     }
   }
 
-  void require_metric(const Source& at, const std::string& key, const std::string& name) {
-    if (index_of(spec_.metrics, name) < 0)
-      wrong(code::kUnknownMetric, at, key,
-            "\"" + name + "\" is not one of [[figures]]." + known_names("metrics", name, names_in(spec_.metrics)));
-  }
-
   // Null after a finding.
   const ParameterSpec* parameter(const Source& at, const std::string& key, const std::string& name) {
     const int k = index_of(spec_.parameters, name);
@@ -621,9 +601,6 @@ class SweepValidator {
               known_names("parameters", name, names_in(spec_.parameters)));
     return nullptr;
   }
-
-  SweepSpec& spec_;
-  Findings& findings_;
 };
 
 }  // namespace
@@ -648,6 +625,17 @@ std::string exact_text(double value) {
   return text;
 }
 
+std::set<std::string> names_in_formulas(const std::vector<std::string>& texts) {
+  std::set<std::string> names;
+  for (const std::string& text : texts)
+    for (std::size_t at = text.find(kFormulaMark); at != std::string::npos; at = text.find(kFormulaMark, at + 1)) try {
+        for (const std::string& name : Expression::names_in(text.substr(at + 2, text.find('}', at) - at - 2)))
+          names.insert(name);
+      } catch (const InputError&) {  // with_formulas reports it
+      }
+  return names;
+}
+
 std::vector<std::string> with_formulas(std::vector<std::string> texts, std::map<std::string, double>& values,
                                        std::string (*written)(double)) {
   std::vector<std::string> known;
@@ -668,23 +656,8 @@ std::vector<std::string> with_formulas(std::vector<std::string> texts, std::map<
 }
 
 SweepSpec read_sweep_file(const std::string& file) {
-  require_file(file, "a sweep file (TOML), as in inputs/sweeps and inputs/accuracy");
-  const ConfigNode root = parse_toml_file(file);
-  if (root.find("bodies") || root.find("base"))
-    throw InputError(code::kSceneGiven,
-                     file +
-                         ": is a scene, expected a sweep file, which names a scene and what to vary; "
-                         "see inputs/sweeps, or run the scene: footfall run " +
-                         file);
   Findings findings(file);
-  SweepSpec s;
-  s.file = file;
-  s.folder = fs::absolute(file).parent_path().string();
-  read_fields(
-      root, s.folder, [&](FieldVisitor& reader) { visit_fields(reader, s); }, findings);
-  findings.throw_if_errors();
-  // Defaults that the file may override.
-  s.settings.insert(s.settings.begin(), {"output.vtk=false", "output.plots=false"});
+  SweepSpec s = read_study<SweepSpec>(file, "a sweep file", "inputs/sweeps and inputs/accuracy", findings);
   for (CheckSpec& check_spec : s.expected) {
     check_spec.must = true;
     s.checks.push_back(check_spec);

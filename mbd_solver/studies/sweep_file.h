@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -219,6 +220,8 @@ bool is_formula_name(const std::string& name);  // letters, digits and _, withou
 std::string formula_name(const std::string& name);
 // With as many digits, 15 to 17, as it takes to read back the same number: "0.1", "2147483647".
 std::string exact_text(double value);
+// In every "{= formula}" of the texts, without those that cannot be read.
+std::set<std::string> names_in_formulas(const std::vector<std::string>& texts);
 // Replaces every "{= formula}" in the texts by its value, as `written` writes it. Throws InputError.
 std::vector<std::string> with_formulas(std::vector<std::string> texts, std::map<std::string, double>& values,
                                        std::string (*written)(double) = exact_text);

@@ -36,48 +36,39 @@ std::string settings_text(const CalibrationSpec& spec, const Evaluations& evalua
   return text;
 }
 
-// Prints the page, and writes it to --table.
-void print_page(const CalibrateArguments& a, const std::string& page) {
-  if (!a.table.empty()) write_whole_file(a.table, page);
-  std::printf("%s", page.c_str());
-}
-
 void write_all(const CalibrationSpec& spec, const CalibrationRun& run, const Evaluations& evaluations,
-               const CalibrateArguments& a, const std::string& folder) {
-  const auto path = [&](const std::string& name) { return (fs::path(folder) / name).string(); };
+               const OutputFolder& output) {
   const CalibrationOutcome& outcome = run.outcome();
   const Sets sets = run.comparable();
-  write_whole_file(path("way.csv"), path_table(spec, outcome).csv());
-  write_whole_file(path("best.txt"), settings_text(spec, evaluations, outcome.best->point));
-  write_whole_file(path("most_met.txt"), settings_text(spec, evaluations, most_met(spec, sets)->point));
+  write_whole_file(output.path("way.csv"), path_table(spec, outcome).csv());
+  write_whole_file(output.path("best.txt"), settings_text(spec, evaluations, outcome.best->point));
+  write_whole_file(output.path("most_met.txt"), settings_text(spec, evaluations, most_met(spec, sets)->point));
   std::vector<std::string> pictures;
   try {
-    pictures = draw_calibration(spec, outcome, folder);
+    pictures = draw_calibration(spec, outcome, output.folder);
   } catch (const InputError& e) {
     warn_missing_file("picture", e);
   }
-  const StudyPage page = calibration_page(spec, outcome, sets, "./footfall calibrate " + a.file, pictures);
-  write_whole_file(path(fs::path(a.file).stem().string() + ".md"), page.markdown());
-  write_whole_file(path("report.html"), page.html());
-  print_page(a, page.markdown());
+  const StudyPage page = calibration_page(spec, outcome, sets, output.command, pictures);
+  write_page(page, output);
+  std::printf("%s", page.markdown().c_str());
   for (const char* file : {"way.csv", "best.txt", "most_met.txt", "report.html"})
-    std::printf("%s\n", path(file).c_str());
+    std::printf("%s\n", output.path(file).c_str());
 }
 
 }  // namespace
 
 int calibrate_command(const CalibrateArguments& a) {
   const CalibrationSpec spec = read_calibration(a.file);
-  const std::string out = a.out.empty() ? "runs/calibrations/" + fs::path(a.file).stem().string() : a.out;
-  const std::string folder = short_path(fs::absolute(out).string());
+  const OutputFolder output(a);
+  const std::string& folder = output.folder;
   if (a.so_far && !fs::is_directory(folder))
     throw InputError(code::kNoRun,
                      folder + ": no such folder; --so-far requires a calibration in progress or interrupted");
   make_folder(folder);
   std::optional<FileLock> lock;
   if (!a.so_far) lock.emplace(lock_folder(folder));
-  Evaluations evaluations(spec, (fs::path(folder) / "runs").string(), (fs::path(folder) / "numbers.jsonl").string(),
-                          a.jobs, a.so_far);
+  Evaluations evaluations(spec, output.path("runs"), output.path("numbers.jsonl"), a.jobs, a.so_far);
   CalibrationRun run(spec, evaluations);
   if (!a.so_far) std::printf("runs of the start\n");
   std::fflush(stdout);
@@ -88,12 +79,14 @@ int calibrate_command(const CalibrateArguments& a) {
         a.file + ": the runs of the start are not done; try again after the misfit of the start is printed");
   }
   if (a.so_far) {
-    if (run.search())
+    if (run.search()) {
       std::printf("%s: the calibration has ended; without --so-far the same command prints its page\n", a.file.c_str());
-    else
-      print_page(
-          a, calibration_page(spec, run.outcome(), run.comparable(), "./footfall calibrate " + a.file + " --so-far", {})
-                 .markdown());
+      return kExitDone;
+    }
+    const std::string page =
+        calibration_page(spec, run.outcome(), run.comparable(), output.command + " --so-far", {}).markdown();
+    if (!a.table.empty()) write_whole_file(a.table, page);
+    std::printf("%s", page.c_str());
     return kExitDone;
   }
   std::printf("start: misfit %s, %d of %zu targets met\n%s\nruns at once: %d\n",
@@ -102,7 +95,7 @@ int calibrate_command(const CalibrateArguments& a) {
   std::fflush(stdout);
   if (a.estimate) return kExitDone;
   if (!run.search()) return study_interrupted();
-  write_all(spec, run, evaluations, a, folder);
+  write_all(spec, run, evaluations, output);
   std::printf("%d runs done, %d done before\n", evaluations.runs_done(), evaluations.runs_reused());
   return kExitDone;
 }

@@ -7,6 +7,7 @@
 #include "mbd_solver/campaign/calibrate/determination.h"
 #include "mbd_solver/campaign/calibrate/evaluations.h"
 #include "mbd_solver/campaign/calibrate/search.h"
+#include "mbd_solver/studies/sweep_command.h"
 
 namespace footfall {
 
@@ -67,11 +68,8 @@ class CalibrationRun {
 
 // footfall calibrate FILE: the parameters with which runs meet targets, how well the targets determine them, and which
 // targets exclude each other. The same command resumes an interrupted calibration.
-struct CalibrateArguments {
-  std::string file;
-  std::string out;        // empty: runs/calibrations/NAME
-  std::string table;      // also write the page to this file; empty: no
-  int jobs = 0;           // runs at once; 0: as many as the cores allow
+struct CalibrateArguments : SweepArguments {
+  CalibrateArguments() { command = "calibrate", runs = "runs/calibrations"; }
   bool estimate = false;  // only the runs of the start, and an estimate of the time of all
   bool so_far = false;    // no runs: print the results so far
 };

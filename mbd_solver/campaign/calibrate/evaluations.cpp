@@ -138,10 +138,7 @@ std::string requirements_of(const CalibrationSpec& spec, const std::string& scen
       text << target.name << '\n' << target.column << '\n' << target.over;
       for (const Eigen::Vector2d& row : target.rows) text << ' ' << row.x();
     } else {
-      const MetricSpec& f = spec.metrics[static_cast<std::size_t>(index_of(spec.metrics, target.metric))];
-      text << f.name << '\n' << f.key << '\n' << joined(f.columns, ",") << '\n' << name_of(f.reduction) << ' ';
-      text << f.average << ' ' << f.prominence << ' ' << f.over;
-      for (const double height : f.slope) text << ' ' << height;
+      text << metric_recipe(spec.metrics[static_cast<std::size_t>(index_of(spec.metrics, target.metric))]);
     }
     text << '\n';
   }

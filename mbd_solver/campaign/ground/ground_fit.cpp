@@ -308,8 +308,7 @@ namespace {
 // The scene of a run on the soil, for its facets.
 Scene on_the_soil(const RunRequest& request) {
   std::vector<std::string> settings = request.settings;
-  for (const char* setting : {"ground.kind=soil", "ground.law.kind=rft", "ground.law.resistance=1e6"})
-    settings.push_back(setting);
+  append(settings, {"ground.kind=soil", "ground.law.kind=rft", "ground.law.resistance=1e6"});
   return read_scene(request.scene, settings);
 }
 
@@ -474,7 +473,7 @@ std::string fit_page(const GroundFit& fit, std::size_t runs, std::size_t held, c
 }
 
 bool write_fit(const GroundArguments& a, const SweepSpec& spec, const Plan& plan, const Results& results,
-               const std::string& folder, const std::string& command) {
+               const OutputFolder& output) {
   std::vector<PadRun> runs;
   std::size_t held = 0;
   bool all = true;
@@ -497,7 +496,7 @@ bool write_fit(const GroundArguments& a, const SweepSpec& spec, const Plan& plan
     runs.push_back(std::move(run));
   }
   if (runs.empty())
-    throw InputError(code::kGroundFit, folder + ": no run is done that reaches the bed, nothing to fit");
+    throw InputError(code::kGroundFit, output.folder + ": no run is done that reaches the bed, nothing to fit");
   const Scene scene = read_scene(plan.runs.front().scene, plan.runs.front().settings);
   const PadRun& first = runs.front();
   const Eigen::Vector3d& at = first.place.front();
@@ -506,8 +505,7 @@ bool write_fit(const GroundArguments& a, const SweepSpec& spec, const Plan& plan
       bed.fraction * (scene.particles->box ? scene.particles->box->material.density : kAssumedGrainDensity);
   const double gravity = scene.gravity.norm();
   const GroundFit fit = fit_ground(runs, a.law, density, gravity, kReboundOfRadius * bed.radius);
-  const auto path = [&](const std::string& file) { return (std::filesystem::path(folder) / file).string(); };
-  const std::string page = fit_page(fit, runs.size(), held, spec.title, command);
+  const std::string page = fit_page(fit, runs.size(), held, spec.title, output.command);
   Table rows({"run", "held_back", "row", "x", "y", "z", "fx", "fy", "fz", "law_fx", "law_fy", "law_fz"});
   for (const PadRun& run : runs) {
     const std::vector<Eigen::Vector3d> now = predicted_forces(run, fit, density);
@@ -518,38 +516,26 @@ bool write_fit(const GroundArguments& a, const SweepSpec& spec, const Plan& plan
       rows.add(row);
     }
   }
-  write_whole_file(path("forces.csv"), rows.csv());
-  write_whole_file(path("ground.md"), page);
-  write_whole_file(path("ground.toml"), ground_file(fit, scene, bed, density, runs.size(), held, command));
-  std::printf("%s\n%s\n%s\n%s\n", page.c_str(), path("ground.md").c_str(), path("forces.csv").c_str(),
-              path("ground.toml").c_str());
+  write_whole_file(output.path("forces.csv"), rows.csv());
+  write_whole_file(output.path("ground.md"), page);
+  write_whole_file(output.path("ground.toml"),
+                   ground_file(fit, scene, bed, density, runs.size(), held, output.command));
+  std::printf("%s\n%s\n%s\n%s\n", page.c_str(), output.path("ground.md").c_str(), output.path("forces.csv").c_str(),
+              output.path("ground.toml").c_str());
   return all;
 }
 
 }  // namespace
 
 int ground_command(const GroundArguments& a) {
-  SweepArguments e;
-  e.command = "ground";
-  e.file = a.file;
-  e.out = a.out;
-  e.runs = "runs/grounds";
-  e.jobs = a.jobs;
-  e.only = a.only;
-  e.resume = true;
-  e.short_form = a.short_form;
-  e.list = a.list;
-  e.beds = a.beds;
+  SweepArguments e = a;
   e.again = {"ground", "fit", a.file, "--law", a.law};
-  for (const std::string& setting : a.settings) {
-    e.again.push_back("--set");
-    e.again.push_back(setting);
-  }
+  for (const std::string& setting : a.settings) append(e.again, {"--set", setting});
   e.change = [&](SweepSpec& spec) {
     if (!spec.curves.empty() || spec.parameters.empty())
       throw InputError(code::kGroundFit, spec.file + ": a fit requires [[parameters]], without [[curves]]");
-    spec.settings.insert(spec.settings.end(), a.settings.begin(), a.settings.end());
-    spec.short_form.settings.insert(spec.short_form.settings.end(), a.settings.begin(), a.settings.end());
+    append(spec.settings, a.settings);
+    append(spec.short_form.settings, a.settings);
   };
   e.extend = [&](Plan& plan) {
     if (plan.runs.size() > static_cast<std::size_t>(kMostFitRuns) ||
@@ -562,8 +548,9 @@ int ground_command(const GroundArguments& a) {
       on_the_soil(run);
     }
   };
-  e.write = [&](const SweepSpec& spec, const Plan& plan, const Results& results, const std::string& folder,
-                const std::string& command) { return write_fit(a, spec, plan, results, folder, command); };
+  e.write = [&](const SweepSpec& spec, const Plan& plan, const Results& results, const OutputFolder& output) {
+    return write_fit(a, spec, plan, results, output);
+  };
   return sweep_command(e);
 }
 

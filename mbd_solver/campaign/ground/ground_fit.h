@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mbd_solver/model/elements/soil_contact.h"
+#include "mbd_solver/studies/sweep_command.h"
 
 namespace footfall {
 
@@ -56,11 +57,9 @@ GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, do
 // The forces of the law on the pad, one per row [N].
 std::vector<Eigen::Vector3d> predicted_forces(const PadRun& run, const GroundFit& fit, double density);
 
-struct GroundArguments {
-  std::string action = "fit", file, out, law = "rft";
-  std::vector<std::string> settings;  // of every run
-  int jobs = 0, only = -1;
-  bool short_form = false, list = false, beds = false;
+struct GroundArguments : SweepArguments {
+  GroundArguments() { command = "ground", runs = "runs/grounds", resume = true; }
+  std::string action = "fit", law = "rft";
 };
 
 // Returns the exit code: 0; 1 when a run failed; 3 when interrupted. Throws InputError.
