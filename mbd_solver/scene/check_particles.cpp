@@ -108,7 +108,7 @@ void check_variables(const ScriptText& script, const std::map<std::string, std::
 void check_units(const ScriptText& script, const EntryFindings& at) {
   for (const ScriptCommand& command : script.commands())
     if (command.words[0] == "units" && !command.conditional && !command.is_computed() && command.words.size() == 2)
-      at.error_if(command.words[1] != "si", kScriptUnits, "script",
+      at.error_if(command.words[1] != "si", kScriptNotSi, "script",
                   command.place() + " sets `units " + command.words[1] +
                       "`, expected `units si`: masses, lengths and times of the mechanism are in kg, m and s");
 }

@@ -222,7 +222,7 @@ inline constexpr MessageCode kScriptGravity{"E0207", "script-gravity"};
 // The value of a variable leads back to the variable itself. Give it a value.
 inline constexpr MessageCode kVariableCircle{"E0208", "variable-circle"};
 // The script has other units than SI. Write `units si`.
-inline constexpr MessageCode kScriptUnits{"E0215", "script-not-si"};
+inline constexpr MessageCode kScriptNotSi{"E0215", "script-not-si"};
 // The name or the value of a script variable has characters that may not stand there. Give a number, a name or a path.
 inline constexpr MessageCode kUnsafeValue{"E0214", "unsafe-value"};
 // The script's mesh cannot be used as a surface. Correct its line, or name the file in the scene.
