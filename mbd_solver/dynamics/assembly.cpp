@@ -390,10 +390,11 @@ void note_speeds(const Model& model, const Layout& layout, const Eigen::VectorXd
 void start_modes(const Model& model, const Layout& layout, const Kinematics& kinematics, State& state) {
   for (int i = 0; i < model.force_count(); ++i) {
     const ForceElement& element = model.force(i);
-    if (!element.switches()) continue;
+    const Switching* const modes = switching(element);
+    if (modes == nullptr) continue;
     const Eigen::VectorXd inputs = Eigen::VectorXd::Zero(element.input_count());
     auto z = state.z.segment(layout.force_z[static_cast<std::size_t>(i)], element.state_count());
-    element.switch_states(element_input(element, kinematics, z, inputs, state.time), z);
+    modes->switch_states(element_input(element, kinematics, z, inputs, state.time), z);
   }
 }
 

@@ -85,10 +85,10 @@ Equations::Equations(const Model& model, const Assembly& assembly, const Baumgar
       baumgarte_(baumgarte),
       work_(std::make_unique<Workspace>(model, layout_)),
       saddle_(std::make_unique<SaddleSystem>(*this, assembly)) {
-  for (int i = 0; i < model.force_count(); ++i)
-    if (model.force(i).switches()) mode_elements_.push_back(i);
-  for (int i = 0; i < model.force_count(); ++i)
-    if (model.force(i).remembers()) memory_elements_.push_back(i);
+  for (int i = 0; i < model.force_count(); ++i) {
+    if (const Switching* const modes = switching(model.force(i))) switching_.emplace_back(i, modes);
+    if (const auto* memory = dynamic_cast<const Remembering*>(&model.force(i))) remembering_.emplace_back(i, memory);
+  }
 }
 
 Equations::~Equations() = default;
@@ -640,38 +640,37 @@ void Equations::settle_signals(const Eigen::VectorXd* before, const Inputs& inpu
 double Equations::mode_value(const State& state, const Inputs& inputs) {
   load(state);
   double smallest = 1.0;
-  for (const int force : mode_elements_)
-    smallest = std::min(smallest, model_.force(force).switch_value(element_input(force, state, inputs)));
+  for (const auto& [force, modes] : switching_)
+    smallest = std::min(smallest, modes->switch_value(element_input(force, state, inputs)));
   return smallest;
 }
 
 bool Equations::switch_modes(const Inputs& inputs, State& state) {
-  if (mode_elements_.empty()) return false;
+  if (switching_.empty()) return false;
   load(state);
   bool any = false;
-  for (const int force : mode_elements_) {
-    const ForceElement& element = model_.force(force);
-    const auto z = state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], element.state_count());
-    any = element.switch_states(element_input(force, state, inputs), z) || any;
+  for (const auto& [force, modes] : switching_) {
+    const auto z = state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], model_.force(force).state_count());
+    any = modes->switch_states(element_input(force, state, inputs), z) || any;
   }
   return any;
 }
 
 void Equations::recall(const State& state) const {
   const double* memory = state.memory.size() > 0 ? state.memory.data() : nullptr;
-  for (const int force : memory_elements_) model_.force(force).recall(memory);
+  for (const auto& [force, element] : remembering_) element->recall(memory);
 }
 
 void Equations::remember(const Inputs& inputs, State& state) {
-  if (memory_elements_.empty()) return;
+  if (remembering_.empty()) return;
   load(state);
   bool changed = false;
-  for (const int force : memory_elements_)
-    changed = model_.force(force).remember(element_input(force, state, inputs)) || changed;
+  for (const auto& [force, element] : remembering_)
+    changed = element->remember(element_input(force, state, inputs)) || changed;
   if (!changed) return;
   std::vector<double>& numbers = work_->memory;
   numbers.clear();
-  for (const int force : memory_elements_) model_.force(force).save_memory(numbers);
+  for (const auto& [force, element] : remembering_) element->save_memory(numbers);
   state.memory = Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 

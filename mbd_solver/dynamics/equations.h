@@ -11,6 +11,8 @@
 #include <Eigen/Sparse>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "mbd_solver/dynamics/assembly.h"
 #include "mbd_solver/dynamics/condensed_matrix.h"
@@ -83,15 +85,15 @@ class Equations {
   // enters another of its states: `before` are the inputs until then.
   void settle_signals(const Eigen::VectorXd* before, const Inputs& inputs, State& state);
 
-  // Modes of force elements (ForceElement::switches): the smallest value, below 0 where a mode no longer fits; switch_modes()
+  // Modes of force elements (Switching): the smallest value, below 0 where a mode no longer fits; switch_modes()
   // sets those, true if there were any.
-  bool has_modes() const { return !mode_elements_.empty(); }
+  bool has_modes() const { return !switching_.empty(); }
   double mode_value(const State& state, const Inputs& inputs);
   bool switch_modes(const Inputs& inputs, State& state);
 
-  // Memory of force elements (ForceElement::remembers): recall() before a state is evaluated that does not follow the last one,
+  // Memory of force elements (Remembering): recall() before a state is evaluated that does not follow the last one,
   // remember() at the end of a step.
-  bool has_memory() const { return !memory_elements_.empty(); }
+  bool has_memory() const { return !remembering_.empty(); }
   void recall(const State& state) const;
   void remember(const Inputs& inputs, State& state);
 
@@ -131,7 +133,9 @@ class Equations {
   const Model& model_;
   Layout layout_;
   Baumgarte baumgarte_;
-  std::vector<int> mode_elements_, memory_elements_;
+  // With the index of the element.
+  std::vector<std::pair<int, const Switching*>> switching_;
+  std::vector<std::pair<int, const Remembering*>> remembering_;
   std::unique_ptr<Workspace> work_;
   std::unique_ptr<SaddleSystem> saddle_;
 };

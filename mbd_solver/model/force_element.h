@@ -65,17 +65,6 @@ class ForceElement {
   virtual bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const = 0;
   // Adds stored energy and dissipated power. Identity: supplied power - Q.v = d(stored)/dt + sum of dissipated power.
   virtual void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const = 0;
-  // Inner states that are modes (StrutLaw::switches): below 0 where one no longer fits; sets those, true if there were any.
-  virtual bool switches() const { return false; }
-  virtual double switch_value(const ElementInput&) const { return 1.0; }
-  virtual bool switch_states(const ElementInput&, Eigen::Ref<Eigen::VectorXd>) const { return false; }
-  // Memory of the past that changes between integration steps alone, for elements that remember(): save_memory() appends its
-  // numbers; recall() takes them back and moves on behind them (null: the memory of the start); remember() is called at the end
-  // of a step, true if anything changed. Forces must not jump there while the state stays.
-  virtual bool remembers() const { return false; }
-  virtual void recall(const double*&) const {}
-  virtual void save_memory(std::vector<double>&) const {}
-  virtual bool remember(const ElementInput&) const { return false; }
   // Adds the power supplied from outside.
   virtual void add_supply(const ElementInput&, Supplied&) const {}
 
@@ -89,6 +78,33 @@ class ForceElement {
   std::string name_;
   std::array<int, 2> bodies_;
   std::vector<int> further_;
+};
+
+// Of an element with inner states that may be modes (StrutLaw::switches): they change between integration steps alone.
+class Switching {
+ public:
+  virtual ~Switching() = default;
+  virtual bool switches() const = 0;                              // false: this element has no modes
+  virtual double switch_value(const ElementInput& in) const = 0;  // below 0 where a mode no longer fits
+  // Sets the modes that no longer fit; true if there were any.
+  virtual bool switch_states(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> z) const = 0;
+};
+
+// Null for elements without modes.
+inline const Switching* switching(const ForceElement& element) {
+  const auto* const found = dynamic_cast<const Switching*>(&element);
+  return found != nullptr && found->switches() ? found : nullptr;
+}
+
+// Of an element with a memory of the past that changes between integration steps alone. Forces must not jump there while the
+// state stays.
+class Remembering {
+ public:
+  virtual ~Remembering() = default;
+  // Takes the memory from these numbers and moves on behind them; null: the memory of the start.
+  virtual void recall(const double*& numbers) const = 0;
+  virtual void save_memory(std::vector<double>& out) const = 0;  // appends its numbers
+  virtual bool remember(const ElementInput& in) const = 0;       // at the end of a step; true if anything changed
 };
 
 }  // namespace footfall

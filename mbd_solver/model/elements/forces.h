@@ -95,7 +95,7 @@ struct JointForceSample {
 // force = -(generalized force on q).
 //   Q = -F(q, q', z, t) dq/dx
 // Angles count any number of turns: the first inner state z_0 counts them (nearest_turn). theory 3.6.
-class JointForce : public ForceElement {
+class JointForce : public ForceElement, public Switching {
  public:
   // Markers of the joint, z along its axis. command_index: of the signal that commands the laws, among the inputs; -1: none.
   // Not for evaluation by two threads at once (it owns scratch).

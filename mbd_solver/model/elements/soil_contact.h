@@ -48,7 +48,7 @@ class SoilGround {
   std::unordered_map<long, std::vector<int>> cells_;
 };
 
-class SoilContact : public ForceElement {
+class SoilContact : public ForceElement, public Remembering {
  public:
   struct Place {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();    // of the undisturbed ground, in W [m]
@@ -63,7 +63,6 @@ class SoilContact : public ForceElement {
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
 
-  bool remembers() const override { return true; }
   void recall(const double*& memory) const override;
   void save_memory(std::vector<double>& out) const override;
   bool remember(const ElementInput& in) const override;

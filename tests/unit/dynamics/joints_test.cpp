@@ -314,6 +314,19 @@ TEST_P(EveryCoordinate, GearLosesItsShare) {
   EXPECT_NEAR(run.imbalance(), 0.0, 1e-6 * run.state.supplied[Supply::kDrive]);
 }
 
+// mbd_solver/model/force_element.h: modes are looked for in elements that have them.
+TEST_P(EveryCoordinate, HasModesWhereItsFrictionSticks) {
+  static_assert(!std::is_base_of_v<Switching, Strut> && !std::is_base_of_v<Remembering, JointForce>);
+  Axle smooth(GetParam()), rough(GetParam());
+  smooth.add(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{1.0, 0.0, 0.0, 0.0}));
+  rough.add(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{1.0, 0.0, 0.0, 0.0}));
+  JointFrictionParameters p;
+  p.breakaway = p.coulomb = 0.2;
+  rough.add(std::make_unique<JointFriction>(p));
+  EXPECT_FALSE(Equations(smooth.model, test::as_given(smooth.model)).has_modes());
+  EXPECT_TRUE(Equations(rough.model, test::as_given(rough.model)).has_modes());
+}
+
 // Sliding friction stops the axle after w I / F_c, and then it stays.
 TEST_P(EveryCoordinate, FrictionStopsAndHolds) {
   const double F = 0.2, w = 3.0;

@@ -288,6 +288,7 @@ struct Plate {
 
 TEST(SoilContact, GroundKeepsPrintsWhereTheyAre) {
   Plate plate(make_rft(sand(), ""));
+  EXPECT_TRUE(Equations(plate.model, test::as_given(plate.model)).has_memory());
   const double p = 0.04 * 8e5 * 0.02 * kDown;  // [N]
   plate.carried_to({0.0, 0.0, 0.01});
   EXPECT_NEAR(plate.carried_to({0.0, 0.0, -0.02}), p, 1e-4 * p);
