@@ -246,7 +246,7 @@ std::unique_ptr<Sensor> sensor_of(const Mechanism& mechanism, const std::string&
   }
   if (const std::optional<std::size_t> found = mechanism.strut_index.find(mechanism.struts, owner)) {
     const StrutEntry& entry = mechanism.struts[*found];
-    const auto& strut = static_cast<const Strut&>(model.force(entry.force));
+    const Strut& strut = entry.force.of(model);
     if (is(name, entry.name, "stroke")) return std::make_unique<StrutSensor>(strut, StrutSensor::Reads::kStroke);
     if (is(name, entry.name, "rate")) return std::make_unique<StrutSensor>(strut, StrutSensor::Reads::kRate);
   }
@@ -254,8 +254,7 @@ std::unique_ptr<Sensor> sensor_of(const Mechanism& mechanism, const std::string&
     if (entry.name == owner)
       for (const auto& column : kCableEntries)
         if (is(name, owner, std::string(column.pattern).substr(std::string("<cable>.").size())))
-          return std::make_unique<CableSensor>(static_cast<const Cable&>(model.force(entry.force)), entry.force,
-                                               column.value);
+          return std::make_unique<CableSensor>(entry.force.of(model), entry.force.index(), column.value);
   return nullptr;
 }
 

@@ -295,9 +295,9 @@ void add_forces(const Scene& scene, Mechanism& mechanism) {
     const bool turns = spec.frame == ForceFrame::kBody;
     const Eigen::Matrix3d axes_W = turns ? Eigen::Matrix3d(placement.R_WD * axes_with_z(spec.direction))
                                          : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-    model.add_force(std::make_unique<AppliedForce>("force/" + spec.name, model.marker_at(body, p_W, axes_W),
-                                                   turns ? std::nullopt : std::optional(spec.direction),
-                                                   magnitude(spec.force), magnitude(spec.torque)));
+    mechanism.forces.push_back(model.add_force(std::make_unique<AppliedForce>(
+        "force/" + spec.name, model.marker_at(body, p_W, axes_W), turns ? std::nullopt : std::optional(spec.direction),
+        magnitude(spec.force), magnitude(spec.torque))));
   }
 }
 
@@ -440,9 +440,11 @@ void add_pair(const Scene& scene, const ContactSpec& spec, Mechanism& mechanism)
   ContactEntry entry;
   entry.body_1 = A.body;
   entry.body_2 = B.body;
-  entry.force = mechanism.model.add_force(
-      std::make_unique<SurfaceContact>("contact/" + spec.between[0] + "/" + spec.between[1], A.body, B.body,
-                                       std::move(sides), contact_law(spec, scene, mechanism)));
+  entry.force =
+      mechanism.model
+          .add_force(std::make_unique<SurfaceContact>("contact/" + spec.between[0] + "/" + spec.between[1], A.body,
+                                                      B.body, std::move(sides), contact_law(spec, scene, mechanism)))
+          .index();
   mechanism.contacts.push_back(std::move(entry));
 }
 
@@ -459,8 +461,11 @@ void add_walls(const Scene& scene, const ContactSpec& spec, Mechanism& mechanism
     side.points = entry.places;
     side.seen = entry.walls;
     side.depth = kDepth * reach(A);
-    entry.force = mechanism.model.add_force(std::make_unique<SurfaceContact>(
-        "walls/" + A.boundary.name(), A.body, kGround, std::vector<SurfaceContact::Side>{std::move(side)}, law));
+    entry.force =
+        mechanism.model
+            .add_force(std::make_unique<SurfaceContact>("walls/" + A.boundary.name(), A.body, kGround,
+                                                        std::vector<SurfaceContact::Side>{std::move(side)}, law))
+            .index();
     mechanism.contacts.push_back(std::move(entry));
   }
 }
@@ -468,7 +473,7 @@ void add_walls(const Scene& scene, const ContactSpec& spec, Mechanism& mechanism
 void add_one_plane(const BodyBoundary& entry, const std::string& name, const RigidPlane::Parameters& p,
                    Mechanism& mechanism) {
   mechanism.planes.push_back(
-      mechanism.model.add_force(std::make_unique<RigidPlane>(name, entry.points, p, entry.rims)));
+      mechanism.model.add_force(std::make_unique<RigidPlane>(name, entry.points, p, entry.rims)).index());
   mechanism.plane_bodies.push_back(entry.body);
 }
 

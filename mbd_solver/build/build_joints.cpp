@@ -150,8 +150,8 @@ std::unique_ptr<StrutLaw> build(const DriveSpec& spec, double mass) {
   return std::make_unique<Motor>(p);
 }
 
-int add_joint_force(const std::string& name, int joint, Coordinate coordinate, Laws laws, Model& model,
-                    int command = -1) {
+Handle<JointForce> add_joint_force(const std::string& name, int joint, Coordinate coordinate, Laws laws, Model& model,
+                                   int command = -1) {
   const Marker m1 = model.joint(joint).m1, m2 = model.joint(joint).m2;
   return model.add_force(std::make_unique<JointForce>(name, m1, m2, coordinate, std::move(laws), command));
 }
@@ -177,8 +177,8 @@ void add_drives(const Scene& scene, Mechanism& mechanism) {
     Laws laws;
     const bool sticks = spec.motor.kind == MotorKind::kBrake;
     laws.push_back(build(spec, sticks ? moved_mass(scene, mechanism, joint, coordinate) : 0.0));
-    const int force = add_joint_force("drive/" + spec.name, joint, coordinate, std::move(laws), model,
-                                      signal_place(mechanism, spec.command->signal));
+    const Handle<JointForce> force = add_joint_force("drive/" + spec.name, joint, coordinate, std::move(laws), model,
+                                                     signal_place(mechanism, spec.command->signal));
     mechanism.drives.push_back({spec.name, force, coordinate});
     if (spec.rotor_inertia == 0.0) continue;
     const Marker m1 = model.joint(joint).m1, m2 = model.joint(joint).m2;

@@ -23,6 +23,9 @@
 
 namespace footfall {
 
+class AppliedForce;
+class JointForce;
+
 // The ground under one boundary at the start, for the time of its flight: no grain within `stray` of its outline is higher.
 struct LandingSite {
   double height = 0.0;                          // along up [m]
@@ -65,21 +68,21 @@ double lowest_place(const BodyBoundary& entry, const Eigen::Vector3d& n_B, const
 
 struct CableEntry {
   std::string name;  // with ".1", ".2", ... of the parts between pulleys that a cable turns
-  int force = 0;     // index of the Cable in the model
+  Handle<Cable> force;
 };
 
 // A pulley that a cable turns, and so divides the cable: it never leaves the pulley.
 struct GripEntry {
-  std::string name;           // for messages
-  int before = 0, after = 0;  // indices of the two Cables in the model
-  double wrap = 0.0;          // in the reference configuration; it grows by the first angle of `after` and falls by the
-                              // last one of `before` [rad]
+  std::string name;             // for messages
+  Handle<Cable> before, after;  // the two parts
+  double wrap = 0.0;  // in the reference configuration; it grows by the first angle of `after` and falls by the
+                      // last one of `before` [rad]
 };
 inline constexpr double kLeastWrap = 1e-6;  // below minus this a cable would leave the pulley [rad]
 
 struct StrutEntry {
   std::string name;
-  int force = 0;  // index of the Strut in the model
+  Handle<Strut> force;
 };
 
 // A coordinate of a joint of the scene: body b relative to body a, zero in the reference configuration.
@@ -91,7 +94,7 @@ struct CoordinateEntry {
 
 struct DriveEntry {
   std::string name;
-  int force = 0;  // index of its JointForce in the model
+  Handle<JointForce> force;
   Coordinate coordinate = Coordinate::kAngle;
 };
 
@@ -148,6 +151,7 @@ struct Mechanism {
   std::shared_ptr<const Terrain> terrain;  // null: the ground is a plane, grains, or none
   std::vector<int> soils;        // force indices of contacts with a soil without grains, one per touching body
   std::vector<int> soil_bodies;  // their bodies
+  std::vector<Handle<AppliedForce>> forces;  // one per force of the scene
   std::vector<ContactEntry> contacts;
   std::vector<ControllerEntry> controllers;
   std::vector<CoordinateEntry> coordinates;

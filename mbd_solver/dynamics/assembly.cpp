@@ -26,7 +26,8 @@ namespace {
 // A joint of another model with the same bodies.
 void add_joint(Joint joint, Model& out) {
   if (joint.turn_counter >= 0)
-    joint.turn_counter = out.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, joint.m1, joint.m2));
+    joint.turn_counter =
+        out.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, joint.m1, joint.m2)).index();
   out.add_joint(std::move(joint));
 }
 

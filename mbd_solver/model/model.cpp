@@ -48,7 +48,7 @@ int Model::add_joint(Joint joint) {
   return joint_count() - 1;
 }
 
-int Model::add_force(std::unique_ptr<ForceElement> element) {
+int Model::add_element(std::unique_ptr<ForceElement> element) {
   FOOTFALL_DEMAND(element != nullptr);
   const std::array<int, 2>& bodies = element->bodies();
   if (force_names_.count(element->name()) > 0)

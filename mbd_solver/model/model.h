@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
@@ -15,16 +16,39 @@
 namespace footfall {
 
 class ContinuousSignals;  // control/continuous_signals.h, which includes joints and elements
+class Model;
+
+// A force element of a model with its type, from Model::add_force().
+template <class T>
+class Handle {
+ public:
+  Handle() = default;  // of no element
+  template <class Derived, class = std::enable_if_t<std::is_base_of_v<T, Derived>>>
+  Handle(const Handle<Derived>& other) : index_(other.index()) {}
+
+  explicit operator bool() const { return index_ >= 0; }
+  int index() const { return index_; }  // in the model; -1: no element
+  const T& of(const Model& model) const;
+
+ private:
+  friend class Model;
+  explicit Handle(int index) : index_(index) {}
+
+  int index_ = -1;
+};
 
 class Model {
  public:
   // `gravity` [m/s2] in W.
   explicit Model(const Eigen::Vector3d& gravity = Eigen::Vector3d::Zero()) : gravity_(gravity) {}
 
-  // Each returns the index of the new part. Names must be unique among their kind (InputError).
+  // Each returns the index of the new part, or its handle. Names must be unique among their kind (InputError).
   int add_body(Body body, const BodyState& initial);
   int add_joint(Joint joint);
-  int add_force(std::unique_ptr<ForceElement> element);
+  template <class T>
+  Handle<T> add_force(std::unique_ptr<T> element) {
+    return Handle<T>(add_element(std::move(element)));
+  }
   // Once, after the parts that the signals measure.
   void set_signals(std::shared_ptr<const ContinuousSignals> signals) { signals_ = std::move(signals); }
 
@@ -48,6 +72,8 @@ class Model {
   Eigen::Vector3d initial_position(const Marker& marker) const;
 
  private:
+  int add_element(std::unique_ptr<ForceElement> element);
+
   Eigen::Vector3d gravity_;
   std::vector<Body> bodies_;
   std::vector<BodyState> initial_;
@@ -56,5 +82,10 @@ class Model {
   std::unordered_map<std::string, int> body_names_, joint_names_, force_names_;  // indices
   std::shared_ptr<const ContinuousSignals> signals_;
 };
+
+template <class T>
+const T& Handle<T>::of(const Model& model) const {
+  return static_cast<const T&>(model.force(index_));
+}
 
 }  // namespace footfall

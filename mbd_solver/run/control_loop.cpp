@@ -40,9 +40,8 @@ ControllerMeasurement ControlLoop::measure(const ControllerEntry& entry, const S
   m.strut_rate.setZero(static_cast<Eigen::Index>(entry.struts.size()));
   for (std::size_t k = 0; k < entry.struts.size(); ++k) {
     if (entry.struts[k] < 0) continue;
-    const int force = subject_.mechanism.struts[static_cast<std::size_t>(entry.struts[k])].force;
-    const auto& strut = static_cast<const Strut&>(subject_.mechanism.model.force(force));
-    m.strut_rate(static_cast<Eigen::Index>(k)) = strut.sample(element_input(subject_, sample, force)).rate;
+    const StrutEntry& strut = subject_.mechanism.struts[static_cast<std::size_t>(entry.struts[k])];
+    m.strut_rate(static_cast<Eigen::Index>(k)) = sample_of(strut.force, subject_, sample).rate;
   }
   return m;
 }

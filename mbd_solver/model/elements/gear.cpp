@@ -33,7 +33,7 @@ int add_gear(Model& model, const std::string& name, const std::vector<GearMember
       row.offset = nearest_turn(0.0, 0.5 * (member.curve->first() + member.curve->last()));
     joint.rows = {row};
     if (member.coordinate == Coordinate::kAngle && !closed)
-      joint.turn_counter = model.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, m1, m2));
+      joint.turn_counter = model.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, m1, m2)).index();
     const int index = model.add_joint(std::move(joint));
     if (first < 0) first = index;
   }

@@ -195,10 +195,7 @@ void add_joints(const Subject& subject, const JointObserver& joints, Columns& ou
         kReaction, {subject.scene.joints[j].name},
         [j, &joints](const Sample&) -> const Vector6d& { return joints.reaction(j); }, Column::Reads::kJoints);
   for (const DriveEntry& drive : mechanism.drives) {
-    const auto sample = [subject, force = drive.force](const Sample& s) {
-      return static_cast<const JointForce&>(subject.mechanism.model.force(force))
-          .sample(element_input(subject, s, force));
-    };
+    const auto sample = [subject, force = drive.force](const Sample& s) { return sample_of(force, subject, s); };
     if (drive.coordinate == Coordinate::kAngle) {
       out.add(kDriveTorque, {drive.name}, sample);
     } else {
@@ -249,13 +246,11 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
     }
   add_joints(subject, joints, out);
   for (const StrutEntry& strut : mechanism.struts)
-    out.add(kStrut, {strut.name}, [subject, force = strut.force](const Sample& s) {
-      return static_cast<const Strut&>(subject.mechanism.model.force(force)).sample(element_input(subject, s, force));
-    });
+    out.add(kStrut, {strut.name},
+            [subject, force = strut.force](const Sample& s) { return sample_of(force, subject, s); });
   for (const CableEntry& cable : mechanism.cables)
-    out.add(kCableEntries, {cable.name}, [subject, force = cable.force](const Sample& s) {
-      return static_cast<const Cable&>(subject.mechanism.model.force(force)).sample(element_input(subject, s, force));
-    });
+    out.add(kCableEntries, {cable.name},
+            [subject, force = cable.force](const Sample& s) { return sample_of(force, subject, s); });
   for (const ControllerEntry& controller : mechanism.controllers)
     for (std::size_t k = 0; k < controller.outputs.size(); ++k)
       out.add(kControllerOutput, {controller.name, controller.outputs[k]},

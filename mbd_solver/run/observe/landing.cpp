@@ -218,9 +218,9 @@ bool LandingWatch::touches(const Place& pad, const Eigen::Vector3d& p_W, const S
 bool LandingWatch::at_stop(std::size_t strut, const Sample& sample) const {
   const StrutSpec& spec = subject_.scene.struts[strut];
   if (!spec.stops && !spec.honeycomb) return false;
-  const int force = subject_.mechanism.struts[strut].force;
-  const auto& element = static_cast<const Strut&>(subject_.mechanism.model.force(force));
-  const ElementInput in = element_input(subject_, sample, force);
+  const Handle<Strut> force = subject_.mechanism.struts[strut].force;
+  const Strut& element = force.of(subject_.mechanism.model);
+  const ElementInput in = element_input(subject_, sample, force.index());
   if (spec.stops) {
     const double stroke = element.motion(in.pair).stroke;
     if (spec.stops->largest_stroke && stroke >= *spec.stops->largest_stroke) return true;

@@ -30,7 +30,7 @@ Marks::Marks(const Subject& subject) : subject_(subject) {
   for (int i = 0; i < model.body_count(); ++i) {
     const BodySpec& spec = subject_.scene.bodies[static_cast<std::size_t>(i)];
     const Marker origin = model.marker_at(i, model.initial(i).r);
-    Mark mark{origin, origin, {}, Load::kFromGround, 0, i};
+    Mark mark{origin, origin, {}, FromGround{i}};
     mark.m1.s0.setZero();  // Bo itself, whatever node is nearest
     mark.m1.S.setZero();
     mark.m2 = mark.m1;
@@ -84,8 +84,7 @@ void Marks::add_joints() {
     const Coordinate coordinate = scene.coordinate_of(spec);
     Mark mark = joint_mark(scene.joint_index(spec.joint));
     mark.axes[0].k = mark.axes[1].k = axis_of(coordinate);
-    mark.load = Load::kDrive;
-    mark.element = subject_.mechanism.drives[i].force;
+    mark.load = subject_.mechanism.drives[i].force;
     add("drive", coordinate == Coordinate::kAngle ? "turns" : "slides", spec.name, mark);
   }
 }
@@ -103,8 +102,6 @@ void Marks::add_elements() {
     Mark mark{marker(spec.bodies[0], mechanism.placement.point(spec.points[0]), I),
               marker(spec.bodies[1], mechanism.placement.point(spec.points[1]), I),
               {},
-              Load::kStrut,
-              0,
               mechanism.struts[i].force};
     add("strut", laws_of_strut(spec), spec.name, mark);
   }
@@ -117,12 +114,11 @@ void Marks::add_elements() {
     mark.axes[1] = {0, 0, 1.0};
     add("spring", std::string(name_of(spec.kind)), spec.name, mark);
   }
-  for (const ForceSpec& spec : scene.forces) {
+  for (std::size_t i = 0; i < scene.forces.size(); ++i) {
+    const ForceSpec& spec = scene.forces[i];
     const int body = scene.body_index(spec.body);
     const Eigen::Vector3d p_W = spec.point ? mechanism.placement.point(*spec.point) : model.initial(body).r;
-    Mark mark{model.marker_at(body, p_W), model.marker_at(body, p_W), {}, Load::kForce};
-    for (int i = 0; i < model.force_count(); ++i)
-      if (model.force(i).name() == "force/" + spec.name) mark.element = i;
+    Mark mark{model.marker_at(body, p_W), model.marker_at(body, p_W), {}, mechanism.forces[i]};
     add("force", spec.torque && !spec.force ? "torque" : "force", spec.name, mark);
   }
 }
@@ -178,29 +174,24 @@ std::vector<Eigen::Vector3d> corners_of(const Cable& cable, const std::vector<Ca
 // Nothing holds a cable to bodies in a picture; its name is at the first span.
 void Marks::add_cables() {
   for (const CableEntry& entry : subject_.mechanism.cables) {
-    const auto& cable = static_cast<const Cable&>(subject_.mechanism.model.force(entry.force));
+    const Cable& cable = entry.force.of(subject_.mechanism.model);
     const int pieces = pieces_of(cable), span = cable.guides().front().radius > 0.0 ? kArc : 0;
     for (int k = 0; k < pieces; ++k) {
-      marks_.push_back({cable.guides().front().marker,
-                        cable.guides().back().marker,
-                        {},
-                        Load::kCable,
-                        k == 0 ? pieces : 0,
-                        entry.force});
+      marks_.push_back(
+          {cable.guides().front().marker, cable.guides().back().marker, {}, entry.force, k == 0 ? pieces : 0});
       texts_.push_back("cable\tcable\t" + (k == span ? entry.name : " ") + "\t-\t-");
     }
   }
 }
 
-void Marks::put_cable(std::size_t first, const Kinematics& kinematics, const Sample* sample) {
-  const Mark& mark = marks_[first];
-  const auto& cable = static_cast<const Cable&>(subject_.mechanism.model.force(mark.element));
+void Marks::put_cable(std::size_t first, Handle<Cable> force, const Kinematics& kinematics, const Sample* sample) {
+  const Cable& cable = force.of(subject_.mechanism.model);
   const Eigen::VectorXd start = cable.initial_state(), none;
-  const ElementInput in = sample != nullptr ? element_input(subject_, *sample, mark.element)
+  const ElementInput in = sample != nullptr ? element_input(subject_, *sample, force.index())
                                             : element_input(cable, kinematics, start, none, 0.0);
   const std::vector<Eigen::Vector3d> corners = corners_of(cable, cable.points(in));
   const double tension = sample != nullptr ? cable.sample(in).force : 0.0;
-  for (int k = 0; k < mark.pieces; ++k) {
+  for (int k = 0; k < marks_[first].pieces; ++k) {
     const auto at = static_cast<std::size_t>(k);
     const auto column = 4 * static_cast<Eigen::Index>(first + at);
     vectors_.col(column) = corners[at];
@@ -213,8 +204,8 @@ void Marks::put_cable(std::size_t first, const Kinematics& kinematics, const Sam
 const Eigen::Matrix3Xd& Marks::vectors(const Kinematics& kinematics, const Sample* sample) {
   for (std::size_t i = 0; i < marks_.size(); ++i) {
     const Mark& mark = marks_[i];
-    if (mark.load == Load::kCable) {
-      if (mark.pieces > 0) put_cable(i, kinematics, sample);
+    if (const auto* cable = std::get_if<Handle<Cable>>(&mark.load)) {
+      if (mark.pieces > 0) put_cable(i, *cable, kinematics, sample);
       continue;
     }
     const PairMotion pair = kinematics.pair(mark.m1.body, mark.m2.body);
@@ -227,10 +218,10 @@ const Eigen::Matrix3Xd& Marks::vectors(const Kinematics& kinematics, const Sampl
       vectors_.col(column + 2 + k) = axis.length * KinematicVector::axis(pair, axis.on, on, axis.k).value();
     }
     if (mark.has_numbers) vectors_.col(column + 3) = mark.numbers;
-    if (mark.load == Load::kNone) continue;
+    if (std::holds_alternative<std::monostate>(mark.load)) continue;
     if (sample == nullptr) {
       vectors_.col(column + 2).setZero();
-      if (mark.load != Load::kDrive) vectors_.col(column + 3).setZero();
+      if (!std::holds_alternative<Handle<JointForce>>(mark.load)) vectors_.col(column + 3).setZero();
     } else {
       put_load(mark, *sample, column);
     }
@@ -240,39 +231,25 @@ const Eigen::Matrix3Xd& Marks::vectors(const Kinematics& kinematics, const Sampl
 
 void Marks::put_load(const Mark& mark, const Sample& sample, Eigen::Index column) {
   Eigen::Ref<Eigen::Vector3d> first = vectors_.col(column + 2), second = vectors_.col(column + 3);
-  const Model& model = subject_.mechanism.model;
-  switch (mark.load) {
-    case Load::kNone:
-    case Load::kCable: return;
-    case Load::kFromGround: {
-      const GeneralizedForce& contact = sample.contact[static_cast<std::size_t>(mark.element)];
-      first = contact.F_W;
-      second = contact.T_W;
-      return;
-    }
-    case Load::kStrut: {
-      const auto& strut = static_cast<const Strut&>(model.force(mark.element));
-      const Eigen::Vector3d d = vectors_.col(column + 1) - vectors_.col(column);
-      first = strut.sample(element_input(subject_, sample, mark.element)).force * d.normalized();
-      second.setZero();
-      return;
-    }
-    case Load::kDrive: {
-      const auto& drive = static_cast<const JointForce&>(model.force(mark.element));
-      first *= drive.sample(element_input(subject_, sample, mark.element)).force;
-      return;
-    }
-    case Load::kForce: {
-      const ForceElement& force = model.force(mark.element);
-      const ElementInput in = element_input(subject_, sample, mark.element);
-      Eigen::VectorXd Q = Eigen::VectorXd::Zero(in.pair.size()), dz = Eigen::VectorXd::Zero(force.state_count());
-      force.add_force(in, Q, dz);
-      const int slot = force.bodies()[0] == mark.m1.body ? 0 : 1;
-      const Eigen::Vector3d arm = vectors_.col(column) - in.pair.body[slot]->r;
-      first = Q.segment<3>(in.pair.offset(slot));
-      second = Q.segment<3>(in.pair.offset(slot) + 3) - arm.cross(first);
-      return;
-    }
+  if (const auto* ground = std::get_if<FromGround>(&mark.load)) {
+    const GeneralizedForce& contact = sample.contact[static_cast<std::size_t>(ground->body)];
+    first = contact.F_W;
+    second = contact.T_W;
+  } else if (const auto* strut = std::get_if<Handle<Strut>>(&mark.load)) {
+    const Eigen::Vector3d d = vectors_.col(column + 1) - vectors_.col(column);
+    first = sample_of(*strut, subject_, sample).force * d.normalized();
+    second.setZero();
+  } else if (const auto* drive = std::get_if<Handle<JointForce>>(&mark.load)) {
+    first *= sample_of(*drive, subject_, sample).force;
+  } else if (const auto* push = std::get_if<Handle<AppliedForce>>(&mark.load)) {
+    const AppliedForce& force = push->of(subject_.mechanism.model);
+    const ElementInput in = element_input(subject_, sample, push->index());
+    Eigen::VectorXd Q = Eigen::VectorXd::Zero(in.pair.size()), dz = Eigen::VectorXd::Zero(force.state_count());
+    force.add_force(in, Q, dz);
+    const int slot = force.bodies()[0] == mark.m1.body ? 0 : 1;
+    const Eigen::Vector3d arm = vectors_.col(column) - in.pair.body[slot]->r;
+    first = Q.segment<3>(in.pair.offset(slot));
+    second = Q.segment<3>(in.pair.offset(slot) + 3) - arm.cross(first);
   }
 }
 

@@ -11,6 +11,8 @@
 //   drive   points on a and b [m], axis of its coordinate times its torque or force [N m or N], that axis
 //   gear    one mark per joint: its point, that of the next joint [m], axis of the coordinate, (factor, 1 for an angle, 0)
 
+#include <variant>
+
 #include "mbd_solver/run/observe/sampler.h"
 
 namespace footfall {
@@ -23,7 +25,11 @@ class Marks {
   const Eigen::Matrix3Xd& vectors(const Kinematics& kinematics, const Sample* sample);
 
  private:
-  enum class Load { kNone, kFromGround, kStrut, kForce, kDrive, kCable };
+  struct FromGround {
+    int body;
+  };
+  using Load =
+      std::variant<std::monostate, FromGround, Handle<Strut>, Handle<AppliedForce>, Handle<JointForce>, Handle<Cable>>;
   struct Axis {  // `length` times axis k of marker `on` (0 or 1)
     int on = 0, k = 2;
     double length = 1.0;
@@ -31,9 +37,8 @@ class Marks {
   struct Mark {
     Marker m1, m2;
     Axis axes[2];
-    Load load = Load::kNone;
+    Load load = {};
     int pieces = 0;                       // of a cable, at the first of its marks
-    int element = -1;                     // the force element, or the body of kFromGround
     bool has_numbers = false;             // of a gear, instead of the second axis
     Eigen::Vector3d numbers = {0, 0, 0};  // of a gear
   };
@@ -41,7 +46,8 @@ class Marks {
   void add_joints();
   void add_elements();
   void add_cables();
-  void put_cable(std::size_t first, const Kinematics& kinematics, const Sample* sample);  // all marks of one
+  // All marks of one.
+  void put_cable(std::size_t first, Handle<Cable> cable, const Kinematics& kinematics, const Sample* sample);
   void put_load(const Mark& mark, const Sample& sample, Eigen::Index column);
 
   Subject subject_;

@@ -142,11 +142,8 @@ void GripWatch::update(const Sample& sample) {
   for (std::size_t k = 0; k < told_.size(); ++k) {
     if (told_[k] != 0) continue;
     const GripEntry& grip = subject_.mechanism.grips[k];
-    const auto of = [&](int force) {
-      return static_cast<const Cable&>(subject_.mechanism.model.force(force))
-          .sample(element_input(subject_, sample, force));
-    };
-    const CableSample before = of(grip.before), after = of(grip.after);
+    const CableSample before = sample_of(grip.before, subject_, sample),
+                      after = sample_of(grip.after, subject_, sample);
     const double wrap = grip.wrap + after.first - before.last, tension = std::max(before.force, after.force);
     if (!(wrap < -kLeastWrap && tension > 0.0)) continue;
     told_[k] = 1;

@@ -42,6 +42,12 @@ inline ElementInput element_input(const Subject& subject, const Sample& sample, 
                        sample.state.time);
 }
 
+// What a strut, cable or drive reports at this instant.
+template <class T>
+auto sample_of(Handle<T> element, const Subject& subject, const Sample& sample) {
+  return element.of(subject.mechanism.model).sample(element_input(subject, sample, element.index()));
+}
+
 // Computes a Sample from the state: kinematics, energies and ground contact, each once.
 class Sampler {
  public:

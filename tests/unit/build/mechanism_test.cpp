@@ -140,7 +140,7 @@ TEST_P(EveryStrutLaw, HasTheDerivativesOfItsResidual) { expect_derivatives(build
 TEST_P(EveryStrutLaw, StoresOrDissipatesWhatItTakes) {
   const Mechanism mechanism = build(test::law_scene(GetParam()));
   ASSERT_EQ(mechanism.struts.size(), 1u);
-  EXPECT_FALSE(static_cast<const Strut&>(mechanism.model.force(0)).laws().empty());
+  EXPECT_FALSE(mechanism.struts[0].force.of(mechanism.model).laws().empty());
   EXPECT_GT(expect_energy_balance(mechanism), kActs);
 }
 
@@ -211,7 +211,7 @@ TEST(StrutLaws, EachSectionBuildsALawOfItsOwn) {
   std::vector<std::string> kinds;
   for (const std::string& law : law_names()) {
     const Mechanism mechanism = build(test::law_scene(law));
-    kinds.emplace_back(static_cast<const Strut&>(mechanism.model.force(0)).laws().front()->kind());
+    kinds.emplace_back(mechanism.struts[0].force.of(mechanism.model).laws().front()->kind());
   }
   std::sort(kinds.begin(), kinds.end());
   EXPECT_EQ(std::adjacent_find(kinds.begin(), kinds.end()), kinds.end());

@@ -49,14 +49,6 @@ int add_mass(Model& model, const std::string& name, double mass, const Eigen::Ve
   return model.add_body(Body(name, mass, inertia * Eigen::Matrix3d::Identity()), state);
 }
 
-const Cable& cable_in(const test::Run& run, int force = 0) {
-  return static_cast<const Cable&>(run.equations.model().force(force));
-}
-CableSample sample_of(test::Run& run, int force = 0) {
-  run.equations.load(run.state);
-  return cable_in(run, force).sample(run.equations.element_input(force, run.state, run.inputs));
-}
-
 // From a drum over a pulley and an eyelet to a drum, each on another body, two of them flexible. The axes are oblique, so that
 // spans leave the planes of their rounds. lifted: the pulley is out of the way.
 std::unique_ptr<Cable> oblique_cable(const Model& model, const CableParameters& parameters, bool lifted) {
@@ -74,10 +66,11 @@ class ObliqueCable : public ::testing::TestWithParam<std::pair<bool, bool>> {
   ObliqueCable() : random_(31), model_(test::random_bodies(random_)) {
     CableParameters parameters = cable_of(GetParam().second ? 0.0 : 40.0, GetParam().first ? 3.0 : 5.0, 3.0);
     if (GetParam().second) parameters.axial_stiffness = 150.0;
-    model_.add_force(oblique_cable(model_, parameters, GetParam().first));
+    cable_ = model_.add_force(oblique_cable(model_, parameters, GetParam().first));
   }
   test::Random random_;
   Model model_;
+  Handle<Cable> cable_;
 };
 
 TEST_P(ObliqueCable, HasTheDerivativesOfItsForces) {
@@ -89,15 +82,13 @@ TEST_P(ObliqueCable, HasTheDerivativesOfItsForces) {
   Inputs inputs;
   inputs.values = Eigen::Vector2d(0.3, 0.8);
   equations.load(assembly.state);
-  const auto& cable = static_cast<const Cable&>(model_.force(0));
-  EXPECT_GT(cable.sample(equations.element_input(0, assembly.state, inputs)).force, 1.0);
+  EXPECT_GT(cable_.of(model_).sample(equations.element_input(0, assembly.state, inputs)).force, 1.0);
   std::string where;
   EXPECT_LT(test::jacobian_error(equations, y, ydot, 20.0, inputs, &where), 1e-8) << where;  // error of the differences
 }
 
 // Each number of the cable pushes a body, through a signal.
 TEST_P(ObliqueCable, IsReadByContinuousSignalsWithTheirDerivatives) {
-  const auto& cable = static_cast<const Cable&>(model_.force(0));
   std::vector<SignalNode> nodes;
   for (const auto& entry : kCableEntries) {
     const int k = static_cast<int>(nodes.size());
@@ -117,8 +108,8 @@ TEST_P(ObliqueCable, IsReadByContinuousSignalsWithTheirDerivatives) {
   std::vector<std::unique_ptr<Sensor>> sensors;
   for (const std::string& name : chain.names()) {
     sources.push_back({SignalSource::Kind::kSensor, sensors.size()});
-    sensors.push_back(
-        std::make_unique<CableSensor>(cable, 0, kCableEntries[static_cast<std::size_t>(name[1] - '0')].value));
+    sensors.push_back(std::make_unique<CableSensor>(cable_.of(model_), 0,
+                                                    kCableEntries[static_cast<std::size_t>(name[1] - '0')].value));
   }
   model_.set_signals(
       std::make_shared<const ContinuousSignals>(std::move(chain), std::move(sources), std::move(sensors)));
@@ -132,7 +123,7 @@ TEST_P(ObliqueCable, IsReadByContinuousSignalsWithTheirDerivatives) {
   Eigen::VectorXd values;
   equations.signals(assembly.state, inputs, values);
   equations.load(assembly.state);
-  const CableSample sample = cable.sample(equations.element_input(0, assembly.state, inputs));
+  const CableSample sample = cable_.of(model_).sample(equations.element_input(0, assembly.state, inputs));
   EXPECT_NEAR(values[1], 0.1 * sample.force, 1e-13 * sample.force);
   EXPECT_GT(values[1], 0.1);
   EXPECT_NEAR(values[3], 0.1 * (sample.length - sample.stretch), 1e-13);
@@ -202,23 +193,24 @@ TEST(Atwood, WithAHeavyPulleyHasTheAccelerationOfTheClosedForm) {
                                  model.marker_at(pulley, {0.0, 0.0, 3.0}, along_y)));
   // Over the top from the second, at -R, to the first, at R: about +y by the right hand.
   const Eigen::Vector3d y = Eigen::Vector3d::UnitY(), x = Eigen::Vector3d::UnitX();
-  model.add_force(
+  const Handle<Cable> rising = model.add_force(
       std::make_unique<Cable>("rising",
                               std::vector<CableGuide>{cable_point(model, second, {-R, 0.0, 1.5}),
                                                       cable_round(model, pulley, {0.0, 0.0, 3.0}, y, R, -x)},
                               cable_of(k, 1.5 - T_2 / k)));
-  model.add_force(std::make_unique<Cable>("falling",
-                                          std::vector<CableGuide>{cable_round(model, pulley, {0.0, 0.0, 3.0}, y, R, x),
-                                                                  cable_point(model, first, {R, 0.0, 1.0})},
-                                          cable_of(k, 2.0 - T_1 / k)));
+  const Handle<Cable> falling = model.add_force(
+      std::make_unique<Cable>("falling",
+                              std::vector<CableGuide>{cable_round(model, pulley, {0.0, 0.0, 3.0}, y, R, x),
+                                                      cable_point(model, first, {R, 0.0, 1.0})},
+                              cable_of(k, 2.0 - T_1 / k)));
   test::Run run(model, "one_step", test::precise(1e-9));
   run.to(0.8, 4);
   const double fallen = 0.5 * a * 0.8 * 0.8;
   EXPECT_NEAR(run.state.q[9], 1.0 - fallen, 1e-7);  // tolerance of the integrator, through a spring of 20 kN/m
   EXPECT_NEAR(run.state.q[16], 1.5 + fallen, 1e-7);
   EXPECT_NEAR(run.state.v[4], a * 0.8 / R, 1e-6);
-  EXPECT_NEAR(sample_of(run, 0).force, T_2, 1e-3);  // 5e-8 m of the spring
-  EXPECT_NEAR(sample_of(run, 1).force, T_1, 1e-3);
+  EXPECT_NEAR(sample_of(run, rising).force, T_2, 1e-3);  // 5e-8 m of the spring
+  EXPECT_NEAR(sample_of(run, falling).force, T_1, 1e-3);
 }
 
 // Without friction the tension is the same on both sides of a pulley, whatever the wrap, and so is what the pulley bears:
@@ -231,7 +223,7 @@ TEST(Capstan, WithoutFrictionBearsTheDifferenceOfTwoEqualTensions) {
     // From a point of the ground at the left, over the top, down to the load: a wrap of a quarter.
     const double R = 0.2, wrap = 0.5 * kPi + 2.0 * kPi * turns, k = 1000.0, stretch = 0.05;
     const double way = 1.0 + 1.0 + R * wrap;
-    model.add_force(std::make_unique<Cable>(
+    const Handle<Cable> cable = model.add_force(std::make_unique<Cable>(
         "cable",
         std::vector<CableGuide>{
             cable_point(model, kGround, {-1.0, 0.0, R}),
@@ -250,7 +242,7 @@ TEST(Capstan, WithoutFrictionBearsTheDifferenceOfTwoEqualTensions) {
     expected.head<3>() << -T, 0.0, -T;
     expected.segment<3>(6) << 0.0, 0.0, T;
     EXPECT_LT((Q - expected).norm(), 1e-10 * T) << turns;
-    EXPECT_NEAR(static_cast<const Cable&>(model.force(0)).sample(in).length, way, 1e-13);
+    EXPECT_NEAR(cable.of(model).sample(in).length, way, 1e-13);
   }
 }
 
@@ -281,7 +273,7 @@ TEST(Hoist, OfASwingingLoadIsThatOfItsTwoEquations) {
   std::array<double, 4> y = {start.x(), start.y(), 0.0, 0.0};
   const double e_start = fine_stretch(y, 0.0, R, w, 0.0, &pull);
   const double length = e_start - 0.001;
-  model.add_force(std::make_unique<Cable>(
+  const Handle<Cable> cable = model.add_force(std::make_unique<Cable>(
       "cable",
       std::vector<CableGuide>{
           cable_round(model, drum, {0.0, 0.0, 0.0}, Eigen::Vector3d::UnitY(), R, Eigen::Vector3d::UnitX()),
@@ -318,7 +310,7 @@ TEST(Hoist, OfASwingingLoadIsThatOfItsTwoEquations) {
   EXPECT_NEAR(run.state.v[6], y[2], 1e-5);
   EXPECT_NEAR(run.state.v[8], y[3], 1e-5);
   // The load has come closer by the cable that the drum has taken up, three quarters of a turn more than one.
-  EXPECT_LT(sample_of(run).length, length - 0.8 * R * w * t_end);
+  EXPECT_LT(sample_of(run, cable).length, length - 0.8 * R * w * t_end);
 }
 
 // A mass falls by h into its cable: 1/2 k e^2 = m g (h + e) at the largest stretch. It flies up again and again, and never
@@ -328,10 +320,11 @@ TEST(SlackCable, SnapsWithoutGainingEnergy) {
   for (const double c : {0.0, 15.0, 2000.0}) {
     Model model(kEarthsPull);
     const int mass = add_mass(model, "mass", m, {0.0, 0.0, -length + h});
-    model.add_force(std::make_unique<Cable>("rope",
-                                            std::vector<CableGuide>{cable_point(model, kGround, {0.0, 0.0, 0.0}),
-                                                                    cable_point(model, mass, {0.0, 0.0, -length + h})},
-                                            cable_of(k, length, c)));
+    const Handle<Cable> cable = model.add_force(
+        std::make_unique<Cable>("rope",
+                                std::vector<CableGuide>{cable_point(model, kGround, {0.0, 0.0, 0.0}),
+                                                        cable_point(model, mass, {0.0, 0.0, -length + h})},
+                                cable_of(k, length, c)));
     test::Run run(model, "one_step", test::precise(1e-8));
     double largest = 0.0, energy = run.energy().stored.total();
     const double start = energy;
@@ -339,7 +332,7 @@ TEST(SlackCable, SnapsWithoutGainingEnergy) {
     bool flying = true;
     for (int i = 1; i <= 1200; ++i) {
       run.to(1e-3 * i);
-      const CableSample sample = sample_of(run);
+      const CableSample sample = sample_of(run, cable);
       EXPECT_GE(sample.force, 0.0);
       EXPECT_TRUE(sample.stretch > 0.0 || sample.force == 0.0);
       if (flying && sample.stretch > 0.0) ++flights;
@@ -373,7 +366,7 @@ TEST(Drum, CountsItsTurns) {
   parameters.axial_stiffness = EA;
   parameters.length = length;
   parameters.damping = 2000.0;
-  model.add_force(std::make_unique<Cable>(
+  const Handle<Cable> cable = model.add_force(std::make_unique<Cable>(
       "cable",
       std::vector<CableGuide>{
           cable_round(model, drum, {0.0, 0.0, 0.0}, Eigen::Vector3d::UnitY(), R, Eigen::Vector3d::UnitX()),
@@ -385,12 +378,12 @@ TEST(Drum, CountsItsTurns) {
   run.state.v[8] = R * w;  // the load moves with the cable
   run.to(turns, 10);
   const double left = length - R * w * turns;
-  EXPECT_NEAR(sample_of(run).length, left, 2e-5);  // it hangs in the cable with a force of some 1e-2 N
+  EXPECT_NEAR(sample_of(run, cable).length, left, 2e-5);  // it hangs in the cable with a force of some 1e-2 N
   EXPECT_NEAR(run.state.q[9], -left, 2e-5);
   // Pushed away by 1 mm it has the stiffness of what is left.
   run.state.q[9] = -left - 0.001;
   run.state.v.setZero();
-  const CableSample sample = sample_of(run);
+  const CableSample sample = sample_of(run, cable);
   EXPECT_NEAR(sample.force, EA * sample.stretch / left, 1e-9 * sample.force);
   EXPECT_NEAR(sample.stretch, 0.001, 1e-6);
 }
@@ -399,7 +392,7 @@ TEST(Pulley, ThatTheCableLeavesIsNotInItsWay) {
   for (const double height : {-0.5, -0.1, 0.0, 0.3}) {  // of the load; above the line the cable runs free
     Model model;
     const int load = add_mass(model, "load", 1.0, {1.0, 0.0, height});
-    model.add_force(std::make_unique<Cable>(
+    const Handle<Cable> cable = model.add_force(std::make_unique<Cable>(
         "cable",
         std::vector<CableGuide>{
             cable_point(model, kGround, {-1.0, 0.0, 0.1}),
@@ -407,7 +400,7 @@ TEST(Pulley, ThatTheCableLeavesIsNotInItsWay) {
             cable_point(model, load, {1.0, 0.0, height})},
         cable_of(100.0, 1.9)));
     test::Run run(model);
-    const CableSample sample = sample_of(run);
+    const CableSample sample = sample_of(run, cable);
     const double straight = std::hypot(2.0, height - 0.1);
     if (height >= 0.1) {
       EXPECT_NEAR(sample.length, straight, 1e-14);
@@ -417,7 +410,7 @@ TEST(Pulley, ThatTheCableLeavesIsNotInItsWay) {
       EXPECT_NEAR(sample.length, 1.0 + span + 0.1 * wrap, 1e-14) << height;
       EXPECT_GT(sample.length, straight);
     }
-    EXPECT_EQ(cable_in(run).points(run.equations.element_input(0, run.state, run.inputs)).size(),
+    EXPECT_EQ(cable.of(model).points(run.equations.element_input(0, run.state, run.inputs)).size(),
               height >= 0.1 ? 2u : 4u);
   }
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include "coupler/base/errors.h"
@@ -102,6 +103,24 @@ INSTANTIATE_TEST_SUITE_P(Pairs, ForceElementEnergy,
                          ::testing::Values(std::make_pair(0, 2), std::make_pair(0, 1), std::make_pair(1, 3),
                                            std::make_pair(kGround, 1), std::make_pair(2, kGround)));
 
+// mbd_solver/model/model.h
+TEST(Handle, HasTheTypeOfItsElement) {
+  static_assert(std::is_convertible_v<Handle<RigidPlane>, Handle<ForceElement>>);
+  static_assert(!std::is_convertible_v<Handle<ForceElement>, Handle<RigidPlane>>);
+  static_assert(!std::is_constructible_v<Handle<Strut>, int>, "only a model makes handles");
+  test::Random random(31);
+  Model model = test::random_bodies(random);
+  const test::MarkerPair at = test::random_markers(random, model, 0, 2);
+  const auto first = model.add_force(torsional_spring("first", at.m1, at.m2, {1.0, 0.0, 0.0, 0.0})),
+             second = model.add_force(torsional_spring("second", at.m1, at.m2, {2.0, 0.0, 0.0, 0.0}));
+  static_assert(std::is_same_v<decltype(second), const Handle<JointForce>>);
+  EXPECT_EQ(first.of(model).name(), "first");
+  EXPECT_EQ(second.of(model).name(), "second");
+  EXPECT_EQ(second.index(), 1);
+  EXPECT_TRUE(second);
+  EXPECT_FALSE(Handle<JointForce>());
+}
+
 TEST(RigidPlane, NeverPulls) {
   // However fast the body leaves, the plane pushes or does nothing.
   test::Random random(5);
@@ -166,18 +185,13 @@ class WheelOnASpring : public ::testing::TestWithParam<const char*> {
                                    model.marker_at(wheel, Eigen::Vector3d::Zero())));
     LinearSpringDamperParameters parameters;
     parameters.stiffness = 0.4;
-    model.add_force(torsional_spring("spring", model.marker_at(kGround, Eigen::Vector3d::Zero()),
-                                     model.marker_at(wheel, Eigen::Vector3d::Zero()), parameters));
-  }
-  // Angle [rad] and rate [rad/s] of the spring.
-  static JointForceSample spring(test::Run& run) {
-    run.equations.load(run.state);
-    return static_cast<const JointForce&>(run.equations.model().force(0))
-        .sample(run.equations.element_input(0, run.state, run.inputs));
+    spring = model.add_force(torsional_spring("spring", model.marker_at(kGround, Eigen::Vector3d::Zero()),
+                                              model.marker_at(wheel, Eigen::Vector3d::Zero()), parameters));
   }
   // Of angles of 6 rad and rates of 12 rad/s, each of some ten thousand steps exact to 1e-9. A missed turn is 6.3.
   static constexpr double kTolerance = 1e-4;
   Model model;
+  Handle<JointForce> spring;
 };
 
 TEST_P(WheelOnASpring, TurnsBackAtSixRadians) {
@@ -185,8 +199,8 @@ TEST_P(WheelOnASpring, TurnsBackAtSixRadians) {
   for (int k = 1; k <= 12; ++k) {
     run.to(0.25 * k);
     const double t = run.state.time;
-    EXPECT_NEAR(spring(run).q, 6.0 * std::sin(2.0 * t), kTolerance) << t;
-    EXPECT_NEAR(spring(run).rate, 12.0 * std::cos(2.0 * t), kTolerance) << t;
+    EXPECT_NEAR(sample_of(run, spring).q, 6.0 * std::sin(2.0 * t), kTolerance) << t;
+    EXPECT_NEAR(sample_of(run, spring).rate, 12.0 * std::cos(2.0 * t), kTolerance) << t;
     EXPECT_LT(std::abs(run.imbalance()), 1e-6 * run.start_energy()) << t;  // order of the integrator's own error
   }
 }
@@ -196,9 +210,9 @@ TEST_P(WheelOnASpring, KnowsItsTurnsAfterAResumption) {
   test::Run first(model, GetParam(), test::tight(1e-9)), second(model, GetParam(), test::tight(1e-9));
   first.to(0.7);
   second.state = first.state;
-  EXPECT_NEAR(spring(second).q, 6.0 * std::sin(1.4), kTolerance);
+  EXPECT_NEAR(sample_of(second, spring).q, 6.0 * std::sin(1.4), kTolerance);
   second.to(1.2);
-  EXPECT_NEAR(spring(second).q, 6.0 * std::sin(2.4), kTolerance);
+  EXPECT_NEAR(sample_of(second, spring).q, 6.0 * std::sin(2.4), kTolerance);
 }
 
 TEST_P(WheelOnASpring, CountsAHundredTurns) {
@@ -213,11 +227,13 @@ TEST_P(WheelOnASpring, CountsAHundredTurns) {
                                     driven.marker_at(wheel, Eigen::Vector3d::Zero()), motion));
   LinearSpringDamperParameters parameters;
   parameters.stiffness = 0.4;
-  driven.add_force(torsional_spring("spring", driven.marker_at(kGround, Eigen::Vector3d::Zero()),
-                                    driven.marker_at(wheel, Eigen::Vector3d::Zero()), parameters));
+  const Handle<JointForce> spring_of_it =
+      driven.add_force(torsional_spring("spring", driven.marker_at(kGround, Eigen::Vector3d::Zero()),
+                                        driven.marker_at(wheel, Eigen::Vector3d::Zero()), parameters));
   test::Run run(driven, GetParam());
   run.to(6.3, 63);
-  EXPECT_NEAR(spring(run).q, 630.0, 1e-6);  // what the projection leaves of the drive's angle, and more
+  EXPECT_NEAR(sample_of(run, spring_of_it).q, 630.0,
+              1e-6);  // what the projection leaves of the drive's angle, and more
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, WheelOnASpring, ::testing::Values("one_step", "ida"));

@@ -154,24 +154,19 @@ struct Axle {
   void add(std::unique_ptr<StrutLaw> law) {
     std::vector<std::unique_ptr<StrutLaw>> laws;
     laws.push_back(std::move(law));
-    model.add_force(std::make_unique<JointForce>("force_" + std::to_string(model.force_count()), model.joint(0).m1,
-                                                 model.joint(0).m2, kind, std::move(laws)));
+    forces.push_back(model.add_force(std::make_unique<JointForce>(
+        "force_" + std::to_string(model.force_count()), model.joint(0).m1, model.joint(0).m2, kind, std::move(laws))));
   }
   void add_rotor(double inertia) {
     model.add_joint(rotor("rotor", model.joint(0).m1, model.joint(0).m2, kind, inertia));
   }
   Model model;
   Coordinate kind;
+  std::vector<Handle<JointForce>> forces;
 };
 
 double rate(test::Run& run, Coordinate kind) {
   return (kind == Coordinate::kAngle ? run.body(0).w : run.body(0).dr)(axis_of(kind));
-}
-
-JointForceSample sample(test::Run& run, const Model& model, int force = 0) {
-  run.equations.load(run.state);
-  return static_cast<const JointForce&>(model.force(force))
-      .sample(run.equations.element_input(force, run.state, run.inputs));
 }
 
 MotorParameters motor(MotorKind kind, TimeFunctionPtr command) {
@@ -196,7 +191,8 @@ TEST_P(EveryCoordinate, RotorAddsItsInertiaBehindTheGear) {
     run.to(t, 3);
     const double speed = g * tau * t / (kWheelInertia + J * g * g);
     EXPECT_NEAR(rate(run, GetParam()), speed, kCoordinateTolerance * speed) << integrator;
-    EXPECT_NEAR(sample(run, axle.model).q, 0.5 * speed * t, 1e-6 * speed * t) << integrator;  // more than one turn
+    EXPECT_NEAR(sample_of(run, axle.forces[0]).q, 0.5 * speed * t, 1e-6 * speed * t)
+        << integrator;  // more than one turn
     EXPECT_NEAR(run.energy().stored[Stored::kKinetic], 0.5 * (kWheelInertia + J * g * g) * speed * speed, 1e-6)
         << integrator;
     EXPECT_NEAR(run.imbalance(), 0.0, 1e-6) << integrator;
@@ -237,7 +233,8 @@ TEST_P(EveryCoordinate, MotorWithRotorAndLimitsSpinsUp) {
       run.to(at, 4);
       const double speed = end * (1.0 - std::exp(-g * tau_0 * at / (inertia * end)));
       EXPECT_NEAR(rate(run, GetParam()), speed, kCoordinateTolerance * end) << integrator;
-      EXPECT_NEAR(sample(run, axle.model).force, g * tau_0 * (1.0 - speed / end), kCoordinateTolerance) << integrator;
+      EXPECT_NEAR(sample_of(run, axle.forces[0]).force, g * tau_0 * (1.0 - speed / end), kCoordinateTolerance)
+          << integrator;
       EXPECT_NEAR(run.state.supplied[Supply::kDrive], 0.5 * inertia * speed * speed, kCoordinateTolerance * end * end)
           << integrator;
     }
@@ -256,7 +253,7 @@ TEST_P(EveryCoordinate, MotorHoldsAPosition) {
   run.to(t);
   const double d = 0.5 * kd / kWheelInertia, w = std::sqrt(kp / kWheelInertia - d * d);
   const double exact = c * (1.0 - std::exp(-d * t) * (std::cos(w * t) + d / w * std::sin(w * t)));
-  EXPECT_NEAR(sample(run, axle.model).q, exact, kCoordinateTolerance);
+  EXPECT_NEAR(sample_of(run, axle.forces[0]).q, exact, kCoordinateTolerance);
   EXPECT_NEAR(run.imbalance(), 0.0, kCoordinateTolerance);
 }
 
@@ -272,8 +269,8 @@ TEST_P(EveryCoordinate, IntegralTakesTheErrorAway) {
   axle.add(std::make_unique<Motor>(p));
   test::Run run(axle.model, "one_step", test::precise(1e-9));
   run.to(20.0);
-  EXPECT_NEAR(sample(run, axle.model, 1).q, 2.0, 1e-6);  // exp(-20 / 1.2 s) of the start
-  EXPECT_NEAR(sample(run, axle.model, 1).force, 0.7, 1e-6);
+  EXPECT_NEAR(sample_of(run, axle.forces[1]).q, 2.0, 1e-6);  // exp(-20 / 1.2 s) of the start
+  EXPECT_NEAR(sample_of(run, axle.forces[1]).force, 0.7, 1e-6);
 }
 
 // A far command with a small motor, against drag: 6 s at full torque. An integral that grew all the way, to 9 rad s,
@@ -291,10 +288,10 @@ TEST_P(EveryCoordinate, LimitedMotorDoesNotWindUp) {
   double largest = 0.0;
   for (int i = 1; i <= 150; ++i) {
     run.to(0.2 * i);
-    largest = std::max(largest, sample(run, axle.model).q);
-    EXPECT_LE(std::abs(sample(run, axle.model).force), 0.1 * (1.0 + 1e-12));
+    largest = std::max(largest, sample_of(run, axle.forces[0]).q);
+    EXPECT_LE(std::abs(sample_of(run, axle.forces[0]).force), 0.1 * (1.0 + 1e-12));
   }
-  EXPECT_NEAR(sample(run, axle.model).q, 3.0, 1e-3);  // exp(-t / 2 s) of the integral's rest
+  EXPECT_NEAR(sample_of(run, axle.forces[0]).q, 3.0, 1e-3);  // exp(-t / 2 s) of the integral's rest
   EXPECT_LT(largest, 3.0 * 1.1);
 }
 
@@ -355,9 +352,9 @@ TEST_P(EveryCoordinate, FrictionSticksWithoutCreeping) {
   axle.add(std::make_unique<Motor>(motor(MotorKind::kTorque, sum({polynomial({0.5 * F}), sine(0.1 * F, 1.0)}))));
   test::Run run(axle.model, "one_step", test::precise(1e-9));
   run.to(2.0);
-  const double before = sample(run, axle.model).q;
+  const double before = sample_of(run, axle.forces[0]).q;
   run.to(22.0, 10);
-  EXPECT_LT(std::abs(sample(run, axle.model).q - before), 1e-9);
+  EXPECT_LT(std::abs(sample_of(run, axle.forces[0]).q - before), 1e-9);
   EXPECT_LT(std::abs(rate(run, GetParam())), 1e-3);
 }
 
@@ -406,7 +403,7 @@ TEST(JointForce, SpringGoesOnOverTurns) {
   test::Run run(axle.model, "one_step", test::precise(1e-10));
   for (int i = 1; i <= 40; ++i) {
     run.to(0.1 * i);
-    EXPECT_NEAR(sample(run, axle.model).q, 6.0 * std::sin(2.0 * run.state.time), 1e-6);
+    EXPECT_NEAR(sample_of(run, axle.forces[0]).q, 6.0 * std::sin(2.0 * run.state.time), 1e-6);
   }
 }
 
@@ -498,21 +495,15 @@ TEST(Joints, PlanarSlidesAndTurns) {
 constexpr double kPlanarTolerance = 1e-7;              // rtol of the runs is 1e-10, over some hundred steps
 constexpr double kPuckMass = 2.0, kPuckInertia = 0.1;  // [kg], [kg m2]
 
-void add_spring(Model& model, int joint, Coordinate coordinate, double stiffness, double damping) {
+Handle<JointForce> add_spring(Model& model, int joint, Coordinate coordinate, double stiffness, double damping) {
   std::vector<std::unique_ptr<StrutLaw>> laws;
   laws.push_back(std::make_unique<LinearSpringDamper>(LinearSpringDamperParameters{stiffness, damping, 0.0, 0.0}));
-  model.add_force(std::make_unique<JointForce>("spring_" + std::to_string(model.force_count()), model.joint(joint).m1,
-                                               model.joint(joint).m2, coordinate, std::move(laws)));
+  return model.add_force(std::make_unique<JointForce>("spring_" + std::to_string(model.force_count()),
+                                                      model.joint(joint).m1, model.joint(joint).m2, coordinate,
+                                                      std::move(laws)));
 }
 
 Body puck() { return Body("puck", kPuckMass, kPuckInertia * Eigen::Matrix3d::Identity()); }
-
-double planar_value(test::Run& run, const Model& model, int force) {
-  run.equations.load(run.state);
-  return static_cast<const JointForce&>(model.force(force))
-      .sample(run.equations.element_input(force, run.state, run.inputs))
-      .q;
-}
 
 class PlanarJoint : public ::testing::TestWithParam<const char*> {};
 
@@ -529,15 +520,15 @@ TEST_P(PlanarJoint, SwingsInItsThreeCoordinatesApart) {
   model.add_body(puck(), state);
   model.add_joint(planar_joint("table", ground_marker(Eigen::Vector3d::Zero(), axes),
                                model.marker_at(0, Eigen::Vector3d::Zero(), axes)));
-  add_spring(model, 0, Coordinate::kAngle, k[0], 0.0);
-  add_spring(model, 0, Coordinate::kDisplacementX, k[1], 0.0);
-  add_spring(model, 0, Coordinate::kDisplacementY, k[2], 0.0);
+  const Handle<JointForce> springs[3] = {add_spring(model, 0, Coordinate::kAngle, k[0], 0.0),
+                                         add_spring(model, 0, Coordinate::kDisplacementX, k[1], 0.0),
+                                         add_spring(model, 0, Coordinate::kDisplacementY, k[2], 0.0)};
   test::Run run(model, GetParam(), test::precise(1e-10));
   for (int i = 1; i <= 20; ++i) {
     run.to(0.17 * i);
     for (int c = 0; c < 3; ++c) {
       const double w = std::sqrt(k[c] / inertia[c]);
-      EXPECT_NEAR(planar_value(run, model, c), rate[c] / w * std::sin(w * run.state.time),
+      EXPECT_NEAR(sample_of(run, springs[c]).q, rate[c] / w * std::sin(w * run.state.time),
                   kPlanarTolerance * (1.0 + std::abs(rate[c] / w)) * 10.0)
           << "coordinate " << c << " at " << run.state.time;
     }
@@ -566,9 +557,9 @@ TEST_P(PlanarJoint, CarriesItsAxesWithTheFirstBody) {
                                    model.marker_at(0, Eigen::Vector3d::Zero()), motion));
   model.add_joint(
       planar_joint("top", model.marker_at(0, Eigen::Vector3d::Zero()), model.marker_at(1, Eigen::Vector3d::Zero())));
-  add_spring(model, 1, Coordinate::kDisplacementX, k[0], c[0]);
-  add_spring(model, 1, Coordinate::kDisplacementY, k[1], c[1]);
-  add_spring(model, 1, Coordinate::kAngle, k_turn, 0.0);
+  const Handle<JointForce> springs[3] = {add_spring(model, 1, Coordinate::kDisplacementX, k[0], c[0]),
+                                         add_spring(model, 1, Coordinate::kDisplacementY, k[1], c[1]),
+                                         add_spring(model, 1, Coordinate::kAngle, k_turn, 0.0)};
   Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
   A.topRightCorner<2, 2>().setIdentity();
   for (int i = 0; i < 2; ++i) {
@@ -581,10 +572,10 @@ TEST_P(PlanarJoint, CarriesItsAxesWithTheFirstBody) {
   for (int i = 1; i <= 10; ++i) {
     run.to(0.2 * i);
     const Eigen::Vector4d exact = test::exponential(A * run.state.time) * start;
-    EXPECT_NEAR(planar_value(run, model, 0), exact[0], kPlanarTolerance) << run.state.time;
-    EXPECT_NEAR(planar_value(run, model, 1), exact[1], kPlanarTolerance) << run.state.time;
+    EXPECT_NEAR(sample_of(run, springs[0]).q, exact[0], kPlanarTolerance) << run.state.time;
+    EXPECT_NEAR(sample_of(run, springs[1]).q, exact[1], kPlanarTolerance) << run.state.time;
     const double w = std::sqrt(k_turn / kPuckInertia);
-    EXPECT_NEAR(planar_value(run, model, 2), 2.0 / w * std::sin(w * run.state.time), kPlanarTolerance);
+    EXPECT_NEAR(sample_of(run, springs[2]).q, 2.0 / w * std::sin(w * run.state.time), kPlanarTolerance);
     EXPECT_LT(std::abs(run.imbalance()), 1e-6) << run.state.time;
   }
 }

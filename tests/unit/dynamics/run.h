@@ -65,6 +65,13 @@ class Run {
   double start_ = 0.0;
 };
 
+// What a strut, cable or force on a joint reports now.
+template <class T>
+auto sample_of(Run& run, Handle<T> element) {
+  run.equations.load(run.state);
+  return element.of(run.equations.model()).sample(run.equations.element_input(element.index(), run.state, run.inputs));
+}
+
 // Tolerances of a reference: only round-off and the order of the method remain.
 inline IntegratorOptions tight(double tolerance) {
   IntegratorOptions options;
