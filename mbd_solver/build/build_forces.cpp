@@ -437,15 +437,9 @@ void add_pair(const Scene& scene, const ContactSpec& spec, Mechanism& mechanism)
   const bool b_bends = B.boundary.mode_count() > 0;
   if (a_is_ball || !b_is_ball) add_side(scene, mechanism, A, B, 0, sides);
   if (!a_is_ball || b_bends) add_side(scene, mechanism, B, A, 1, sides);
-  ContactEntry entry;
-  entry.body_1 = A.body;
-  entry.body_2 = B.body;
-  entry.force =
-      mechanism.model
-          .add_force(std::make_unique<SurfaceContact>("contact/" + spec.between[0] + "/" + spec.between[1], A.body,
-                                                      B.body, std::move(sides), contact_law(spec, scene, mechanism)))
-          .index();
-  mechanism.contacts.push_back(std::move(entry));
+  add_contact(std::make_unique<SurfaceContact>("contact/" + spec.between[0] + "/" + spec.between[1], A.body, B.body,
+                                               std::move(sides), contact_law(spec, scene, mechanism)),
+              mechanism);
 }
 
 void add_walls(const Scene& scene, const ContactSpec& spec, Mechanism& mechanism) {
@@ -453,28 +447,15 @@ void add_walls(const Scene& scene, const ContactSpec& spec, Mechanism& mechanism
   for (const BodyBoundary& A : mechanism.boundaries) {
     const std::vector<std::string>& wanted = spec.bodies;
     if (!wanted.empty() && std::count(wanted.begin(), wanted.end(), A.boundary.name()) == 0) continue;
-    ContactEntry entry;
-    entry.body_1 = A.body;
-    entry.walls = std::make_shared<SurfaceSeen>();
-    entry.places = contact_places(scene, mechanism.model.body(A.body), A);
+    const auto walls = std::make_shared<SurfaceSeen>();
     SurfaceContact::Side side;
-    side.points = entry.places;
-    side.seen = entry.walls;
+    side.points = contact_places(scene, mechanism.model.body(A.body), A);
+    side.seen = walls;
     side.depth = kDepth * reach(A);
-    entry.force =
-        mechanism.model
-            .add_force(std::make_unique<SurfaceContact>("walls/" + A.boundary.name(), A.body, kGround,
-                                                        std::vector<SurfaceContact::Side>{std::move(side)}, law))
-            .index();
-    mechanism.contacts.push_back(std::move(entry));
+    add_contact(std::make_unique<SurfaceContact>("walls/" + A.boundary.name(), A.body, kGround,
+                                                 std::vector<SurfaceContact::Side>{side}, law),
+                mechanism, walls, side.points);
   }
-}
-
-void add_one_plane(const BodyBoundary& entry, const std::string& name, const RigidPlane::Parameters& p,
-                   Mechanism& mechanism) {
-  mechanism.planes.push_back(
-      mechanism.model.add_force(std::make_unique<RigidPlane>(name, entry.points, p, entry.rims)).index());
-  mechanism.plane_bodies.push_back(entry.body);
 }
 
 }  // namespace
@@ -489,7 +470,8 @@ void add_plane(const Scene& scene, Mechanism& mechanism) {
   const RigidPlane::Parameters p = plane_parameters(contact_law(spec, scene, mechanism), spec.point, spec.normal);
   for (const BodyBoundary& entry : mechanism.boundaries) {
     if (entry.points.empty() && entry.rims.empty()) continue;
-    add_one_plane(entry, "ground/" + entry.boundary.name(), p, mechanism);
+    add_contact(std::make_unique<RigidPlane>("ground/" + entry.boundary.name(), entry.points, p, entry.rims),
+                mechanism);
   }
 }
 
@@ -503,8 +485,10 @@ void add_contacts(const Scene& scene, Mechanism& mechanism) {
       const int body = scene.body_index(spec.between[0]);
       BodyBoundary touching{body, boundary_of(mechanism, body).boundary, {}, {}};
       add_plane_places(scene, mechanism.model.body(body), touching);
-      add_one_plane(touching, "plane_" + std::to_string(i + 1) + "/" + spec.between[0],
-                    plane_parameters(contact_law(spec, scene, mechanism), spec.point, spec.normal), mechanism);
+      add_contact(std::make_unique<RigidPlane>(
+                      "plane_" + std::to_string(i + 1) + "/" + spec.between[0], touching.points,
+                      plane_parameters(contact_law(spec, scene, mechanism), spec.point, spec.normal), touching.rims),
+                  mechanism);
     } else {
       add_pair(scene, spec, mechanism);
     }
@@ -536,8 +520,9 @@ void set_walls(const std::vector<StaticWall>& walls, Mechanism& mechanism) {
     if (surface->empty()) continue;
     double across = 0.0;
     entry.walls->sides = surface->sides_of(places_at_start(mechanism.model, entry.places, kGround), across);
-    const std::string& name = mechanism.model.body(entry.body_1).name();
-    if (across > kDepth * reach(boundary_of(mechanism, entry.body_1)))
+    const int body = entry.force.of(mechanism.model).bodies()[0];
+    const std::string& name = mechanism.model.body(body).name();
+    if (across > kDepth * reach(boundary_of(mechanism, body)))
       throw InputError(code::kAcrossWall,
                        "contacts: body \"" + name + "\" is on both sides of a wall at the start, by " +
                            number_text(across) +

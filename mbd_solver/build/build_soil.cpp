@@ -135,13 +135,11 @@ void add_soil_contacts(const Scene& scene, Mechanism& mechanism) {
   for (auto& [entry, facets] : touching) {
     const bool first = ground == nullptr;
     if (first) ground = std::make_shared<SoilGround>(std::sqrt(largest));
-    mechanism.soils.push_back(mechanism.model
-                                  .add_force(std::make_unique<SoilContact>(
-                                      "ground/" + entry->boundary.name(), std::move(facets), !encloses(entry->boundary),
+    add_contact(
+        std::make_unique<SoilContact>("ground/" + entry->boundary.name(), std::move(facets), !encloses(entry->boundary),
                                       SoilContact::Place{spec.point, spec.normal, mechanism.terrain},
-                                      soil_law(scene, entry->boundary), ground, first))
-                                  .index());
-    mechanism.soil_bodies.push_back(entry->body);
+                                      soil_law(scene, entry->boundary), ground, first),
+        mechanism);
   }
 }
 

@@ -1,6 +1,7 @@
 // The steps of building in their order, the bodies, and the inputs.
 #include "mbd_solver/build/mechanism.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 #include "mbd_solver/scene/resolve.h"
@@ -20,6 +21,21 @@ int add_input(Mechanism& mechanism, double value) {
   mechanism.inputs.conservativeResize(place + 1);
   mechanism.inputs(place) = value;
   return place;
+}
+
+bool Mechanism::has(ContactKind kind) const {
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [&](const ContactEntry& entry) { return entry.force.of(model).kind() == kind; });
+}
+
+void add_contact(std::unique_ptr<ContactElement> element, Mechanism& mechanism, std::shared_ptr<SurfaceSeen> walls,
+                 std::vector<ContactPoint> places) {
+  std::vector<ContactEntry>& all = mechanism.contacts;
+  const ContactKind kind = element->kind();
+  ContactEntry entry{mechanism.model.add_force(std::move(element)), std::move(walls), std::move(places)};
+  const auto behind = std::find_if(
+      all.begin(), all.end(), [&](const ContactEntry& other) { return other.force.of(mechanism.model).kind() > kind; });
+  all.insert(behind, std::move(entry));
 }
 
 void add_bodies(const Scene& scene, const std::vector<FlexibleBody>& flexible, Mechanism& mechanism) {

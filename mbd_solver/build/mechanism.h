@@ -117,16 +117,12 @@ struct ControllerEntry {
   std::vector<std::string> outputs;
 };
 
-// A contact of the scene between bodies, or of a body and the script's walls.
+// A contact of a body with the ground, a plane or the script's walls, or with another body.
 struct ContactEntry {
-  int force = 0;  // index of its SurfaceContact in the model
-  int body_1 = 0;
-  int body_2 = kGround;  // kGround: walls
-  // Of walls: their surface, empty until they are known; and the points of the body.
+  Handle<ContactElement> force;
+  // Of walls: their surface, empty until they are known; and the points of the body. Else null and none.
   std::shared_ptr<SurfaceSeen> walls;
   std::vector<ContactPoint> places;
-
-  bool holds(int a, int b) const { return (a == body_1 && b == body_2) || (a == body_2 && b == body_1); }
 };
 
 // A signal or a state of the scene, and the place of its value among the inputs of a run.
@@ -144,15 +140,9 @@ struct Mechanism {
   std::vector<StrutEntry> struts;
   std::vector<CableEntry> cables;
   std::vector<GripEntry> grips;
-  std::vector<int> planes;        // force indices of rigid-plane contacts, one per touching body
-  std::vector<int> plane_bodies;  // their bodies; a body may touch several planes
-  std::vector<int> terrains;      // force indices of contacts with uneven rigid ground, one per touching body
-  std::vector<int> terrain_bodies;
-  std::shared_ptr<const Terrain> terrain;  // null: the ground is a plane, grains, or none
-  std::vector<int> soils;        // force indices of contacts with a soil without grains, one per touching body
-  std::vector<int> soil_bodies;  // their bodies
   std::vector<Handle<AppliedForce>> forces;  // one per force of the scene
-  std::vector<ContactEntry> contacts;
+  std::vector<ContactEntry> contacts;        // all, by kind; a body may have several of one kind
+  std::shared_ptr<const Terrain> terrain;    // null: the ground is a plane, grains, or none
   std::vector<ControllerEntry> controllers;
   std::vector<CoordinateEntry> coordinates;
   std::vector<DriveEntry> drives;
@@ -164,6 +154,8 @@ struct Mechanism {
   NameIndex signal_index, state_index, coordinate_index, strut_index;
   int state_since = -1;             // place of the time at which the present state began [s]; -1: no states
   std::vector<SignalNode> sampled;  // signals with a period, for the run
+
+  bool has(ContactKind kind) const;  // a contact of this kind
 };
 
 // Throws InputError if the scene cannot be built (a basis that does not exist, a gas compressed to nothing, ...).
@@ -181,6 +173,10 @@ struct FlexibleBody {
 };
 // One entry per body of the scene; `modal` is null for rigid bodies. Warnings are appended.
 std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<std::string>& warnings);
+
+// Adds a contact to the model and the list, behind those of its kind.
+void add_contact(std::unique_ptr<ContactElement> element, Mechanism& mechanism,
+                 std::shared_ptr<SurfaceSeen> walls = nullptr, std::vector<ContactPoint> places = {});
 
 // The walls of the script, at the beginning of a coupled run and whenever some are removed. Throws InputError if a body is
 // on both sides of a wall that should hold it.

@@ -40,8 +40,8 @@ void warn_of_overlaps(const Scene& scene, Mechanism& mechanism) {
   const Model& model = mechanism.model;
   std::map<int, double> sizes;  // of bodies [m]
   for (const BodyBoundary& entry : mechanism.boundaries) sizes[entry.body] = size_of(entry);
-  const auto check = [&](int force) {
-    const ForceElement& contact = model.force(force);
+  for (const ContactEntry& entry : mechanism.contacts) {
+    const ContactElement& contact = entry.force.of(model);
     const std::array<int, 2>& bodies = contact.bodies();
     const BodyKinematics motion[2] = {at_rest(model, bodies[0]), at_rest(model, bodies[1])};
     StoredEnergy stored;
@@ -56,7 +56,7 @@ void warn_of_overlaps(const Scene& scene, Mechanism& mechanism) {
       names += (names.empty() ? "body \"" : " and \"") + model.body(body).name() + "\"";
     }
     const double height = stored.total() / (mass * kWeight);
-    if (size == 0.0 || !(height > size)) return;
+    if (size == 0.0 || !(height > size)) continue;
     const bool pair = bodies[0] != kGround && bodies[1] != kGround;
     mechanism.warnings.push_back(with_code(
         code::kThrownAtStart,
@@ -64,11 +64,7 @@ void warn_of_overlaps(const Scene& scene, Mechanism& mechanism) {
             ": the contact would throw " + number_text(mass, 3) + " kg up by " + number_text(height, 2) +
             " m. Move one of them" +
             (pair ? ", or add a [[contacts]] entry with ignore = true." : ", for example by initial.clearance.")));
-  };
-  for (const int force : mechanism.planes) check(force);
-  for (const int force : mechanism.terrains) check(force);
-  for (const ContactEntry& entry : mechanism.contacts)
-    if (entry.body_2 != kGround) check(entry.force);
+  }
 }
 
 }  // namespace footfall

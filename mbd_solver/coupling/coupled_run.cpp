@@ -36,7 +36,8 @@ double script_variable(const Scene& scene, const std::string& name) {
 std::vector<std::string> bodies_stopped_by_walls(const Mechanism& mechanism) {
   std::vector<std::string> names;
   for (const ContactEntry& entry : mechanism.contacts)
-    if (entry.walls != nullptr) names.push_back(mechanism.model.body(entry.body_1).name());
+    if (entry.walls != nullptr)
+      names.push_back(mechanism.model.body(entry.force.of(mechanism.model).bodies()[0]).name());
   return names;
 }
 

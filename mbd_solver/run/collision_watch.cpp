@@ -4,12 +4,12 @@
 #include "mbd_solver/run/collision_watch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/model/elements/surface_contact.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/run/codes.h"
 
@@ -23,11 +23,13 @@ constexpr double kLongMotion = 0.1;
 // From this distance on that of the spheres suffices [of the smaller radius].
 constexpr double kFarApart = 0.1;
 
-bool are_joined(const Model& model, int body_1, int body_2) {
-  for (int i = 0; i < model.joint_count(); ++i) {
-    const int a = model.joint(i).m1.body, b = model.joint(i).m2.body;
-    if ((a == body_1 && b == body_2) || (a == body_2 && b == body_1)) return true;
-  }
+using Bodies = std::array<int, 2>;
+
+bool are_same(const Bodies& a, const Bodies& b) { return a == b || (a[0] == b[1] && a[1] == b[0]); }
+
+bool are_joined(const Model& model, const Bodies& bodies) {
+  for (int i = 0; i < model.joint_count(); ++i)
+    if (are_same({model.joint(i).m1.body, model.joint(i).m2.body}, bodies)) return true;
   return false;
 }
 
@@ -64,12 +66,15 @@ CollisionWatch::CollisionWatch(const Scene& scene, const Mechanism& mechanism, c
       pair.first = i;
       pair.second = j;
       const int body_1 = surfaces_[i].body, body_2 = surfaces_[j].body;
-      if (body_1 != kGround && (are_joined(mechanism.model, body_1, body_2) || allowed(body_1, body_2))) continue;
-      for (const ContactEntry& entry : mechanism.contacts)
-        if (entry.holds(body_1, body_2)) pair.contact = entry.force;
+      if (body_1 != kGround && (are_joined(mechanism.model, {body_1, body_2}) || allowed(body_1, body_2))) continue;
+      for (const ContactEntry& entry : mechanism.contacts) {
+        const ContactElement& contact = entry.force.of(mechanism.model);
+        if (contact.kind() == ContactKind::kSurface && are_same(contact.bodies(), {body_1, body_2}))
+          pair.contact = entry.force;
+      }
       pair.measured = pair.last = place(pair, start);
       pair.gap = gap(pair, pair.measured).distance;
-      if (pair.gap <= 0.0 && pair.contact < 0) {
+      if (pair.gap <= 0.0 && !pair.contact) {
         const bool wall = body_1 == kGround;
         const std::string both = wall ? "body \"" + surfaces_[j].name + "\" and the wall " + surfaces_[i].name
                                       : "bodies \"" + surfaces_[j].name + "\" and \"" + surfaces_[i].name + "\"";
@@ -209,7 +214,7 @@ void CollisionWatch::begin(const Kinematics& kinematics) {
   for (Pair& pair : pairs_) {
     pair.measured = pair.last = place(pair, kinematics);
     pair.gap = 0.0;
-    pair.touched = pair.contact >= 0;  // unknown
+    pair.touched = static_cast<bool>(pair.contact);  // unknown
   }
 }
 
@@ -217,7 +222,7 @@ void CollisionWatch::begin(const Kinematics& kinematics) {
 bool CollisionWatch::may_have_passed(const Pair& pair, const Place& now) const {
   const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
   const double smaller = first.body == kGround ? second.radius : std::min(first.radius, second.radius);
-  return pair.contact < 0 || (!pair.touched && travel(pair, pair.last, now) > kLongMotion * smaller);
+  return !pair.contact || (!pair.touched && travel(pair, pair.last, now) > kLongMotion * smaller);
 }
 
 void CollisionWatch::check(const Subject& subject, const Sample& sample) {
@@ -228,9 +233,9 @@ void CollisionWatch::check(const Subject& subject, const Sample& sample) {
       pair.touched = false;
     } else {
       const auto touches = [&] {
-        if (pair.contact < 0) return false;
-        const auto& contact = static_cast<const SurfaceContact&>(subject.mechanism.model.force(pair.contact));
-        return contact.largest_overlap(element_input(subject, sample, pair.contact)) > 0.0;
+        if (!pair.contact) return false;
+        const ContactElement& contact = pair.contact.of(subject.mechanism.model);
+        return contact.largest_overlap(element_input(subject, sample, pair.contact.index())) > 0.0;
       };
       const bool touched = touches();
       if (touched) {  // a contact acts: checked again when it opens
@@ -260,7 +265,7 @@ void CollisionWatch::report(const Pair& pair, const Sample& sample, const Eigen:
   std::string what = "t = " + number_text(sample.state.time) + " s: body \"" + second.name + "\" passes through " +
                      (wall ? "the wall " + first.name : "body \"" + first.name + "\"") + " at (" + number_text(p_W[0]) +
                      ", " + number_text(p_W[1]) + ", " + number_text(p_W[2]) + ") m";
-  if (pair.contact >= 0) {
+  if (pair.contact) {
     what +=
         " between the points of their contact, where edges cross or a thin part passes: refine the surfaces, or "
         "increase the stiffness of the contact";

@@ -53,7 +53,7 @@ class CollisionWatch {
   };
   struct Pair {
     std::size_t first = 0, second = 0;  // of surfaces_; the second is a body
-    int contact = -1;                   // force element between them; -1: none
+    Handle<ContactElement> contact;     // between them, if there is one
     bool touched = false;               // it acted at the last sample
     double gap = 0.0;                   // at `measured`, not larger than the true one [m]
     Place measured, last;               // where the gap was found; at the last sample

@@ -28,9 +28,9 @@ std::vector<std::string> active_parts(const Simulation& simulation, const Flexib
   if (!mechanism.cables.empty()) active.push_back("cables");
   if (!mechanism.controllers.empty()) active.push_back("controllers");
   if (!mechanism.signals.empty()) active.push_back("signals");
-  if (!mechanism.planes.empty() || !mechanism.terrains.empty()) active.push_back("plane");
-  if (!mechanism.soils.empty()) active.push_back("soil");
-  if (!mechanism.contacts.empty()) active.push_back("contacts");
+  if (mechanism.has(ContactKind::kPlane) || mechanism.has(ContactKind::kTerrain)) active.push_back("plane");
+  if (mechanism.has(ContactKind::kSoil)) active.push_back("soil");
+  if (mechanism.has(ContactKind::kSurface)) active.push_back("contacts");
   if (simulation.coupled()) active.push_back("particles");
   return active;
 }

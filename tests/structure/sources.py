@@ -95,15 +95,30 @@ def force_elements_have_specimens():
     makers = re.findall(r"^inline std::unique_ptr<\w+> ([a-z_]+)", text, re.M)
     elements = {}
     for file, source in sources.items():
-        for name in re.findall(r"class (\w+)(?: final)? : public ForceElement", source):
+        for name in re.findall(r"class (\w+)(?: final)? : public (?:Force|Contact)Element", source):
             elements[name] = file
-    found("force elements", elements, 7)
+    del elements["ContactElement"]  # the interface of four others
+    found("force elements", elements, 10)
     for name, file in elements.items():
         if name == "TurnCounter" and "add_gear(" in text:
             continue  # part of a gear
         made_by = [name] + [m for m in makers if whole(m) and f"make_unique<{name}>" in whole(m)[0]]
         if not re.search(rf"\b({'|'.join(made_by)})\b", all_forces[0]):
             complain(f"{file}: {name} has no specimen in all_forces of {SPECIMENS}")
+
+
+def elements_have_types():
+    """The type of a force element is that of its handle (mbd_solver/model/model.h): an index is never cast to a type."""
+    texts = {str(path.relative_to(root)): path.read_text() for path in (root / "tests").rglob("*.cpp")}
+    texts.update(sources)
+    handles = 0
+    for file, text in texts.items():
+        for cast in re.finditer(r"static_cast<(?:const )?\w+ ?[&*]>\((?:[^;()\n]|\(\))*\bforce\(", text):
+            if file == "mbd_solver/model/model.h":
+                handles += 1
+            else:
+                complain(f"{file}:{text.count(chr(10), 0, cast.start()) + 1}: {cast[0]}: casts a force element; keep the handle of add_force()")
+    found("casts of handles", range(handles), 1)
 
 
 def quoting():
@@ -206,6 +221,6 @@ def tests_leave_nothing():
             complain(f"{path.relative_to(root)}: left by a run; run programs in a folder of tests/support")
 
 
-for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, quoting, one_child_process, locales, named_files, readmes, packages, tests_leave_nothing):
+for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, elements_have_types, quoting, one_child_process, locales, named_files, readmes, packages, tests_leave_nothing):
     rule()
 sys.exit(failed)

@@ -372,15 +372,18 @@ double width_of(const PadRun& run) {
 PadRun pad_run(const RunRequest& request, const std::string& folder) {
   const Scene scene = on_the_soil(request);
   const Mechanism mechanism = build_mechanism(scene);
-  if (mechanism.soils.size() != 1)
-    throw InputError(code::kGroundFit, scene.file + ": has " + std::to_string(mechanism.soils.size()) +
+  std::vector<const SoilContact*> soils;
+  for (const ContactEntry& entry : mechanism.contacts)
+    if (const auto* soil = dynamic_cast<const SoilContact*>(&entry.force.of(mechanism.model))) soils.push_back(soil);
+  if (soils.size() != 1)
+    throw InputError(code::kGroundFit, scene.file + ": has " + std::to_string(soils.size()) +
                                            " boundaries on the bed; a fit requires one pad with a surface");
-  const auto& soil = static_cast<const SoilContact&>(mechanism.model.force(mechanism.soils.front()));
+  const SoilContact& soil = *soils.front();
   PadRun run;
   run.name = request.name;
   run.facets = soil.facets();
   run.two_sided = soil.two_sided();
-  const int body = mechanism.soil_bodies.front();
+  const int body = soil.bodies()[0];
   run.R_WB = rotation_matrix(mechanism.model.initial(body).L);
   const std::string& name = mechanism.model.body(body).name();
   const History history = read_history((std::filesystem::path(folder) / "history.csv").string());

@@ -63,11 +63,11 @@ struct RigidPlane::Contact {
 
 RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters,
                        std::vector<ContactRim> rims)
-    : ForceElement(std::move(name),
-                   !points.empty() ? points.front().marker.body
-                   : !rims.empty() ? rims.front().marker.body
-                                   : kGround,
-                   kGround),
+    : ContactElement(std::move(name),
+                     !points.empty() ? points.front().marker.body
+                     : !rims.empty() ? rims.front().marker.body
+                                     : kGround,
+                     kGround),
       points_(std::move(points)),
       rims_(std::move(rims)),
       parameters_(parameters) {

@@ -21,8 +21,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "mbd_solver/model/elements/contact_element.h"
 #include "mbd_solver/model/elements/contact_law.h"
-#include "mbd_solver/model/force_element.h"
 
 namespace footfall {
 
@@ -36,7 +36,7 @@ struct ContactRim {
   double radius = 0.0;  // [m] > 0
 };
 
-class RigidPlane : public ForceElement {
+class RigidPlane : public ContactElement {
  public:
   struct Parameters : ContactLaw {                      // of each point
     Eigen::Vector3d point = Eigen::Vector3d::Zero();    // p0, any point of the plane, in W [m]
@@ -52,10 +52,9 @@ class RigidPlane : public ForceElement {
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
-
-  // Force on the body [N] and moment about Bo [N m], in W.
-  Eigen::Matrix<double, 6, 1> wrench(const ElementInput& in) const;
-  double largest_overlap(const ElementInput& in) const;  // [m], 0 without contact
+  ContactKind kind() const override { return ContactKind::kPlane; }
+  Eigen::Matrix<double, 6, 1> wrench(const ElementInput& in) const override;
+  double largest_overlap(const ElementInput& in) const override;
 
  private:
   struct Contact;

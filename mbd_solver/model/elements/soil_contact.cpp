@@ -83,7 +83,7 @@ struct SoilContact::Touch {
 
 SoilContact::SoilContact(std::string name, std::vector<SoilFacet> facets, bool two_sided, const Place& place,
                          std::shared_ptr<const SoilLaw> law, std::shared_ptr<SoilGround> ground, bool keeps_ground)
-    : ForceElement(std::move(name), facets.empty() ? kGround : facets.front().marker.body, kGround),
+    : ContactElement(std::move(name), facets.empty() ? kGround : facets.front().marker.body, kGround),
       facets_(std::move(facets)),
       two_sided_(two_sided),
       point_(place.point),
@@ -334,7 +334,7 @@ Eigen::Matrix<double, 6, 1> SoilContact::wrench(const ElementInput& in) const {
   return out;
 }
 
-double SoilContact::largest_depth(const ElementInput& in) const {
+double SoilContact::largest_overlap(const ElementInput& in) const {
   double largest = 0.0;
   const BodyKinematics& body = *in.pair.body[0];
   if (far(body)) return largest;

@@ -10,8 +10,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "mbd_solver/model/elements/contact_element.h"
 #include "mbd_solver/model/elements/soil_law.h"
-#include "mbd_solver/model/force_element.h"
 #include "mbd_solver/model/terrain.h"
 
 namespace footfall {
@@ -48,7 +48,7 @@ class SoilGround {
   std::unordered_map<long, std::vector<int>> cells_;
 };
 
-class SoilContact : public ForceElement, public Remembering {
+class SoilContact : public ContactElement, public Remembering {
  public:
   struct Place {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();    // of the undisturbed ground, in W [m]
@@ -67,9 +67,10 @@ class SoilContact : public ForceElement, public Remembering {
   void save_memory(std::vector<double>& out) const override;
   bool remember(const ElementInput& in) const override;
 
-  Eigen::Matrix<double, 6, 1> wrench(const ElementInput& in) const;  // on the body, about Bo, in W [N, N m]
-  double largest_depth(const ElementInput& in) const;                // of a middle of a facet [m], 0 above the ground
-  double area() const { return area_; }                              // of all facets [m2]
+  ContactKind kind() const override { return ContactKind::kSoil; }
+  Eigen::Matrix<double, 6, 1> wrench(const ElementInput& in) const override;
+  double largest_overlap(const ElementInput& in) const override;
+  double area() const { return area_; }  // of all facets [m2]
   const std::vector<SoilFacet>& facets() const { return facets_; }
   bool two_sided() const { return two_sided_; }
 

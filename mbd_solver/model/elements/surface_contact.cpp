@@ -20,7 +20,7 @@ struct SurfaceContact::Contact : CurvedContact {
 };
 
 SurfaceContact::SurfaceContact(std::string name, int body_1, int body_2, std::vector<Side> sides, const ContactLaw& law)
-    : ForceElement(std::move(name), body_1, body_2), sides_(std::move(sides)), law_(law) {
+    : ContactElement(std::move(name), body_1, body_2), sides_(std::move(sides)), law_(law) {
   law_.check("contact \"" + this->name() + "\": ");
   for (const Side& side : sides_) {
     double reach = 0.0, flexible = 0.0;

@@ -15,7 +15,6 @@
 #include "mbd_solver/model/elements/contact_law.h"
 #include "mbd_solver/model/elements/contact_surface.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
-#include "mbd_solver/model/force_element.h"
 
 namespace footfall {
 
@@ -25,7 +24,7 @@ struct SurfaceSeen {
   SurfaceSides sides;
 };
 
-class SurfaceContact : public ForceElement {
+class SurfaceContact : public ContactElement {
  public:
   struct Side {
     int slot = 0;  // of the body with the points: 0 or 1
@@ -44,10 +43,9 @@ class SurfaceContact : public ForceElement {
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
-
-  // Force on body 1 [N] and moment about its Bo [N m], in W.
-  Eigen::Matrix<double, 6, 1> wrench(const ElementInput& in) const;
-  double largest_overlap(const ElementInput& in) const;  // [m], 0 without contact
+  ContactKind kind() const override { return ContactKind::kSurface; }
+  Eigen::Matrix<double, 6, 1> wrench(const ElementInput& in) const override;
+  double largest_overlap(const ElementInput& in) const override;
 
  private:
   struct Contact;

@@ -98,11 +98,11 @@ struct TerrainContact::Contact : CurvedContact {
 
 TerrainContact::TerrainContact(std::string name, std::vector<ContactPoint> points, const ContactLaw& law,
                                std::shared_ptr<const Terrain> terrain, std::vector<ContactRim> rims, Touches touches)
-    : ForceElement(std::move(name),
-                   !points.empty() ? points.front().marker.body
-                   : !rims.empty() ? rims.front().marker.body
-                                   : kGround,
-                   kGround),
+    : ContactElement(std::move(name),
+                     !points.empty() ? points.front().marker.body
+                     : !rims.empty() ? rims.front().marker.body
+                                     : kGround,
+                     kGround),
       points_(std::move(points)),
       rims_(std::move(rims)),
       law_(law),

@@ -22,7 +22,7 @@
 
 namespace footfall {
 
-class TerrainContact : public ForceElement {
+class TerrainContact : public ContactElement {
  public:
   // kRocks: these alone touch, not the field between them.
   enum class Touches { kAll, kRocks };
@@ -38,10 +38,9 @@ class TerrainContact : public ForceElement {
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
-
-  // Force on the body [N] and moment about Bo [N m], in W.
-  Eigen::Matrix<double, 6, 1> wrench(const ElementInput& in) const;
-  double largest_overlap(const ElementInput& in) const;  // [m], 0 without contact
+  ContactKind kind() const override { return ContactKind::kTerrain; }
+  Eigen::Matrix<double, 6, 1> wrench(const ElementInput& in) const override;
+  double largest_overlap(const ElementInput& in) const override;
   bool touches_rock(const ElementInput& in) const;
 
  private:

@@ -234,7 +234,7 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
           kFlexible, {name}, [k, &flexible](const Sample&) -> const FlexibleMetrics& { return flexible.now(k); },
           Column::Reads::kFlexible);
   }
-  if (subject.scene.ground.kind != GroundKind::kNone || !mechanism.planes.empty() || !mechanism.contacts.empty())
+  if (subject.scene.ground.kind != GroundKind::kNone || !mechanism.contacts.empty())
     for (const BodyBoundary& entry : mechanism.boundaries) {
       const auto i = static_cast<std::size_t>(entry.body);
       out.add(kContact, {entry.boundary.name()},
@@ -277,7 +277,7 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
   for (int k = 0; k < count_of<Dissipation>(); ++k) {
     const auto kind = static_cast<Dissipation>(k);
     const bool of_soil = kind == Dissipation::kSoil || kind == Dissipation::kSoilInertia;
-    if (of_soil && mechanism.soils.empty()) continue;
+    if (of_soil && !mechanism.has(ContactKind::kSoil)) continue;
     out.add(kDissipated, {std::string(name_of(kind))}, [kind](const Sample& s) { return s.state.dissipated[kind]; });
   }
   out.add(kWork, {}, [](const Sample& s) -> const State& { return s.state; });

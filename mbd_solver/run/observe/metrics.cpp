@@ -10,8 +10,6 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/build/codes.h"
 #include "mbd_solver/model/elements/cable.h"
-#include "mbd_solver/model/elements/soil_contact.h"
-#include "mbd_solver/model/elements/terrain_contact.h"
 #include "mbd_solver/model/modal_body.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/run/codes.h"
@@ -262,14 +260,13 @@ std::string MetricRecorder::balance_warning() const {
 
 double MetricRecorder::depth(const Sample& sample) const {
   const Mechanism& mechanism = subject_.mechanism;
-  if (!mechanism.terrains.empty() || (mechanism.terrain && !mechanism.soils.empty())) {  // of places that touch
-    double deepest = 0.0;
-    for (const int force : mechanism.terrains)
-      deepest = std::max(deepest, static_cast<const TerrainContact&>(mechanism.model.force(force))
-                                      .largest_overlap(element_input(subject_, sample, force)));
-    for (const int force : mechanism.soils)
-      deepest = std::max(deepest, static_cast<const SoilContact&>(mechanism.model.force(force))
-                                      .largest_depth(element_input(subject_, sample, force)));
+  if (mechanism.terrain && (mechanism.has(ContactKind::kTerrain) || mechanism.has(ContactKind::kSoil))) {
+    double deepest = 0.0;  // of places that touch
+    for (const ContactEntry& entry : mechanism.contacts) {
+      const ContactElement& contact = entry.force.of(mechanism.model);
+      if (contact.kind() == ContactKind::kTerrain || contact.kind() == ContactKind::kSoil)
+        deepest = std::max(deepest, contact.largest_overlap(element_input(subject_, sample, entry.force.index())));
+    }
     return deepest;
   }
   if (mechanism.terrain) {  // grains: points of what does not belong to the ground, by the height over its tangent

@@ -1,11 +1,7 @@
-// Kinematics with accelerations, signals, energies, and the loads of the ground: of grains from the inputs, of planes and
-// contacts from their force elements.
+// Kinematics with accelerations, signals, energies, and the loads of the ground: of grains from the inputs, of contacts from
+// their force elements.
 
 #include "mbd_solver/run/observe/sampler.h"
-
-#include "mbd_solver/model/elements/rigid_plane.h"
-#include "mbd_solver/model/elements/soil_contact.h"
-#include "mbd_solver/model/elements/terrain_contact.h"
 
 namespace footfall {
 
@@ -55,28 +51,17 @@ void Sampler::update_contact() {
   };
   if (loads.empty())
     for (GeneralizedForce& contact : contact_) contact.set_zero();
-  for (std::size_t k = 0; k < mechanism.planes.size(); ++k) {
-    const auto& plane = static_cast<const RigidPlane&>(mechanism.model.force(mechanism.planes[k]));
-    add(mechanism.plane_bodies[k], plane.wrench(element_input(subject_, sample_, mechanism.planes[k])));
-  }
-  for (std::size_t k = 0; k < mechanism.terrains.size(); ++k) {
-    const auto& ground = static_cast<const TerrainContact&>(mechanism.model.force(mechanism.terrains[k]));
-    add(mechanism.terrain_bodies[k], ground.wrench(element_input(subject_, sample_, mechanism.terrains[k])));
-  }
-  for (std::size_t k = 0; k < mechanism.soils.size(); ++k) {
-    const auto& soil = static_cast<const SoilContact&>(mechanism.model.force(mechanism.soils[k]));
-    add(mechanism.soil_bodies[k], soil.wrench(element_input(subject_, sample_, mechanism.soils[k])));
-  }
   for (const ContactEntry& entry : mechanism.contacts) {
-    const auto& contact = static_cast<const SurfaceContact&>(mechanism.model.force(entry.force));
-    const Vector6d on_1 = contact.wrench(element_input(subject_, sample_, entry.force));
-    add(entry.body_1, on_1);
-    if (entry.body_2 == kGround) continue;
+    const ContactElement& element = entry.force.of(mechanism.model);
+    const auto& [body_1, body_2] = element.bodies();
+    const Vector6d on_1 = element.wrench(element_input(subject_, sample_, entry.force.index()));
+    add(body_1, on_1);
+    if (body_2 == kGround) continue;
     // The reaction, about Bo of the other body.
-    const Eigen::Vector3d arm = kinematics_.of(entry.body_1).r - kinematics_.of(entry.body_2).r;
+    const Eigen::Vector3d arm = kinematics_.of(body_1).r - kinematics_.of(body_2).r;
     Vector6d on_2 = -on_1;
     on_2.tail<3>() -= arm.cross(Eigen::Vector3d(on_1.head<3>()));
-    add(entry.body_2, on_2);
+    add(body_2, on_2);
   }
 }
 

@@ -148,7 +148,7 @@ class StartValues {
 // Walls of the script are known to LIGGGHTS only; a settled start is known to the run only.
 bool start_is_known(const Scene& scene, const Mechanism& mechanism) {
   return !scene.initial.settle && std::none_of(mechanism.contacts.begin(), mechanism.contacts.end(),
-                                               [](const ContactEntry& entry) { return entry.body_2 == kGround; });
+                                               [](const ContactEntry& entry) { return entry.walls != nullptr; });
 }
 
 }  // namespace

@@ -206,6 +206,29 @@ TEST_P(EverySignalKind, DrivesAForceWhoseWorkIsCounted) {
 
 INSTANTIATE_TEST_SUITE_P(Registered, EverySignalKind, ValuesIn(names_of<SignalKind>()), name_of_test);
 
+// Of the ground, of planes and of pairs, whatever their order in the scene: loads on a body are added in this order.
+TEST(Contacts, AreOneListByKinds) {
+  const std::string law = "stiffness = 1e6, damping = 1";
+  const Mechanism mechanism = build(R"(end_time = 1.0
+bodies = [{ name = "low", mass = 1, shape = { kind = "box", centre = [0, 0, 0.1], size = [0.3, 0.3, 0.2] } },
+          { name = "ball", mass = 1, shape = { kind = "sphere", centre = [0, 0, 0.3], radius = 0.1 } }]
+boundaries = [{ body = "low", surface = { element_size = 0.1 } }, { body = "ball", surface = { element_size = 0.1 } }]
+contacts = [{ between = ["low", "ball"], )" +
+                                    law + R"( },
+            { between = ["low", "plane"], point = [0.2, 0, 0], normal = [-1, 0, 0], )" +
+                                    law + R"( }]
+[ground]
+kind = "plane"
+plane = { )" + law + " }\n");
+  std::vector<std::string> names;
+  for (const ContactEntry& entry : mechanism.contacts) names.push_back(entry.force.of(mechanism.model).name());
+  EXPECT_EQ(names, (std::vector<std::string>{"ground/low", "ground/ball", "plane_2/low", "contact/low/ball"}));
+  EXPECT_TRUE(mechanism.has(ContactKind::kPlane) && mechanism.has(ContactKind::kSurface));
+  EXPECT_FALSE(mechanism.has(ContactKind::kTerrain) || mechanism.has(ContactKind::kSoil));
+  const ContactElement& pair = mechanism.contacts.back().force.of(mechanism.model);
+  EXPECT_EQ(pair.bodies(), (std::array<int, 2>{0, 1}));
+}
+
 // The law of a strut is called by its section alone: two sections must not build the same law.
 TEST(StrutLaws, EachSectionBuildsALawOfItsOwn) {
   std::vector<std::string> kinds;

@@ -103,10 +103,36 @@ INSTANTIATE_TEST_SUITE_P(Pairs, ForceElementEnergy,
                          ::testing::Values(std::make_pair(0, 2), std::make_pair(0, 1), std::make_pair(1, 3),
                                            std::make_pair(kGround, 1), std::make_pair(2, kGround)));
 
+// mbd_solver/model/elements/contact_element.h
+TEST(ContactElement, OfEveryKindReportsTheForceThatItExertsOnItsFirstBody) {
+  test::Random random(29);
+  const Model model = test::random_bodies(random);
+  const Layout layout(model);
+  const State state = test::as_given(model).state;
+  Kinematics kinematics(model);
+  kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
+  std::vector<ContactKind> kinds;
+  for (const std::unique_ptr<ForceElement>& element : test::all_forces(random, model, 0, 2)) {
+    const auto* contact = dynamic_cast<const ContactElement*>(element.get());
+    if (contact == nullptr) continue;
+    kinds.push_back(contact->kind());
+    const PairMotion pair = kinematics.pair(contact->bodies()[0], contact->bodies()[1]);
+    const Eigen::VectorXd z = contact->initial_state();
+    const ElementInput in{pair, z, Eigen::VectorXd()};
+    Eigen::VectorXd Q = Eigen::VectorXd::Zero(pair.size()), dz(contact->state_count());
+    contact->add_force(in, Q, dz);
+    EXPECT_GT(contact->largest_overlap(in), 0.0) << contact->name();
+    EXPECT_GT(Q.norm(), 0.0) << contact->name();
+    EXPECT_LT((contact->wrench(in) - Q.segment<6>(pair.offset(0))).norm(), 1e-12 * Q.norm()) << contact->name();
+  }
+  EXPECT_EQ(kinds, (std::vector<ContactKind>{ContactKind::kPlane, ContactKind::kSurface, ContactKind::kSoil,
+                                             ContactKind::kSoil, ContactKind::kTerrain}));
+}
+
 // mbd_solver/model/model.h
 TEST(Handle, HasTheTypeOfItsElement) {
-  static_assert(std::is_convertible_v<Handle<RigidPlane>, Handle<ForceElement>>);
-  static_assert(!std::is_convertible_v<Handle<ForceElement>, Handle<RigidPlane>>);
+  static_assert(std::is_convertible_v<Handle<RigidPlane>, Handle<ContactElement>>);
+  static_assert(!std::is_convertible_v<Handle<ContactElement>, Handle<RigidPlane>>);
   static_assert(!std::is_constructible_v<Handle<Strut>, int>, "only a model makes handles");
   test::Random random(31);
   Model model = test::random_bodies(random);

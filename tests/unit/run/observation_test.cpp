@@ -478,9 +478,9 @@ TEST(MetricRecorder, PenetrationIsThatOfTheContactOnThePlane) {
     bench.state.q(leg + 2) -= 0.03;
     const Sample& sample = bench.take();
     taker.update(sample);
-    const int force = bench.mechanism.planes[0];
-    const auto& plane = static_cast<const RigidPlane&>(bench.mechanism.model.force(force));
-    const double overlap = plane.largest_overlap(element_input(bench.subject(), sample, force));
+    const Handle<ContactElement> plane = bench.mechanism.contacts[0].force;
+    const double overlap =
+        plane.of(bench.mechanism.model).largest_overlap(element_input(bench.subject(), sample, plane.index()));
     EXPECT_NEAR(taker.metrics().max_penetration.value, overlap, 1e-15);
     EXPECT_NEAR(overlap, 0.03 * bench.scene.ground.plane->normal.z(), 1e-15);
   }

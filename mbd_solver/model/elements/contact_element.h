@@ -1,0 +1,23 @@
+#pragma once
+// The contact of a body with the ground, a plane or walls, or of two bodies: what outputs and checks read from every kind.
+
+#include "mbd_solver/model/force_element.h"
+
+namespace footfall {
+
+// In the order in which their loads on a body are added.
+enum class ContactKind { kPlane, kTerrain, kSoil, kSurface };
+
+// bodies(): a body, and the other body or kGround.
+class ContactElement : public ForceElement {
+ public:
+  using ForceElement::ForceElement;
+
+  virtual ContactKind kind() const = 0;
+  // Force on the first body [N] and moment about its Bo [N m], in W. The other one takes the opposite at the same points.
+  virtual Eigen::Matrix<double, 6, 1> wrench(const ElementInput& in) const = 0;
+  // [m], 0 without contact. On a soil: depth of the middle of a facet below the undisturbed ground.
+  virtual double largest_overlap(const ElementInput& in) const = 0;
+};
+
+}  // namespace footfall
