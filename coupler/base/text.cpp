@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <sstream>
 
 namespace footfall {
 namespace {
@@ -66,8 +65,11 @@ std::string joined(const std::vector<std::string>& texts, const std::string& bet
 
 std::vector<std::string> split(const std::string& line, char separator) {
   std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, separator);) cells.push_back(cell);
+  for (std::size_t from = 0; from < line.size();) {
+    const std::size_t end = std::min(line.find(separator, from), line.size());
+    cells.push_back(line.substr(from, end - from));
+    from = end + 1;
+  }
   return cells;
 }
 

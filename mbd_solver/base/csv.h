@@ -5,18 +5,17 @@
 //   CsvReader csv(path, "a table of forces");
 //   while (csv.next()) use(csv.number(0), csv.number(1));
 
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "mbd_solver/base/codes.h"
+#include "mbd_solver/base/text_reader.h"
 
 namespace footfall {
 
 class CsvReader {
  public:
-  enum class Separators { kComma, kAny };  // kAny: commas, semicolons or blanks, any number of them
+  using Separators = footfall::Separators;
 
   // expected: what the file should be, for messages. Throws InputError if it cannot be read.
   CsvReader(const std::string& path, const std::string& expected, Separators separators = Separators::kComma);
@@ -32,24 +31,21 @@ class CsvReader {
   // Throws InputError unless the line has so many cells.
   void require_width(std::size_t cells) const;
 
-  const std::string& path() const { return path_; }
-  int line() const { return line_; }                                               // counted from 1
-  std::string place() const;                                                       // "file:12: "
-  [[noreturn]] void fail(const MessageCode& code, const std::string& what) const;  // InputError at this line
+  const std::string& path() const { return text_.name(); }
+  int line() const { return text_.number_of_line(); }  // counted from 1
+  std::string place() const { return text_.place() + ": "; }
+  // The file ends within this line, or with it.
+  bool is_unfinished() const { return *text_.ending() == '\0'; }
+  // InputError at this line.
+  [[noreturn]] void fail(const MessageCode& code, const std::string& what) const { text_.fail(code, what); }
 
  private:
   bool split_quoted();  // of a line with quotes; false if it has no cells
 
-  std::string path_;
+  TextReader text_;
   Separators separators_;
-  std::ifstream file_;
-  std::string content_;                // of this line
-  std::vector<std::string> unquoted_;  // its cells, where some are in quotes
+  std::vector<std::string> unquoted_;  // cells of this line, where some are in quotes
   std::vector<std::string_view> cells_;
-  int line_ = 0;
 };
-
-// Reads the text as one number; false unless the whole text is a number. inf and nan count as numbers.
-bool read_number(std::string_view text, double& value);
 
 }  // namespace footfall

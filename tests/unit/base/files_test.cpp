@@ -54,6 +54,12 @@ TEST_F(Csv, HasEndsOfLinesInQuotes) {
   EXPECT_EQ(last_line_, 4) << "lines of the file are counted";
 }
 
+// Before, the cells of all lines were those of the first.
+TEST_F(Csv, HasLinesThatEndInCarriageReturns) {
+  EXPECT_EQ(rows("a,b\r1,2\r\r3,4\r"), (Rows{{"a", "b"}, {"1", "2"}, {"3", "4"}}));
+  EXPECT_EQ(last_line_, 4);
+}
+
 TEST_F(Csv, NamesTheLineOfAQuoteThatIsWrong) {
   EXPECT_TRUE(test::names(refused("a,b\n1,\"2\n3,4\n"), {"table.csv:2: ", "E0251"}));
   EXPECT_TRUE(test::names(refused("a,b\n\"1\"2,3\n"), {"table.csv:2: ", "E0251"}));
