@@ -10,10 +10,8 @@
 #include <filesystem>
 #include <limits>
 #include <set>
-#include <sstream>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/fe/mesh_builder.h"
 #include "mbd_solver/fe/model_text.h"
@@ -340,11 +338,10 @@ void case_control_sets(const std::string& bytes, const std::string& file, BdfSta
     line = line.substr(equals + 1);
     while (!line.empty() && line.back() == ',' && text.next()) line += upper_case(trimmed(text.line()));
     std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream blanks(line);
     std::vector<std::string> words;
     std::vector<long> without;
     bool whole = true, except = false;
-    for (std::string word; blanks >> word;) {
+    for (const std::string& word : blank_words(line)) {
       const bool number = word.find_first_not_of("0123456789") == std::string::npos;
       if (word == "EXCEPT") {
         except = true;

@@ -189,7 +189,7 @@ void read_substructure(ModelText& text, const std::string& type, ForeignMatrix& 
         auto of = dofs.upper_bound(static_cast<long>(p) + 1);
         if (of == dofs.begin()) text.fail("node " + std::to_string(nodes[p]) + " has no degrees of freedom.");
         for (const int dof : (--of)->second) matrix.rows.push_back({nodes[p], dof});
-        if (matrix.rows.size() > text.size()) text.fail("more rows than the file can hold.");
+        if (matrix.rows.size() > text.bytes()) text.fail("more rows than the file can hold.");
       }
       matrix.size = static_cast<int>(matrix.rows.size());
       std::vector<double> values;

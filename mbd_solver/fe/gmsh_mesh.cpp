@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <map>
 #include <string>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/number.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/fe/mesh_builder.h"
 #include "mbd_solver/model/codes.h"
 
@@ -35,12 +32,10 @@ class MshBytes {
     throw InputError(code::kModelFile, file_ + ":" + std::to_string(lines + 1) + ": " + what);
   }
   // The next word, also within binary files.
-  std::string word() {
-    while (at_ < bytes_.size() && std::isspace(static_cast<unsigned char>(bytes_[at_])) != 0) ++at_;
-    const std::size_t from = at_;
-    while (at_ < bytes_.size() && std::isspace(static_cast<unsigned char>(bytes_[at_])) == 0) ++at_;
-    if (from == at_) fail("the file ends here: it is cut off. Export it again.");
-    return bytes_.substr(from, at_ - from);
+  std::string_view word() {
+    const std::string_view word = next_word(bytes_, at_);
+    if (word.empty()) fail("the file ends here: it is cut off. Export it again.");
+    return word;
   }
   std::string rest_of_line() {
     const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
@@ -49,18 +44,16 @@ class MshBytes {
     return trimmed(rest);
   }
   bool at_end() {
-    while (at_ < bytes_.size() && std::isspace(static_cast<unsigned char>(bytes_[at_])) != 0) ++at_;
-    return at_ == bytes_.size();
+    std::size_t at = at_;
+    return next_word(bytes_, at).empty();
   }
   long integer() { return binary ? raw<std::int32_t>() : whole_word(); }                  // int
   long size() { return binary ? static_cast<long>(raw<std::int64_t>()) : whole_word(); }  // size_t of version 4
   double real() { return binary ? finite(raw<double>()) : real_word(); }
   long whole_word() {
-    const std::string text = word();
-    char* end = nullptr;
-    errno = 0;
-    const long value = std::strtol(text.c_str(), &end, 10);
-    if (*end != '\0' || errno != 0) fail("\"" + text.substr(0, 40) + "\" is no whole number. Export the mesh again.");
+    const std::string_view text = word();
+    long value = 0;
+    if (!read_whole(text, value)) fail(in_quotes(text) + " is no whole number. Export the mesh again.");
     return value;
   }
   // A number of things of at least `bytes` bytes each.
@@ -81,9 +74,9 @@ class MshBytes {
     at_ = end + name.size() + 3;
   }
   void require_end(const std::string& name) {
-    const std::string found = word();
+    const std::string_view found = word();
     if (found != "$End" + name)
-      fail("is \"" + found.substr(0, 40) + "\", expected \"$End" + name + "\". Export the mesh again.");
+      fail("is " + in_quotes(found) + ", expected \"$End" + name + "\". Export the mesh again.");
   }
   template <class Number>
   Number raw() {
@@ -101,10 +94,9 @@ class MshBytes {
     return value;
   }
   double real_word() {
-    const std::string text = word();
-    char* end = nullptr;
-    const double value = read_number(text.c_str(), &end);
-    if (*end != '\0') fail("\"" + text.substr(0, 40) + "\" is no number. Export the mesh again.");
+    const std::string_view text = word();
+    double value = 0.0;
+    if (!read_number(text, value)) fail(in_quotes(text) + " is no number. Export the mesh again.");
     return finite(value);
   }
 
@@ -129,7 +121,7 @@ class MshFile {
 
   FeMesh read() {
     if (in_.at_end() || in_.word() != "$MeshFormat") in_.fail("no mesh of gmsh, expected \"$MeshFormat\".");
-    const std::string version = in_.word();
+    const std::string version(in_.word());
     const long type = in_.whole_word(), size = in_.whole_word();
     old_ = version.rfind("2", 0) == 0;
     first_4_ = version == "4" || version == "4.0";
@@ -144,7 +136,7 @@ class MshFile {
     }
     in_.require_end("MeshFormat");
     while (!in_.at_end()) {
-      const std::string section = in_.word();
+      const std::string section(in_.word());
       in_.begin_data();
       if (section == "$PhysicalNames") {
         names();
@@ -157,7 +149,7 @@ class MshFile {
       } else if (section[0] == '$') {
         in_.skip_section(section);
       } else {
-        in_.fail("is \"" + section.substr(0, 40) + "\", expected a section that begins with $. Export the mesh again.");
+        in_.fail("is " + in_quotes(section) + ", expected a section that begins with $. Export the mesh again.");
       }
     }
     return std::move(mesh_.mesh());

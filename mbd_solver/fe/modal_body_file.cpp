@@ -2,97 +2,53 @@
 
 #include "mbd_solver/fe/modal_body_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <locale>
-#include <sstream>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/input_file.h"
-#include "coupler/base/number.h"
-#include "mbd_solver/base/budget.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/model/codes.h"
 
 namespace footfall {
 namespace {
 
-// Records of a plain text file: lines with content, split at blanks, with their places for messages.
-class TextRecords {
+// Records of a plain text file: lines with content, split at blanks; # starts a comment.
+class TextRecords : public TextReader {
  public:
-  // comment: begins a comment up to the end of the line. Throws InputError if the file cannot be read.
-  TextRecords(const std::string& path, char comment);
+  explicit TextRecords(const std::string& path)
+      : TextReader(path, code::kModelFile, "a modal body. Check the name; it is relative to the scene file.") {}
 
   // Goes to the next record; false at the end of the file.
-  bool next();
+  bool next() {
+    while (TextReader::next()) {
+      split_fields(std::string_view(line()).substr(0, line().find('#')), Separators::kBlanks, words_);
+      if (!words_.empty()) return true;
+    }
+    return false;
+  }
   // The same; throws InputError at the end of the file.
-  void require_next(const std::string& expected);
+  void require_next(const std::string& expected) {
+    if (!next()) fail("the file ends here, expected " + expected + ".");
+  }
 
-  const std::vector<std::string>& words() const { return words_; }
+  std::string word(std::size_t i) const { return std::string(words_[i]); }
   std::size_t size() const { return words_.size(); }
-  // Words as numbers; throw InputError naming the word. integer: within [low, high].
-  double number(std::size_t i) const;
-  int integer(std::size_t i, int low, int high) const;
-
-  // Throws InputError "path:line: message".
-  [[noreturn]] void fail(const std::string& message) const;
+  // Words as numbers; throw InputError naming the word. integer: within [low, high], also as "3.0".
+  double number(std::size_t i) const {
+    if (i >= words_.size())
+      fail("expected at least " + std::to_string(i + 1) + " numbers, found " + std::to_string(words_.size()) + ".");
+    return TextReader::number(words_[i]);
+  }
+  int integer(std::size_t i, int low, int high) const {
+    const double value = number(i);
+    if (value != std::floor(value) || value < low || value > high) whole(words_[i], low, high);
+    return static_cast<int>(value);
+  }
 
  private:
-  std::string path_;
-  char comment_;
-  std::ifstream stream_;
-  int line_ = 0;
-  std::vector<std::string> words_;
+  std::vector<std::string_view> words_;
 };
-
-TextRecords::TextRecords(const std::string& path, char comment) : path_(path), comment_(comment) {
-  require_regular_file(path);
-  stream_.open(path);
-  if (!stream_)
-    throw InputError(code::kModelFile,
-                     path + ": the file cannot be opened. Check the name; it is relative to the scene file.");
-}
-
-bool TextRecords::next() {
-  std::string line;
-  while (read_line(stream_, line, path_)) {
-    ++line_;
-    line.erase(std::find(line.begin(), line.end(), comment_), line.end());
-    std::istringstream blanks(line);
-    words_.clear();
-    for (std::string word; blanks >> word;) words_.push_back(word);
-    if (!words_.empty()) return true;
-  }
-  return false;
-}
-
-void TextRecords::require_next(const std::string& expected) {
-  if (!next()) fail("the file ends here, expected " + expected + ".");
-}
-
-double TextRecords::number(std::size_t i) const {
-  if (i >= words_.size())
-    fail("expected at least " + std::to_string(i + 1) + " numbers, found " + std::to_string(words_.size()) + ".");
-  char* end = nullptr;
-  const double value = read_number(words_[i].c_str(), &end);
-  if (end == words_[i].c_str() || *end != '\0' || !std::isfinite(value))
-    fail("\"" + words_[i] + "\" is not a finite number.");
-  return value;
-}
-
-int TextRecords::integer(std::size_t i, int low, int high) const {
-  const double value = number(i);
-  if (value != std::floor(value) || value < low || value > high)
-    fail("\"" + words_[i] + "\", expected a whole number from " + std::to_string(low) + " to " + std::to_string(high) +
-         ".");
-  return static_cast<int>(value);
-}
-
-void TextRecords::fail(const std::string& message) const {
-  throw InputError(code::kModelFile, path_ + ":" + std::to_string(line_) + ": " + message);
-}
 
 using Eigen::Index;
 using Eigen::Matrix3d;
@@ -106,7 +62,7 @@ constexpr int kMaxCount = 1000000;  // larger numbers of nodes, modes or triangl
 
 // Reads `keyword N`, returns N.
 int read_count(TextRecords& file, const std::string& keyword, int low) {
-  if (file.words()[0] != keyword) file.fail("\"" + file.words()[0] + "\", expected \"" + keyword + " COUNT\".");
+  if (file.word(0) != keyword) file.fail("\"" + file.word(0) + "\", expected \"" + keyword + " COUNT\".");
   if (file.size() != 2) file.fail("expected \"" + keyword + "\" and one number.");
   return file.integer(1, low, kMaxCount);
 }
@@ -175,8 +131,7 @@ void read_modes(TextRecords& file, ModalBody& body) {
 
 MatrixXd read_stiffness(TextRecords& file, int s) {
   file.require_next("\"stiffness\"");
-  if (file.words()[0] != "stiffness" || file.size() != 1)
-    file.fail("\"" + file.words()[0] + "\", expected \"stiffness\".");
+  if (file.word(0) != "stiffness" || file.size() != 1) file.fail("\"" + file.word(0) + "\", expected \"stiffness\".");
   MatrixXd K = MatrixXd::Zero(s, s);
   std::size_t width = 0;
   for (int i = 0; i < s; ++i) {
@@ -206,8 +161,8 @@ void read_cells(TextRecords& file, const std::string& keyword, int nodes,
 // The optional sections, each at most once, up to `end`.
 void read_rest(TextRecords& file, ModalBody& body, BasisOptions& options) {
   const Index s = body.Phi.cols();
-  for (file.require_next("\"end\""); file.words()[0] != "end"; file.require_next("\"end\"")) {
-    const std::string keyword = file.words()[0];
+  for (file.require_next("\"end\""); file.word(0) != "end"; file.require_next("\"end\"")) {
+    const std::string keyword = file.word(0);
     if (keyword == "damping" && file.size() == 1) {
       options.damping_ratio.clear();
       for (Index k = 0; k < s; ++k) {
@@ -241,10 +196,10 @@ void read_rest(TextRecords& file, ModalBody& body, BasisOptions& options) {
 }  // namespace
 
 ReducedBody read_modal_body(const std::string& path, const BasisOptions& given, const std::string& name) {
-  TextRecords file(path, '#');
+  TextRecords file(path);
   const std::string first = std::string("\"") + kFormat + " " + std::to_string(kVersion) + "\"";
   file.require_next(first);
-  if (file.words()[0] != kFormat || file.size() != 2) file.fail("not a modal body file, expected " + first + ".");
+  if (file.word(0) != kFormat || file.size() != 2) file.fail("not a modal body file, expected " + first + ".");
   file.integer(1, kVersion, kVersion);
   BasisOptions options = given;
   ModalBody body;

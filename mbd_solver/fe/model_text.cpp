@@ -1,19 +1,15 @@
-// Lines are cut from the bytes of the file; a Nastran card joins its lines as long as they are continuations.
+// A Nastran card joins its lines as long as they are continuations.
 
 #include "mbd_solver/fe/model_text.h"
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <sstream>
+#include <optional>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/input_file.h"
-#include "coupler/base/number.h"
+#include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/model/codes.h"
 
@@ -26,77 +22,33 @@ std::string upper_case(std::string text) {
 }
 
 std::string bytes_of_model(const std::string& path) {
-  require_regular_file(path);
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  if (file) bytes << file.rdbuf();
-  if (!file)
-    throw InputError(code::kModelFile,
-                     path + ": the file cannot be read. Check the name; it is relative to the scene file.");
-  return bytes.str();
+  if (std::optional<std::string> bytes = read_whole_file(path)) return *std::move(bytes);
+  throw InputError(code::kModelFile,
+                   path + ": the file cannot be read. Check the name; it is relative to the scene file.");
 }
 
-ModelText::ModelText(std::string bytes, std::string name) : bytes_(std::move(bytes)), name_(std::move(name)) {}
+ModelText::ModelText(std::string bytes, std::string name)
+    : TextReader(std::move(bytes), std::move(name), code::kModelFile) {}
 
-bool ModelText::next() {
-  if (again_) {
-    again_ = false;
-    return true;
+std::vector<std::string> ModelText::cells() {
+  const std::vector<std::string_view>& cells =
+      fields(line().find(',') == std::string::npos ? Separators::kBlanks : Separators::kComma);
+  std::size_t count = cells.size();
+  while (count > 0 && cells[count - 1].empty()) --count;
+  return {cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
+double ModelText::number(std::string_view word) const {
+  double value = 0.0;
+  bool is_number = read_number(word, value);
+  if (const std::size_t at = is_number ? std::string_view::npos : word.find_first_of("dD+-", 1);
+      at != std::string_view::npos) {  // an exponent after D, or after its sign alone
+    std::string plain(word);
+    word[at] == '+' || word[at] == '-' ? plain.insert(at, 1, 'e') : plain.replace(at, 1, 1, 'e');
+    is_number = read_number(plain, value);
   }
-  if (at_ >= bytes_.size()) return false;
-  const std::size_t end = std::min(bytes_.find_first_of("\r\n", at_), bytes_.size());
-  line_.assign(bytes_, at_, end - at_);
-  at_ = end + (end + 1 < bytes_.size() && bytes_[end] == '\r' && bytes_[end + 1] == '\n' ? 2 : 1);
-  ++number_;
-  return true;
+  return is_number && std::isfinite(value) ? value : TextReader::number(word);
 }
-
-bool ModelText::blank() const { return line_.find_first_not_of(" \t") == std::string::npos; }
-
-std::vector<std::string> ModelText::words() const {
-  std::vector<std::string> words;
-  std::istringstream blanks(line_);
-  for (std::string word; blanks >> word;) words.push_back(word);
-  return words;
-}
-
-std::vector<std::string> ModelText::cells() const {
-  if (line_.find(',') == std::string::npos) return words();
-  std::vector<std::string> cells = split(line_, ',');
-  for (std::string& cell : cells) cell = trimmed(cell);
-  while (!cells.empty() && cells.back().empty()) cells.pop_back();
-  return cells;
-}
-
-double ModelText::number(const std::string& word) const {
-  char* end = nullptr;
-  double value = read_number(word.c_str(), &end);
-  if (end != word.c_str() && *end != '\0') {  // an exponent after D, or after its sign alone
-    std::string plain = word;
-    const std::size_t at = static_cast<std::size_t>(end - word.c_str());
-    if (plain[at] == 'D' || plain[at] == 'd') plain[at] = 'e';
-    if (plain[at] == '+' || plain[at] == '-') plain.insert(at, 1, 'e');
-    value = read_number(plain.c_str(), &end);
-    if (*end != '\0' || end == plain.c_str()) fail("\"" + word.substr(0, 40) + "\" is not a finite number.");
-  }
-  if (word.empty() || end == word.c_str() || !std::isfinite(value))
-    fail("\"" + word.substr(0, 40) + "\" is not a finite number.");
-  return value;
-}
-
-long ModelText::whole(const std::string& word, long low, long high) const {
-  char* end = nullptr;
-  errno = 0;
-  const long value = std::strtol(word.c_str(), &end, 10);
-  if (word.empty() || *end != '\0' || errno != 0 || value < low || value > high)
-    fail("\"" + word.substr(0, 40) + "\", expected a whole number from " + std::to_string(low) + " to " +
-         std::to_string(high) + ".");
-  return value;
-}
-
-std::string ModelText::place() const { return name_ + ":" + std::to_string(number_ - (again_ ? 1 : 0)); }
-
-void ModelText::fail(const std::string& what) const { throw InputError(code::kModelFile, place() + ": " + what); }
 
 namespace {
 

@@ -5,41 +5,24 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/base/text_reader.h"
+
 namespace footfall {
 
 // The whole file. Throws InputError if it is no regular file or cannot be read.
 std::string bytes_of_model(const std::string& path);
 
-class ModelText {
+class ModelText : public TextReader {
  public:
   // `name`: for messages "name:line: ...".
   ModelText(std::string bytes, std::string name);
 
-  // Goes to the next line; false at the end. Lines end in CR, LF or both.
-  bool next();
-  // Stays before the line just read.
-  void back() { again_ = true; }
-  const std::string& line() const { return line_; }
-  bool blank() const;
-
+  bool blank() const { return without_blanks(line()).empty(); }
   // Cells between commas, without blanks at their ends; of a line without commas, its words.
-  std::vector<std::string> cells() const;
-  std::vector<std::string> words() const;
-
-  // Numbers, also as Fortran and Nastran write them: 1.5D+10, 1.5+10. Throw InputError naming the word.
-  double number(const std::string& word) const;
-  long whole(const std::string& word, long low, long high) const;
-
-  const std::string& name() const { return name_; }
-  std::size_t size() const { return bytes_.size(); }
-  std::string place() const;                              // "name:line" of what was read last
-  [[noreturn]] void fail(const std::string& what) const;  // at this place
-
- private:
-  std::string bytes_, name_, line_;
-  std::size_t at_ = 0;
-  int number_ = 0;
-  bool again_ = false;
+  std::vector<std::string> cells();
+  std::vector<std::string> words() const { return blank_words(line()); }
+  // Also as Fortran and Nastran write them: 1.5D+10, 1.5+10. Throws InputError naming the word.
+  double number(std::string_view word) const;
 };
 
 // Fields of one bulk-data card with its continuations, in small, large or free format, without the fields of continuation

@@ -105,6 +105,17 @@ TEST(ModalBodyFile, IsReadAsItsDescriptionSays) {
   EXPECT_THROW(joint_node(reduced.body, reduced.body.rho0.col(1), 1e-9, true), InputError);
 }
 
+// Before, a byte order mark was part of the first word, and lines ended in LF only.
+TEST(ModalBodyFile, MayBeWrittenByAnyEditor) {
+  std::string text = kTwoMasses;
+  for (const char* const ending : {"\n", "\r\n", "\r"}) {
+    std::string other = "\xEF\xBB\xBF";
+    for (const char c : text) c == '\n' ? other += ending : other += c;
+    const TemporaryFile file(other);
+    EXPECT_NEAR(read_modal_body(file.path(), {}, "spring").body.stiffness(0), 300.0, 1e-10);
+  }
+}
+
 struct Damage {
   const char* from;
   const char* to;
