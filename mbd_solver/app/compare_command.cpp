@@ -24,6 +24,7 @@
 #include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/quote.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/bed/bed_measures.h"
@@ -46,21 +47,15 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-Words words_of(const std::string& line) {
-  std::istringstream in(line.substr(0, line.find('#')));
-  Words words;
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
-}
+Words words_of(const std::string& line) { return blank_words(std::string_view(line).substr(0, line.find('#'))); }
 
 // Lines of a script, continued ones (&) joined; included files are inserted only if they couple.
 std::vector<std::string> logical_lines(const std::string& path, const std::string& here, int depth = 0) {
-  require_regular_file(path, kLargestText);
-  std::ifstream file(path);
-  if (!file) throw InputError(code::kNoRun, path + ": cannot be read; it is the script of the coupled run");
+  TextReader text(path, code::kNoRun, "the script of the coupled run", kLargestText, TextReader::Ends::kNewline);
   std::vector<std::string> lines;
-  std::string line, whole;
-  while (std::getline(file, line)) {
+  std::string whole;
+  while (text.next()) {
+    const std::string& line = text.line();
     const std::size_t end = line.find_last_not_of(" \t\r");
     const bool continued = end != std::string::npos && line[end] == '&';
     whole += continued ? line.substr(0, end) : line;

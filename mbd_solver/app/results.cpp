@@ -13,12 +13,12 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
-#include "coupler/base/input_file.h"
 #include "coupler/base/number.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/plots.h"
 #include "mbd_solver/app/report.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/model/laws/strut_law.h"
 #include "mbd_solver/run/observe/requirements.h"
 #include "mbd_solver/run/output/summary.h"
@@ -50,6 +50,17 @@ std::vector<double> at_times(const std::vector<double>& time, const std::vector<
   return result;
 }
 
+// The numbers with which a line begins.
+std::vector<double> leading_numbers(TextReader& text) {
+  std::vector<double> numbers;
+  double value = 0.0;
+  for (const std::string_view word : text.fields(Separators::kBlanks)) {
+    if (!read_number(word, value) || !std::isfinite(value)) break;
+    numbers.push_back(value);
+  }
+  return numbers;
+}
+
 // Energy that the grains have given to floor and side walls, from walls_energy.txt: the rows have the mean power of five samples at
 // equal distances, and the mean of their times.
 struct WallEnergies {
@@ -57,18 +68,17 @@ struct WallEnergies {
 };
 WallEnergies read_wall_energies(const std::string& path) {
   WallEnergies walls;
-  std::istringstream lines(read_whole_file(path).value_or(""));
-  std::string line;
-  for (double floor = 0.0, sides = 0.0; std::getline(lines, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    std::istringstream words(line);
-    double step = 0.0, time = 0.0, floor_power = 0.0, side_power = 0.0;
-    if (!(words >> step >> time >> floor_power >> side_power)) break;
+  TextReader text = TextReader::if_there(path);
+  for (double floor = 0.0, sides = 0.0; text.next();) {
+    if (text.line().empty() || text.line()[0] == '#') continue;
+    const std::vector<double> row = leading_numbers(text);  // step, time, power of the floor, of the sides
+    if (row.size() < 4) break;
+    const double time = row[1];
     if (!walls.time.empty() && time <= walls.time.back())
-      throw InputError(code::kRunDamaged, path + ": the row at " + plain_text(time) + " s follows a later one");
+      text.fail(code::kRunDamaged, "the row at " + plain_text(time) + " s follows a later one");
     const double since = walls.time.empty() ? 0.0 : time - walls.time.back();
-    floor += floor_power * since;
-    sides += side_power * since;
+    floor += row[2] * since;
+    sides += row[3] * since;
     walls.time.push_back(time);
     walls.floor.push_back(floor);
     walls.sides.push_back(sides);
@@ -85,31 +95,28 @@ std::vector<double> since_start(const std::vector<double>& values, std::size_t c
 }  // namespace
 
 GrainEnergies read_grain_energies(const std::string& path) {
-  require_regular_file(path);
-  std::ifstream file(path);
-  if (!file)
-    throw InputError(code::kRunDamaged, path + ": cannot be read; expected the energies that the script writes");
+  TextReader text(path, code::kRunDamaged, "the energies that the script writes");
   GrainEnergies grains;
-  std::string line;
-  for (int number = 1; std::getline(file, line); ++number) {
+  while (text.next()) {
+    const std::string line = text.line();
     if (line.empty() || line[0] == '#') continue;
-    std::istringstream words(line);
-    double step = 0.0, time = 0.0, kinetic = 0.0, rotation = 0.0, gravity = 0.0;
-    if (!(words >> step >> time >> kinetic >> rotation >> gravity)) {
-      if (file.peek() == std::ifstream::traits_type::eof()) break;
-      throw InputError(code::kRunDamaged, path + ":" + std::to_string(number) + ": \"" + line +
-                                              "\": expected five numbers: step time kinetic rotation gravity");
+    // step, time, kinetic, rotation, gravity; inserted, left, changed
+    const std::vector<double> row = leading_numbers(text);
+    if (row.size() < 5) {
+      const InputError fault(code::kRunDamaged, text.place() + ": \"" + line +
+                                                    "\": expected five numbers: step time kinetic rotation gravity");
+      if (!text.next()) break;  // a run in progress, or one that was killed
+      throw fault;
     }
-    if (!grains.time.empty() && time <= grains.time.back())
-      throw InputError(code::kRunDamaged, path + ":" + std::to_string(number) + ": time " + plain_text(time) +
-                                              " s: expected a later time than in the row before");
-    grains.time.push_back(time);
-    grains.kinetic.push_back(kinetic + rotation);
-    grains.gravity.push_back(gravity);
-    if (double inserted, left, changed; words >> inserted >> left >> changed && changed < kUnknown) {
-      grains.inserted.push_back(inserted);
-      grains.left.push_back(left);
-      grains.changed.push_back(changed);
+    if (!grains.time.empty() && row[1] <= grains.time.back())
+      text.fail("time " + plain_text(row[1]) + " s: expected a later time than in the row before");
+    grains.time.push_back(row[1]);
+    grains.kinetic.push_back(row[2] + row[3]);
+    grains.gravity.push_back(row[4]);
+    if (row.size() > 7 && row[7] < kUnknown) {
+      grains.inserted.push_back(row[5]);
+      grains.left.push_back(row[6]);
+      grains.changed.push_back(row[7]);
     }
   }
   if (grains.changed.size() != grains.time.size()) grains.inserted = grains.left = grains.changed = {};

@@ -9,7 +9,6 @@
 //   instances.take();    // for each
 
 #include <cstdint>
-#include <istream>
 #include <string>
 #include <string_view>
 
@@ -100,8 +99,5 @@ class ReadBudget {
 
 // Elements and attributes that a text of XML has at most.
 std::uint64_t xml_parts(std::string_view text);
-
-// The next line without its end; false at the end of the file. Throws InputError where it is longer than limit::kLine.
-bool read_line(std::istream& in, std::string& line, const std::string& file);
 
 }  // namespace footfall

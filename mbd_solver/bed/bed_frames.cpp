@@ -2,23 +2,20 @@
 #include "mbd_solver/bed/bed_frames.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <numeric>
-#include <sstream>
 #include <system_error>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
-#include "coupler/base/input_file.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/base/packed_bytes.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/bed/codes.h"
-#include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
 
@@ -40,75 +37,55 @@ struct Columns {
 };
 
 // "ITEM: ATOMS id x y z ...", then a row per grain.
-Columns read_text(std::ifstream& file, const std::string& path) {
+Columns read_text(TextReader& text) {
   Columns columns;
-  std::vector<std::string> names;
-  std::string line;
-  while (std::getline(file, line)) {
-    std::istringstream words(line);
-    if (line.rfind("ITEM:", 0) == 0) {
-      names.clear();
-      std::string word;
-      words >> word >> word;
-      if (word != "ATOMS") continue;
+  std::vector<std::vector<double>*> row;
+  while (text.next()) {
+    const std::vector<std::string_view>& words = text.fields(Separators::kBlanks);
+    if (text.line().rfind("ITEM:", 0) == 0) {
+      row.clear();
+      if (words.size() < 2 || words[1] != "ATOMS") continue;
       columns.of.clear();
-      while (words >> word) names.push_back(word);
-      for (const std::string& name : names) columns.of[name];
+      for (std::size_t i = 2; i < words.size(); ++i) row.push_back(&columns.of[std::string(words[i])]);
       continue;
     }
-    for (const std::string& name : names) {
-      double value = 0.0;
-      if (!(words >> value))
-        throw InputError(code::kDumpNotReadable,
-                         path + ": \"" + line + "\": expected a number for each column of ITEM: ATOMS");
-      columns.of[name].push_back(value);
-    }
+    if (words.size() < row.size())
+      text.fail("is \"" + text.line() + "\", expected a number for each column of ITEM: ATOMS");
+    for (std::size_t i = 0; i < row.size(); ++i) row[i]->push_back(text.number(words[i]));
   }
   return columns;
 }
 
-bool is_number(const std::string& word, double& value) {
-  const char* const end = word.data() + word.size();
-  const auto [read_to, error] = std::from_chars(word.data(), end, value);
-  return error == std::errc() && read_to == end && std::isfinite(value);
-}
-
 // POINTS n TYPE, then x y z each; later fields NAME components n TYPE.
-Columns read_vtk(std::ifstream& file, const std::string& path) {
+Columns read_vtk(TextReader& text) {
   Columns columns;
-  std::string word;
   const auto numbers = [&](const std::vector<std::string>& names, long n) {
     std::vector<std::vector<double>*> to;
     to.reserve(names.size());
     for (const std::string& name : names) to.push_back(&columns.of[name]);
+    std::string_view word;
+    double value = 0.0;
     for (long i = 0; i < n; ++i)
       for (std::vector<double>* const column : to) {
-        double value = 0.0;
-        // A stream reads words faster than numbers.
-        if (!(file >> word))
-          throw InputError(code::kDumpNotReadable, path + ": ends in the middle of \"" + names.front() + "\"");
-        if (!is_number(word, value))
-          throw InputError(code::kDumpNotReadable,
-                           path + ": \"" + names.front() + "\" contains \"" + word + "\", expected a finite number");
+        if (!text.next_word(word)) text.fail("the file ends in the middle of \"" + names.front() + "\"");
+        if (!read_number(word, value) || !std::isfinite(value))
+          text.fail("\"" + names.front() + "\" contains " + in_quotes(word) + ", expected a finite number");
         column->push_back(value);
       }
   };
-  std::string line;
   bool fields = false;
-  while (std::getline(file, line)) {
-    std::istringstream words(line);
-    std::string name, type;
+  while (text.next()) {
+    const std::vector<std::string_view>& words = text.fields(Separators::kBlanks);
     long components = 0, n = 0;
-    if (!(words >> name)) continue;
-    if (name == "BINARY")
-      throw InputError(code::kDumpNotReadable,
-                       path + ": is a binary VTK file, expected the ASCII one that dump custom/vtk writes");
-    if (name == "POINTS" && words >> n) {
+    if (words.empty()) continue;
+    const std::string name(words[0]);
+    if (name == "BINARY") text.fail("is a binary VTK file, expected the ASCII one that dump custom/vtk writes");
+    if (name == "POINTS" && words.size() > 1 && read_whole(words[1], n)) {
       columns.without_grains = n == 0;
       numbers({"x", "y", "z"}, n);
     } else if (name == "FIELD") {
       fields = true;
-    } else if (fields && words >> components >> n >> type) {
+    } else if (fields && words.size() > 3 && read_whole(words[1], components) && read_whole(words[2], n)) {
       if (components == 3) {
         numbers({name + "x", name + "y", name + "z"}, n);
       } else {
@@ -158,8 +135,8 @@ Columns read_vtp(const std::string& path) {
   const std::size_t piece = text.find("<Piece ");
   double number = -1.0;
   if (piece == std::string::npos ||
-      !is_number(std::string(attribute(std::string_view(text).substr(piece, 200), "NumberOfPoints")), number) ||
-      number < 0.0 || number > 1e3 * static_cast<double>(text.size()))
+      !read_number(attribute(std::string_view(text).substr(piece, 200), "NumberOfPoints"), number) ||
+      !(number >= 0.0) || number > 1e3 * static_cast<double>(text.size()))
     throw InputError(code::kDumpNotReadable, path + ": is no VTK file of points; was it cut off?");
   const auto n = static_cast<std::size_t>(number);
   columns.without_grains = n == 0;
@@ -212,15 +189,11 @@ bool parts_of(const fs::path& file, std::string& prefix, long& step) {
 namespace {
 
 Columns read_columns(const std::string& path) {
-  require_regular_file(path);
-  std::ifstream file(path);
-  if (!file) throw InputError(code::kDumpNotReadable, path + ": cannot be read");
+  TextReader text(path, code::kDumpNotReadable, "a dump of grains");
   if (fs::path(path).extension() == ".vtp") return read_vtp(path);
-  std::string first;
-  std::getline(file, first);
-  const bool vtk = first.rfind("# vtk", 0) == 0;
-  if (!vtk) file.seekg(0);
-  return vtk ? read_vtk(file, path) : read_text(file, path);
+  const bool vtk = text.next() && text.line().rfind("# vtk", 0) == 0;
+  text.back();
+  return vtk ? read_vtk(text) : read_text(text);
 }
 
 }  // namespace
@@ -307,9 +280,8 @@ fs::path rows_aside(const std::string& run, const char* name) {
 
 // Lines of the text whose step is in (after, until]; comments on request.
 std::string rows_between(const std::string& text, long after, long until, bool comments) {
-  std::istringstream lines(text);
-  std::string line, kept;
-  while (std::getline(lines, line)) {
+  std::string kept;
+  for (const std::string& line : split(text, '\n')) {
     const bool comment = !line.empty() && line[0] == '#';
     const long step = std::strtol(line.c_str(), nullptr, 10);
     if (comment ? comments : step > after && step <= until) kept += line + "\n";
@@ -318,10 +290,8 @@ std::string rows_between(const std::string& text, long after, long until, bool c
 }
 
 long last_step(const std::string& text) {
-  std::istringstream lines(text);
-  std::string line;
   long step = -1;
-  while (std::getline(lines, line))
+  for (const std::string& line : split(text, '\n'))
     if (!line.empty() && line[0] != '#') step = std::strtol(line.c_str(), nullptr, 10);
   return step;
 }
@@ -345,10 +315,10 @@ void move_rows_aside(const std::string& run, long step) {
 }
 
 std::string energy_at_start(const std::string& run) {
-  std::istringstream text(read_whole_file(run + "/grains_energy_start.txt").value_or(""));
-  std::string number;
-  text >> number;
-  return as_number(number) ? number : "";
+  TextReader text = TextReader::if_there(run + "/grains_energy_start.txt");
+  std::string_view number;
+  double value = 0.0;
+  return text.next_word(number) && read_number(number, value) ? std::string(number) : "";
 }
 
 void join_rows(const std::string& run) {

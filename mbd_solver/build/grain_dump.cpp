@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <locale>
+#include <limits>
 #include <set>
-#include <sstream>
 
 #include "coupler/base/input_file.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/build/codes.h"
 
 namespace footfall {
@@ -17,25 +16,21 @@ using namespace code;
 
 namespace {
 
-InputError wrong_line(const std::string& path, int number, const std::string& line, const char* expected) {
-  return InputError(kGrainFile, path + ":" + std::to_string(number) + ": is \"" + line + "\", expected " + expected +
-                                    "; make the bed again");
-}
+constexpr double kMostClumps = std::numeric_limits<int>::max();
 
 }  // namespace
 
 std::vector<GrainPlace> read_grains(const std::string& path) {
   require_regular_file(path);
-  std::ifstream file(path);
-  if (!file)
+  TextReader text = TextReader::if_there(path);
+  if (!text.opened())
     throw InputError(kNoGrainFile, "particles.grains: " + path +
                                        " cannot be read; it is written with the bed (dump custom x y z radius)");
   std::vector<GrainPlace> grains;
-  std::string line;
   bool atoms = false, clumps = false, speeds = false;
-  int number = 0;
-  while (std::getline(file, line)) {
-    ++number;
+  double value[8] = {};
+  while (text.next()) {
+    const std::string& line = text.line();
     if (line.rfind("ITEM:", 0) == 0) {
       atoms = line.rfind("ITEM: ATOMS", 0) == 0;
       if (atoms) grains.clear();  // the last frame counts
@@ -44,18 +39,22 @@ std::vector<GrainPlace> read_grains(const std::string& path) {
       continue;
     }
     if (!atoms) continue;
-    std::istringstream values(line);
-    values.imbue(std::locale::classic());
-    GrainPlace grain;
-    values >> grain.centre.x() >> grain.centre.y() >> grain.centre.z() >> grain.radius;
-    if (clumps) values >> grain.clump;
-    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-    if (speeds) values >> velocity.x() >> velocity.y() >> velocity.z();
-    if (speeds) grain.speed = velocity.norm();
-    if (!values) throw wrong_line(path, number, line, clumps ? "x y z radius mol" : "x y z radius");
-    grain.clump = std::max(0, grain.clump);  // LIGGGHTS: -1 in none
-    if (!grain.centre.allFinite() || !(grain.radius > 0.0) || !std::isfinite(grain.radius))
-      throw wrong_line(path, number, line, "finite x y z and a positive radius");
+    const auto demand = [&](bool met, const char* expected) {
+      if (!met)
+        text.fail(kGrainFile, "is \"" + line + "\", expected " + std::string(expected) + "; make the bed again");
+    };
+    const std::vector<std::string_view>& words = text.fields(Separators::kBlanks);
+    const std::size_t count = 4 + (clumps ? 1 : 0) + (speeds ? 3 : 0);
+    for (std::size_t i = 0; i < count; ++i)
+      demand(i < words.size() && read_number(words[i], value[i]), clumps ? "x y z radius mol" : "x y z radius");
+    GrainPlace grain{{value[0], value[1], value[2]}, value[3]};
+    demand(grain.centre.allFinite() && grain.radius > 0.0 && std::isfinite(grain.radius),
+           "finite x y z and a positive radius");
+    if (clumps) {
+      demand(std::abs(value[4]) <= kMostClumps, "the number of a clump behind x y z radius");
+      grain.clump = std::max(0, static_cast<int>(value[4]));  // LIGGGHTS: -1 in none
+    }
+    if (speeds) grain.speed = Eigen::Map<const Eigen::Vector3d>(value + count - 3).norm();
     grains.push_back(grain);
   }
   if (grains.empty()) throw InputError(kGrainFile, path + ": contains no grains, expected a dump of x y z radius");

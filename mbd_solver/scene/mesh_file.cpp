@@ -1,4 +1,4 @@
-// Text is read word by word with line numbers, binary numbers byte by byte; nothing is reserved that a head announces.
+// Text is read word by word, binary numbers byte by byte; nothing is reserved that a head announces.
 
 #include "mbd_solver/scene/mesh_file.h"
 
@@ -7,13 +7,12 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/number.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/fe/fe_mesh.h"
 #include "mbd_solver/fe/mesh_skin.h"
 #include "mbd_solver/scene/codes.h"
@@ -26,87 +25,51 @@ using Eigen::Vector3d;
 constexpr double kSingle = 1.1920929e-7;  // spacing of single-precision numbers, relative
 constexpr const char* kAgain = "; export the mesh again";
 
-std::string lower(std::string text) {
+std::string lower(std::string_view given) {
+  std::string text(given);
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
-std::string in_quotes(const std::string& word) { return "\"" + word.substr(0, 40) + "\""; }
-
-// MeshText of a text, line by line. Lines end in CR, LF or both.
-class MeshText {
+// Words and numbers of a mesh; begins in its first line.
+class MeshText : public TextReader {
  public:
-  MeshText(const std::string& text, const std::string& file) : text_(text), file_(file) {
-    if (text_.compare(0, 3, "\xEF\xBB\xBF") == 0) at_ = 3;  // byte order mark
+  MeshText(std::string text, const std::string& file) : TextReader(std::move(text), file, code::kMeshDamaged) {
+    next();
   }
 
-  // The next word of the line; false at its end.
-  bool in_line(std::string& word) {
-    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\f' || text_[at_] == '\v'))
-      ++at_;
-    if (at_ == text_.size() || text_[at_] == '\n' || text_[at_] == '\r') return false;
-    const std::size_t from = at_;
-    while (at_ < text_.size() && !std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
-    word.assign(text_, from, at_ - from);
-    return true;
-  }
-  // Goes to the next line; false at the end of the text.
-  bool next_line() {
-    while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
-    if (at_ == text_.size()) return false;
-    at_ += text_[at_] == '\r' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n' ? 2 : 1;
-    ++line_;
-    return at_ < text_.size();
-  }
-  // The next word, in this or a later line; false at the end of the text.
-  bool next(std::string& word) {
-    while (!in_line(word))
-      if (!next_line()) return false;
-    return true;
-  }
-  std::string require(const std::string& expected) {
-    std::string word;
-    if (!next(word)) fail("the file ends here, expected " + expected + ": it is cut off" + kAgain);
+  std::string_view require(std::string_view expected) {
+    std::string_view word;
+    if (!next_word(word)) fail("the file ends here, expected " + std::string(expected) + ": it is cut off" + kAgain);
     return word;
   }
-  void require_keyword(const std::string& keyword) {
-    const std::string word = require(in_quotes(keyword));
-    if (lower(word) != keyword) fail("is " + in_quotes(word) + ", expected " + in_quotes(keyword) + kAgain);
+  void require_keyword(std::string_view keyword) {
+    const std::string_view word = require(in_quotes(keyword));
+    if (word != keyword && lower(word) != keyword)
+      fail("is " + in_quotes(word) + ", expected " + in_quotes(keyword) + kAgain);
   }
 
-  double number(const std::string& word) const {
-    char* end = nullptr;
-    const double value = read_number(word.c_str(), &end);
-    if (word.find(',') != std::string::npos)
+  double number(std::string_view word) const {
+    double value = 0.0;
+    const bool is_number = read_number(word, value);
+    if (is_number && std::isfinite(value)) return value;
+    if (word.find(',') != std::string_view::npos)
       fail(in_quotes(word) +
            " has a comma, expected numbers with a decimal point, between blanks; export the mesh with them");
-    if (end == word.c_str() || *end != '\0') fail(in_quotes(word) + " is no number" + kAgain);
-    if (!std::isfinite(value)) fail(in_quotes(word) + " is a coordinate that is no finite number" + kAgain);
-    return value;
+    fail(in_quotes(word) + (is_number ? " is a coordinate that is no finite number" : " is no number") + kAgain);
   }
-  long whole(const std::string& word) const {
+  long whole(std::string_view word) const {
     const double value = number(word);
     if (value != std::floor(value) || std::abs(value) > 1e15) fail(in_quotes(word) + " is no whole number" + kAgain);
     return static_cast<long>(value);
   }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(code::kMeshDamaged, file_ + ":" + std::to_string(line_) + ": " + what);
-  }
-  std::size_t at() const { return at_; }
-
- private:
-  const std::string& text_;
-  const std::string& file_;
-  std::size_t at_ = 0;
-  int line_ = 1;
 };
 
 // How many digits the coordinates of a text have: far from its origin a mesh needs more than the seven of many programs.
 class Digits {
  public:
-  void add(int axis, const std::string& word, double value) {
+  void add(int axis, std::string_view word, double value) {
     const std::size_t exponent = std::min(word.find_first_of("eE"), word.size());
     const std::size_t point = std::min(word.find('.'), exponent), first = word.find_first_of("123456789");
     if (value == 0.0 || first >= exponent) return;
@@ -115,7 +78,8 @@ class Digits {
                            word.begin() + static_cast<std::ptrdiff_t>(exponent),
                            [](unsigned char c) { return std::isdigit(c) != 0; });
     };
-    const double power = exponent < word.size() ? read_number(word.c_str() + exponent + 1, nullptr) : 0.0;
+    double power = 0.0;
+    if (exponent < word.size()) read_number(word.substr(exponent + 1), power);
     double& last = last_[static_cast<std::size_t>(axis)];
     last = std::min(last, std::pow(10.0, power - static_cast<double>(count(point))));
     most_ = std::max(most_, count(first));
@@ -265,17 +229,17 @@ MeshFile text_stl(const std::string& bytes, const std::string& file) {
   Digits digits;
   words.require_keyword("solid");
   bool within = true;
-  words.next_line();
-  for (std::string word; words.next(word);) {
+  words.next();
+  for (std::string_view word; words.next_word(word);) {
     const std::string keyword = lower(word);
     if (!within) {
       if (keyword != "solid")
         words.fail("is " + in_quotes(word) + " after \"endsolid\", expected another \"solid\"" + kAgain);
       within = true;
-      words.next_line();
+      words.next();
     } else if (keyword == "endsolid") {
       within = false;
-      words.next_line();
+      words.next();
     } else if (keyword == "facet") {
       words.require_keyword("normal");
       for (int i = 0; i < 3; ++i) words.require("a normal");  // corners tell the side
@@ -286,12 +250,12 @@ MeshFile text_stl(const std::string& bytes, const std::string& file) {
         words.require_keyword("vertex");
         Vector3d& x = mesh.vertices.emplace_back();
         for (int i = 0; i < 3; ++i) {
-          const std::string coordinate = words.require("a coordinate");
+          const std::string_view coordinate = words.require("a coordinate");
           x(i) = words.number(coordinate);
           digits.add(i, coordinate, x(i));
         }
       }
-      const std::string end = words.require("\"endloop\"");
+      const std::string_view end = words.require("\"endloop\"");
       if (lower(end) == "vertex")
         words.fail("a facet has more than three corners, expected triangles" + std::string(kAgain));
       if (lower(end) != "endloop") words.fail("is " + in_quotes(end) + ", expected \"endloop\"" + kAgain);
@@ -322,7 +286,7 @@ bool is_text_stl(const std::string& bytes) {
 // --- OBJ.
 
 // What says nothing about the shape of polygons.
-bool is_ignored_in_obj(const std::string& keyword) {
+bool is_ignored_in_obj(std::string_view keyword) {
   static const char* const kIgnored[] = {"vt",       "vn",       "vp",     "p",          "l",         "g",      "s",
                                          "o",        "mg",       "usemtl", "mtllib",     "usemap",    "maplib", "bevel",
                                          "c_interp", "d_interp", "lod",    "shadow_obj", "trace_obj", "call"};
@@ -331,22 +295,23 @@ bool is_ignored_in_obj(const std::string& keyword) {
 
 MeshFile obj(const std::string& bytes, const std::string& file) {
   std::string joined;  // without continued lines
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    const bool at_end = bytes[i] == '\\' && i + 1 < bytes.size() && (bytes[i + 1] == '\n' || bytes[i + 1] == '\r');
-    if (at_end) i += bytes[i + 1] == '\r' && i + 2 < bytes.size() && bytes[i + 2] == '\n' ? 2 : 1;
-    joined += at_end ? ' ' : bytes[i];
+  for (TextReader lines(bytes, file, code::kMeshDamaged); lines.next();) {
+    joined += lines.line();
+    const bool more = !joined.empty() && joined.back() == '\\';
+    if (more) joined.back() = ' ';
+    if (!more) joined += lines.ending();
   }
-  MeshText words(joined, file);
+  MeshText words(std::move(joined), file);
   MeshFile result;
   TriangleMesh& mesh = result.mesh;
   Digits digits;
   const auto fail = [&](const std::string& what) { words.fail(what); };
   bool more = true;
-  for (std::string keyword, word; more; more = words.next_line()) {
-    if (!words.in_line(keyword) || keyword[0] == '#' || is_ignored_in_obj(keyword)) continue;
+  for (std::string_view keyword, word; more; more = words.next()) {
+    if (!words.word_in_line(keyword) || keyword[0] == '#') continue;
     if (keyword == "v") {
       std::vector<double> numbers;
-      while (words.in_line(word) && word[0] != '#') {
+      while (words.word_in_line(word) && word[0] != '#') {
         numbers.push_back(words.number(word));
         if (numbers.size() <= 3) digits.add(static_cast<int>(numbers.size()) - 1, word, numbers.back());
       }
@@ -355,7 +320,7 @@ MeshFile obj(const std::string& bytes, const std::string& file) {
       mesh.vertices.emplace_back(numbers[0], numbers[1], numbers[2]);
     } else if (keyword == "f") {
       std::vector<int> corners;
-      while (words.in_line(word) && word[0] != '#') {
+      while (words.word_in_line(word) && word[0] != '#') {
         const long n = words.whole(word.substr(0, word.find('/')));  // from 1, or from the last one backwards
         const long corner = n > 0 ? n - 1 : static_cast<long>(mesh.vertices.size()) + n;
         if (n == 0 || corner < 0 || corner > std::numeric_limits<int>::max())
@@ -363,7 +328,7 @@ MeshFile obj(const std::string& bytes, const std::string& file) {
         corners.push_back(static_cast<int>(corner));
       }
       add_face(corners, mesh, fail);
-    } else {
+    } else if (!is_ignored_in_obj(keyword)) {
       fail("begins with " + in_quotes(keyword) + ", expected polygons (v, f); export the mesh in triangles");
     }
   }
@@ -401,7 +366,7 @@ class PlyNumbers {
         words_(words),
         text_(format == "ascii"),
         big_(format == "binary_big_endian"),
-        at_(words.at()) {}
+        at_(words.position()) {}
 
   double next(const std::string& type) {
     if (text_) {
@@ -417,12 +382,12 @@ class PlyNumbers {
     at_ += size;
     return value_of(type, bits);
   }
-  const std::string& word() const { return word_; }  // of a text
+  std::string_view word() const { return word_; }  // of a text; until the next number
   bool is_text() const { return text_; }
   // Nothing but blanks follows.
   void require_end() {
-    std::string word;
-    if (text_ ? words_.next(word) : bytes_.find_first_not_of(" \r\n", at_) != std::string::npos)
+    std::string_view word;
+    if (text_ ? words_.next_word(word) : bytes_.find_first_not_of(" \r\n", at_) != std::string::npos)
       fail("more elements than the head announces" + std::string(kAgain));
   }
   [[noreturn]] void fail(const std::string& what) const {
@@ -456,24 +421,24 @@ class PlyNumbers {
   MeshText& words_;
   bool text_, big_;
   std::size_t at_;
-  std::string word_;
+  std::string_view word_;
 };
 
 // The head, up to the line after "end_header". Returns the format.
 std::string ply_head(MeshText& words, std::size_t bytes, std::vector<PlyElement>& elements) {
-  std::string word, format;
+  std::string_view word;
+  std::string format;
   words.require_keyword("ply");
   for (;;) {
-    if (!words.next_line()) words.fail("the file ends without \"end_header\": it is cut off" + std::string(kAgain));
-    if (!words.in_line(word) || word == "comment" || word == "obj_info") continue;
+    if (!words.next()) words.fail("the file ends without \"end_header\": it is cut off" + std::string(kAgain));
+    if (!words.word_in_line(word) || word == "comment" || word == "obj_info") continue;
     const auto in_line = [&](const std::string& what) {
-      std::string found;
-      if (!words.in_line(found)) words.fail("the line ends, expected " + what + kAgain);
-      return found;
+      std::string_view found;
+      if (!words.word_in_line(found)) words.fail("the line ends, expected " + what + kAgain);
+      return std::string(found);
     };
     if (word == "end_header") {
       if (format.empty()) words.fail("no line \"format\" in the head" + std::string(kAgain));
-      words.next_line();
       return format;
     }
     if (word == "format") {
@@ -574,41 +539,41 @@ MeshFile off(const std::string& bytes, const std::string& file) {
   Digits digits;
   const auto fail = [&](const std::string& what) { words.fail(what); };
   // The first word of the next line that is no comment.
-  const auto begin = [&](const std::string& expected) {
+  const auto begin = [&](std::string_view expected) {
     for (;;) {
-      const std::string word = words.require(expected);
+      const std::string_view word = words.require(expected);
       if (word[0] != '#') return word;
-      words.next_line();
+      words.next();
     }
   };
   const auto in_line = [&](const std::string& expected) {
-    std::string word;
-    if (!words.in_line(word)) fail("the line ends, expected " + expected + kAgain);
+    std::string_view word;
+    if (!words.word_in_line(word)) fail("the line ends, expected " + expected + kAgain);
     return word;
   };
-  std::string word = begin("\"OFF\" and the numbers of vertices and faces");
+  std::string_view word = begin("\"OFF\" and the numbers of vertices and faces");
   const std::string head = lower(word);
   if (head.size() >= 3 && head.compare(head.size() - 3, 3, "off") == 0) {
     if (head.find('4') != std::string::npos || head[0] == 'n')
       if (head != "noff") fail("is " + in_quotes(word) + ", expected vertices of three coordinates" + kAgain);
-    std::string more;
-    if (words.in_line(more) && lower(more) == "binary") fail("is binary, expected text" + std::string(kAgain));
-    word = more.empty() || more[0] == '#' ? (words.next_line(), begin("the numbers of vertices and faces")) : more;
+    std::string_view more;
+    if (words.word_in_line(more) && lower(more) == "binary") fail("is binary, expected text" + std::string(kAgain));
+    word = more.empty() || more[0] == '#' ? (words.next(), begin("the numbers of vertices and faces")) : more;
   }
   const long vertices = words.whole(word), faces = words.whole(in_line("the number of faces"));
   if (vertices < 0 || faces < 0 || static_cast<std::size_t>(vertices) > bytes.size() ||
       static_cast<std::size_t>(faces) > bytes.size())
     fail("announces " + std::to_string(vertices) + " vertices and " + std::to_string(faces) + " faces in a file of " +
          std::to_string(bytes.size()) + " bytes" + kAgain);
-  words.next_line();
+  words.next();
   for (long v = 0; v < vertices; ++v) {
     Vector3d& x = mesh.vertices.emplace_back();
     for (int i = 0; i < 3; ++i) {
-      const std::string coordinate = i == 0 ? begin("a vertex") : in_line("three coordinates");
+      const std::string_view coordinate = i == 0 ? begin("a vertex") : in_line("three coordinates");
       x(i) = words.number(coordinate);
       digits.add(i, coordinate, x(i));
     }
-    words.next_line();
+    words.next();
   }
   for (long f = 0; f < faces; ++f) {
     const long corners = words.whole(begin("a face"));
@@ -623,11 +588,11 @@ MeshFile off(const std::string& bytes, const std::string& file) {
       face.push_back(static_cast<int>(n));
     }
     if (corners >= 3) add_face(face, mesh, fail);  // points and lines are no surface
-    words.next_line();
+    words.next();
   }
-  while (words.next(word)) {
+  while (words.next_word(word)) {
     if (word[0] != '#') fail("more elements than the head announces" + std::string(kAgain));
-    words.next_line();
+    words.next();
   }
   result.spacing = digits.spacing(mesh);
   return result;

@@ -4,13 +4,13 @@
 #include <cctype>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 
 #include "coupler/base/input_file.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/particle_script.h"
 #include "mbd_solver/scene/script_words.h"
@@ -137,20 +137,20 @@ void ScriptText::read(const std::string& file, const std::string& included_at) {
     return;
   }
   require_regular_file(path, kLargestText);
-  std::ifstream stream(path);
-  if (!stream) {
+  TextReader lines = TextReader::if_there(path, TextReader::Ends::kNewline);
+  if (!lines.opened()) {
     whole_ = false;
     return;
   }
   files_.take();
   open_.push_back(path);
-  int number = 0, start = 0;
-  std::string text, line;
-  while (std::getline(stream, line)) {
-    ++number;
+  int start = 0;
+  std::string text;
+  while (lines.next()) {
+    std::string line = lines.line();
     bytes_.take(line.size() + 1);
     contents_ += line + "\n";
-    if (text.empty()) start = number;
+    if (text.empty()) start = lines.number_of_line();
     line.erase(line.find_last_not_of(" \t\r") + 1);
     const bool more = !line.empty() && line.back() == '&';
     if (more) line.pop_back();

@@ -7,17 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/input_file.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/budget.h"
 #include "mbd_solver/base/parameter_check.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/control/fuzzy_table.h"
 
@@ -50,46 +48,37 @@ std::string first_word(const std::string& text) { return text.substr(0, text.fin
 // Throws InputError "file:line: ..." for a file that cannot be read, a line without colon, a line outside a block, an unknown
 // key, or a variable or term given twice.
 std::vector<FllBlock> read_fll_text(const std::filesystem::path& file) {
-  require_regular_file(file.string(), kLargestText);
-  std::ifstream in(file);
-  if (!in)
-    throw InputError(code::kFllSyntax,
-                     file.string() + ": cannot be read; expected a fuzzy controller (.fll). Check the path.");
+  TextReader in(file.string(), code::kFllSyntax, "a fuzzy controller (.fll). Check the path.", kLargestText);
   std::vector<FllBlock> blocks;
   std::map<std::string, int> variables, terms;  // lines; terms of this block
   ReadBudget lines(limit::kFllLines, file.string());
-  std::string text;
-  for (int number = 1; read_line(in, text, file.string()); ++number) {
+  while (in.next()) {
     lines.take();
-    const std::string where = file.string() + ":" + std::to_string(number) + ": ";
-    const std::string line = trimmed(text.substr(0, text.find('#')));
+    const int number = in.number_of_line();
+    const std::string line = trimmed(in.line().substr(0, in.line().find('#')));
     if (line.empty()) continue;
     const auto colon = line.find(':');
     if (colon == std::string::npos)
-      throw InputError(code::kFllSyntax,
-                       where + "\"" + line + "\" has no colon; expected \"key: value\", for example \"range: 0 5\".");
+      in.fail("\"" + line + "\" has no colon; expected \"key: value\", for example \"range: 0 5\".");
     const FllLine entry{number, trimmed(line.substr(0, colon)), trimmed(line.substr(colon + 1))};
     if (kKeys.count(entry.key) > 0) {
       if (entry.key.find("Variable") != std::string::npos)
         if (const auto [other, is_new] = variables.emplace(entry.value, number); !is_new)
-          throw InputError(code::kFllSyntax, where + "variable \"" + entry.value + "\" is already defined in line " +
-                                                 std::to_string(other->second) + ".");
+          in.fail("variable \"" + entry.value + "\" is already defined in line " + std::to_string(other->second) + ".");
       blocks.push_back({entry, {}});
       terms.clear();
       continue;
     }
-    if (blocks.empty())
-      throw InputError(code::kFllSyntax,
-                       where + "\"" + entry.key + "\" precedes the first block; expected \"Engine: name\" first.");
+    if (blocks.empty()) in.fail("\"" + entry.key + "\" precedes the first block; expected \"Engine: name\" first.");
     FllBlock& block = blocks.back();
     const std::vector<std::string>& known = kKeys.at(block.head.key);
     if (std::find(known.begin(), known.end(), entry.key) == known.end())
-      throw InputError(code::kFllSyntax, where + "unknown key \"" + entry.key + "\" in " + block.head.key + " \"" +
-                                             block.head.value + "\". Known keys: " + joined(known) + ".");
+      in.fail("unknown key \"" + entry.key + "\" in " + block.head.key + " \"" + block.head.value +
+              "\". Known keys: " + joined(known) + ".");
     if (entry.key == "term")
       if (const auto [other, is_new] = terms.emplace(first_word(entry.value), number); !is_new)
-        throw InputError(code::kFllSyntax, where + "term \"" + first_word(entry.value) + "\" of \"" + block.head.value +
-                                               "\" is already defined in line " + std::to_string(other->second) + ".");
+        in.fail("term \"" + first_word(entry.value) + "\" of \"" + block.head.value + "\" is already defined in line " +
+                std::to_string(other->second) + ".");
     block.lines.push_back(entry);
   }
   return blocks;
@@ -149,9 +138,7 @@ std::string without_brackets(std::string word) {
 
 // Checks the names in every "variable is [hedges] term" of a rule; FuzzyLite reports its other errors.
 void check_rule(const std::string& where, const std::string& text, const fl::Engine& engine) {
-  std::istringstream in(text);
-  std::vector<std::string> word;
-  for (std::string w; in >> w;) word.push_back(w);
+  const std::vector<std::string> word = blank_words(text);
   const auto ends_proposition = [](const std::string& w) {
     return w == "and" || w == "or" || w == "then" || w == "with";
   };

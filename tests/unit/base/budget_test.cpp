@@ -1,8 +1,6 @@
 // Limits of readers: mbd_solver/base/budget.h.
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "mbd_solver/base/budget.h"
 #include "mbd_solver/base/csv.h"
 #include "tests/support/refused.h"
@@ -38,22 +36,6 @@ TEST(ReadBudget, NamesBytesInMegabytes) {
 TEST(XmlParts, AreAtLeastTheElementsAndAttributes) {
   EXPECT_EQ(xml_parts("<a b='1' c=\"2\"><d/></a>"), 5u);
   EXPECT_EQ(xml_parts(""), 0u);
-}
-
-// The pieces in which lines are read have 4095 characters.
-TEST(ReadLine, GivesTheLinesOfGetline) {
-  std::string text = "\n\nshort\r\n" + std::string("with\0zero", 9) + "\n";
-  for (const std::size_t length : {4094, 4095, 4096, 8190, 8191, 20000}) text += std::string(length, 'x') + "\n";
-  for (const std::string& end : {std::string(), std::string("last"), std::string(4095, 'y'), std::string(8190, 'z')}) {
-    std::istringstream in(text + end), reference(text + end);
-    std::string line, expected;
-    while (std::getline(reference, expected)) {
-      ASSERT_TRUE(read_line(in, line, "file"));
-      EXPECT_EQ(line, expected);
-    }
-    EXPECT_FALSE(read_line(in, line, "file"));
-    EXPECT_FALSE(read_line(in, line, "file"));
-  }
 }
 
 class LongLine : public ::testing::Test, protected TemporaryFolder {};

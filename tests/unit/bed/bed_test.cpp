@@ -97,6 +97,14 @@ TEST_F(BedFiles, ADumpWithAWordThatIsNoNumberIsNamed) {
   EXPECT_TRUE(test::names(said_of(path), {path, "radius"}));
 }
 
+TEST_F(BedFiles, AFaultOfADumpIsNamedWithItsLine) {
+  const std::string whole = kVtk;
+  EXPECT_TRUE(test::names(said_of(write("a_1.vtk", whole.substr(0, whole.rfind("0.2")) + "x\n")), {"a_1.vtk:22: "}));
+  const std::string head = "ITEM: ATOMS id x y z radius\n1 0 0 0 1\n";
+  for (const char* const row : {"2 0 0 0", "2 0 0 0 x", "2 0 0 nan 1", ""})
+    EXPECT_TRUE(test::names(said_of(write("a_1.txt", head + row + "\n")), {"a_1.txt:3: "})) << row;
+}
+
 TEST_F(BedFiles, ADumpWithoutRadiusIsNamed) {
   EXPECT_TRUE(
       test::names(said_of(write("grains_1.txt", "ITEM: ATOMS id x y z\n1 0 0 0\n")), {"grains_1.txt", "radius"}));
