@@ -95,8 +95,7 @@ void HtmlPage::preformatted(const std::string& text) { body_ += "<pre>" + html_t
 
 void HtmlPage::folded(const std::string& label, const std::string& text, const std::vector<std::string>& marks) {
   body_ += "<details><summary>" + html_text(label) + "</summary><pre>";
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split(text, '\n')) {
     const bool marked = std::any_of(marks.begin(), marks.end(),
                                     [&](const std::string& m) { return line.find(m) != std::string::npos; });
     body_ += (marked ? "<mark>" : "") + html_text(line) + (marked ? "</mark>" : "") + "\n";
@@ -144,10 +143,10 @@ std::vector<fs::path> sources_of(const Json& summary) {
   fs::path next = summary.value("scene_file", "");
   while (!next.empty() && fs::is_regular_file(next) && files.size() < 9) {
     files.push_back(next);
-    std::istringstream lines(contents(next));
+    const std::vector<std::string> lines = split(contents(next), '\n');
     const fs::path folder = next.parent_path();
     next.clear();
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : lines) {
       if (line.rfind("base", 0) != 0) continue;
       const std::size_t open = line.find('"'), close = line.find('"', open + 1);
       if (close == std::string::npos) continue;
@@ -211,9 +210,8 @@ void show_scene(const Json& summary, HtmlPage& page) {
   const std::vector<fs::path> files = sources_of(summary);
   Rows rows = {{"where", "assumed, because the paper does not give it"}};
   for (const fs::path& file : files) {
-    std::istringstream lines(contents(file));
     int number = 0;
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : split(contents(file), '\n')) {
       ++number;
       if (line.rfind("#", 0) == 0) continue;  // an explanation of the marks
       if (std::none_of(kMarks.begin(), kMarks.end(),

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "coupler/base/text.h"
+#include "mbd_solver/base/text_reader.h"
 
 namespace footfall {
 namespace {
@@ -105,10 +106,9 @@ std::string text_of(const FmuDescription& d) {
 
 FmuDescription fmu_description_of(const std::string& text) {
   FmuDescription d;
-  std::istringstream lines(text);
-  std::string line;
-  std::getline(lines, line);
-  std::vector<std::string> words = split(line, '\t');
+  std::vector<std::string> lines = split(text, '\n');
+  lines.resize(std::max<std::size_t>(1, lines.size()));
+  std::vector<std::string> words = split(lines[0], '\t');
   words.resize(8);
   d.version = words[1];
   d.model = words[2];
@@ -116,8 +116,8 @@ FmuDescription fmu_description_of(const std::string& text) {
   d.token = words[4];
   d.keeps_state = words[5] == "1";
   d.obstacle = words[6];
-  while (std::getline(lines, line)) {
-    words = split(line, '\t');
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    words = split(lines[i], '\t');
     words.resize(9);
     FmuVariable v;
     v.name = words[0];
@@ -127,8 +127,7 @@ FmuDescription fmu_description_of(const std::string& text) {
     v.unit = words[4];
     v.start = words[5];
     v.reference = static_cast<unsigned>(whole(words[6]));
-    std::istringstream sizes(words[7]);
-    for (std::string size; sizes >> size;) {
+    for (const std::string& size : blank_words(words[7])) {
       FmuVariable::Dimension dimension;
       dimension.fixed = size[0] != '#';
       if (dimension.fixed) dimension.size = whole(size);

@@ -28,6 +28,7 @@
 #include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/base/lock.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/bed/confined_programs.h"
 #include "mbd_solver/bed/launch_limits.h"
@@ -253,22 +254,21 @@ std::string damage_of_bed(const std::string& folder) {
   const fs::path at(folder);
   const auto seal = read_whole_file((at / kSeal).string());
   if (!seal) return std::string(kSeal) + " is missing";
-  std::istringstream lines(*seal);
-  std::string line;
-  if (!std::getline(lines, line) || (line != kSealHead && line != kOldSealHead))
-    return std::string(kSeal) + " cannot be read";
-  if (line == kSealHead) {
-    std::string word, key;
-    if (!(lines >> word >> key) || word != "conditions" || !std::getline(lines, line))
-      return std::string(kSeal) + " cannot be read";
-    if (key != key_in(at)) return "it was made under other conditions (" + key + ")";
+  TextReader lines(*seal, kSeal, code::kForeignBed);
+  const std::string unreadable = std::string(kSeal) + " cannot be read";
+  if (!lines.next() || (lines.line() != kSealHead && lines.line() != kOldSealHead)) return unreadable;
+  if (lines.line() == kSealHead) {
+    const std::vector<std::string> words = lines.next() ? blank_words(lines.line()) : std::vector<std::string>();
+    if (words.size() < 2 || words[0] != "conditions") return unreadable;
+    if (words[1] != key_in(at)) return "it was made under other conditions (" + words[1] + ")";
   }
   bool restart = false;
-  while (std::getline(lines, line)) {
-    std::istringstream words(line);
-    std::string name, sum;
-    std::size_t size = 0;
-    if (!(words >> name >> size >> sum)) return std::string(kSeal) + " cannot be read";
+  while (lines.next()) {
+    const std::vector<std::string_view>& words = lines.fields(Separators::kBlanks);
+    long held = 0;
+    if (words.size() < 3 || !read_whole(words[1], held)) return unreadable;
+    const std::string name(words[0]), sum(words[2]);
+    const auto size = static_cast<std::size_t>(held);
     const auto bytes = read_whole_file((at / name).string());
     if (!bytes) return name + " is missing";
     if (bytes->size() != size)
@@ -339,9 +339,8 @@ Bed prepare_bed(const BedSpec& spec, int ranks, bool quiet, bool trusted, double
 
 std::map<std::string, std::string> elastic_constants(const std::string& log) {
   std::map<std::string, std::string> constants;
-  std::ifstream file(log);
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line.substr(0, line.find('#')));
+  for (TextReader lines = TextReader::if_there(log); lines.next();) {
+    std::istringstream words(lines.line().substr(0, lines.line().find('#')));
     std::string fix, id, group, style, property, text;
     words >> fix >> id >> group >> style >> property;
     if (fix != "fix" || style != "property/global" || (property != "youngsModulus" && property != "poissonsRatio"))

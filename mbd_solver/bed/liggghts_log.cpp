@@ -6,38 +6,22 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <vector>
 
 #include "coupler/base/clock.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
-namespace {
-
-// The last line that is not empty, among the file's last few thousand bytes.
-std::string last_line(const std::string& path) {
-  constexpr std::streamoff kTail = 4096;
-  std::ifstream file(path, std::ios::ate);
-  if (!file) return "";
-  const std::streamoff size = file.tellg();
-  file.seekg(size > kTail ? size - kTail : 0);
-  std::string line, last;
-  while (std::getline(file, line))
-    if (!line.empty()) last = line;
-  return last;
-}
-
-}  // namespace
-
 LogProgress log_progress(const std::string& log) {
-  std::ifstream file(log);
-  std::string line;
   LogProgress p;
-  while (std::getline(file, line)) {
+  for (TextReader text = TextReader::if_there(log); text.next();) {
+    const std::string& line = text.line();
     long number = 0;
     char rest = 0;
     double columns[2];
@@ -75,7 +59,7 @@ void SettlingLine::operator()() {
   const double now = wall_clock();
   if (over_ || now < next_look_) return;
   next_look_ = now + 0.5;
-  if (std::ifstream(begun_).good()) {
+  if (std::error_code none; std::filesystem::exists(begun_, none)) {
     over_ = true;
     live_.finish(true);
     return;
@@ -96,14 +80,12 @@ std::vector<std::string> log_lines(const std::string& log) {
   std::vector<std::string> lines;
   std::string name = log;
   for (int logs = 0; logs < kMostLogs && !name.empty(); ++logs) {
-    std::ifstream file(name);
+    TextReader text = TextReader::if_there(name);
     name.clear();
-    std::string line;
-    while (std::getline(file, line)) {
-      lines.push_back(line);
-      std::istringstream words(line);
-      std::string command, next;
-      if (words >> command >> next && command == "log" && next.find('$') == std::string::npos) name = next;
+    while (text.next()) {
+      lines.push_back(text.line());
+      const std::vector<std::string_view>& words = text.fields(Separators::kBlanks);
+      if (words.size() > 1 && words[0] == "log" && words[1].find('$') == std::string_view::npos) name = words[1];
     }
   }
   return lines;
@@ -120,7 +102,7 @@ std::string ReadingWatch::operator()() {
   const double now = wall_clock();
   if (now < next_look_) return "";
   next_look_ = now + 1.0;
-  const std::string line = last_line(log_);
+  const std::string line = TextReader::last_line_of(log_);
   const bool reads = line.rfind("read_restart", 0) == 0 || line.rfind("Reading restart", 0) == 0;
   since_ = !reads ? 0.0 : since_ > 0.0 ? since_ : now;
   if (!reads || now - since_ < limit_) return "";
@@ -129,13 +111,6 @@ std::string ReadingWatch::operator()() {
 }
 
 namespace {
-
-std::vector<std::string> blank_words(const std::string& line) {
-  std::istringstream in(line);
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
-}
 
 // `line` is `written` with some of its variables replaced: LIGGGHTS repeats a line after each replacement.
 bool is_repeated(const std::vector<std::string>& line, const std::vector<std::string>& written) {

@@ -11,6 +11,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/bed/codes.h"
 
 namespace footfall {
@@ -28,18 +29,6 @@ std::int64_t last_change(const std::string& path) {
     return latest;
   }
   return file_changed(path);
-}
-
-std::string last_log_line(const std::string& log) {
-  std::ifstream file(log, std::ios::ate);
-  if (!file) return "";
-  constexpr std::streamoff kTail = 4096;
-  const std::streamoff size = file.tellg();
-  file.seekg(size > kTail ? size - kTail : 0);
-  std::string line, last;
-  while (std::getline(file, line))
-    if (!trimmed(line).empty()) last = trimmed(line);
-  return last;
 }
 
 }  // namespace
@@ -85,7 +74,7 @@ std::string ProgressWatch::silence() {
   if (change != seen_) silent_ = 0.0;
   seen_ = change;
   if (silent_ < limit_) return "";
-  const std::string line = last_log_line(log_);
+  const std::string line = TextReader::last_line_of(log_);
   return with_code(code::kProgramSilent,
                    "LIGGGHTS has made no step for " + number_text(limit_) + " s, the limit of coupling.timeout" +
                        (line.empty() ? "" : "; the last line of its log is \"" + line + "\"") +

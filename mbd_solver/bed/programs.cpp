@@ -10,7 +10,9 @@
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/files.h"
 #include "coupler/base/interrupt.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/particle_script.h"
@@ -58,9 +60,7 @@ Rights rights_of_launcher() {
   for (const char* name : names) {
     const std::string program = program_in_path(name);
     if (program.empty()) continue;
-    char head[2] = {};
-    if (programs.empty() && std::ifstream(program).read(head, 2) && head[0] == '#' && head[1] == '!')
-      return Rights::of_user();
+    if (programs.empty() && read_whole_file(program).value_or("").rfind("#!", 0) == 0) return Rights::of_user();
     programs.push_back(program);
   }
   return Rights::starting(std::move(programs));
@@ -121,11 +121,9 @@ std::vector<std::string> script_arguments(const std::string& script,
     if (const std::string fault = fault_of_variable(name, value); !fault.empty())
       throw InputError(code::kUnsafeValue, script + ": " + fault);
     words.insert(words.end(), {"-var", name});
-    std::istringstream lines(value);  // the words of a list, each in a line, are words of LIGGGHTS' index
-    bool any = false;
-    for (std::string line; std::getline(lines, line); any = true)
-      words.push_back(names_file(line) ? short_path(line) : line);
-    if (!any) words.emplace_back();
+    // The words of a list, each in a line, are words of LIGGGHTS' index.
+    for (const std::string& line : split(value, '\n')) words.push_back(names_file(line) ? short_path(line) : line);
+    if (value.empty()) words.emplace_back();
   }
   return words;
 }

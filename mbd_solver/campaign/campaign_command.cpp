@@ -103,12 +103,10 @@ std::set<std::size_t> read_journals(const std::string& folder, const std::string
   const std::size_t metrics = campaign.spec().metrics.size();
   for (const std::string& file : files) {
     const std::string text = read_whole_file(file).value_or("");
-    std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
-    std::string line;
-    if (!std::getline(lines, line) || line != kJournal + recipe) continue;
-    while (std::getline(lines, line)) {
-      line += '\t';  // an empty message is a cell as well
-      const std::vector<std::string> cells = split(line, '\t');
+    const std::vector<std::string> lines = split(text.substr(0, text.rfind('\n') + 1), '\n');
+    if (lines.empty() || lines[0] != kJournal + recipe) continue;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+      const std::vector<std::string> cells = split(lines[i] + '\t', '\t');  // an empty message is a cell as well
       if (cells.size() < 2) continue;
       const std::size_t row = std::strtoul(cells[0].c_str(), nullptr, 10);
       CampaignRow r;

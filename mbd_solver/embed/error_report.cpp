@@ -3,9 +3,9 @@
 #include "mbd_solver/embed/error_report.h"
 
 #include <regex>
-#include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/base/helper_process.h"
 #include "mbd_solver/run/observe/start_check.h"
 
@@ -52,8 +52,7 @@ ErrorReport report_of(const std::string& message) {
 std::vector<ErrorReport> reports_of(const std::exception& error) {
   std::vector<ErrorReport> reports;
   std::string message;
-  std::istringstream lines(error.what());
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split(error.what(), '\n')) {
     message += (message.empty() ? "" : "\n") + line;
     if (!has_code(message)) continue;
     reports.push_back(report_of(message));

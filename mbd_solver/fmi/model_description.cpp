@@ -5,11 +5,11 @@
 #include <limits>
 #include <pugixml.hpp>
 #include <set>
-#include <sstream>
 
 #include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/budget.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/fmi/fmu_file.h"
 
 namespace footfall {
@@ -45,13 +45,12 @@ void check_variables(const pugi::xml_node& variables, const FmuDescription& d) {
     if (v.name.empty() || !names.insert(v.name).second)
       fail(*node, v.name.empty() ? "has no name" : "is there twice, expected each name once");
     ReadBudget values(limit::kFmuStart, "");
-    std::istringstream words(v.start);
-    for (std::string word; v.is_number() && std::getline(words, word, ' ');) {
-      if (!word.empty() && !values.takes()) throw FmuProblem("limit", values.excess());
-      char* end = nullptr;
-      const bool number = word.empty() || word == "true" || word == "false" ||
-                          (read_number(word.c_str(), &end), end != word.c_str() && *end == '\0');
-      if (!number) fail(*node, "has the start value \"" + word.substr(0, 40) + "\", expected a number");
+    std::size_t at = 0;
+    for (std::string_view word; v.is_number() && !(word = next_word(v.start, at)).empty();) {
+      if (!values.takes()) throw FmuProblem("limit", values.excess());
+      double value = 0.0;
+      if (word != "true" && word != "false" && !read_number(word, value))
+        fail(*node, "has the start value " + in_quotes(word) + ", expected a number");
     }
     ++node;
   }

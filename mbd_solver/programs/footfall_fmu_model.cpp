@@ -14,7 +14,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <thread>
 
 #include "coupler/base/files.h"
@@ -138,8 +137,7 @@ class Model {
 
   void make() {
     std::vector<std::string> settings;
-    std::istringstream lines(exported_with_ + settings_);
-    for (std::string line; std::getline(lines, line);)
+    for (const std::string& line : split(exported_with_ + settings_, '\n'))
       if (!line.empty()) settings.push_back(line);
     model_.reset();
     leads_pair = false;

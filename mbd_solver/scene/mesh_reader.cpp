@@ -18,9 +18,11 @@
 #include <fstream>
 #include <map>
 #include <new>
+#include <optional>
 #include <sstream>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/child_process.h"
 #include "mbd_solver/base/pi.h"
@@ -79,11 +81,9 @@ void demand_affordable(const std::string& file, std::size_t triangles, std::size
 }
 
 MeshFile parsed(const std::string& file, std::uintmax_t size, std::size_t most) {
-  std::string bytes(size, '\0');
-  std::ifstream in(file, std::ios::binary);
-  if (!in.read(&bytes[0], static_cast<std::streamsize>(size)))
-    throw InputError(kFileNotReadable, file + ": cannot be read");
-  MeshFile result = parse_mesh(bytes, file);
+  const std::optional<std::string> bytes = read_whole_file(file);
+  if (!bytes || bytes->size() < size) throw InputError(kFileNotReadable, file + ": cannot be read");
+  MeshFile result = parse_mesh(*bytes, file);
   demand_affordable(file, result.mesh.triangles.size(), most);
   return result;
 }
@@ -161,10 +161,8 @@ constexpr int kCrashes[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
 
 // Address space in use [bytes].
 [[maybe_unused]] rlim_t memory_now() {
-  std::ifstream file("/proc/self/statm");
-  rlim_t pages = 0;
-  file >> pages;
-  return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+  const std::string pages = read_whole_file("/proc/self/statm").value_or("");
+  return std::strtoul(pages.c_str(), nullptr, 10) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
 rlim_t seconds_for(std::size_t bytes) { return kSeconds + static_cast<rlim_t>(bytes / kBytesPerSecond); }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
@@ -85,9 +84,8 @@ int dots_in(const std::string& text) { return static_cast<int>(std::count(text.b
 
 // The library parses a dotted key recursively.
 void require_flat_keys(const std::string& file, const std::string& text) {
-  std::istringstream lines(text);
   int number = 0;
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split(text, '\n')) {
     ++number;
     if (static_cast<int>(line.size()) <= kMostParts || dots_in(line) <= kMostParts) continue;
     for (std::size_t begin = 0; begin < line.size();) {  // keys stand before "=" and within "[" and "]"
@@ -148,8 +146,7 @@ void apply_setting(ConfigNode& root, const std::string& setting, Findings& findi
     return refuse(kMalformedSetting, "is no setting, expected key=value, for example solver.integrator=ida");
   if (dots_in(path) > kMostParts) return refuse(kKeyTooDeep, "the key" + std::string(kTooManyParts));
   ConfigNode* node = &root;
-  std::istringstream parts(path);
-  for (std::string part; std::getline(parts, part, '.');) {
+  for (const std::string& part : split(path, '.')) {
     if (part.empty()) return refuse(kMalformedSetting, "has an empty part, expected names separated by single dots");
     if (node->kind == ConfigNode::Kind::kList) {
       node = list_entry(*node, part, path, findings);

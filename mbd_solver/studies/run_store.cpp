@@ -16,6 +16,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/base/fingerprint.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/run/output/checkpoint_folder.h"
@@ -48,9 +49,9 @@ void add_files(Json& value, const fs::path& root, std::ostream& text) {
 // The message of mbd_solver about itself, otherwise the last line of the log.
 std::string last_message(const std::string& log) {
   const std::string solver = "mbd_solver: ";
-  std::ifstream in(log);
-  std::string line, last, own;
-  while (std::getline(in, line)) {
+  std::string last, own;
+  for (TextReader text = TextReader::if_there(log); text.next();) {
+    const std::string& line = text.line();
     if (line.empty() || line.find(": warning:") != std::string::npos || line.find(": note:") != std::string::npos)
       continue;
     last = line;
@@ -62,8 +63,7 @@ std::string last_message(const std::string& log) {
 // Empty if the file does not exist, or is incomplete.
 Json read_object(const std::string& file) {
   require_regular_file(file, kLargestText);
-  std::ifstream in(file);
-  const Json json = in ? Json::parse(in, nullptr, false) : Json();
+  const Json json = Json::parse(read_whole_file(file).value_or(""), nullptr, false);
   return json.is_object() ? json : Json::object();
 }
 

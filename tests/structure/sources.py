@@ -16,6 +16,15 @@ GNUPLOT = r"set terminal|set output|with lines"  # in sources that write its scr
 SHELL_FILES = ("liggghts_fix/replaced/popen.cpp",)
 # Where programs and copies of a process begin.
 CHILD_PROCESS = "mbd_solver/base/child_process.cpp"
+# Who reads files and lines by itself, and why.
+OWN_READERS = {
+    "mbd_solver/base/text_reader.h": "the reader",
+    "coupler/base/files.cpp": "whole files",
+    "mbd_solver/base/child_watch.cpp": "/proc",
+    "mbd_solver/base/lock.cpp": "/proc, and a number in the lock file",
+    "mbd_solver/programs/mbd_solver.cpp": "standard input",
+    "mbd_solver/campaign/calibrate/evaluations.cpp": "lines of a text in memory, the last of which may be incomplete",
+}
 LIBRARIES = ("coupler", "mbd_solver/base", "mbd_solver/model", "mbd_solver/fe", "mbd_solver/dynamics", "mbd_solver/integrator", "mbd_solver/scene",
              "mbd_solver/build", "mbd_solver/coupling", "mbd_solver/run", "mbd_solver/embed")
 SWEEP_SCRIPTS = "mbd_solver/studies"
@@ -154,6 +163,20 @@ def one_child_process():
                 complain(f"{file}:{number}: {line.strip()}: starts a process; base/child_process.h does that")
 
 
+def one_text_reader():
+    """Files of text are read in one place, which knows limits, ends of lines and the place of a fault; a text in memory is split."""
+    reads = r"std::getline\(|std::ifstream\b"
+    for file in OWN_READERS:
+        if not re.search(reads, sources.get(file, "")):
+            complain(f"{file}: reads nothing by itself: leave it out of OWN_READERS")
+    for file, text in sources.items():
+        if not file.startswith(("coupler/", "mbd_solver/")) or file in OWN_READERS:
+            continue
+        for number, line in enumerate(text.split("\n"), 1):
+            if re.search(reads, line.split("//")[0]):
+                complain(f"{file}:{number}: {line.strip()}: reads a file or lines; TextReader (base/text_reader.h), read_whole_file or split does that")
+
+
 def locales():
     """Numbers are read and written alike in every locale of the program that uses a library: by coupler/base/number.h and text.h."""
     for file, text in sources.items():
@@ -221,6 +244,6 @@ def tests_leave_nothing():
             complain(f"{path.relative_to(root)}: left by a run; run programs in a folder of tests/support")
 
 
-for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, elements_have_types, quoting, one_child_process, locales, named_files, readmes, packages, tests_leave_nothing):
+for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, elements_have_types, quoting, one_child_process, one_text_reader, locales, named_files, readmes, packages, tests_leave_nothing):
     rule()
 sys.exit(failed)

@@ -14,6 +14,7 @@
 #include <map>
 #include <memory>
 
+#include "coupler/base/files.h"
 #include "mbd_solver/base/helper_process.h"
 #include "mbd_solver/fmi/fmi3_interface.h"
 #include "mbd_solver/fmi/model/exported_model.h"
@@ -26,20 +27,16 @@ using Kind = ExportedVariable::Kind;
 constexpr double kTimeOfAnswer = 3600.0;        // for one step at most, by the wall clock [s]
 constexpr double kTimeOfGrains = 30 * 86400.0;  // likewise with grains, whose programs watch each other; and for a bed
 
+std::string text_in(const std::string& path) { return read_whole_file(path).value_or(""); }
+
 // The path by which a program can be started: archives lose the right to execute.
 std::string runnable(const std::string& program) {
   if (access(program.c_str(), X_OK) == 0) return program;
   if (chmod(program.c_str(), 0755) == 0 && access(program.c_str(), X_OK) == 0) return program;
-  std::ifstream file(program, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const std::string bytes = text_in(program);
   const int memory = memfd_create("footfall_fmu_model", 0);
   if (memory < 0 || write(memory, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) return program;
   return "/proc/self/fd/" + std::to_string(memory);
-}
-
-std::string text_in(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 struct State {

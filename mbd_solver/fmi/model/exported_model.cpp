@@ -3,7 +3,6 @@
 #include "mbd_solver/fmi/model/exported_model.h"
 
 #include <charconv>
-#include <sstream>
 
 #include "coupler/base/text.h"
 
@@ -27,8 +26,7 @@ std::string text_of_variables(const std::vector<ExportedVariable>& variables) {
 
 std::vector<ExportedVariable> variables_of_text(const std::string& text) {
   std::vector<ExportedVariable> variables;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split(text, '\n')) {
     std::vector<std::string> cells = split(line, '\t');
     if (cells.size() < 5 || cells[0].size() != 1) continue;
     ExportedVariable v;

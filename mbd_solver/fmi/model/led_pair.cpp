@@ -16,7 +16,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 #include "coupler/base/clock.h"
 #include "coupler/base/files.h"
@@ -186,11 +185,10 @@ void LedPair::fail() {
     has_ended_within(kTimeInOrder);
   }
   const std::string text = said();
-  std::istringstream lines(text);
   std::string message;
   std::set<std::string> known;  // several programs may tell the same
-  for (std::string each; std::getline(lines, each);) {
-    each = without_program(each);
+  for (const std::string& line : split(text, '\n')) {
+    const std::string each = without_program(line);
     if (!has_code(each) || each[each.rfind(" [") + 2] != 'E' || !known.insert(each).second) continue;
     message += (message.empty() ? "" : "\n") + each;
   }
@@ -282,9 +280,8 @@ void LedPair::restore(const std::string&) {
 
 std::vector<std::string> LedPair::warnings() const {
   std::vector<std::string> all;
-  std::istringstream lines(said());
   const std::string mark = "warning: ";
-  for (std::string each; std::getline(lines, each);)
+  for (const std::string& each : split(said(), '\n'))
     if (const std::size_t at = each.find(mark); at != std::string::npos && at < 16)
       all.push_back(each.substr(at + mark.size()));
   return all;

@@ -23,6 +23,7 @@
 #include "coupler/base/text.h"
 #include "coupler/codes.h"
 #include "mbd_solver/base/csv.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/output/checkpoint_folder.h"
 
@@ -129,26 +130,11 @@ const std::vector<double>& History::column(const std::string& name) const {
   return columns[static_cast<std::size_t>(index)];
 }
 
-namespace {
-
-// The number of the last line of the history of a run in progress, or that was killed, if it is not whole: it has no end, and the
-// folder no summary. Otherwise 0.
-int line_of_unfinished_row(const std::string& path) {
-  if (std::filesystem::exists(std::filesystem::path(path).parent_path() / "summary.json")) return 0;
-  std::ifstream file(path, std::ios::binary);
-  const auto ends = std::count(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>(), '\n');
-  file.clear();
-  file.seekg(-1, std::ios::end);
-  return file && file.get() != '\n' ? static_cast<int>(ends) + 1 : 0;
-}
-
-}  // namespace
-
 History read_history(const std::string& path) {
   CsvReader csv(path, "the history.csv of a run");
   History history;
-  std::string units;
-  std::getline(std::ifstream(path), units);
+  TextReader head = TextReader::if_there(path);
+  const std::string units = head.next() ? head.line() : "";
   if (units.rfind(kUnitsMark, 0) != 0)
     throw InputError(code::kHistoryDamaged, path + ":1: expected \"" + kUnitsMark + "...\"");
   history.units = split(units.substr(kUnitsMark.size()), ',');
@@ -158,9 +144,9 @@ History read_history(const std::string& path) {
     csv.fail(code::kHistoryDamaged, "has " + std::to_string(history.names.size()) + " names for " +
                                         std::to_string(history.units.size()) + " units");
   history.columns.resize(history.names.size());
-  const int cut_off = line_of_unfinished_row(path);
+  const bool complete = std::filesystem::exists(std::filesystem::path(path).parent_path() / "summary.json");
   while (csv.next()) {
-    if (csv.line() == cut_off) break;
+    if (csv.is_unfinished() && !complete) break;  // of a run in progress, or that was killed
     csv.require_width(history.names.size());
     for (std::size_t i = 0; i < history.names.size(); ++i) history.columns[i].push_back(csv.number(i));
   }

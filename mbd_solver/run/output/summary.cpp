@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <thread>
 
 #include "coupler/base/errors.h"
@@ -16,6 +17,7 @@
 #include "coupler/base/input_file.h"
 #include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/run/codes.h"
 
 namespace footfall {
@@ -32,10 +34,10 @@ std::string compiler_version() {
 
 nlohmann::ordered_json machine() {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  std::ifstream processors("/proc/cpuinfo");
-  for (std::string line; std::getline(processors, line) && !json.contains("processor");)
-    if (const std::size_t colon = line.find(':'); colon != std::string::npos && line.rfind("model name", 0) == 0)
-      json["processor"] = trimmed(line.substr(colon + 1));
+  for (TextReader text = TextReader::if_there("/proc/cpuinfo"); !json.contains("processor") && text.next();)
+    if (const std::size_t colon = text.line().find(':');
+        colon != std::string::npos && text.line().rfind("model name", 0) == 0)
+      json["processor"] = trimmed(text.line().substr(colon + 1));
   if (const unsigned cores = std::thread::hardware_concurrency(); cores > 0) json["cores"] = cores;
   utsname system{};
   if (uname(&system) == 0) json["system"] = std::string(system.sysname) + " " + system.release + " " + system.machine;
@@ -142,10 +144,10 @@ void throw_incomplete_summary(const std::string& folder, const std::string& what
 nlohmann::ordered_json read_summary(const std::string& path) {
   require_regular_file(path, kLargestText);
   guard_folder(std::filesystem::path(path).parent_path().string());  // what is read is written to by and by
-  std::ifstream file(path);
-  if (!file) throw InputError(code::kSummaryDamaged, path + ": cannot be read; expected the summary.json of a run");
+  const std::optional<std::string> text = read_whole_file(path);
+  if (!text) throw InputError(code::kSummaryDamaged, path + ": cannot be read; expected the summary.json of a run");
   try {
-    const nlohmann::ordered_json summary = nlohmann::ordered_json::parse(file);
+    const nlohmann::ordered_json summary = nlohmann::ordered_json::parse(*text);
     if (!summary.is_object())
       throw InputError(code::kSummaryDamaged, path + ": is not the summary of a run: no object { ... }");
     return summary;
