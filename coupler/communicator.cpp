@@ -80,9 +80,9 @@ Communicator::Communicator() {
   MPI_Comm_rank(own_, &rank_);
   MPI_Comm_size(own_, &size_);
   for (int rank = world_size - 1; rank >= 0; --rank)
-    if (apps[static_cast<std::size_t>(rank)] != mine) partner_root_ = rank;
+    if (apps[rank] != mine) partner_root_ = rank;
   for (int rank = 0; rank < world_size; ++rank)
-    if (apps[static_cast<std::size_t>(rank)] == mine) own_ranks_.push_back(rank);
+    if (apps[rank] == mine) own_ranks_.push_back(rank);
   if (has_partner()) doorbell_ = open_doorbell(world_rank, world_size);
 }
 

@@ -77,12 +77,12 @@ void ModalBoundary::node_velocities(const BodyMotion& motion, Eigen::Matrix3Xd& 
 }
 
 BoundaryPoint ModalBoundary::triangle_point(int triangle, const Eigen::Vector3d& weights) const {
-  const Eigen::Vector3i& t = triangles_[static_cast<std::size_t>(triangle)];
+  const Eigen::Vector3i& t = triangles_[triangle];
   return {{t[0], t[1], t[2]}, {weights[0], weights[1], weights[2]}};
 }
 
 BoundaryPoint ModalBoundary::segment_point(int segment, double mu) const {
-  const BeamSegment& s = segments_[static_cast<std::size_t>(segment)];
+  const BeamSegment& s = segments_[segment];
   return {{s.start, s.end, s.end}, {1.0 - mu, mu, 0.0}};
 }
 

@@ -307,7 +307,7 @@ double FixWallGranBeam::compute_vector(int n) {
 }
 
 double FixWallGranBeam::compute_array(int beam, int n) {
-  const Beam& b = *beams_[static_cast<std::size_t>(beam)];
+  const Beam& b = *beams_[beam];
   const double mine = n < 3    ? b.load.F_W[n]
                       : n < 6  ? b.load.T_W[n - 3]
                       : n == 6 ? static_cast<double>(b.contacts)

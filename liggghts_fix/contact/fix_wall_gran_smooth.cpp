@@ -97,7 +97,7 @@ void FixWallGranSmooth::touch_pieces(FixMeshSurface& mesh_fix, int mesh_number, 
     contact.contact_history = history != nullptr ? history_of(*history, touch, pieces) : nullptr;
     impl->compute_force(this, contact, touch.nearest.gap <= 0.0, v_wall, &mesh_fix, mesh_number, &mesh, touch.element);
   }
-  for (const Touch& touch : touches_) last_[static_cast<std::size_t>(touch.grain)] = -1;
+  for (const Touch& touch : touches_) last_[touch.grain] = -1;
   if (history != nullptr) history->cleanUpContacts();
 }
 
@@ -133,7 +133,7 @@ void FixWallGranSmooth::find_touches(FixMeshSurface& mesh_fix, const SmoothMesh&
       if ((Eigen::Map<const Eigen::Vector3d>(x_[grain]) - centre).squaredNorm() > farthest * farthest) continue;
       touch.grain = grain;
       if (!reaches(smooth, mesh, nodes[element], normal, touch)) continue;
-      int& last = last_[static_cast<std::size_t>(grain)];
+      int& last = last_[grain];
       touch.before = std::exchange(last, static_cast<int>(touches_.size()));
       touches_.push_back(touch);
     }
@@ -179,8 +179,8 @@ bool FixWallGranSmooth::reaches(const SmoothMesh& smooth, TriMesh& mesh, double*
 
 bool FixWallGranSmooth::counts(const Touch& touch, const SurfacePieces& pieces) const {
   if (!touch.nearest.acts) return false;
-  for (int k = last_[static_cast<std::size_t>(touch.grain)]; k >= 0;) {
-    const Touch& other = touches_[static_cast<std::size_t>(k)];
+  for (int k = last_[touch.grain]; k >= 0;) {
+    const Touch& other = touches_[k];
     if (&other != &touch && yields_to(touch.nearest, other.nearest, pieces)) return false;
     k = other.before;
   }
@@ -211,8 +211,8 @@ double* FixWallGranSmooth::history_of(FixContactHistoryMesh& history, const Touc
 }
 
 bool FixWallGranSmooth::touches(int grain, int facet, const SurfacePieces& pieces) const {
-  for (int k = last_[static_cast<std::size_t>(grain)]; k >= 0;) {
-    const Touch& touch = touches_[static_cast<std::size_t>(k)];
+  for (int k = last_[grain]; k >= 0;) {
+    const Touch& touch = touches_[k];
     if (touch.nearest.facet == facet && counts(touch, pieces)) return true;
     k = touch.before;
   }

@@ -26,7 +26,7 @@ std::vector<footfall::WallContact> wall_contacts(Modify& modify, int types, int 
   FixPropertyGlobal* friction = by_pair("coefficientFriction");
   if (FixPropertyGlobal* kn = by_pair("kn")) {
     for (int type = 1; type <= types; ++type) {
-      footfall::WallContact& contact = contacts[static_cast<std::size_t>(type)];
+      footfall::WallContact& contact = contacts[type];
       contact.linear = constant(kn, type);
       contact.linear_shear = constant(by_pair("kt"), type);
       contact.linear_damping = constant(by_pair("gamman"), type);
@@ -44,7 +44,7 @@ std::vector<footfall::WallContact> wall_contacts(Modify& modify, int types, int 
     return footfall::ElasticConstants{young->compute_vector(type - 1), poisson->compute_vector(type - 1)};
   };
   for (int type = 1; type <= types; ++type) {
-    footfall::WallContact& contact = contacts[static_cast<std::size_t>(type)];
+    footfall::WallContact& contact = contacts[type];
     contact = footfall::hertz_mindlin(elastic(type), elastic(wall_type));
     contact.friction = constant(friction, type);
     if (restitution != nullptr) contact.damping = footfall::damping_of_restitution(constant(restitution, type));

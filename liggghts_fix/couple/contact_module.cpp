@@ -64,7 +64,7 @@ void ContactModule::add_particle_contribution(int ip, double* frc, double* delta
     body_->add_contact(point, f_W, m_W, overlap / radius, 0.0, grain);
     return;
   }
-  const footfall::WallContact& contact = contacts_[static_cast<std::size_t>(atom->type[ip])];
+  const footfall::WallContact& contact = contacts_[atom->type[ip]];
   const double s = std::sqrt(radius * overlap);
   body_->add_contact(point, f_W, m_W, overlap / radius, contact.stiffness(s), grain);
   if (body_->samples_slopes())

@@ -124,7 +124,7 @@ std::vector<footfall::CornerNodes> match_over_ranks(TriMesh* mesh, const std::st
   std::vector<footfall::MeshTriangle> mine(static_cast<std::size_t>(mesh->sizeLocal()));
   int highest = -1;
   for (int i = 0; i < mesh->sizeLocal(); ++i) {
-    footfall::MeshTriangle& triangle = mine[static_cast<std::size_t>(i)];
+    footfall::MeshTriangle& triangle = mine[i];
     triangle.id = mesh->id(i);
     highest = std::max(highest, triangle.id);
     for (std::size_t k = 0; k < 3; ++k) triangle.corners[k] = Eigen::Vector3d(footfall::mesh_nodes(mesh)[i][k]);
@@ -160,7 +160,7 @@ std::vector<footfall::CornerNodes> match_over_ranks(TriMesh* mesh, const std::st
 
   footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, &highest, 1, MPI_INT, MPI_MAX, world), "MPI_Allreduce");
   std::vector<footfall::CornerNodes> all(static_cast<std::size_t>(highest + 1), footfall::CornerNodes{-1, -1, -1});
-  for (std::size_t i = 0; i < mine.size(); ++i) all[static_cast<std::size_t>(mine[i].id)] = corners[i];
+  for (std::size_t i = 0; i < mine.size(); ++i) all[mine[i].id] = corners[i];
   footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, all.data(), 3 * (highest + 1), MPI_INT, MPI_MAX, world),
                       "MPI_Allreduce");
   return all;
@@ -171,8 +171,7 @@ std::vector<Eigen::Matrix3d> velocities_over_ranks(TriMesh* mesh, double*** v, s
   constexpr double kNotMine = std::numeric_limits<double>::lowest();
   std::vector<Eigen::Matrix3d> all(elements, Eigen::Matrix3d::Constant(kNotMine));
   for (int i = 0; i < mesh->sizeLocal(); ++i)
-    for (int k = 0; k < 3; ++k)
-      all[static_cast<std::size_t>(mesh->id(i))].col(k) = Eigen::Map<const Eigen::Vector3d>(v[i][k]);
+    for (int k = 0; k < 3; ++k) all[mesh->id(i)].col(k) = Eigen::Map<const Eigen::Vector3d>(v[i][k]);
   footfall::check_mpi(
       MPI_Allreduce(MPI_IN_PLACE, all.front().data(), static_cast<int>(9 * elements), MPI_DOUBLE, MPI_MAX, world),
       "MPI_Allreduce");
@@ -322,8 +321,8 @@ void CoupledMesh::set_velocities() {
   body.boundary().node_velocities(body.pose(), v_W_);
   double*** v = node_velocities(mesh)->begin();
   for (int i = 0; i < mesh->sizeLocal(); ++i) {
-    const footfall::CornerNodes& corner = module_->corners()[static_cast<std::size_t>(mesh->id(i))];
-    for (int k = 0; k < 3; ++k) std::copy_n(v_W_.col(corner[static_cast<std::size_t>(k)]).data(), 3, v[i][k]);
+    const footfall::CornerNodes& corner = module_->corners()[mesh->id(i)];
+    for (int k = 0; k < 3; ++k) std::copy_n(v_W_.col(corner[k]).data(), 3, v[i][k]);
   }
 }
 
@@ -347,9 +346,9 @@ void CoupledMesh::move() {
   double** center = footfall::mesh_centers(tri_mesh);
   double*** v = node_velocities(tri_mesh)->begin();
   for (int i = 0; i < tri_mesh->size(); ++i) {
-    const footfall::CornerNodes& corner = corners[static_cast<std::size_t>(tri_mesh->id(i))];
+    const footfall::CornerNodes& corner = corners[tri_mesh->id(i)];
     for (int k = 0; k < 3; ++k) {
-      const int node = corner[static_cast<std::size_t>(k)];
+      const int node = corner[k];
       std::copy_n(v_W_.col(node).data(), 3, v[i][k]);
       for (int c = 0; c < 3; ++c) x[i][k][c] = nearest_image(x_W_(c, node), x[i][k][c], c);
     }
@@ -402,8 +401,7 @@ void CoupledMesh::add_belt() {
   const Eigen::Matrix3d R_WB = link_.body(body_).pose().rotation();
   double*** v = node_velocities(mesh)->begin();
   for (int i = 0; i < mesh->size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      Eigen::Map<Eigen::Vector3d>(v[i][k]) += R_WB * belt_B_[static_cast<std::size_t>(mesh->id(i))].col(k);
+    for (int k = 0; k < 3; ++k) Eigen::Map<Eigen::Vector3d>(v[i][k]) += R_WB * belt_B_[mesh->id(i)].col(k);
 }
 
 // In a periodic direction a triangle may be one or more boxes away from its body's own position: it stays there.

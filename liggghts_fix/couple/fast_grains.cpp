@@ -42,7 +42,7 @@ void FastGrains::check() {
   for (int body = 0; body < link_.bodies().count(); ++body) {
     const footfall::BodyMotion& pose = link_.body(body).pose();
     const double reach = link_.body(body).boundary().rho0().colwise().norm().maxCoeff();
-    speed = std::max(speed, pose.dr.norm() + pose.w.norm() * reach + elastic_[static_cast<std::size_t>(body)]);
+    speed = std::max(speed, pose.dr.norm() + pose.w.norm() * reach + elastic_[body]);
   }
   if ((rate_ + speed / smallest_) * update->dt > footfall::kLongestWay) find_faults();
 }
@@ -67,7 +67,7 @@ void FastGrains::measure() {
     alone.w.setZero();
     nodes_.resize(3, boundary.node_count());
     boundary.node_velocities(alone, nodes_);
-    elastic_[static_cast<std::size_t>(body)] = nodes_.colwise().norm().maxCoeff();
+    elastic_[body] = nodes_.colwise().norm().maxCoeff();
   }
 }
 

@@ -75,9 +75,8 @@ FixBedFollow::FixBedFollow(LAMMPS* lmp_, int narg, char** arg)
     }
   }
   for (int axis = 0; axis < 2; ++axis)
-    good = good && (!follows_[static_cast<std::size_t>(axis)] ||
-                    (domain->periodicity[axis] != 0 && distance_ > 0.0 &&
-                     2.0 * distance_ + 3.0 * slab_width(axis) <= kSlabs * slab_width(axis)));
+    good = good && (!follows_[axis] || (domain->periodicity[axis] != 0 && distance_ > 0.0 &&
+                                        2.0 * distance_ + 3.0 * slab_width(axis) <= kSlabs * slab_width(axis)));
   if (!good || body_name_.empty())
     throw footfall::InputError(
         code::kSourceSyntax,
@@ -216,7 +215,7 @@ void FixBedFollow::unpack(const double* numbers) {
   double overlap = 0.0;
   for (const RestingGrain& grain : bed_)
     for (const int partner : grain.partners) {
-      const RestingGrain& other = bed_[static_cast<std::size_t>(partner)];
+      const RestingGrain& other = bed_[partner];
       Eigen::Vector3d d = other.x - grain.x;
       domain->minimum_image(d[0], d[1], d[2]);
       overlap = std::max(overlap, (grain.radius + other.radius - d.norm()) / std::min(grain.radius, other.radius));
@@ -258,8 +257,8 @@ void FixBedFollow::find_next() {
   next_axis_ = -1;
   const Eigen::Vector3d& place = link_.body(body_).pose().r;
   for (int axis = 0; axis < 2 && next_axis_ < 0; ++axis) {
-    if (!follows_[static_cast<std::size_t>(axis)]) continue;
-    const int first = first_[static_cast<std::size_t>(axis)];
+    if (!follows_[axis]) continue;
+    const int first = first_[axis];
     if (place[axis] + distance_ > limit(axis, first + kSlabs - 1)) {
       next_way_ = 1;
     } else if (place[axis] - distance_ < limit(axis, first + 1)) {
@@ -283,8 +282,8 @@ std::array<double, 2> FixBedFollow::extent_of(int body, int axis) const {
 void FixBedFollow::require_all_inside() const {
   for (int body = 0; body < link_.bodies().count(); ++body) {
     for (int axis = 0; axis < 2; ++axis) {
-      if (!follows_[static_cast<std::size_t>(axis)]) continue;
-      const int first = first_[static_cast<std::size_t>(axis)];
+      if (!follows_[axis]) continue;
+      const int first = first_[axis];
       const double low = limit(axis, first), high = limit(axis, first + kSlabs);
       const auto [least, most] = extent_of(body, axis);
       if (least >= low && most <= high) continue;
@@ -382,7 +381,7 @@ footfall::SlabChange FixBedFollow::change_of(const Slab& slab, int way) const {
 
 // From the end of the window that bodies have passed to the nearest of them, at most a slab [m].
 double FixBedFollow::room_behind(int axis, int way) const {
-  const double end = limit(axis, first_[static_cast<std::size_t>(axis)] + (way > 0 ? 0 : kSlabs));
+  const double end = limit(axis, first_[axis] + (way > 0 ? 0 : kSlabs));
   double room = slab_width(axis);
   for (int body = 0; body < link_.bodies().count(); ++body) {
     const auto [least, most] = extent_of(body, axis);
@@ -423,7 +422,7 @@ bool FixBedFollow::is_held(int i) const {
   for (int c = 0; c < 3; ++c)
     if (atom->v[i][c] != 0.0 || atom->omega[i][c] != 0.0) return false;
   for (int axis = 0; axis < 2; ++axis) {
-    const int slab = held_[static_cast<std::size_t>(axis)];
+    const int slab = held_[axis];
     if (slab != kNoSlab && place_of(atom->x[i][axis], axis) == place_in_box(slab)) return true;
   }
   return false;
@@ -443,7 +442,7 @@ void FixBedFollow::add_contacts(std::size_t k, const std::vector<int>& tags, std
   const RestingGrain& grain = bed_[k];
   int partners = as_count(pairs[0]);
   for (std::size_t p = 0; p < grain.partners.size(); ++p) {
-    const int partner = tags[static_cast<std::size_t>(grain.partners[p])];
+    const int partner = tags[grain.partners[p]];
     if (partner == 0) continue;
     ++partners;
     pairs.push_back(as_double(partner));
@@ -494,9 +493,9 @@ void FixBedFollow::insert(const Slab& slab, int last_tag, footfall::GrainChanges
     atom->mask[i] = grain.mask;
     std::array<int, 2> periods = {0, 0};
     for (int axis = 0; axis < 2; ++axis) {
-      const int first = first_[static_cast<std::size_t>(axis)], place = place_of(x[axis], axis);
+      const int first = first_[axis], place = place_of(x[axis], axis);
       const int period = period_of(first);
-      periods[static_cast<std::size_t>(axis)] = place >= place_in_box(first) ? period : period + 1;
+      periods[axis] = place >= place_in_box(first) ? period : period + 1;
     }
     atom->image[i] = image_of(periods[0], periods[1]);
     for (int c = 0; c < 3; ++c) atom->v[i][c] = atom->omega[i][c] = 0.0;

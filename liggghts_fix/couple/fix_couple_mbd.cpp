@@ -289,7 +289,7 @@ double FixCoupleMbd::compute_vector(int n) {
 
 double FixCoupleMbd::compute_array(int i, int j) {
   if (!link_.started()) return 0.0;
-  const footfall::DemBody& body = link_.body(output_rows_[static_cast<std::size_t>(i)]);
+  const footfall::DemBody& body = link_.body(output_rows_[i]);
   if (j < 3) return body.load().mean.F_W[j];
   if (j < kForceAndMoment) return body.mean_moment_W()[j - 3];
   const Eigen::VectorXd& Q_a = body.load().mean.Q_a;

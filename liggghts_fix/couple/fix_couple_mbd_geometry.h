@@ -17,7 +17,7 @@ class FixCoupleMbdGeometry : public Fix {
   int setmask() override { return 0; }
   int getCreateMeshTriCount() override { return static_cast<int>(corners_.size() / 9); }
   // Corner i in the list of all triangles' corners: three coordinates in W [m].
-  double* getCreateMeshTriNode(int i) override { return &corners_[static_cast<std::size_t>(3 * i)]; }
+  double* getCreateMeshTriNode(int i) override { return &corners_[3 * i]; }
 
  private:
   std::vector<double> corners_;

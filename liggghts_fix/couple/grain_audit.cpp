@@ -104,7 +104,7 @@ void GrainAudit::store_forces() {
   before_.resize(static_cast<std::size_t>(atom->nlocal));
   for (int i = 0; i < atom->nlocal; ++i) {
     const double *const f = atom->f[i], *const t = atom->torque[i];
-    before_[static_cast<std::size_t>(i)] = {f[0], f[1], f[2], t[0], t[1], t[2]};
+    before_[i] = {f[0], f[1], f[2], t[0], t[1], t[2]};
   }
 }
 
@@ -112,7 +112,7 @@ void GrainAudit::add_source(Source& source) const {
   source.now.setZero();
   source.gross_force = source.gross_moment = 0.0L;
   for (int i = 0; i < atom->nlocal; ++i) {
-    const double* const before = before_[static_cast<std::size_t>(i)].data();
+    const double* const before = before_[i].data();
     const Vector f = wide(atom->f[i]) - wide(before), t = wide(atom->torque[i]) - wide(before + 3);
     if (f.isZero(0.0L) && t.isZero(0.0L)) continue;
     const Vector arm = wide(atom->x[i]).cross(f);

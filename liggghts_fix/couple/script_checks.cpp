@@ -108,13 +108,13 @@ void check_grains(LAMMPS* lmp, const std::string& where) {
   for (int i = 0; i < atom.nlocal; ++i)
     for (int property = 0; property < kProperties; ++property)
       if (!is_good(atom, i, property)) {
-        int& tag = bad[static_cast<std::size_t>(property)];
+        int& tag = bad[property];
         tag = std::min(tag, static_cast<int>(atom.tag[i]));
       }
   footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, bad.data(), kProperties, MPI_INT, MPI_MIN, lmp->world),
                       "MPI_Allreduce");
   for (int property = 0; property < kProperties; ++property) {
-    const int tag = bad[static_cast<std::size_t>(property)];
+    const int tag = bad[property];
     if (tag == kNone) continue;
     throw footfall::InputError(code::kGrainInvalid,
                                where + "the " + kNames[property] + " of grain " + std::to_string(tag) + " is " +

@@ -147,7 +147,7 @@ void WallCrossings::check(Modify& modify, footfall::DemLink& link, double time) 
 
 void WallCrossings::check(const std::string& wall_id, PrimitiveWall& wall, footfall::DemLink& link, int body,
                           double time) {
-  const Eigen::Matrix3Xd& x = now_[static_cast<std::size_t>(body)];
+  const Eigen::Matrix3Xd& x = now_[body];
   const auto [place, is_new] = pairs_.try_emplace({wall_id, body});
   Pair& pair = place->second;
   if (const Eigen::Vector3d* const side =
@@ -164,7 +164,7 @@ void WallCrossings::check(const std::string& wall_id, PrimitiveWall& wall, footf
     pair.d = d;
     return;
   }
-  const Eigen::Matrix3Xd& x_before = before_[static_cast<std::size_t>(body)];
+  const Eigen::Matrix3Xd& x_before = before_[body];
   for (Eigen::Index j = 0; j < x.cols() && !pair.exempt; ++j) {
     const Eigen::Vector3d d_before = pair.d.col(j);
     if (d_before.dot(d.col(j)) >= 0.0 || d.col(j).norm() > (x.col(j) - x_before.col(j)).norm()) continue;

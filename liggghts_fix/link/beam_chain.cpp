@@ -41,7 +41,7 @@ BeamChain::BeamChain(const ModalBoundary& boundary, int chain) {
   Phi_.resize(3 * count, boundary.mode_count());
   largest_Phi_.setZero(boundary.mode_count());
   for (Eigen::Index node = 0; node < count; ++node) {
-    const int j = boundary_node_[static_cast<std::size_t>(node)];
+    const int j = boundary_node_[node];
     rho0_.col(node) = boundary.rho0().col(j);
     if (boundary.mode_count() == 0) continue;
     Phi_.middleRows<3>(3 * node) = boundary.Phi().middleRows<3>(3 * j);
@@ -52,7 +52,7 @@ BeamChain::BeamChain(const ModalBoundary& boundary, int chain) {
 }
 
 BoundaryPoint BeamChain::boundary_point(int node) const {
-  const int j = boundary_node_[static_cast<std::size_t>(node)];
+  const int j = boundary_node_[node];
   return {{j, j, j}, {1.0, 0.0, 0.0}};
 }
 
@@ -77,12 +77,12 @@ double BeamChain::largest_travel(const BodyMotion& from, const BodyMotion& to) c
 }
 
 double BeamChain::length(int segment) const {
-  const BeamSegment& s = segments_[static_cast<std::size_t>(segment)];
+  const BeamSegment& s = segments_[segment];
   return (x_.col(s.end) - x_.col(s.start)).norm();
 }
 
 BeamTouch BeamChain::touch(int segment, const Eigen::Vector3d& x, double r) const {
-  const BeamSegment& s = segments_[static_cast<std::size_t>(segment)];
+  const BeamSegment& s = segments_[segment];
   const Eigen::Vector3d p_s = x_.col(s.start);
   const Eigen::Vector3d d = x_.col(s.end) - p_s;
   const double d2 = d.squaredNorm();
@@ -114,14 +114,14 @@ void BeamMotion::begin_step(const BodyMotion& motion) {
 }
 
 Eigen::Vector3d BeamMotion::velocity(const BeamTouch& touch) const {
-  const BeamSegment& s = chain_.segments()[static_cast<std::size_t>(touch.segment)];
+  const BeamSegment& s = chain_.segments()[touch.segment];
   const Eigen::Vector3d v = v_.col(s.start) + touch.mu * (v_.col(s.end) - v_.col(s.start));
   const Eigen::Vector3d w = w_.col(s.start) + touch.mu * (w_.col(s.end) - w_.col(s.start));
   return v + w.cross(touch.arm());
 }
 
 void BeamMotion::add_force(const BeamTouch& touch, const Eigen::Vector3d& f_W, const Eigen::Vector3d& m_p_W) {
-  const BeamSegment& s = chain_.segments()[static_cast<std::size_t>(touch.segment)];
+  const BeamSegment& s = chain_.segments()[touch.segment];
   f_.col(s.start) += (1.0 - touch.mu) * f_W;
   f_.col(s.end) += touch.mu * f_W;
   m_.col(s.start) += (1.0 - touch.mu) * m_p_W;

@@ -94,10 +94,10 @@ double BeamNeighbours::find_images(const Eigen::AlignedBox3d& chain_box, double 
 }
 
 void BeamNeighbours::build_boxes(const BeamChain& chain, int box, int first, int last) {
-  Eigen::AlignedBox3d& here = box_[static_cast<std::size_t>(box)];
+  Eigen::AlignedBox3d& here = box_[box];
   here.setEmpty();
   if (last - first == 1) {
-    const BeamSegment& s = chain.segments()[static_cast<std::size_t>(first)];
+    const BeamSegment& s = chain.segments()[first];
     const Eigen::Vector3d R = Eigen::Vector3d::Constant(s.radius);
     for (const int node : {s.start, s.end})
       here.extend(Eigen::AlignedBox3d(chain.x().col(node) - R, chain.x().col(node) + R));
@@ -106,15 +106,15 @@ void BeamNeighbours::build_boxes(const BeamChain& chain, int box, int first, int
   const int middle = (first + last) / 2;
   build_boxes(chain, 2 * box + 1, first, middle);
   build_boxes(chain, 2 * box + 2, middle, last);
-  here.extend(box_[static_cast<std::size_t>(2 * box + 1)]);
-  here.extend(box_[static_cast<std::size_t>(2 * box + 2)]);
+  here.extend(box_[2 * box + 1]);
+  here.extend(box_[2 * box + 2]);
 }
 
 void BeamNeighbours::collect(const BeamChain& chain, int box, int first, int last, const Eigen::Vector3d& x, double r) {
   ++box_tests_;
   const double margin = 1.5 * skin_ + reach_ * r;
   const double limit = r + margin;
-  if (box_[static_cast<std::size_t>(box)].squaredExteriorDistance(x) > limit * limit) return;
+  if (box_[box].squaredExteriorDistance(x) > limit * limit) return;
   if (last - first == 1) {
     if (chain.touch(first, x, r).gap <= margin) segment_.push_back(first);
     return;
@@ -125,12 +125,12 @@ void BeamNeighbours::collect(const BeamChain& chain, int box, int first, int las
 }
 
 BeamTouch BeamNeighbours::closest(const BeamChain& chain, int k, const Eigen::Vector3d& x, double r) const {
-  const int first = first_[static_cast<std::size_t>(k)];
+  const int first = first_[k];
   const int last = first_[static_cast<std::size_t>(k) + 1];
   FOOTFALL_DEMAND(first < last);
   const auto touch_of = [&](int pair) {
-    const Eigen::Vector3d& image = images_[static_cast<std::size_t>(image_[static_cast<std::size_t>(pair)])];
-    BeamTouch touch = chain.touch(segment_[static_cast<std::size_t>(pair)], x - image, r);
+    const Eigen::Vector3d& image = images_[image_[static_cast<std::size_t>(pair)]];
+    BeamTouch touch = chain.touch(segment_[pair], x - image, r);
     touch.image = image;
     return touch;
   };

@@ -53,9 +53,9 @@ class BeamNeighbours {
   // [m]; 0: unknown.
   double clearance() const { return renumbered_ ? 0.0 : clearance_; }
 
-  int size() const { return static_cast<int>(grain_.size()); }            // grains on the list
-  int pair_count() const { return static_cast<int>(segment_.size()); }    // pairs on the list
-  int grain(int k) const { return grain_[static_cast<std::size_t>(k)]; }  // number of the k-th grain
+  int size() const { return static_cast<int>(grain_.size()); }          // grains on the list
+  int pair_count() const { return static_cast<int>(segment_.size()); }  // pairs on the list
+  int grain(int k) const { return grain_[k]; }                          // number of the k-th grain
   // The touch with the smallest gap over the segments near the k-th grain, which is at x with radius r.
   BeamTouch closest(const BeamChain& chain, int k, const Eigen::Vector3d& x, double r) const;
 

@@ -67,8 +67,7 @@ std::vector<std::string> CoupledBodies::untouched_warnings() const {
   for (const CoupledBody& body : geometry_.bodies) {
     const ModalBoundary& boundary = body.boundary;
     const auto name = std::find(names_.begin(), names_.end(), boundary.name());
-    const Touched touched =
-        name == names_.end() ? Touched{} : touched_[static_cast<std::size_t>(name - names_.begin())];
+    const Touched touched = name == names_.end() ? Touched{} : touched_[name - names_.begin()];
     std::vector<std::string> missed;
     if (!boundary.triangles().empty() && !touched.surface) missed.emplace_back("its surface (by a mesh)");
     std::set<int> chains;

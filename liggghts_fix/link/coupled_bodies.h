@@ -24,8 +24,8 @@ class CoupledBodies {
   int couple(const std::string& name, const std::string& unit_style);
 
   // Grains touch the surface of the body, or its beam chain of this number.
-  void touch_surface(int body) { touched_[static_cast<std::size_t>(body)].surface = true; }
-  void touch_chain(int body, int chain) { touched_[static_cast<std::size_t>(body)].chains.insert(chain); }
+  void touch_surface(int body) { touched_[body].surface = true; }
+  void touch_chain(int body, int chain) { touched_[body].chains.insert(chain); }
   // A warning for each body with surfaces or beams that no grain can touch.
   std::vector<std::string> untouched_warnings() const;
 
@@ -35,7 +35,7 @@ class CoupledBodies {
   void clear();
 
   int count() const { return static_cast<int>(names_.size()); }
-  const std::string& name(int body) const { return names_[static_cast<std::size_t>(body)]; }
+  const std::string& name(int body) const { return names_[body]; }
   const std::vector<std::string>& names() const { return names_; }
   int most_modes() const;                                            // of a coupled body; 0 before the handshake
   bool greeted() const { return greeted_; }                          // the handshake is done

@@ -381,9 +381,8 @@ std::string DemLink::checkpoint_text(std::int64_t step) {
   DemCheckpoint::Poses poses;
   for (const CoupledBody& body : coupled_.of_scene()) {
     const auto place = std::find(names.begin(), names.end(), body.boundary.name());
-    poses.emplace_back(body.boundary.name(), place == names.end()
-                                                 ? body.initial
-                                                 : bodies_[static_cast<std::size_t>(place - names.begin())]->pose());
+    poses.emplace_back(body.boundary.name(),
+                       place == names.end() ? body.initial : bodies_[place - names.begin()]->pose());
   }
   return DemCheckpoint::text(std::move(poses), step, [this](Archive& archive) { visit(archive); });
 }

@@ -50,7 +50,7 @@ class DemLink {
   double dt() const { return dt_; }            // as started [s]
   // After start():
   const Scheme& scheme() const { return *scheme_; }
-  DemBody& body(int index) { return *bodies_[static_cast<std::size_t>(index)]; }
+  DemBody& body(int index) { return *bodies_[index]; }
   const Eigen::Vector3d& script_gravity() const { return script_.gravity; }  // zero when unknown [m/s2]
   // For gravity that varies and was unknown before the start. Throws InputError unless it is that of the scene [m/s2].
   void require_scene_gravity(const Eigen::Vector3d& gravity) const;

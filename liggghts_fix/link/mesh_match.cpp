@@ -94,7 +94,7 @@ std::vector<CornerNodes> match_mesh(const std::string& mesh, const ModalBoundary
       throw InputError(code::kMeshDiffersFromBody, "mesh " + mesh + ": triangle " + std::to_string(triangle.id) +
                                                        " at " + text(triangle.corners[0]) + " joins nodes of body \"" +
                                                        boundary.name() + "\" that form no triangle there");
-    const Eigen::Vector3i& nodes = boundary.triangles()[static_cast<std::size_t>(found->second.first)];
+    const Eigen::Vector3i& nodes = boundary.triangles()[found->second.first];
     CornerNodes corners{};
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t l = 0; l < 3; ++l)

@@ -85,8 +85,8 @@ RoundFacet::Nearest RoundFacet::nearest(const Eigen::Vector3d& p) const {
   for (int edge = 0; edge < 3; ++edge) {
     const double t = on_edge(p, edge);
     std::array<double, 3> b{};
-    b[static_cast<std::size_t>(edge)] = 1.0 - t;
-    b[static_cast<std::size_t>((edge + 1) % 3)] = t;
+    b[edge] = 1.0 - t;
+    b[(edge + 1) % 3] = t;
     const Eigen::Vector3d point = at(b[1], b[2]);
     const double distance = (point - p).squaredNorm();
     if (distance >= least) continue;
@@ -136,9 +136,9 @@ void RoundSurface::deform(const SurfacePieces& pieces, const Eigen::Matrix3Xd& n
       }
       sum.normalize();
       flat = flat && sum.dot(own) > (1.0 - kFlatPiece) * own.norm();
-      normals_[static_cast<std::size_t>(t)].col(static_cast<Eigen::Index>(k)) = sum;
+      normals_[t].col(static_cast<Eigen::Index>(k)) = sum;
     }
-    flat_[static_cast<std::size_t>(t)] = flat;
+    flat_[t] = flat;
   }
 }
 

@@ -48,10 +48,8 @@ class RoundSurface {
   void deform(const SurfacePieces& pieces, const Eigen::Matrix3Xd& nodes_W);
 
   // All three normals are that of the flat facet.
-  bool is_flat(int facet) const { return flat_[static_cast<std::size_t>(facet)]; }
-  RoundFacet facet(int facet, const Eigen::Matrix3d& corners_W) const {
-    return {corners_W, R_WB_ * normals_[static_cast<std::size_t>(facet)]};
-  }
+  bool is_flat(int facet) const { return flat_[facet]; }
+  RoundFacet facet(int facet, const Eigen::Matrix3d& corners_W) const { return {corners_W, R_WB_ * normals_[facet]}; }
   // Of all facets of the undeformed body [m].
   double largest_bulge() const { return bulge_; }
 

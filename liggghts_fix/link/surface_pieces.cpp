@@ -26,11 +26,11 @@ class Sets {
   explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
   int of(int i) {
     int root = i;
-    while (parent_[static_cast<std::size_t>(root)] != root) root = parent_[static_cast<std::size_t>(root)];
-    while (i != root) i = std::exchange(parent_[static_cast<std::size_t>(i)], root);
+    while (parent_[root] != root) root = parent_[root];
+    while (i != root) i = std::exchange(parent_[i], root);
     return root;
   }
-  void join(int i, int j) { parent_[static_cast<std::size_t>(of(i))] = of(j); }
+  void join(int i, int j) { parent_[of(i)] = of(j); }
 
  private:
   std::vector<int> parent_;
@@ -111,7 +111,7 @@ SurfacePieces::SurfacePieces(const Eigen::Matrix3Xd& rho0, std::vector<CornerNod
     for (const SmoothEdge* edge : edges) fans.join(place(edge->facet), place(edge->other));
     for (const int s : facets)
       for (const int t : facets)
-        if (s != t && fans.of(place(s)) == fans.of(place(t))) neighbours_[static_cast<std::size_t>(s)].push_back(t);
+        if (s != t && fans.of(place(s)) == fans.of(place(t))) neighbours_[s].push_back(t);
   }
   for (std::vector<int>& around : neighbours_) {
     std::sort(around.begin(), around.end());
@@ -120,12 +120,12 @@ SurfacePieces::SurfacePieces(const Eigen::Matrix3Xd& rho0, std::vector<CornerNod
 }
 
 bool SurfacePieces::are_neighbours(int facet, int other) const {
-  const std::vector<int>& around = neighbours_[static_cast<std::size_t>(facet)];
+  const std::vector<int>& around = neighbours_[facet];
   return std::binary_search(around.begin(), around.end(), other);
 }
 
 bool SurfacePieces::inside_piece(int facet, const std::array<double, 3>& weights) const {
-  const Inside& inside = inside_[static_cast<std::size_t>(facet)];
+  const Inside& inside = inside_[facet];
   for (std::size_t k = 0; k < 3; ++k) {
     if (weights[k] > 1.0 - kOnEdge) return inside.corner[k];
     if (weights[(k + 2) % 3] < kOnEdge && !inside.edge[k] && weights[k] > kOnEdge && weights[(k + 1) % 3] > kOnEdge)

@@ -19,11 +19,11 @@ class SurfacePieces {
   // Is some piece curved? Otherwise all are flat.
   bool curved() const { return curved_; }
   int size() const { return static_cast<int>(corners_.size()); }  // facets
-  int piece(int facet) const { return piece_[static_cast<std::size_t>(facet)]; }
-  const CornerNodes& corners(int facet) const { return corners_[static_cast<std::size_t>(facet)]; }
+  int piece(int facet) const { return piece_[facet]; }
+  const CornerNodes& corners(int facet) const { return corners_[facet]; }
   // Do two facets share a node around which smooth edges lead from one to the other?
   bool are_neighbours(int facet, int other) const;
-  const std::vector<int>& neighbours(int facet) const { return neighbours_[static_cast<std::size_t>(facet)]; }
+  const std::vector<int>& neighbours(int facet) const { return neighbours_[facet]; }
   // Is a point of the facet, given by the weights of its corners, inside its piece? Otherwise it lies on a sharp edge or
   // on the border of the mesh.
   bool inside_piece(int facet, const std::array<double, 3>& weights) const;

@@ -20,7 +20,7 @@ class VisitedGrains {
   }
   bool is_new(int grain) {
     if (grain >= grains_) return false;  // of another rank
-    std::int64_t& last = last_[static_cast<std::size_t>(grain)];
+    std::int64_t& last = last_[grain];
     return std::exchange(last, round_) != round_;
   }
 

@@ -33,14 +33,14 @@ class BinnedGrains {
     grains_.clear();
     for (int bin = 0; bin < bins; ++bin) {
       float largest = -std::numeric_limits<float>::infinity();
-      bins_[static_cast<std::size_t>(bin)] = {static_cast<int>(grains_.size()), largest};
+      bins_[bin] = {static_cast<int>(grains_.size()), largest};
       if (head[bin] < 0) continue;
       for (int j = head[bin]; j >= 0; j = next[j]) {
         grains_.push_back({x[j][0], x[j][1], x[j][2], radius[j], j});
         largest = std::max(largest, static_cast<float>(radius[j] * kUp));
       }
       for (int before = std::max(0, bin - width); before <= bin; ++before) {
-        float& there = bins_[static_cast<std::size_t>(before)].largest;
+        float& there = bins_[before].largest;
         there = std::max(there, largest);
       }
     }

@@ -155,7 +155,7 @@ void write_velocities(const RecordedMotion& motion, int mesh, double span, int s
     const Eigen::AngleAxisd turn(rotation_of(after) * rotation_of(before).transpose());
     const Eigen::Vector3d spin = turn.angle() * turn.axis() / span;
     for (int c = 0; c < 3; ++c) {
-      text[c] += number((after[static_cast<std::size_t>(c)] - before[static_cast<std::size_t>(c)]) / span) + "\n";
+      text[c] += number((after[c] - before[c]) / span) + "\n";
       text[3 + c] += number(spin[c]) + "\n";
     }
     before = after;
@@ -393,7 +393,7 @@ void compare_profiles(const BedFrame& bed_a, const BedFrame& bed_b, const Compar
   double sum = 0.0, deepest_a = std::numeric_limits<double>::infinity(), deepest_b = deepest_a;
   int count = 0;
   for (int k = 0; k < kRings; ++k) {
-    const double z_a = p_a[static_cast<std::size_t>(k)], z_b = p_b[static_cast<std::size_t>(k)];
+    const double z_a = p_a[k], z_b = p_b[k];
     if (std::isnan(z_a) || std::isnan(z_b)) continue;
     result.profile += text("%.6g,%.6g,%.6g\n", (k + 0.5) * width, z_a, z_b);
     sum += std::abs(z_a - z_b);

@@ -82,7 +82,7 @@ Eye eye_around(const std::vector<const BedFrame*>& beds, const std::vector<const
   for (const BedFrame* bed : beds)
     for (Eigen::Index i = 0; i < bed->x.cols(); ++i)
       if (bed->x(1, i) >= cut) {
-        include(bed->x.col(i), bed->radius[static_cast<std::size_t>(i)]);
+        include(bed->x.col(i), bed->radius[i]);
         ++grains;
       }
   for (const MechanismShape* shape : shapes)
@@ -106,7 +106,7 @@ double colour_range(const std::vector<const BedFrame*>& beds) {
     if (speeds.empty()) continue;
     const auto k = static_cast<std::ptrdiff_t>(kShown * static_cast<double>(speeds.size() - 1));
     std::nth_element(speeds.begin(), speeds.begin() + k, speeds.end());
-    fastest = std::max(fastest, speeds[static_cast<std::size_t>(k)]);
+    fastest = std::max(fastest, speeds[k]);
   }
   if (!(fastest > 1e-6)) return 1.0;  // all at rest
   const double below = round_below(fastest);
@@ -192,7 +192,7 @@ void draw_marks(const VtkFrame& frame, DepthImage& image) {
     if (words.size() == 5 && words[0] == "cable") image.capsule(vector(i, 0), vector(i, 1), 0.5 * unit, kStrut);
     if (words.size() != 5 || (words[0] != "joint" && words[0] != "strut")) continue;
     for (int end = 0; end < 2; ++end) {
-      const auto body = std::find(bodies->begin(), bodies->end(), words[static_cast<std::size_t>(3 + end)]);
+      const auto body = std::find(bodies->begin(), bodies->end(), words[3 + end]);
       if (body == bodies->end()) continue;
       const Eigen::Vector3d x = nearest_drawn(frame, static_cast<int>(body - bodies->begin()), vector(i, end));
       if ((x - vector(i, end)).norm() > 2.0 * unit) image.capsule(vector(i, end), x, 0.8 * unit, kBracket);
@@ -211,8 +211,7 @@ std::string write_grain_picture(const std::string& folder, const std::string& na
                                 const BedFrame& bed, const MechanismShape& shape, const GrainView& view) {
   DepthImage image(view.eye, view.width);
   for (Eigen::Index i = 0; i < bed.x.cols(); ++i)
-    if (bed.x(1, i) >= view.cut)
-      image.sphere(bed.x.col(i), bed.radius[static_cast<std::size_t>(i)], colour_of(speed(bed, i) / view.fastest));
+    if (bed.x(1, i) >= view.cut) image.sphere(bed.x.col(i), bed.radius[i], colour_of(speed(bed, i) / view.fastest));
   const auto point = [&](int j) { return Eigen::Vector3d(shape.frame.points.col(j)); };
   const double lift = bed.radius.empty() ? 0.0 : kOverlap * *std::min_element(bed.radius.begin(), bed.radius.end());
   for (const Eigen::Vector3i& t : shape.frame.triangles)

@@ -276,8 +276,8 @@ struct Envelope {
           const double over = time[next] > time[k] ? std::clamp((t - time[k]) / (time[next] - time[k]), 0.0, 1.0) : 0.0;
           const double y = values[k] + over * (values[next] - values[k]);
           if (!std::isfinite(y)) continue;
-          low[static_cast<std::size_t>(s)] = std::min(low[static_cast<std::size_t>(s)], y);
-          high[static_cast<std::size_t>(s)] = std::max(high[static_cast<std::size_t>(s)], y);
+          low[s] = std::min(low[s], y);
+          high[s] = std::max(high[s], y);
         }
       }
     }
@@ -573,7 +573,7 @@ DrawnUnit drawn_unit(const std::string& unit, double largest) {
 Panels panels_of(const History& history, const Names& columns) {
   std::vector<std::pair<std::string, Names>> of_unit;  // in the order of the columns
   for (const std::string& name : columns) {
-    const std::string& unit = history.units[static_cast<std::size_t>(history.find(name))];
+    const std::string& unit = history.units[history.find(name)];
     auto same = std::find_if(of_unit.begin(), of_unit.end(), [&](const auto& entry) { return entry.first == unit; });
     if (same == of_unit.end()) same = of_unit.insert(of_unit.end(), {unit, {}});
     same->second.push_back(name);
@@ -654,8 +654,7 @@ PlotPage page_of(const std::string& name, const std::string& title, Panels panel
   std::string block = name;
   std::replace_if(
       block.begin(), block.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  for (int i = 0; i < count; ++i)
-    page.figures[static_cast<std::size_t>(i)].name = "columns_" + block + "_" + std::to_string(i + 1);
+  for (int i = 0; i < count; ++i) page.figures[i].name = "columns_" + block + "_" + std::to_string(i + 1);
   if (count == 1 && !title.empty() && page.figures.front().title.find(title) == std::string::npos)
     page.figures.front().title = title + (page.figures.front().title.empty() ? "" : ": " + page.figures.front().title);
   return page;
@@ -702,7 +701,7 @@ Figure spectrum_figure(const ColumnPlot& plot, const History& history, const Nam
       spectrum.frequency.erase(spectrum.frequency.begin());
       spectrum.value.erase(spectrum.value.begin());
     }
-    const std::string own = history.units[static_cast<std::size_t>(history.find(column))];
+    const std::string own = history.units[history.find(column)];
     if (!unit.empty() && own != unit)
       throw InputError(code::kWrongOption, "columns in " + unit + " and in " + own +
                                                " have no common axis of spectra; draw one kind at a time");

@@ -294,7 +294,7 @@ double upper(std::vector<float> values) {
   if (values.empty()) return 0.0;
   const auto k = static_cast<std::ptrdiff_t>(kShown * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + k, values.end());
-  return values[static_cast<std::size_t>(k)];
+  return values[k];
 }
 
 // `most` of the dumps, evenly spread, with the first and the last.
@@ -387,9 +387,7 @@ void add_grains(const std::string& run, double dt, FrameLimits& limits, PagePart
   for (const LeanFrame& frame : bed.frames) {
     for (Eigen::Index i = 0; i < frame.x.cols(); ++i) box.include(frame.x.col(i).cast<double>());
     if (view.is_empty()) view = box;
-    for_each_place(bed.ids, frame, [&](Eigen::Index i, std::size_t place) {
-      radius[place] = frame.radius[static_cast<std::size_t>(i)];
-    });
+    for_each_place(bed.ids, frame, [&](Eigen::Index i, std::size_t place) { radius[place] = frame.radius[i]; });
   }
   std::vector<double> largest, shown;
   for (std::size_t j = 0; j < bed.numbers.size(); ++j) {

@@ -135,7 +135,7 @@ bool read_plain_number(const char*& from, const char* end, double& value) {
     count += behind;
   }
   if (count == 0 || count > 15 || (at < end && !is_space(*at))) return false;
-  value = static_cast<double>(digits) / kTens[static_cast<std::size_t>(behind)];
+  value = static_cast<double>(digits) / kTens[behind];
   if (negative) value = -value;
   from = at;
   return true;

@@ -11,8 +11,8 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/assemble/time_functions.h"
 #include "mbd_solver/bed/codes.h"
-#include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/resolve.h"
 
@@ -57,8 +57,7 @@ std::optional<Path> prescribed_path(const JointSpec& joint, const Mechanism& mec
   return [=](double t) {
     Eigen::Vector3d s = Eigen::Vector3d::Zero();
     for (int k = 0; k < 3; ++k)
-      if (const TimeFunctionPtr& f = along[static_cast<std::size_t>(k)])
-        s += sign * (f->at(t).value - f->at(0.0).value) * axes.col(k);
+      if (const TimeFunctionPtr& f = along[k]) s += sign * (f->at(t).value - f->at(0.0).value) * axes.col(k);
     return s;
   };
 }

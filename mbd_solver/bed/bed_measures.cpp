@@ -51,7 +51,7 @@ double largest_radius(const BedFrame& bed) {
 double smallest_radius(const BedFrame& bed) {
   return bed.radius.empty() ? 0.0 : *std::min_element(bed.radius.begin(), bed.radius.end());
 }
-double radius(const BedFrame& bed, int i) { return bed.radius[static_cast<std::size_t>(i)]; }
+double radius(const BedFrame& bed, int i) { return bed.radius[i]; }
 
 }  // namespace
 
@@ -97,14 +97,14 @@ double packing_fraction(const BedFrame& bed, const Eigen::Vector3d& top, double 
         for (long k = from(2); k <= to(2, m); ++k) {
           const Eigen::Vector3d d(static_cast<double>(i) - c.x(), static_cast<double>(j) - c.y(),
                                   static_cast<double>(k) - c.z());
-          if (d.squaredNorm() < r * r) covered[static_cast<std::size_t>((i * side + j) * m + k)] = 1;
+          if (d.squaredNorm() < r * r) covered[(i * side + j) * m + k] = 1;
         }
   }
   long inside = 0, all = 0;
   for (long i = 0; i < side; ++i)
     for (long j = 0; j < side; ++j) {
       if ((i - n) * (i - n) + (j - n) * (j - n) > n * n) continue;
-      for (long k = 0; k < m; ++k) inside += covered[static_cast<std::size_t>((i * side + j) * m + k)];
+      for (long k = 0; k < m; ++k) inside += covered[(i * side + j) * m + k];
       all += m;
     }
   return static_cast<double>(inside) / static_cast<double>(all);
@@ -147,7 +147,7 @@ Separation separation(const BedFrame& a, const BedFrame& b) {
   std::vector<double> distances;
   int apart = 0;
   for (int i = 0, j = 0; i < a.count() && j < b.count();) {
-    const int id_a = a.id[static_cast<std::size_t>(i)], id_b = b.id[static_cast<std::size_t>(j)];
+    const int id_a = a.id[i], id_b = b.id[j];
     if (id_a == id_b) {
       distances.push_back((a.x.col(i) - b.x.col(j)).norm());
       if (distances.back() > 0.1 * radius(a, i)) ++apart;
@@ -199,7 +199,7 @@ BedSlope bed_slope(const BedFrame& bed, const SlopeBounds& bounds) {
     const long first = std::max(0L, std::lround(std::ceil(at - reach)));
     const long last = std::min(count - 1, std::lround(std::floor(at + reach)));
     for (long k = first; k <= last; ++k) {
-      double& slice = top[static_cast<std::size_t>(k)];
+      double& slice = top[k];
       slice = std::max(slice, bed.x(2, i));
     }
   }

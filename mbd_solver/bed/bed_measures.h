@@ -4,8 +4,8 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "mbd_solver/assemble/grain_dump.h"
 #include "mbd_solver/bed/bed_frames.h"
-#include "mbd_solver/build/grain_dump.h"
 
 namespace footfall {
 

@@ -11,12 +11,12 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/assemble/grain_dump.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_measures.h"
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/bed/programs.h"
-#include "mbd_solver/build/grain_dump.h"
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/particle_script.h"
 
@@ -183,8 +183,7 @@ std::string box_report(const Scene& scene) {
     std::string slab;
     for (int axis = 0; axis < 2; ++axis)
       if (follows_along(box, axis))
-        slab += (slab.empty() ? "" : " and ") + number_text(0.1 * box.size[static_cast<std::size_t>(axis)], 3) +
-                " m along " + "xy"[axis];
+        slab += (slab.empty() ? "" : " and ") + number_text(0.1 * box.size[axis], 3) + " m along " + "xy"[axis];
     text += "  follows body \"" + box.follow + "\" in steps of " + slab + ": at least " +
             number_text(follow_distance(box), 3) + " m of fresh bed from its origin on\n";
   }
@@ -203,8 +202,7 @@ void require_inside_box(const Scene& scene, const Mechanism& mechanism) {
   constexpr double kTolerance = 1e-6;  // of the box
   // What is moved to a clearance is moved as a whole: another body may be the lowest one.
   const int lowest = mechanism.placement.lowest;
-  const std::string lowest_name =
-      lowest < 0 ? "" : mechanism.boundaries[static_cast<std::size_t>(lowest)].boundary.name();
+  const std::string lowest_name = lowest < 0 ? "" : mechanism.boundaries[lowest].boundary.name();
   const auto lifted = [&](const std::string& name) {
     if (!scene.initial.clearance || lowest_name.empty() || lowest_name == name) return std::string();
     return ". Its height follows from initial.clearance of body \"" + lowest_name + "\", the lowest one";

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {

@@ -81,7 +81,7 @@ Boundary::Boundary(const Campaign& campaign, const EnvelopeSpec& envelope, std::
   if (points.empty()) return;
   for (int axis = 0; axis < 2; ++axis) {
     std::vector<double> values;
-    for (const auto& point : points) values.push_back(point[static_cast<std::size_t>(axis)]);
+    for (const auto& point : points) values.push_back(point[axis]);
     low_[axis] = *std::min_element(values.begin(), values.end());
     high_[axis] = *std::max_element(values.begin(), values.end());
     if (!(high_[axis] > low_[axis])) high_[axis] = low_[axis] + 1.0;
@@ -228,7 +228,7 @@ std::string quantile_text(const std::vector<double>& sorted, double share) {
   if (sorted.empty()) return "";
   const auto [low, high] = quantile_bounds(sorted.size(), share);
   const auto bound = [&](long k) {
-    return k < 0 || k >= static_cast<long>(sorted.size()) ? "?" : number_text(sorted[static_cast<std::size_t>(k)], 4);
+    return k < 0 || k >= static_cast<long>(sorted.size()) ? "?" : number_text(sorted[k], 4);
   };
   return number_text(quantile(sorted, share), 4) + " (" + bound(low) + " to " + bound(high) + ")";
 }
@@ -463,13 +463,10 @@ std::vector<std::string> draw_campaign(const Campaign& campaign, const std::stri
     std::vector<std::string> lines;
     for (std::size_t c = 0; c < all.size(); ++c) {
       std::vector<int> in_bin(static_cast<std::size_t>(count), 0);
-      for (const double value : all[c])
-        ++in_bin[static_cast<std::size_t>(std::min(count - 1, static_cast<int>((value - low) / width)))];
+      for (const double value : all[c]) ++in_bin[std::min(count - 1, static_cast<int>((value - low) / width))];
       for (int b = 0; b < count; ++b)
         bins << k << ',' << c << ',' << number_text(low + (b + 0.5) * width, 8) << ','
-             << number_text(
-                    100.0 * in_bin[static_cast<std::size_t>(b)] / std::max(1.0, static_cast<double>(all[c].size())), 6)
-             << '\n';
+             << number_text(100.0 * in_bin[b] / std::max(1.0, static_cast<double>(all[c].size())), 6) << '\n';
       lines.push_back("'histograms.csv' using ($1==" + std::to_string(k) + "&&$2==" + std::to_string(c) +
                       "?$3:1/0):4 with histeps lw 1.6 lc rgb '" + series_colour(static_cast<int>(c) % kSeriesColours) +
                       "' title " + gnuplot_text(campaign.case_name(c)));

@@ -64,7 +64,7 @@ double ContactMass::along(const ExternalLoad& load, const State& state, double H
     return mass_;
   }
   equations_.load(state);
-  const int first = equations_.layout().body_v[static_cast<std::size_t>(body_)];
+  const int first = equations_.layout().body_v[body_];
   q_.setZero();
   q_.segment<3>(first) = F;
   q_.segment<3>(first + 3) = equations_.motion(body_).A * T;

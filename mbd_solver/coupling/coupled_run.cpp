@@ -271,7 +271,7 @@ void CoupledRun::receive(const Load& load, Inputs& inputs) {
                            "t = " + plain_text(motion_.time) + " s: the load of the grains on body " + watch_->name(k) +
                                " is not finite (" + place +
                                "): the bed has become unstable; use a smaller time step of the grains");
-    body.window.apply(load.bodies[k], inputs.loads[static_cast<std::size_t>(body.entry.body)]);
+    body.window.apply(load.bodies[k], inputs.loads[body.entry.body]);
   }
 }
 

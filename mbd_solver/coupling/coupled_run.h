@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "coupler/base/clock.h"
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/coupling/body_window.h"
 #include "mbd_solver/coupling/contact_mass.h"
 #include "mbd_solver/coupling/coupling_sample.h"

@@ -350,8 +350,7 @@ void CouplingWatch::watch_grains(const Window& window, const Load& load, const s
     warned_of_overlap_ = true;
     told_overlap_ = largest_overlap_;
     const std::string overlap = at(deepest_time_) + (larger ? "largest grain overlap of the run " : "grain overlap ") +
-                                percent(largest_overlap_) + " of radius, on body " +
-                                records_[static_cast<std::size_t>(deepest_)].name;
+                                percent(largest_overlap_) + " of radius, on body " + records_[deepest_].name;
     // A fast body may have come so far within the window.
     const std::size_t deepest = static_cast<std::size_t>(deepest_);
     const double radius = std::cbrt(0.75 * load.bodies[deepest].grain_mass / (kPi * kUsualDensity));  // [m]

@@ -39,7 +39,7 @@ void KnownMotion::find_bodies(const Assembly& assembly, const State& start) {
   bool any = false;
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const Body& body = model_.body(bodies_[k]);
-    const int first = equations_->layout().body_v[static_cast<std::size_t>(bodies_[k])];
+    const int first = equations_->layout().body_v[bodies_[k]];
     const double turns = body.rigid_inertia().diagonal().minCoeff();  // [kg m2]
     bool held = true;
     for (int i = 0; i < 6 && held; ++i) {

@@ -7,7 +7,7 @@
 #include "coupler/archive.h"
 #include "coupler/body_motion.h"
 #include "coupler/schemes/window_map.h"
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/scene/run_spec.h"
 
 namespace footfall {

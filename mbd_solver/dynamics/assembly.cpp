@@ -178,7 +178,7 @@ constexpr double kClosingRank = 1e-5;
 void follow_turns(const Model& model, const Layout& layout, const Kinematics& kinematics, const Eigen::VectorXd* dx,
                   State& state) {
   for (int j = 0; j < model.joint_count(); ++j) {
-    const int z = layout.joint_turns[static_cast<std::size_t>(j)];
+    const int z = layout.joint_turns[j];
     if (z < 0) continue;
     const Joint& joint = model.joint(j);
     const PairMotion pair = kinematics.pair(joint.m1.body, joint.m2.body);
@@ -190,9 +190,7 @@ void follow_turns(const Model& model, const Layout& layout, const Kinematics& ki
     const int bodies[2] = {joint.m1.body, joint.m2.body};
     for (int i = 0; i < 2; ++i) {
       const int n = pair.body[i]->size();
-      if (n > 0)
-        state.z[z] +=
-            q_x.segment(pair.offset(i), n).dot(dx->segment(layout.body_v[static_cast<std::size_t>(bodies[i])], n));
+      if (n > 0) state.z[z] += q_x.segment(pair.offset(i), n).dot(dx->segment(layout.body_v[bodies[i]], n));
     }
   }
 }
@@ -219,7 +217,7 @@ void check_contradiction(const Model& model, const Layout& layout, const Eigen::
   if (largest <= kContradiction * scale) return;
   std::vector<int> worst;
   for (int row = 0; row < defect.size(); ++row) {
-    const int joint = layout.row_joint[static_cast<std::size_t>(row)];
+    const int joint = layout.row_joint[row];
     if (std::abs(defect[row]) > 0.1 * largest && (worst.empty() || worst.back() != joint)) worst.push_back(joint);
   }
   throw InputError(code::kJointsContradict, "joints " + joint_names(model, worst) + " contradict each other: " + what +
@@ -250,8 +248,7 @@ State initial_state(const Model& model, const Layout& layout) {
     state.v.segment(layout.body_v[at], 6 + s) << body.dr, body.w, body.da;
   }
   for (int i = 0; i < model.force_count(); ++i)
-    state.z.segment(layout.force_z[static_cast<std::size_t>(i)], model.force(i).state_count()) =
-        model.force(i).initial_state();
+    state.z.segment(layout.force_z[i], model.force(i).state_count()) = model.force(i).initial_state();
   state.load_work = state.work_error.load_work = Eigen::VectorXd::Zero(model.body_count());
   state.angles = Eigen::VectorXd::Zero(layout.angle_count);
   return state;
@@ -310,7 +307,7 @@ double check_gaps(const Model& model, const Layout& layout, const ConstraintRows
     const Joint& joint = model.joint(j);
     double gap2 = 0.0, angle = 0.0;
     for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-      const double phi = rows.phi[layout.joint_row[static_cast<std::size_t>(j)] + static_cast<int>(k)];
+      const double phi = rows.phi[layout.joint_row[j] + static_cast<int>(k)];
       if (joint.rows[k].unit == ConstraintRow::Unit::kLength) {
         gap2 += phi * phi;
       } else {
@@ -340,7 +337,7 @@ void note_redundant(const Model& model, const Layout& layout, Assembly& out) {
   std::map<int, std::pair<int, std::set<int>>> found;  // joint: how many, from which joints
   for (const RedundantGroup& group : out.redundant) {
     for (std::size_t k = 0; k < group.dropped.size(); ++k) {
-      auto& [count, sources] = found[layout.row_joint[static_cast<std::size_t>(group.dropped[k])]];
+      auto& [count, sources] = found[layout.row_joint[group.dropped[k]]];
       ++count;
       sources.insert(group.sources[k].begin(), group.sources[k].end());
     }
@@ -357,7 +354,7 @@ void note_redundant(const Model& model, const Layout& layout, Assembly& out) {
 // Gears that turned by more than half a turn on the way to the start.
 void note_turns(const Model& model, const Layout& layout, Assembly& out) {
   for (int j = 0; j < model.joint_count(); ++j) {
-    const int z = layout.joint_turns[static_cast<std::size_t>(j)];
+    const int z = layout.joint_turns[j];
     if (z < 0 || std::abs(out.state.z[z]) <= kPi) continue;
     out.notes.push_back(with_code(code::kGearTurn, "joint \"" + model.joint(j).name +
                                                        "\": its gear starts at an angle of " + number(out.state.z[z]) +
@@ -377,14 +374,14 @@ void note_speeds(const Model& model, const Layout& layout, const Eigen::VectorXd
   std::size_t body = layout.body_v.size() - 1;
   while (layout.body_v[body] > entry) --body;
   const Eigen::Vector3d dv = change.segment<3>(layout.body_v[body]), dw = change.segment<3>(layout.body_v[body] + 3);
-  out.notes.push_back(with_code(
-      code::kVelocitiesChanged,
-      (given ? std::string("the given initial velocities do not fit the joints: joint \"")
-             : std::string("joints move from the start, and no initial velocities are given: joint \"")) +
-          model.joint(layout.row_joint[static_cast<std::size_t>(row)]).name + "\" would open at " +
-          number(std::abs(rate[row])) + " m/s or rad/s. Velocities were changed by the smallest correction; body \"" +
-          model.body(static_cast<int>(body)).name() + "\" changed most, by " + number(dv.norm()) + " m/s and " +
-          number(dw.norm()) + " rad/s."));
+  out.notes.push_back(
+      with_code(code::kVelocitiesChanged,
+                (given ? std::string("the given initial velocities do not fit the joints: joint \"")
+                       : std::string("joints move from the start, and no initial velocities are given: joint \"")) +
+                    model.joint(layout.row_joint[row]).name + "\" would open at " + number(std::abs(rate[row])) +
+                    " m/s or rad/s. Velocities were changed by the smallest correction; body \"" +
+                    model.body(static_cast<int>(body)).name() + "\" changed most, by " + number(dv.norm()) +
+                    " m/s and " + number(dw.norm()) + " rad/s."));
 }
 
 // Modes of force elements that fit the velocities of the start.
@@ -394,7 +391,7 @@ void start_modes(const Model& model, const Layout& layout, const Kinematics& kin
     const Switching* const modes = switching(element);
     if (modes == nullptr) continue;
     const Eigen::VectorXd inputs = Eigen::VectorXd::Zero(element.input_count());
-    auto z = state.z.segment(layout.force_z[static_cast<std::size_t>(i)], element.state_count());
+    auto z = state.z.segment(layout.force_z[i], element.state_count());
     modes->switch_states(element_input(element, kinematics, z, inputs, state.time), z);
   }
 }

@@ -22,31 +22,31 @@ CondensedMatrix::CondensedMatrix(const Eigen::SparseMatrix<double>& whole, const
       block.first = first;
       block.size = part.size;
       for (int i = 0; i < part.size; ++i) {
-        block_of[static_cast<std::size_t>(first + i)] = static_cast<int>(blocks_.size());
+        block_of[first + i] = static_cast<int>(blocks_.size());
         for (int j = 0; j < part.size; ++j) block.D.push_back(place_of(whole, first + i, first + j));
       }
       blocks_.push_back(std::move(block));
     }
   }
   for (int j = 0; j < n; ++j) {
-    if (block_of[static_cast<std::size_t>(j)] >= 0) continue;
-    now[static_cast<std::size_t>(j)] = static_cast<int>(stays_.size());
+    if (block_of[j] >= 0) continue;
+    now[j] = static_cast<int>(stays_.size());
     stays_.push_back(j);
   }
 
   std::vector<Eigen::Triplet<double>> pattern;
   for (int j = 0; j < n; ++j) {
-    const int of_column = block_of[static_cast<std::size_t>(j)];
+    const int of_column = block_of[j];
     for (int k = whole.outerIndexPtr()[j]; k < whole.outerIndexPtr()[j + 1]; ++k) {
-      const int i = whole.innerIndexPtr()[k], of_row = block_of[static_cast<std::size_t>(i)];
+      const int i = whole.innerIndexPtr()[k], of_row = block_of[i];
       if (of_row < 0 && of_column < 0) {
-        pattern.emplace_back(now[static_cast<std::size_t>(i)], now[static_cast<std::size_t>(j)], 0.0);
+        pattern.emplace_back(now[i], now[j], 0.0);
       } else if (of_row < 0) {
-        Block& block = blocks_[static_cast<std::size_t>(of_column)];
-        block.B.push_back({now[static_cast<std::size_t>(i)], j - block.first, k, 0.0});
+        Block& block = blocks_[of_column];
+        block.B.push_back({now[i], j - block.first, k, 0.0});
       } else if (of_column < 0) {
-        Block& block = blocks_[static_cast<std::size_t>(of_row)];
-        block.C.push_back({now[static_cast<std::size_t>(j)], i - block.first, k, 0.0});
+        Block& block = blocks_[of_row];
+        block.C.push_back({now[j], i - block.first, k, 0.0});
       } else {
         FOOTFALL_DEMAND(of_row == of_column);
       }
@@ -62,12 +62,12 @@ CondensedMatrix::CondensedMatrix(const Eigen::SparseMatrix<double>& whole, const
   small_.resize(size);
 
   for (int j = 0; j < n; ++j) {
-    if (block_of[static_cast<std::size_t>(j)] >= 0) continue;
+    if (block_of[j] >= 0) continue;
     for (int k = whole.outerIndexPtr()[j]; k < whole.outerIndexPtr()[j + 1]; ++k) {
       const int i = whole.innerIndexPtr()[k];
-      if (block_of[static_cast<std::size_t>(i)] >= 0) continue;
+      if (block_of[i] >= 0) continue;
       from_.push_back(k);
-      to_.push_back(place_of(condensed_, now[static_cast<std::size_t>(i)], now[static_cast<std::size_t>(j)]));
+      to_.push_back(place_of(condensed_, now[i], now[j]));
     }
   }
   for (Block& block : blocks_)

@@ -24,9 +24,9 @@ constexpr double kZero = 1e-15;      // round-off of the factors of unit rows
 
 // Representative of the set that `i` belongs to, paths shortened.
 int root(std::vector<int>& parent, int i) {
-  while (parent[static_cast<std::size_t>(i)] != i) {
-    parent[static_cast<std::size_t>(i)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
-    i = parent[static_cast<std::size_t>(i)];
+  while (parent[i] != i) {
+    parent[i] = parent[parent[static_cast<std::size_t>(i)]];
+    i = parent[i];
   }
   return i;
 }
@@ -132,21 +132,21 @@ void ConstraintRows::evaluate(const State& state) {
     phi_v.resize(pair.size());
     MarkerVectors vectors(pair, joint.m1, joint.m2);
     for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-      const int row = layout_.joint_row[static_cast<std::size_t>(j)] + static_cast<int>(k);
+      const int row = layout_.joint_row[j] + static_cast<int>(k);
       const RowValue value = evaluate_row(joint.rows[k], state.time, vectors, phi_v, kinematics_.turns(j));
       phi[row] += value.phi;
       rate[row] += value.rate;
       for (int i = 0; i < 2; ++i) {  // C^-1 of each body
         if (bodies[i] == kGround) continue;
         Eigen::Ref<Eigen::VectorXd> part = phi_v.segment(pair.offset(i), pair.body[i]->size());
-        masses_[static_cast<std::size_t>(bodies[i])].triangularView<Eigen::Lower>().solveInPlace(part);
+        masses_[bodies[i]].triangularView<Eigen::Lower>().solveInPlace(part);
       }
       if (joint.rows[k].inertia > 0.0) phi_v.setZero();  // a rotor is no condition
       const double size = phi_v.norm();
-      if (size > 0.0 && layout_.shared[static_cast<std::size_t>(row)] == 0) scale[row] = 1.0 / size;
+      if (size > 0.0 && layout_.shared[row] == 0) scale[row] = 1.0 / size;
       for (int i = 0; i < 2; ++i) {
         if (bodies[i] == kGround) continue;
-        const int v = layout_.body_v[static_cast<std::size_t>(bodies[i])];
+        const int v = layout_.body_v[bodies[i]];
         for (int l = 0; l < pair.body[i]->size(); ++l)
           entries.emplace_back(v + l, row, scale[row] * phi_v[pair.offset(i) + l]);
       }
@@ -158,7 +158,7 @@ void ConstraintRows::evaluate(const State& state) {
   transposed_.makeCompressed();
   // The rows of gears are sums: their lengths are known only here.
   for (int row = 0; row < m; ++row) {
-    if (layout_.shared[static_cast<std::size_t>(row)] == 0) continue;
+    if (layout_.shared[row] == 0) continue;
     const double size = transposed_.col(row).norm();
     if (size > 0.0) scale[row] = 1.0 / size;
     transposed_.col(row) *= scale[row];
@@ -183,7 +183,7 @@ Eigen::VectorXd ConstraintRows::correction(const Eigen::VectorXd& defect, double
   const Factors& qr = factors(rank_tolerance);
   Eigen::VectorXd d = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(qr.order.size()));
   for (Eigen::Index k = 0; k < d.size(); ++k) {
-    const int row = qr.order[static_cast<std::size_t>(k)];
+    const int row = qr.order[k];
     if (row < layout_.row_count) d[k] = scale[row] * defect[row];
   }
   Eigen::VectorXd z;
@@ -199,16 +199,15 @@ Eigen::VectorXd ConstraintRows::correction(const Eigen::VectorXd& defect, double
   }
   Eigen::VectorXd x = -(split_.any() ? split_.joined(qr.in_range(z)) : qr.in_range(z));
   for (int i = 0; i < model_.body_count(); ++i) {
-    Eigen::Ref<Eigen::VectorXd> part = x.segment(layout_.body_v[static_cast<std::size_t>(i)], kinematics_.of(i).size());
-    masses_[static_cast<std::size_t>(i)].transpose().triangularView<Eigen::Upper>().solveInPlace(part);
+    Eigen::Ref<Eigen::VectorXd> part = x.segment(layout_.body_v[i], kinematics_.of(i).size());
+    masses_[i].transpose().triangularView<Eigen::Upper>().solveInPlace(part);
   }
   return x;
 }
 
 bool ConstraintRows::is_rotor(int row) const {
-  const std::size_t joint = static_cast<std::size_t>(layout_.row_joint[static_cast<std::size_t>(row)]);
-  return model_.joint(static_cast<int>(joint)).rows[static_cast<std::size_t>(row - layout_.joint_row[joint])].inertia >
-         0.0;
+  const std::size_t joint = static_cast<std::size_t>(layout_.row_joint[row]);
+  return model_.joint(static_cast<int>(joint)).rows[row - layout_.joint_row[joint]].inertia > 0.0;
 }
 
 // Every column of R behind the first `rank` ones is a combination of these, R x = the column: y = [x; -1] is a null vector of
@@ -216,7 +215,7 @@ bool ConstraintRows::is_rotor(int row) const {
 std::vector<ConstraintRows::Combination> ConstraintRows::combinations(double rank_tolerance) const {
   const Factors& qr = factors(rank_tolerance);
   const auto row_of = [&](Eigen::Index k) {
-    const int row = qr.order[static_cast<std::size_t>(k)];
+    const int row = qr.order[k];
     return row < layout_.row_count ? row : -1;
   };
   std::vector<Combination> out;
@@ -238,15 +237,14 @@ std::vector<ConstraintRows::Combination> ConstraintRows::combinations(double ran
 
 std::vector<RedundantGroup> ConstraintRows::redundant(double rank_tolerance) const {
   const std::vector<Combination> found = combinations(rank_tolerance);
-  const auto joint_of = [&](int row) { return layout_.row_joint[static_cast<std::size_t>(row)]; };
+  const auto joint_of = [&](int row) { return layout_.row_joint[row]; };
 
   // One group per set of joints with common combinations.
   std::vector<int> parent(static_cast<std::size_t>(model_.joint_count()));
   std::iota(parent.begin(), parent.end(), 0);
   for (const Combination& combination : found)
     for (const auto& [row, y] : combination.entries)
-      parent[static_cast<std::size_t>(root(parent, joint_of(row)))] =
-          root(parent, joint_of(combination.entries.front().first));
+      parent[root(parent, joint_of(row))] = root(parent, joint_of(combination.entries.front().first));
   std::map<int, std::vector<const Combination*>> of_group;
   for (const Combination& combination : found)
     of_group[root(parent, joint_of(combination.entries.front().first))].push_back(&combination);
@@ -257,7 +255,7 @@ std::vector<RedundantGroup> ConstraintRows::redundant(double rank_tolerance) con
     group.joints.push_back(j);
     group.joint_size.push_back(static_cast<int>(model_.joint(j).rows.size()));
     for (std::size_t i = 0; i < model_.joint(j).rows.size(); ++i)
-      group.rows.push_back(layout_.joint_row[static_cast<std::size_t>(j)] + static_cast<int>(i));
+      group.rows.push_back(layout_.joint_row[j] + static_cast<int>(i));
   }
   std::vector<RedundantGroup> out;
   for (auto& [key, group] : groups) {
@@ -273,7 +271,7 @@ void ConstraintRows::complete(const std::vector<const Combination*>& combination
   Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(m, columns);
   std::vector<Eigen::Index> links;
   for (Eigen::Index k = 0; k < columns; ++k) {
-    const Combination& combination = *combinations[static_cast<std::size_t>(k)];
+    const Combination& combination = *combinations[k];
     for (const auto& [row, y] : combination.entries)
       Y(std::lower_bound(group.rows.begin(), group.rows.end(), row) - group.rows.begin(), k) = y;
     group.dropped.push_back(combination.follows);
@@ -287,16 +285,16 @@ void ConstraintRows::complete(const std::vector<const Combination*>& combination
     const Eigen::VectorXi moved_to = lu.permutationP().indices();
     std::vector<Eigen::Index> pivots(links.size());
     for (Eigen::Index i = 0; i < m; ++i)
-      if (moved_to[i] < of_links.cols()) pivots[static_cast<std::size_t>(moved_to[i])] = i;
+      if (moved_to[i] < of_links.cols()) pivots[moved_to[i]] = i;
     Eigen::MatrixXd block(of_links.cols(), of_links.cols());
     for (std::size_t k = 0; k < pivots.size(); ++k) block.row(static_cast<Eigen::Index>(k)) = of_links.row(pivots[k]);
     of_links *= Eigen::FullPivLU<Eigen::MatrixXd>(-block).inverse();
     for (std::size_t k = 0; k < links.size(); ++k) {
-      group.dropped[static_cast<std::size_t>(links[k])] = group.rows[static_cast<std::size_t>(pivots[k])];
+      group.dropped[links[k]] = group.rows[pivots[k]];
       Y.col(links[k]) = of_links.col(static_cast<Eigen::Index>(k));
     }
     for (Eigen::Index k = 0; k < columns; ++k) {
-      if (combinations[static_cast<std::size_t>(k)]->follows < 0) continue;
+      if (combinations[k]->follows < 0) continue;
       for (std::size_t l = 0; l < links.size(); ++l)
         Y.col(k) += Y(pivots[l], k) * of_links.col(static_cast<Eigen::Index>(l));
     }
@@ -305,13 +303,11 @@ void ConstraintRows::complete(const std::vector<const Combination*>& combination
   for (Eigen::Index k = 0; k < columns; ++k) {
     std::set<int> from;
     for (Eigen::Index i = 0; i < m; ++i) {
-      const int row = group.rows[static_cast<std::size_t>(i)];
-      if (std::abs(Y(i, k)) > kTakesPart && row != group.dropped[static_cast<std::size_t>(k)])
-        from.insert(layout_.row_joint[static_cast<std::size_t>(row)]);
+      const int row = group.rows[i];
+      if (std::abs(Y(i, k)) > kTakesPart && row != group.dropped[k]) from.insert(layout_.row_joint[row]);
     }
     group.sources.emplace_back(from.begin(), from.end());
-    for (Eigen::Index i = 0; i < m; ++i)
-      Y(i, k) = group.s[i] * scale[group.rows[static_cast<std::size_t>(i)]] * Y(i, k);
+    for (Eigen::Index i = 0; i < m; ++i) Y(i, k) = group.s[i] * scale[group.rows[i]] * Y(i, k);
   }
   group.U = Eigen::HouseholderQR<Eigen::MatrixXd>(Y).householderQ() * Eigen::MatrixXd::Identity(m, Y.cols());
 }
@@ -319,10 +315,10 @@ void ConstraintRows::complete(const std::vector<const Combination*>& combination
 Eigen::VectorXd ConstraintRows::joint_lengths(const RedundantGroup& group) const {
   Eigen::VectorXd s(static_cast<Eigen::Index>(group.rows.size()));
   const auto row_of = [&](int row) -> const ConstraintRow& {
-    const int joint = layout_.row_joint[static_cast<std::size_t>(row)];
-    return model_.joint(joint).rows[static_cast<std::size_t>(row - layout_.joint_row[static_cast<std::size_t>(joint)])];
+    const int joint = layout_.row_joint[row];
+    return model_.joint(joint).rows[row - layout_.joint_row[static_cast<std::size_t>(joint)]];
   };
-  const auto joint_of = [&](std::size_t i) { return layout_.row_joint[static_cast<std::size_t>(group.rows[i])]; };
+  const auto joint_of = [&](std::size_t i) { return layout_.row_joint[group.rows[i]]; };
   for (std::size_t begin = 0, end = 0; begin < group.rows.size(); begin = end) {  // rows of a joint
     while (end < group.rows.size() && joint_of(end) == joint_of(begin)) ++end;
     for (std::size_t i = begin; i < end; ++i) {

@@ -109,10 +109,9 @@ const BodyKinematics& Equations::motion(int body) const { return work_->kinemati
 
 ElementInput Equations::element_input(int force, const State& state, const Inputs& inputs) const {
   const ForceElement& element = model_.force(force);
-  return footfall::element_input(
-      element, work_->kinematics,
-      state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], element.state_count()), inputs.values,
-      state.time);
+  return footfall::element_input(element, work_->kinematics,
+                                 state.z.segment(layout_.force_z[force], element.state_count()), inputs.values,
+                                 state.time);
 }
 
 void Equations::check_inputs(const Inputs& inputs) const {
@@ -120,7 +119,7 @@ void Equations::check_inputs(const Inputs& inputs) const {
   if (inputs.loads.empty()) return;
   FOOTFALL_DEMAND(static_cast<int>(inputs.loads.size()) == model_.body_count());
   for (int i = 0; i < model_.body_count(); ++i) {
-    const Eigen::Index size = inputs.loads[static_cast<std::size_t>(i)].Q_a.size();
+    const Eigen::Index size = inputs.loads[i].Q_a.size();
     FOOTFALL_DEMAND(size == 0 || size == model_.body(i).mode_count());
   }
 }
@@ -162,7 +161,7 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
     const PairMotion& pair = vectors.pair();
     Eigen::Ref<Eigen::VectorXd> reaction = w.local.head(pair.size());
     reaction.setZero();
-    int row = layout_.joint_row[static_cast<std::size_t>(j)];
+    int row = layout_.joint_row[j];
     for (const ConstraintRow& written : joint.rows) {
       const RowValue value = measure_row_with_reaction(written, t, vectors, lambda[row], w.row.head(pair.size()),
                                                        reaction, w.kinematics.turns(j));
@@ -176,7 +175,7 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
     const std::array<int, 2> v = pair_v(layout_, joint.m1.body, joint.m2.body);
     for (int i = 0; i < 2; ++i) {
       const int n = pair.body[i]->size();
-      if (n > 0) F.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n) += reaction.segment(pair.offset(i), n);
+      if (n > 0) F.segment(layout_.v0() + v[i], n) += reaction.segment(pair.offset(i), n);
     }
   }
 
@@ -185,7 +184,7 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
   if (model_.signals()) F.segment(layout_.z0() + layout_.signal_z, w.signal_rates.size()) -= w.signal_rates;
   for (int i = 0; i < model_.force_count(); ++i) {
     const ForceElement& element = model_.force(i);
-    const int z = layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], m = element.state_count();
+    const int z = layout_.z0() + layout_.force_z[i], m = element.state_count();
     const ElementInput in = footfall::element_input(element, w.kinematics, y.segment(z, m), values, t);
     const PairMotion& pair = in.pair;
     const int pair_size = pair.size(), size = in.size();
@@ -196,12 +195,12 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
     const std::array<int, 2> v = pair_v(layout_, element.bodies()[0], element.bodies()[1]);
     for (int k = 0; k < 2; ++k) {
       const int n = pair.body[k]->size();
-      if (n > 0) F.segment(layout_.v0() + v[static_cast<std::size_t>(k)], n) -= Q.segment(pair.offset(k), n);
+      if (n > 0) F.segment(layout_.v0() + v[k], n) -= Q.segment(pair.offset(k), n);
     }
     int offset = pair_size;
     for (const int body : element.further_bodies()) {
       const int n = w.kinematics.of(body).size();
-      F.segment(layout_.v0() + layout_.body_v[static_cast<std::size_t>(body)], n) -= Q.segment(offset, n);
+      F.segment(layout_.v0() + layout_.body_v[body], n) -= Q.segment(offset, n);
       offset += n;
     }
     F.segment(z, m) -= dz;
@@ -227,8 +226,7 @@ void Equations::apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eig
         double sum = at.adds ? out[layout_.lambda0() + at.row] : 0.0;
         for (int i = 0; i < 2; ++i) {
           const int n = pair.body[i]->size();
-          if (n > 0)
-            sum += phi_v.segment(pair.offset(i), n).dot(x.segment(layout_.v0() + v[static_cast<std::size_t>(i)], n));
+          if (n > 0) sum += phi_v.segment(pair.offset(i), n).dot(x.segment(layout_.v0() + v[i], n));
         }
         out[layout_.lambda0() + at.row] = sum;
       });
@@ -287,7 +285,7 @@ void Equations::sample_energy(double t, const Eigen::Ref<const Eigen::VectorXd>&
   const Eigen::VectorXd& values = input_values_at(t, y, inputs);
   for (int i = 0; i < model_.force_count(); ++i) {
     const ForceElement& element = model_.force(i);
-    const int z = layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)];
+    const int z = layout_.z0() + layout_.force_z[i];
     const ElementInput in =
         footfall::element_input(element, w.kinematics, y.segment(z, element.state_count()), values, t);
     element.add_energy(in, out.stored, out.power);
@@ -309,9 +307,8 @@ void Equations::sample_energy(double t, const Eigen::Ref<const Eigen::VectorXd>&
 
 Vector6d Equations::joint_wrench(int index, double t, const Eigen::Ref<const Eigen::VectorXd>& lambda) const {
   const Joint& joint = model_.joint(index);
-  return footfall::joint_wrench(
-      joint, work_->joint_pair(joint), t,
-      lambda.segment(layout_.joint_row[static_cast<std::size_t>(index)], static_cast<Eigen::Index>(joint.rows.size())));
+  return footfall::joint_wrench(joint, work_->joint_pair(joint), t,
+                                lambda.segment(layout_.joint_row[index], static_cast<Eigen::Index>(joint.rows.size())));
 }
 
 // --- Jacobians.
@@ -366,7 +363,7 @@ void Equations::add_body_derivatives(int index, double c, const Inputs& inputs) 
 void Equations::add_joint_derivatives(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda) {
   Workspace& w = *work_;
   const Joint& joint = model_.joint(index);
-  const PairPlaces& places = w.pattern.joints[static_cast<std::size_t>(index)];
+  const PairPlaces& places = w.pattern.joints[index];
   const PairMotion pair = w.joint_pair(joint);
   MarkerVectors vectors(pair, joint.m1, joint.m2);
   const int n = pair.size();
@@ -380,7 +377,7 @@ void Equations::add_joint_derivatives(int index, double t, double c, const Eigen
                               acc_dv = w.row4.head(n);
   K.setZero();
   for (std::size_t k = 0; k < joint.rows.size(); ++k) {
-    const int local = static_cast<int>(k), row = layout_.joint_row[static_cast<std::size_t>(index)] + local;
+    const int local = static_cast<int>(k), row = layout_.joint_row[index] + local;
     const double beta2 = closes && joint.rows[k].holds_positions() ? baumgarte_.beta * baumgarte_.beta : 0.0;
     const double turns = w.kinematics.turns(index);
     evaluate_row(joint.rows[k], t, vectors, phi_v, turns);
@@ -410,9 +407,9 @@ void Equations::add_force_derivatives(int index, double t, const Eigen::Ref<cons
                                       const Eigen::VectorXd& input_values) {
   Workspace& w = *work_;
   const ForceElement& element = model_.force(index);
-  const ElementPlaces& places = w.pattern.forces[static_cast<std::size_t>(index)];
+  const ElementPlaces& places = w.pattern.forces[index];
   const ElementInput in = footfall::element_input(element, w.kinematics, z, input_values, t);
-  ElementDerivatives& d = w.elements[static_cast<std::size_t>(index)];
+  ElementDerivatives& d = w.elements[index];
   double* values = w.pattern.lower.valuePtr();
   double* stiffness = w.pattern.stiffness.data();
   for (Eigen::MatrixXd* part : {&d.dQ_dx, &d.dQ_dv, &d.dQ_dz, &d.ddz_dx, &d.ddz_dv, &d.ddz_dz}) part->setZero();
@@ -457,9 +454,7 @@ void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::Vecto
         saddle_->regularisation()[static_cast<Eigen::Index>(row)];
   const Eigen::VectorXd& values = input_values_at(t, y, inputs);
   for (int i = 0; i < model_.force_count(); ++i)
-    add_force_derivatives(
-        i, t, y.segment(layout_.z0() + layout_.force_z[static_cast<std::size_t>(i)], model_.force(i).state_count()),
-        values);
+    add_force_derivatives(i, t, y.segment(layout_.z0() + layout_.force_z[i], model_.force(i).state_count()), values);
   if (model_.signals()) add_signal_derivatives(t, y);
 }
 
@@ -533,8 +528,7 @@ std::vector<LocalUnknowns> Equations::local_states() const {
   for (int i = 0; i < model_.force_count(); ++i) {
     const ForceElement& element = model_.force(i);
     if (element.state_count() < kMany || element.state_block() > CondensedMatrix::kLargestBlock) continue;
-    out.push_back(
-        {layout_.v_size + layout_.force_z[static_cast<std::size_t>(i)], element.state_count(), element.state_block()});
+    out.push_back({layout_.v_size + layout_.force_z[i], element.state_count(), element.state_block()});
   }
   return out;
 }
@@ -548,7 +542,7 @@ const Eigen::SparseMatrix<double>& Equations::reduced_jacobian(double t, const E
   values = Eigen::Map<const Eigen::VectorXd>(w.pattern.lower.valuePtr(), w.pattern.lower.nonZeros());
   for (int i = 0; i < model_.body_count(); ++i) {
     const BodyKinematics& body = w.kinematics.of(i);
-    const int v = layout_.body_v[static_cast<std::size_t>(i)];
+    const int v = layout_.body_v[i];
     const auto by = [&](int k) { return stored(w.pattern.lower, w.pattern.stiffness.data(), v + k); };
     const Eigen::Index count = by(0).size();
     Eigen::Matrix3d T = 0.5 * skew(body.w);
@@ -650,7 +644,7 @@ bool Equations::switch_modes(const Inputs& inputs, State& state) {
   load(state);
   bool any = false;
   for (const auto& [force, modes] : switching_) {
-    const auto z = state.z.segment(layout_.force_z[static_cast<std::size_t>(force)], model_.force(force).state_count());
+    const auto z = state.z.segment(layout_.force_z[force], model_.force(force).state_count());
     any = modes->switch_states(element_input(force, state, inputs), z) || any;
   }
   return any;
@@ -708,7 +702,7 @@ void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::V
       const ForceElement& element = model_.force(driven.force);
       const PairMotion pair = w.force_pair(element);
       const int m = element.state_count();
-      const auto z_of = y.segment(layout_.z0() + layout_.force_z[static_cast<std::size_t>(driven.force)], m);
+      const auto z_of = y.segment(layout_.z0() + layout_.force_z[driven.force], m);
       Eigen::VectorXd Q[2], dz[2];
       for (const int side : {0, 1}) {
         Q[side] = Eigen::VectorXd::Zero(pair.size());
@@ -799,9 +793,8 @@ std::string Equations::entry_name(int index) const {
            std::to_string(index - layout_.z0() - layout_.force_z[i] + 1);
   }
   const int row = index - layout_.lambda0();
-  const int joint = layout_.row_joint[static_cast<std::size_t>(row)];
-  return "joint \"" + model_.joint(joint).name + "\": condition " +
-         std::to_string(row - layout_.joint_row[static_cast<std::size_t>(joint)] + 1);
+  const int joint = layout_.row_joint[row];
+  return "joint \"" + model_.joint(joint).name + "\": condition " + std::to_string(row - layout_.joint_row[joint] + 1);
 }
 
 }  // namespace footfall

@@ -76,14 +76,13 @@ void visit_signal_blocks(const Model& model, const Layout& layout, const Kinemat
   };
   for (SignalPlaces& places : signals) {
     const ContinuousSignals::Influence& of = places.of;
-    const Range columns = of.body == kGround
-                              ? Range{states0 + of.first_state, of.state_count}
-                              : Range{layout.body_v[static_cast<std::size_t>(of.body)], kinematics.of(of.body).size()};
+    const Range columns = of.body == kGround ? Range{states0 + of.first_state, of.state_count}
+                                             : Range{layout.body_v[of.body], kinematics.of(of.body).size()};
     for (SignalPlaces::Driven& driven : places.driven) {
       const ForceElement& force = model.force(driven.force);
       const std::array<Range, 2> v = velocities(layout, kinematics, force.bodies()[0], force.bodies()[1]);
       for (std::size_t i = 0; i < 2; ++i) visit_some(v[i], columns, driven.v[i]);
-      visit_some({z0 + layout.force_z[static_cast<std::size_t>(driven.force)], force.state_count()}, columns, driven.z);
+      visit_some({z0 + layout.force_z[driven.force], force.state_count()}, columns, driven.z);
     }
     for (std::size_t k = 0; k < of.rates.size(); ++k)
       visit_some({states0 + of.rates[k].first, of.rates[k].second}, columns, places.rates[k]);
@@ -103,7 +102,7 @@ auto locate_in(const Eigen::SparseMatrix<double>& matrix) {
 }
 
 Range body_range(const Layout& layout, const Kinematics& kinematics, int body) {
-  return {layout.body_v[static_cast<std::size_t>(body)], kinematics.of(body).size()};
+  return {layout.body_v[body], kinematics.of(body).size()};
 }
 
 }  // namespace
@@ -117,9 +116,9 @@ JacobianPattern::JacobianPattern(const Model& model, const Layout& layout, const
   const auto visit_all = [&](auto visit) {
     for (int j = 0; j < model.joint_count(); ++j) {
       const Joint& joint = model.joint(j);
-      const int first = layout.joint_row[static_cast<std::size_t>(j)], count = static_cast<int>(joint.rows.size());
+      const int first = layout.joint_row[j], count = static_cast<int>(joint.rows.size());
       visit_blocks(velocities(layout, kinematics, joint.m1.body, joint.m2.body), {lambda0 + first, count}, 0, true,
-                   joints[static_cast<std::size_t>(j)], visit);
+                   joints[j], visit);
     }
     visit_signal_blocks(model, layout, kinematics, signals, visit);
     for (int i = 0; i < model.force_count(); ++i) {
@@ -127,16 +126,15 @@ JacobianPattern::JacobianPattern(const Model& model, const Layout& layout, const
       const std::array<Range, 2> pair = velocities(layout, kinematics, force.bodies()[0], force.bodies()[1]);
       std::vector<Range> v(pair.begin(), pair.end());
       for (const int body : force.further_bodies()) v.push_back(body_range(layout, kinematics, body));
-      ElementPlaces& places = forces[static_cast<std::size_t>(i)];
+      ElementPlaces& places = forces[i];
       places.v_v.assign(v.size(), std::vector<SparseBlock>(v.size()));
       places.extra_v.resize(v.size());
       places.v_extra.resize(v.size());
-      visit_blocks(v, {z0 + layout.force_z[static_cast<std::size_t>(i)], force.state_count()}, force.state_block(),
-                   true, places, visit);
+      visit_blocks(v, {z0 + layout.force_z[i], force.state_count()}, force.state_block(), true, places, visit);
     }
     for (int i = 0; i < model.body_count(); ++i) {
       const Range v = body_range(layout, kinematics, i);
-      visit(v, v, bodies[static_cast<std::size_t>(i)].v_v);
+      visit(v, v, bodies[i].v_v);
     }
   };
   SparsePattern pattern(lambda0 + layout.row_count);
@@ -191,13 +189,13 @@ SaddlePattern::SaddlePattern(const Model& model, const Layout& layout, const Kin
   const auto visit_all = [&](auto visit) {
     for (int j = 0; j < model.joint_count(); ++j) {
       const Joint& joint = model.joint(j);
-      const int first = layout.joint_row[static_cast<std::size_t>(j)], count = static_cast<int>(joint.rows.size());
+      const int first = layout.joint_row[j], count = static_cast<int>(joint.rows.size());
       visit_blocks(velocities(layout, kinematics, joint.m1.body, joint.m2.body), {layout.v_size + first, count}, 0,
-                   false, joints[static_cast<std::size_t>(j)], visit);
+                   false, joints[j], visit);
     }
     for (int i = 0; i < model.body_count(); ++i) {
       const Range v = body_range(layout, kinematics, i);
-      visit(v, v, mass[static_cast<std::size_t>(i)]);
+      visit(v, v, mass[i]);
     }
   };
   SparsePattern pattern(layout.v_size + layout.row_count);

@@ -22,11 +22,11 @@ Layout::Layout(const Model& model) {
   if (model.signals()) z_size += model.signals()->state_count();
   for (int i = 0; i < model.joint_count(); ++i) {
     const Joint& joint = model.joint(i);
-    joint_turns.push_back(joint.turn_counter < 0 ? -1 : force_z[static_cast<std::size_t>(joint.turn_counter)]);
+    joint_turns.push_back(joint.turn_counter < 0 ? -1 : force_z[joint.turn_counter]);
     joint_angle.push_back(joint.counts_turns ? angle_count++ : -1);
     if (joint.row_of >= 0) {
-      joint_row.push_back(joint_row[static_cast<std::size_t>(joint.row_of)]);
-      shared[static_cast<std::size_t>(joint_row.back())] = 1;
+      joint_row.push_back(joint_row[joint.row_of]);
+      shared[joint_row.back()] = 1;
       continue;
     }
     joint_row.push_back(row_count);

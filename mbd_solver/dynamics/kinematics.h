@@ -42,11 +42,10 @@ class Kinematics {
             const Eigen::Ref<const Eigen::VectorXd>& v, const Eigen::Ref<const Eigen::VectorXd>& dv);
   // The inner states that count the turns of gears.
   void load_turns(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& z) {
-    for (const int joint : turning_)
-      turns_[static_cast<std::size_t>(joint)] = z[layout.joint_turns[static_cast<std::size_t>(joint)]];
+    for (const int joint : turning_) turns_[joint] = z[layout.joint_turns[joint]];
   }
-  double turns(int joint) const { return turning_.empty() ? 0.0 : turns_[static_cast<std::size_t>(joint)]; }  // [rad]
-  const BodyKinematics& of(int body) const { return bodies_[static_cast<std::size_t>(body + 1)]; }  // kGround is -1
+  double turns(int joint) const { return turning_.empty() ? 0.0 : turns_[joint]; }  // [rad]
+  const BodyKinematics& of(int body) const { return bodies_[body + 1]; }            // kGround is -1
   PairMotion pair(int body_1, int body_2) const { return {{&of(body_1), &of(body_2)}}; }
 
  private:
@@ -76,8 +75,7 @@ struct Instant {
   PairMotion pair(int body_1, int body_2) const { return kinematics.pair(body_1, body_2); }
   // Of a force element of the model; none of -1.
   Eigen::Ref<const Eigen::VectorXd> states(int force) const {
-    return force < 0 ? z.head(0)
-                     : z.segment(layout.force_z[static_cast<std::size_t>(force)], model.force(force).state_count());
+    return force < 0 ? z.head(0) : z.segment(layout.force_z[force], model.force(force).state_count());
   }
 };
 
@@ -117,8 +115,7 @@ void for_each_row_of(int j, const Model& model, const Layout& layout, const Kine
   for (std::size_t k = 0; k < joint.rows.size(); ++k) {
     const RowValue value = evaluate_row(joint.rows[k], t, vectors, phi_v, kinematics.turns(j));
     const int local = static_cast<int>(k);
-    visit(RowPlace{layout.joint_row[static_cast<std::size_t>(j)] + local, j, local, joint.row_of >= 0}, pair, phi_v,
-          value);
+    visit(RowPlace{layout.joint_row[j] + local, j, local, joint.row_of >= 0}, pair, phi_v, value);
   }
 }
 
@@ -131,8 +128,7 @@ void for_each_row(const Model& model, const Layout& layout, const Kinematics& ki
 
 // First velocity coordinate of each body of a pair in v; -1 for the ground.
 inline std::array<int, 2> pair_v(const Layout& layout, int body_1, int body_2) {
-  return {body_1 == kGround ? -1 : layout.body_v[static_cast<std::size_t>(body_1)],
-          body_2 == kGround ? -1 : layout.body_v[static_cast<std::size_t>(body_2)]};
+  return {body_1 == kGround ? -1 : layout.body_v[body_1], body_2 == kGround ? -1 : layout.body_v[body_2]};
 }
 
 }  // namespace footfall

@@ -37,9 +37,9 @@ std::vector<double> shares_in_eps(const Model& model) {
     heaviest.push_back(model.body(i).mass());
   }
   const auto root = [&parent](int i) {
-    while (parent[static_cast<std::size_t>(i)] != i) {
-      parent[static_cast<std::size_t>(i)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
-      i = parent[static_cast<std::size_t>(i)];
+    while (parent[i] != i) {
+      parent[i] = parent[parent[static_cast<std::size_t>(i)]];
+      i = parent[i];
     }
     return i;
   };
@@ -47,9 +47,9 @@ std::vector<double> shares_in_eps(const Model& model) {
     if (a == kGround || b == kGround) return;
     a = root(a);
     b = root(b);
-    parent[static_cast<std::size_t>(b)] = a;
-    double& at_a = heaviest[static_cast<std::size_t>(a)];
-    at_a = std::max(at_a, heaviest[static_cast<std::size_t>(b)]);
+    parent[b] = a;
+    double& at_a = heaviest[a];
+    at_a = std::max(at_a, heaviest[b]);
   };
   for (int j = 0; j < model.joint_count(); ++j) {
     const Joint& joint = model.joint(j);
@@ -60,7 +60,7 @@ std::vector<double> shares_in_eps(const Model& model) {
   }
   std::vector<double> shares;
   for (int i = 0; i < model.body_count(); ++i) {
-    const double share = heaviest[static_cast<std::size_t>(root(i))];
+    const double share = heaviest[root(i)];
     if (model.body(i).mass() < kLost * share)
       throw InputError(code::kMassRatio,
                        "body \"" + model.body(i).name() + "\" has a mass of " + number_text(model.body(i).mass(), 3) +
@@ -145,11 +145,11 @@ void SaddleSystem::set_row_sizes(const State& state) {
           const int n = pair.body[i]->size();
           if (n == 0) continue;
           Eigen::Ref<Eigen::MatrixXd> M = M_.topLeftCorner(n, n);
-          body_mass_matrix(model_.body(bodies[i]), *pair.body[i], inertia_[static_cast<std::size_t>(bodies[i])], M);
+          body_mass_matrix(model_.body(bodies[i]), *pair.body[i], inertia_[bodies[i]], M);
           const Eigen::VectorXd part = phi_v.segment(pair.offset(i), n);
           const double length2 = part.dot(Eigen::MatrixXd(M).ldlt().solve(part));
           size += length2;
-          held += shares[static_cast<std::size_t>(bodies[i])] * length2;
+          held += shares[bodies[i]] * length2;
         }
         row_size_[at.row] += size;  // of a gear without terms of two members on one body: an estimate
         eps_[at.row] += kRegularisation * held;
@@ -168,14 +168,14 @@ void SaddleSystem::set_regularisation() {
   regularisation_ = eps_;
   // The row of a rotor: lambda = J q''.
   for (int row = 0; row < layout_.row_count; ++row) {
-    const int joint = layout_.row_joint[static_cast<std::size_t>(row)];
-    const int first = layout_.joint_row[static_cast<std::size_t>(joint)];
-    const double inertia = model_.joint(joint).rows[static_cast<std::size_t>(row - first)].inertia;
+    const int joint = layout_.row_joint[row];
+    const int first = layout_.joint_row[joint];
+    const double inertia = model_.joint(joint).rows[row - first].inertia;
     if (inertia > 0.0) regularisation_[row] = 1.0 / inertia;
   }
   for (const Redundancy& redundancy : redundancies_)
     for (const int i : redundancy.resting()) {
-      const int row = redundancy.rows()[static_cast<std::size_t>(i)];
+      const int row = redundancy.rows()[i];
       regularisation_[row] = smallest_size_[row];
     }
 }
@@ -229,7 +229,7 @@ SaddleSystem::Rest SaddleSystem::judge_resting_rows() {
       for (const int i : redundancy.resting()) {
         phase += 0.618034;
         phase -= std::floor(phase);
-        const int row = redundancy.rows()[static_cast<std::size_t>(i)];
+        const int row = redundancy.rows()[i];
         use(row, (phase < 0.5 ? -1.0 - phase : phase) / std::sqrt(smallest_size_[row]));
       }
     }
@@ -264,7 +264,7 @@ void SaddleSystem::choose_resting_rows() {
     rest_x_.setZero();
     for (const Redundancy& redundancy : redundancies_) {
       if (k >= redundancy.resting().size()) continue;
-      const int row = redundancy.rows()[static_cast<std::size_t>(redundancy.resting()[k])];
+      const int row = redundancy.rows()[redundancy.resting()[k]];
       rest_x_[layout_.v_size + row] = -std::sqrt(smallest_size_[row]);
     }
     lu_->solve(rest_x_);
@@ -285,9 +285,8 @@ void SaddleSystem::find_redundancies(const State& state) {
   std::vector<const Redundancy*> owner(static_cast<std::size_t>(model_.joint_count()), nullptr);
   std::map<const Redundancy*, std::vector<const RedundantGroup*>> parts;
   for (const Redundancy& redundancy : redundancies_)
-    for (const int joint : redundancy.joints()) owner[static_cast<std::size_t>(joint)] = &redundancy;
-  for (const RedundantGroup& group : found)
-    parts[owner[static_cast<std::size_t>(group.joints.front())]].push_back(&group);
+    for (const int joint : redundancy.joints()) owner[joint] = &redundancy;
+  for (const RedundantGroup& group : found) parts[owner[group.joints.front()]].push_back(&group);
   for (Redundancy& redundancy : redundancies_) {
     Eigen::MatrixXd U = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(redundancy.rows().size()), redundancy.count());
     Eigen::Index columns = 0;
@@ -326,7 +325,7 @@ void SaddleSystem::fill_saddle(double t, double mass, const Eigen::VectorXd& dia
   for_each_row(
       model_, layout_, kinematics_, t, row_,
       [&](const RowPlace& at, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
-        const PairPlaces& places = pattern_.joints[static_cast<std::size_t>(at.joint)];
+        const PairPlaces& places = pattern_.joints[at.joint];
         for (int i = 0; i < 2; ++i) {
           const int n = pair.body[i]->size();
           if (n == 0) continue;
@@ -498,10 +497,9 @@ Drift SaddleSystem::check_closed(const State& state) {
 
 void SaddleSystem::demand_closed(double t, const Drift& drift, double tolerance) const {
   if (drift.position_left <= tolerance) return;
-  const int index = layout_.row_joint[static_cast<std::size_t>(drift.worst_row)];
+  const int index = layout_.row_joint[drift.worst_row];
   const Joint& joint = model_.joint(index);
-  const ConstraintRow& row =
-      joint.rows[static_cast<std::size_t>(drift.worst_row - layout_.joint_row[static_cast<std::size_t>(index)])];
+  const ConstraintRow& row = joint.rows[drift.worst_row - layout_.joint_row[static_cast<std::size_t>(index)]];
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(3);
@@ -521,7 +519,7 @@ Drift SaddleSystem::measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eig
   for (int j = 0; j < model_.joint_count(); ++j) {
     const Joint& joint = model_.joint(j);
     MarkerVectors vectors(kinematics_.pair(joint.m1.body, joint.m2.body), joint.m1, joint.m2);
-    int row = layout_.joint_row[static_cast<std::size_t>(j)];
+    int row = layout_.joint_row[j];
     for (const ConstraintRow& condition : joint.rows) {
       const RowValue value = measure_row(condition, t, vectors, row_.head(vectors.pair().size()), kinematics_.turns(j));
       phi[row] += value.phi;
@@ -539,8 +537,7 @@ Drift SaddleSystem::measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eig
 }
 
 Drift SaddleSystem::project(State& state, Close close) {
-  for (int i = 0; i < model_.body_count(); ++i)
-    state.q.segment<4>(layout_.body_q[static_cast<std::size_t>(i)] + 3).normalize();
+  for (int i = 0; i < model_.body_count(); ++i) state.q.segment<4>(layout_.body_q[i] + 3).normalize();
   equations_.load(state);
   const Drift before = measure_drift(state.time, x_.tail(layout_.row_count), phi_rate_);
   const auto small = [](const Drift& drift) { return drift.position <= kNoDrift && drift.velocity <= kNoSpeedDrift; };

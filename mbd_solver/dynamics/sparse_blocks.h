@@ -21,12 +21,10 @@ class SparseBlock {
   // values[column] += x (rows), where `values` is the value array of the matrix.
   template <typename Vector>
   void add_column(double* values, int column, const Vector& x) const {
-    double* place = values + start_[static_cast<std::size_t>(column)];
+    double* place = values + start_[column];
     for (int i = 0; i < rows_; ++i) place[i] += x[i];
   }
-  void add(double* values, int row, int column, double x) const {
-    values[start_[static_cast<std::size_t>(column)] + row] += x;
-  }
+  void add(double* values, int row, int column, double x) const { values[start_[column] + row] += x; }
 
  private:
   int rows_ = 0;

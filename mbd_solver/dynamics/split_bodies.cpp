@@ -15,9 +15,9 @@ constexpr std::size_t kJointsOfACopy = 8;  // few entries in the factor of a cop
 
 // Lowest body of the part that body i belongs to, paths shortened.
 int lowest(std::vector<int>& parent, int i) {
-  while (parent[static_cast<std::size_t>(i)] != i) {
-    parent[static_cast<std::size_t>(i)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
-    i = parent[static_cast<std::size_t>(i)];
+  while (parent[i] != i) {
+    parent[i] = parent[parent[static_cast<std::size_t>(i)]];
+    i = parent[i];
   }
   return i;
 }
@@ -29,8 +29,8 @@ SplitBodies::SplitBodies(const Model& model, const Layout& layout) {
   std::vector<std::vector<int>> joints(count);  // on each body
   for (int j = 0; j < model.joint_count(); ++j)
     for (const int body : {model.joint(j).m1.body, model.joint(j).m2.body})
-      if (body != kGround) joints[static_cast<std::size_t>(body)].push_back(j);
-  const auto is_split = [&](int body) { return joints[static_cast<std::size_t>(body)].size() > kMostJoints; };
+      if (body != kGround) joints[body].push_back(j);
+  const auto is_split = [&](int body) { return joints[body].size() > kMostJoints; };
 
   std::vector<int> parent(count);
   std::iota(parent.begin(), parent.end(), 0);
@@ -38,7 +38,7 @@ SplitBodies::SplitBodies(const Model& model, const Layout& layout) {
     const int a = model.joint(j).m1.body, b = model.joint(j).m2.body;
     if (a == kGround || b == kGround || is_split(a) || is_split(b)) continue;
     const auto [low, high] = std::minmax({lowest(parent, a), lowest(parent, b)});  // a list: its values, not references
-    parent[static_cast<std::size_t>(high)] = low;
+    parent[high] = low;
   }
 
   for (std::size_t i = 0; i < count; ++i) {
@@ -57,7 +57,7 @@ SplitBodies::SplitBodies(const Model& model, const Layout& layout) {
     std::sort(order.begin(), order.end());
     const std::size_t copies = (order.size() + kJointsOfACopy - 1) / kJointsOfACopy;
     for (std::size_t k = 0; k < order.size(); ++k) {
-      const int j = order[k].second, row = layout.joint_row[static_cast<std::size_t>(j)];
+      const int j = order[k].second, row = layout.joint_row[j];
       for (std::size_t r = 0; r < model.joint(j).rows.size(); ++r)  // of a gear: the copy of its first member
         copy_of_.emplace(std::pair(row + static_cast<int>(r), copied_.size()), static_cast<int>(k / kJointsOfACopy));
     }
@@ -71,7 +71,7 @@ Eigen::SparseMatrix<double> SplitBodies::split(const Eigen::SparseMatrix<double>
   std::vector<Eigen::Triplet<double>> entries;
   for (int row = 0; row < transposed.cols(); ++row) {
     for (Eigen::SparseMatrix<double>::InnerIterator entry(transposed, row); entry; ++entry) {
-      const int place = place_[static_cast<std::size_t>(entry.row())];
+      const int place = place_[entry.row()];
       if (place >= 0) {
         entries.emplace_back(place, row, entry.value());
         continue;
@@ -97,7 +97,7 @@ Eigen::SparseMatrix<double> SplitBodies::split(const Eigen::SparseMatrix<double>
 Eigen::VectorXd SplitBodies::joined(const Eigen::VectorXd& u) const {
   Eigen::VectorXd out(static_cast<Eigen::Index>(place_.size()));
   for (Eigen::Index i = 0; i < out.size(); ++i)
-    if (const int place = place_[static_cast<std::size_t>(i)]; place >= 0) out[i] = u[place];
+    if (const int place = place_[i]; place >= 0) out[i] = u[place];
   for (const Copied& body : copied_) {
     out.segment(body.u, body.size).setZero();
     for (int k = 0; k < body.count; ++k)

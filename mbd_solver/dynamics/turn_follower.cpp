@@ -67,7 +67,7 @@ void TurnFollower::follow(const Motion& from, const Eigen::VectorXd& rates, Stat
 void start_angles(const Model& model, const Layout& layout, const Kinematics& kinematics, State& state) {
   state.angles.resize(layout.angle_count);
   for (int j = 0; j < model.joint_count(); ++j)
-    if (const int angle = layout.joint_angle[static_cast<std::size_t>(j)]; angle >= 0)
+    if (const int angle = layout.joint_angle[j]; angle >= 0)
       state.angles[angle] = angle_of(model.joint(j), kinematics).value();
 }
 

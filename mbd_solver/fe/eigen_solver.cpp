@@ -110,12 +110,12 @@ Modes subspace_modes(const Sparse& K, const Sparse& M, int count, double shift) 
 // Pivots of the block with unit diagonal, of which massless motions have none but round-off.
 int rank_of_block(const Sparse& M, const std::vector<int>& block) {
   std::vector<int> place(static_cast<std::size_t>(M.rows()), -1);
-  for (std::size_t i = 0; i < block.size(); ++i) place[static_cast<std::size_t>(block[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < block.size(); ++i) place[block[i]] = static_cast<int>(i);
   std::vector<Eigen::Triplet<double>> entries;
   for (const int j : block)
     for (Sparse::InnerIterator it(M, j); it; ++it)
       entries.emplace_back(
-          place[static_cast<std::size_t>(it.row())], place[static_cast<std::size_t>(j)],
+          place[it.row()], place[j],
           it.value() / std::sqrt(M.coeff(it.row(), it.row()) * M.coeff(j, j)) + (it.row() == j ? 10.0 * kRank : 0.0));
   const auto n = static_cast<Index>(block.size());
   Sparse unit(n, n);
@@ -132,13 +132,13 @@ int mass_rank(const Sparse& M) {
   int rank = 0;
   std::vector<bool> done(static_cast<std::size_t>(M.cols()), false);
   for (Index j = 0; j < M.cols(); ++j) {
-    if (done[static_cast<std::size_t>(j)]) continue;
+    if (done[j]) continue;
     std::vector<int> block = {static_cast<int>(j)};
-    done[static_cast<std::size_t>(j)] = true;
+    done[j] = true;
     for (std::size_t next = 0; next < block.size(); ++next)
       for (Sparse::InnerIterator it(M, block[next]); it; ++it) {
-        if (done[static_cast<std::size_t>(it.row())]) continue;
-        done[static_cast<std::size_t>(it.row())] = true;
+        if (done[it.row()]) continue;
+        done[it.row()] = true;
         block.push_back(static_cast<int>(it.row()));
       }
     if (block.size() > kDenseBlock) {

@@ -56,7 +56,7 @@ BeamStressMatrix beam_stress(double length, const BeamSection& section, const Ma
     const double sign = end == 0 ? -1.0 : 1.0;
     const Eigen::Matrix<double, 6, 12> force = sign * K.middleRows<6>(6 * end);  // N, Vy, Vz, T, My, Mz
     for (int i = 0; i < 4; ++i) {
-      const Eigen::Vector2d& fibre = section.fibres[static_cast<std::size_t>(i)];
+      const Eigen::Vector2d& fibre = section.fibres[i];
       const Eigen::Vector2d radial = fibre.normalized();
       const int row = 6 * (4 * end + i);
       S.row(row) = force.row(0) / section.area + fibre.y() / section.bending_y * force.row(4) -

@@ -49,11 +49,11 @@ std::vector<int> other_dofs(const std::vector<int>& all, const std::vector<int>&
 
 Sparse selected(const Sparse& matrix, const std::vector<int>& rows, const std::vector<int>& columns) {
   std::vector<int> number(static_cast<std::size_t>(matrix.rows()), -1);
-  for (std::size_t i = 0; i < rows.size(); ++i) number[static_cast<std::size_t>(rows[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < rows.size(); ++i) number[rows[i]] = static_cast<int>(i);
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t j = 0; j < columns.size(); ++j)
     for (Sparse::InnerIterator it(matrix, columns[j]); it; ++it) {
-      const int i = number[static_cast<std::size_t>(it.row())];
+      const int i = number[it.row()];
       if (i >= 0) entries.emplace_back(i, static_cast<int>(j), it.value());
     }
   Sparse result(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));

@@ -598,7 +598,7 @@ FrdModes parse_frd_modes(const std::string& bytes, const std::string& file, cons
       const std::vector<double> x = frd_values(text, wide);
       if (static_cast<Eigen::Index>(x.size()) != values.rows())
         fail("expected " + std::to_string(values.rows()) + " values of a node.");
-      for (Eigen::Index i = 0; i < values.rows(); ++i) values(i, node->second) = x[static_cast<std::size_t>(i)];
+      for (Eigen::Index i = 0; i < values.rows(); ++i) values(i, node->second) = x[i];
     }
     if (!frd_mark(text, " -3")) fail("the results have no end: the file is cut off.");
     (displacements ? modes.displacements : modes.stresses).push_back(std::move(values));

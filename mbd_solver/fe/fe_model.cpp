@@ -37,7 +37,7 @@ Eigen::SparseMatrix<double> assembled(int rows, int columns, const Triplets& ent
 template <typename Matrix>
 void add_stiffness(const Matrix& K, const std::vector<int>& nodes, Triplets& entries) {
   const int n = 6 * static_cast<int>(nodes.size());
-  const auto dof = [&nodes](int i) { return 6 * nodes[static_cast<std::size_t>(i / 6)] + i % 6; };
+  const auto dof = [&nodes](int i) { return 6 * nodes[i / 6] + i % 6; };
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
       if (K(i, j) != 0.0) entries.emplace_back(dof(i), dof(j), K(i, j));
@@ -48,8 +48,7 @@ void add_stress(const Matrix& S, int first_row, const std::vector<int>& nodes, T
   for (Index i = 0; i < S.rows(); ++i)
     for (Index j = 0; j < S.cols(); ++j)
       if (S(i, j) != 0.0)
-        entries.emplace_back(first_row + static_cast<int>(i),
-                             6 * nodes[static_cast<std::size_t>(j / 6)] + static_cast<int>(j % 6), S(i, j));
+        entries.emplace_back(first_row + static_cast<int>(i), 6 * nodes[j / 6] + static_cast<int>(j % 6), S(i, j));
 }
 
 void require_members(const std::vector<Vector3d>& nodes, const std::vector<BeamMember>& members,
@@ -59,7 +58,7 @@ void require_members(const std::vector<Vector3d>& nodes, const std::vector<BeamM
   std::vector<int> piece(nodes.size());
   std::iota(piece.begin(), piece.end(), 0);
   const auto root = [&piece](int i) {
-    while (piece[static_cast<std::size_t>(i)] != i) i = piece[static_cast<std::size_t>(i)];
+    while (piece[i] != i) i = piece[i];
     return i;
   };
   std::vector<bool> used(nodes.size(), false);
@@ -70,24 +69,24 @@ void require_members(const std::vector<Vector3d>& nodes, const std::vector<BeamM
       if (node < 0 || node >= n)
         throw InputError(code::kFeModel, who + ": unknown node " + std::to_string(node) + ", expected 0 to " +
                                              std::to_string(n - 1) + ".");
-      used[static_cast<std::size_t>(node)] = true;
+      used[node] = true;
     }
     if (member.section < 0 || member.section >= static_cast<int>(sections.size()))
       throw InputError(code::kFeModel, who + ": unknown section " + std::to_string(member.section) +
                                            ", expected 0 to " + std::to_string(static_cast<int>(sections.size()) - 1) +
                                            ".");
-    const Vector3d& a = nodes[static_cast<std::size_t>(member.first)];
-    const Vector3d& b = nodes[static_cast<std::size_t>(member.second)];
+    const Vector3d& a = nodes[member.first];
+    const Vector3d& b = nodes[member.second];
     if (!a.allFinite() || !b.allFinite() || !member.up.allFinite())
       throw InputError(code::kFeModel,
                        who + ": the coordinates of its nodes or its up direction are not finite numbers.");
     if (!((b - a).norm() > 0.0))
       throw InputError(code::kFeModel, who + ": its nodes " + std::to_string(member.first) + " and " +
                                            std::to_string(member.second) + " coincide; expected two different points.");
-    piece[static_cast<std::size_t>(root(member.second))] = root(member.first);
+    piece[root(member.second)] = root(member.first);
   }
   for (int j = 0; j < n; ++j) {
-    if (!used[static_cast<std::size_t>(j)])
+    if (!used[j])
       throw InputError(code::kFeModel,
                        "beam model: node " + std::to_string(j) +
                            " belongs to no member, so no joint can attach to it. Connect it or remove it.");
@@ -110,15 +109,15 @@ FeModel beam_model(const std::vector<Vector3d>& nodes, const std::vector<BeamMem
   model.nodes.resize(3, count);
   model.node_mass.setZero(count);
   model.node_inertia.assign(static_cast<std::size_t>(count), Matrix3d::Zero());
-  for (int j = 0; j < corners; ++j) model.nodes.col(j) = nodes[static_cast<std::size_t>(j)];
+  for (int j = 0; j < corners; ++j) model.nodes.col(j) = nodes[j];
 
   Triplets stiffness, stress;
   for (int e = 0; e < static_cast<int>(members.size()); ++e) {
-    const BeamMember& member = members[static_cast<std::size_t>(e)];
-    const BeamSection& section = sections[static_cast<std::size_t>(member.section)];
+    const BeamMember& member = members[e];
+    const BeamSection& section = sections[member.section];
     const int middle = corners + e;
-    const Vector3d from = nodes[static_cast<std::size_t>(member.first)];
-    const Vector3d to = nodes[static_cast<std::size_t>(member.second)];
+    const Vector3d from = nodes[member.first];
+    const Vector3d to = nodes[member.second];
     model.nodes.col(middle) = 0.5 * (from + to);
     const Matrix3d R_DE = beam_axes(from, to, member.up);
     const double length = (to - from).norm();
@@ -129,7 +128,7 @@ FeModel beam_model(const std::vector<Vector3d>& nodes, const std::vector<BeamMem
     for (const auto& [node, weight] :
          {std::pair{member.first, 1.0 / 6.0}, std::pair{middle, 4.0 / 6.0}, std::pair{member.second, 1.0 / 6.0}}) {
       model.node_mass(node) += weight * mass;
-      model.node_inertia[static_cast<std::size_t>(node)] += weight * inertia;
+      model.node_inertia[node] += weight * inertia;
     }
 
     const Matrix12d K = turned_stiffness(beam_stiffness(0.5 * length, section, material), R_DE);
@@ -177,12 +176,12 @@ FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& 
   model.nodes.resize(3, count);
   model.node_mass.setZero(count);
   model.node_inertia.assign(static_cast<std::size_t>(count), Matrix3d::Zero());
-  for (int j = 0; j < count; ++j) model.nodes.col(j) = mesh.vertices[static_cast<std::size_t>(j)];
+  for (int j = 0; j < count; ++j) model.nodes.col(j) = mesh.vertices[j];
   model.triangles = mesh.triangles;
 
   Triplets stiffness, stress;
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    const Eigen::Vector3i& corner = mesh.triangles[static_cast<std::size_t>(t)];
+    const Eigen::Vector3i& corner = mesh.triangles[t];
     const PlateElement element(model.nodes.col(corner(0)), model.nodes.col(corner(1)), model.nodes.col(corner(2)),
                                thickness, material);
     const std::vector<int> nodes = {corner(0), corner(1), corner(2)};
@@ -207,7 +206,7 @@ MassProperties mass_properties(const FeModel& model) {
   result.inertia.setZero();
   for (int j = 0; j < model.node_count(); ++j) {
     const Matrix3d r = skew(model.nodes.col(j) - result.centre);
-    result.inertia += model.node_inertia[static_cast<std::size_t>(j)] - model.node_mass(j) * r * r;
+    result.inertia += model.node_inertia[j] - model.node_mass(j) * r * r;
   }
   return result;
 }
@@ -216,7 +215,7 @@ Eigen::SparseMatrix<double> mass_matrix(const FeModel& model) {
   if (model.mass.size() > 0) return model.mass;
   Triplets entries;
   for (int j = 0; j < model.node_count(); ++j) {
-    const Matrix3d& J = model.node_inertia[static_cast<std::size_t>(j)];
+    const Matrix3d& J = model.node_inertia[j];
     for (int i = 0; i < 3; ++i) {
       if (model.node_mass(j) != 0.0) entries.emplace_back(6 * j + i, 6 * j + i, model.node_mass(j));
       for (int k = 0; k < 3; ++k)
@@ -260,7 +259,7 @@ int joint_node(const Eigen::Matrix3Xd& nodes, const std::vector<bool>& turns, co
             << " m. Move the joint to a node, or add a node there.";
     throw InputError(code::kNoSuchNode, message.str());
   }
-  if (needs_rotation && !turns.empty() && !turns[static_cast<std::size_t>(node)]) {
+  if (needs_rotation && !turns.empty() && !turns[node]) {
     message
         << "no joint that holds an orientation can attach to node " << node << ", at (" << nodes.col(node).transpose()
         << ") m, which has no rotations. Give flexible.interfaces with a set of nodes there, use a spherical joint, "
@@ -290,9 +289,9 @@ std::vector<bool> turning_nodes(const FeModel& model) {
   const Eigen::VectorXd stiffness = model.stiffness.diagonal();
   for (std::size_t j = 0; j < n; ++j) turns[j] = !stiffness.segment<3>(6 * static_cast<Index>(j) + 3).isZero(0.0);
   for (const Spider& spider : model.spiders) {
-    turns[static_cast<std::size_t>(spider.node)] = true;
+    turns[spider.node] = true;
     if (spider.kind == SpiderKind::kRigid)
-      for (const int j : spider.nodes) turns[static_cast<std::size_t>(j)] = true;
+      for (const int j : spider.nodes) turns[j] = true;
   }
   return turns;
 }
@@ -354,7 +353,7 @@ void check_mass(const FeModel& model, const std::string& who) {
     if (!(model.node_mass(j) >= 0.0))
       throw InputError(code::kFeModel, not_positive + "node " + std::to_string(j) + " has the mass " +
                                            std::to_string(model.node_mass(j)) + " kg, expected 0 or more.");
-    const Matrix3d& J = model.node_inertia[static_cast<std::size_t>(j)];
+    const Matrix3d& J = model.node_inertia[j];
     const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(J, Eigen::EigenvaluesOnly).eigenvalues();
     if (!(moments.minCoeff() >= -kMassRank * moments.cwiseAbs().maxCoeff()))
       throw InputError(code::kFeModel, not_positive + "node " + std::to_string(j) +
@@ -372,9 +371,7 @@ void check_mass(const FeModel& model, const std::string& who) {
             "with rotary inertia.");
 }
 
-bool has_own_motion(const FeModel& model, Index row) {
-  return model.follows.empty() || !model.follows[static_cast<std::size_t>(row)];
-}
+bool has_own_motion(const FeModel& model, Index row) { return model.follows.empty() || !model.follows[row]; }
 
 // All displacements of the node follow from others.
 bool is_led(const FeModel& model, int node) {
@@ -390,20 +387,20 @@ void check_connected(const FeModel& model, const std::string& who) {
   while (first + 1 < n && is_led(model, first)) ++first;
   std::vector<bool> reached(static_cast<std::size_t>(n + model.extra), false);
   std::vector<int> todo = {first};
-  reached[static_cast<std::size_t>(first)] = true;
+  reached[first] = true;
   while (!todo.empty()) {
     const int node = todo.back();
     todo.pop_back();
     for (int i = 0; i < (node < n ? 6 : 1); ++i)
       for (Sparse::InnerIterator it(model.stiffness, node < n ? 6 * node + i : 5 * n + node); it; ++it) {
         const int other = static_cast<int>(it.row() < 6 * n ? it.row() / 6 : it.row() - 5 * n);
-        if (it.value() == 0.0 || reached[static_cast<std::size_t>(other)]) continue;
-        reached[static_cast<std::size_t>(other)] = true;
+        if (it.value() == 0.0 || reached[other]) continue;
+        reached[other] = true;
         todo.push_back(other);
       }
   }
   for (int j = 0; j < n; ++j)
-    if (!reached[static_cast<std::size_t>(j)] && !is_led(model, j))
+    if (!reached[j] && !is_led(model, j))
       throw InputError(code::kFeModel, who + ": disconnected pieces: no stiffness leads from node " +
                                            std::to_string(first) + " to node " + std::to_string(j) +
                                            ", expected a body of one piece.");

@@ -451,10 +451,10 @@ Places places_of(ForeignMatrix& K, ForeignMatrix& M, const FeMesh& mesh, const F
     const auto found = moves.find(static_cast<int>(j));
     if (found == moves.end()) continue;
     if ((found->second & 7) != 7)
-      refuse(files.stiffness + ": node " + std::to_string(mesh.ids[static_cast<std::size_t>(j)]) +
+      refuse(files.stiffness + ": node " + std::to_string(mesh.ids[j]) +
              " lacks a displacement, expected rows for x, y and z of each node. Export the free body without supports; "
              "a reduced model keeps all displacements of a node.");
-    number[mesh.ids[static_cast<std::size_t>(j)]] = static_cast<int>(places.nodes.size());
+    number[mesh.ids[j]] = static_cast<int>(places.nodes.size());
     places.nodes.push_back(j);
   }
   const int behind = 6 * static_cast<int>(places.nodes.size());
@@ -475,7 +475,7 @@ Sparse placed(const ForeignMatrix& matrix, const std::vector<int>& place, int no
   std::vector<Triplet> entries;
   entries.reserve(matrix.entries.size());
   for (const Triplet& e : matrix.entries) {
-    const int i = place[static_cast<std::size_t>(e.row())], j = place[static_cast<std::size_t>(e.col())];
+    const int i = place[e.row()], j = place[e.col()];
     entries.emplace_back(i, j, energy * scale(i) * scale(j) * e.value());
   }
   Sparse result(size, size);
@@ -542,16 +542,16 @@ void read_stresses(const ForeignFiles& files, const FeMesh& mesh, const Places& 
   const double pressure = units.mass / (units.length * units.time * units.time);
   for (Index k = 0; k < count; ++k)
     for (Index j = 0; j < static_cast<Index>(places.nodes.size()); ++j) {
-      const auto in_mesh = static_cast<Index>(places.nodes[static_cast<std::size_t>(j)]);
+      const auto in_mesh = static_cast<Index>(places.nodes[j]);
       const auto mode = static_cast<std::size_t>(k);
       model.known_shapes.block<3, 1>(6 * j, k) = units.length * modes.displacements[mode].col(in_mesh);
       model.known_stresses.block<6, 1>(6 * j, k) = pressure * modes.stresses[mode].col(in_mesh);
       if (!model.known_shapes.col(k).segment<3>(6 * j).allFinite() ||
           !model.known_stresses.col(k).segment<6>(6 * j).allFinite())
-        throw InputError(code::kModelFile,
-                         files.stress + ": mode " + std::to_string(k + 1) + " has no displacement or stress at node " +
-                             std::to_string(mesh.ids[static_cast<std::size_t>(in_mesh)]) + ", expected all nodes of " +
-                             files.nodes + ". Write *NODE FILE and *EL FILE for all.");
+        throw InputError(code::kModelFile, files.stress + ": mode " + std::to_string(k + 1) +
+                                               " has no displacement or stress at node " +
+                                               std::to_string(mesh.ids[in_mesh]) + ", expected all nodes of " +
+                                               files.nodes + ". Write *NODE FILE and *EL FILE for all.");
     }
 }
 
@@ -575,7 +575,7 @@ FeModel read_foreign_model(const ForeignFiles& files) {
   model.nodes.resize(3, n);
   std::vector<int> number(mesh.ids.size(), -1);
   for (Index j = 0; j < n; ++j) {
-    const auto in_mesh = static_cast<std::size_t>(places.nodes[static_cast<std::size_t>(j)]);
+    const auto in_mesh = static_cast<std::size_t>(places.nodes[j]);
     model.nodes.col(j) = units.length * mesh.points[in_mesh];
     number[in_mesh] = static_cast<int>(j);
   }
@@ -588,8 +588,7 @@ FeModel read_foreign_model(const ForeignFiles& files) {
   for (Index j = 0; j < n; ++j) model.rotations = model.rotations || !diagonal.segment<3>(6 * j + 3).isZero(0.0);
   set_mass(placed(M, places.mass, static_cast<int>(n), size, energy, units.length), files.mass, model);
   for (const Eigen::Vector3i& t : skin_of(mesh)) {
-    const Eigen::Vector3i corners(number[static_cast<std::size_t>(t(0))], number[static_cast<std::size_t>(t(1))],
-                                  number[static_cast<std::size_t>(t(2))]);
+    const Eigen::Vector3i corners(number[t(0)], number[t(1)], number[t(2)]);
     if (corners.minCoeff() >= 0) model.triangles.push_back(corners);
   }
   model.stress.resize(0, size);
@@ -599,7 +598,7 @@ FeModel read_foreign_model(const ForeignFiles& files) {
     std::vector<int> nodes;
     const int before = static_cast<int>(model.spiders.size());  // nodes in front
     for (const int in_mesh : mesh.set(spec.node_set, files.nodes))
-      if (const int j = number[static_cast<std::size_t>(in_mesh)]; j >= 0) nodes.push_back(j + before);
+      if (const int j = number[in_mesh]; j >= 0) nodes.push_back(j + before);
     if (nodes.empty())
       throw InputError(code::kModelFile, files.nodes + ": no node of the set \"" + spec.node_set + "\" has rows in " +
                                              files.stiffness + ".");

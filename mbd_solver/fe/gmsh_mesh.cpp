@@ -170,7 +170,7 @@ class MshFile {
     std::array<long, 4> counts{};
     for (long& count : counts) count = in_.count(in_.size(), 8);
     for (long dimension = 0; dimension < 4; ++dimension)
-      for (long i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
+      for (long i = 0; i < counts[dimension]; ++i) {
         const long tag = in_.integer();
         for (int k = 0; k < (dimension == 0 && !first_4_ ? 3 : 6); ++k) in_.real();
         const long groups = in_.count(in_.size(), 2);
@@ -201,7 +201,7 @@ class MshFile {
       std::vector<long> tags;
       for (long i = 0; i < count && !first_4_; ++i) tags.push_back(in_.size());
       for (long i = 0; i < count; ++i) {
-        const long tag = first_4_ ? in_.integer() : tags[static_cast<std::size_t>(i)];
+        const long tag = first_4_ ? in_.integer() : tags[i];
         Vector3d x;
         for (int k = 0; k < 3; ++k) x(k) = in_.real();
         for (long k = 0; parametric != 0 && k < dimension; ++k) in_.real();

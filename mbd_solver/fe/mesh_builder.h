@@ -41,7 +41,7 @@ class MeshBuilder {
   template <class Fail>
   void add_node(long id, const Eigen::Vector3d& x, const Fail& fail) {
     if (!mesh_.index.emplace(id, static_cast<int>(mesh_.ids.size())).second) {
-      const Eigen::Vector3d& before = mesh_.points[static_cast<std::size_t>(mesh_.index.at(id))];
+      const Eigen::Vector3d& before = mesh_.points[mesh_.index.at(id)];
       if (before == x) return;
       fail("node " + std::to_string(id) + " has two places, expected each number once.");
     }
@@ -75,7 +75,7 @@ class MeshBuilder {
   }
   void add_element_to_set(const std::string& name, int element) {
     if (element < 0) return;
-    for (const int n : mesh_.elements[static_cast<std::size_t>(element)].nodes) add_to_set(name, n);
+    for (const int n : mesh_.elements[element].nodes) add_to_set(name, n);
   }
   FeMesh& mesh() { return mesh_; }
 

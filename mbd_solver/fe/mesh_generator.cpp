@@ -68,7 +68,7 @@ TriangleMesh capped(const TriangleMesh& cap, int around, double length, double e
   for (const Vector3d& x : cap.vertices) mesh.vertices.emplace_back(x.x(), x.y(), -x.z());
   for (int layer = 1; layer < layers; ++layer)
     for (int i = 0; i < around; ++i) {
-      const Vector3d& x = cap.vertices[static_cast<std::size_t>(nodes - around + i)];
+      const Vector3d& x = cap.vertices[nodes - around + i];
       mesh.vertices.emplace_back(x.x(), x.y(), length * (static_cast<double>(layer) / layers - 0.5));
     }
   mesh.triangles.clear();

@@ -69,7 +69,7 @@ std::vector<Vector3i> skin_of(const FeMesh& mesh) {
   std::vector<Face> faces;
   const auto add = [&](const MeshElement& element, std::vector<int> corners) {
     std::vector<int> key;
-    for (const int c : corners) key.push_back(element.nodes[static_cast<std::size_t>(c)]);
+    for (const int c : corners) key.push_back(element.nodes[c]);
     std::sort(key.begin(), key.end());
     key.erase(std::unique(key.begin(), key.end()), key.end());
     if (key.size() < 3) return;  // of a collapsed element
@@ -78,7 +78,7 @@ std::vector<Vector3i> skin_of(const FeMesh& mesh) {
     ++faces[entry->second].uses;
   };
   const auto at = [&](const MeshElement& e, int local) -> const Vector3d& {
-    return mesh.points[static_cast<std::size_t>(e.nodes[static_cast<std::size_t>(local)])];
+    return mesh.points[e.nodes[static_cast<std::size_t>(local)]];
   };
   for (const MeshElement& element : mesh.elements) {
     if (element.dimension == 2 && !solid)
@@ -109,7 +109,7 @@ std::vector<Vector3i> skin_of(const FeMesh& mesh) {
       const auto local = static_cast<std::size_t>(e.corners + (edge - edges.begin()));
       const int middle = local < e.nodes.size() ? e.nodes[local] : -1;
       all = all && middle >= 0;
-      ring.push_back(e.nodes[static_cast<std::size_t>(a)]);
+      ring.push_back(e.nodes[a]);
       ring.push_back(middle);
     }
     const auto triangle = [&](int a, int b, int c) {

@@ -110,12 +110,11 @@ std::vector<int> interface_dofs(const Problem& problem, const BasisOptions& opti
   check_interface(problem.model, options.interface_nodes, problem.name);
   check_interface(problem.model, options.pinned_nodes, problem.name);
   std::vector<int> held(static_cast<std::size_t>(problem.model.node_count()), 0);  // components per node
-  for (int node : options.pinned_nodes) held[static_cast<std::size_t>(node)] = 3;
-  for (int node : options.interface_nodes) held[static_cast<std::size_t>(node)] = 6;
+  for (int node : options.pinned_nodes) held[node] = 3;
+  for (int node : options.interface_nodes) held[node] = 6;
   std::vector<int> result;
   for (std::size_t i = 0; i < problem.active.size() && problem.active[i] < 6 * problem.model.node_count(); ++i)
-    if (problem.active[i] % 6 < held[static_cast<std::size_t>(problem.active[i] / 6)])
-      result.push_back(static_cast<int>(i));
+    if (problem.active[i] % 6 < held[problem.active[i] / 6]) result.push_back(static_cast<int>(i));
   return result;
 }
 
@@ -180,7 +179,7 @@ void check_options(const BasisOptions& options, const std::string& name) {
 FeModel without_spiders(FeModel model) {
   model.follows.assign(static_cast<std::size_t>(model.stiffness.rows()), false);
   for (const Spider& spider : model.spiders)
-    for (int i = 0; i < 6; ++i) model.follows[static_cast<std::size_t>(6 * spider.node + i)] = true;
+    for (int i = 0; i < 6; ++i) model.follows[6 * spider.node + i] = true;
   return model;
 }
 
@@ -358,7 +357,7 @@ MatrixXd inner(const ModalBody& body, const Shapes& one, const Shapes& two) {
   MatrixXd MPhi = two.Phi, JPsi = two.Psi;
   for (Index j = 0; j < body.node_count(); ++j) {
     MPhi.middleRows(3 * j, 3) *= body.node_mass(j);
-    JPsi.middleRows(3 * j, 3) = (body.node_inertia[static_cast<std::size_t>(j)] * two.Psi.middleRows(3 * j, 3)).eval();
+    JPsi.middleRows(3 * j, 3) = (body.node_inertia[j] * two.Psi.middleRows(3 * j, 3)).eval();
   }
   return one.Phi.transpose() * MPhi + one.Psi.transpose() * JPsi;
 }
@@ -376,7 +375,7 @@ void remove_rigid_motion(ModalBody& body, const std::vector<bool>& turns) {
   for (Index j = 0; j < n; ++j) {
     R_Phi.block<3, 3>(3 * j, 0).setIdentity();
     for (int i = 0; i < 3; ++i) R_Phi.block<3, 1>(3 * j, 3 + i) = Vector3d::Unit(i).cross(Vector3d(body.rho0.col(j)));
-    if (turns[static_cast<std::size_t>(j)]) R_Psi.block<3, 3>(3 * j, 3).setIdentity();
+    if (turns[j]) R_Psi.block<3, 3>(3 * j, 3).setIdentity();
   }
   const MatrixXd rigid_mass = inner(body, R, R);
   const MatrixXd content = rigid_mass.ldlt().solve(inner(body, R, shapes_of(body)));
@@ -502,8 +501,7 @@ ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const Bas
   body.damping.resize(body.stiffness.size());
   for (Index k = 0; k < body.damping.size(); ++k) {
     const auto given = static_cast<Index>(options.damping_ratio.size());
-    body.damping(k) =
-        2.0 * options.damping_ratio[static_cast<std::size_t>(std::min(k, given - 1))] * std::sqrt(body.stiffness(k));
+    body.damping(k) = 2.0 * options.damping_ratio[std::min(k, given - 1)] * std::sqrt(body.stiffness(k));
   }
   const std::string warning = frequency_warning(body);
   if (!warning.empty()) result.warnings.push_back(warning);

@@ -89,7 +89,7 @@ void read_nodes(TextRecords& file, ModalBody& body) {
     if (file.size() == 4) continue;
     const double xx = file.number(4), yy = file.number(5), zz = file.number(6);
     const double xy = file.number(7), yz = file.number(8), zx = file.number(9);
-    Matrix3d& J = body.node_inertia[static_cast<std::size_t>(j)];
+    Matrix3d& J = body.node_inertia[j];
     J << xx, xy, zx, xy, yy, yz, zx, yz, zz;
     const Vector3d moments = Eigen::SelfAdjointEigenSolver<Matrix3d>(J, Eigen::EigenvaluesOnly).eigenvalues();
     if (moments.minCoeff() < -1e-12 * moments.cwiseAbs().maxCoeff())
@@ -124,8 +124,8 @@ void read_modes(TextRecords& file, ModalBody& body) {
   body.Phi.resize(3 * n, s);
   body.Psi.resize(3 * n, s);
   for (int k = 0; k < s; ++k) {
-    body.Phi.col(k) = Phi[static_cast<std::size_t>(k)];
-    body.Psi.col(k) = Psi[static_cast<std::size_t>(k)];
+    body.Phi.col(k) = Phi[k];
+    body.Psi.col(k) = Psi[k];
   }
 }
 
@@ -221,7 +221,7 @@ void write_modal_body(const std::string& path, const ModalBody& body, const Vect
   file.precision(17);
   file << kFormat << ' ' << kVersion << "\n# body: " << body.name << "\nnodes " << body.node_count() << '\n';
   for (Index j = 0; j < body.node_count(); ++j) {
-    const Matrix3d& J = body.node_inertia[static_cast<std::size_t>(j)];
+    const Matrix3d& J = body.node_inertia[j];
     const Vector3d p = body.rho0.col(j) + p_DBo;
     file << p.x() << ' ' << p.y() << ' ' << p.z() << ' ' << body.node_mass(j);
     if (!J.isZero(0.0))

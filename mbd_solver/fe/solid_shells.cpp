@@ -51,9 +51,9 @@ std::string numbers_in(std::vector<int> numbers) {
 }
 
 int set_of(std::vector<int>& parent, int i) {
-  while (parent[static_cast<std::size_t>(i)] != i) {
-    int& above = parent[static_cast<std::size_t>(i)];
-    above = parent[static_cast<std::size_t>(above)];
+  while (parent[i] != i) {
+    int& above = parent[i];
+    above = parent[above];
     i = above;
   }
   return i;
@@ -68,7 +68,7 @@ std::vector<Shell> shells_of(const TriangleMesh& mesh, const Solid& solid) {
     for (int i = 0; i < 3; ++i) {
       const int a = mesh.triangles[t](i), b = mesh.triangles[t]((i + 1) % 3);
       const auto [user, fresh] = users.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(t));
-      if (!fresh) parent[static_cast<std::size_t>(set_of(parent, static_cast<int>(t)))] = set_of(parent, user->second);
+      if (!fresh) parent[set_of(parent, static_cast<int>(t))] = set_of(parent, user->second);
     }
   std::map<int, Shell> shells;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -101,16 +101,13 @@ bool pierces(const Vector3d& p, const Vector3d& q, const std::array<Vector3d, 3>
 
 bool cross(const TriangleMesh& mesh, const Solid& solid, int a, int b, double gap) {
   for (const auto& [one, other] : {std::pair{a, b}, std::pair{b, a}}) {
-    const Eigen::Vector3i &mine = mesh.triangles[static_cast<std::size_t>(one)],
-                          &its = mesh.triangles[static_cast<std::size_t>(other)];
+    const Eigen::Vector3i &mine = mesh.triangles[one], &its = mesh.triangles[other];
     const auto shared = [&](int n) { return n == its(0) || n == its(1) || n == its(2); };
-    const std::array<Vector3d, 3>& p = solid.triangles[static_cast<std::size_t>(one)];
+    const std::array<Vector3d, 3>& p = solid.triangles[one];
     for (int i = 0; i < 3; ++i) {
       const int next = (i + 1) % 3;
       if (shared(mine(i)) || shared(mine(next))) continue;
-      if (pierces(p[static_cast<std::size_t>(i)], p[static_cast<std::size_t>(next)],
-                  solid.triangles[static_cast<std::size_t>(other)], gap))
-        return true;
+      if (pierces(p[i], p[next], solid.triangles[other], gap)) return true;
     }
   }
   return false;
@@ -129,7 +126,7 @@ std::vector<int> crossing(const TriangleMesh& mesh, const Solid& solid) {
     if (sum(i) * all.sizes()[axis] < sum(axis) * all.sizes()[i]) axis = i;
   std::vector<int> order(solid.boxes.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto box_of = [&](int t) -> const Box& { return solid.boxes[static_cast<std::size_t>(t)]; };
+  const auto box_of = [&](int t) -> const Box& { return solid.boxes[t]; };
   std::sort(order.begin(), order.end(),
             [&](int a, int b) { return std::pair(box_of(a).min()[axis], a) < std::pair(box_of(b).min()[axis], b); });
   std::vector<int> found, open;
@@ -159,7 +156,7 @@ double angle_of(const std::array<Vector3d, 3>& t, const Vector3d& x) {
 int winding(const Solid& solid, const Shell& shell, const Vector3d& x) {
   if (!shell.box.contains(x)) return 0;
   double sum = 0.0;
-  for (const int t : shell.triangles) sum += angle_of(solid.triangles[static_cast<std::size_t>(t)], x);
+  for (const int t : shell.triangles) sum += angle_of(solid.triangles[t], x);
   return static_cast<int>(std::lround(sum));
 }
 
@@ -191,7 +188,7 @@ Misplaced misplaced(const Solid& solid, const std::vector<Shell>& shells, std::s
   Misplaced result;
   for (std::size_t k = 0; k < shell.triangles.size(); k += stride) {
     const int n = shell.triangles[k];
-    const std::array<Vector3d, 3>& t = solid.triangles[static_cast<std::size_t>(n)];
+    const std::array<Vector3d, 3>& t = solid.triangles[n];
     const Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
     bool twice = false, inward = false;
     for (const Vector3d& x : samples(t))
@@ -214,14 +211,14 @@ void require_solid(const TriangleMesh& mesh, const std::string& where) {
   const auto refuse = [&](const std::string& what) { throw InputError(code::kMeshDefect, where + ": " + what); };
   Box all;
   for (const Eigen::Vector3i& t : mesh.triangles)
-    for (const int n : t) all.extend(mesh.vertices[static_cast<std::size_t>(n)]);
+    for (const int n : t) all.extend(mesh.vertices[n]);
   Solid solid;
   solid.size = all.diagonal().norm();
   for (const Eigen::Vector3i& t : mesh.triangles) {
     std::array<Vector3d, 3>& p = solid.triangles.emplace_back();
     Box& box = solid.boxes.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
-      p[i] = mesh.vertices[static_cast<std::size_t>(t(static_cast<Eigen::Index>(i)))] - all.center();
+      p[i] = mesh.vertices[t(static_cast<Eigen::Index>(i))] - all.center();
       box.extend(p[i]);
     }
   }

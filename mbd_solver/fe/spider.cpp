@@ -54,7 +54,7 @@ MatrixXd average(const FeModel& model, const Spider& spider) {
   const auto m = static_cast<Index>(spider.nodes.size());
   MatrixXd A(6, 3 * m);
   for (Index k = 0; k < m; ++k) {
-    const Matrix3d r = skew(Vector3d(model.nodes.col(spider.nodes[static_cast<std::size_t>(k)]) - c));
+    const Matrix3d r = skew(Vector3d(model.nodes.col(spider.nodes[k]) - c));
     const Matrix3d theta = inverse * r;
     A.block<3, 3>(0, 3 * k) = Matrix3d::Identity() / static_cast<double>(m) - skew(arm) * theta;
     A.block<3, 3>(3, 3 * k) = theta;
@@ -72,13 +72,13 @@ std::array<Index, 6> independent_columns(MatrixXd A) {
     Index row = 0;
     for (Index j = 0; j < A.cols(); ++j)
       for (Index i = 0; i < 6; ++i)
-        if (!used[static_cast<std::size_t>(i)] && std::abs(A(i, j)) > best) {
+        if (!used[i] && std::abs(A(i, j)) > best) {
           best = std::abs(A(i, j));
           row = i;
           columns[k] = j;
         }
     FOOTFALL_DEMAND(best > 0.0);
-    used[static_cast<std::size_t>(row)] = true;
+    used[row] = true;
     const Eigen::VectorXd pivot = A.col(columns[k]);
     for (Index i = 0; i < 6; ++i)
       if (i != row) A.row(i) -= (pivot(i) / pivot(row) * A.row(row)).eval();
@@ -169,7 +169,7 @@ Constrained constrained(const FeModel& model) {
           for (int k = 0; k < 3; ++k)
             if (turn(i, k) != 0.0) entries.emplace_back(6 * j + i, ref + 3 + k, turn(i, k));
         }
-        for (int i = 0; i < 6; ++i) follows[static_cast<std::size_t>(6 * j + i)] = true;
+        for (int i = 0; i < 6; ++i) follows[6 * j + i] = true;
       }
       continue;
     }
@@ -179,12 +179,10 @@ Constrained constrained(const FeModel& model) {
     for (std::size_t k = 0; k < 6; ++k) of_six.col(static_cast<Index>(k)) = A.col(six[k]);
     const Eigen::Matrix<double, 6, 6> inverse = of_six.partialPivLu().inverse();
     const MatrixXd others = -inverse * A;
-    const auto row_of = [&](Index column) {
-      return 6 * spider.nodes[static_cast<std::size_t>(column / 3)] + static_cast<int>(column % 3);
-    };
+    const auto row_of = [&](Index column) { return 6 * spider.nodes[column / 3] + static_cast<int>(column % 3); };
     for (std::size_t k = 0; k < 6; ++k) {
       const int row = row_of(six[k]);
-      follows[static_cast<std::size_t>(row)] = true;
+      follows[row] = true;
       for (int i = 0; i < 6; ++i) entries.emplace_back(row, ref + i, inverse(static_cast<Index>(k), i));
       for (Index j = 0; j < A.cols(); ++j)
         if (std::find(six.begin(), six.end(), j) == six.end())
@@ -192,7 +190,7 @@ Constrained constrained(const FeModel& model) {
     }
   }
   for (int i = 0; i < size; ++i)
-    if (!follows[static_cast<std::size_t>(i)]) entries.emplace_back(i, i, 1.0);
+    if (!follows[i]) entries.emplace_back(i, i, 1.0);
   Constrained result;
   result.T.resize(size, size);
   result.T.setFromTriplets(entries.begin(), entries.end());

@@ -32,14 +32,14 @@ TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
   std::vector<int> number(mesh.vertices.size(), -1);
   const auto find_or_add = [&](const Eigen::Vector3d& x) {
     Cell home{};
-    for (int i = 0; i < 3; ++i) home[static_cast<std::size_t>(i)] = std::lround(x(i) / tolerance);
+    for (int i = 0; i < 3; ++i) home[i] = std::lround(x(i) / tolerance);
     for (long i = -1; i <= 1; ++i)
       for (long j = -1; j <= 1; ++j)
         for (long k = -1; k <= 1; ++k) {
           const auto cell = cells.find({home[0] + i, home[1] + j, home[2] + k});
           if (cell == cells.end()) continue;
           for (int candidate : cell->second)
-            if ((result.vertices[static_cast<std::size_t>(candidate)] - x).norm() <= tolerance) return candidate;
+            if ((result.vertices[candidate] - x).norm() <= tolerance) return candidate;
         }
     const int added = static_cast<int>(result.vertices.size());
     result.vertices.push_back(x);
@@ -50,8 +50,8 @@ TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
     Eigen::Vector3i corners;
     for (int i = 0; i < 3; ++i) {
       FOOTFALL_DEMAND(triangle(i) >= 0 && triangle(i) < static_cast<int>(mesh.vertices.size()));
-      int& n = number[static_cast<std::size_t>(triangle(i))];
-      if (n < 0) n = find_or_add(mesh.vertices[static_cast<std::size_t>(triangle(i))]);
+      int& n = number[triangle(i)];
+      if (n < 0) n = find_or_add(mesh.vertices[triangle(i)]);
       corners(i) = n;
     }
     result.triangles.push_back(corners);
@@ -79,9 +79,9 @@ std::string triangles(const std::vector<int>& numbers) {
 }
 
 int root(std::vector<int>& parent, int i) {
-  while (parent[static_cast<std::size_t>(i)] != i) {
-    parent[static_cast<std::size_t>(i)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(i)])];
-    i = parent[static_cast<std::size_t>(i)];
+  while (parent[i] != i) {
+    parent[i] = parent[parent[static_cast<std::size_t>(i)]];
+    i = parent[i];
   }
   return i;
 }
@@ -91,7 +91,7 @@ std::vector<std::vector<int>> pieces(const TriangleMesh& mesh) {
   std::vector<int> parent(mesh.vertices.size());
   std::iota(parent.begin(), parent.end(), 0);
   for (const Eigen::Vector3i& t : mesh.triangles)
-    for (int i = 1; i < 3; ++i) parent[static_cast<std::size_t>(root(parent, t(i)))] = root(parent, t(0));
+    for (int i = 1; i < 3; ++i) parent[root(parent, t(i))] = root(parent, t(0));
   std::map<int, std::vector<int>> groups;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     groups[root(parent, mesh.triangles[t](0))].push_back(static_cast<int>(t));
@@ -114,14 +114,14 @@ std::vector<std::string> mesh_findings(const TriangleMesh& mesh, const MeshDeman
     const Eigen::Vector3i& corner = mesh.triangles[t];
     const int number = static_cast<int>(t);
     bool valid = corner.minCoeff() >= 0 && corner.maxCoeff() < static_cast<int>(mesh.vertices.size());
-    for (int i = 0; valid && i < 3; ++i) valid = mesh.vertices[static_cast<std::size_t>(corner(i))].allFinite();
+    for (int i = 0; valid && i < 3; ++i) valid = mesh.vertices[corner(i)].allFinite();
     if (!valid) {
       invalid.push_back(number);
       continue;
     }
     double longest = 0.0;
     std::array<Eigen::Vector3d, 3> p;
-    for (int i = 0; i < 3; ++i) p[static_cast<std::size_t>(i)] = mesh.vertices[static_cast<std::size_t>(corner(i))];
+    for (int i = 0; i < 3; ++i) p[i] = mesh.vertices[corner(i)];
     for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, (p[(i + 1) % 3] - p[i]).norm());
     if (!((p[1] - p[0]).cross(p[2] - p[0]).norm() > kDegenerate * longest * longest)) {
       degenerate.push_back(number);
@@ -199,7 +199,7 @@ struct Corners {
 };
 
 Corners corners_of(const TriangleMesh& mesh, const Eigen::Vector3i& t, const Vector3d& o) {
-  const auto at = [&](int i) { return Vector3d(mesh.vertices[static_cast<std::size_t>(t(i))] - o); };
+  const auto at = [&](int i) { return Vector3d(mesh.vertices[t(i)] - o); };
   return {at(0), at(1), at(2)};
 }
 

@@ -130,7 +130,7 @@ class Frames {
   Eigen::Quaterniond euler(const Eigen::Vector3d& angles) const {
     Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
     for (int k = 0; k < 3; ++k) {
-      const char letter = sequence_[static_cast<std::size_t>(k)];
+      const char letter = sequence_[k];
       const bool moves = letter >= 'x';
       const Eigen::Vector3d axis = Eigen::Vector3d::Unit(letter - (moves ? 'x' : 'X'));
       const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle(angles[k]), axis));

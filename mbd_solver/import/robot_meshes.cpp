@@ -90,7 +90,7 @@ class Collada {
         const std::vector<double> m = list(part, 16);
         Eigen::Affine3d M = Eigen::Affine3d::Identity();
         for (int r = 0; r < 3; ++r)
-          for (int c = 0; c < 4; ++c) M(r, c) = m[static_cast<std::size_t>(4 * r + c)];
+          for (int c = 0; c < 4; ++c) M(r, c) = m[4 * r + c];
         X = X * M;
       } else if (name == "translate") {
         const std::vector<double> v = list(part, 3);
@@ -193,7 +193,7 @@ TriangleMesh cleaned(const TriangleMesh& raw) {
   for (const Eigen::Vector3i& t : mesh.triangles) {
     std::array<int, 3> key{t[0], t[1], t[2]};
     std::sort(key.begin(), key.end());
-    const auto at = [&](int k) { return mesh.vertices[static_cast<std::size_t>(t[k])]; };
+    const auto at = [&](int k) { return mesh.vertices[t[k]]; };
     const Eigen::Vector3d a = at(1) - at(0), b = at(2) - at(0), c = at(2) - at(1);
     const double longest = std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()}));
     const bool needle = !(a.cross(b).norm() > 2e-6 * longest * longest);

@@ -361,7 +361,7 @@ class UrdfRobot {
   void add_joint(const urdf::Joint& joint, int parent, int child) {
     const pugi::xml_node node = joint_nodes_.at(joint.name);
     if (joint.type == urdf::Joint::FLOATING) {
-      robot_.links[static_cast<std::size_t>(child)].remark = "moves freely (floating joint \"" + joint.name + "\")";
+      robot_.links[child].remark = "moves freely (floating joint \"" + joint.name + "\")";
       return;
     }
     RobotJoint made;
@@ -369,7 +369,7 @@ class UrdfRobot {
     made.name = joint.name;
     made.parent = parent;
     made.child = child;
-    const RigidFrame& X_DL = robot_.links[static_cast<std::size_t>(child)].X_DL;
+    const RigidFrame& X_DL = robot_.links[child].X_DL;
     made.point = X_DL.p;
     if (joint.type != urdf::Joint::FIXED) made.axis = X_DL.R * axis_of(joint);
     switch (joint.type) {
@@ -418,20 +418,20 @@ class UrdfRobot {
   }
 
   void add_gear(int follower, const urdf::JointMimic& mimic) {
-    const RobotJoint& driven = robot_.joints[static_cast<std::size_t>(follower)];
+    const RobotJoint& driven = robot_.joints[follower];
     const pugi::xml_node node = joint_nodes_.at(driven.name).child("mimic");
     const auto found = joint_places_.find(mimic.joint_name);
     const int leader = found == joint_places_.end() ? -1 : found->second;
     if (leader < 0 || leader == follower)
       xml_.fail(code::kRobotName, node,
                 "joint = \"" + mimic.joint_name.substr(0, 60) + "\" is no other joint that moves");
-    const RobotJoint& leading = robot_.joints[static_cast<std::size_t>(leader)];
+    const RobotJoint& leading = robot_.joints[leader];
     if (leading.coordinates.size() != 1)
       xml_.fail(code::kRobotName, node, "joint = \"" + mimic.joint_name + "\" has no single coordinate to follow");
     if (mimic.multiplier == 0.0) {
-      robot_.joints[static_cast<std::size_t>(follower)].kind = RobotJointKind::kFixed;
-      robot_.joints[static_cast<std::size_t>(follower)].coordinates.clear();
-      robot_.joints[static_cast<std::size_t>(follower)].remark = "mimics another joint with the factor 0: it is held";
+      robot_.joints[follower].kind = RobotJointKind::kFixed;
+      robot_.joints[follower].coordinates.clear();
+      robot_.joints[follower].remark = "mimics another joint with the factor 0: it is held";
       return;
     }
     RobotGear gear;

@@ -28,7 +28,7 @@ void RatePredictor::predict(const Tableau& tableau, int stage, double h, std::ve
   };
   std::array<Known, kMostStages + 3> known{};
   std::size_t count = 0;
-  const double target = tableau.c[static_cast<std::size_t>(stage)];
+  const double target = tableau.c[stage];
   for (std::size_t j = 0; j < static_cast<std::size_t>(stage); ++j) known[count++] = {tableau.c[j], &rates[j], false};
   if (h_ > 0.0 && h < kReach * h_) {
     for (std::size_t k = 0; k + 1 < before_.size(); ++k)
@@ -39,7 +39,7 @@ void RatePredictor::predict(const Tableau& tableau, int stage, double h, std::ve
   count = std::min(count, kPredictors);
   std::array<double, kPredictors> times{};
   for (std::size_t j = 0; j < count; ++j) times[j] = known[j].time;
-  Eigen::VectorXd& K = rates[static_cast<std::size_t>(stage)];
+  Eigen::VectorXd& K = rates[stage];
   K.setZero();
   for (std::size_t j = 0; j < count; ++j) {
     const double weight = lagrange(times, count, j, target);
@@ -50,7 +50,7 @@ void RatePredictor::predict(const Tableau& tableau, int stage, double h, std::ve
 
 void RatePredictor::accept(const Tableau& tableau, double h, std::vector<Eigen::VectorXd>& K) {
   for (std::size_t k = 0; k + 1 < before_.size(); ++k) before_[k].swap(K[k]);
-  before_.back().swap(K[static_cast<std::size_t>(tableau.last())]);
+  before_.back().swap(K[tableau.last()]);
   K[0] = before_.back();
   h_ = h;
   tableau_ = &tableau;

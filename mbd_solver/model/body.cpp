@@ -43,7 +43,7 @@ Eigen::Matrix3d nodal_inertia(const ModalBody& body) {
   for (int j = 0; j < body.node_count(); ++j) {
     const Eigen::Vector3d rho = body.rho0.col(j);
     J += body.node_mass[j] * (rho.squaredNorm() * Eigen::Matrix3d::Identity() - rho * rho.transpose());
-    if (!body.node_inertia.empty()) J += body.node_inertia[static_cast<std::size_t>(j)];
+    if (!body.node_inertia.empty()) J += body.node_inertia[j];
   }
   return J;
 }

@@ -70,9 +70,9 @@ void ColumnGroups::add_product(const Eigen::Ref<const VectorXd>& x, Eigen::Ref<V
       continue;
     }
     auto of_group = scratch.head(columns), sums = scratch.segment(columns, rows);
-    for (Index l = 0; l < columns; ++l) of_group(l) = x(group.columns[static_cast<std::size_t>(l)]);
+    for (Index l = 0; l < columns; ++l) of_group(l) = x(group.columns[l]);
     sums.noalias() = group.values * of_group;
-    for (Index r = 0; r < rows; ++r) y(group.rows[static_cast<std::size_t>(r)]) += sums(r);
+    for (Index r = 0; r < rows; ++r) y(group.rows[r]) += sums(r);
   }
 }
 

@@ -189,7 +189,7 @@ Matrix3d principal_axes(const ModalBody& body) {
   Matrix3d inertia = Matrix3d::Zero();
   for (Index j = 0; j < body.node_count(); ++j) {
     const Matrix3d rho = skew(body.rho0.col(j));
-    inertia += body.node_inertia[static_cast<std::size_t>(j)] - body.node_mass(j) * rho * rho;
+    inertia += body.node_inertia[j] - body.node_mass(j) * rho * rho;
   }
   return principal_axes(inertia);
 }

@@ -42,9 +42,8 @@ VectorXd von_mises_of_cells(const ModalBody& body, const VectorXd& a) {
   const auto segments = static_cast<Index>(body.segments.size());
   if (points.size() == body.node_count() && points.size() != per_triangle * triangles + per_segment * segments) {
     VectorXd result(triangles + segments);
-    for (Index t = 0; t < triangles; ++t) result(t) = points(body.triangles[static_cast<std::size_t>(t)]).maxCoeff();
-    for (Index e = 0; e < segments; ++e)
-      result(triangles + e) = points(body.segments[static_cast<std::size_t>(e)]).maxCoeff();
+    for (Index t = 0; t < triangles; ++t) result(t) = points(body.triangles[t]).maxCoeff();
+    for (Index e = 0; e < segments; ++e) result(triangles + e) = points(body.segments[e]).maxCoeff();
     return result;
   }
   if (points.size() == 0 || points.size() != per_triangle * triangles + per_segment * segments) return VectorXd(0);

@@ -97,7 +97,7 @@ void ModalInertia::sum_over_nodes(const ModalBody& body) {
   const Index s = modes_;
   for (Index j = 0; j < body.node_count(); ++j) {
     const double m = body.node_mass(j);
-    const Matrix3d J = axes_.transpose() * body.node_inertia[static_cast<std::size_t>(j)] * axes_;
+    const Matrix3d J = axes_.transpose() * body.node_inertia[j] * axes_;
     const Vector3d rho0 = axes_.transpose() * body.rho0.col(j);
     const Matrix3d rho = skew(rho0);
     const Eigen::Matrix3Xd Phi = axes_.transpose() * body.Phi.middleRows(3 * j, 3);

@@ -56,11 +56,11 @@ class Model {
   int body_count() const { return static_cast<int>(bodies_.size()); }
   int joint_count() const { return static_cast<int>(joints_.size()); }
   int force_count() const { return static_cast<int>(forces_.size()); }
-  const Body& body(int index) const { return bodies_[static_cast<std::size_t>(index)]; }
-  const Joint& joint(int index) const { return joints_[static_cast<std::size_t>(index)]; }
-  const ForceElement& force(int index) const { return *forces_[static_cast<std::size_t>(index)]; }
+  const Body& body(int index) const { return bodies_[index]; }
+  const Joint& joint(int index) const { return joints_[index]; }
+  const ForceElement& force(int index) const { return *forces_[index]; }
   const ContinuousSignals* signals() const { return signals_.get(); }  // null if there are none
-  const BodyState& initial(int index) const { return initial_[static_cast<std::size_t>(index)]; }
+  const BodyState& initial(int index) const { return initial_[index]; }
   // Index by name; InputError with a list of the known names.
   int body_index(const std::string& name) const;
   std::optional<int> find_body(const std::string& name) const;

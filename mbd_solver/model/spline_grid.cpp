@@ -93,7 +93,7 @@ FOOTFALL_IN_LINE void find_places(const SplineGrid& map, const Four& x, const Fo
   find_cells((y - grid.first.y()) * map.by().y(), grid.rows, j, at.y, at.beyond_y);
   for (int k = 0; k < 4; ++k) {
     const SplineGrid::Tile& tile = map.tile(i[k] / kTile, j[k] / kTile);
-    const double* row = &tile.c[static_cast<std::size_t>((j[k] % kTile) * tile.stride + i[k] % kTile)];
+    const double* row = &tile.c[(j[k] % kTile) * tile.stride + i[k] % kTile];
     for (int n = 0; n < 4; ++n, row += tile.stride) std::memcpy(&at.c[4 * n + k], row, sizeof(Four));
   }
   for (int n = 0; n < 4; ++n) {
@@ -256,13 +256,13 @@ const CellFunctions kFind = best_cell_functions();
 void find_coefficients(double* rows, int samples, std::ptrdiff_t wide, int count) {
   std::vector<double> factor(static_cast<std::size_t>(samples), 0.0);
   for (int i = 2; i < samples; ++i) {
-    const double pivot = factor[static_cast<std::size_t>(i)] = 1.0 / (4.0 - factor[static_cast<std::size_t>(i - 1)]);
+    const double pivot = factor[i] = 1.0 / (4.0 - factor[i - 1]);
     double* const here = rows + i * wide;
     for (int k = 0; k < count; ++k) here[k] = (6.0 * here[k] - (here - wide)[k]) * pivot;
   }
   for (int i = samples - 1; i >= 2; --i) {
     double* const here = rows + i * wide;
-    for (int k = 0; k < count; ++k) here[k] -= factor[static_cast<std::size_t>(i)] * (here + wide)[k];
+    for (int k = 0; k < count; ++k) here[k] -= factor[i] * (here + wide)[k];
   }
   double* const last = rows + samples * wide;
   for (int k = 0; k < count; ++k) {
@@ -353,7 +353,7 @@ double SplineGrid::highest(const Eigen::Vector2d& place, double reach, const Eig
     for (int i = static_cast<int>(low[0]) - 1; i <= std::min(static_cast<int>(high[0]) + 2, grid.columns); ++i) {
       const int a = std::min(std::max(i, 0) / kTile, tiles_x_ - 1);
       const Tile& from = tile(a, b);
-      const double c = from.c[static_cast<std::size_t>((j - b * kTile + 1) * from.stride + i - a * kTile + 1)];
+      const double c = from.c[(j - b * kTile + 1) * from.stride + i - a * kTile + 1];
       const Eigen::Vector2d away = grid.first + Eigen::Vector2d(i * grid.step.x(), j * grid.step.y()) - place;
       most = std::max(most, c - slope.dot(away));
     }
@@ -375,8 +375,7 @@ const SplineGrid::Tile& SplineGrid::make_tile(int a, int b) const {
   for (int j = 0; j < rows; ++j) {
     grid.read(left, low + j, columns, row.data());
     for (int i = 0; i < columns; ++i)
-      turned[static_cast<std::size_t>(i + 1) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(j)] =
-          row[static_cast<std::size_t>(i)];
+      turned[static_cast<std::size_t>(i + 1) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(j)] = row[i];
   }
   find_coefficients(turned.data(), columns, rows, rows);
   const auto of = [&](int i, int j) -> double& {  // coefficient i, j of the map
@@ -416,7 +415,7 @@ const SplineGrid::Tile& SplineGrid::make_tile(int a, int b) const {
       tile->top[part] = top;
     }
   }
-  tiles_[static_cast<std::size_t>(b * tiles_x_ + a)] = tile;
+  tiles_[b * tiles_x_ + a] = tile;
   return *tile;
 }
 

@@ -34,7 +34,7 @@ class SplineGrid {
 
   struct Tile;
   const Tile& tile(int a, int b) const {
-    const Tile* const known = tiles_[static_cast<std::size_t>(b * tiles_x_ + a)].get();
+    const Tile* const known = tiles_[b * tiles_x_ + a].get();
     return known != nullptr ? *known : make_tile(a, b);
   }
   const Eigen::Vector2d& by() const { return by_; }  // cells per metre

@@ -179,8 +179,7 @@ std::vector<double> Terrain::sketch(const Eigen::Vector2d& first, const Eigen::V
         row.resize(static_cast<std::size_t>(std::min(grid->columns - 1, sample(last, 0)) - from + 1));
         grid->read(from, line, static_cast<int>(row.size()), row.data());
       }
-      out.push_back(at_place({x - parts_.origin.x(), y - parts_.origin.y()}, false).h +
-                    row[static_cast<std::size_t>(column - from)]);
+      out.push_back(at_place({x - parts_.origin.x(), y - parts_.origin.y()}, false).h + row[column - from]);
     }
   }
   return out;
@@ -231,7 +230,7 @@ double Terrain::top(double x, double y) const {
   if (!rock_cells_) return top;
   const Eigen::Vector2d place(x, y);
   rock_cells_->each(spheres_, place, 0.0, [&](int k) {
-    const Sphere& rock = spheres_[static_cast<std::size_t>(k)];
+    const Sphere& rock = spheres_[k];
     const double left = rock.radius * rock.radius - (rock.centre.head<2>() - place).squaredNorm();
     if (left > 0.0) top = std::max(top, rock.centre.z() + std::sqrt(left));
   });
@@ -359,7 +358,7 @@ bool Terrain::may_touch(const Eigen::Vector3d& p, double radius) const {
 }
 
 Terrain::Foot Terrain::foot(const Eigen::Vector3d& p, int rock) const {
-  const Sphere& sphere = spheres_[static_cast<std::size_t>(rock)];
+  const Sphere& sphere = spheres_[rock];
   Foot out;
   const Eigen::Vector3d d = p - sphere.centre;
   const double size = std::max(d.norm(), 1e-14);
@@ -540,7 +539,7 @@ Terrain::Lid Terrain::lid(const Eigen::Vector3d& centre, double reach) const {
   out.top = top_within(centre.head<2>(), reach) + kAboveField;
   if (rock_cells_)
     rock_cells_->each(spheres_, centre.head<2>(), reach, [&](int k) {
-      const Sphere& rock = spheres_[static_cast<std::size_t>(k)];
+      const Sphere& rock = spheres_[k];
       if ((rock.centre - centre).norm() < rock.radius + reach) out.rocks.push_back(k);
     });
   std::sort(out.rocks.begin(), out.rocks.end());

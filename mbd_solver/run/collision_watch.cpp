@@ -113,7 +113,7 @@ void CollisionWatch::add_wall(const StaticWall& wall) {
   const auto count = static_cast<Eigen::Index>(wall.corners.size());
   Eigen::Matrix3Xd vertices(3, count);
   std::vector<Eigen::Vector3i> triangles;
-  for (Eigen::Index i = 0; i < count; ++i) vertices.col(i) = wall.corners[static_cast<std::size_t>(i)];
+  for (Eigen::Index i = 0; i < count; ++i) vertices.col(i) = wall.corners[i];
   for (int i = 0; i < static_cast<int>(count); i += 3) triangles.emplace_back(i, i + 1, i + 2);
   surface.parts.emplace_back(vertices, std::move(triangles));
   enclose(surface);

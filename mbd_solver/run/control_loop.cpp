@@ -40,7 +40,7 @@ ControllerMeasurement ControlLoop::measure(const ControllerEntry& entry, const S
   m.strut_rate.setZero(static_cast<Eigen::Index>(entry.struts.size()));
   for (std::size_t k = 0; k < entry.struts.size(); ++k) {
     if (entry.struts[k] < 0) continue;
-    const StrutEntry& strut = subject_.mechanism.struts[static_cast<std::size_t>(entry.struts[k])];
+    const StrutEntry& strut = subject_.mechanism.struts[entry.struts[k]];
     m.strut_rate(static_cast<Eigen::Index>(k)) = sample_of(strut.force, subject_, sample).rate;
   }
   return m;

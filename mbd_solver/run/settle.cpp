@@ -9,8 +9,8 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/build/time_functions.h"
+#include "mbd_solver/assemble/mechanism.h"
+#include "mbd_solver/assemble/time_functions.h"
 #include "mbd_solver/run/codes.h"
 
 namespace footfall {
@@ -179,7 +179,7 @@ std::vector<std::string> overloaded(Equations& equations, const Inputs& inputs, 
   equations.switch_modes(inputs, state);
   std::vector<std::string> names;
   for (int i = 0; i < equations.model().force_count(); ++i) {
-    const int first = equations.layout().force_z[static_cast<std::size_t>(i)];
+    const int first = equations.layout().force_z[i];
     const int count = equations.model().force(i).state_count();
     if (state.z.segment(first, count) != before.segment(first, count))
       names.push_back(equations.model().force(i).name());
@@ -194,8 +194,7 @@ std::vector<std::string> slipping(const Scene& scene, const Mechanism& mechanism
   std::vector<std::string> names;
   for (int i = 0; i < mechanism.model.force_count(); ++i) {
     const ForceElement& force = mechanism.model.force(i);
-    if (std::find(all.begin(), all.end(), force.name()) != all.end() &&
-        state.z[layout.force_z[static_cast<std::size_t>(i)] + 1] != 0.0)
+    if (std::find(all.begin(), all.end(), force.name()) != all.end() && state.z[layout.force_z[i] + 1] != 0.0)
       names.push_back(force.name());
   }
   return names;
@@ -262,7 +261,7 @@ Settled settle(const Scene& scene, const AssemblyOptions& options, const Integra
   }
   const Layout layout(mechanism.model);
   for (int i = 0; i < mechanism.model.body_count(); ++i) {
-    const int q = layout.body_q[static_cast<std::size_t>(i)];
+    const int q = layout.body_q[i];
     const double distance = (out.state.q.segment<3>(q) - assembly.state.q.segment<3>(q)).norm();
     if (distance < out.moved) continue;
     out.moved = distance;

@@ -64,9 +64,7 @@ double SignalLoop::next_sample() const {
   return next;
 }
 
-const std::string& SignalLoop::event_name(int event) const {
-  return subject_.scene.events[static_cast<std::size_t>(event)].name;
-}
+const std::string& SignalLoop::event_name(int event) const { return subject_.scene.events[event].name; }
 
 SignalLoop::Trigger SignalLoop::triggered(const Sample& sample, const Eigen::VectorXd& values) {
   if (conditions_.size() == 0) return {};
@@ -74,7 +72,7 @@ SignalLoop::Trigger SignalLoop::triggered(const Sample& sample, const Eigen::Vec
   for (std::size_t i = 0; i < conditions_.names().size(); ++i)
     conditions_.set(i, condition_readings_.value(i, sample, values));
   for (const std::size_t k : order_) {
-    const EventSpec& event = subject_.scene.events[static_cast<std::size_t>(events_[k])];
+    const EventSpec& event = subject_.scene.events[events_[k]];
     if (!applies(event, values)) continue;
     if (event.period > 0.0 && !is_due(sample.state.time, event.period, condition_samples_[k])) continue;
     try {
@@ -184,7 +182,7 @@ std::vector<std::size_t> SignalLoop::changed(const Sample& sample, const Eigen::
   if (compared_.empty()) return out;
   compute_margins(sample, values);
   for (const Condition& condition : compared_) {
-    if (!applies(subject_.scene.events[static_cast<std::size_t>(condition.event)], values)) continue;
+    if (!applies(subject_.scene.events[condition.event], values)) continue;
     for (std::size_t k = condition.first; k < condition.first + condition.count; ++k)
       if (margin_[k] * remembered_[k] < 0.0) out.push_back(k);
   }
@@ -214,7 +212,7 @@ bool SignalLoop::may_have_held(const Sample& sample, const Eigen::VectorXd& valu
 }
 
 void SignalLoop::apply(int event, double time, Eigen::VectorXd& values) {
-  const std::string& to = subject_.scene.events[static_cast<std::size_t>(event)].to;
+  const std::string& to = subject_.scene.events[event].to;
   const Mechanism& mechanism = subject_.mechanism;
   for (const PlaceEntry& state : mechanism.states) values(state.place) = state.name == to ? 1.0 : 0.0;
   values(mechanism.state_since) = time;

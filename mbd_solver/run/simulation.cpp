@@ -564,8 +564,7 @@ void Simulation::tell_of_late_event(const std::string& event, const Eigen::Vecto
   double gained = 0.0;  // [J/s2]
   const Layout& layout = equations_.layout();
   for (int i = 0; i < mechanism_.model.body_count(); ++i)
-    gained += 0.5 * mechanism_.model.body(i).mass() *
-              change.segment<3>(layout.v0() + layout.body_v[static_cast<std::size_t>(i)]).squaredNorm();
+    gained += 0.5 * mechanism_.model.body(i).mass() * change.segment<3>(layout.v0() + layout.body_v[i]).squaredNorm();
   coupled_->tell_of_event(event, state_.time, coupled_->window_length() * std::sqrt(gained / largest_kinetic_),
                           state_.time < foreseen_);
 }

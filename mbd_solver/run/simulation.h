@@ -13,8 +13,8 @@
 
 #include "coupler/archive.h"
 #include "coupler/transport.h"
-#include "mbd_solver/build/corners.h"
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/corners.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/coupling/coupled_run.h"
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/integrator/integrator.h"

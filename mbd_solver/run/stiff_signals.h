@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/run/observe/spring_fit.h"
 

@@ -469,7 +469,7 @@ double longest_follow_distance(const BoxSpec& box) {
   constexpr double kShare = 0.35;  // as the fix bed/follow demands
   double side = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 2; ++axis)
-    if (follows_along(box, axis)) side = std::min(side, box.size[static_cast<std::size_t>(axis)]);
+    if (follows_along(box, axis)) side = std::min(side, box.size[axis]);
   return kShare * side;
 }
 

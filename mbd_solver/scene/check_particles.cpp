@@ -402,8 +402,7 @@ std::optional<Box> block(const ScriptCommand& command) {
   if (w.size() < 9 || w[2] != "block") return std::nullopt;
   Box box;
   for (Eigen::Index c = 0; c < 3; ++c) {
-    const std::optional<double> low = as_number(w[static_cast<std::size_t>(3 + 2 * c)]),
-                                high = as_number(w[static_cast<std::size_t>(4 + 2 * c)]);
+    const std::optional<double> low = as_number(w[3 + 2 * c]), high = as_number(w[4 + 2 * c]);
     if (!low || !high || !(*low < *high)) return std::nullopt;
     box.min()[c] = *low;
     box.max()[c] = *high;
@@ -669,7 +668,7 @@ void check_follow(const EntryFindings& at, const Scene& scene) {
                largest = *std::max_element(box.radius.begin(), box.radius.end());
   for (int axis = 0; axis < 2; ++axis) {
     if (!follows_along(box, axis)) continue;
-    const double side = box.size[static_cast<std::size_t>(axis)];
+    const double side = box.size[axis];
     at.error_if(side < kFollowRadii * largest, kBoxSize, "box.size",
                 "is " + number_text(side) + " m along " + "xy"[axis] +
                     ", where the bed follows a body, expected at least " + number_text(kFollowRadii * largest) +

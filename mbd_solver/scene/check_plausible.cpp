@@ -337,7 +337,7 @@ class Plausibility {
       const BodySpec* body = scene_.body(own.body);
       if (own.velocity) check_speed(own.source, "velocity", own.velocity->norm(), sound_in(*body), in_mm);
       double reach = 0.0;
-      for (const Vector3d& point : outlines_[static_cast<std::size_t>(body - scene_.bodies.data())])
+      for (const Vector3d& point : outlines_[body - scene_.bodies.data()])
         reach = std::max(reach, (point - body->position).norm());
       if (own.angular_velocity)
         check_speed(own.source, "angular_velocity", own.angular_velocity->norm() * reach, sound_in(*body), in_rpm);
@@ -462,7 +462,7 @@ class Plausibility {
       if (slides.empty()) continue;
       const auto moves = [&](const std::string& body) {
         const int i = scene_.body_index(body);
-        return i >= 0 && slides[static_cast<std::size_t>(i)];
+        return i >= 0 && slides[i];
       };
       bool held = joint.displacement && joint.displacement->stops;
       double mass = 0.0, stiffness = 0.0, stiffest = 0.0;  // [kg], [N/m]
@@ -513,8 +513,8 @@ class Plausibility {
       neighbours_.resize(scene_.bodies.size() + 1);
       for (const JointSpec& other : scene_.joints) {
         const int a = scene_.body_index(other.bodies[0]) + 1, b = scene_.body_index(other.bodies[1]) + 1;
-        neighbours_[static_cast<std::size_t>(a)].push_back({b, &other});
-        neighbours_[static_cast<std::size_t>(b)].push_back({a, &other});
+        neighbours_[a].push_back({b, &other});
+        neighbours_[b].push_back({a, &other});
       }
     }
     std::vector<bool> rests(scene_.bodies.size() + 1, false);
@@ -523,9 +523,9 @@ class Plausibility {
     while (!next.empty()) {
       const int from = next.back();
       next.pop_back();
-      for (const auto& [to, by] : neighbours_[static_cast<std::size_t>(from)]) {
-        if (by == &joint || rests[static_cast<std::size_t>(to)]) continue;
-        rests[static_cast<std::size_t>(to)] = true;
+      for (const auto& [to, by] : neighbours_[from]) {
+        if (by == &joint || rests[to]) continue;
+        rests[to] = true;
         next.push_back(to);
       }
     }
@@ -537,9 +537,9 @@ class Plausibility {
     while (!next.empty()) {
       const int from = next.back();
       next.pop_back();
-      if (slides[static_cast<std::size_t>(from - 1)]) continue;
-      slides[static_cast<std::size_t>(from - 1)] = true;
-      for (const auto& [to, by] : neighbours_[static_cast<std::size_t>(from)])
+      if (slides[from - 1]) continue;
+      slides[from - 1] = true;
+      for (const auto& [to, by] : neighbours_[from])
         if (by != &joint) next.push_back(to);
     }
     return slides;
@@ -647,10 +647,9 @@ class Plausibility {
   void check_point(const Source& source, const std::string& key, const std::string& name, const Vector3d& point) {
     const int i = scene_.body_index(name);
     if (i < 0) return;
-    const BodySpec& body = scene_.bodies[static_cast<std::size_t>(i)];
+    const BodySpec& body = scene_.bodies[i];
     double reach = 0.0;
-    for (const Vector3d& p : outlines_[static_cast<std::size_t>(i)])
-      reach = std::max(reach, (p - body.position).norm());
+    for (const Vector3d& p : outlines_[i]) reach = std::max(reach, (p - body.position).norm());
     const double distance = (point - body.position).norm();
     if (reach > 0.0 && distance > kFarAway * reach)
       findings_.warning(kImplausibleNumber, source, key,

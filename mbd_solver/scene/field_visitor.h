@@ -175,7 +175,7 @@ inline void FieldVisitor::choice(const std::string& key, std::string& value, con
   FOOTFALL_DEMAND(found != words.end());
   Choice c{static_cast<int>(found - words.begin()), words};
   field(key, &c, rule);
-  value = words[static_cast<std::size_t>(c.value)];
+  value = words[c.value];
 }
 
 template <class T>
@@ -212,7 +212,7 @@ void FieldVisitor::list(const std::string& key, std::vector<T>& items, bool name
   if (!only_keys) items.resize(static_cast<std::size_t>(count));
   std::vector<T>& visited = only_keys ? unused : items;
   for (int i = 0; i < static_cast<int>(visited.size()); ++i) {
-    T& item = visited[static_cast<std::size_t>(i)];
+    T& item = visited[i];
     if constexpr (std::is_same_v<T, ArraySpec> || std::is_same_v<T, MaterialSpec> || std::is_same_v<T, SectionSpec> ||
                   std::is_same_v<T, InitialJointSpec>) {
       begin_item(i, &item.name);

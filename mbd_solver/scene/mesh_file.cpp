@@ -80,7 +80,7 @@ class Digits {
     };
     double power = 0.0;
     if (exponent < word.size()) read_number(word.substr(exponent + 1), power);
-    double& last = last_[static_cast<std::size_t>(axis)];
+    double& last = last_[axis];
     last = std::min(last, std::pow(10.0, power - static_cast<double>(count(point))));
     most_ = std::max(most_, count(first));
     single_ = single_ && value == static_cast<double>(static_cast<float>(value));
@@ -96,7 +96,7 @@ class Digits {
       const double extent = box.sizes()[i], farthest = std::max(std::abs(box.min()[i]), std::abs(box.max()[i]));
       if (!(extent > 0.0 && farthest > kFar * extent)) continue;
       if (single_) spacing = std::max(spacing, kSingle * farthest);
-      if (most_ <= kFew) spacing = std::max(spacing, last_[static_cast<std::size_t>(i)]);
+      if (most_ <= kFew) spacing = std::max(spacing, last_[i]);
     }
     return spacing;
   }
@@ -124,7 +124,7 @@ bool add_polygon(std::vector<int> corners, TriangleMesh& mesh) {
     mesh.triangles.emplace_back(corners[0], corners[1], corners[2]);
     return true;
   }
-  const auto at = [&](int n) -> const Vector3d& { return mesh.vertices[static_cast<std::size_t>(n)]; };
+  const auto at = [&](int n) -> const Vector3d& { return mesh.vertices[n]; };
   Vector3d normal = Vector3d::Zero();  // twice the area
   for (std::size_t i = 0; i < corners.size(); ++i)
     normal += (at(corners[i]) - at(corners[0])).cross(at(corners[(i + 1) % corners.size()]) - at(corners[0]));

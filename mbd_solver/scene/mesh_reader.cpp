@@ -128,7 +128,7 @@ TriangleMesh read_at_most(const std::string& file, double scale, std::size_t mos
   Eigen::AlignedBox3d box;
   for (Eigen::Vector3d& x : mesh.vertices) x *= scale;
   for (const Eigen::Vector3i& triangle : mesh.triangles)
-    for (const int corner : triangle) box.extend(mesh.vertices[static_cast<std::size_t>(corner)]);
+    for (const int corner : triangle) box.extend(mesh.vertices[corner]);
   const double across = box.diagonal().norm();
   if (!(kWeldTolerance * across > 0.0 && std::isfinite(across)))
     throw InputError(kMeshEmpty, file + ": has an extent of " + number_text(across) + " m, expected a surface");
@@ -316,8 +316,7 @@ TriangleMesh sphere_mesh(double radius, double edge) {
       const auto [entry, fresh] =
           middles.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(mesh.vertices.size()));
       if (fresh) {
-        const Eigen::Vector3d sum =
-            mesh.vertices[static_cast<std::size_t>(a)] + mesh.vertices[static_cast<std::size_t>(b)];
+        const Eigen::Vector3d sum = mesh.vertices[a] + mesh.vertices[b];
         mesh.vertices.push_back(radius * sum.normalized());
       }
       return entry->second;
@@ -358,7 +357,7 @@ TriangleMesh decimated_surface(const TriangleMesh& mesh, std::size_t most, const
 TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary) {
   if (!boundary.surface) return {};
   const SurfaceSpec& surface = *boundary.surface;
-  const BodySpec& body = scene.bodies[static_cast<std::size_t>(scene.body_index(boundary.body))];
+  const BodySpec& body = scene.bodies[scene.body_index(boundary.body)];
   const bool from_file = !surface.file.empty();
   if (!from_file && !body.shape && !has_model_mesh(body))
     throw InputError(kNoSurface, "body \"" + body.name + "\": its model has no triangles; give surface.file");

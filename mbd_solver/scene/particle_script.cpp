@@ -33,7 +33,7 @@ std::string hidden(std::string path) {
 
 std::string shown(std::string word) {
   for (char& c : word)
-    if (c > 0 && static_cast<std::size_t>(c) <= kSplitting.size()) c = kSplitting[static_cast<std::size_t>(c - 1)];
+    if (c > 0 && static_cast<std::size_t>(c) <= kSplitting.size()) c = kSplitting[c - 1];
   return word;
 }
 

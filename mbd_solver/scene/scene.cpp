@@ -45,7 +45,7 @@ int Scene::body_index(const std::string& name) const {
 int Scene::joint_index(const std::string& name) const { return index_of(this->joints, name, indices.joints); }
 
 const MaterialSpec& Scene::material(const std::string& name) const {
-  return this->materials[static_cast<std::size_t>(index_of(this->materials, name, indices.materials))];
+  return this->materials[index_of(this->materials, name, indices.materials)];
 }
 
 Coordinate Scene::coordinate_of(const DriveSpec& drive) const {
@@ -60,7 +60,7 @@ Coordinate Scene::coordinate_of(const GearSpec& gear, std::size_t index) const {
 }
 
 Coordinate Scene::only_coordinate(const std::string& joint) const {
-  const std::vector<Coordinate> has = coordinates_of(joints[static_cast<std::size_t>(joint_index(joint))].type);
+  const std::vector<Coordinate> has = coordinates_of(joints[joint_index(joint)].type);
   FOOTFALL_DEMAND(has.size() == 1);
   return has.front();
 }

@@ -1,6 +1,6 @@
 #pragma once
 // A scene as plain numbers: the contents of the TOML file with defaults, in SI units. scene_reader fills it, scene_check
-// checks it, mbd_solver/build makes a Model of it. All points and directions are in the frame D of the reference
+// checks it, mbd_solver/assemble makes a Model of it. All points and directions are in the frame D of the reference
 // configuration, in which the scene describes the mechanism; [initial] places D in the inertial frame W.
 
 #include <optional>

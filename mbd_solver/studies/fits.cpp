@@ -223,11 +223,9 @@ std::string tics_between(double low, double high) {
 std::string draw_fit(const SweepSpec& spec, const FitSpec& fit, const Plan& plan, const FitResult& r,
                      const std::string& folder) {
   const int marks = index_of(spec.parameters, fit.marks);
-  const auto mark_of = [&](std::size_t run) {
-    return marks < 0 ? "" : plan.runs[run].values[static_cast<std::size_t>(marks)];
-  };
+  const auto mark_of = [&](std::size_t run) { return marks < 0 ? "" : plan.runs[run].values[marks]; };
   std::vector<std::string> values = {""};
-  if (marks >= 0) values = names_in(spec.parameters[static_cast<std::size_t>(marks)].choices);
+  if (marks >= 0) values = names_in(spec.parameters[marks].choices);
   std::string data;
   std::vector<std::string> curves = {"x with lines lc rgb 'gray40' title 'power law'"};
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -260,7 +258,7 @@ FitData fit_data(const SweepSpec& spec, const FitSpec& fit, const Plan& plan, co
   FitData data;
   const auto is_meant = [&](const RunRequest& run) {
     return std::all_of(fit.where.begin(), fit.where.end(), [&](const auto& entry) {
-      return run.values[static_cast<std::size_t>(index_of(spec.parameters, entry.first))] == entry.second;
+      return run.values[index_of(spec.parameters, entry.first)] == entry.second;
     });
   };
   for (std::size_t i = 0; i < plan.runs.size(); ++i)
@@ -275,15 +273,14 @@ FitData fit_data(const SweepSpec& spec, const FitSpec& fit, const Plan& plan, co
     return value;
   };
   for (Eigen::Index row = 0; row < data.x.rows(); ++row) {
-    const std::size_t run = data.runs[static_cast<std::size_t>(row)];
+    const std::size_t run = data.runs[row];
     const auto value_of = [&](const std::string& name) {
-      if (const int metric = index_of(spec.metrics, name); metric >= 0)
-        return results[run].metrics[static_cast<std::size_t>(metric)];
-      return *number_in(plan.runs[run].values[static_cast<std::size_t>(index_of(spec.parameters, name))]);
+      if (const int metric = index_of(spec.metrics, name); metric >= 0) return results[run].metrics[metric];
+      return *number_in(plan.runs[run].values[index_of(spec.parameters, name)]);
     };
     data.y[row] = positive(value_of(fit.metric), "figure", run);
     for (Eigen::Index k = 0; k < data.x.cols(); ++k) {
-      const FitFactor& factor = fit.factors[static_cast<std::size_t>(k)];
+      const FitFactor& factor = fit.factors[k];
       for (const std::string& name : factor.sum) data.x(row, k) += value_of(name);
       positive(data.x(row, k), "factors \"" + factor.name + "\"", run);
     }

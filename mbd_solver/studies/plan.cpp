@@ -57,7 +57,7 @@ std::vector<std::string> settings_of(const CurveSpec& curve, std::vector<std::st
                                      const std::string& value) {
   const auto at = std::find(curve.values.begin(), curve.values.end(), value) - curve.values.begin();
   settings = filled(std::move(settings), value);
-  return curve.beside.empty() ? settings : filled(settings, curve.beside[static_cast<std::size_t>(at)], "{beside}");
+  return curve.beside.empty() ? settings : filled(settings, curve.beside[at], "{beside}");
 }
 
 // Before the runs take memory.

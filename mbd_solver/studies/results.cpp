@@ -97,7 +97,7 @@ Results results_of(const SweepSpec& spec, const Plan& plan, const RunStore& stor
   if (spec.metrics.empty()) return results;  // nothing to compare
   for (CaseResult& c : results.cases) {
     const int k = c.plan.is_reference ? static_cast<int>(&c - results.cases.data()) : c.plan.reference;
-    const CaseResult* reference = k < 0 ? nullptr : &results.cases[static_cast<std::size_t>(k)];
+    const CaseResult* reference = k < 0 ? nullptr : &results.cases[k];
     if (reference && reference->code != 0)
       throw NumericalError(code::kReferenceFailed, "the reference \"" + reference->plan.name +
                                                        "\" ended with exit code " + std::to_string(reference->code) +
@@ -168,8 +168,7 @@ double largest_error(const CaseResult& point, std::size_t excepted = kNoMetric) 
 const CaseResult* time_reference(const SweepSpec& spec, const Results& results, int curve) {
   const CaseResult *own = nullptr, *common = nullptr;
   for (const CaseResult& c : results.cases) {
-    if (c.is_of(curve) && c.plan.value == spec.curves[static_cast<std::size_t>(curve)].default_value && c.code == 0)
-      return &c;
+    if (c.is_of(curve) && c.plan.value == spec.curves[curve].default_value && c.code == 0) return &c;
     if (!c.plan.is_reference) continue;
     if (c.plan.curve == curve && !own) own = &c;
     if (c.plan.curve < 0) common = &c;
@@ -230,7 +229,7 @@ std::vector<Recommendation> errors_of_defaults(const SweepSpec& spec, const Resu
   std::vector<Recommendation> defaults;
   for (const CaseResult& c : results.cases)
     if (c.plan.curve >= 0 && !c.plan.is_reference && is_judged(c) &&
-        c.plan.value == spec.curves[static_cast<std::size_t>(c.plan.curve)].default_value)
+        c.plan.value == spec.curves[c.plan.curve].default_value)
       defaults.push_back(recommendation_for(spec, results, c, 1.0));
   std::sort(defaults.begin(), defaults.end(),
             [](const Recommendation& a, const Recommendation& b) { return a.largest().error > b.largest().error; });
@@ -292,7 +291,7 @@ void judge_motion(const SweepSpec& spec, const MapSpec& map, const RunEnd& run, 
 }
 
 MapRow map_row(const SweepSpec& spec, const PlannedCase& c, const RunEnd& run, const RunEnd* reference) {
-  const CurveSpec& curve = spec.curves[static_cast<std::size_t>(c.curve)];
+  const CurveSpec& curve = spec.curves[c.curve];
   MapRow row{curve.map.group, curve.name, c.value, "", "", false};
   if (run.code == kExitDone) {
     judge_motion(spec, curve.map, run, reference, row);
@@ -317,7 +316,7 @@ std::vector<MapRow> map_rows(const SweepSpec& spec, const Results& results) {
   for (const CaseResult& c : results.cases) {
     if (c.plan.is_reference) continue;
     const int k = c.plan.reference;
-    const RunEnd* reference = k < 0 ? nullptr : end_of(results.cases[static_cast<std::size_t>(k)].plan);
+    const RunEnd* reference = k < 0 ? nullptr : end_of(results.cases[k].plan);
     rows.push_back(map_row(spec, c.plan, *end_of(c.plan), reference));
   }
   return rows;

@@ -97,7 +97,7 @@ RigSample evaluate_plate(const std::vector<RigRun>& runs) {
   Eigen::VectorXd log_p(rows);
   Eigen::Index row = 0;
   for (Eigen::Index k = 0; k < count; ++k) {
-    const Bins& bins = plates[static_cast<std::size_t>(k)].bins;
+    const Bins& bins = plates[k].bins;
     for (std::size_t i = 0; i < bins.x.size(); ++i) {
       if (bins.y[i] <= 0.0) continue;
       A(row, k) = 1.0;
@@ -110,7 +110,7 @@ RigSample evaluate_plate(const std::vector<RigRun>& runs) {
   Eigen::MatrixXd B(count, 2);
   Eigen::VectorXd k_b(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    B.row(k) << 1.0 / plates[static_cast<std::size_t>(k)].b, 1.0;
+    B.row(k) << 1.0 / plates[k].b, 1.0;
     k_b(k) = std::exp(fit.c(k));
   }
   const Eigen::Vector2d k = two_coefficients(B, k_b);
@@ -376,7 +376,7 @@ std::vector<RigAnswer> linear_depth(std::vector<FirstStop> stops) {
   Eigen::MatrixXd A(count, 2);
   Eigen::VectorXd depth(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const FirstStop& stop = stops[static_cast<std::size_t>(i)];
+    const FirstStop& stop = stops[i];
     A.row(i) << 1.0, stop.speed;
     depth(i) = stop.depth;
   }

@@ -266,7 +266,7 @@ bool RunStore::carry_out(const std::vector<std::size_t>& runs, int jobs,
     const bool interrupted = run_pool(commands, jobs, [&](int task, int ended_with, double cpu) {
       const int code =
           ended_with == kExitRequirements ? kExitDone : ended_with;  // the page of the sweep tells of those
-      const std::size_t run = round[static_cast<std::size_t>(task)];
+      const std::size_t run = round[task];
       record_end(runs_[run], code, cpu, k == 1);
       if (code == kExitDone && k < runs_[run].request.repeats)
         again.push_back(run);

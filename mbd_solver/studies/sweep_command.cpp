@@ -116,7 +116,7 @@ SweepSpec with_curve(SweepSpec spec, const std::string& name) {
   if (k < 0)
     throw InputError(code::kUnknownCurve,
                      spec.file + ": no case \"" + name + "\"." + known_names("cases", name, names_in(spec.curves)));
-  const CurveSpec curve = spec.curves[static_cast<std::size_t>(k)];
+  const CurveSpec curve = spec.curves[k];
   spec.curves = {curve};
   const auto of_others = [&](const CheckSpec& s) { return s.curve != name; };
   spec.checks.erase(std::remove_if(spec.checks.begin(), spec.checks.end(), of_others), spec.checks.end());
@@ -156,7 +156,7 @@ void make_beds(const RunStore& store, const SweepArguments& a, const std::string
   if (interrupted)
     throw Interrupted(code::kBedInterrupted, "interrupted while making the beds; finished ones are in the cache");
   if (failed < 0) return;
-  const std::string reason = read_whole_file(commands[static_cast<std::size_t>(failed)].output).value_or("");
+  const std::string reason = read_whole_file(commands[failed].output).value_or("");
   if (failed_with == kExitBadInput) throw InputError(trimmed(reason));
   throw PartnerError(trimmed(reason));
 }

@@ -210,7 +210,7 @@ class SweepValidator : StudyValidator<SweepSpec> {
       if (k < 0)
         wrong(code::kNotAValue, p.source, "short", "has \"" + name + "\", expected some of the values");
       else
-        p.short_choices.push_back(p.choices[static_cast<std::size_t>(k)]);
+        p.short_choices.push_back(p.choices[k]);
     }
     if (p.short_choices.empty() && !p.choices.empty()) p.short_choices = {p.choices.front()};
   }
@@ -513,7 +513,7 @@ class SweepValidator : StudyValidator<SweepSpec> {
       return wrong(code::kUnknownParameter, at, key,
                    "\"" + name + "\" is not one of [[parameters]] with a distribution." +
                        known_names("parameters", name, {drawn.begin(), drawn.end()}));
-    const ParameterSpec& p = spec_.parameters[static_cast<std::size_t>(index_of(spec_.parameters, name))];
+    const ParameterSpec& p = spec_.parameters[index_of(spec_.parameters, name)];
     for (const ChoiceSpec& choice : p.choices)
       if (!number_in(choice.name))
         return wrong(code::kWrongType, at, key,
@@ -595,7 +595,7 @@ class SweepValidator : StudyValidator<SweepSpec> {
   // Null after a finding.
   const ParameterSpec* parameter(const Source& at, const std::string& key, const std::string& name) {
     const int k = index_of(spec_.parameters, name);
-    if (k >= 0) return &spec_.parameters[static_cast<std::size_t>(k)];
+    if (k >= 0) return &spec_.parameters[k];
     wrong(code::kUnknownParameter, at, key,
           "\"" + name + "\" is not one of [[parameters]]" + (key == "sum" ? ", nor of [[figures]]." : ".") +
               known_names("parameters", name, names_in(spec_.parameters)));

@@ -186,7 +186,7 @@ std::string check_page(const SweepSpec& spec, const std::vector<CheckResult>& re
 namespace {
 
 std::string curve_of(const SweepSpec& spec, const CaseResult& point) {
-  return point.plan.curve < 0 ? "reference" : spec.curves[static_cast<std::size_t>(point.plan.curve)].name;
+  return point.plan.curve < 0 ? "reference" : spec.curves[point.plan.curve].name;
 }
 
 // The beginning of a message, for a cell.

@@ -8,7 +8,7 @@
 #include <regex>
 #include <sstream>
 
-#include "mbd_solver/build/grain_dump.h"
+#include "mbd_solver/assemble/grain_dump.h"
 #include "mbd_solver/run/output/history.h"
 #include "tests/app/programs.h"
 

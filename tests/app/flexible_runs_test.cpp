@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/fe/modal_body_file.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/peaks.h"

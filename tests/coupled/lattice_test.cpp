@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "coupler/body_motion.h"
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/coupling/body_window.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/mesh_generator.h"

@@ -11,7 +11,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/message_fields.h"
 #include "coupler/messages.h"
-#include "mbd_solver/build/grain_dump.h"
+#include "mbd_solver/assemble/grain_dump.h"
 #include "mbd_solver/fe/fe_mesh.h"
 #include "mbd_solver/fe/foreign_model.h"
 #include "mbd_solver/fe/mesh_skin.h"

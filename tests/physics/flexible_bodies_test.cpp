@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/mass_properties.h"

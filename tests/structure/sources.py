@@ -26,7 +26,7 @@ OWN_READERS = {
     "mbd_solver/campaign/calibrate/evaluations.cpp": "lines of a text in memory, the last of which may be incomplete",
 }
 LIBRARIES = ("coupler", "mbd_solver/base", "mbd_solver/model", "mbd_solver/fe", "mbd_solver/dynamics", "mbd_solver/integrator", "mbd_solver/scene",
-             "mbd_solver/build", "mbd_solver/coupling", "mbd_solver/run", "mbd_solver/embed")
+             "mbd_solver/assemble", "mbd_solver/coupling", "mbd_solver/run", "mbd_solver/embed")
 SWEEP_SCRIPTS = "mbd_solver/studies"
 failed = False
 

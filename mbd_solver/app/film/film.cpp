@@ -22,13 +22,13 @@
 #include "mbd_solver/app/grain_pictures.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/view_page.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/base/child_process.h"
 #include "mbd_solver/base/live_line.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/depth_image.h"
 #include "mbd_solver/bed/programs.h"
-#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/run/observe/drawing.h"
 #include "mbd_solver/run/observe/terrain_patch.h"
 #include "mbd_solver/scene/scene_schema.h"
@@ -358,8 +358,7 @@ Reference reference_of(Scene scene) {
   const VtkFrame& frame = reference.shape.frame;
   const Eigen::VectorXd& body = frame.cell_numbers[1].second;
   for (std::size_t k = 0; k < frame.lines.size(); ++k)
-    reference.shape.line_radius.push_back(
-        radius[static_cast<std::size_t>(body(static_cast<Eigen::Index>(frame.triangles.size() + k)))]);
+    reference.shape.line_radius.push_back(radius[body(static_cast<Eigen::Index>(frame.triangles.size() + k))]);
   return reference;
 }
 

@@ -49,8 +49,7 @@ std::string step_text(const CalibrationSpec& spec, const Eigen::VectorXd& step, 
   Row texts;
   for (Eigen::Index i = 0; i < step.size(); ++i)
     if (std::abs(step[i]) > least)
-      texts.push_back(spec.parameters[static_cast<std::size_t>(i)].name + (step[i] > 0.0 ? " +" : " ") +
-                      num(step[i], 2));
+      texts.push_back(spec.parameters[i].name + (step[i] > 0.0 ? " +" : " ") + num(step[i], 2));
   return joined(texts);
 }
 

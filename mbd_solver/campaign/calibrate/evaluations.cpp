@@ -69,7 +69,7 @@ RunNumbers numbers_of(const CalibrationSpec& spec, const std::string& scene, con
   for (const TargetSpec& target : spec.targets) {
     if (!target.uses(scene)) continue;
     if (!target.is_curve()) {
-      const MetricSpec& metric = spec.metrics[static_cast<std::size_t>(index_of(spec.metrics, target.metric))];
+      const MetricSpec& metric = spec.metrics[index_of(spec.metrics, target.metric)];
       const double y = metrics_of_run({metric}, folder, spec.file).front();
       if (std::isfinite(y)) numbers.metrics[target.metric] = y;
       continue;
@@ -90,7 +90,7 @@ TargetResult result_of(const CalibrationSpec& spec, std::size_t target,
   const std::size_t rows = t.is_curve() ? t.rows.size() : 1;
   const auto of_scene = [&](const std::string& scene) {  // y by row and seed; empty if one is missing
     std::vector<std::vector<double>> all(rows);
-    for (const RunNumbers& run : runs[static_cast<std::size_t>(index_of(spec.scenes, scene))]) {
+    for (const RunNumbers& run : runs[index_of(spec.scenes, scene)]) {
       std::vector<double> y;
       if (run.metrics.count(t.metric) > 0) y = {run.metrics.at(t.metric)};
       if (t.is_curve()) y = run.curves.count(t.name) > 0 ? run.curves.at(t.name) : std::vector<double>();
@@ -138,7 +138,7 @@ std::string requirements_of(const CalibrationSpec& spec, const std::string& scen
       text << target.name << '\n' << target.column << '\n' << target.over;
       for (const Eigen::Vector2d& row : target.rows) text << ' ' << row.x();
     } else {
-      text << metric_recipe(spec.metrics[static_cast<std::size_t>(index_of(spec.metrics, target.metric))]);
+      text << metric_recipe(spec.metrics[index_of(spec.metrics, target.metric)]);
     }
     text << '\n';
   }
@@ -250,8 +250,7 @@ RunRequest Evaluations::request(const Fidelity& fidelity, std::size_t scene, int
   RunRequest request;
   request.scene = s.scene;
   request.settings = settings(fidelity, scene, point);
-  if (spec_.seeds)
-    append(request.settings, filled(spec_.seeds->settings, spec_.seeds->values[static_cast<std::size_t>(seed)]));
+  if (spec_.seeds) append(request.settings, filled(spec_.seeds->settings, spec_.seeds->values[seed]));
   request.until = fidelity.until > 0.0 ? fidelity.until : s.until > 0.0 ? s.until : spec_.until;
   request.time_limit = spec_.time_limit;
   // Independent of the path of the search.

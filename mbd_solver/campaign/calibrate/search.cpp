@@ -22,7 +22,7 @@ SearchPath search_path(const StageSpec& stage, const UnitPoint& start, double st
   const auto reach = [&](const UnitPoint& set) -> std::optional<double> {
     if (left) throw Left();  // some methods continue before they stop
     const auto place = std::find(path.sets.begin(), path.sets.end(), set);
-    if (place != path.sets.end()) return misfits[static_cast<std::size_t>(place - path.sets.begin())];
+    if (place != path.sets.end()) return misfits[place - path.sets.begin()];
     if (std::find(path.requested.begin(), path.requested.end(), set) != path.requested.end()) return {};
     if (static_cast<int>(path.sets.size() + path.requested.size()) >= stage.evaluations) leave("all evaluations done");
     const std::optional<double> misfit = queries.misfit(set);

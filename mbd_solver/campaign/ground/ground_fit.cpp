@@ -13,9 +13,9 @@
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_measures.h"
-#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/campaign/optimum.h"
 #include "mbd_solver/campaign/sampling.h"
 #include "mbd_solver/scene/scene_reader.h"
@@ -242,7 +242,7 @@ std::pair<double, double> quality(const std::vector<Target>& targets, const std:
       if (std::abs(difference) / target.scale <= largest.over) continue;
       largest = {target.run->name,
                  "xyz"[i % 3],
-                 target.measured.time_share[static_cast<std::size_t>(i / 3)],
+                 target.measured.time_share[i / 3],
                  measured,
                  now[i],
                  std::abs(difference) / target.scale,

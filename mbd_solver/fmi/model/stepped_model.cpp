@@ -15,7 +15,7 @@ double SteppedModel::value(const std::string& column) const {
   if (found == names().end())
     throw InputError(code::kNoSuchColumn,
                      "there is no column \"" + column + "\"." + known_names("columns", column, names()));
-  return row()[static_cast<std::size_t>(found - names().begin())];
+  return row()[found - names().begin()];
 }
 
 bool MechanismModel::step(double until, bool early) {

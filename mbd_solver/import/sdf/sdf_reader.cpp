@@ -552,7 +552,7 @@ class SdfRobot {
     RobotLink between;
     between.origin = made.origin;
     between.name = made.name + "_between";
-    between.X_DL = robot_.links[static_cast<std::size_t>(made.child)].X_DL;
+    between.X_DL = robot_.links[made.child].X_DL;
     const int middle = static_cast<int>(robot_.links.size());
     link_places_.emplace(between.name, middle);
     robot_.links.push_back(between);

@@ -70,7 +70,7 @@ void ForeignFunction::ask_outputs(char letter, const std::vector<double>& number
   std::memcpy(outputs_.data(), answer.data() + 1, size);
   for (int i = 0; i < program_.outputs; ++i)
     if (!std::isfinite(outputs_[i]))
-      fail("its output \"" + program_.output_names[static_cast<std::size_t>(i)] + "\" is " + number_text(outputs_[i]) +
+      fail("its output \"" + program_.output_names[i] + "\" is " + number_text(outputs_[i]) +
            ", expected a finite number; check the inputs and parameters that it is given");
 }
 

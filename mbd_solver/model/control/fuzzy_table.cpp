@@ -33,7 +33,7 @@ struct Sampled {
     y.setZero();
     for (Eigen::Index t = 0; t < level.size(); ++t) {
       if (level[t] <= 0.0) continue;
-      const Eigen::Index from = begin[static_cast<std::size_t>(t)], n = count[static_cast<std::size_t>(t)];
+      const Eigen::Index from = begin[t], n = count[t];
       y.segment(from, n) = y.segment(from, n).max(output.membership.col(t).segment(from, n).array().min(level[t]));
     }
     const double area = y.sum();
@@ -71,7 +71,7 @@ std::vector<double> evaluate_on_grid(const MamdaniSystem& system, const std::arr
           for (const auto& [rule, so_far] : active) {
             const double degree = rule->weight * std::min({so_far, membership(*rule, 2, k), membership(*rule, 3, l)});
             for (const auto& [output, term] : rule->outcomes) {
-              double& at = outputs[static_cast<std::size_t>(output)].level[term];
+              double& at = outputs[output].level[term];
               at = std::max(at, degree);
             }
           }

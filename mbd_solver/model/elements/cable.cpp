@@ -333,7 +333,7 @@ void Cable::measure(const ElementInput& in, bool second, Way& way) const {
       const double before = i > 0 ? span_of(last_touched(i), i).theta_in : 0.0;
       const double after = i + 1 < count ? span_of(i, next_touched(i)).theta_out : 0.0;
       const double raw = i == 0 ? after : i + 1 == count ? before : after - before;
-      double& angle = way.counted[static_cast<std::size_t>(state_of_[i])];
+      double& angle = way.counted[state_of_[i]];
       angle = nearest_turn(raw, in.z[state_of_[i]]);
       if (is_end(i) || !way.touched[i] || angle >= least) continue;
       least = angle;
@@ -346,10 +346,8 @@ void Cable::measure(const ElementInput& in, bool second, Way& way) const {
   }
 
   way.unstretched = parameters_.length;
-  if (state_of_.front() >= 0)
-    way.unstretched -= guides_.front().radius * way.counted[static_cast<std::size_t>(state_of_.front())];
-  if (state_of_.back() >= 0)
-    way.unstretched += guides_.back().radius * way.counted[static_cast<std::size_t>(state_of_.back())];
+  if (state_of_.front() >= 0) way.unstretched -= guides_.front().radius * way.counted[state_of_.front()];
+  if (state_of_.back() >= 0) way.unstretched += guides_.back().radius * way.counted[state_of_.back()];
   if (parameters_.axial_stiffness > 0.0 && !(way.unstretched > 0.0))
     throw NumericalError(code::kCableTakenUp, "cable \"" + name() +
                                                   "\": its drum has taken up the whole cable: nothing is left between "
@@ -358,8 +356,7 @@ void Cable::measure(const ElementInput& in, bool second, Way& way) const {
   for (std::size_t i = 0; i + 1 < count;) {
     const std::size_t j = next_touched(i);
     way.length += span_of(i, j).length;
-    if (j + 1 < count && state_of_[j] >= 0)
-      way.length += guides_[j].radius * way.counted[static_cast<std::size_t>(state_of_[j])];
+    if (j + 1 < count && state_of_[j] >= 0) way.length += guides_[j].radius * way.counted[state_of_[j]];
     i = j;
   }
 
@@ -420,12 +417,12 @@ void Cable::measure(const ElementInput& in, bool second, Way& way) const {
       add(i, j, 1.0, sum, *way.stretch);
     }
     if (for_i && side_i.round) {
-      add(i, j, 1.0, span.theta_out, way.angles[static_cast<std::size_t>(state_of_[i])]);
+      add(i, j, 1.0, span.theta_out, way.angles[state_of_[i]]);
       if (i == 0) add(i, j, -side_i.radius, span.theta_out, *way.free);
     }
     if (for_j && side_j.round) {
       const double sign = j + 1 == guides_.size() ? 1.0 : -1.0;  // of a pulley: the wrap
-      add(i, j, sign, span.theta_in, way.angles[static_cast<std::size_t>(state_of_[j])]);
+      add(i, j, sign, span.theta_in, way.angles[state_of_[j]]);
       if (j + 1 == guides_.size()) add(i, j, side_j.radius, span.theta_in, *way.free);
     }
   };
@@ -496,7 +493,7 @@ bool Cable::add_derivatives(const ElementInput& in, ElementDerivatives& out) con
       out.dQ_dx -= s.by_x * (f.by_s_e * e.by_x + f.by_s_s * s.by_x).transpose() + f.by_s * s.by_xx;
   }
   for (int k = 0; k < states_; ++k) {
-    const Way::Quantity& angle = way.angles[static_cast<std::size_t>(k)];
+    const Way::Quantity& angle = way.angles[k];
     out.ddz_dx.row(k) += (angle.rate_by_x + kTurnFollow * angle.by_x).transpose();
     out.ddz_dv.row(k) += angle.by_x.transpose();
     out.ddz_dz(k, 0) -= kTurnFollow;
@@ -516,7 +513,7 @@ CableSample Cable::sample(const ElementInput& in) const {
   Way way;
   measure(in, false, way);
   const Force f = force(way);
-  const auto angle = [&](int state) { return state < 0 ? 0.0 : way.counted[static_cast<std::size_t>(state)]; };
+  const auto angle = [&](int state) { return state < 0 ? 0.0 : way.counted[state]; };
   return {way.length, f.e, f.rate, f.total, f.s, angle(state_of_.front()), angle(state_of_.back())};
 }
 

@@ -39,7 +39,7 @@ class Welder {
         for (long k = z - 1; k <= z + 1; ++k) {
           const auto found = cells_.find({i, j, k});
           if (found == cells_.end()) continue;
-          if ((vertices[static_cast<std::size_t>(found->second)] - p).norm() <= tolerance_) return found->second;
+          if ((vertices[found->second] - p).norm() <= tolerance_) return found->second;
         }
     const int index = static_cast<int>(vertices.size());
     vertices.push_back(p);
@@ -99,7 +99,7 @@ void orient_pieces(TrianglePieces& out, const TrianglesAtEdge& at_edge) {
       }
     }
     for (const std::size_t i : way) {
-      const auto v = [&](int k) { return out.vertices[static_cast<std::size_t>(out.triangles[i].corners[k])]; };
+      const auto v = [&](int k) { return out.vertices[out.triangles[i].corners[k]]; };
       volume += v(0).dot(v(1).cross(v(2)));
     }
     if (!open && volume < 0.0)
@@ -112,19 +112,19 @@ void add_normals(TrianglePieces& out, const TrianglesAtEdge& at_edge) {
   std::vector<Eigen::Vector3d> at_corner(out.vertices.size(), Eigen::Vector3d::Zero());
   std::vector<bool> border(out.vertices.size(), false);
   for (PieceTriangle& t : out.triangles) {
-    const auto v = [&](int k) { return out.vertices[static_cast<std::size_t>(t.corners[k % 3])]; };
+    const auto v = [&](int k) { return out.vertices[t.corners[k % 3]]; };
     const Eigen::Vector3d across = (v(1) - v(0)).cross(v(2) - v(0));
     if (!(across.norm() > 0.0)) throw InputError(code::kMeshDefect, "a triangle has no area");
     t.normal = across.normalized();
     for (int k = 0; k < 3; ++k) {
       const Eigen::Vector3d to = v(k + 1) - v(k), from = v(k + 2) - v(k);
       const double angle = std::atan2(to.cross(from).norm(), to.dot(from));
-      at_corner[static_cast<std::size_t>(t.corners[k])] += angle * t.normal;
+      at_corner[t.corners[k]] += angle * t.normal;
     }
   }
   for (const auto& [edge, triangles] : at_edge) {
     if (triangles.size() == 2) continue;
-    border[static_cast<std::size_t>(edge.first)] = border[static_cast<std::size_t>(edge.second)] = true;
+    border[edge.first] = border[edge.second] = true;
   }
   for (PieceTriangle& t : out.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -197,9 +197,7 @@ struct ContactSurface::Triangles {
   fcl::BVHModel<fcl::AABBd> tree;
   mutable std::vector<Candidate> near;  // scratch
 
-  const Eigen::Vector3d& vertex(const PieceTriangle& t, int k) const {
-    return pieces.vertices[static_cast<std::size_t>(t.corners[k])];
-  }
+  const Eigen::Vector3d& vertex(const PieceTriangle& t, int k) const { return pieces.vertices[t.corners[k]]; }
   Candidate candidate(std::size_t i, const Eigen::Vector3d& p) const {
     const PieceTriangle& t = pieces.triangles[i];
     Candidate out{i, nearest_on_triangle(p, vertex(t, 0), vertex(t, 1), vertex(t, 2)), 0.0};
@@ -210,14 +208,13 @@ struct ContactSurface::Triangles {
   // Of p, seen from the nearest point.
   double side(const Candidate& c, const Eigen::Vector3d& p) const {
     const PieceTriangle& t = pieces.triangles[c.triangle];
-    if (c.at.edge >= 0) return sign_of(t.edge_normal[static_cast<std::size_t>(c.at.edge)].dot(p - c.at.point));
-    if (c.at.corner >= 0) return sign_of(t.corner_normal[static_cast<std::size_t>(c.at.corner)].dot(p - c.at.point));
+    if (c.at.edge >= 0) return sign_of(t.edge_normal[c.at.edge].dot(p - c.at.point));
+    if (c.at.corner >= 0) return sign_of(t.corner_normal[c.at.corner].dot(p - c.at.point));
     return sign_of(t.normal.dot(p - vertex(t, 0)));
   }
   bool on_border(const Candidate& c) const {
     const PieceTriangle& t = pieces.triangles[c.triangle];
-    return (c.at.edge >= 0 && t.edge_is_border[static_cast<std::size_t>(c.at.edge)]) ||
-           (c.at.corner >= 0 && t.corner_is_border[static_cast<std::size_t>(c.at.corner)]);
+    return (c.at.edge >= 0 && t.edge_is_border[c.at.edge]) || (c.at.corner >= 0 && t.corner_is_border[c.at.corner]);
   }
   void find(int node, const fcl::AABBd& box, const Eigen::Vector3d& p) const {
     const fcl::BVNode<fcl::AABBd>& bv = tree.getBV(node);
@@ -339,7 +336,7 @@ SurfaceSides ContactSurface::sides_of(const std::vector<Eigen::Vector3d>& points
       for (Triangles::Candidate& one : nearest) one.distance = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < mesh->pieces.triangles.size(); ++i) {
         const Triangles::Candidate c = mesh->candidate(i, p);
-        Triangles::Candidate& best = nearest[static_cast<std::size_t>(mesh->pieces.triangles[i].piece)];
+        Triangles::Candidate& best = nearest[mesh->pieces.triangles[i].piece];
         if (c.distance < best.distance) best = c;
       }
       for (std::size_t k = 0; k < counts.size(); ++k)

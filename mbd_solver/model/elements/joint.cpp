@@ -164,9 +164,9 @@ Joint prescribed_joint(std::string name, Marker m1, Marker m2, const PrescribedM
   FOOTFALL_DEMAND(motion.rotation_axis >= 0 && motion.rotation_axis < 3);
   Joint joint = joint_of(std::move(name), "prescribed", std::move(m1), std::move(m2));
   for (int k = 0; k < 3; ++k) {
-    if (!motion.translation[static_cast<std::size_t>(k)]) continue;
+    if (!motion.translation[k]) continue;
     ConstraintRow row = along(k);
-    row.motion = motion.translation[static_cast<std::size_t>(k)];
+    row.motion = motion.translation[k];
     joint.rows.push_back(row);
   }
   const int k = motion.rotation_axis, i = (k + 1) % 3, j = (k + 2) % 3;

@@ -24,19 +24,19 @@ constexpr double kClear = 1e-9;    // a place above this height does not touch, 
 double rim_cosine(int k) {
   static const std::array<double, kRimPlaces> cosines = [] {
     std::array<double, kRimPlaces> out{};
-    for (int i = 0; i < kRimPlaces; ++i) out[static_cast<std::size_t>(i)] = std::cos(2.0 * kPi * i / kRimPlaces);
+    for (int i = 0; i < kRimPlaces; ++i) out[i] = std::cos(2.0 * kPi * i / kRimPlaces);
     return out;
   }();
-  return cosines[static_cast<std::size_t>(k)];
+  return cosines[k];
 }
 
 double rim_sine(int k) {
   static const std::array<double, kRimPlaces> sines = [] {
     std::array<double, kRimPlaces> out{};
-    for (int i = 0; i < kRimPlaces; ++i) out[static_cast<std::size_t>(i)] = std::sin(2.0 * kPi * i / kRimPlaces);
+    for (int i = 0; i < kRimPlaces; ++i) out[i] = std::sin(2.0 * kPi * i / kRimPlaces);
     return out;
   }();
-  return sines[static_cast<std::size_t>(k)];
+  return sines[k];
 }
 
 }  // namespace

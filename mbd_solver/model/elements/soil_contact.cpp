@@ -36,7 +36,7 @@ int SoilGround::nearest(const Eigen::Vector2d& place, double within) const {
       const auto cell = cells_.find(key(place.x() + i * cell_, place.y() + j * cell_));
       if (cell == cells_.end()) continue;
       for (const int k : cell->second) {
-        const double square = (prints_[static_cast<std::size_t>(k)].place - place).squaredNorm();
+        const double square = (prints_[k].place - place).squaredNorm();
         if (square > least || (square == least && found >= 0 && k > found)) continue;
         least = square;
         found = k;
@@ -49,7 +49,7 @@ int SoilGround::nearest(const Eigen::Vector2d& place, double within) const {
 void SoilGround::leave(const Eigen::Vector2d& place, double depth, double apart) {
   if (!(depth > 0.0)) return;
   if (const int k = nearest(place, std::min(apart, cell_)); k >= 0) {
-    double& known = prints_[static_cast<std::size_t>(k)].depth;
+    double& known = prints_[k].depth;
     known = std::max(known, depth);
     return;
   }
@@ -60,7 +60,7 @@ void SoilGround::leave(const Eigen::Vector2d& place, double depth, double apart)
 double SoilGround::depth_at(const Eigen::Vector2d& place, double within) const {
   if (prints_.empty()) return 0.0;
   const int k = nearest(place, std::min(within, cell_));
-  return k < 0 ? 0.0 : prints_[static_cast<std::size_t>(k)].depth;
+  return k < 0 ? 0.0 : prints_[k].depth;
 }
 
 void SoilGround::restore(std::vector<Print> prints) {

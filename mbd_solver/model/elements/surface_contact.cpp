@@ -25,8 +25,7 @@ SurfaceContact::SurfaceContact(std::string name, int body_1, int body_2, std::ve
   for (const Side& side : sides_) {
     double reach = 0.0, flexible = 0.0;
     for (const ContactPoint& point : side.points) {
-      FOOTFALL_DEMAND(point.marker.body == bodies()[static_cast<std::size_t>(side.slot)] &&
-                      point.marker.body != kGround && point.radius >= 0.0);
+      FOOTFALL_DEMAND(point.marker.body == bodies()[side.slot] && point.marker.body != kGround && point.radius >= 0.0);
       reach = std::max(reach, point.marker.s0.norm() + std::max(point.radius, side.depth));
       flexible = std::max(flexible, point.marker.S.norm());
     }

@@ -35,7 +35,7 @@ const std::array<Eigen::Vector2d, kEdgePlaces>& edge_directions() {
     std::array<Eigen::Vector2d, kEdgePlaces> out;
     for (int k = 0; k < kEdgePlaces; ++k) {
       const double angle = 2.0 * kPi * k / kEdgePlaces;
-      out[static_cast<std::size_t>(k)] = {std::cos(angle), std::sin(angle)};
+      out[k] = {std::cos(angle), std::sin(angle)};
     }
     return out;
   }();
@@ -128,9 +128,9 @@ TerrainContact::TerrainContact(std::string name, std::vector<ContactPoint> point
   }
   const Eigen::Index own = 3 * static_cast<Eigen::Index>(own_.size());
   own_s_.resize(own);
-  own_S_.resize(own, own_.empty() ? 0 : points_[static_cast<std::size_t>(own_.front())].marker.S.cols());
+  own_S_.resize(own, own_.empty() ? 0 : points_[own_.front()].marker.S.cols());
   for (Eigen::Index i = 0; i < own / 3; ++i) {
-    const Marker& marker = points_[static_cast<std::size_t>(own_[static_cast<std::size_t>(i)])].marker;
+    const Marker& marker = points_[own_[static_cast<std::size_t>(i)]].marker;
     own_s_.segment<3>(3 * i) = marker.s0;
     own_S_.middleRows<3>(3 * i) = marker.S;
   }
@@ -140,10 +140,10 @@ TerrainContact::TerrainContact(std::string name, std::vector<ContactPoint> point
 bool TerrainContact::sort_onto_face(int point) {
   for (std::size_t k = 0; k < rims_.size(); ++k) {
     const Marker& rim = rims_[k].marker;
-    const Eigen::Vector3d d = rim.axes.transpose() * (points_[static_cast<std::size_t>(point)].marker.s0 - rim.s0);
+    const Eigen::Vector3d d = rim.axes.transpose() * (points_[point].marker.s0 - rim.s0);
     if (std::abs(d.z()) > kFace * rims_[k].radius || d.head<2>().norm() > rims_[k].radius) continue;
     const auto part = static_cast<int>(std::lround(std::atan2(d.y(), d.x()) * kEdgePlaces / (2.0 * kPi)));
-    faces_[k].points[static_cast<std::size_t>((part + kEdgePlaces) % kEdgePlaces)].push_back(point);
+    faces_[k].points[(part + kEdgePlaces) % kEdgePlaces].push_back(point);
     faces_[k].share = kEdgePlaces / (kEdgePlaces / faces_[k].share + 1.0);
     return true;
   }
@@ -250,7 +250,7 @@ void TerrainContact::touch(const ElementInput& in, const Terrain::Lid& lid, Terr
       for (const Terrain::Foot& one : ball_feet_) add_contact(in, candidate, one, bends);
     }
     for (const int rock : lid.rocks) {
-      const Terrain::Sphere& sphere = terrain_->rocks()[static_cast<std::size_t>(rock)];
+      const Terrain::Sphere& sphere = terrain_->rocks()[rock];
       const double far = sphere.radius + candidate.radius;
       if ((p - sphere.centre).squaredNorm() >= far * far) continue;
       Candidate alone = candidate;
@@ -264,8 +264,8 @@ void TerrainContact::touch(const ElementInput& in, const Terrain::Lid& lid, Terr
 void TerrainContact::offer_face(const ElementInput& in, const Face& face, int part, int place,
                                 const Terrain::Lid& lid) const {
   const BodyKinematics& body = *in.pair.body[0];
-  for (const int i : face.points[static_cast<std::size_t>(part)]) {
-    const Eigen::Vector3d& s = points_[static_cast<std::size_t>(i)].marker.s0;
+  for (const int i : face.points[part]) {
+    const Eigen::Vector3d& s = points_[i].marker.s0;
     const Eigen::Vector3d d = body.A * s;
     const double z = body.r.z() + d.z(),
                  above = z - lid.height - lid.slope.dot(d.head<2>()) - 0.5 * lid.bend * d.head<2>().squaredNorm();
@@ -283,7 +283,7 @@ void TerrainContact::offer_own_points(const ElementInput& in, const Terrain::Lid
   }
   const Eigen::VectorXd& places = body.modes > 0 ? s_ : own_s_;
   for (std::size_t k = 0; k < own_.size(); ++k) {
-    const double radius = points_[static_cast<std::size_t>(own_[k])].radius;
+    const double radius = points_[own_[k]].radius;
     const Eigen::Vector3d s = places.segment<3>(3 * static_cast<Eigen::Index>(k)), d = body.A * s;
     const double wide = d.head<2>().norm() + radius, z = body.r.z() + d.z();
     const double above = z - lid.height - lid.slope.dot(d.head<2>()) - 0.5 * lid.bend * wide * wide - radius * up;
@@ -318,7 +318,7 @@ void TerrainContact::offer_rim(const ElementInput& in, std::size_t index, int fi
     return touch_standing_rim(in, index, first_place, lid, a, centre, n, bends);
   }
   for (int k = 0; k < kEdgePlaces; ++k) {
-    const Eigen::Vector2d& e = edge_directions()[static_cast<std::size_t>(k)];
+    const Eigen::Vector2d& e = edge_directions()[k];
     const Eigen::Vector3d s = rim.marker.s0 + R * (e.x() * rim.marker.axes.col(0) + e.y() * rim.marker.axes.col(1));
     const Eigen::Vector3d d = body.A * s;
     const bool field = field_ && !clears_plane(body.r + d, 0.0);
@@ -349,7 +349,7 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
   bool any = false;
   const auto near = [&](double angle) -> std::vector<Minimum>& {
     const int turn = static_cast<int>(std::lround(angle * kEdgePlaces / (2.0 * kPi)));
-    return minima[static_cast<std::size_t>(((turn % kEdgePlaces) + kEdgePlaces) % kEdgePlaces)];
+    return minima[((turn % kEdgePlaces) + kEdgePlaces) % kEdgePlaces];
   };
   const auto add = [&](double start, int rock) {
     Minimum one;
@@ -382,14 +382,14 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
   }
   if (field_ && !flat && !bends) add(0.0, -1);
   for (const int rock : lid.rocks) {
-    const Eigen::Vector3d d = terrain_->rocks()[static_cast<std::size_t>(rock)].centre - centre;
-    if (d.norm() > R + terrain_->rocks()[static_cast<std::size_t>(rock)].radius) continue;
+    const Eigen::Vector3d d = terrain_->rocks()[rock].centre - centre;
+    if (d.norm() > R + terrain_->rocks()[rock].radius) continue;
     add(std::atan2(d.dot(b), d.dot(e_0)), rock);
   }
   if (!any && (flat || face.share == 1.0)) return;
   for (int k = 0; k < kEdgePlaces; ++k) {
     if (!flat) offer_face(in, face, k, first_place + k, lid);
-    for (const Minimum& one : minima[static_cast<std::size_t>(k)]) {
+    for (const Minimum& one : minima[k]) {
       const Eigen::Vector3d e =
           one.place != nullptr ? one.place->e : Eigen::Vector3d(std::cos(one.angle) * e_0 + std::sin(one.angle) * b);
       const double share = one.place == nullptr ? 1.0 : std::pow(a.head<2>().norm() / one.place->tilt(a), 2.5);
@@ -532,8 +532,7 @@ void TerrainContact::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorX
       const Contact& at = contacts[i];
       here += at.force;
       moment += (at.d - at.radius * at.n).cross(at.force);
-      if (at.way >= 0 && ways_[static_cast<std::size_t>(at.way)].drags)
-        Q.head<6>() -= at.normal.elastic * ways_[static_cast<std::size_t>(at.way)].drag.transpose();
+      if (at.way >= 0 && ways_[at.way].drags) Q.head<6>() -= at.normal.elastic * ways_[at.way].drag.transpose();
     }
     force += here;
     if (body.modes > 0) forces_.segment<3>(3 * place).noalias() = body.A.transpose().lazyProduct(here);
@@ -567,8 +566,8 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
   const BodyKinematics& body = *in.pair.body[0];
   const int place = at.place, n = in.pair.size();
   if (at.point == kOnRim) on_rim_.s0 = at.s;
-  const Marker& marker = at.point == kOnRim ? on_rim_ : points_[static_cast<std::size_t>(at.point)].marker;
-  const Way* const way = at.way < 0 ? nullptr : &ways_[static_cast<std::size_t>(at.way)];
+  const Marker& marker = at.point == kOnRim ? on_rim_ : points_[at.point].marker;
+  const Way* const way = at.way < 0 ? nullptr : &ways_[at.way];
   const double tau = law_.stick_time, mu = law_.friction, R = at.radius, inverse = at.inverse_speed;
   const Eigen::Matrix3d unit = Eigen::Matrix3d::Identity(), P = unit - at.n * at.n.transpose(), turning = skew(body.w);
   G_.setZero(3, n);
@@ -620,8 +619,7 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
                                         elastic = way->growth - (1.5 / at.overlap) * along_n,
                                         overlap = way->stretch - (1.0 / at.overlap) * along_n;
       out.dQ_dx.topLeftCorner<6, 6>() -= at.normal.elastic * way->drag.transpose() * (elastic + overlap);
-      const Eigen::Vector3d a = body.A * rims_[static_cast<std::size_t>(way->rim)].marker.axes.col(2),
-                            m = a.cross(Eigen::Vector3d::UnitZ());
+      const Eigen::Vector3d a = body.A * rims_[way->rim].marker.axes.col(2), m = a.cross(Eigen::Vector3d::UnitZ());
       const double h = m.squaredNorm();
       Eigen::Matrix3d by_a = (1.0 / h + 2.0 * a.z() * a.z() / (h * h)) * m * m.transpose() - (a.z() * a.z() / h) * unit;
       by_a.col(2) += (a.z() / h) * a;
@@ -659,8 +657,7 @@ Eigen::Matrix<double, 6, 1> TerrainContact::wrench(const ElementInput& in) const
     const Contact& at = contacts_[i];
     out.head<3>() += at.force;
     out.tail<3>() += (at.d - at.radius * at.n).cross(at.force);
-    if (at.way >= 0 && ways_[static_cast<std::size_t>(at.way)].drags)
-      out -= at.normal.elastic * ways_[static_cast<std::size_t>(at.way)].drag.transpose();
+    if (at.way >= 0 && ways_[at.way].drags) out -= at.normal.elastic * ways_[at.way].drag.transpose();
   }
   return out;
 }

@@ -121,7 +121,7 @@ Honeycomb::Flow Honeycomb::flow(const Cartridge& cartridge, double stroke, doubl
 void Honeycomb::evaluate(const StrutInput& in, StrutOutput& out) const {
   out.set_zero();
   for (int i = 0; i < state_count(); ++i) {
-    const Cartridge& cartridge = cartridges_[static_cast<std::size_t>(i)];
+    const Cartridge& cartridge = cartridges_[i];
     const Flow q = flow(cartridge, in.stroke, in.rate, in.z[i]);
     out.force += cartridge.sign * q.f;
     out.dforce_dstroke += q.df_dd;
@@ -136,7 +136,7 @@ void Honeycomb::evaluate(const StrutInput& in, StrutOutput& out) const {
 double Honeycomb::stored_energy(const StrutInput& in) const {
   double energy = 0.0;
   for (int i = 0; i < state_count(); ++i) {
-    const Cartridge& cartridge = cartridges_[static_cast<std::size_t>(i)];
+    const Cartridge& cartridge = cartridges_[i];
     energy += cartridge.spring.energy(cartridge.sign * in.stroke - in.z[i]);
   }
   return energy;
@@ -145,7 +145,7 @@ double Honeycomb::stored_energy(const StrutInput& in) const {
 void Honeycomb::dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const {
   double power = 0.0;
   for (int i = 0; i < state_count(); ++i) {
-    const Flow q = flow(cartridges_[static_cast<std::size_t>(i)], in.stroke, in.rate, in.z[i]);
+    const Flow q = flow(cartridges_[i], in.stroke, in.rate, in.z[i]);
     power += q.f * q.dc;
   }
   out.push_back({Dissipation::kHoneycomb, power});
@@ -154,7 +154,7 @@ void Honeycomb::dissipated_power(const StrutInput& in, std::vector<StrutPower>& 
 std::vector<Honeycomb::Report> Honeycomb::report(const Eigen::Ref<const Eigen::VectorXd>& z) const {
   std::vector<Report> reports;
   for (int i = 0; i < state_count(); ++i) {
-    const Cartridge& cartridge = cartridges_[static_cast<std::size_t>(i)];
+    const Cartridge& cartridge = cartridges_[i];
     Report report{cartridge.sign < 0.0, {}, std::max(0.0, z[i] - cartridge.total_length)};
     double left = z[i];
     for (const HoneycombStage& stage : cartridge.data.stages) {

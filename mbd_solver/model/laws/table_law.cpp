@@ -108,7 +108,7 @@ TableLaw::Split TableLaw::split(double stroke, double rate) const {
 double TableLaw::elastic_integral(double stroke) const {
   const Place x = locate(stroke_, stroke);
   const double slope = (elastic_[x.cell + 1] - elastic_[x.cell]) / x.width, past = x.t * x.width;
-  return stored_[static_cast<std::size_t>(x.cell)] + (elastic_[x.cell] + 0.5 * slope * past) * past;
+  return stored_[x.cell] + (elastic_[x.cell] + 0.5 * slope * past) * past;
 }
 
 void TableLaw::evaluate(const StrutInput& in, StrutOutput& out) const {

@@ -7,8 +7,8 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/assemble/codes.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/build/codes.h"
 #include "mbd_solver/dynamics/assembly.h"
 #include "mbd_solver/dynamics/body_force.h"
 #include "mbd_solver/dynamics/kinematics.h"
@@ -34,12 +34,11 @@ Eigen::MatrixXd free_motions(const Model& model, const Layout& layout, const Kin
       model, layout, kinematics, t, scratch,
       [&](const RowPlace& at, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
         const Joint& joint = model.joint(at.joint);
-        if (joint.rows[static_cast<std::size_t>(at.local)].inertia > 0.0) return;  // a rotor is no condition
+        if (joint.rows[at.local].inertia > 0.0) return;  // a rotor is no condition
         const std::array<int, 2> v = pair_v(layout, joint.m1.body, joint.m2.body);
         for (int i = 0; i < 2; ++i) {
           const int n = pair.body[i]->size();
-          if (n > 0)
-            B.row(at.row).segment(v[static_cast<std::size_t>(i)], n) += phi_v.segment(pair.offset(i), n).transpose();
+          if (n > 0) B.row(at.row).segment(v[i], n) += phi_v.segment(pair.offset(i), n).transpose();
         }
       });
   if (layout.row_count == 0) return Eigen::MatrixXd::Identity(layout.v_size, layout.v_size);
@@ -81,7 +80,7 @@ AttachedModes modes_of(const Scene& scene, const Model& model, const Layout& lay
   out.M = Eigen::MatrixXd::Zero(layout.v_size, layout.v_size);
   out.K = out.C = Eigen::VectorXd::Zero(layout.v_size);
   for (int i = 0; i < model.body_count(); ++i) {
-    const int v = layout.body_v[static_cast<std::size_t>(i)], n = kinematics.of(i).size();
+    const int v = layout.body_v[i], n = kinematics.of(i).size();
     InertiaScratch scratch(n - 6);
     Eigen::MatrixXd own(n, n);
     body_mass_matrix(model.body(i), kinematics.of(i), scratch, own);
@@ -101,7 +100,7 @@ std::vector<AttachedDamping> damping_of(const Model& model, const Layout& layout
   std::vector<AttachedDamping> out;
   for (int i = 0; i < model.body_count(); ++i) {
     if (!has_modes(model, i) || !(model.body(i).modal()->damping.maxCoeff() > 0.0)) continue;
-    const int v = layout.body_v[static_cast<std::size_t>(i)] + 6, s = model.body(i).mode_count();
+    const int v = layout.body_v[i] + 6, s = model.body(i).mode_count();
     for (Eigen::Index k = 0; k < modes.lambda.size(); ++k) {
       const double lambda = modes.lambda[k];
       if (lambda <= kElastic * modes.K.segment(v, s).minCoeff()) continue;
@@ -131,7 +130,7 @@ std::vector<std::string> sag_warnings(const Model& model, const Layout& layout, 
   double softest = HUGE_VAL;  // [1/s2]
   Eigen::VectorXd g = Eigen::VectorXd::Zero(layout.v_size);
   for (int i = 0; i < model.body_count(); ++i) {
-    g.segment<3>(layout.body_v[static_cast<std::size_t>(i)]) = model.gravity();
+    g.segment<3>(layout.body_v[i]) = model.gravity();
     if (has_modes(model, i)) softest = std::min(softest, model.body(i).modal()->stiffness.minCoeff());
   }
   Eigen::VectorXd sag = Eigen::VectorXd::Zero(layout.v_size);
@@ -142,8 +141,7 @@ std::vector<std::string> sag_warnings(const Model& model, const Layout& layout, 
   for (int i = 0; i < model.body_count(); ++i) {
     if (!has_modes(model, i)) continue;
     const ModalBody& body = *model.body(i).modal();
-    const double bends =
-        largest_deflection(body, sag.segment(layout.body_v[static_cast<std::size_t>(i)] + 6, body.mode_count()));
+    const double bends = largest_deflection(body, sag.segment(layout.body_v[i] + 6, body.mode_count()));
     const double size = extent(body);
     const bool told = model.gravity().norm() / body.stiffness.minCoeff() > kFreeSag * size;  // of the free body
     if (bends > kDeflectionRange * size && !told)

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 
 namespace footfall {
 

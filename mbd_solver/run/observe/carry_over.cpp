@@ -3,7 +3,7 @@
 #include "mbd_solver/run/observe/carry_over.h"
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/build/codes.h"
+#include "mbd_solver/assemble/codes.h"
 
 namespace footfall {
 
@@ -20,9 +20,9 @@ EndState end_state_of(const Mechanism& mechanism, const Layout& layout, const St
   }
   for (int i = 0; i < model.force_count(); ++i)
     if (const int n = model.force(i).state_count(); n > 0)
-      end.elements[model.force(i).name()] = state.z.segment(layout.force_z[static_cast<std::size_t>(i)], n);
+      end.elements[model.force(i).name()] = state.z.segment(layout.force_z[i], n);
   for (int j = 0; j < model.joint_count(); ++j)
-    if (const int angle = layout.joint_angle[static_cast<std::size_t>(j)]; angle >= 0 && angle < state.angles.size())
+    if (const int angle = layout.joint_angle[j]; angle >= 0 && angle < state.angles.size())
       end.angles[model.joint(j).name] = state.angles(angle);
   return end;
 }
@@ -55,10 +55,10 @@ void carry_over(const Scene& scene, const Model& model, const Layout& layout, St
     const auto element = end.elements.find(model.force(i).name());
     const int n = model.force(i).state_count();
     if (element == end.elements.end() || element->second.size() != n) continue;
-    state.z.segment(layout.force_z[static_cast<std::size_t>(i)], n) = element->second;
+    state.z.segment(layout.force_z[i], n) = element->second;
   }
   for (int j = 0; j < model.joint_count(); ++j) {
-    const int angle = layout.joint_angle[static_cast<std::size_t>(j)];
+    const int angle = layout.joint_angle[j];
     const auto given = end.angles.find(model.joint(j).name);
     if (angle >= 0 && angle < state.angles.size() && given != end.angles.end()) state.angles(angle) = given->second;
   }

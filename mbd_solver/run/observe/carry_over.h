@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/build/end_state.h"
+#include "mbd_solver/assemble/end_state.h"
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/model/state.h"
 

@@ -204,7 +204,7 @@ void add_joints(const Subject& subject, const JointObserver& joints, Columns& ou
     out.add(kDrivePower, {drive.name}, sample);
   }
   for (const GearEntry& gear : mechanism.gears) {
-    const int row = subject.layout.joint_row[static_cast<std::size_t>(gear.joint)];
+    const int row = subject.layout.joint_row[gear.joint];
     const auto reaction = [row, count = subject.layout.row_count](const Sample& s) {
       return -s.rates.tail(count)[row];
     };

@@ -60,7 +60,7 @@ Drawing::Drawing(const Subject& subject) : model_(subject.mechanism.model), layo
     if (connected) shape = from_modes(body.name(), *body.modal());
     for (const BodyBoundary& entry : mechanism.boundaries)
       if (!shape && entry.body == i) shape = entry.boundary;
-    if (!shape) shape = from_shape(subject.scene.bodies[static_cast<std::size_t>(i)]);
+    if (!shape) shape = from_shape(subject.scene.bodies[i]);
     if (!shape) continue;
     for (const Eigen::Vector3i& t : shape->triangles()) frame_.triangles.emplace_back(t.array() + points);
     parts_.push_back({i, std::move(*shape), points});
@@ -84,7 +84,7 @@ const VtkFrame& Drawing::reference_frame() {
   Eigen::VectorXd q = Eigen::VectorXd::Zero(layout_.q_size), v = Eigen::VectorXd::Zero(layout_.v_size);
   for (int i = 0; i < model_.body_count(); ++i) {
     const BodyState& state = model_.initial(i);
-    const int first = layout_.body_q[static_cast<std::size_t>(i)];
+    const int first = layout_.body_q[i];
     q.segment<3>(first) = state.r;
     q.segment<4>(first + 3) = state.L;
     q.segment(first + 7, state.a.size()) = state.a;

@@ -121,7 +121,7 @@ void LandingWatch::choose_base() {
 void LandingWatch::choose_bodies() {
   const Scene& scene = subject_.scene;
   std::vector<bool> found(scene.bodies.size(), false);
-  found[static_cast<std::size_t>(base_)] = true;
+  found[base_] = true;
   bool grows = true;
   const auto connect = [&](const auto& entries) {
     for (const auto& entry : entries) {
@@ -159,7 +159,7 @@ void LandingWatch::choose_pads() {
   if (scene.landing->pads.empty()) {
     for (const BodyBoundary& entry : boundaries)
       if (entry.body != base_ && std::find(bodies_.begin(), bodies_.end(), entry.body) != bodies_.end())
-        add(scene.bodies[static_cast<std::size_t>(entry.body)].name, entry.body);
+        add(scene.bodies[entry.body].name, entry.body);
   }
   for (const std::string& name : scene.landing->pads) {
     const auto& points = scene.landing->points;
@@ -168,7 +168,7 @@ void LandingWatch::choose_pads() {
       add(name, scene.body_index(name));
     } else {
       pad_names_.push_back(name);
-      pads_.push_back(points_[static_cast<std::size_t>(point - points.begin())]);
+      pads_.push_back(points_[point - points.begin()]);
     }
   }
 }
@@ -211,7 +211,7 @@ Eigen::Vector3d LandingWatch::place_of(const Place& place, const Sample& sample)
 }
 
 bool LandingWatch::touches(const Place& pad, const Eigen::Vector3d& p_W, const Sample& sample) const {
-  if (sample.contact[static_cast<std::size_t>(pad.body)].F_W.isZero(0.0)) return false;
+  if (sample.contact[pad.body].F_W.isZero(0.0)) return false;
   return pad.boundary != nullptr || ground_.above(p_W) <= 0.0;
 }
 

@@ -28,7 +28,7 @@ std::string laws_of_strut(const StrutSpec& spec) {
 Marks::Marks(const Subject& subject) : subject_(subject) {
   const Model& model = subject_.mechanism.model;
   for (int i = 0; i < model.body_count(); ++i) {
-    const BodySpec& spec = subject_.scene.bodies[static_cast<std::size_t>(i)];
+    const BodySpec& spec = subject_.scene.bodies[i];
     const Marker origin = model.marker_at(i, model.initial(i).r);
     Mark mark{origin, origin, {}, FromGround{i}};
     mark.m1.s0.setZero();  // Bo itself, whatever node is nearest
@@ -232,7 +232,7 @@ const Eigen::Matrix3Xd& Marks::vectors(const Kinematics& kinematics, const Sampl
 void Marks::put_load(const Mark& mark, const Sample& sample, Eigen::Index column) {
   Eigen::Ref<Eigen::Vector3d> first = vectors_.col(column + 2), second = vectors_.col(column + 3);
   if (const auto* ground = std::get_if<FromGround>(&mark.load)) {
-    const GeneralizedForce& contact = sample.contact[static_cast<std::size_t>(ground->body)];
+    const GeneralizedForce& contact = sample.contact[ground->body];
     first = contact.F_W;
     second = contact.T_W;
   } else if (const auto* strut = std::get_if<Handle<Strut>>(&mark.load)) {

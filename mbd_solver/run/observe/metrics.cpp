@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "coupler/base/text.h"
+#include "mbd_solver/assemble/codes.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/build/codes.h"
 #include "mbd_solver/model/elements/cable.h"
 #include "mbd_solver/model/modal_body.h"
 #include "mbd_solver/model/rotation.h"
@@ -34,7 +34,7 @@ FlexibleBodies::FlexibleBodies(const Subject& subject) : model_(subject.mechanis
     Limits limits;
     limits.lowest = lowest_frequency(modal);
     limits.extent = extent(modal);
-    const std::string& material = scene.bodies[static_cast<std::size_t>(i)].material;
+    const std::string& material = scene.bodies[i].material;
     if (!material.empty()) limits.yield_stress = scene.material(material).yield_stress;
     limits_.push_back(limits);
   }
@@ -56,7 +56,7 @@ int FlexibleBodies::find(int body) const {
   return found == bodies_.end() ? -1 : static_cast<int>(found - bodies_.begin());
 }
 
-const Body& FlexibleBodies::body(int k) const { return model_.body(bodies_[static_cast<std::size_t>(k)]); }
+const Body& FlexibleBodies::body(int k) const { return model_.body(bodies_[k]); }
 
 void FlexibleBodies::update(const Sample& sample) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
@@ -73,7 +73,7 @@ void FlexibleBodies::update(const Sample& sample) {
 }
 
 void FlexibleBodies::warn(double time, int k) {
-  Limits& limits = limits_[static_cast<std::size_t>(k)];
+  Limits& limits = limits_[k];
   const FlexibleMetrics& now = this->now(k);
   const auto number = [](double x) { return number_text(x, 3); };
   const std::string where = "t = " + number(time) + " s: body " + body(k).name();
@@ -111,9 +111,7 @@ void JointObserver::update(const Sample& sample) {
     const Joint& joint = model.joint(entry.joint);
     const JointCoordinate at(entry.coordinate, sample.kinematics.pair(joint.m1.body, joint.m2.body), joint.m1,
                              joint.m2);
-    const int angle = entry.coordinate == Coordinate::kAngle
-                          ? subject_.layout.joint_angle[static_cast<std::size_t>(entry.joint)]
-                          : -1;
+    const int angle = entry.coordinate == Coordinate::kAngle ? subject_.layout.joint_angle[entry.joint] : -1;
     now_[k] = {angle >= 0 ? nearest_turn(at.value(), sample.state.angles[angle]) : at.value(), at.rate()};
   }
   const Eigen::Ref<const Eigen::VectorXd> lambda = sample.rates.tail(subject_.layout.row_count);

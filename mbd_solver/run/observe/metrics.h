@@ -32,8 +32,8 @@ class FlexibleBodies {
   int count() const { return static_cast<int>(bodies_.size()); }
   int find(int body) const;  // index here of a body of the model, or -1: it is rigid
   const Body& body(int k) const;
-  const FlexibleMetrics& now(int k) const { return now_[static_cast<std::size_t>(k)]; }
-  const FlexibleMetrics& peak(int k) const { return peak_[static_cast<std::size_t>(k)]; }  // of each metric separately
+  const FlexibleMetrics& now(int k) const { return now_[k]; }
+  const FlexibleMetrics& peak(int k) const { return peak_[k]; }  // of each metric separately
 
  private:
   // Limits of one body, and the warnings given.

@@ -60,7 +60,7 @@ MomentumRecord::MomentumRecord(const Subject& subject, const std::string& folder
   file_.precision(17);
   file_ << "time,px,py,pz,size,mass,gx,gy,gz,free,reacts";
   for (const int i : subject.agreement->boundaries) {
-    const std::string& name = subject.mechanism.boundaries[static_cast<std::size_t>(i)].boundary.name();
+    const std::string& name = subject.mechanism.boundaries[i].boundary.name();
     for (const char* what : {"fx", "fy", "fz", "mx", "my", "mz", "received"}) file_ << "," << name << "." << what;
   }
   file_ << "\n";
@@ -77,8 +77,8 @@ void MomentumRecord::write(const Sample& sample) {
   put(model.gravity());
   file_ << "," << is_free(model) << "," << subject_.agreement->scheme->requires_tangent();
   for (const int i : subject_.agreement->boundaries) {
-    const int body = subject_.mechanism.boundaries[static_cast<std::size_t>(i)].body;
-    const ExternalLoad& load = sample.inputs.loads[static_cast<std::size_t>(body)];
+    const int body = subject_.mechanism.boundaries[i].body;
+    const ExternalLoad& load = sample.inputs.loads[body];
     put(load.F_W);
     put(load.T_B);
     file_ << "," << sample.state.load_work(body);
@@ -137,7 +137,7 @@ MotionRecord::MotionRecord(const Subject& subject, const Kinematics& start, cons
   const std::vector<std::string> names = {"time", "x", "y", "z", "rx", "ry", "rz", "bend", "fx", "fy", "fz"};
   const std::vector<std::string> units = {"s", "m", "m", "m", "rad", "rad", "rad", "m", "N", "N", "N"};
   for (const int i : subject.agreement->boundaries) {
-    const BodyBoundary& entry = subject.mechanism.boundaries[static_cast<std::size_t>(i)];
+    const BodyBoundary& entry = subject.mechanism.boundaries[i];
     const ModalBoundary& boundary = entry.boundary;
     if (boundary.triangles().empty()) continue;
     if (surfaces_.empty()) make_folder(folder);
@@ -166,7 +166,7 @@ void MotionRecord::write(const Sample& sample) {
     const RigidFit fit = fit_rigid(surface.x0, surface.x);
     const Eigen::AngleAxisd turn(fit.R);
     const Eigen::Vector3d r = turn.angle() * turn.axis();
-    const Eigen::Vector3d& f = sample.contact[static_cast<std::size_t>(body)].F_W;
+    const Eigen::Vector3d& f = sample.contact[body].F_W;
     surface.file->write({sample.state.time, fit.centre.x(), fit.centre.y(), fit.centre.z(), r.x(), r.y(), r.z(),
                          fit.residual, f.x(), f.y(), f.z()});
   }

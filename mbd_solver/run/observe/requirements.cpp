@@ -155,8 +155,7 @@ std::vector<std::string> requirement_unit_warnings(const Scene& scene, const std
     if (read.size() != 1 || read.front() != trimmed(spec.value) || !is_known_unit(spec.unit)) continue;
     const auto split = reduced_name(read.front());
     const auto column = std::find(names.begin(), names.end(), split ? split->first : read.front());
-    const std::string unit =
-        column != names.end() ? units[static_cast<std::size_t>(column - names.begin())] : unit_of_figure(read.front());
+    const std::string unit = column != names.end() ? units[column - names.begin()] : unit_of_figure(read.front());
     if (!is_known_unit(unit) || unit == spec.unit) continue;
     const bool angle = unit == "rad" && spec.unit == "deg";
     warnings.push_back(

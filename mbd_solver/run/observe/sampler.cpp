@@ -45,7 +45,7 @@ void Sampler::update_contact() {
   }
   const Mechanism& mechanism = subject_.mechanism;
   const auto add = [&](int body, const Vector6d& wrench) {
-    GeneralizedForce& contact = contact_[static_cast<std::size_t>(body)];
+    GeneralizedForce& contact = contact_[body];
     contact.F_W += wrench.head<3>();
     contact.T_W += wrench.tail<3>();
   };

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "coupler/body_motion.h"
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/coupling/coupling_sample.h"
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/dynamics/kinematics.h"
@@ -37,7 +37,7 @@ struct Sample {
 // The input of force element `force` of the model at this instant.
 inline ElementInput element_input(const Subject& subject, const Sample& sample, int force) {
   const ForceElement& element = subject.mechanism.model.force(force);
-  const int z = subject.layout.force_z[static_cast<std::size_t>(force)];
+  const int z = subject.layout.force_z[force];
   return element_input(element, sample.kinematics, sample.state.z.segment(z, element.state_count()), sample.values,
                        sample.state.time);
 }

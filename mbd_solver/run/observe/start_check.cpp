@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/build/grain_dump.h"
+#include "mbd_solver/assemble/grain_dump.h"
 #include "mbd_solver/run/observe/attached_damping.h"
 #include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/observe/requirements.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/build/grain_dump.h"
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/grain_dump.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {

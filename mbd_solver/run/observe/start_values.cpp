@@ -162,7 +162,7 @@ AssemblyOptions assembly_options(const Scene& scene, const Model& model) {
   options.gap_tolerance = std::max(options.gap_tolerance, scene.initial.largest_gap);
   for (const InitialJointSpec& given : scene.initial.joints) {
     const int joint = scene.joint_index(given.name);
-    for (const Coordinate choice : coordinates_of(scene.joints[static_cast<std::size_t>(joint)].type))
+    for (const Coordinate choice : coordinates_of(scene.joints[joint].type))
       if (given.value(choice)) options.start.push_back({joint, choice, *given.value(choice)});
   }
   return options;

@@ -1,7 +1,7 @@
 #pragma once
 // Checks of the expressions of signals and events at the start of a run: their names exist, and they have values.
 
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/dynamics/assembly.h"
 
 namespace footfall {

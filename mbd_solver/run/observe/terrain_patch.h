@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 
 namespace footfall {
 

@@ -127,7 +127,7 @@ const std::vector<double>& History::column(const std::string& name) const {
   const int index = find(name);
   if (index < 0)
     throw InputError(code::kNoSuchColumn, "the history has no column \"" + name + "\"; it has " + joined(names, ","));
-  return columns[static_cast<std::size_t>(index)];
+  return columns[index];
 }
 
 History read_history(const std::string& path) {

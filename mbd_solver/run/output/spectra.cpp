@@ -177,7 +177,7 @@ History filtered_history(const History& history, const std::vector<std::string>&
   History filtered;
   const auto add = [&](const std::string& name, std::vector<double> values) {
     filtered.names.push_back(name);
-    filtered.units.push_back(history.units[static_cast<std::size_t>(history.find(name))]);
+    filtered.units.push_back(history.units[history.find(name)]);
     values.resize(times.rows);
     filtered.columns.push_back(std::move(values));
   };

@@ -40,9 +40,8 @@ void add_roughness(const RoughnessSpec& r, std::vector<GroundWave>& waves) {
   double sum = 0.0;
   for (int i = 0; i < kRoughWaves; ++i) {
     const double a = edge(i), b = edge(i + 1);
-    square[static_cast<std::size_t>(i)] =
-        H < 1e-9 ? std::log(b / a) : std::pow(a / low, -2.0 * H) - std::pow(b / low, -2.0 * H);
-    sum += square[static_cast<std::size_t>(i)];
+    square[i] = H < 1e-9 ? std::log(b / a) : std::pow(a / low, -2.0 * H) - std::pow(b / low, -2.0 * H);
+    sum += square[i];
   }
   // All waves fit into a square of this side, which goes on periodically: one of amplitude 0 tells Terrain.
   const double quantum = low / kPeriods;
@@ -51,7 +50,7 @@ void add_roughness(const RoughnessSpec& r, std::vector<GroundWave>& waves) {
     const double k = edge(i) * std::pow(ratio, draws.number() / kRoughWaves), angle = 2.0 * kPi * draws.number();
     GroundWave wave;
     wave.k = {quantum * std::round(k * std::cos(angle) / quantum), quantum * std::round(k * std::sin(angle) / quantum)};
-    wave.amplitude = r.height * std::sqrt(2.0 * square[static_cast<std::size_t>(i)] / sum);
+    wave.amplitude = r.height * std::sqrt(2.0 * square[i] / sum);
     wave.phase = 2.0 * kPi * draws.number();
     waves.push_back(wave);
   }
@@ -67,7 +66,7 @@ void add_rock_field(const RockFieldSpec& f, std::vector<Rock>& rocks) {
   for (double sum = 0.0; sum < mean; ++count) sum -= std::log(1.0 - draws.number());
   std::vector<double> D(kRockSizes + 1), above(kRockSizes + 1, 0.0);  // rocks larger than D, up to a factor
   for (int i = 0; i <= kRockSizes; ++i)
-    D[static_cast<std::size_t>(i)] = f.smallest * std::pow(f.largest / f.smallest, static_cast<double>(i) / kRockSizes);
+    D[i] = f.smallest * std::pow(f.largest / f.smallest, static_cast<double>(i) / kRockSizes);
   for (std::size_t i = kRockSizes; i-- > 0;) {
     const auto density = [&](double d) { return std::exp(-q * d) / (d * d); };
     const double middle = 0.5 * (D[i] + D[i + 1]);

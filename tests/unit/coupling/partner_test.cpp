@@ -10,7 +10,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/schemes/registry.h"
 #include "coupler/transport_loopback.h"
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/coupling/codes.h"
 #include "mbd_solver/coupling/contact_mass.h"
 #include "mbd_solver/coupling/coupling_watch.h"

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/assemble/codes.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/build/codes.h"
 #include "mbd_solver/run/observe/attached_damping.h"
 #include "tests/support/scene_texts.h"
-#include "tests/unit/build/kind_scenes.h"
+#include "tests/unit/assemble/kind_scenes.h"
 #include "tests/unit/run/recorded.h"
 
 namespace footfall {

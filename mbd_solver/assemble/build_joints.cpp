@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/assemble/mechanism.h"
+#include "mbd_solver/assemble/moved_mass.h"
+#include "mbd_solver/assemble/time_functions.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/build/moved_mass.h"
-#include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/gear.h"
 #include "mbd_solver/model/laws/friction.h"

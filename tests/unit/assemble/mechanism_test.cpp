@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/rotation.h"
 #include "tests/support/refused.h"
-#include "tests/unit/build/kind_scenes.h"
+#include "tests/unit/assemble/kind_scenes.h"
 #include "tests/unit/dynamics/jacobian_check.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"
@@ -18,7 +18,7 @@
 namespace footfall {
 namespace {
 
-// Every kind of joint, strut law, spring and controller that a scene can name (mbd_solver/build/mechanism.h): it is built as what it is called, its
+// Every kind of joint, strut law, spring and controller that a scene can name (mbd_solver/assemble/mechanism.h): it is built as what it is called, its
 // derivatives are those of its residual, and it keeps the account of the energy. The kinds are those of the reader's
 // own lists; a kind without a scene in kind_scenes.h fails.
 
@@ -287,7 +287,7 @@ TEST_P(EveryControllerKind, ResumesToTheBit) {
 
 INSTANTIATE_TEST_SUITE_P(Registered, EveryControllerKind, ValuesIn(names_of<ControllerKind>()), name_of_test);
 
-// Where the mechanism starts: mbd_solver/build/mechanism.cpp, step by step.
+// Where the mechanism starts: mbd_solver/assemble/mechanism.cpp, step by step.
 
 // Two bodies, their mass centre at (1, 0, 2); the lower one touches the ground with a plate 0.4 m wide at z = 1.5.
 const std::string kTwoBodies = R"(end_time = 0.1
@@ -554,7 +554,7 @@ TEST(FlexibleCopies, LegsOfAnArrayAreTurnedCopiesOfTheFirst) {
 }
 
 // Rigid spheres, rods and discs meet the plane as what they are, not by the nodes of their triangles:
-// mbd_solver/build/build_bodies.cpp and the round edges of mbd_solver/model/elements/rigid_plane.h.
+// mbd_solver/assemble/build_bodies.cpp and the round edges of mbd_solver/model/elements/rigid_plane.h.
 
 constexpr double kRadius = 0.1, kGravity = 9.81, kStiffness = 1e6;
 

@@ -1,5 +1,5 @@
 // The steps of building in their order, the bodies, and the inputs.
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 
 #include <algorithm>
 #include <unordered_map>

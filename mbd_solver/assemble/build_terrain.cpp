@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/model/elements/terrain_contact.h"
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/resolve.h"

@@ -1,6 +1,6 @@
 // Bodies that other joints connect to either side of a joint move with it; the ground does not move.
 
-#include "mbd_solver/build/moved_mass.h"
+#include "mbd_solver/assemble/moved_mass.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,17 +20,16 @@ std::vector<int> connected(const Scene& scene, const Model& model, int left_out)
   // A tree for each set; a body is led to its root.
   const auto root_of = [&](int body) {
     std::size_t i = body == kGround ? set.size() - 1 : static_cast<std::size_t>(body);
-    for (; set[i] != static_cast<int>(i); i = static_cast<std::size_t>(set[i]))
-      set[i] = set[static_cast<std::size_t>(set[i])];
+    for (; set[i] != static_cast<int>(i); i = static_cast<std::size_t>(set[i])) set[i] = set[set[i]];
     return static_cast<int>(i);
   };
   for (int j = 0; j < static_cast<int>(scene.joints.size()); ++j) {
     if (j == left_out) continue;
     const int from = root_of(model.joint(j).m1.body), to = root_of(model.joint(j).m2.body);
-    set[static_cast<std::size_t>(from)] = to;
+    set[from] = to;
   }
   std::vector<int> roots(set.size());
-  for (int i = 0; i < model.body_count(); ++i) roots[static_cast<std::size_t>(i)] = root_of(i);
+  for (int i = 0; i < model.body_count(); ++i) roots[i] = root_of(i);
   roots.back() = root_of(kGround);
   return roots;
 }
@@ -63,8 +62,8 @@ double joined_mass(const Scene& scene, const Model& model, int index, Coordinate
   const std::vector<int> set = connected(scene, model, index);
   const int ground = set.back();
   const auto side = [&](int body) {
-    if (body == kGround || set[static_cast<std::size_t>(body)] == ground) return kInfinite;
-    return sum_of(model, turns, p, e, [&](std::size_t i) { return set[i] == set[static_cast<std::size_t>(body)]; });
+    if (body == kGround || set[body] == ground) return kInfinite;
+    return sum_of(model, turns, p, e, [&](std::size_t i) { return set[i] == set[body]; });
   };
   const double least = std::min(side(joint.m1.body), side(joint.m2.body));
   return least < kInfinite ? least : sum_of(model, turns, p, e, [](std::size_t) { return true; });

@@ -1,5 +1,5 @@
 // Sums of polynomial, sine and table; a signal is added where the function is used.
-#include "mbd_solver/build/time_functions.h"
+#include "mbd_solver/assemble/time_functions.h"
 
 namespace footfall {
 

@@ -7,10 +7,10 @@
 
 #include "coupler/base/number.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/assemble/codes.h"
+#include "mbd_solver/assemble/mechanism.h"
+#include "mbd_solver/assemble/time_functions.h"
 #include "mbd_solver/base/fmu_description.h"
-#include "mbd_solver/build/codes.h"
-#include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/model/control/continuous_signals.h"
 #include "mbd_solver/model/control/controllers.h"
 #include "mbd_solver/model/control/foreign_block.h"

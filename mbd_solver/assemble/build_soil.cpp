@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/model/elements/soil_contact.h"
 #include "mbd_solver/model/rotation.h"
 
@@ -50,7 +50,7 @@ std::vector<SoilFacet> facets_of(const BodyBoundary& entry, double side, const M
         side / 6.0 * (corner(boundary, t[1]) - a).cross(Eigen::Vector3d(corner(boundary, t[2]) - a));
     if (!(third.norm() > 0.0)) continue;
     for (const int node : {t[0], t[1], t[2]}) {
-      std::vector<Share>& shares = around[static_cast<std::size_t>(node)];
+      std::vector<Share>& shares = around[node];
       const auto alike = std::find_if(shares.begin(), shares.end(), [&](const Share& share) {
         return share.area.normalized().dot(third.normalized()) > kOneFacet;
       });

@@ -151,7 +151,7 @@ angular_velocity = [1, -2, 1.5]
 inline std::string keys_of_kind(const KeysOfKind& keys, const std::string& kind) {
   const auto found = keys.find(kind);
   if (found != keys.end()) return found->second;
-  ADD_FAILURE() << "no scene for \"" << kind << "\": give it one in tests/unit/build/kind_scenes.h";
+  ADD_FAILURE() << "no scene for \"" << kind << "\": give it one in tests/unit/assemble/kind_scenes.h";
   return "";
 }
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 
 namespace footfall {
 

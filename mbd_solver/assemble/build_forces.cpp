@@ -5,10 +5,10 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/assemble/codes.h"
+#include "mbd_solver/assemble/mechanism.h"
+#include "mbd_solver/assemble/time_functions.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/build/codes.h"
-#include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/build/time_functions.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/elements/bushing.h"
 #include "mbd_solver/model/elements/cable.h"
@@ -370,7 +370,7 @@ const BodyBoundary& boundary_of(const Mechanism& mechanism, int body) {
 double reach(const BodyBoundary& entry) { return entry.boundary.rho0().colwise().norm().maxCoeff(); }
 
 bool is_ball(const Scene& scene, const BodyBoundary& entry) {
-  const BodySpec& body = scene.bodies[static_cast<std::size_t>(entry.body)];
+  const BodySpec& body = scene.bodies[entry.body];
   return body.shape && body.shape->kind == ShapeKind::kSphere && entry.boundary.segments().empty() &&
          entry.boundary.mode_count() == 0;
 }

@@ -1,5 +1,5 @@
 // Reads the last frame of a text dump of LIGGGHTS.
-#include "mbd_solver/build/grain_dump.h"
+#include "mbd_solver/assemble/grain_dump.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <set>
 
 #include "coupler/base/input_file.h"
+#include "mbd_solver/assemble/codes.h"
 #include "mbd_solver/base/text_reader.h"
-#include "mbd_solver/build/codes.h"
 
 namespace footfall {
 

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "coupler/base/text.h"
-#include "mbd_solver/build/codes.h"
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/codes.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {

@@ -10,11 +10,11 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/assemble/codes.h"
+#include "mbd_solver/assemble/end_state.h"
+#include "mbd_solver/assemble/grain_dump.h"
+#include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/build/codes.h"
-#include "mbd_solver/build/end_state.h"
-#include "mbd_solver/build/grain_dump.h"
-#include "mbd_solver/build/mechanism.h"
 #include "mbd_solver/fe/fe_model.h"
 #include "mbd_solver/fe/foreign_model.h"
 #include "mbd_solver/fe/mesh_generator.h"
@@ -119,9 +119,8 @@ FeModel frame(const FlexibleSpec& spec, const Material& material) {
   std::vector<BeamMember> members;
   for (const MemberSpec& m : spec.members) {
     int section = 0;
-    while (spec.sections[static_cast<std::size_t>(section)].name != m.section) ++section;
-    const Eigen::Vector3d from = spec.nodes[static_cast<std::size_t>(m.first)],
-                          to = spec.nodes[static_cast<std::size_t>(m.second)];
+    while (spec.sections[section].name != m.section) ++section;
+    const Eigen::Vector3d from = spec.nodes[m.first], to = spec.nodes[m.second];
     int last = m.first;
     for (int k = 1; k <= m.elements; ++k) {
       int next = m.second;
@@ -460,14 +459,14 @@ const BoundarySpec& spec_of(const Scene& scene, const BodyBoundary& entry) {
 }  // namespace
 
 void add_plane_places(const Scene& scene, const Body& body, BodyBoundary& entry) {
-  const BodySpec& spec = scene.bodies[static_cast<std::size_t>(entry.body)];
+  const BodySpec& spec = scene.bodies[entry.body];
   const bool round = body.modal() == nullptr && add_round_shape(spec, spec_of(scene, entry), entry);
   for (ContactPoint& point : contact_points(entry.body, body, entry.boundary))
     if (!round || point.radius > 0.0) entry.points.push_back(std::move(point));  // of beams
 }
 
 const ShapeSpec* round_shape(const Scene& scene, const BodyBoundary& entry) {
-  const BodySpec& body = scene.bodies[static_cast<std::size_t>(entry.body)];
+  const BodySpec& body = scene.bodies[entry.body];
   const BoundarySpec& spec = spec_of(scene, entry);
   if (entry.boundary.mode_count() > 0 || !spec.surface || !spec.surface->file.empty() || !body.shape) return nullptr;
   const bool ball = body.shape->kind == ShapeKind::kSphere || body.shape->kind == ShapeKind::kCapsule;
@@ -656,8 +655,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
     const Eigen::Vector3d lift = (*initial.clearance - smallest) * up;
     placement.p_WD += lift;
     for (std::size_t k = 0; k < placement.sites.size(); ++k)
-      if (!stands_still(scene, scene.bodies[static_cast<std::size_t>(boundaries[k].body)].name))
-        placement.sites[k].r += lift;
+      if (!stands_still(scene, scene.bodies[boundaries[k].body].name)) placement.sites[k].r += lift;
   }
   return placement;
 }

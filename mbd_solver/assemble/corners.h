@@ -8,8 +8,8 @@
 
 #include <Eigen/Dense>
 
-#include "mbd_solver/build/mechanism.h"
-#include "mbd_solver/build/time_functions.h"
+#include "mbd_solver/assemble/mechanism.h"
+#include "mbd_solver/assemble/time_functions.h"
 #include "mbd_solver/model/control/given_signals.h"
 
 namespace footfall {

@@ -1,6 +1,6 @@
 // Numbers are written with all digits, so that a scene that starts from a run continues from its very state.
 
-#include "mbd_solver/build/end_state.h"
+#include "mbd_solver/assemble/end_state.h"
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -8,7 +8,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/build/codes.h"
+#include "mbd_solver/assemble/codes.h"
 #include "mbd_solver/scene/findings.h"
 
 namespace footfall {

@@ -1,10 +1,10 @@
 // The earliest corner of all functions and of all signals that are known beforehand.
-#include "mbd_solver/build/corners.h"
+#include "mbd_solver/assemble/corners.h"
 
 #include <algorithm>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/build/codes.h"
+#include "mbd_solver/assemble/codes.h"
 
 namespace footfall {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // The mass, or moment of inertia, that a joint coordinate moves: an estimate from above, for the damping of stick in joints.
 
-#include "mbd_solver/build/mechanism.h"
+#include "mbd_solver/assemble/mechanism.h"
 
 namespace footfall {
 
