@@ -34,7 +34,7 @@ SweepSpec shortened(SweepSpec spec, bool short_form) {
 }
 
 std::string text_of(const ParameterSpec& p, double value) {
-  return p.choices.empty() ? exact_text(value) : p.choices[value].name;
+  return p.choices.empty() ? exact_text(value) : p.choices[static_cast<std::size_t>(value)].name;
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ std::string Campaign::case_name(std::size_t c) const { return cases() == 1 ? "al
 double Campaign::drawn_number(std::size_t draw, std::size_t place) const {
   const ParameterSpec& p = spec_.parameters[draws_.parameters()[place]];
   const double value = draws_.values(draw)[place];
-  return p.choices.empty() ? value : number_in(p.choices[value].name).value_or(value);
+  return p.choices.empty() ? value : number_in(p.choices[static_cast<std::size_t>(value)].name).value_or(value);
 }
 
 std::string Campaign::name(std::size_t row) const {

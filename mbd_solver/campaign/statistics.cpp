@@ -97,7 +97,7 @@ std::vector<GroupDraw> draw_by_groups(const std::vector<double>& weights, int co
   std::vector<std::size_t> order(all);
   std::iota(order.begin(), order.end(), std::size_t{0});
   for (std::size_t i = all; i > 1; --i)  // std::shuffle differs between libraries
-    std::swap(order[i - 1], order[uniform() * static_cast<double>(i)]);
+    std::swap(order[i - 1], order[static_cast<std::size_t>(uniform() * static_cast<double>(i))]);
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   std::vector<GroupDraw> checked;
   for (std::size_t g = 0; g < groups; ++g) {

@@ -358,7 +358,8 @@ Reference reference_of(Scene scene) {
   const VtkFrame& frame = reference.shape.frame;
   const Eigen::VectorXd& body = frame.cell_numbers[1].second;
   for (std::size_t k = 0; k < frame.lines.size(); ++k)
-    reference.shape.line_radius.push_back(radius[body(static_cast<Eigen::Index>(frame.triangles.size() + k))]);
+    reference.shape.line_radius.push_back(
+        radius[static_cast<std::size_t>(body(static_cast<Eigen::Index>(frame.triangles.size() + k)))]);
   return reference;
 }
 

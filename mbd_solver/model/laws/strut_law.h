@@ -79,8 +79,8 @@ constexpr std::string_view name_of(Supply source) {
 template <class Kind>
 struct ByKind {
   std::array<double, static_cast<std::size_t>(count_of<Kind>())> by_kind{};
-  double& operator[](Kind kind) { return by_kind[kind]; }
-  double operator[](Kind kind) const { return by_kind[kind]; }
+  double& operator[](Kind kind) { return by_kind[static_cast<std::size_t>(kind)]; }
+  double operator[](Kind kind) const { return by_kind[static_cast<std::size_t>(kind)]; }
   double total() const {
     double sum = 0.0;
     for (const double value : by_kind) sum += value;

@@ -308,7 +308,7 @@ TEST(FuzzyBadFile, IsNamedWithTheLineThatIsWrong) {
 // Before, the mark that some editors write was part of the first key, which then was unknown.
 TEST(FuzzyFile, MayBeginWithAByteOrderMark) {
   const TemporaryFll file("\xEF\xBB\xBF" + lander_text());
-  EXPECT_EQ(test::error_of([&] { FuzzySystem system(file.path); }), "");
+  EXPECT_EQ(test::refusal([&] { FuzzySystem system(file.path); }), "");
 }
 
 // Each line is compiled alone.
