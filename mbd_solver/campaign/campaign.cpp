@@ -80,7 +80,7 @@ RunRequest Campaign::request(std::size_t row, const std::vector<std::string>& mo
     if (p.choices.empty()) {
       append(r.settings, filled(p.settings, r.values.back()));
     } else {
-      const ChoiceSpec& choice = p.choices[drawn[k]];
+      const ChoiceSpec& choice = p.choices[static_cast<std::size_t>(drawn[k])];
       append(r.settings, choice.settings);
       if (!choice.scene.empty()) r.scene = choice.scene;
     }
