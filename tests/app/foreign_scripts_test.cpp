@@ -184,10 +184,10 @@ TEST(ForeignValues, StartNothing) {
     refused("check scene.toml" + setting);
     refused("run scene.toml --out out" + setting);
     EXPECT_FALSE(fs::exists(folder.path() / "out")) << "nothing is written";
-    folder.write(
-        "sweep.toml",
-        "title = \"t\"\nscene = \"scene.toml\"\nsettings = ['" + key + "=\"" + value +
-            "\"']\n[[parameters]]\nname = \"u\"\nvalues = [1]\nsettings = [\"initial.velocity=[0, 0, -{value}]\"]\n[[figures]]\nname = \"a\"\nkey = \"peak_acceleration_g\"\n");
+    folder.write("sweep.toml",
+                 "title = \"t\"\nscene = \"scene.toml\"\nsettings = ['" + key + "=\"" + value +
+                     "\"']\n[[parameters]]\nname = \"u\"\nvalues = [1]\nsettings = [\"initial.velocity=[0, 0, "
+                     "-{value}]\"]\n[[figures]]\nname = \"a\"\nkey = \"peak_acceleration_g\"\n");
     refused("sweep sweep.toml --out swept");
   }
   ASSERT_EQ(folder.footfall("run scene.toml --quiet --out out").exit_code, 0);
