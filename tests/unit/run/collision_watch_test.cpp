@@ -174,7 +174,8 @@ TEST(BodyContact, WhetherABallComesAwayDoesNotDependOnRows) {
   const std::string table =
       "[[bodies]]\nname = \"table\"\nmass = 10\nshape = { kind = \"box\", size = [0.6, 0.4, 0.1], centre = [0, 0, "
       "-0.05] }\n"
-      "[[boundaries]]\nbody = \"table\"\nsurface = { element_size = 0.1 }\n[[joints]]\nname = \"f\"\nkind = \"fixed\"\n"
+      "[[boundaries]]\nbody = \"table\"\nsurface = { element_size = 0.02 }\n[[joints]]\nname = \"f\"\nkind = "
+      "\"fixed\"\n"
       "bodies = [\"ground\", \"table\"]\npoint = [0, 0, 0]\n[[contacts]]\nbetween = [\"table\", \"ball\"]\nyoung_MPa = "
       "50\n"
       "contact_radius = 0.03\nrestitution = 0.3\nimpact_speed = 1\nfriction = 0.5\n";
@@ -183,10 +184,13 @@ TEST(BodyContact, WhetherABallComesAwayDoesNotDependOnRows) {
     const Ended bounced = run(head + table + ball("ball", {-0.1, 0.03, 0.1}, 0.03) + moves("ball", "[0.5, 0, -1]"));
     EXPECT_EQ(bounced.why, "") << interval;
     EXPECT_NEAR(bounced.state.v[6], 5.0 / 7.0 * 0.5, 2e-3) << interval;  // it leaves rolling
-    const Ended rolled = run(head + table + ball("ball", {0.25, 0.03, 0.03}, 0.03) + moves("ball", "[1.5, 0, 0]") +
-                             "angular_velocity = [0, 50, 0]\n");
+    const Ended rolled =
+        run("end_time = 0.16\n[output]\ninterval = " + number_text(interval) + "\n" + table +
+            "[[bodies]]\nname = \"ball\"\nmass = 0.03\nshape = { kind = \"sphere\", centre = [0.1, 0.03, "
+            "0.01], radius = 0.01 }\n[[boundaries]]\nbody = \"ball\"\nsurface = {}\n" +
+            moves("ball", "[1.5, 0, 0]") + "angular_velocity = [0, 150, 0]\n");
     EXPECT_EQ(rolled.why, "") << interval;
-    EXPECT_NEAR(rolled.state.q[7], 0.25 + 1.5 * 0.08, 1e-3) << interval;
+    EXPECT_NEAR(rolled.state.q[7], 0.1 + 1.5 * 0.16, 1e-3) << interval;
   }
 }
 
