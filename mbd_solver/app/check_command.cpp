@@ -55,8 +55,8 @@ std::string check(Scene scene, bool judges) {
   std::string proposal;
   if (judges && scene.touches_particles() && scene.particles->grains.empty())
     scene.particles->grains = grains_of_bed(scene);
-  const auto warn = [](const std::string& warning) {
-    std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
+  const auto warn = [&scene](const std::string& warning) {
+    if (!scene.accepts(warning)) std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
   };
   check_by_building(scene, judges, warn, [&](const Scene& placed, const Mechanism& mechanism) {
     require_inside_box(placed, mechanism);

@@ -253,6 +253,8 @@ void show_warnings(const Json& summary, HtmlPage& page) {
     page.warning("This run is not complete: " + status +
                  (summary.contains("reason") ? ": " + summary.at("reason").get<std::string>() : ""));
   for (const Json& text : summary.value("warnings", Json::array())) page.warning(text.get<std::string>());
+  for (const Json& accepted : summary.value("accepted_warnings", Json::array()))
+    page.warning("Accepted, as " + accepted.value("reason", "") + ": " + accepted.value("warning", ""));
 }
 
 void show_summary(const Json& summary, HtmlPage& page) {

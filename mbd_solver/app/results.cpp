@@ -298,10 +298,10 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
   row(summary, "windows", "windows", 1.0, "%.0f");
   print_times(summary);
   print_requirements(summary);
-  if (summary.contains("warnings")) {
-    for (const Json& warning : summary.at("warnings"))
-      std::printf("  warning: %s\n", warning.get<std::string>().c_str());
-  }
+  // They have been printed as they came.
+  for (const auto& [key, what] : {std::pair{"warnings", ""}, std::pair{"accepted_warnings", "accepted "}})
+    if (const std::size_t count = summary.value(key, Json::array()).size(); count > 0)
+      std::printf("  %zu %swarning%s: in summary.json\n", count, what, count == 1 ? "" : "s");
   std::printf("Files: %s\n", (fs::path(out) / "history.csv").c_str());
   for (const char* name : {"summary.json", "ledger.csv", "liggghts.log", "vtk"}) {
     if (fs::exists(fs::path(out) / name)) std::printf("       %s\n", (fs::path(out) / name).c_str());

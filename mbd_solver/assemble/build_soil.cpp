@@ -87,11 +87,15 @@ double width_of(const ModalBoundary& boundary) {
   return sides[1];
 }
 
+constexpr double kAnyDepth = 1e6;  // of a soil [m]
+
 std::shared_ptr<const SoilLaw> soil_law(const Scene& scene, const ModalBoundary& boundary) {
   const SoilSpec& spec = *scene.ground.law;
   const auto set_common = [&](SoilLaw::Common& c) {
     c.density = spec.density;
     c.inertia = spec.inertia;
+    c.speed_resistance = spec.speed_resistance;
+    c.speed_depth = spec.speed_depth.value_or(kAnyDepth);
     c.cohesion = spec.cohesion;
     c.surface_friction = spec.surface_friction.value_or(1e3);
     c.rebound = spec.rebound;

@@ -20,7 +20,7 @@ double largest_mode(const ModalBoundary& boundary) {
   return largest;
 }
 
-bool joined(const Model& model, int body) {
+bool is_joined(const Model& model, int body) {
   for (int i = 0; i < model.joint_count(); ++i)
     if (model.joint(i).m1.body == body || model.joint(i).m2.body == body) return true;
   return false;
@@ -38,7 +38,7 @@ Vector cut_off(const Vector& x, double f, double longest) {
 ContactMass::ContactMass(Equations& equations, int body, const ModalBoundary& boundary)
     : equations_(equations),
       body_(body),
-      joined_(joined(equations.model(), body)),
+      joined_(is_joined(equations.model(), body)),
       mass_(equations.model().body(body).mass()),
       reach_(boundary.rho0().colwise().norm().maxCoeff()),
       largest_mode_(largest_mode(boundary)),

@@ -107,11 +107,7 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, const Ass
   for (const Coupled& body : bodies_) bodies.push_back(body.entry.body);
   known_motion_ = std::make_unique<KnownMotion>(mechanism.model, assembly, assembly.state, std::move(bodies));
   watched_.resize(bodies_.size());
-  const bool box = scene.particles->box.has_value();
-  const auto setting = chooses_windows()
-                           ? (box ? CouplingWatch::Setting::kBoxAuto : CouplingWatch::Setting::kScriptAuto)
-                           : (box ? CouplingWatch::Setting::kBox : CouplingWatch::Setting::kScript);
-  watch_ = std::make_unique<CouplingWatch>(names, scene.coupling, *scheme_, setting);
+  watch_ = std::make_unique<CouplingWatch>(names, scene.coupling, *scheme_, coupling_advice(scene, chooses_windows()));
   for (const std::string& warning : partner_.warnings()) watch_->warn(warning);
   sample_.omega_h = watch_->omega_h();
   choice_ = std::make_unique<WindowChoice>(scene.coupling, agreement_.dt, weight,

@@ -1,10 +1,12 @@
-// Every window adds to the records of the bodies and of the interface; each kind of trouble is reported once, with what
-// to change. Ends the run where the coupling creates energy or chatters, unless the scene allows it.
+// Every window adds to the records of the bodies and of the interface. What ends or spoils a run is told at once; what the whole
+// run decides is told once for all bodies, with what to change. Ends the run where the coupling creates energy or chatters,
+// unless the scene allows it.
 
 #include "mbd_solver/coupling/coupling_watch.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
@@ -21,9 +23,9 @@ constexpr int kSurplusWindows = 10;     // bodies times windows
 constexpr double kUnresolved = 0.1;     // of the impulse on a body
 constexpr double kWindowsPerTouch = 10.0;
 constexpr double kFloor = 1e-3;           // of the energy that a window's impulse can give
-constexpr double kDamped = 1.8;           // 2 zeta of a restitution of 0.2, over 0.5
 constexpr double kUsualDensity = 2500.0;  // of a grain whose mass alone is known [kg/m3]
-constexpr double kMuchLarger = 1.25;      // than what has been reported
+constexpr double kFarAbove = 1.5;         // times the limit of omega H: told whatever the errors are
+constexpr double kSeen = 0.01;            // error of energy or force that shows an interval as too long
 constexpr double kForceError = 0.05;      // of the largest force on a body
 // Of the DEM steps with kOfPeak of a peak: a window that shows it. Of a parabola with w such steps a mean over w / 2 leaves out
 // at most 3.3 %, wherever the window ends.
@@ -38,38 +40,31 @@ std::string number(double x) { return number_text(x, 3); }
 std::string percent(double x) { return number(100.0 * x) + " %"; }
 std::string at(double time) { return "t = " + number(time) + " s: "; }
 
+std::string shortened(std::vector<std::string> names) {
+  constexpr std::size_t kMost = 6;
+  const std::size_t more = names.size() > kMost ? names.size() - kMost : 0;
+  names.resize(names.size() - more);
+  return joined(names) + (more > 0 ? " and " + std::to_string(more) + " more" : "");
+}
+
 std::string steps(int n) { return std::to_string(n) + (n == 1 ? " DEM step" : " DEM steps"); }
 
 }  // namespace
 
 CouplingWatch::CouplingWatch(const std::vector<std::string>& names, const CouplingSpec& limits, const Scheme& scheme,
-                             Setting setting)
-    : limits_(limits), omega_h_limit_(scheme, limits.warn_omega_h), setting_(setting), records_(names.size()) {
+                             CouplingAdvice advice)
+    : limits_(limits), omega_h_limit_(scheme, limits.warn_omega_h), advice_(std::move(advice)), records_(names.size()) {
   for (std::size_t i = 0; i < names.size(); ++i) records_[i].name = names[i];
 }
 
-std::string CouplingWatch::window_text(int n) const {
-  const std::string number = std::to_string(n);
-  switch (setting_) {
-    case Setting::kScript: return "`every " + number + "`";
-    case Setting::kBox: return "particles.box.exchange_steps = " + number;
-    case Setting::kScriptAuto:
-    case Setting::kBoxAuto: return "coupling.max_substeps = " + number;
-  }
-  return {};
-}
-
-std::string CouplingWatch::shorter(double share, const Window& window) {
-  const bool box = of_box();
-  const double n = share * n_longest_;
+std::string CouplingWatch::shorter(double n, int& advised) const {
   if (n_longest_ > 1) {
-    advised_ = std::min(advised_, std::max(1, static_cast<int>(n)));
-    const std::string text = "use " + window_text(advised_);
-    if (n >= 1.0) return advised_ > 1 ? text + " or less" : text;
-    return text + (box ? ", and a smaller particles.box.time_step" : ", and a smaller timestep in the script");
+    advised = std::min(advised, std::max(1, static_cast<int>(n)));
+    const std::string text = "use " + advice_.interval(advised);
+    if (n >= 1.0) return advised > 1 ? text + " or less" : text;
+    return text + ", and " + advice_.shorter_step;
   }
-  return std::string(box ? "use a smaller particles.box.time_step" : "use a smaller timestep in the script") + " (" +
-         number_text(share * window.H / window.n, 2) +
+  return "use " + advice_.shorter_step + " (" + number_text(n * dt_, 2) +
          " s or less): the coupling interval is a single DEM step already";
 }
 
@@ -102,8 +97,7 @@ void CouplingWatch::Record::visit(Archive& archive) {
   archive("most_excess", most_excess);
   archive("worst_omega_h", worst_omega_h);
   archive("worst_n", worst_n);
-  archive("worst_damping", worst_damping);
-  archive("warned_of_omega_h", warned_of_omega_h);
+  archive("led", led);
   archive("work", work);
   archive("touch", touch);
   archive("touches", touches);
@@ -135,14 +129,15 @@ void CouplingWatch::visit(Archive& archive) {
   archive("began", began_);
   archive("warned_of_gain", warned_of_gain_);
   archive("warned_of_loss", warned_of_loss_);
-  archive("warned_of_overlap", warned_of_overlap_);
+  archive("starts_in_bed", starts_in_bed_);
   archive("warned_of_facets", warned_of_facets_);
   archive("warned_of_surplus", warned_of_surplus_);
   archive("warned_of_event", warned_of_event_);
   archive("gain_before", gain_before_);
+  archive("energy_error", energy_error_);
   archive("deepest_time", deepest_time_);
-  archive("told_overlap", told_overlap_);
   archive("deepest", deepest_);
+  archive("dt", dt_);
   archive("n_before", n_before_);
   archive("n_longest", n_longest_);
   archive("lengths", lengths_);
@@ -169,6 +164,7 @@ CouplingWatch::Peak CouplingWatch::peak() const {
 }
 
 void CouplingWatch::observe(const Window& window, const Load& load, const std::vector<Body>& bodies) {
+  dt_ = window.H / window.n;
   n_longest_ = std::max(window.n, n_before_);
   for (std::size_t i = 0; i < records_.size(); ++i) {
     const BodyLoad& body = load.bodies[i];
@@ -185,30 +181,15 @@ void CouplingWatch::observe(const Window& window, const Load& load, const std::v
   lengths_ = Eigen::Vector3d(window.H, lengths_[0], lengths_[1]);
 }
 
-// A body on contacts of stiffness K: omega = sqrt(K / m). Reported when it first exceeds its limit, and at the end if it
-// became much larger. The damping of N contacts follows the masses m_g of the grains and acts on the body, which may be
-// lighter; at a restitution of 0.2 (zeta = 0.45) c H / m is 0.9 sqrt(N m_g / m) omega H, and a mean misses half of that of the
-// force that decays. Advice keeps omega H below the limit, and c H / m below half of it.
+// A body on contacts of stiffness K: omega = sqrt(K / m).
 void CouplingWatch::watch_omega_h(Record& record, const Window& window, const BodyLoad& load, double mass) {
   record.omega_h = std::sqrt(std::max(0.0, load.contact_stiffness) / mass) * window.H;
   const double excess = record.omega_h / omega_h_limit_.at(window.n);
   record.largest_omega_h = std::max(record.largest_omega_h, record.omega_h);
-  const bool much_larger = record.warned_of_omega_h && window.last && record.most_excess > kMuchLarger;
-  if (excess > record.most_excess) {
-    record.most_excess = excess;
-    record.worst_omega_h = record.omega_h;
-    record.worst_n = window.n;
-    const double contacts = std::max(static_cast<double>(load.contacts), load.mean_contacts);
-    record.worst_damping = std::min(1.0, 1.0 / (kDamped * std::sqrt(contacts * load.grain_mass / mass)));
-  }
-  if (!much_larger && (record.warned_of_omega_h || excess <= 1.0)) return;
-  record.warned_of_omega_h = true;
-  warn(with_code(code::kIntervalTooLong, (much_larger ? "t = 0 to " + number(window.time) + " s: " : at(window.time)) +
-                                             "body " + record.name + " has omega H = " + number(record.worst_omega_h) +
-                                             (much_larger ? " at most" : "") + ", above " +
-                                             number(omega_h_limit_.at(record.worst_n)) + ": a coupling interval of " +
-                                             steps(record.worst_n) + " is too long for this contact stiffness; " +
-                                             shorter(record.worst_damping / record.most_excess, window)));
+  if (excess <= record.most_excess) return;
+  record.most_excess = excess;
+  record.worst_omega_h = record.omega_h;
+  record.worst_n = window.n;
 }
 
 void CouplingWatch::watch_energy(const Window& window, const Load& load, const std::vector<Body>& bodies) {
@@ -242,6 +223,7 @@ void CouplingWatch::watch_energy(const Window& window, const Load& load, const s
   // What stands for two windows: of both the value nearer to zero.
   const double gain = now * gain_before_ <= 0.0 ? 0.0 : std::abs(now) < std::abs(gain_before_) ? now : gain_before_;
   gain_before_ = now;
+  if (scale > 0.0) energy_error_ = std::max(energy_error_, std::abs(gain) / scale);
   // Errors of energy are of second order or more in H; the advice aims at half of what is warned of.
   const double share = std::clamp(
       std::sqrt(0.5 * kWarnGain * limits_.max_energy_residual * scale / std::max(std::abs(gain), 1e-300)), 0.1, 0.5);
@@ -251,16 +233,16 @@ void CouplingWatch::watch_energy(const Window& window, const Load& load, const s
   if (!warned_of_gain_ && gain > kWarnGain * limits_.max_energy_residual * scale) {
     warned_of_gain_ = true;
     warn(with_code(code::kCouplingCreates,
-                   at(window.time) + "the coupling added " + energy(gain) + ": " + shorter(share, window)));
+                   at(window.time) + "the coupling added " + energy(gain) + ": " + shorter_than_now(share)));
   }
   if (!warned_of_loss_ && -gain > limits_.max_energy_residual * scale) {
     warned_of_loss_ = true;
     warn(with_code(code::kCouplingDissipates, at(window.time) + "the coupling dissipated " + number(-gain) + " J, " +
                                                   percent(-gain / scale) +
-                                                  " of the energy exchanged in contacts: " + shorter(share, window)));
+                                                  " of the energy exchanged in contacts: " + shorter_than_now(share)));
   }
   if (!limits_.stop_on_energy_gain) return;
-  const auto advice = [&] { return shorter(share, window) + ", or set coupling.stop_on_energy_gain = false"; };
+  const auto advice = [&] { return shorter_than_now(share) + ", or set coupling.stop_on_energy_gain = false"; };
   // The bodies have received more than the grains have given: spurious energy.
   if (gain > limits_.max_energy_residual * scale)
     throw NumericalError(code::kEnergyCreated, at(window.time) + "the coupling added " + energy(gain) + " (limit " +
@@ -293,13 +275,6 @@ void CouplingWatch::watch_touch(Record& record, const Window& window, const Body
     touch = {};
   }
   record.touches = load.contacts > 0;
-  if (!window.last || record.unresolved <= kUnresolved * record.impulse) return;
-  warn(with_code(code::kContactNotResolved,
-                 "body " + record.name + ": " + percent(record.unresolved / record.impulse) +
-                     " of its contact impulse came from contacts that began and ended within one coupling interval "
-                     "(the shortest lasted " +
-                     number(record.shortest) + " s): its rebound is not resolved; " +
-                     shorter(record.shortest / (kWindowsPerTouch * window.H) * window.n / n_longest_, window)));
 }
 
 void CouplingWatch::add_surplus_impulse(std::size_t i, double time, const Eigen::Vector3d& surplus, double given) {
@@ -327,17 +302,15 @@ void CouplingWatch::tell_of_event(const std::string& event, const Window& window
   if (!late || warned_of_event_ || window.n <= 1 || share <= kEventShare) return;
   warned_of_event_ = true;
   n_longest_ = std::max(window.n, n_before_);
-  warn(with_code(
-      code::kEventLate,
-      at(window.time) + "event \"" + event + "\" was triggered by loads of the grains, which are known as means over " +
-          steps(window.n) + ": it acts up to " + number(window.H) + " s late, which changes velocities by up to " +
-          percent(share) + " of the largest; " + shorter(kEventShare / share * window.n / n_longest_, window)));
+  warn(with_code(code::kEventLate, at(window.time) + "event \"" + event +
+                                       "\" was triggered by loads of the grains, which are known as means over " +
+                                       steps(window.n) + ": it acts up to " + number(window.H) +
+                                       " s late, which changes velocities by up to " + percent(share) +
+                                       " of the largest; " + shorter(kEventShare / share * window.n, advised_)));
 }
 
-// The first overlap above the limit, and at the end the largest, where it is much larger.
 void CouplingWatch::watch_grains(const Window& window, const Load& load, const std::vector<Body>& bodies) {
-  const bool first_window = !began_;
-  began_ = true;
+  const bool first_window = !std::exchange(began_, true);
   for (std::size_t i = 0; i < records_.size(); ++i) {
     largest_patch_ = std::max(largest_patch_, load.bodies[i].max_patch_over_facet);
     if (load.bodies[i].max_overlap_over_radius <= largest_overlap_) continue;
@@ -345,29 +318,17 @@ void CouplingWatch::watch_grains(const Window& window, const Load& load, const s
     deepest_time_ = window.time;
     deepest_ = static_cast<int>(i);
   }
-  const bool larger = warned_of_overlap_ && window.last && largest_overlap_ > kMuchLarger * told_overlap_;
-  if (larger || (!warned_of_overlap_ && largest_overlap_ > kLargeOverlap)) {
-    warned_of_overlap_ = true;
-    told_overlap_ = largest_overlap_;
-    const std::string overlap = at(deepest_time_) + (larger ? "largest grain overlap of the run " : "grain overlap ") +
-                                percent(largest_overlap_) + " of radius, on body " + records_[deepest_].name;
+  if (first_window && largest_overlap_ > kInside) {
     // A fast body may have come so far within the window.
-    const std::size_t deepest = static_cast<std::size_t>(deepest_);
+    const auto deepest = static_cast<std::size_t>(deepest_);
     const double radius = std::cbrt(0.75 * load.bodies[deepest].grain_mass / (kPi * kUsualDensity));  // [m]
     const bool comes = bodies[deepest].speed * window.H > 0.5 * largest_overlap_ * radius && radius > 0.0;
-    if (first_window && largest_overlap_ > kInside && !comes) {
-      warn(with_code(code::kStartsInBed, overlap +
+    starts_in_bed_ = !comes;
+    if (starts_in_bed_)
+      warn(with_code(code::kStartsInBed, at(deepest_time_) + "grain overlap " + percent(largest_overlap_) +
+                                             " of radius, on body " + records_[deepest].name +
                                              ", in the first coupling interval: a body overlaps the bed at the start; "
                                              "raise it (initial.clearance, positions of bodies, [initial.joints])"));
-    } else {
-      warn(with_code(
-          code::kLargeOverlap,
-          overlap + " (limit " + percent(kLargeOverlap) +
-              "): the grains are too soft, so the first peak is underestimated; increase " +
-              (of_box() ? "particles.box.material.young by a factor f (10 is usual); the time step follows, "
-                          "unless particles.box.time_step is given"
-                        : "Young's modulus by a factor f (10 is usual) and reduce the time step by sqrt(f)")));
-    }
   }
   if (!warned_of_facets_ && largest_patch_ > 1.0) {
     warned_of_facets_ = true;
@@ -427,52 +388,123 @@ void CouplingWatch::watch_chatter(Record& record, const Eigen::Vector3d& force, 
                                              " alternated by more than half of its magnitude in " +
                                              std::to_string(kChatterWindows) +
                                              " coupling intervals in a row: the coupling is unstable; " +
-                                             shorter(0.5, window) + ", or set coupling.stop_on_chatter = false");
+                                             shorter_than_now(0.5) + ", or set coupling.stop_on_chatter = false");
 }
 
-// At the end, when the largest force is known: the share of it that means leave out, or that predictions miss. The path of a body
-// that is led is known, and so are its forces; on the predicted path of another they leave their mean towards the ends of a window,
-// where only its neighbours tell of a peak.
 void CouplingWatch::watch_peaks(Record& record, const Window& window, const BodyLoad& load, const Body& body) {
-  const bool led = std::isinf(body.mass);
+  record.led = std::isinf(body.mass);
   const double H_after = window.H * (1.0 - static_cast<double>(load.peak.step) / window.n);
   const Peak peak = {load.peak.force, window.time - H_after, static_cast<int>(load.peak.steps), window.n};
   const bool inner = load.peak.step > 1 && load.peak.step < window.n;
   if (peak.force > record.peak.force) record.peak = peak;
-  if ((led || inner) && peak.force > record.inner_peak.force) record.inner_peak = peak;
+  if ((record.led || inner) && peak.force > record.inner_peak.force) record.inner_peak = peak;
   const double error = std::min(body.force_error, record.error_before);  // that stands for two windows
   record.error_before = body.force_error;
   if (error > record.error) {
     record.error = error;
     record.error_n = n_longest_;
   }
-  if (!window.last || record.largest_force <= kForceThatMatters * largest_force_) return;
-  const double missed = record.error / record.largest_force,
-               shown = record.inner_peak.force / record.largest_force - 1.0,
-               smoothed = led ? 0.0 : record.smoothed / record.largest_force;
-  const double largest = std::max({missed, shown, smoothed});
-  if (largest <= kForceError) return;
-  const int n = largest == shown ? record.inner_peak.n : largest == smoothed ? record.smoothed_n : record.error_n;
-  if (n == 1) return;  // the time step of the grains decides
-  const std::string name = "body " + record.name + ": its contact force ";
-  const auto use = [&](double dem_steps) { return shorter(dem_steps / n_longest_, window); };
-  if (largest == shown) {
-    warn(with_code(
-        code::kForceNotResolved,
-        name + "was " + number(record.inner_peak.force) + " N in a DEM step at t = " + number(record.inner_peak.time) +
-            " s, " + percent(shown) + " above the largest mean over a coupling interval, " +
-            number(record.largest_force) + " N, and only means are recorded: within an interval of " + steps(n) +
-            " the force rises and falls; " + use(std::max(1.0, std::floor(kOfPeakSteps * record.inner_peak.steps)))));
-    return;
+}
+
+// Told where the errors of energy or force show it, and far above the limit in any case: a moderate omega H on contacts that are
+// damped, as grains are, costs nothing.
+std::vector<CouplingWatch::Finding> CouplingWatch::long_intervals() const {
+  OmegaHLimit limit = omega_h_limit_;
+  std::vector<Finding> findings;
+  for (const Record& record : records_) {
+    if (record.most_excess <= 1.0) continue;
+    const double force_error = largest_force_ > 0.0 ? record.error / largest_force_ : 0.0;
+    if (record.most_excess < kFarAbove && std::max(energy_error_, force_error) < kSeen) continue;
+    const double omega_dt = record.worst_omega_h / record.worst_n;
+    const int n = limit.substeps(omega_dt, record.worst_n);
+    const double most = omega_dt > limit.at(1) ? limit.at(1) / omega_dt : n;  // below 1: of a DEM step
+    findings.push_back({record.most_excess, record.name,
+                        "has omega H = " + number(record.worst_omega_h) + " at most, above " +
+                            number(limit.at(record.worst_n)) + ": a coupling interval of " + steps(record.worst_n) +
+                            " is too long for this contact stiffness",
+                        most});
   }
-  // A peak shorter than a window is estimated too low.
-  const bool by_means = largest == smoothed;
-  warn(with_code(code::kForceNotResolved,
-                 name + "has errors of about " + percent(largest) +
-                     " of the largest, because within a coupling interval of " + steps(n) +
-                     (by_means ? " the force rises and falls, and only its mean is recorded; "
-                               : " the mechanism moves otherwise than predicted (contacts, springs, motors); ") +
-                     use((by_means ? kOfPeaks : std::sqrt(0.5 * kForceError / missed)) * n)));
+  return findings;
+}
+
+std::vector<CouplingWatch::Finding> CouplingWatch::unresolved_touches() const {
+  std::vector<Finding> findings;
+  for (const Record& record : records_)
+    if (record.unresolved > kUnresolved * record.impulse)
+      findings.push_back({record.unresolved / record.impulse, record.name,
+                          "had " + percent(record.unresolved / record.impulse) +
+                              " of its contact impulse from contacts that began and ended within one coupling interval "
+                              "(the shortest lasted " +
+                              number(record.shortest) + " s), so its rebound is not resolved",
+                          record.shortest / (kWindowsPerTouch * dt_)});
+  return findings;
+}
+
+// The share of the largest force that means leave out, or that predictions miss. The path of a body that is led is known, and so
+// are its forces; on the predicted path of another they leave their mean towards the ends of a window, where only its neighbours
+// tell of a peak.
+std::vector<CouplingWatch::Finding> CouplingWatch::unresolved_forces() const {
+  std::vector<Finding> findings;
+  for (const Record& record : records_) {
+    if (record.largest_force <= kForceThatMatters * largest_force_) continue;
+    const double missed = record.error / record.largest_force,
+                 shown = record.inner_peak.force / record.largest_force - 1.0,
+                 smoothed = record.led ? 0.0 : record.smoothed / record.largest_force;
+    const double largest = std::max({missed, shown, smoothed});
+    const bool by_means = largest == smoothed;
+    const int n = largest == shown ? record.inner_peak.n : by_means ? record.smoothed_n : record.error_n;
+    if (largest <= kForceError || n == 1) continue;  // n = 1: the time step of the grains decides
+    if (largest == shown) {
+      findings.push_back({largest, record.name,
+                          "had a contact force of " + number(record.inner_peak.force) +
+                              " N in a DEM step at t = " + number(record.inner_peak.time) + " s, " + percent(shown) +
+                              " above the largest mean over a coupling interval, " + number(record.largest_force) +
+                              " N, and only means are recorded: within an interval of " + steps(n) +
+                              " the force rises and falls",
+                          std::max(1.0, std::floor(kOfPeakSteps * record.inner_peak.steps))});
+      continue;
+    }
+    findings.push_back({largest, record.name,
+                        "has errors of its contact force of about " + percent(largest) +
+                            " of the largest, because within a coupling interval of " + steps(n) +
+                            (by_means ? " the force rises and falls, and only its mean is recorded"
+                                      : " the mechanism moves otherwise than predicted (contacts, springs, motors)"),
+                        (by_means ? kOfPeaks : std::sqrt(0.5 * kForceError / missed)) * n});
+  }
+  return findings;
+}
+
+// By Hertz an impact of given energy overlaps by E^(-2/5).
+std::string CouplingWatch::soft_grains() const {
+  if (starts_in_bed_ || largest_overlap_ <= kLargeOverlap) return {};
+  return at(deepest_time_) + "largest grain overlap " + percent(largest_overlap_) + " of radius, on body " +
+         records_[static_cast<std::size_t>(deepest_)].name + " (limit " + percent(kLargeOverlap) +
+         "): the grains are too soft, so the first peak is underestimated; use " +
+         advice_.stiffer(std::pow(largest_overlap_ / kLargeOverlap, 2.5));
+}
+
+std::string CouplingWatch::told(std::vector<Finding> findings, int& advised) const {
+  std::stable_sort(findings.begin(), findings.end(),
+                   [](const Finding& a, const Finding& b) { return a.degree > b.degree; });
+  double least = findings[0].steps;
+  std::vector<std::string> others;
+  for (std::size_t k = 1; k < findings.size(); ++k) {
+    least = std::min(least, findings[k].steps);
+    others.push_back(findings[k].body);
+  }
+  const std::string also = others.empty() ? "" : " (to a lesser degree also " + shortened(others) + ")";
+  return "body " + findings[0].body + " " + findings[0].text + also + "; " + shorter(least, advised);
+}
+
+std::vector<std::string> CouplingWatch::conclusions() const {
+  std::vector<std::string> texts;
+  int advised = advised_;
+  for (const auto& [code, findings] :
+       {std::pair{code::kIntervalTooLong, long_intervals()}, std::pair{code::kContactNotResolved, unresolved_touches()},
+        std::pair{code::kForceNotResolved, unresolved_forces()}})
+    if (!findings.empty()) texts.push_back(with_code(code, told(findings, advised)));
+  if (const std::string text = soft_grains(); !text.empty()) texts.push_back(with_code(code::kLargeOverlap, text));
+  return texts;
 }
 
 }  // namespace footfall

@@ -9,6 +9,7 @@
 #include "coupler/archive.h"
 #include "coupler/messages.h"
 #include "coupler/schemes/window_map.h"
+#include "mbd_solver/coupling/coupling_advice.h"
 #include "mbd_solver/scene/run_spec.h"
 
 namespace footfall {
@@ -31,8 +32,6 @@ class CouplingWatch {
     int n = 1;          // DEM steps
     bool last = false;  // of the run: pending work will never be done
   };
-  // How the user sets the length of windows: decides what a message advises.
-  enum class Setting { kScript, kBox, kScriptAuto, kBoxAuto };
   // One coupled body in a window.
   struct Body {
     double mass = 0.0;           // that its contacts meet; infinity: held [kg]
@@ -48,7 +47,7 @@ class CouplingWatch {
 
   // Names of the coupled bodies in the order of Load; limits of the scene; the scheme must outlive this.
   CouplingWatch(const std::vector<std::string>& names, const CouplingSpec& limits, const Scheme& scheme,
-                Setting setting);
+                CouplingAdvice advice);
 
   // A window has ended: what the grains did (load) and the bodies received. Throws NumericalError, naming time and body,
   // when the interface creates energy or a mean force chatters.
@@ -70,9 +69,12 @@ class CouplingWatch {
   std::size_t body_count() const { return records_.size(); }
   const std::string& name(std::size_t i) const { return records_[i].name; }
   double largest_omega_h(std::size_t i) const { return records_[i].largest_omega_h; }
-  std::vector<double> omega_h() const;                               // of the last window, per body [-]
-  void warn(const std::string& text) { warnings_.push_back(text); }  // of the DEM side
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  std::vector<double> omega_h() const;                                    // of the last window, per body [-]
+  void warn(const std::string& text) { warnings_.push_back(text); }       // of the DEM side
+  const std::vector<std::string>& warnings() const { return warnings_; }  // told as they come
+  // What only the whole run so far can tell, one for each kind of trouble, with its worst body first: intervals that are too long
+  // for the contacts (omega H), rebounds and forces that they do not resolve, overlaps.
+  std::vector<std::string> conclusions() const;
 
   // The largest force on one body, mean over a DEM step.
   struct Peak {
@@ -85,7 +87,6 @@ class CouplingWatch {
   Peak peak() const;  // of all bodies
 
  private:
-  bool of_box() const { return setting_ == Setting::kBox || setting_ == Setting::kBoxAuto; }
   // A touch of one body, from no contact to no contact.
   struct Touch {
     double contact_time = 0.0;   // sum over its contacts [s]
@@ -109,8 +110,7 @@ class CouplingWatch {
     double most_excess = 1.0;                     // largest omega H over its limit [-]
     double worst_omega_h = 0.0;                   // in that window [-]
     int worst_n = 1;                              // DEM steps of that window
-    double worst_damping = 1.0;  // share by which damping of its contacts shortens intervals that are right [-]
-    bool warned_of_omega_h = false;
+    bool led = false;                             // held or driven in the last window
     Work work;
     Touch touch;                                                // the present one
     bool touches = false;                                       // at the end of the last window
@@ -140,14 +140,26 @@ class CouplingWatch {
   void watch_chatter(Record& record, const Eigen::Vector3d& force, const Window& window, bool free);
   void watch_peaks(Record& record, const Window& window, const BodyLoad& load, const Body& body);
   double left_out_of_peak(const Eigen::Vector3d& sizes, double size, double H) const;  // [N]
-  // "use `every 3` or less": to windows of this share of the longest of late, or to shorter DEM steps. Of several
-  // messages none advises longer windows than those before.
-  std::string shorter(double share, const Window& window);
-  std::string window_text(int n) const;
+  // "use `every 3` or less": to windows of at most so many DEM steps, or to shorter DEM steps. Of several messages none advises
+  // longer windows than those before: advised.
+  std::string shorter(double steps, int& advised) const;
+  std::string shorter_than_now(double share) { return shorter(share * n_longest_, advised_); }
+
+  // Some bodies have the same trouble, each to a degree.
+  struct Finding {
+    double degree = 0.0;  // [-]
+    std::string body, text;
+    double steps = 0.0;  // DEM steps of a window that mends it
+  };
+  // "body pad_1 ...; use ...; the same to a lesser degree: pad_2, pad_3"
+  std::string told(std::vector<Finding> findings, int& advised) const;
+  std::vector<Finding> long_intervals() const, unresolved_touches() const, unresolved_forces() const;
+  std::string soft_grains() const;  // empty: they are stiff enough
 
   CouplingSpec limits_;
   OmegaHLimit omega_h_limit_;
-  Setting setting_;
+  CouplingAdvice advice_;
+  double dt_ = 0.0;                                // of the grains [s]
   int n_before_ = 0, n_longest_ = 1;               // DEM steps of the last window; of the longer one of the last two
   int advised_ = std::numeric_limits<int>::max();  // DEM steps
   Eigen::Vector3d lengths_ = Eigen::Vector3d::Zero();  // of the last three windows, newest first [s]; 0: none yet
@@ -156,11 +168,11 @@ class CouplingWatch {
   double residual_ = 0.0, largest_residual_ = 0.0;     // [J]
   double largest_kick_ = 0.0;                          // sum over bodies of J^2 / 2m, largest of any window [J]
   bool began_ = false;
-  bool warned_of_gain_ = false, warned_of_loss_ = false, warned_of_overlap_ = false, warned_of_facets_ = false;
+  bool warned_of_gain_ = false, warned_of_loss_ = false, warned_of_facets_ = false, starts_in_bed_ = false;
   bool warned_of_surplus_ = false, warned_of_event_ = false;
   double gain_before_ = 0.0;   // of energy, at the end of the last window [J]
+  double energy_error_ = 0.0;  // largest gain or loss, of the energy exchanged in contacts [-]
   double deepest_time_ = 0.0;  // of largest_overlap_ [s]
-  double told_overlap_ = 0.0;  // largest that has been reported [-]
   int deepest_ = 0;            // body of largest_overlap_
   double largest_overlap_ = 0.0, largest_patch_ = 0.0, largest_force_ = 0.0;
   double largest_impulse_ = 0.0;  // largest Record::given [N s]

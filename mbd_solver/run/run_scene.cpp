@@ -25,20 +25,24 @@ namespace {
 // By default checkpoints take at most this share of the wall time: 1 / 300.
 constexpr double kRest = 300.0;
 
-void print_warning(const std::string& text) { std::fprintf(stderr, "mbd_solver: warning: %s\n", text.c_str()); }
+void print_warning(const Scene& scene, const std::string& text) {
+  if (!scene.accepts(text)) std::fprintf(stderr, "mbd_solver: warning: %s\n", text.c_str());
+}
 
 // Prints what has been added to a list of warnings since the last time.
 class WarningPrinter {
  public:
+  explicit WarningPrinter(const Scene& scene) : scene_(scene) {}
   void print(const std::vector<std::string>& warnings) {
     for (; printed_ < warnings.size(); ++printed_) {
-      std::fputs("\n", stderr);  // ends the progress line
-      print_warning(warnings[printed_]);
+      if (!scene_.accepts(warnings[printed_])) std::fputs("\n", stderr);  // ends the progress line
+      print_warning(scene_, warnings[printed_]);
     }
   }
   void skip(const std::vector<std::string>& warnings) { printed_ = warnings.size(); }  // of an earlier part of the run
 
  private:
+  const Scene& scene_;
   std::size_t printed_ = 0;
 };
 
@@ -72,7 +76,8 @@ FileLock lock_of(const std::string& folder) { return folder_is_held_for_us(folde
 bool warn_of_stateless(const Scene& scene) {
   const std::vector<std::string> names = foreign_code_without_state(scene);
   if (names.empty()) return false;
-  print_warning(with_code(code::kNoCheckpoints,
+  print_warning(scene,
+                with_code(code::kNoCheckpoints,
                           scene.file + ": the run writes no checkpoints and cannot be resumed: the program of signal " +
                               joined(names) +
                               " cannot tell its state (an FMU by canSerializeFMUState, a Python file by the functions "
@@ -91,7 +96,7 @@ class RunSession {
         simulation_(scene, end_time(scene, options), transport, options.checkpoint),
         coupled_(simulation_.coupled()),
         leader_(Leader::of_environment(simulation_)),
-        files_(announced(simulation_), options.out, resumed() ? Beginning::kResume : Beginning::kNew),
+        files_(announced(simulation_, options.out), options.out, resumed() ? Beginning::kResume : Beginning::kNew),
         metrics_(simulation_.subject()),
         progress_(end_time(scene, options), options.quiet, coupled_ != nullptr),
         trial_(options.try_for),
@@ -101,7 +106,7 @@ class RunSession {
                 options.keep_every == kCheckpointEvery ? kRest : 0.0),
         stateless_(warn_of_stateless(scene)) {
     if (!leader_)
-      for (const std::string& warning : unset_signals(scene)) print_warning(warning);
+      for (const std::string& warning : unset_signals(scene)) print_warning(scene, warning);
     if (resumed()) restore();
     simulation_.observe_within(
         [this](const Sample& sample) {
@@ -136,8 +141,11 @@ class RunSession {
       const Subject subject = simulation_.subject();
       write_end_state(options_.out, end_state_of(subject.mechanism, subject.layout, simulation_.state()));
     });
-    for (const std::string& text : {metrics_.balance_warning(), simulation_.integrator().warning()})
-      if (!text.empty()) print_warning(text);
+    if (coupled_)
+      for (const std::string& text : coupled_->watch().conclusions()) print_warning(scene_, text);
+    for (const std::string& text :
+         {metrics_.soil_warning(), metrics_.balance_warning(), simulation_.integrator().warning()})
+      if (!text.empty()) print_warning(scene_, text);
     if (!simulation_.finished()) {
       // The summary first: mpirun ends the programs soon after it has asked them to.
       summarize("interrupted", reason);
@@ -152,8 +160,10 @@ class RunSession {
   }
 
  private:
-  static const Simulation& announced(const Simulation& simulation) {
-    for (const std::string& warning : simulation.mechanism().warnings) print_warning(warning);
+  // footfall has checked the scene before it started this program, and has printed what that finds.
+  static const Simulation& announced(const Simulation& simulation, const std::string& folder) {
+    if (!folder_is_held_for_us(folder))
+      for (const std::string& warning : simulation.mechanism().warnings) print_warning(simulation.scene(), warning);
     for (const std::string& note : simulation.assembly().notes)
       std::fprintf(stderr, "mbd_solver: note: %s\n", note.c_str());
     return simulation;
@@ -248,7 +258,8 @@ class RunSession {
   RunFiles files_;
   MetricRecorder metrics_;
   Progress progress_;
-  WarningPrinter coupling_warnings_, body_warnings_, joint_warnings_, grip_warnings_, time_warnings_, signal_warnings_;
+  WarningPrinter coupling_warnings_{scene_}, body_warnings_{scene_}, joint_warnings_{scene_}, grip_warnings_{scene_},
+      time_warnings_{scene_}, signal_warnings_{scene_};
   Trial trial_;
   volatile std::sig_atomic_t trial_ends_ = 0;
   CheckpointFolder checkpoints_;

@@ -99,22 +99,35 @@ void add_coupling(const CoupledRun& coupled, double energy_flow, Json& json) {
   for (std::size_t i = 0; i < watch.body_count(); ++i) json["max_omega_h"][watch.name(i)] = watch.largest_omega_h(i);
 }
 
-Json warnings_of(const Simulation& simulation, const MetricRecorder& recorder, const Observation& observation) {
-  Json warnings = Json::array();
-  const auto add = [&warnings](const std::vector<std::string>& texts) {
-    for (const std::string& text : texts) warnings.push_back(text);
+// Into "warnings", or with the scene's reason into "accepted_warnings".
+void add_warnings(const Simulation& simulation, const MetricRecorder& recorder, const Observation& observation,
+                  Json& json) {
+  const Scene& scene = simulation.scene();
+  Json warnings = Json::array(), accepted = Json::array();
+  const auto add = [&](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+      if (const std::string* const reason = scene.accepted_reason(text))
+        accepted.push_back({{"warning", text}, {"reason", *reason}});
+      else
+        warnings.push_back(text);
+    }
   };
   add(simulation.mechanism().warnings);
   add(simulation.assembly().notes);
   add(simulation.time_warnings());
   add(simulation.signal_warnings());
-  if (simulation.coupled()) add(simulation.coupled()->watch().warnings());
+  if (const CoupledRun* const coupled = simulation.coupled()) {
+    add(coupled->watch().warnings());
+    add(coupled->watch().conclusions());
+  }
   add(observation.flexible().warnings());
   add(observation.joints().warnings());
   add(observation.grips().warnings());
-  if (const std::string text = recorder.balance_warning(); !text.empty()) warnings.push_back(text);
-  if (const std::string text = simulation.integrator().warning(); !text.empty()) warnings.push_back(text);
-  return warnings;
+  for (const std::string& text :
+       {recorder.soil_warning(), recorder.balance_warning(), simulation.integrator().warning()})
+    if (!text.empty()) add({text});
+  json["warnings"] = warnings;
+  if (!accepted.empty()) json["accepted_warnings"] = accepted;
 }
 
 void add_costs(const Simulation& simulation, Json& json) {
@@ -186,7 +199,7 @@ Json run_summary(const Simulation& simulation, const MetricRecorder& recorder, c
   add_costs(simulation, json);
   json["integrator"] = simulation.integrator().name();
   json["active"] = active_parts(simulation, flexible);
-  json["warnings"] = warnings_of(simulation, recorder, observation);
+  add_warnings(simulation, recorder, observation, json);
   Json& versions = json["versions"];
   versions["footfall"] = FOOTFALL_VERSION;
   if (simulation.coupled()) versions["LIGGGHTS"] = simulation.coupled()->dem_version();

@@ -201,6 +201,9 @@ inline constexpr MessageCode kNoEndGrains{"E0196", "no-end-grains"};
 // The terrain is steeper than its grains can stand. Make it less steep, or the grains rougher.
 inline constexpr MessageCode kTerrainSteep{"E0197", "terrain-steep"};
 
+// A key of [accepted] is no code of a warning, or has no reason. Write W and four digits, and why the warning does not matter.
+inline constexpr MessageCode kNoWarningCode{"E0198", "no-warning-code"};
+
 // ---- the LIGGGHTS script ----
 
 // The script has no fix couple/mbd. Add one, or choose another ground.

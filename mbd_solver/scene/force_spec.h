@@ -245,12 +245,15 @@ struct SoilSpec {
   std::vector<std::string> bodies;                    // whose boundaries touch it; empty: all
   double density = 1500.0;                            // of the bulk [kg/m3] > 0
   double inertia = 1.0;                               // of the part that grows with the square of the speed >= 0
-  double cohesion = 0.0;                              // [Pa] >= 0
-  double friction = 0.6;                              // tangent of the internal angle > 0
-  std::optional<double> surface_friction;             // of boundaries on the soil; not given: as rough as the soil
-  double rebound = 1e-3;                              // way of unloading [m] > 0
-  double damping = 3.0;                               // of the elastic ground [s/m] >= 0
-  std::optional<double> resistance;                   // rft: not given: from density, friction and gravity [Pa/m] > 0
+  double speed_resistance = 0.0;                      // of the part that grows with speed and depth [Pa s/m2] >= 0
+  std::optional<double> speed_depth;  // beyond which that part grows no more; not given: everywhere [m] > 0
+  std::optional<double> fitted_speed, fitted_depth;  // up to which the numbers hold [m/s], [m] > 0; not given: unknown
+  double cohesion = 0.0;                             // [Pa] >= 0
+  double friction = 0.6;                             // tangent of the internal angle > 0
+  std::optional<double> surface_friction;            // of boundaries on the soil; not given: as rough as the soil
+  double rebound = 1e-3;                             // way of unloading [m] > 0
+  double damping = 3.0;                              // of the elastic ground [s/m] >= 0
+  std::optional<double> resistance;                  // rft: not given: from density, friction and gravity [Pa/m] > 0
   std::optional<double> gravity;  // rft: at which resistance was measured; not given: that of the scene [m/s2] > 0
   double cohesive_modulus = 0.0;  // pressure_sinkage: k_c [Pa/m^(n-1)] >= 0
   std::optional<double> frictional_modulus;  // pressure_sinkage: k_phi [Pa/m^n] >= 0

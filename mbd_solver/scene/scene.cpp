@@ -48,6 +48,12 @@ const MaterialSpec& Scene::material(const std::string& name) const {
   return this->materials[index_of(this->materials, name, indices.materials)];
 }
 
+const std::string* Scene::accepted_reason(const std::string& warning) const {
+  if (!has_code(warning)) return nullptr;
+  const auto found = this->accepted.find(warning.substr(warning.rfind(" [") + 2, 5));
+  return found == this->accepted.end() ? nullptr : &found->second;
+}
+
 Coordinate Scene::coordinate_of(const DriveSpec& drive) const {
   return drive.coordinate ? *drive.coordinate : only_coordinate(drive.joint);
 }

@@ -3,6 +3,7 @@
 // checks it, mbd_solver/assemble makes a Model of it. All points and directions are in the frame D of the reference
 // configuration, in which the scene describes the mechanism; [initial] places D in the inertial frame W.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ struct Scene {
   std::string folder;                 // its folder: paths of the file are relative to it, and are stored joined with it
   std::vector<std::string> settings;  // --set key=value, as given
   std::vector<std::string> warnings;  // findings that do not stop a run, with place and code
+  std::map<std::string, std::string> accepted;  // "W0655" -> the reason for which its warnings are not printed
 
   std::string title;
   double end_time = 1.0;                                       // [s]
@@ -78,6 +80,9 @@ struct Scene {
   Coordinate coordinate_of(const GearSpec& gear, std::size_t index) const;
   int joint_index(const std::string& name) const;
   Coordinate only_coordinate(const std::string& joint) const;  // of a joint that has one
+  // Why a warning, a text that ends with its code, is not printed; null: it is.
+  const std::string* accepted_reason(const std::string& warning) const;
+  bool accepts(const std::string& warning) const { return accepted_reason(warning) != nullptr; }
   bool touches_particles() const { return ground.kind == GroundKind::kParticles; }
 
   struct Indices {

@@ -34,6 +34,8 @@ void check_signals(const Scene& scene, Findings& findings);
 void check_foreign(const Scene& scene, const SignalSpec& signal, const EntryFindings& at);
 void check_requirements(const Scene& scene, Findings& findings);
 void check_groups(const Scene& scene, Findings& findings);
+// Codes of [accepted], each with a reason.
+void check_accepted(const Scene& scene, Findings& findings);
 void check_landing(const Scene& scene, Findings& findings);
 void check_contact(const Scene& scene, Findings& findings);
 void check_soil(const Scene& scene, Findings& findings);

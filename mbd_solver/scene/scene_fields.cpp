@@ -48,6 +48,7 @@ void visit_fields(FieldVisitor& v, Scene& s) {
   v.section("output", s.output);
   v.section("landing", s.landing);
   v.list("requirements", s.requirements);
+  v.field("accepted", &s.accepted, plain);
 }
 
 // The keys of materials and bodies.
@@ -398,6 +399,9 @@ static void visit_fields(FieldVisitor& v, SoilSpec& s) {
   v.field("bodies", &s.bodies, name);
   v.field("density", &s.density, positive(Unit::kDensity));
   v.field("inertia", &s.inertia, not_negative());
+  v.field("speed_resistance", &s.speed_resistance, not_negative());
+  v.fields(positive(Unit::kLength), {{"speed_depth", &s.speed_depth}, {"fitted_depth", &s.fitted_depth}});
+  v.field("fitted_speed", &s.fitted_speed, positive(Unit::kVelocity));
   v.field("cohesion", &s.cohesion, not_negative(Unit::kPressure));
   v.field("friction", &s.friction, positive());
   v.field("surface_friction", &s.surface_friction, not_negative());

@@ -36,7 +36,10 @@ constexpr double kConfidenceOfFit = 0.95;
 constexpr double kPoorFit = 0.9;                             // R^2 below this is told
 constexpr int kMostFitTrials = 60, kMostTrialsWithout = 12;  // of the fit, and of those without one run
 constexpr double kReboundOfRadius = 0.25;                    // of the smallest grains: the rebound, which is not fitted
-constexpr double kAssumedGrainDensity = 2600.0;              // of a bed from a script, which does not tell it [kg/m3]
+// The depth of the resistance to speed, two radii of the smallest grains, is not fitted; neither is inertia, 1 by theory.
+constexpr double kSpeedDepthOfRebound = 2.0 / kReboundOfRadius;
+constexpr double kWorkWeight = 3.0;              // of the work of a run, beside a bin of its force
+constexpr double kAssumedGrainDensity = 2600.0;  // of a bed from a script, which does not tell it [kg/m3]
 
 // A number that is fitted: its logarithm.
 struct Unknown {
@@ -48,12 +51,12 @@ struct Unknown {
 std::vector<Unknown> unknowns_of(const std::string& law) {
   if (law == "rft")
     return {{"resistance", "Pa/m", 3e5, 1e2, 1e9},
-            {"inertia", "", 1.0, 1e-3, 200.0},
+            {"speed_resistance", "Pa s/m2", 1e6, 1.0, 1e9},
             {"cohesion", "Pa", 50.0, 1e-2, 1e6},
             {"surface_friction", "", 0.3, 0.01, 3.0}};
   return {{"frictional_modulus", "Pa/m^n", 3e5, 1.0, 1e10},
           {"exponent", "", 1.0, 0.1, 3.0},
-          {"inertia", "", 1.0, 1e-3, 200.0},
+          {"speed_resistance", "Pa s/m2", 1e6, 1.0, 1e9},
           {"friction", "", 0.4, 0.01, 3.0},
           {"cohesion", "Pa", 50.0, 1e-2, 1e6},
           {"shear_length", "m", 0.01, 1e-4, 1.0}};
@@ -69,7 +72,8 @@ std::shared_ptr<const SoilLaw> law_of(const std::string& law, const Eigen::Vecto
     p.friction = kFitFriction;
     p.rebound = rebound;
     p.resistance = x[0];
-    p.inertia = x[1];
+    p.speed_resistance = x[1];
+    p.speed_depth = kSpeedDepthOfRebound * rebound;
     p.cohesion = x[2];
     p.surface_friction = x[3];
     return make_rft(p, "fit: ");
@@ -79,7 +83,8 @@ std::shared_ptr<const SoilLaw> law_of(const std::string& law, const Eigen::Vecto
   p.rebound = rebound;
   p.stiffness = x[0];
   p.exponent = x[1];
-  p.inertia = x[2];
+  p.speed_resistance = x[2];
+  p.speed_depth = kSpeedDepthOfRebound * rebound;
   p.friction = x[3];
   p.cohesion = x[4];
   p.shear_length = x[5];
@@ -142,11 +147,19 @@ Binned means_of(const PadRun& run, const std::vector<Eigen::Vector3d>& force) {
   return out;
 }
 
+// Work of the forces on the pad along its way [J].
+double work_of(const PadRun& run, const std::vector<Eigen::Vector3d>& force) {
+  double work = 0.0;
+  for (std::size_t row = 1; row < run.place.size(); ++row) work += force[row].dot(run.place[row] - run.place[row - 1]);
+  return work;
+}
+
 // A run as the fit sees it.
 struct Target {
   const PadRun* run;
   Binned measured;
   double scale;  // largest force [N]
+  double work;   // [J]
 };
 
 class Problem {
@@ -171,9 +184,11 @@ class Problem {
     for (std::size_t k = 0; k < targets_.size(); ++k) {
       if (static_cast<int>(k) == skip) continue;
       const Target& target = targets_[k];
-      const Eigen::VectorXd now = means_of(*target.run, forces_on(*target.run, law)).value;
+      const std::vector<Eigen::Vector3d> forces = forces_on(*target.run, law);
+      const Eigen::VectorXd now = means_of(*target.run, forces).value;
       out.segment(at, now.size()) = (now - target.measured.value) / target.scale;
       at += now.size();
+      out[at++] = kWorkWeight * (work_of(*target.run, forces) / target.work - 1.0);
     }
     return out;
   }
@@ -203,7 +218,7 @@ class Problem {
   Eigen::Index size(int skip) const {
     Eigen::Index sum = 0;
     for (std::size_t k = 0; k < targets_.size(); ++k)
-      if (static_cast<int>(k) != skip) sum += targets_[k].measured.value.size();
+      if (static_cast<int>(k) != skip) sum += targets_[k].measured.value.size() + 1;
     return sum;
   }
 
@@ -264,11 +279,13 @@ GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, do
   for (const PadRun& run : runs) {
     if (!reaches_the_bed(run))
       throw InputError(code::kGroundFit, "run " + run.name + ": the pad does not reach the bed; let it go deeper");
-    Target target{&run, means_of(run, run.force), 0.0};
+    Target target{&run, means_of(run, run.force), 0.0, work_of(run, run.force)};
     for (Eigen::Index i = 0; i < target.measured.value.size(); i += 3)
       target.scale = std::max(target.scale, target.measured.value.segment<3>(i).norm());
     if (!(target.scale > 0.0))
       throw InputError(code::kGroundFit, "run " + run.name + ": the bed exerts no force on the pad; let it go deeper");
+    if (!(target.work < 0.0))
+      throw InputError(code::kGroundFit, "run " + run.name + ": the bed does no work on the pad; let it go deeper");
     (run.held_back ? held : fitted).push_back(std::move(target));
   }
   if (fitted.size() < 3)
@@ -420,8 +437,24 @@ std::string toml_number(double value) {
   return text;
 }
 
+// Of all runs: the largest speed into the bed, and the largest depth of a facet.
+struct FittedRange {
+  double speed = 0.0, depth = 0.0;  // [m/s], [m]
+};
+
+FittedRange range_of(const std::vector<PadRun>& runs) {
+  FittedRange range;
+  for (const PadRun& run : runs)
+    for (std::size_t row = first_touch(run); row < run.place.size(); ++row) {
+      range.speed = std::max(range.speed, -run.velocity[row].z());
+      for (const SoilFacet& facet : run.facets)
+        range.depth = std::max(range.depth, run.surface - (run.place[row] + run.R_WB * facet.marker.s0).z());
+    }
+  return range;
+}
+
 std::string ground_file(const GroundFit& fit, const Scene& scene, const MeasuredBed& bed, double density,
-                        std::size_t runs, std::size_t held, const std::string& command) {
+                        const FittedRange& range, std::size_t runs, std::size_t held, const std::string& command) {
   std::ostringstream out;
   out << "# A soil without grains, fitted to grains by `" << command << "`.\n"
       << "#   [ground] kind = \"soil\", soil = \"THIS FILE\"\n[law]\nkind = \"" << fit.law << "\"\n"
@@ -429,6 +462,10 @@ std::string ground_file(const GroundFit& fit, const Scene& scene, const Measured
       << number_text(bed.fraction, 3) << (scene.particles->box ? "" : ", grains of 2600 kg/m3 assumed") << "\n"
       << "rebound = " << toml_number(fit.rebound)
       << "  # m, not fitted: a quarter of the smallest radius of the grains\n";
+  out << "speed_depth = " << toml_number(kSpeedDepthOfRebound * fit.rebound)
+      << "  # m, not fitted: two radii of the smallest grains\n"
+      << "inertia = 1.0  # not fitted\nfitted_speed = " << toml_number(range.speed)
+      << "  # m/s, largest of the runs\nfitted_depth = " << toml_number(range.depth) << "  # m, likewise\n";
   if (fit.law == "rft")
     out << "friction = " << toml_number(kFitFriction) << "  # of the factor of cohesion, not fitted\n"
         << "gravity = " << toml_number(scene.gravity.norm()) << "  # m/s2, of the runs\n";
@@ -522,7 +559,7 @@ bool write_fit(const GroundArguments& a, const SweepSpec& spec, const Plan& plan
   write_whole_file(output.path("forces.csv"), rows.csv());
   write_whole_file(output.path("ground.md"), page);
   write_whole_file(output.path("ground.toml"),
-                   ground_file(fit, scene, bed, density, runs.size(), held, output.command));
+                   ground_file(fit, scene, bed, density, range_of(runs), runs.size(), held, output.command));
   std::printf("%s\n%s\n%s\n%s\n", page.c_str(), output.path("ground.md").c_str(), output.path("forces.csv").c_str(),
               output.path("ground.toml").c_str());
   return all;

@@ -175,15 +175,29 @@ std::array<T, 2> slid(const Facet<T>& at, const SoilMemory& m, const T& below) {
   return {at.v.x * time, at.v.y * time};
 }
 
-// Of the lower side of a facet; the upper one of a facet without sides is free where it is level.
+// Speeds below this are slow flow, where the part that grows with speed has no corner at rest [m/s].
+constexpr double kSlow = 1e-3;
+
+template <class T>
+T saturated(const T& z, double z_s) {
+  const T e = exponential(z * (-2.0 / z_s));  // z_s tanh(z / z_s)
+  return z_s * (T(1.0) + -e) / (T(1.0) + e);
+}
+
+// What depends on speed, on the lower side of a facet; the upper one of a facet without sides is free where it is level.
 template <class T>
 Three<T> inertia_of(const SoilLaw::Common& c, const Facet<T>& at, const Three<T>& n, const T& seated, bool two_sided) {
   const T advance = dot(at.v, n);
-  if (c.inertia == 0.0) return {};
-  const T square = (c.inertia * c.density) * (advance * advance) * seated;
-  if (number(advance) > 0.0) return -square * n;
-  if (!two_sided) return {};
-  return (square * (T(1.0) + -n.z)) * n;
+  const bool advances = number(advance) > 0.0;
+  if ((c.inertia == 0.0 && c.speed_resistance == 0.0) || (!advances && !two_sided)) return {};
+  T size = (c.inertia * c.density) * (advance * advance) * seated;
+  if (c.speed_resistance > 0.0) {
+    const T speed = advances ? advance : -advance;
+    const T fast = speed * speed / (speed + kSlow);
+    size = size + (c.speed_resistance * fast) * saturated(at.p.z, c.speed_depth) * seated;
+  }
+  if (advances) return -size * n;
+  return (size * (T(1.0) + -n.z)) * n;
 }
 
 // Both uses of a law, from its one formula `evaluate(Facet<T>, memory, two_sided)`.
@@ -213,6 +227,8 @@ void check_common(const SoilLaw::Common& c, const std::string& where) {
   };
   demand(c.density > 0.0, "the density must be positive.");
   demand(c.inertia >= 0.0, "the factor of inertia must not be negative.");
+  demand(c.speed_resistance >= 0.0, "the resistance to speed must not be negative.");
+  demand(c.speed_depth > 0.0, "the depth of the resistance to speed must be positive.");
   demand(c.cohesion >= 0.0, "the cohesion must not be negative.");
   demand(c.surface_friction >= 0.0, "the friction of the surface must not be negative.");
   demand(c.rebound > 0.0, "the rebound must be positive.");

@@ -7,6 +7,9 @@
 //             w_0 (1 + x) / (1 + x w_0) closing, w_0 exp(x (1 - w_0)) opening: without a corner at its ends and where |u| turns round
 //   sway      -d w_0 (1 - w_0) times its strength, times the velocity sideways
 //   inertia   -lambda rho (v.n)^2 n where the facet advances, v.n > 0
+//   speed     -c v.n z_s tanh(z / z_s) n likewise: grains that jam under a fast facet carry a share of the soil beside them, and
+//             more of it the deeper it is, down to some radii of the grains, z_s. Coarse grains at impact speed need it; in the limit of
+//             slow flow it vanishes
 // Stress is a function of place and speed and of a memory that changes only between integration steps, so the ground has no
 // inner states: within a step every facet has an elastic displacement from its memory, cut at the strength of the ground.
 //
@@ -45,8 +48,8 @@ struct SoilMemory {
 };
 
 struct SoilStress {
-  Eigen::Vector3d traction = Eigen::Vector3d::Zero();  // on the facet, without inertia [Pa]
-  Eigen::Vector3d inertia = Eigen::Vector3d::Zero();   // [Pa]
+  Eigen::Vector3d traction = Eigen::Vector3d::Zero();  // on the facet, without what depends on speed [Pa]
+  Eigen::Vector3d inertia = Eigen::Vector3d::Zero();   // with the part that grows with speed [Pa]
   Eigen::Matrix<double, 3, 9> slope;  // d(traction + inertia) / d(place, normal, velocity), where it is asked for
 };
 
@@ -58,6 +61,8 @@ class SoilLaw {
   struct Common {
     double density = 1500.0;         // rho, of the bulk [kg/m3] > 0
     double inertia = 1.0;            // lambda >= 0
+    double speed_resistance = 0.0;   // c >= 0 [Pa s/m2]
+    double speed_depth = 1.0;        // z_s > 0 [m]
     double cohesion = 0.0;           // c >= 0 [Pa]
     double surface_friction = 10.0;  // mu_s between facet and ground >= 0; large: as rough as the soil
     double rebound = 1e-3;           // e > 0 [m]

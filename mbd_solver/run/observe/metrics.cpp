@@ -235,6 +235,7 @@ MetricRecorder::MetricRecorder(const Subject& subject)
 
 void MetricRecorder::visit(Archive& archive) {
   archive("metrics", metrics_);
+  archive("soil_speed", soil_speed_);
   archive("flow", flow_);
   archive("start_height", start_height_);
   archive("start_energy", start_energy_);
@@ -254,6 +255,24 @@ std::string MetricRecorder::balance_warning() const {
                                        ? "; where a body meets steps of the map, their edges begin and end to "
                                          "touch at some depth: a larger ground.plane.stiffness, or a smoother map"
                                        : ""));
+}
+
+std::string MetricRecorder::soil_warning() const {
+  const GroundSpec& ground = subject_.scene.ground;
+  if (ground.kind != GroundKind::kSoil) return "";
+  std::vector<std::string> beyond;
+  const auto compare = [&](const std::optional<double>& limit, const Peak& peak, const char* what, const char* unit) {
+    if (!limit || peak.value <= *limit) return;
+    beyond.push_back(number_text(peak.value, 3) + unit + what + " at t = " + number_text(peak.time, 3) +
+                     " s, fitted up to " + number_text(*limit, 3) + unit);
+  };
+  compare(ground.law->fitted_speed, soil_speed_, " into the soil", " m/s");
+  compare(ground.law->fitted_depth, metrics_.max_penetration, " deep", " m");
+  if (beyond.empty()) return "";
+  return with_code(code::kBeyondSoil,
+                   "the run leaves the range for which the numbers of the soil hold: " + joined(beyond) +
+                       "; forces and depths there are extrapolated. Fit the soil for this range (footfall ground fit), "
+                       "or use grains");
 }
 
 double MetricRecorder::depth(const Sample& sample) const {
@@ -297,6 +316,10 @@ void MetricRecorder::update_peaks(const Sample& sample) {
   f.peak_acceleration.see(body.ddr.norm(), time);
   f.max_descent.see(start_height_ - up_.dot(body.r), time);
   for (const GeneralizedForce& contact : sample.contact) f.max_contact_force.see(contact.F_W.norm(), time);
+  if (subject_.scene.ground.kind == GroundKind::kSoil)
+    for (std::size_t k = 0; k < sample.contact.size(); ++k)
+      if (!sample.contact[k].F_W.isZero(0.0))
+        soil_speed_.see(-normal_.dot(sample.kinematics.of(static_cast<int>(k)).dr), time);
   if (subject_.scene.ground.kind != GroundKind::kNone) f.max_penetration.see(depth(sample), time);
 }
 

@@ -164,6 +164,8 @@ class MetricRecorder {
   const Metrics& metrics() const { return metrics_; }
   // The warning when the energy balance has an error above kGoodBalance and energy_noise; otherwise empty.
   std::string balance_warning() const;
+  // The warning when bodies have left the speeds or depths for which the numbers of the soil were fitted; otherwise empty.
+  std::string soil_warning() const;
   void visit(Archive& archive);
   const std::string& body_name() const;  // the heaviest body, whose acceleration and descent are reported
 
@@ -172,6 +174,7 @@ class MetricRecorder {
 
   Subject subject_;
   Metrics metrics_;
+  Peak soil_speed_;  // of a body into the soil that it touches [m/s]
   EnergyFlow flow_;
   Eigen::Vector3d up_, normal_;  // against gravity; out of the ground
   double ground_ = 0.0;          // height of the ground along its normal [m]

@@ -54,23 +54,23 @@ std::vector<PadRun> runs_of(const GroundFit& truth) {
   return runs;
 }
 
-GroundFit resistive_ground(double inertia, double cohesion) {
+GroundFit resistive_ground(double speed_resistance, double cohesion) {
   GroundFit ground;
   ground.law = "rft";
   ground.numbers = {{"resistance", "", 6e5, 0, 0},
-                    {"inertia", "", inertia, 0, 0},
+                    {"speed_resistance", "", speed_resistance, 0, 0},
                     {"cohesion", "", cohesion, 0, 0},
                     {"surface_friction", "", 0.25, 0, 0}};
   return ground;
 }
 
 TEST(GroundFit, FindsTheNumbersOfALawItself) {
-  const GroundFit rft = resistive_ground(1.3, 120.0);
+  const GroundFit rft = resistive_ground(1.3e5, 120.0);
   GroundFit sinkage;
   sinkage.law = "pressure_sinkage";
-  sinkage.numbers = {
-      {"frictional_modulus", "", 4e5, 0, 0}, {"exponent", "", 0.8, 0, 0},   {"inertia", "", 0.9, 0, 0},
-      {"friction", "", 0.5, 0, 0},           {"cohesion", "", 300.0, 0, 0}, {"shear_length", "", 0.015, 0, 0}};
+  sinkage.numbers = {{"frictional_modulus", "", 4e5, 0, 0}, {"exponent", "", 0.8, 0, 0},
+                     {"speed_resistance", "", 2e5, 0, 0},   {"friction", "", 0.5, 0, 0},
+                     {"cohesion", "", 300.0, 0, 0},         {"shear_length", "", 0.015, 0, 0}};
   for (const GroundFit& truth : {rft, sinkage}) {
     const GroundFit found = fit_ground(runs_of(truth), truth.law, kDensity, kGravity);
     ASSERT_EQ(found.numbers.size(), truth.numbers.size());
@@ -87,7 +87,7 @@ TEST(GroundFit, FindsTheNumbersOfALawItself) {
 }
 
 TEST(GroundFit, TellsWhereTheLawIsWrong) {
-  std::vector<PadRun> runs = runs_of(resistive_ground(1.0, 1.0));
+  std::vector<PadRun> runs = runs_of(resistive_ground(1e5, 1.0));
   for (Eigen::Vector3d& force : runs[1].force) force.y() += 0.5 * runs[1].force.back().z();  // from the side
   const GroundFit found = fit_ground(runs, "rft", kDensity, kGravity);
   EXPECT_EQ(found.worst.front().run, "run 1");
@@ -96,12 +96,12 @@ TEST(GroundFit, TellsWhereTheLawIsWrong) {
 }
 
 TEST(GroundFit, RefusesRunsThatTellNothing) {
-  std::vector<PadRun> runs = runs_of(resistive_ground(1.0, 1.0));
+  std::vector<PadRun> runs = runs_of(resistive_ground(1e5, 1.0));
   EXPECT_TRUE(reaches_the_bed(runs[0]));
   for (Eigen::Vector3d& place : runs[0].place) place.z() += 1.0;
   EXPECT_FALSE(reaches_the_bed(runs[0]));
   EXPECT_THROW(fit_ground(runs, "rft", kDensity, kGravity), InputError);
-  runs = runs_of(resistive_ground(1.0, 1.0));
+  runs = runs_of(resistive_ground(1e5, 1.0));
   runs.resize(2);
   EXPECT_THROW(fit_ground(runs, "rft", kDensity, kGravity), InputError);
 }

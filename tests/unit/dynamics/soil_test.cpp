@@ -100,6 +100,20 @@ TEST(SoilLaw, PlatePressedFlat) {
     quick.at.velocity = {0.0, 0.0, 3.0};
     EXPECT_NEAR(quick.now().inertia.z(), -1.1 * 1600.0 * 9.0, kExact * 2e4);
   }
+  // c v z_s tanh(z / z_s), and c v z where z_s is large.
+  for (const double z_s : {0.02, 1e6}) {
+    RftParameters coarse = sand();
+    coarse.speed_resistance = 3e6;
+    coarse.speed_depth = z_s;
+    Way jammed(make_rft(coarse, ""));
+    jammed.to({0, 0, 0.03});
+    jammed.at.velocity = {0.0, 0.0, 2.0};
+    EXPECT_NEAR(jammed.now().inertia.z(), -3e6 * 2.0 * z_s * std::tanh(0.03 / z_s), 1e-3 * 1.8e5) << z_s;
+    jammed.at.velocity = {0.0, 0.0, 1e-6};
+    EXPECT_NEAR(jammed.now().inertia.z(), 0.0, 3e6 * 0.03 * 1e-9);
+    jammed.at.velocity = {0.0, 0.0, -1.0};
+    EXPECT_EQ(jammed.now().inertia.z(), 0.0) << "it does not pull a level facet";
+  }
   // Cohesion of the resistive law is the bearing capacity of Prandtl and Reissner: N_c = 30.14 at 30 degrees.
   RftParameters sticky = sand();
   sticky.friction = std::tan(kPi / 6.0);
@@ -215,6 +229,8 @@ TEST(SoilLaw, SlopesAreThoseOfTheStress) {
     a.inertia = b.inertia = 1.2;
     a.cohesion = 800.0;
     a.surface_friction = 0.3;
+    a.speed_resistance = b.speed_resistance = 2e5;
+    a.speed_depth = b.speed_depth = 0.04;
     const std::unique_ptr<SoilLaw> law = is_rft ? make_rft(a, "") : make_pressure_sinkage(b, "");
     for (int k = 0; k < 60; ++k) {
       SoilMemory memory;

@@ -188,6 +188,7 @@ void check_scene(const Scene& scene, Findings& findings) {
   check_groups(scene, findings);
   check_landing(scene, findings);
   check_requirements(scene, findings);
+  check_accepted(scene, findings);
   check_limits(scene, findings);
   if (!findings.has_errors()) check_plausible(scene, findings);
   if (scene.particles && scene.touches_particles()) check_script(scene, findings);
@@ -202,83 +203,6 @@ void check_from(const Scene& scene, Findings& findings) {
                 "excludes from: the scene starts from the end of that run, placed as it was; remove one of the two");
   at.error_if(!scene.initial.joints.empty(), kConflictingKeys, "joints",
               "exclude from: the coordinates of the joints are those of the end of that run");
-}
-
-void check_groups(const Scene& scene, Findings& findings) {
-  if (!scene.initial.groups) return;
-  const InitialGroupsSpec& groups = *scene.initial.groups;
-  const EntryFindings at(findings, scene.initial.source);
-  at.error_if(groups.moving.empty() && groups.still.empty(), kMissingKey, "groups",
-              "names no body; name those that stand still, or those that move");
-  for (const std::string& body : groups.still)
-    at.error_if(is_in(groups.moving, body), kListedTwice, "groups",
-                "\"" + body + "\" is both moving and still; keep one");
-  for (const std::string& body : groups.moving) check_body_name(scene, at, "groups.moving", body);
-  for (const std::string& body : groups.still) check_body_name(scene, at, "groups.still", body);
-  at.error_if(std::all_of(scene.bodies.begin(), scene.bodies.end(),
-                          [&](const BodySpec& body) { return stands_still(scene, body.name); }),
-              kConflictingKeys, "groups", "leaves no body that moves; name fewer bodies that stand still");
-  const auto check = [&](const auto& entries, const char* what) {
-    for (const auto& entry : entries) {
-      const std::string &a = entry.bodies[0], &b = entry.bodies[1];
-      if (a == "ground" || b == "ground" || stands_still(scene, a) == stands_still(scene, b)) continue;
-      findings.error(kConflictingKeys, entry.source, "bodies",
-                     "a " + std::string(what) + " joins a body of each group of initial.groups, \"" + a + "\" and \"" +
-                         b + "\", which [initial] moves apart; put both into one group");
-    }
-  };
-  check(scene.joints, "joint");
-  check(scene.struts, "strut");
-  check(scene.springs, "spring");
-  for (const CableSpec& cable : scene.cables) {
-    std::vector<std::string> bodies;
-    for (const CableGuideSpec& guide : cable.path)
-      if (guide.body != "ground") bodies.push_back(guide.body);
-    for (const std::string& body : bodies)
-      if (stands_still(scene, body) != stands_still(scene, bodies.front()))
-        findings.error(kConflictingKeys, cable.source, "path",
-                       "runs over bodies of both groups of initial.groups, \"" + bodies.front() + "\" and \"" + body +
-                           "\", which [initial] moves apart; put them into one group");
-  }
-}
-
-void check_landing(const Scene& scene, Findings& findings) {
-  if (!scene.landing) return;
-  const LandingSpec& landing = *scene.landing;
-  const EntryFindings at(findings, landing.source);
-  check_unique_names(landing.points, "point", findings);
-  for (const LandingPointSpec& point : landing.points)
-    check_body_name(scene, {findings, point.source}, "body", point.body);
-  check_body_name(scene, at, "base", landing.base);
-  const std::vector<std::string> points = names_in(landing.points), bodies = boundary_names(scene);
-  std::vector<std::string> known = points;
-  known.insert(known.end(), bodies.begin(), bodies.end());
-  std::unordered_set<std::string> seen;
-  for (const std::string& pad : landing.pads) {
-    at.error_if(!is_in(known, pad), kUnknownBody, "pads",
-                "\"" + pad + "\" is neither a body with a boundary nor a point of [[landing.points]]." +
-                    known_names("pads", pad, known));
-    at.error_if(!seen.insert(pad).second, kListedTwice, "pads", "names \"" + pad + "\" twice; name each pad once");
-  }
-  at.error_if(scene.ground.kind == GroundKind::kNone, kNeedsOtherKey, "",
-              "tells of heights above a ground, which this scene does not have; add [ground], or remove [landing]");
-  at.error_if(scene.gravity.isZero(0.0), kNeedsOtherKey, "",
-              "tells of tipping over, which needs gravity; give gravity, or remove [landing]");
-}
-
-void check_requirements(const Scene& scene, Findings& findings) {
-  check_unique_names(scene.requirements, "requirement", findings);
-  for (const RequirementSpec& r : scene.requirements) {
-    const EntryFindings at(findings, r.source);
-    at.missing_if(!r.least && !r.most, "most", "a requirement needs least, most, or both");
-    at.error_if(r.least && r.most && *r.least > *r.most, kOutOfRange, "least",
-                "is " + number_text(*r.least) + ", more than most = " + number_text(*r.most) + "; no value is between");
-    try {
-      Expression::names_in(r.value);
-    } catch (const InputError& error) {
-      findings.coded_error(r.source, "value", error.what());
-    }
-  }
 }
 
 // Sizes and counts that would need memory or time beyond reason: mostly mistakes in a unit, reported before they cost it.
