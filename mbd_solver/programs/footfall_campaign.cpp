@@ -37,6 +37,9 @@ Action ground(CLI::App& command) {
   command.add_option("--law", a->law, "Law that is fitted")
       ->check(CLI::IsMember({"rft", "pressure_sinkage"}))
       ->capture_default_str();
+  command.add_option("--speed", a->speed, "What grows with speed: its square (inertia), or speed times depth")
+      ->check(CLI::IsMember({"square", "depth"}))
+      ->capture_default_str();
   add_out(command, a->out, "runs/grounds");
   command.add_option("--set", a->settings, "Change one value of the scene in every run: key=value")
       ->allow_extra_args(false);

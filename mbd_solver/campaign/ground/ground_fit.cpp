@@ -34,7 +34,7 @@ constexpr int kFitBins = 20;    // of time, from the first touch on
 constexpr int kRowsPerBin = 4;  // of a run that has more
 constexpr double kConfidenceOfFit = 0.95;
 constexpr double kPoorFit = 0.9;                             // R^2 below this is told
-constexpr int kMostFitTrials = 60, kMostTrialsWithout = 12;  // of the fit, and of those without one run
+constexpr int kMostFitTrials = 60, kMostTrialsWithout = 30;  // of the fit, and of those without one run
 constexpr double kReboundOfRadius = 0.25;                    // of the smallest grains: the rebound, which is not fitted
 // The depth of the resistance to speed, two radii of the smallest grains, is not fitted; neither is inertia, 1 by theory.
 constexpr double kSpeedDepthOfRebound = 2.0 / kReboundOfRadius;
@@ -48,15 +48,21 @@ struct Unknown {
   double start, least, most;
 };
 
-std::vector<Unknown> unknowns_of(const std::string& law) {
-  if (law == "rft")
+// The number that grows with speed.
+Unknown speed_of(const SoilForm& form) {
+  if (form.speed == SpeedForm::kDepth) return {"speed_resistance", "Pa s/m2", 1e6, 1.0, 1e9};
+  return {"inertia", "", 1.0, 1e-3, 200.0};
+}
+
+std::vector<Unknown> unknowns_of(const SoilForm& form) {
+  if (form.law == "rft")
     return {{"resistance", "Pa/m", 3e5, 1e2, 1e9},
-            {"speed_resistance", "Pa s/m2", 1e6, 1.0, 1e9},
+            speed_of(form),
             {"cohesion", "Pa", 50.0, 1e-2, 1e6},
             {"surface_friction", "", 0.3, 0.01, 3.0}};
   return {{"frictional_modulus", "Pa/m^n", 3e5, 1.0, 1e10},
           {"exponent", "", 1.0, 0.1, 3.0},
-          {"speed_resistance", "Pa s/m2", 1e6, 1.0, 1e9},
+          speed_of(form),
           {"friction", "", 0.4, 0.01, 3.0},
           {"cohesion", "Pa", 50.0, 1e-2, 1e6},
           {"shear_length", "m", 0.01, 1e-4, 1.0}};
@@ -64,16 +70,23 @@ std::vector<Unknown> unknowns_of(const std::string& law) {
 
 constexpr double kFitFriction = 0.4;  // mu of the bearing factor N_c of the resistive law, whose resistance is given
 
-std::shared_ptr<const SoilLaw> law_of(const std::string& law, const Eigen::VectorXd& x, double density,
-                                      double rebound) {
-  if (law == "rft") {
+void set_speed(const SoilForm& form, double value, double rebound, SoilLaw::Common& p) {
+  if (form.speed == SpeedForm::kDepth) {
+    p.speed_resistance = value;
+    p.speed_depth = kSpeedDepthOfRebound * rebound;
+  } else {
+    p.inertia = value;
+  }
+}
+
+std::shared_ptr<const SoilLaw> law_of(const SoilForm& form, const Eigen::VectorXd& x, double density, double rebound) {
+  if (form.law == "rft") {
     RftParameters p;
     p.density = density;
     p.friction = kFitFriction;
     p.rebound = rebound;
     p.resistance = x[0];
-    p.speed_resistance = x[1];
-    p.speed_depth = kSpeedDepthOfRebound * rebound;
+    set_speed(form, x[1], rebound, p);
     p.cohesion = x[2];
     p.surface_friction = x[3];
     return make_rft(p, "fit: ");
@@ -83,8 +96,7 @@ std::shared_ptr<const SoilLaw> law_of(const std::string& law, const Eigen::Vecto
   p.rebound = rebound;
   p.stiffness = x[0];
   p.exponent = x[1];
-  p.speed_resistance = x[2];
-  p.speed_depth = kSpeedDepthOfRebound * rebound;
+  set_speed(form, x[2], rebound, p);
   p.friction = x[3];
   p.cohesion = x[4];
   p.shear_length = x[5];
@@ -164,11 +176,11 @@ struct Target {
 
 class Problem {
  public:
-  Problem(std::string law, double density, double rebound, std::vector<Target> targets)
-      : law_(std::move(law)),
+  Problem(SoilForm form, double density, double rebound, std::vector<Target> targets)
+      : form_(std::move(form)),
         density_(density),
         rebound_(rebound),
-        unknowns_(unknowns_of(law_)),
+        unknowns_(unknowns_of(form_)),
         targets_(std::move(targets)) {}
 
   Eigen::VectorXd start() const {
@@ -178,7 +190,7 @@ class Problem {
   }
   // skip: a target that is left out; -1: none.
   Eigen::VectorXd residuals(const Eigen::VectorXd& log_x, int skip) const {
-    const std::shared_ptr<const SoilLaw> law = law_of(law_, log_x.array().exp(), density_, rebound_);
+    const std::shared_ptr<const SoilLaw> law = law_of(form_, log_x.array().exp(), density_, rebound_);
     Eigen::VectorXd out(size(skip));
     Eigen::Index at = 0;
     for (std::size_t k = 0; k < targets_.size(); ++k) {
@@ -188,26 +200,47 @@ class Problem {
       const Eigen::VectorXd now = means_of(*target.run, forces).value;
       out.segment(at, now.size()) = (now - target.measured.value) / target.scale;
       at += now.size();
-      out[at++] = kWorkWeight * (work_of(*target.run, forces) / target.work - 1.0);
+      if (weighs_work()) out[at++] = kWorkWeight * (work_of(*target.run, forces) / target.work - 1.0);
     }
     return out;
   }
-  Eigen::VectorXd solve(const Eigen::VectorXd& x, int skip, int most) const {
-    OptimumTask task{{x.begin(), x.end()}, {}, {}, kLogStep, kLogPrecision, most};
-    for (const Unknown& unknown : unknowns_) {
-      task.least.push_back(std::log(unknown.least));
-      task.most.push_back(std::log(unknown.most));
+  // free: the unknowns that are searched; the others keep their values.
+  Eigen::VectorXd solve(const Eigen::VectorXd& x, int skip, int most, const std::vector<Eigen::Index>& free) const {
+    OptimumTask task{{}, {}, {}, kLogStep, kLogPrecision, most};
+    for (const Eigen::Index k : free) {
+      task.start.push_back(x[k]);
+      task.least.push_back(std::log(unknowns_[static_cast<std::size_t>(k)].least));
+      task.most.push_back(std::log(unknowns_[static_cast<std::size_t>(k)].most));
     }
+    const auto completed = [&](const std::vector<double>& point) {
+      Eigen::VectorXd all = x;
+      for (std::size_t i = 0; i < free.size(); ++i) all[free[i]] = point[i];
+      return all;
+    };
     const std::vector<double> best = least_squares(task, [&](const std::vector<std::vector<double>>& points) {
       std::vector<std::vector<double>> all;
       for (const std::vector<double>& point : points) {
-        const Eigen::VectorXd r =
-            residuals(Eigen::Map<const Eigen::VectorXd>(point.data(), static_cast<Eigen::Index>(point.size())), skip);
+        const Eigen::VectorXd r = residuals(completed(point), skip);
         all.emplace_back(r.begin(), r.end());
       }
       return all;
     });
-    return Eigen::Map<const Eigen::VectorXd>(best.data(), static_cast<Eigen::Index>(best.size()));
+    return completed(best);
+  }
+  std::vector<Eigen::Index> all_unknowns() const {
+    std::vector<Eigen::Index> all;
+    for (std::size_t k = 0; k < unknowns_.size(); ++k) all.push_back(static_cast<Eigen::Index>(k));
+    return all;
+  }
+  // Those away from their bounds: at a bound a search only loses its way.
+  std::vector<Eigen::Index> within_bounds(const Eigen::VectorXd& x) const {
+    constexpr double kAway = 0.02;
+    std::vector<Eigen::Index> inner;
+    for (const Eigen::Index k : all_unknowns()) {
+      const Unknown& unknown = unknowns_[static_cast<std::size_t>(k)];
+      if (x[k] > std::log(unknown.least) + kAway && x[k] < std::log(unknown.most) - kAway) inner.push_back(k);
+    }
+    return inner;
   }
   int count() const { return static_cast<int>(targets_.size()); }
   const std::vector<Unknown>& unknowns() const { return unknowns_; }
@@ -215,14 +248,17 @@ class Problem {
  private:
   static constexpr double kLogStep = 1e-4, kLogPrecision = 1e-5;
 
+  // How deep a pad comes to rest is decided by the work on its way.
+  bool weighs_work() const { return form_.speed == SpeedForm::kDepth; }
+
   Eigen::Index size(int skip) const {
     Eigen::Index sum = 0;
     for (std::size_t k = 0; k < targets_.size(); ++k)
-      if (static_cast<int>(k) != skip) sum += targets_[k].measured.value.size() + 1;
+      if (static_cast<int>(k) != skip) sum += targets_[k].measured.value.size() + (weighs_work() ? 1 : 0);
     return sum;
   }
 
-  std::string law_;
+  SoilForm form_;
   double density_, rebound_;
   std::vector<Unknown> unknowns_;
   std::vector<Target> targets_;
@@ -272,7 +308,7 @@ std::pair<double, double> quality(const std::vector<Target>& targets, const std:
 
 bool reaches_the_bed(const PadRun& run) { return first_touch(run) + kLeastRows <= run.place.size(); }
 
-GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, double density, double gravity,
+GroundFit fit_ground(const std::vector<PadRun>& runs, const SoilForm& form, double density, double gravity,
                      double rebound) {
   FOOTFALL_DEMAND(gravity >= 0.0);
   std::vector<Target> fitted, held;
@@ -291,17 +327,19 @@ GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, do
   if (fitted.size() < 3)
     throw InputError(code::kGroundFit, "only " + std::to_string(fitted.size()) +
                                            " runs are fitted; a fit requires at least 3 besides those held back");
-  const Problem problem(law, density, rebound, fitted);
-  const Eigen::VectorXd best = problem.solve(problem.start(), -1, kMostFitTrials);
+  const Problem problem(form, density, rebound, fitted);
+  const Eigen::VectorXd first = problem.solve(problem.start(), -1, kMostFitTrials, problem.all_unknowns());
+  const std::vector<Eigen::Index> inner = problem.within_bounds(first);
+  const Eigen::VectorXd best = problem.solve(first, -1, kMostFitTrials, inner);
   const auto n = static_cast<double>(problem.count());
   Eigen::MatrixXd without(best.size(), problem.count());
-  for (int k = 0; k < problem.count(); ++k) without.col(k) = problem.solve(best, k, kMostTrialsWithout);
+  for (int k = 0; k < problem.count(); ++k) without.col(k) = problem.solve(best, k, kMostTrialsWithout, inner);
   const Eigen::VectorXd mean = without.rowwise().mean();
   const Eigen::VectorXd spread = ((without.colwise() - mean).rowwise().squaredNorm() * ((n - 1.0) / n)).array().sqrt();
   const double t = two_sided_quantile(kConfidenceOfFit, problem.count() - 1);
 
   GroundFit fit;
-  fit.law = law;
+  fit.form = form;
   fit.rebound = rebound;
   for (std::size_t k = 0; k < problem.unknowns().size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
@@ -309,7 +347,7 @@ GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, do
     fit.numbers.push_back({unknown.key, unknown.unit, std::exp(best[i]), std::exp(best[i] - t * spread[i]),
                            std::exp(best[i] + t * spread[i])});
   }
-  const std::shared_ptr<const SoilLaw> found = law_of(law, values_of(fit), density, rebound);
+  const std::shared_ptr<const SoilLaw> found = law_of(form, values_of(fit), density, rebound);
   std::tie(fit.r_squared, fit.error) = quality(fitted, found, fit.worst);
   std::tie(fit.held_r_squared, fit.held_error) = quality(held, found, fit.worst);
   std::sort(fit.worst.begin(), fit.worst.end(), [](const auto& a, const auto& b) { return a.over > b.over; });
@@ -317,7 +355,7 @@ GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, do
 }
 
 std::vector<Eigen::Vector3d> predicted_forces(const PadRun& run, const GroundFit& fit, double density) {
-  return forces_on(run, law_of(fit.law, values_of(fit), density, fit.rebound));
+  return forces_on(run, law_of(fit.form, values_of(fit), density, fit.rebound));
 }
 
 namespace {
@@ -332,6 +370,7 @@ Scene on_the_soil(const RunRequest& request) {
 // The bed under the pad, from its grains.
 struct MeasuredBed {
   double surface = 0.0;   // mean height of the grains as seen from above [m]
+  double highest = 0.0;   // of the grains under the pad [m]
   double fraction = 0.0;  // of its volume that grains fill [-]
   double radius = 0.0;    // of its smallest grains [m]
 };
@@ -358,12 +397,16 @@ MeasuredBed measured_bed(const Scene& scene, const Eigen::Vector2d& centre, doub
   const std::vector<double> height =
       surface_profile(bed, centre, column, std::max(1, static_cast<int>(std::lround(half / column))));
   double area = 0.0;
+  out.highest = bed.x.row(2).minCoeff();
   for (std::size_t k = 0; k < height.size(); ++k) {
     if (std::isnan(height[k])) continue;
     const double ring = 2.0 * static_cast<double>(k) + 1.0;
     out.surface += ring * height[k];
     area += ring;
   }
+  for (std::size_t i = 0; i < grains.size(); ++i)
+    if ((bed.x.col(static_cast<Eigen::Index>(i)).head<2>() - centre).norm() < half)
+      out.highest = std::max(out.highest, bed.x(2, static_cast<Eigen::Index>(i)) + bed.radius[i]);
   if (!(area > 0.0)) throw InputError(code::kGroundFit, scene.file + ": there are no grains under the pad");
   out.surface /= area;
   const double depth = std::min(half, 0.5 * (out.surface - bed.x.row(2).minCoeff()));
@@ -386,7 +429,7 @@ double width_of(const PadRun& run) {
   return reach;
 }
 
-PadRun pad_run(const RunRequest& request, const std::string& folder) {
+PadRun pad_run(const RunRequest& request, const std::string& folder, SpeedForm speed) {
   const Scene scene = on_the_soil(request);
   const Mechanism mechanism = build_mechanism(scene);
   std::vector<const SoilContact*> soils;
@@ -407,7 +450,9 @@ PadRun pad_run(const RunRequest& request, const std::string& folder) {
   const auto column = [&](const char* what) -> const std::vector<double>& { return history.column(name + what); };
   const auto &x = column(".x"), &y = column(".y"), &z = column(".z"), &u = column(".vx"), &v = column(".vy"),
              &w = column(".vz"), &fx = column(".contact.fx"), &fy = column(".contact.fy"), &fz = column(".contact.fz");
-  run.surface = measured_bed(read_scene(request.scene, request.settings), centre_of(run, x, y), width_of(run)).surface;
+  const MeasuredBed bed =
+      measured_bed(read_scene(request.scene, request.settings), centre_of(run, x, y), width_of(run));
+  run.surface = speed == SpeedForm::kDepth ? bed.highest : bed.surface;
   const std::size_t stride = std::max<std::size_t>(1, x.size() / (kFitBins * kRowsPerBin));
   // The force of a row is a mean up to it; rows that are left out give theirs to the next.
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -457,16 +502,17 @@ std::string ground_file(const GroundFit& fit, const Scene& scene, const Measured
                         const FittedRange& range, std::size_t runs, std::size_t held, const std::string& command) {
   std::ostringstream out;
   out << "# A soil without grains, fitted to grains by `" << command << "`.\n"
-      << "#   [ground] kind = \"soil\", soil = \"THIS FILE\"\n[law]\nkind = \"" << fit.law << "\"\n"
+      << "#   [ground] kind = \"soil\", soil = \"THIS FILE\"\n[law]\nkind = \"" << fit.form.law << "\"\n"
       << "density = " << toml_number(density) << "  # kg/m3, of the bed: solid fraction "
       << number_text(bed.fraction, 3) << (scene.particles->box ? "" : ", grains of 2600 kg/m3 assumed") << "\n"
       << "rebound = " << toml_number(fit.rebound)
       << "  # m, not fitted: a quarter of the smallest radius of the grains\n";
-  out << "speed_depth = " << toml_number(kSpeedDepthOfRebound * fit.rebound)
-      << "  # m, not fitted: two radii of the smallest grains\n"
-      << "inertia = 1.0  # not fitted\nfitted_speed = " << toml_number(range.speed)
+  if (fit.form.speed == SpeedForm::kDepth)
+    out << "speed_depth = " << toml_number(kSpeedDepthOfRebound * fit.rebound)
+        << "  # m, not fitted: two radii of the smallest grains\ninertia = 1.0  # not fitted\n";
+  out << "fitted_speed = " << toml_number(range.speed)
       << "  # m/s, largest of the runs\nfitted_depth = " << toml_number(range.depth) << "  # m, likewise\n";
-  if (fit.law == "rft")
+  if (fit.form.law == "rft")
     out << "friction = " << toml_number(kFitFriction) << "  # of the factor of cohesion, not fitted\n"
         << "gravity = " << toml_number(scene.gravity.norm()) << "  # m/s2, of the runs\n";
   for (const FittedNumber& number : fit.numbers)
@@ -483,8 +529,8 @@ std::string ground_file(const GroundFit& fit, const Scene& scene, const Measured
 
 std::string fit_page(const GroundFit& fit, std::size_t runs, std::size_t held, const std::string& title,
                      const std::string& command) {
-  std::string page = "## " + title + "\n\nMade by `" + command + "`: law `" + fit.law + "`, " + std::to_string(runs) +
-                     " runs, " + std::to_string(held) + " of them held back.\n\n";
+  std::string page = "## " + title + "\n\nMade by `" + command + "`: law `" + fit.form.law + "`, " +
+                     std::to_string(runs) + " runs, " + std::to_string(held) + " of them held back.\n\n";
   Table numbers({"number", "unit", "value", "95 % interval"});
   for (const FittedNumber& number : fit.numbers)
     numbers.add({number.key, number.unit, number_text(number.value, 4), interval_text(number)});
@@ -525,7 +571,7 @@ bool write_fit(const GroundArguments& a, const SweepSpec& spec, const Plan& plan
       all = false;
       continue;
     }
-    PadRun run = pad_run(plan.runs[i], end.folder);
+    PadRun run = pad_run(plan.runs[i], end.folder, a.speed_form());
     if (!reaches_the_bed(run)) {
       std::printf("%s: the pad does not reach the bed, or at the end of its way alone; it is left out\n",
                   run.name.c_str());
@@ -544,7 +590,7 @@ bool write_fit(const GroundArguments& a, const SweepSpec& spec, const Plan& plan
   const double density =
       bed.fraction * (scene.particles->box ? scene.particles->box->material.density : kAssumedGrainDensity);
   const double gravity = scene.gravity.norm();
-  const GroundFit fit = fit_ground(runs, a.law, density, gravity, kReboundOfRadius * bed.radius);
+  const GroundFit fit = fit_ground(runs, {a.law, a.speed_form()}, density, gravity, kReboundOfRadius * bed.radius);
   const std::string page = fit_page(fit, runs.size(), held, spec.title, output.command);
   Table rows({"run", "held_back", "row", "x", "y", "z", "fx", "fy", "fz", "law_fx", "law_fy", "law_fz"});
   for (const PadRun& run : runs) {
@@ -569,7 +615,7 @@ bool write_fit(const GroundArguments& a, const SweepSpec& spec, const Plan& plan
 
 int ground_command(const GroundArguments& a) {
   SweepArguments e = a;
-  e.again = {"ground", "fit", a.file, "--law", a.law};
+  e.again = {"ground", "fit", a.file, "--law", a.law, "--speed", a.speed};
   for (const std::string& setting : a.settings) append(e.again, {"--set", setting});
   e.change = [&](SweepSpec& spec) {
     if (!spec.curves.empty() || spec.parameters.empty())

@@ -4,7 +4,7 @@
 // FILE is a sweep file. Its runs move one pad as prescribed; from the places and speeds in a run's history the law predicts the
 // force on the pad, and its numbers are those with the least sum of squares of
 //   (predicted - measured) / (largest force of the run),   means over bins of time, along the three axes,
-//   the same of the work on the way, over the measured work, which decides how deep a pad comes to rest,
+//   with SpeedForm::kDepth also of the work on the way, over the measured work, which decides how deep a pad comes to rest,
 // by Levenberg and Marquardt on their logarithms. Every fifth run is held back. Intervals are those of the jackknife over runs
 // [Efron 1982]: the fit is repeated without each of them.
 
@@ -33,8 +33,17 @@ struct FittedNumber {
   double value = 0.0, low = 0.0, high = 0.0;  // with its 95 % interval
 };
 
+// What grows with speed: with its square (inertia, with a factor that is fitted; the ground is the mean height of the grains), or with
+// speed times depth (speed_resistance, inertia 1; the ground is the highest grain under the pad, where it touches first).
+enum class SpeedForm { kSquare, kDepth };
+
+struct SoilForm {
+  std::string law;  // rft or pressure_sinkage
+  SpeedForm speed = SpeedForm::kSquare;
+};
+
 struct GroundFit {
-  std::string law;        // rft or pressure_sinkage
+  SoilForm form;
   double rebound = 1e-3;  // of the law, not fitted [m]
   std::vector<FittedNumber> numbers;
   // Of the fitted and of the held-back runs, over bins and axes: 1 - sum of squares of errors / that of forces about their mean.
@@ -53,14 +62,15 @@ struct GroundFit {
 // False where fewer than three rows have a facet in the ground.
 bool reaches_the_bed(const PadRun& run);
 // gravity [m/s2], density of the bed [kg/m3]. Throws InputError for too few runs, or runs without contact.
-GroundFit fit_ground(const std::vector<PadRun>& runs, const std::string& law, double density, double gravity,
+GroundFit fit_ground(const std::vector<PadRun>& runs, const SoilForm& form, double density, double gravity,
                      double rebound = 1e-3);
 // The forces of the law on the pad, one per row [N].
 std::vector<Eigen::Vector3d> predicted_forces(const PadRun& run, const GroundFit& fit, double density);
 
 struct GroundArguments : SweepArguments {
   GroundArguments() { command = "ground", runs = "runs/grounds", resume = true; }
-  std::string action = "fit", law = "rft";
+  std::string action = "fit", law = "rft", speed = "square";
+  SpeedForm speed_form() const { return speed == "depth" ? SpeedForm::kDepth : SpeedForm::kSquare; }
 };
 
 // Returns the exit code: 0; 1 when a run failed; 3 when interrupted. Throws InputError.

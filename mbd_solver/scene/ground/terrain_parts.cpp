@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <map>
+#include <utility>
 
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/resolve.h"
@@ -30,7 +33,8 @@ class Draws {
   std::uint64_t state_;
 };
 
-// Bands of equal ratio; the mean square of each is the integral of k^-2(H + 1) k over it.
+// Bands of equal ratio; the mean square of each is in proportion to the integral of k^-2(H + 1) k over it, that of all over a
+// period is height^2.
 void add_roughness(const RoughnessSpec& r, std::vector<GroundWave>& waves) {
   if (r.height == 0.0) return;
   Draws draws(r.seed);
@@ -54,6 +58,18 @@ void add_roughness(const RoughnessSpec& r, std::vector<GroundWave>& waves) {
     wave.phase = 2.0 * kPi * draws.number();
     waves.push_back(wave);
   }
+  // Rounding gives some waves the same vector, or the opposite one; they add up to one wave: a sin(k x + p).
+  std::map<std::pair<long, long>, std::complex<double>> distinct;
+  for (auto wave = waves.end() - kRoughWaves; wave != waves.end(); ++wave) {
+    const std::pair<long, long> at = {std::lround(wave->k.x() / quantum), std::lround(wave->k.y() / quantum)};
+    const bool opposite = at < std::pair<long, long>(0, 0);
+    distinct[opposite ? std::pair{-at.first, -at.second} : at] +=
+        std::polar(wave->amplitude, opposite ? kPi - wave->phase : wave->phase);
+  }
+  double mean_square = 0.0;
+  for (const auto& [at, amplitude] : distinct) mean_square += 0.5 * std::norm(amplitude);
+  for (auto wave = waves.end() - kRoughWaves; wave != waves.end(); ++wave)
+    wave->amplitude *= r.height / std::sqrt(mean_square);
 }
 
 // Rocks of the law in RockFieldSpec: a Poisson process; the largest take their places first, apart from others where there is

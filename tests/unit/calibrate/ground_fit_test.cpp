@@ -56,7 +56,7 @@ std::vector<PadRun> runs_of(const GroundFit& truth) {
 
 GroundFit resistive_ground(double speed_resistance, double cohesion) {
   GroundFit ground;
-  ground.law = "rft";
+  ground.form = {"rft", SpeedForm::kDepth};
   ground.numbers = {{"resistance", "", 6e5, 0, 0},
                     {"speed_resistance", "", speed_resistance, 0, 0},
                     {"cohesion", "", cohesion, 0, 0},
@@ -67,12 +67,15 @@ GroundFit resistive_ground(double speed_resistance, double cohesion) {
 TEST(GroundFit, FindsTheNumbersOfALawItself) {
   const GroundFit rft = resistive_ground(1.3e5, 120.0);
   GroundFit sinkage;
-  sinkage.law = "pressure_sinkage";
+  sinkage.form = {"pressure_sinkage", SpeedForm::kDepth};
   sinkage.numbers = {{"frictional_modulus", "", 4e5, 0, 0}, {"exponent", "", 0.8, 0, 0},
                      {"speed_resistance", "", 2e5, 0, 0},   {"friction", "", 0.5, 0, 0},
                      {"cohesion", "", 300.0, 0, 0},         {"shear_length", "", 0.015, 0, 0}};
-  for (const GroundFit& truth : {rft, sinkage}) {
-    const GroundFit found = fit_ground(runs_of(truth), truth.law, kDensity, kGravity);
+  GroundFit square = rft;
+  square.form.speed = SpeedForm::kSquare;
+  square.numbers[1] = {"inertia", "", 1.3, 0, 0};
+  for (const GroundFit& truth : {rft, sinkage, square}) {
+    const GroundFit found = fit_ground(runs_of(truth), truth.form, kDensity, kGravity);
     ASSERT_EQ(found.numbers.size(), truth.numbers.size());
     for (std::size_t k = 0; k < found.numbers.size(); ++k) {
       const double value = truth.numbers[k].value;
@@ -89,7 +92,7 @@ TEST(GroundFit, FindsTheNumbersOfALawItself) {
 TEST(GroundFit, TellsWhereTheLawIsWrong) {
   std::vector<PadRun> runs = runs_of(resistive_ground(1e5, 1.0));
   for (Eigen::Vector3d& force : runs[1].force) force.y() += 0.5 * runs[1].force.back().z();  // from the side
-  const GroundFit found = fit_ground(runs, "rft", kDensity, kGravity);
+  const GroundFit found = fit_ground(runs, {"rft", SpeedForm::kDepth}, kDensity, kGravity);
   EXPECT_EQ(found.worst.front().run, "run 1");
   EXPECT_EQ(found.worst.front().axis, 'y');
   EXPECT_LT(found.r_squared, 0.99);
@@ -100,10 +103,10 @@ TEST(GroundFit, RefusesRunsThatTellNothing) {
   EXPECT_TRUE(reaches_the_bed(runs[0]));
   for (Eigen::Vector3d& place : runs[0].place) place.z() += 1.0;
   EXPECT_FALSE(reaches_the_bed(runs[0]));
-  EXPECT_THROW(fit_ground(runs, "rft", kDensity, kGravity), InputError);
+  EXPECT_THROW(fit_ground(runs, {"rft", SpeedForm::kDepth}, kDensity, kGravity), InputError);
   runs = runs_of(resistive_ground(1e5, 1.0));
   runs.resize(2);
-  EXPECT_THROW(fit_ground(runs, "rft", kDensity, kGravity), InputError);
+  EXPECT_THROW(fit_ground(runs, {"rft", SpeedForm::kDepth}, kDensity, kGravity), InputError);
 }
 
 }  // namespace

@@ -557,5 +557,28 @@ TEST(ClumpShape, HasTwoToSixSpheresAndItsName) {
   EXPECT_THROW(clump_shape("tetraedron"), InputError);
 }
 
+// Over a period, six of the longest waves, whatever waves coincide.
+TEST(Roughness, HasItsHeightForEverySeed) {
+  TerrainSpec terrain;
+  terrain.roughness.emplace();
+  terrain.roughness->height = 0.05;
+  terrain.roughness->shortest = 0.25;
+  terrain.roughness->longest = 1.0;
+  constexpr int kSamples = 120;
+  for (int seed = 1; seed <= 12; ++seed) {
+    terrain.roughness->seed = seed;
+    const std::shared_ptr<const Terrain> ground = terrain_of(terrain);
+    double square = 0.0, mean = 0.0;
+    for (int i = 0; i < kSamples; ++i)
+      for (int j = 0; j < kSamples; ++j) {
+        const double h = ground->at(6.0 * i / kSamples, 6.0 * j / kSamples).h / (kSamples * kSamples);
+        mean += h;
+        square += h * h * kSamples * kSamples;
+      }
+    EXPECT_NEAR(std::sqrt(square), 0.05, 1e-4) << seed;
+    EXPECT_NEAR(mean, 0.0, 1e-4) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace footfall
