@@ -267,7 +267,7 @@ void show_summary(const Json& summary, HtmlPage& page) {
   add_metric(summary, "simulated time", "end_time_s", 1.0, "s", rows, "End time of the run.");
   add_metric(summary, "peak acceleration", "peak_acceleration_g", 1.0, "g (Earth's, 9.80665 m/s2)", rows, peak.c_str());
   add_metric(summary, "largest descent", "max_descent_m", 1.0, "m", rows, descent.c_str());
-  add_metric(summary, "largest depth below the ground", "max_penetration_m", 1.0, "m", rows,
+  add_metric(summary, "largest sinkage below the initial surface", "max_penetration_m", 1.0, "m", rows,
              "Of the lowest point of a coupled surface.");
   add_metric(summary, "largest contact force on one body", "max_contact_force_N", 1.0, "N", rows,
              "Sum over all grains, mean over a window; on a plane at one instant.");
@@ -320,7 +320,7 @@ void show_quality(const Json& summary, HtmlPage& page) {
              rows);
   add_metric(summary, "drift of the joints, position", "drift_position", 1.0, "m, rad", rows);
   add_metric(summary, "drift of the joints, velocity", "drift_velocity", 1.0, "m/s, rad/s", rows);
-  add_metric(summary, "energy error of the interface", "coupling_energy_residual_relative", 100.0,
+  add_metric(summary, "coupling energy error", "coupling_energy_residual_relative", 100.0,
              "% of the energy exchanged", rows);
   add_metric(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "% of its radius", rows);
   add_metric(summary, "time step of the grains", "dt_dem_s", 1.0, "s", rows);
@@ -447,7 +447,7 @@ std::string sweep_page(const fs::path& folder) {
   show_pictures(folder.string(), "Plots", page);
   show_pictures((folder / "plots").string(), "Plots", page);
   Rows rows = {
-      {"run", "status", "energy balance [%]", "interface [%]", "largest overlap [% of radius]", "wall time [s]"}};
+      {"run", "status", "energy balance [%]", "coupling energy error [%]", "largest overlap [% of radius]", "wall time [s]"}};
   Json last;
   for (const fs::path& run : runs) {
     try {

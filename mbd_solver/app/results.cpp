@@ -276,11 +276,11 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
   row(summary, "peak acceleration", "peak_acceleration_g", 1.0, "%.4g g (Earth's, 9.80665 m/s2)");
   row_by_size(summary, "largest descent", "max_descent_m", "m");
   if (touches_ground(summary)) {
-    row_by_size(summary, "largest depth below the ground", "max_penetration_m", "m");
+    row_by_size(summary, "largest sinkage below the initial surface", "max_penetration_m", "m");
     row_by_size(summary, "largest contact force on one body", "max_contact_force_N", "N");
   }
   row(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "%.4f %% of the energy exchanged");
-  row(summary, "energy error of the interface", "coupling_energy_residual_relative", 100.0,
+  row(summary, "coupling energy error", "coupling_energy_residual_relative", 100.0,
       "%.3f %% of the energy exchanged");
   if (summary.contains("ledger")) {
     row_by_size(summary.at("ledger"), "energy given to the grains", "energy_to_grains_J", "J");
