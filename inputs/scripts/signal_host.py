@@ -1,6 +1,6 @@
 """The process of a signal of kind "python".
 
-It answers the questions of mbd_solver (mbd_solver/model/control/foreign_block.h): frames on standard input and output, 8 bytes of length and then a
+It answers the questions of mbd_solver (mbd_solver/assemble/foreign_block.h): frames on standard input and output, 8 bytes of length and then a
 letter with numbers or bytes. The first question is the task: FILE, FUNCTION, STATELESS (1: yes) and the number of inputs. It imports FILE; what that
 prints goes to standard error.
 

@@ -20,6 +20,7 @@
 #include "mbd_solver/app/film/page_camera.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/run_command.h"
+#include "mbd_solver/assemble/law_files.h"
 #include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/base/lock.h"
@@ -303,7 +304,7 @@ constexpr Input kAcceleration{"a", "a [g]"};
 constexpr Input kSecond[] = {{"da", "da [g in 0.1 s]"}, {"alpha", "alpha (pitch) [deg]"}};
 
 std::vector<std::string> write_scripts(const ControllerSpec& controller, const std::string& out) {
-  const FuzzySystem system(controller.file);
+  const FuzzySystem system(read_fll(controller.file));
   std::vector<std::string> scripts;
   for (int output : {0, 2}) {
     if (output >= system.output_count()) continue;

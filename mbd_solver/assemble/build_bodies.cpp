@@ -551,7 +551,7 @@ double highest_under(const std::vector<GrainPlace>& grains, const Eigen::Vector3
 }
 
 // How far grains under a body stand out of the field of a terrain, at most; negative: they are below [m].
-double highest_over(const std::vector<GrainPlace>& grains, const Terrain& field, const Eigen::Vector3d& centre,
+double highest_over(const std::vector<GrainPlace>& grains, Terrain& field, const Eigen::Vector3d& centre,
                     double reach) {
   double highest = -std::numeric_limits<double>::infinity();
   for (const GrainPlace& grain : grains) {
@@ -567,7 +567,7 @@ constexpr double kStray = 0.1;  // of the radius of a boundary's footprint
 }  // namespace
 
 Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
-                const std::vector<FlexibleBody>& flexible, const Terrain* terrain) {
+                const std::vector<FlexibleBody>& flexible, Terrain* terrain) {
   const InitialSpec& initial = scene.initial;
   if (!initial.from.empty()) return read_end_state(scene).placement;
   Placement placement;
@@ -593,7 +593,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
   double smallest = std::numeric_limits<double>::infinity();
   double highest_ground = -std::numeric_limits<double>::infinity();
   const Placement as_drawn;
-  const std::shared_ptr<const Terrain> field = build_bed_surface(scene);
+  const std::shared_ptr<Terrain> field = build_bed_surface(scene);
   const std::optional<TerrainBed> bed = terrain_bed(scene);
   for (const BodyBoundary& entry : boundaries) {
     const auto i = static_cast<std::size_t>(entry.body);

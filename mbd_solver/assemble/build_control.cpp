@@ -8,12 +8,13 @@
 #include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/assemble/codes.h"
+#include "mbd_solver/assemble/foreign_block.h"
+#include "mbd_solver/assemble/law_files.h"
 #include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/assemble/time_functions.h"
 #include "mbd_solver/base/fmu_description.h"
 #include "mbd_solver/model/control/continuous_signals.h"
 #include "mbd_solver/model/control/controllers.h"
-#include "mbd_solver/model/control/foreign_block.h"
 #include "mbd_solver/model/control/fuzzy_controller.h"
 #include "mbd_solver/model/control/signal_blocks.h"
 #include "mbd_solver/scene/findings.h"
@@ -34,7 +35,7 @@ std::unique_ptr<Controller> build(const ControllerSpec& spec, int outputs, std::
     }
     case ControllerKind::kFuzzy: {
       FuzzyControllerParameters p;
-      p.file = spec.file;
+      p.rules = read_fll(spec.file);
       p.period = spec.period;
       p.filter_frequency = spec.filter_frequency;
       p.tabulated = spec.tabulated;
@@ -127,7 +128,7 @@ std::unique_ptr<SignalBlock> build(const SignalSpec& spec) {
       return std::make_unique<LookupTable>(x, y);
     }
     case SignalKind::kTable2: return build_table2(spec);
-    case SignalKind::kFuzzy: return std::make_unique<FuzzyBlock>(spec.file, spec.inputs.size(), spec.output);
+    case SignalKind::kFuzzy: return std::make_unique<FuzzyBlock>(read_fll(spec.file), spec.inputs.size(), spec.output);
     case SignalKind::kFmu: break;     // add_foreign
     case SignalKind::kPython: break;  // likewise
     case SignalKind::kHost: break;    // its place is all of it

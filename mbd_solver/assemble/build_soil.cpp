@@ -124,7 +124,7 @@ std::shared_ptr<const SoilLaw> soil_law(const Scene& scene, const ModalBoundary&
 void add_soil_contacts(const Scene& scene, Mechanism& mechanism) {
   if (scene.ground.kind != GroundKind::kSoil) return;
   const SoilSpec& spec = *scene.ground.law;
-  std::shared_ptr<SoilGround> ground;
+  std::shared_ptr<const SoilGround> ground;
   std::vector<std::pair<const BodyBoundary*, std::vector<SoilFacet>>> touching;
   double largest = 0.0;  // area of a facet [m2]
   for (const BodyBoundary& entry : mechanism.boundaries) {
@@ -138,7 +138,7 @@ void add_soil_contacts(const Scene& scene, Mechanism& mechanism) {
   }
   for (auto& [entry, facets] : touching) {
     const bool first = ground == nullptr;
-    if (first) ground = std::make_shared<SoilGround>(std::sqrt(largest));
+    if (first) ground = std::make_shared<const SoilGround>(std::sqrt(largest));
     add_contact(
         std::make_unique<SoilContact>("ground/" + entry->boundary.name(), std::move(facets), !encloses(entry->boundary),
                                       SoilContact::Place{spec.point, spec.normal, mechanism.terrain},

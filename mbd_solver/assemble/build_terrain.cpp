@@ -12,11 +12,11 @@
 
 namespace footfall {
 
-std::shared_ptr<const Terrain> build_terrain(const Scene& scene) {
+std::shared_ptr<Terrain> build_terrain(const Scene& scene) {
   return scene.ground.is_uneven() ? terrain_of(*scene.ground.terrain) : nullptr;
 }
 
-std::shared_ptr<const Terrain> build_bed_surface(const Scene& scene) {
+std::shared_ptr<Terrain> build_bed_surface(const Scene& scene) {
   if (!terrain_bed(scene)) return nullptr;
   TerrainSpec field = *scene.ground.terrain;
   field.rocks.clear();
@@ -27,7 +27,7 @@ std::shared_ptr<const Terrain> build_bed_surface(const Scene& scene) {
 namespace {
 
 // The way that a point of the body can fall before a ball of this radius about it touches.
-double fall_of(const Terrain& terrain, const Eigen::Vector3d& p, double radius) {
+double fall_of(Terrain& terrain, const Eigen::Vector3d& p, double radius) {
   if (radius == 0.0) return p.z() - terrain.top(p.x(), p.y());
   // From a bound on, down by the distance, which is no more than the way left.
   constexpr int kRays = 16, kSteps = 60;
@@ -76,8 +76,7 @@ double least_fall(const BodyBoundary& entry, const Eigen::Vector3d& r, const Eig
 
 }  // namespace
 
-double fall_to(const Terrain& terrain, const BodyBoundary& entry, const Eigen::Vector3d& r,
-               const Eigen::Matrix3d& R_WB) {
+double fall_to(Terrain& terrain, const BodyBoundary& entry, const Eigen::Vector3d& r, const Eigen::Matrix3d& R_WB) {
   return least_fall(entry, r, R_WB,
                     [&](const Eigen::Vector3d& p, double radius) { return fall_of(terrain, p, radius); });
 }

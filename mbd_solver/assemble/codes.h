@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages about building a mechanism from a scene: E0260 to E0279, W1260 to W0279.
+// Codes of the messages about building a mechanism from a scene: E0260 to E0279, E0350 to E0352, W1260 to W1279.
 
 #include "coupler/base/errors.h"
 
@@ -25,6 +25,12 @@ inline constexpr MessageCode kNoGroundHeight{"E0268", "no-ground-height"};
 inline constexpr MessageCode kModelInertia{"E0269", "model-inertia"};
 // The folder of initial.from is not that of a run that has ended, or its bodies differ. Run that scene, or correct the folder.
 inline constexpr MessageCode kEndState{"E0263", "end-state"};
+// Code of the user (an FMU) failed, crashed, did not answer in time, or its output is not finite. Correct it, or what it is given.
+inline constexpr MessageCode kForeignFailed{"E0350", "foreign-failed"};
+// Code of the user cannot say in which state it is. Run without checkpoints, or let it keep its state.
+inline constexpr MessageCode kForeignStateless{"E0351", "foreign-stateless"};
+// The state of code of the user in a checkpoint is damaged. Resume from another checkpoint.
+inline constexpr MessageCode kForeignState{"E0352", "foreign-state"};
 // A tabulated controller differs from the exact one by this much. Use a finer grid if it matters.
 inline constexpr MessageCode kTableDifference{"W1260", "table-difference"};
 // A signal varies in time faster than its corners can be found, and steps may pass over parts of it. Shorten the run.

@@ -68,7 +68,7 @@ Mechanism build_mechanism(const Scene& scene) {
   std::vector<std::string> warnings = scene.warnings;
   const std::vector<FlexibleBody> flexible = build_flexible_bodies(scene, warnings);
   std::vector<BodyBoundary> boundaries = build_boundaries(scene, flexible, warnings);
-  std::shared_ptr<const Terrain> terrain = build_terrain(scene);
+  std::shared_ptr<Terrain> terrain = build_terrain(scene);
   Mechanism mechanism(place(scene, boundaries, flexible, terrain.get()), scene.gravity);
   mechanism.terrain = std::move(terrain);
   mechanism.boundaries = std::move(boundaries);

@@ -187,18 +187,17 @@ std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector
                                            std::vector<std::string>& warnings);
 
 // The surface of uneven ground; null: it is a plane, or the scene has none.
-std::shared_ptr<const Terrain> build_terrain(const Scene& scene);
+std::shared_ptr<Terrain> build_terrain(const Scene& scene);
 // The field of a terrain that shapes a bed of [particles.box], without rocks; null: the bed has none.
-std::shared_ptr<const Terrain> build_bed_surface(const Scene& scene);
+std::shared_ptr<Terrain> build_bed_surface(const Scene& scene);
 // The way along -z that a rigid body at r can fall before its boundary touches the ground, or rocks [m].
-double fall_to(const Terrain& terrain, const BodyBoundary& entry, const Eigen::Vector3d& r,
-               const Eigen::Matrix3d& R_WB);
+double fall_to(Terrain& terrain, const BodyBoundary& entry, const Eigen::Vector3d& r, const Eigen::Matrix3d& R_WB);
 double fall_to_rocks(const std::vector<Terrain::Sphere>& rocks, const BodyBoundary& entry, const Eigen::Vector3d& r,
                      const Eigen::Matrix3d& R_WB);
 
 // R_WD and p_WD from [initial]: attitude about the total mass centre, then clearance above the ground.
 Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
-                const std::vector<FlexibleBody>& flexible, const Terrain* terrain = nullptr);
+                const std::vector<FlexibleBody>& flexible, Terrain* terrain = nullptr);
 
 void add_bodies(const Scene& scene, const std::vector<FlexibleBody>& flexible, Mechanism& mechanism);
 void add_joints(const Scene& scene, Mechanism& mechanism);
@@ -240,10 +239,11 @@ Eigen::Matrix3d axes_D(const BodySpec& body, const FlexibleBody& flexible);
 // A fuzzy system as a signal.
 class FuzzyBlock final : public SignalBlock {
  public:
-  FuzzyBlock(const std::string& file, std::size_t inputs, const std::string& output)
-      : function_(file, inputs, output), inputs_(static_cast<int>(inputs)) {}
+  FuzzyBlock(const FllText& rules, std::size_t inputs, const std::string& output)
+      : function_(rules, inputs, output), inputs_(static_cast<int>(inputs)) {}
   int input_count() const override { return inputs_; }
   double value(const BlockValues& u, const BlockValues&) const override { return function_.value(u); }
+  std::unique_ptr<SignalBlock> copy() const override { return std::make_unique<FuzzyBlock>(*this); }
 
  private:
   FuzzyFunction function_;

@@ -40,13 +40,17 @@ void warn_of_overlaps(const Scene& scene, Mechanism& mechanism) {
   const Model& model = mechanism.model;
   std::map<int, double> sizes;  // of bodies [m]
   for (const BodyBoundary& entry : mechanism.boundaries) sizes[entry.body] = size_of(entry);
+  ElementScratches scratch(model);
   for (const ContactEntry& entry : mechanism.contacts) {
     const ContactElement& contact = entry.force.of(model);
     const std::array<int, 2>& bodies = contact.bodies();
     const BodyKinematics motion[2] = {at_rest(model, bodies[0]), at_rest(model, bodies[1])};
     StoredEnergy stored;
     Dissipated power;
-    contact.add_energy({{{&motion[0], &motion[1]}}, contact.initial_state(), mechanism.inputs, 0.0}, stored, power);
+    const Eigen::VectorXd z = contact.initial_state();
+    ElementInput in{{{&motion[0], &motion[1]}}, z, mechanism.inputs};
+    in.scratch = scratch.of(entry.force.index());
+    contact.add_energy(in, stored, power);
     double mass = HUGE_VAL, size = HUGE_VAL;
     std::string names;
     for (const int body : bodies) {

@@ -250,9 +250,9 @@ void NumberFile::read(std::size_t first, std::size_t count, double* out) const {
   // From the byte before its page, which may be of a word of the page before, to the end of the last word.
   const std::size_t page = page_of(first), last = page_of(first + count - 1);
   const std::size_t before = page > 0 ? 1 : 0, from = begin_ + page * kPageBytes - before;
-  page_.resize((last + 1 - page) * kPageBytes + kLongestWord);
-  const std::size_t size = bytes_at(from, page_.size(), page_.data());
-  const char* at = page_.data();
+  std::vector<char> text((last + 1 - page) * kPageBytes + kLongestWord);
+  const std::size_t size = bytes_at(from, text.size(), text.data());
+  const char* at = text.data();
   const char* const end = at + size;
   if (before > 0)
     while (at < end && !is_space(*at)) ++at;

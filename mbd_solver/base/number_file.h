@@ -38,7 +38,6 @@ class NumberFile {
   std::size_t size_ = 0, begin_ = 0;
   std::int64_t written_ = 0;           // [ns since 1970]
   std::vector<std::uint32_t> before_;  // words that begin before each page
-  mutable std::vector<char> page_;     // scratch
 };
 
 }  // namespace footfall

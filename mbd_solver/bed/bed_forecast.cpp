@@ -85,7 +85,7 @@ class Surface {
   }
 
  private:
-  std::shared_ptr<const Terrain> terrain_;  // null: z = 0
+  std::shared_ptr<Terrain> terrain_;  // null: z = 0
   std::size_t rocks_ = 0;
 };
 

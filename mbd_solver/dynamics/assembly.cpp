@@ -392,7 +392,9 @@ void start_modes(const Model& model, const Layout& layout, const Kinematics& kin
     if (modes == nullptr) continue;
     const Eigen::VectorXd inputs = Eigen::VectorXd::Zero(element.input_count());
     auto z = state.z.segment(layout.force_z[i], element.state_count());
-    modes->switch_states(element_input(element, kinematics, z, inputs, state.time), z);
+    SharedCopies shared;
+    const std::unique_ptr<ElementScratch> scratch = element.scratch(shared);
+    modes->switch_states(element_input(element, kinematics, z, inputs, state.time, scratch.get()), z);
   }
 }
 

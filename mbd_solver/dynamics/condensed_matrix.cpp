@@ -111,7 +111,7 @@ bool CondensedMatrix::update() {
 }
 
 void CondensedMatrix::solve(Eigen::Ref<Eigen::VectorXd> x,
-                            const std::function<void(Eigen::Ref<Eigen::VectorXd>)>& inner) const {
+                            const std::function<void(Eigen::Ref<Eigen::VectorXd>)>& inner) {
   if (blocks_.empty()) {
     inner(x);
     return;

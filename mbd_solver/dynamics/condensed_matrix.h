@@ -30,7 +30,7 @@ class CondensedMatrix {
   // Takes the current values. False if a D_k is singular.
   bool update();
   // The solution of the whole system in place: `inner` solves with matrix() in place.
-  void solve(Eigen::Ref<Eigen::VectorXd> x, const std::function<void(Eigen::Ref<Eigen::VectorXd>)>& inner) const;
+  void solve(Eigen::Ref<Eigen::VectorXd> x, const std::function<void(Eigen::Ref<Eigen::VectorXd>)>& inner);
 
  private:
   struct Entry {
@@ -54,7 +54,7 @@ class CondensedMatrix {
   std::vector<Block> blocks_;
   Eigen::SparseMatrix<double> condensed_;
   std::vector<int> from_, to_;  // values of the whole matrix that stay, and their places in the condensed one
-  mutable Eigen::VectorXd small_;
+  Eigen::VectorXd small_;
 };
 
 }  // namespace footfall

@@ -168,19 +168,17 @@ void ConstraintRows::evaluate(const State& state) {
   if (!same) factors_.reset();
 }
 
-const ConstraintRows::Factors& ConstraintRows::factors(double rank_tolerance) const {
+ConstraintRows::Factors& ConstraintRows::factors(double rank_tolerance) {
   if (!factors_ || factors_->tolerance != rank_tolerance)
     factors_ = std::make_unique<Factors>(split_.any() ? split_.split(transposed_) : transposed_, rank_tolerance);
   return *factors_;
 }
 
-Eigen::Index ConstraintRows::factor_entries(double rank_tolerance) const {
-  return factors(rank_tolerance).R.nonZeros();
-}
+Eigen::Index ConstraintRows::factor_entries(double rank_tolerance) { return factors(rank_tolerance).R.nonZeros(); }
 
-Eigen::VectorXd ConstraintRows::correction(const Eigen::VectorXd& defect, double rank_tolerance) const {
+Eigen::VectorXd ConstraintRows::correction(const Eigen::VectorXd& defect, double rank_tolerance) {
   // B^T P = Q [R; 0]: B x = d becomes R^T z = P^T d, x = Q [z; 0]. Links of split bodies are closed.
-  const Factors& qr = factors(rank_tolerance);
+  Factors& qr = factors(rank_tolerance);
   Eigen::VectorXd d = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(qr.order.size()));
   for (Eigen::Index k = 0; k < d.size(); ++k) {
     const int row = qr.order[k];
@@ -190,10 +188,10 @@ Eigen::VectorXd ConstraintRows::correction(const Eigen::VectorXd& defect, double
   if (qr.rank == d.size()) {
     z = qr.R.transpose().triangularView<Eigen::Lower>().solve(d);
   } else {
-    if (!factors_->least_squares) {
-      factors_->least_squares = std::make_unique<Eigen::SPQR<SparseMatrix>>();
-      factors_->least_squares->setPivotThreshold(0.0);
-      factors_->least_squares->compute(SparseMatrix(qr.R.transpose()));
+    if (!qr.least_squares) {
+      qr.least_squares = std::make_unique<Eigen::SPQR<SparseMatrix>>();
+      qr.least_squares->setPivotThreshold(0.0);
+      qr.least_squares->compute(SparseMatrix(qr.R.transpose()));
     }
     z = qr.least_squares->solve(d);
   }
@@ -212,7 +210,7 @@ bool ConstraintRows::is_rotor(int row) const {
 
 // Every column of R behind the first `rank` ones is a combination of these, R x = the column: y = [x; -1] is a null vector of
 // B^T. Its rows of joints alone are one as well: links cancel in the sum over the copies of a body.
-std::vector<ConstraintRows::Combination> ConstraintRows::combinations(double rank_tolerance) const {
+std::vector<ConstraintRows::Combination> ConstraintRows::combinations(double rank_tolerance) {
   const Factors& qr = factors(rank_tolerance);
   const auto row_of = [&](Eigen::Index k) {
     const int row = qr.order[k];
@@ -235,7 +233,7 @@ std::vector<ConstraintRows::Combination> ConstraintRows::combinations(double ran
   return out;
 }
 
-std::vector<RedundantGroup> ConstraintRows::redundant(double rank_tolerance) const {
+std::vector<RedundantGroup> ConstraintRows::redundant(double rank_tolerance) {
   const std::vector<Combination> found = combinations(rank_tolerance);
   const auto joint_of = [&](int row) { return layout_.row_joint[row]; };
 

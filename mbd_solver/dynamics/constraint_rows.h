@@ -36,11 +36,11 @@ class ConstraintRows {
   // The smallest change (in the mass metric) of positions or velocities that removes the defects, in the least-squares sense if
   // they contradict each other: -C^-T B^+ D defect. Rows are dependent if their independent part is below `rank_tolerance` of
   // their length.
-  Eigen::VectorXd correction(const Eigen::VectorXd& defect, double rank_tolerance) const;
+  Eigen::VectorXd correction(const Eigen::VectorXd& defect, double rank_tolerance);
   // The groups of joints with redundant rows.
-  std::vector<RedundantGroup> redundant(double rank_tolerance) const;
+  std::vector<RedundantGroup> redundant(double rank_tolerance);
   // Entries of the triangular factor R at this tolerance.
-  Eigen::Index factor_entries(double rank_tolerance) const;
+  Eigen::Index factor_entries(double rank_tolerance);
 
   const Kinematics& kinematics() const { return kinematics_; }
   Eigen::VectorXd phi, rate, scale;  // phi, phi', diagonal of D
@@ -49,9 +49,9 @@ class ConstraintRows {
   struct Factors;
   struct Combination;
   // Of the current rows: computed once for each tolerance until the rows change.
-  const Factors& factors(double rank_tolerance) const;
+  Factors& factors(double rank_tolerance);
   bool is_rotor(int row) const;
-  std::vector<Combination> combinations(double rank_tolerance) const;
+  std::vector<Combination> combinations(double rank_tolerance);
   // Fills a group, but for its joints, from its combinations.
   void complete(const std::vector<const Combination*>& combinations, RedundantGroup& group) const;
   // Lengths of rows, one for the forces of a joint and one for its moments, so that the smallest reactions do not depend on the
@@ -64,7 +64,7 @@ class ConstraintRows {
   SplitBodies split_;
   std::vector<Eigen::MatrixXd> masses_;     // C per body
   Eigen::SparseMatrix<double> transposed_;  // B^T
-  mutable std::unique_ptr<Factors> factors_;
+  std::unique_ptr<Factors> factors_;
 };
 
 // Redundant conditions in the equations of motion. k combinations Y of the rows of a group of joints are zero in every

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "coupler/base/errors.h"
@@ -28,11 +29,14 @@ struct Equations::Workspace {
   }
 
   Kinematics kinematics;
+  ElementScratches scratch;
+  std::optional<ContinuousSignals> signals;  // a copy of those of the model
   JacobianPattern pattern;
   Eigen::VectorXd own_diagonal;              // per velocity
   std::vector<InertiaScratch> inertia;       // per body
   std::vector<ElementDerivatives> elements;  // per force element
   Eigen::VectorXd row, row2, row3, row4;     // local rows of the largest pair
+  RowScratch row_scratch{0};                 // of the largest pair
   Eigen::VectorXd local;                     // generalized force of a pair
   Eigen::MatrixXd K, D, M;                   // local matrices of the largest pair or body
   Eigen::VectorXd empty;
@@ -42,7 +46,8 @@ struct Equations::Workspace {
 };
 
 Equations::Workspace::Workspace(const Model& model, const Layout& layout)
-    : kinematics(model), pattern(model, layout, kinematics) {
+    : kinematics(model), scratch(model), pattern(model, layout, kinematics) {
+  if (model.signals()) signals.emplace(*model.signals());
   int largest = 0;
   for (int i = 0; i < model.body_count(); ++i) {
     inertia.emplace_back(model.body(i).mode_count());
@@ -67,6 +72,7 @@ Equations::Workspace::Workspace(const Model& model, const Layout& layout)
     most_states = std::max(most_states, m);
   }
   local = Eigen::VectorXd::Zero(most);
+  row_scratch = RowScratch(n);
   row = row2 = row3 = row4 = Eigen::VectorXd::Zero(std::max(n, most_states));
   for (int j = 0; j < model.joint_count(); ++j) {
     for (const ConstraintRow& r : model.joint(j).rows) {
@@ -107,11 +113,13 @@ const Kinematics& Equations::kinematics() const { return work_->kinematics; }
 
 const BodyKinematics& Equations::motion(int body) const { return work_->kinematics.of(body); }
 
-ElementInput Equations::element_input(int force, const State& state, const Inputs& inputs) const {
+ElementScratches& Equations::scratch() { return work_->scratch; }
+
+ElementInput Equations::element_input(int force, const State& state, const Inputs& inputs) {
   const ForceElement& element = model_.force(force);
   return footfall::element_input(element, work_->kinematics,
                                  state.z.segment(layout_.force_z[force], element.state_count()), inputs.values,
-                                 state.time);
+                                 state.time, work_->scratch.of(force));
 }
 
 void Equations::check_inputs(const Inputs& inputs) const {
@@ -185,7 +193,7 @@ void Equations::residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
   for (int i = 0; i < model_.force_count(); ++i) {
     const ForceElement& element = model_.force(i);
     const int z = layout_.z0() + layout_.force_z[i], m = element.state_count();
-    const ElementInput in = footfall::element_input(element, w.kinematics, y.segment(z, m), values, t);
+    const ElementInput in = footfall::element_input(element, w.kinematics, y.segment(z, m), values, t, w.scratch.of(i));
     const PairMotion& pair = in.pair;
     const int pair_size = pair.size(), size = in.size();
     Eigen::Ref<Eigen::VectorXd> Q = w.local.head(size);
@@ -287,7 +295,7 @@ void Equations::sample_energy(double t, const Eigen::Ref<const Eigen::VectorXd>&
     const ForceElement& element = model_.force(i);
     const int z = layout_.z0() + layout_.force_z[i];
     const ElementInput in =
-        footfall::element_input(element, w.kinematics, y.segment(z, element.state_count()), values, t);
+        footfall::element_input(element, w.kinematics, y.segment(z, element.state_count()), values, t, w.scratch.of(i));
     element.add_energy(in, out.stored, out.power);
     element.add_supply(in, out.supplied);
   }
@@ -381,7 +389,7 @@ void Equations::add_joint_derivatives(int index, double t, double c, const Eigen
     const double beta2 = closes && joint.rows[k].holds_positions() ? baumgarte_.beta * baumgarte_.beta : 0.0;
     const double turns = w.kinematics.turns(index);
     evaluate_row(joint.rows[k], t, vectors, phi_v, turns);
-    row_derivatives(joint.rows[k], t, vectors, lambda[row], rate_dx, acc_dx, acc_dv, K, turns);
+    row_derivatives(joint.rows[k], t, vectors, lambda[row], rate_dx, acc_dx, acc_dv, K, w.row_scratch, turns);
     // F_lambda = phi'' + 2 alpha phi' + beta^2 phi - eps lambda
     if (alpha2 != 0.0 || beta2 != 0.0) acc_dx += alpha2 * rate_dx + beta2 * phi_v;
     acc_dv += (c + alpha2) * phi_v;
@@ -408,7 +416,7 @@ void Equations::add_force_derivatives(int index, double t, const Eigen::Ref<cons
   Workspace& w = *work_;
   const ForceElement& element = model_.force(index);
   const ElementPlaces& places = w.pattern.forces[index];
-  const ElementInput in = footfall::element_input(element, w.kinematics, z, input_values, t);
+  const ElementInput in = footfall::element_input(element, w.kinematics, z, input_values, t, w.scratch.of(index));
   ElementDerivatives& d = w.elements[index];
   double* values = w.pattern.lower.valuePtr();
   double* stiffness = w.pattern.stiffness.data();
@@ -604,12 +612,11 @@ void move(BodyKinematics& body, bool position, int j, double step) {
 
 const Eigen::VectorXd& Equations::input_values_at(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                                   const Inputs& inputs) {
-  const ContinuousSignals* signals = model_.signals();
-  if (!signals) return inputs.values;
   Workspace& w = *work_;
+  if (!w.signals) return inputs.values;
   w.values = inputs.values;
   const Instant instant{w.kinematics, layout_, model_, y.segment(layout_.z0(), layout_.z_size)};
-  signals->evaluate(t, instant, instant.z.tail(w.signal_rates.size()), w.values, w.signal_rates);
+  w.signals->evaluate(t, instant, instant.z.tail(w.signal_rates.size()), w.values, w.signal_rates);
   return w.values;
 }
 
@@ -618,8 +625,8 @@ void Equations::signals(const State& state, const Inputs& inputs, Eigen::VectorX
   if (!model_.signals()) return;
   Workspace& w = *work_;
   load(state);
-  model_.signals()->evaluate(state.time, Instant{w.kinematics, layout_, model_, state.z},
-                             state.z.tail(w.signal_rates.size()), out, w.signal_rates);
+  w.signals->evaluate(state.time, Instant{w.kinematics, layout_, model_, state.z}, state.z.tail(w.signal_rates.size()),
+                      out, w.signal_rates);
 }
 
 void Equations::settle_signals(const Eigen::VectorXd* before, const Inputs& inputs, State& state) {
@@ -627,8 +634,8 @@ void Equations::settle_signals(const Eigen::VectorXd* before, const Inputs& inpu
   Workspace& w = *work_;
   load(state);
   w.values = inputs.values;
-  model_.signals()->settle(state.time, Instant{w.kinematics, layout_, model_, state.z}, before,
-                           state.z.tail(w.signal_rates.size()), w.values);
+  w.signals->settle(state.time, Instant{w.kinematics, layout_, model_, state.z}, before,
+                    state.z.tail(w.signal_rates.size()), w.values);
 }
 
 double Equations::mode_value(const State& state, const Inputs& inputs) {
@@ -650,9 +657,9 @@ bool Equations::switch_modes(const Inputs& inputs, State& state) {
   return any;
 }
 
-void Equations::recall(const State& state) const {
+void Equations::recall(const State& state) {
   const double* memory = state.memory.size() > 0 ? state.memory.data() : nullptr;
-  for (const auto& [force, element] : remembering_) element->recall(memory);
+  for (const auto& [force, element] : remembering_) element->recall(memory, *work_->scratch.of(force));
 }
 
 void Equations::remember(const Inputs& inputs, State& state) {
@@ -664,7 +671,7 @@ void Equations::remember(const Inputs& inputs, State& state) {
   if (!changed) return;
   std::vector<double>& numbers = work_->memory;
   numbers.clear();
-  for (const auto& [force, element] : remembering_) element->save_memory(numbers);
+  for (const auto& [force, element] : remembering_) element->save_memory(*work_->scratch.of(force), numbers);
   state.memory = Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
@@ -673,7 +680,7 @@ void Equations::remember(const Inputs& inputs, State& state) {
 // the rates, F_v minus the forces.
 void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y) {
   Workspace& w = *work_;
-  const ContinuousSignals& signals = *model_.signals();
+  ContinuousSignals& signals = *w.signals;
   const Instant given_instant{w.kinematics, layout_, model_, y.segment(layout_.z0(), layout_.z_size)};
   Eigen::VectorXd z = y.segment(layout_.z0() + layout_.signal_z, w.signal_rates.size());
   SignalValues plus, minus;
@@ -708,7 +715,9 @@ void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::V
         Q[side] = Eigen::VectorXd::Zero(pair.size());
         dz[side] = Eigen::VectorXd::Zero(m);
         set_values(places.of, side == 0 ? plus : minus);
-        element.add_force({pair, z_of, w.values, t}, Q[side], dz[side]);
+        ElementInput in{pair, z_of, w.values, t};
+        in.scratch = w.scratch.of(driven.force);
+        element.add_force(in, Q[side], dz[side]);
       }
       const Eigen::VectorXd dQ = (Q[1] - Q[0]) / (2.0 * step), ddz = (dz[1] - dz[0]) / (2.0 * step);
       for (int i = 0; i < 2; ++i) {

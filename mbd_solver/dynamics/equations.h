@@ -6,7 +6,7 @@
 //   F_z      = dz - g(q, v, z)
 //   F_lambda = phi'' + 2 alpha phi' + beta^2 phi - eps lambda          alpha, beta: Baumgarte (0 by default)
 // eps: regularisation (saddle_system.h), which also solves for accelerations and removes drift. No function allocates. One
-// Equations object belongs to one thread (it owns the workspace).
+// Equations object belongs to one thread: it owns the workspace, and the scratch of the elements. Any number may share a model.
 
 #include <Eigen/Sparse>
 #include <memory>
@@ -94,7 +94,7 @@ class Equations {
   // Memory of force elements (Remembering): recall() before a state is evaluated that does not follow the last one,
   // remember() at the end of a step.
   bool has_memory() const { return !remembering_.empty(); }
-  void recall(const State& state) const;
+  void recall(const State& state);
   void remember(const Inputs& inputs, State& state);
 
   // Unpacks a state for the output functions below.
@@ -103,7 +103,9 @@ class Equations {
   const Kinematics& kinematics() const;
   const BodyKinematics& motion(int body) const;
   // valid after load(), without continuous signals
-  ElementInput element_input(int force, const State& state, const Inputs& inputs) const;
+  ElementInput element_input(int force, const State& state, const Inputs& inputs);
+  // What the force elements write while they are evaluated, and their memory since recall() or remember().
+  ElementScratches& scratch();
   // Force and moment [N, N m] that joint `joint` exerts on its body 2, about the point of marker 2, in W.
   // After load().
   Vector6d joint_wrench(int joint, double t, const Eigen::Ref<const Eigen::VectorXd>& lambda) const;

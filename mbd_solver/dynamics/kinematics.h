@@ -54,11 +54,13 @@ class Kinematics {
   std::vector<double> turns_;           // per joint; empty without gears
 };
 
-// What a force element reads at this instant.
+// What a force element reads at this instant, with its scratch.
 inline ElementInput element_input(const ForceElement& element, const Kinematics& kinematics,
                                   const Eigen::Ref<const Eigen::VectorXd>& z,
-                                  const Eigen::Ref<const Eigen::VectorXd>& inputs, double time) {
+                                  const Eigen::Ref<const Eigen::VectorXd>& inputs, double time,
+                                  ElementScratch* scratch) {
   ElementInput in{kinematics.pair(element.bodies()[0], element.bodies()[1]), z, inputs, time};
+  in.scratch = scratch;
   for (std::size_t i = 0; i < element.further_bodies().size(); ++i)
     in.further[i] = &kinematics.of(element.further_bodies()[i]);
   return in;

@@ -50,7 +50,7 @@ class StageNewton {
   bool solve(double t, double c, const Eigen::VectorXd& known, double tolerance, double slow, const Inputs& inputs,
              Eigen::VectorXd& Y, Eigen::VectorXd& K);
   // x = J^-1 x, with the current factors.
-  void apply_inverse(Eigen::Ref<Eigen::VectorXd> x) const {
+  void apply_inverse(Eigen::Ref<Eigen::VectorXd> x) {
     matrix_.solve(x, [this](Eigen::Ref<Eigen::VectorXd> y) { lu_.solve(y); });
   }
 

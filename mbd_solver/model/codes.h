@@ -59,12 +59,6 @@ inline constexpr MessageCode kSignalLoop{"E0315", "signal-loop"};
 inline constexpr MessageCode kFllSyntax{"E0316", "fll-syntax"};
 // A .fll file has other variables or ranges than required. Correct the variable that is named.
 inline constexpr MessageCode kFllVariables{"E0317", "fll-variables"};
-// Code of the user (an FMU) failed, crashed, did not answer in time, or its output is not finite. Correct it, or what it is given.
-inline constexpr MessageCode kForeignFailed{"E0350", "foreign-failed"};
-// Code of the user cannot say in which state it is. Run without checkpoints, or let it keep its state.
-inline constexpr MessageCode kForeignStateless{"E0351", "foreign-stateless"};
-// The state of code of the user in a checkpoint is damaged. Resume from another checkpoint.
-inline constexpr MessageCode kForeignState{"E0352", "foreign-state"};
 // No rule of a fuzzy system fires for some inputs. Add a rule, or widen the terms.
 inline constexpr MessageCode kNoRuleFires{"E0318", "no-rule-fires"};
 // The grid of a fuzzy table is too coarse or too large. Change the number of points.

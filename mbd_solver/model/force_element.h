@@ -7,9 +7,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "coupler/base/errors.h"
 #include "mbd_solver/model/kinematic_vector.h"
 #include "mbd_solver/model/laws/strut_law.h"
 
@@ -19,6 +22,29 @@ class ForceElement;
 
 inline constexpr std::size_t kMostBodies = 8;  // on which one element acts
 
+// What an element writes while it is evaluated: buffers, and what it has found for the last state or step. Elements themselves
+// are constant, so that several evaluations may share a model, each with scratch of its own.
+struct ElementScratch {
+  explicit ElementScratch(const ForceElement& element) : owner(&element) {}
+  virtual ~ElementScratch() = default;
+  const ForceElement* owner;  // whose scratch this is
+};
+
+// What several elements hold together and an evaluation changes, such as tracks in a soil: one copy for each evaluation.
+class SharedCopies {
+ public:
+  template <class T>
+  std::shared_ptr<T> of(const std::shared_ptr<const T>& original) {
+    if (original == nullptr) return nullptr;
+    std::shared_ptr<void>& copy = copies_[original.get()];
+    if (copy == nullptr) copy = std::make_shared<T>(*original);
+    return std::static_pointer_cast<T>(copy);
+  }
+
+ private:
+  std::map<const void*, std::shared_ptr<void>> copies_;  // by the original
+};
+
 struct ElementInput {
   PairMotion pair;
   Eigen::Ref<const Eigen::VectorXd> z;  // inner states of this element
@@ -26,6 +52,7 @@ struct ElementInput {
   Eigen::Ref<const Eigen::VectorXd> inputs;
   double time = 0.0;                                             // [s]
   std::array<const BodyKinematics*, kMostBodies - 2> further{};  // of ForceElement::further_bodies()
+  ElementScratch* scratch = nullptr;                             // from ForceElement::scratch()
 
   int size() const {  // of the generalized force
     int n = pair.size();
@@ -58,6 +85,8 @@ class ForceElement {
   // Required size of ElementInput::inputs.
   int input_count() const { return 1 + std::max(read_inputs()[0], read_inputs()[1]); }
   virtual Eigen::VectorXd initial_state() const { return {}; }
+  // For one evaluation, to be passed with every input; null: this element needs none.
+  virtual std::unique_ptr<ElementScratch> scratch(SharedCopies&) const { return nullptr; }
   // Q += generalized force (n); dz = rate of the inner states (m, overwritten).
   virtual void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
                          Eigen::Ref<Eigen::VectorXd> dz) const = 0;
@@ -69,6 +98,17 @@ class ForceElement {
   virtual void add_supply(const ElementInput&, Supplied&) const {}
 
  protected:
+  // The scratch of an input, as the type that scratch() of this element makes.
+  template <class Scratch>
+  Scratch& scratch_of(const ElementInput& in) const {
+    FOOTFALL_DEMAND(in.scratch != nullptr);
+    return own_scratch<Scratch>(*in.scratch);
+  }
+  template <class Scratch, class Any>
+  Scratch& own_scratch(Any& scratch) const {
+    FOOTFALL_DEMAND(scratch.owner == this);
+    return static_cast<Scratch&>(scratch);
+  }
   // Of an element on any number of bodies, at most kMostBodies.
   void set_bodies(const std::vector<int>& bodies) {
     for (std::size_t i = 0; i < bodies.size(); ++i) (i < 2 ? bodies_[i] : further_.emplace_back()) = bodies[i];
@@ -97,14 +137,14 @@ inline const Switching* switching(const ForceElement& element) {
 }
 
 // Of an element with a memory of the past that changes between integration steps alone. Forces must not jump there while the
-// state stays.
+// state stays. The memory is part of the state (State::memory); the scratch holds it unpacked.
 class Remembering {
  public:
   virtual ~Remembering() = default;
   // Takes the memory from these numbers and moves on behind them; null: the memory of the start.
-  virtual void recall(const double*& numbers) const = 0;
-  virtual void save_memory(std::vector<double>& out) const = 0;  // appends its numbers
-  virtual bool remember(const ElementInput& in) const = 0;       // at the end of a step; true if anything changed
+  virtual void recall(const double*& numbers, ElementScratch& scratch) const = 0;
+  virtual void save_memory(const ElementScratch& scratch, std::vector<double>& out) const = 0;  // appends its numbers
+  virtual bool remember(const ElementInput& in) const = 0;  // at the end of a step; true if anything changed
 };
 
 }  // namespace footfall

@@ -89,4 +89,9 @@ Eigen::Vector3d Model::initial_position(const Marker& marker) const {
   return state.r + rotation_matrix(state.L) * s;
 }
 
+ElementScratches::ElementScratches(const Model& model) {
+  SharedCopies shared;
+  for (int i = 0; i < model.force_count(); ++i) scratches_.push_back(model.force(i).scratch(shared));
+}
+
 }  // namespace footfall

@@ -83,6 +83,16 @@ class Model {
   std::shared_ptr<const ContinuousSignals> signals_;
 };
 
+// The scratch of all force elements of a model, for one evaluation at a time.
+class ElementScratches {
+ public:
+  explicit ElementScratches(const Model& model);
+  ElementScratch* of(int force) { return scratches_[force].get(); }  // null for an element that needs none
+
+ private:
+  std::vector<std::unique_ptr<ElementScratch>> scratches_;
+};
+
 template <class T>
 const T& Handle<T>::of(const Model& model) const {
   return static_cast<const T&>(model.force(index_));

@@ -86,7 +86,7 @@ FOOTFALL_IN_LINE void find_cells(const Four& u, int samples, FourInts& cell, Fou
   beyond = u - inside;
 }
 
-FOOTFALL_IN_LINE void find_places(const SplineGrid& map, const Four& x, const Four& y, CellPlaces& at) {
+FOOTFALL_IN_LINE void find_places(SplineGrid& map, const Four& x, const Four& y, CellPlaces& at) {
   const HeightGrid& grid = map.grid();
   FourInts i, j;
   find_cells((x - grid.first.x()) * map.by().x(), grid.columns, i, at.x, at.beyond_x);
@@ -115,7 +115,7 @@ FOOTFALL_IN_LINE void evaluate(const CellPlaces& at, const Four& x, const Four& 
 }
 
 // Beyond an edge nothing bends across it.
-FOOTFALL_IN_LINE void add_height(const SplineGrid& map, double place_x, double place_y, Terrain::Height& out) {
+FOOTFALL_IN_LINE void add_height(SplineGrid& map, double place_x, double place_y, Terrain::Height& out) {
   const double by_x = map.by().x(), by_y = map.by().y();
   Four four_x, four_y, f[3][3];
   fill(place_x, four_x);
@@ -144,7 +144,7 @@ struct FeetSearch {
 };
 
 // Newton's method of Terrain::descend(), each point for itself: from step to step most stay in their cells.
-FOOTFALL_IN_LINE void find_feet(const SplineGrid& map, const FeetSearch& search) {
+FOOTFALL_IN_LINE void find_feet(SplineGrid& map, const FeetSearch& search) {
   const double slope_x = search.slope.x(), slope_y = search.slope.y(), by_x = map.by().x(), by_y = map.by().y();
   for (std::size_t first = 0; first < search.count; first += 4) {
     const Eigen::Vector3d* p[4];
@@ -230,19 +230,19 @@ FOOTFALL_IN_LINE void find_feet(const SplineGrid& map, const FeetSearch& search)
 
 // Each with the registers that the machine has; without fused multiply-add, so that both round alike.
 struct CellFunctions {
-  void (*height)(const SplineGrid&, double, double, Terrain::Height&);
-  void (*feet)(const SplineGrid&, const FeetSearch&);
+  void (*height)(SplineGrid&, double, double, Terrain::Height&);
+  void (*feet)(SplineGrid&, const FeetSearch&);
 };
 #ifdef __x86_64__
-__attribute__((target("avx2"))) void add_height_wide(const SplineGrid& map, double x, double y, Terrain::Height& out) {
+__attribute__((target("avx2"))) void add_height_wide(SplineGrid& map, double x, double y, Terrain::Height& out) {
   add_height(map, x, y, out);
 }
-__attribute__((target("avx2"))) void find_feet_wide(const SplineGrid& map, const FeetSearch& search) {
+__attribute__((target("avx2"))) void find_feet_wide(SplineGrid& map, const FeetSearch& search) {
   find_feet(map, search);
 }
 #endif
-void add_height_narrow(const SplineGrid& map, double x, double y, Terrain::Height& out) { add_height(map, x, y, out); }
-void find_feet_narrow(const SplineGrid& map, const FeetSearch& search) { find_feet(map, search); }
+void add_height_narrow(SplineGrid& map, double x, double y, Terrain::Height& out) { add_height(map, x, y, out); }
+void find_feet_narrow(SplineGrid& map, const FeetSearch& search) { find_feet(map, search); }
 CellFunctions best_cell_functions() {
 #ifdef __x86_64__
   if (__builtin_cpu_supports("avx2")) return {add_height_wide, find_feet_wide};
@@ -284,18 +284,18 @@ SplineGrid::SplineGrid(std::shared_ptr<const HeightGrid> samples) : grid_(std::m
   tiles_.resize(static_cast<std::size_t>(tiles_x_) * static_cast<std::size_t>(tiles_y_));
 }
 
-void SplineGrid::add(const Eigen::Vector2d& place, Terrain::Height& out) const {
+void SplineGrid::add(const Eigen::Vector2d& place, Terrain::Height& out) {
   kFind.height(*this, place.x(), place.y(), out);
 }
 
 void SplineGrid::find_feet(const Eigen::Vector3d* points, std::size_t count, const Eigen::Vector3d& origin,
                            const Eigen::Vector2d& slope, bool only_below, Terrain::Foot* feet, Terrain::Near* near,
-                           Terrain::Height* at) const {
+                           Terrain::Height* at) {
   kFind.feet(*this, {points, count, origin, slope, only_below, feet, near, at});
 }
 
 template <class Use>
-void SplineGrid::each_part(const Eigen::Vector2d& place, double reach, Use use) const {
+void SplineGrid::each_part(const Eigen::Vector2d& place, double reach, Use use) {
   const HeightGrid& grid = *grid_;
   const auto part = [&](double x, int axis, int parts) {
     const double t = (x - grid.first[axis]) / grid.step[axis] / kPart;
@@ -309,12 +309,12 @@ void SplineGrid::each_part(const Eigen::Vector2d& place, double reach, Use use) 
       use(tile(a / kAcross, b / kAcross), static_cast<std::size_t>((b % kAcross) * kAcross + a % kAcross));
 }
 
-double SplineGrid::largest_bend(const Eigen::Vector2d& place, double reach) const {
+double SplineGrid::largest_bend(const Eigen::Vector2d& place, double reach) {
   double largest = 0.0;
   each_part(place, reach, [&](const Tile& here, std::size_t part) { largest = std::max(largest, here.bend[part]); });
   return largest;
 }
-double SplineGrid::largest_bend() const {
+double SplineGrid::largest_bend() {
   double largest = 0.0;
   for (int b = 0; b < tiles_y_; ++b)
     for (int a = 0; a < tiles_x_; ++a)
@@ -322,7 +322,7 @@ double SplineGrid::largest_bend() const {
   return largest;
 }
 
-double SplineGrid::highest(const Eigen::Vector2d& place, double reach) const {
+double SplineGrid::highest(const Eigen::Vector2d& place, double reach) {
   const Eigen::Array2d u = (place - grid_->first).array() / grid_->step.array(), wide = reach / grid_->step.array();
   if ((u - wide).minCoeff() < 0.0 || (u + wide)[0] > grid_->columns - 1 || (u + wide)[1] > grid_->rows - 1)
     return std::numeric_limits<double>::infinity();
@@ -330,7 +330,7 @@ double SplineGrid::highest(const Eigen::Vector2d& place, double reach) const {
   each_part(place, reach, [&](const Tile& here, std::size_t part) { highest = std::max(highest, here.top[part]); });
   return highest;
 }
-double SplineGrid::highest() const {
+double SplineGrid::highest() {
   double highest = -std::numeric_limits<double>::infinity();
   for (int b = 0; b < tiles_y_; ++b)
     for (int a = 0; a < tiles_x_; ++a)
@@ -339,7 +339,7 @@ double SplineGrid::highest() const {
 }
 
 // The spline is a mean of the coefficients around, and so is any plane of its values at their places.
-double SplineGrid::highest(const Eigen::Vector2d& place, double reach, const Eigen::Vector2d& slope) const {
+double SplineGrid::highest(const Eigen::Vector2d& place, double reach, const Eigen::Vector2d& slope) {
   constexpr double kMost = 40000.0;  // coefficients
   const HeightGrid& grid = *grid_;
   const Eigen::Array2d u = (place - grid.first).array() * by_.array(), wide = reach * by_.array();
@@ -361,7 +361,7 @@ double SplineGrid::highest(const Eigen::Vector2d& place, double reach, const Eig
   return most;
 }
 
-const SplineGrid::Tile& SplineGrid::make_tile(int a, int b) const {
+const SplineGrid::Tile& SplineGrid::make_tile(int a, int b) {
   const HeightGrid& grid = *grid_;
   const int i_0 = a * kTile, i_1 = std::min(i_0 + kTile, grid.columns - 1);  // samples at its edges
   const int j_0 = b * kTile, j_1 = std::min(j_0 + kTile, grid.rows - 1);

@@ -9,31 +9,32 @@ inline constexpr int kFootSteps = 30;          // of Newton's method to a foot, 
 inline constexpr double kLastFootStep = 1e-9;  // a step below this needs no further look at the field [m]
 inline constexpr double kAboveField = 1e-9;    // a place above this height does not touch, round-off included [m]
 
-// Coefficients are found tile by tile, where a body comes: most of a large map is never looked at.
+// Coefficients are found tile by tile, where a body comes: most of a large map is never looked at. Copies share the tiles that
+// are there.
 class SplineGrid {
  public:
   explicit SplineGrid(std::shared_ptr<const HeightGrid> samples);
   const HeightGrid& grid() const { return *grid_; }
 
-  void add(const Eigen::Vector2d& place, Terrain::Height& out) const;
+  void add(const Eigen::Vector2d& place, Terrain::Height& out);
 
   // Feet of points of W on the field origin.z + slope.(x, y) + map, x and y from the origin, with the field there if `at` is not null; bends
   // of feet stay. only_below: kAbove of what is above the field. Where near is not kFoot the foot means nothing.
   void find_feet(const Eigen::Vector3d* points, std::size_t count, const Eigen::Vector3d& origin,
                  const Eigen::Vector2d& slope, bool only_below, Terrain::Foot* feet, Terrain::Near* near,
-                 Terrain::Height* at) const;
+                 Terrain::Height* at);
 
   // Of all parts within the reach, or of the whole; the ground goes on beyond the edges.
-  double largest_bend(const Eigen::Vector2d& place, double reach) const;
-  double largest_bend() const;
-  double highest(const Eigen::Vector2d& place, double reach) const;
-  double highest() const;
+  double largest_bend(const Eigen::Vector2d& place, double reach);
+  double largest_bend();
+  double highest(const Eigen::Vector2d& place, double reach);
+  double highest();
   // Within the reach of the place the map is below this height + slope.(x, y), x and y from the place; infinite at an edge, or where it
   // would take long to find.
-  double highest(const Eigen::Vector2d& place, double reach, const Eigen::Vector2d& slope) const;
+  double highest(const Eigen::Vector2d& place, double reach, const Eigen::Vector2d& slope);
 
   struct Tile;
-  const Tile& tile(int a, int b) const {
+  const Tile& tile(int a, int b) {
     const Tile* const known = tiles_[b * tiles_x_ + a].get();
     return known != nullptr ? *known : make_tile(a, b);
   }
@@ -41,13 +42,13 @@ class SplineGrid {
 
  private:
   template <class Use>
-  void each_part(const Eigen::Vector2d& place, double reach, Use use) const;
-  const Tile& make_tile(int a, int b) const;
+  void each_part(const Eigen::Vector2d& place, double reach, Use use);
+  const Tile& make_tile(int a, int b);
 
   std::shared_ptr<const HeightGrid> grid_;
   Eigen::Vector2d by_;
   int tiles_x_, tiles_y_, parts_x_, parts_y_;
-  mutable std::vector<std::shared_ptr<const Tile>> tiles_;  // made where they are first looked at
+  std::vector<std::shared_ptr<const Tile>> tiles_;  // made where they are first looked at
 };
 
 }  // namespace footfall

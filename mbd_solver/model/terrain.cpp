@@ -11,7 +11,6 @@
 #include <unordered_map>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/base/number_file.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/spline_grid.h"
 
@@ -29,11 +28,11 @@ constexpr double kBowl = 0.9;         // a ball of this share of the least radiu
 void HeightGrid::read(int column, int row, int count, double* out) const {
   const auto wide = static_cast<std::size_t>(columns), from = static_cast<std::size_t>(column),
              n = static_cast<std::size_t>(count);
-  if (!text) {
+  if (!numbers) {
     std::copy_n(&heights[static_cast<std::size_t>(row) * wide + from], n, out);
     return;
   }
-  text->read(static_cast<std::size_t>(rows - 1 - row) * wide + from, n, out);
+  numbers(static_cast<std::size_t>(rows - 1 - row) * wide + from, n, out);
   for (std::size_t k = 0; k < n; ++k) out[k] = (out[k] - below) * scale;
 }
 
@@ -76,12 +75,12 @@ struct Terrain::Map {
     rough_bend = rough->largest_bend();
     rough_top = rough->highest();
   }
-  void add_rough(const Eigen::Vector2d& place, Height& out) const {
+  void add_rough(const Eigen::Vector2d& place, Height& out) {
     rough->add(
         {place.x() - period * std::floor(place.x() / period), place.y() - period * std::floor(place.y() / period)},
         out);
   }
-  double largest_bend(const Eigen::Vector2d& place, double reach) const {
+  double largest_bend(const Eigen::Vector2d& place, double reach) {
     return rough_bend + (site ? site->largest_bend(place, reach) : 0.0);
   }
 };
@@ -133,7 +132,7 @@ Terrain::Terrain(TerrainParts parts) : parts_(std::move(parts)) {
     grain_ = std::min(grain_, kPi / 4.0 / wave.k.norm());
   }
   if (parts_.rocks.empty()) return;
-  rock_cells_ = std::make_unique<RockCells>();
+  auto cells = std::make_shared<RockCells>();
   double largest = 0.0;
   for (const Rock& rock : parts_.rocks) {
     const Eigen::Vector2d place = parts_.origin.head<2>() + rock.place;
@@ -141,22 +140,32 @@ Terrain::Terrain(TerrainParts parts) : parts_(std::move(parts)) {
     spheres_.push_back({{place.x(), place.y(), z}, rock.radius});
     largest = std::max(largest, rock.radius);
   }
-  rock_cells_->cell = 2.0 * largest;
+  cells->cell = 2.0 * largest;
   for (std::size_t k = 0; k < spheres_.size(); ++k) {
     const Eigen::Vector3d& centre = spheres_[k].centre;
-    rock_cells_->at[RockCells::key(rock_cells_->index(centre.x()), rock_cells_->index(centre.y()))].push_back(
-        static_cast<int>(k));
+    cells->at[RockCells::key(cells->index(centre.x()), cells->index(centre.y()))].push_back(static_cast<int>(k));
   }
+  rock_cells_ = std::move(cells);
 }
+
+Terrain::Terrain(const Terrain& other)
+    : parts_(other.parts_),
+      map_(other.map_ ? std::make_unique<Map>(*other.map_) : nullptr),
+      in_cells_(other.in_cells_),
+      spheres_(other.spheres_),
+      rock_cells_(other.rock_cells_),
+      grain_(other.grain_),
+      wave_bend_(other.wave_bend_),
+      wave_height_(other.wave_height_) {}
 
 Terrain::~Terrain() = default;
 
-Terrain::Height Terrain::at(double x, double y) const {
+Terrain::Height Terrain::at(double x, double y) {
   return at_place(Eigen::Vector2d(x, y) - parts_.origin.head<2>(), true);
 }
 
 std::vector<double> Terrain::sketch(const Eigen::Vector2d& first, const Eigen::Vector2d& step,
-                                    const Eigen::Vector2i& counts) const {
+                                    const Eigen::Vector2i& counts) {
   std::vector<double> out, row;
   const HeightGrid* const grid = map_ && map_->site ? &map_->site->grid() : nullptr;
   const bool nearest = grid != nullptr && (step.array() >= grid->step.array()).all();
@@ -185,7 +194,7 @@ std::vector<double> Terrain::sketch(const Eigen::Vector2d& first, const Eigen::V
   return out;
 }
 
-Terrain::Height Terrain::at_place(const Eigen::Vector2d& place, bool with_map) const {
+Terrain::Height Terrain::at_place(const Eigen::Vector2d& place, bool with_map) {
   Height out;
   out.h = parts_.origin.z() + parts_.slope.dot(place);
   out.slope = parts_.slope;
@@ -225,7 +234,7 @@ Terrain::Height Terrain::at_place(const Eigen::Vector2d& place, bool with_map) c
   return out;
 }
 
-double Terrain::top(double x, double y) const {
+double Terrain::top(double x, double y) {
   double top = at(x, y).h;
   if (!rock_cells_) return top;
   const Eigen::Vector2d place(x, y);
@@ -267,7 +276,7 @@ void write_foot(const Eigen::Vector3d& p, const Eigen::Vector2d& place, const Te
 }  // namespace
 
 // Newton's method for the least distance, from the place `start` at which the field is `here`; false where it ends in no minimum.
-bool Terrain::descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Height here, With with, Foot& out) const {
+bool Terrain::descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Height here, With with, Foot& out) {
   Eigen::Vector2d place = start;
   const auto merit = [&](const Eigen::Vector2d& c, double h) {
     return 0.5 * ((c - p.head<2>()).squaredNorm() + (h - p.z()) * (h - p.z()));
@@ -317,7 +326,7 @@ bool Terrain::descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, He
 
 // Of a map alone, beside a slope, in its cells.
 void Terrain::find_feet(const Eigen::Vector3d* points, std::size_t count, bool only_below, With with, Foot* out,
-                        Near* near) const {
+                        Near* near) {
   if (!in_cells_) {
     std::fill_n(near, count, Near::kElsewhere);
     return;
@@ -329,7 +338,7 @@ void Terrain::find_feet(const Eigen::Vector3d* points, std::size_t count, bool o
     if (near[k] == Near::kFoot) out[k].bend = bend_of_foot(at[k].slope, at[k].bend, out[k].distance);
 }
 
-Terrain::Foot Terrain::foot(const Eigen::Vector3d& p) const {
+Terrain::Foot Terrain::foot(const Eigen::Vector3d& p) {
   Foot out;
   Near near;
   find_feet(&p, 1, false, With::kBend, &out, &near);
@@ -338,7 +347,7 @@ Terrain::Foot Terrain::foot(const Eigen::Vector3d& p) const {
 }
 
 void Terrain::below(const std::vector<Eigen::Vector3d>& points, With with, std::vector<Foot>& out,
-                    std::vector<Near>& near) const {
+                    std::vector<Near>& near) {
   out.resize(points.size());
   near.resize(points.size());
   find_feet(points.data(), points.size(), true, with, out.data(), near.data());
@@ -351,7 +360,7 @@ void Terrain::below(const std::vector<Eigen::Vector3d>& points, With with, std::
   }
 }
 
-bool Terrain::may_touch(const Eigen::Vector3d& p, double radius) const {
+bool Terrain::may_touch(const Eigen::Vector3d& p, double radius) {
   const Height here = at(p.x(), p.y());
   const double clear = p.z() - here.h - radius * std::sqrt(1.0 + here.slope.squaredNorm());
   return clear <= kAboveField || clear <= kAboveField + 0.5 * bend_within(p.head<2>(), radius) * radius * radius;
@@ -370,7 +379,7 @@ Terrain::Foot Terrain::foot(const Eigen::Vector3d& p, int rock) const {
   return out;
 }
 
-void Terrain::feet(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) const {
+void Terrain::feet(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) {
   out.clear();
   Foot one;
   Near near;
@@ -387,7 +396,7 @@ void Terrain::feet(const Eigen::Vector3d& p, double radius, std::vector<Foot>& o
 
 // Newton's method for any place at which the distance is stationary, not farther than `reach` from the start:
 //   r = (x, y)_c - (x, y)_p + (h - z_p) h' = 0
-bool Terrain::stationary(const Eigen::Vector3d& p, const Eigen::Vector2d& start, double reach, Foot& out) const {
+bool Terrain::stationary(const Eigen::Vector3d& p, const Eigen::Vector2d& start, double reach, Foot& out) {
   Eigen::Vector2d place = start;
   for (int i = 0; i < kFootSteps; ++i) {
     const Height here = at(place.x(), place.y());
@@ -414,7 +423,7 @@ bool Terrain::stationary(const Eigen::Vector3d& p, const Eigen::Vector2d& start,
 
 // In cells about p, those of a map: a cell may hold such a place if neither part of r (see above) is farther from zero at its corners than
 // its derivatives there let it come; then its quarters may, and so on. In a cell of a map second derivatives are largest at its corners.
-void Terrain::find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) const {
+void Terrain::find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) {
   Eigen::Vector2d cell = Eigen::Vector2d::Constant(radius / 12.0), first = p.head<2>();
   if (parts_.map) {
     const double coarser = std::ceil(2.0 * radius / kMostPlaces / parts_.map->step.minCoeff());
@@ -502,14 +511,14 @@ void Terrain::find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot
   std::sort(out.begin(), out.end(), [](const Foot& a, const Foot& b) { return a.distance < b.distance; });
 }
 
-double Terrain::distance(const Eigen::Vector3d& p) const {
+double Terrain::distance(const Eigen::Vector3d& p) {
   double least = foot(p).distance;
   if (rock_cells_)
     for (const Sphere& rock : spheres_) least = std::min(least, (p - rock.centre).norm() - rock.radius);
   return least;
 }
 
-double Terrain::bend_within(const Eigen::Vector2d& place_W, double reach) const {
+double Terrain::bend_within(const Eigen::Vector2d& place_W, double reach) {
   const Eigen::Vector2d place = place_W - parts_.origin.head<2>();
   double bend = wave_bend_;
   if (map_) bend += map_->largest_bend(place, reach);
@@ -521,7 +530,7 @@ double Terrain::bend_within(const Eigen::Vector2d& place_W, double reach) const 
   return bend;
 }
 
-double Terrain::top_within(const Eigen::Vector2d& place_W, double reach) const {
+double Terrain::top_within(const Eigen::Vector2d& place_W, double reach) {
   const Eigen::Vector2d place = place_W - parts_.origin.head<2>();
   double top = parts_.origin.z() + parts_.slope.dot(place) + parts_.slope.norm() * reach + wave_height_;
   if (map_) top += map_->rough_top + (map_->site ? map_->site->highest(place, reach) : 0.0);
@@ -530,7 +539,7 @@ double Terrain::top_within(const Eigen::Vector2d& place_W, double reach) const {
   return top;
 }
 
-Terrain::Lid Terrain::lid(const Eigen::Vector3d& centre, double reach) const {
+Terrain::Lid Terrain::lid(const Eigen::Vector3d& centre, double reach) {
   Lid out;
   const Height here = at(centre.x(), centre.y());
   out.height = here.h;
@@ -546,7 +555,7 @@ Terrain::Lid Terrain::lid(const Eigen::Vector3d& centre, double reach) const {
   return out;
 }
 
-double Terrain::plane_above(const Eigen::Vector2d& centre, double reach, const Eigen::Vector2d& slope) const {
+double Terrain::plane_above(const Eigen::Vector2d& centre, double reach, const Eigen::Vector2d& slope) {
   if (!in_cells_) return std::numeric_limits<double>::infinity();
   const Eigen::Vector2d place = centre - parts_.origin.head<2>();
   return parts_.origin.z() + parts_.slope.dot(place) + map_->site->highest(place, reach, slope - parts_.slope);

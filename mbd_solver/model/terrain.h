@@ -11,21 +11,21 @@
 // The foot is found by Newton's method, so the distance is exact to round-off while |phi| is below the radius of curvature.
 
 #include <Eigen/Dense>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <vector>
 
 namespace footfall {
 
-class NumberFile;
-
 // Samples of a height, row after row.
 struct HeightGrid {
   int columns = 0, rows = 0;                        // along x and y, >= 2
   Eigen::Vector2d first = Eigen::Vector2d::Zero();  // place of the first sample [m]
   Eigen::Vector2d step = Eigen::Vector2d::Ones();   // > 0 [m]
-  std::vector<double> heights;  // [m]; empty: (number - below) scale of the text, whose first row is the last
-  std::shared_ptr<const NumberFile> text;
+  std::vector<double> heights;  // [m]; empty: (number - below) scale, of numbers whose first row is the last
+  // Numbers of a large map, which stay where they are: writes `count` of them from the number `first` on.
+  std::function<void(std::size_t first, std::size_t count, double* out)> numbers;
   double below = 0.0, scale = 1.0;
   // Heights of a row, from this column on [m].
   void read(int column, int row, int count, double* out) const;
@@ -63,6 +63,8 @@ struct TerrainParts {
   std::vector<Rock> rocks;
 };
 
+// Questions about the field complete its map where they are asked: who asks has a Terrain of its own. A copy shares all that is
+// known.
 class Terrain {
  public:
   struct Height {
@@ -93,31 +95,31 @@ class Terrain {
   };
 
   explicit Terrain(TerrainParts parts);
+  Terrain(const Terrain& other);
+  Terrain& operator=(const Terrain&) = delete;
   ~Terrain();
 
-  Height at(double x, double y) const;   // of the field, x and y in W [m]
-  double top(double x, double y) const;  // with rocks
+  Height at(double x, double y);   // of the field, x and y in W [m]
+  double top(double x, double y);  // with rocks
   // Heights of the field to be drawn, row after row, `counts` of them along x and y. Of a map with closer samples the nearest is taken.
-  std::vector<double> sketch(const Eigen::Vector2d& first, const Eigen::Vector2d& step,
-                             const Eigen::Vector2i& counts) const;
+  std::vector<double> sketch(const Eigen::Vector2d& first, const Eigen::Vector2d& step, const Eigen::Vector2i& counts);
   // Of the field near p, from below or above.
-  Foot foot(const Eigen::Vector3d& p) const;
+  Foot foot(const Eigen::Vector3d& p);
   enum class With { kNormal, kBend };
   enum class Near { kAbove, kFoot, kElsewhere };  // kElsewhere: not in the cell of a map
   // The feet of those of these points that are below the field, on demand without bend; kAbove of the others.
-  void below(const std::vector<Eigen::Vector3d>& points, With with, std::vector<Foot>& out,
-             std::vector<Near>& near) const;
-  bool may_touch(const Eigen::Vector3d& p, double radius) const;  // false: a ball of this radius > 0 is above the field
+  void below(const std::vector<Eigen::Vector3d>& points, With with, std::vector<Foot>& out, std::vector<Near>& near);
+  bool may_touch(const Eigen::Vector3d& p, double radius);  // false: a ball of this radius > 0 is above the field
   Foot foot(const Eigen::Vector3d& p, int rock) const;
   // Where a ball of this radius >= 0 about p touches the field: minima of the distance within the radius; overwrites out. Where the
   // ground bends more than the ball, also the saddles between them and maxima: a minimum that ends does so in a saddle of the same
   // distance, so that the sum over all by their signs has no jump, and ripples do not count as many grounds.
-  void feet(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) const;
-  double distance(const Eigen::Vector3d& p) const;  // of the field and all rocks
+  void feet(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out);
+  double distance(const Eigen::Vector3d& p);  // of the field and all rocks
 
-  Lid lid(const Eigen::Vector3d& centre, double reach) const;
+  Lid lid(const Eigen::Vector3d& centre, double reach);
   // Within the reach the field is below this height + slope.(x, y), x and y from the centre; infinite where only a lid tells [m].
-  double plane_above(const Eigen::Vector2d& centre, double reach, const Eigen::Vector2d& slope) const;
+  double plane_above(const Eigen::Vector2d& centre, double reach, const Eigen::Vector2d& slope);
 
   const std::vector<Sphere>& rocks() const { return spheres_; }
   const TerrainParts& parts() const { return parts_; }
@@ -127,20 +129,19 @@ class Terrain {
  private:
   struct Map;
   struct RockCells;
-  void find_feet(const Eigen::Vector3d* points, std::size_t count, bool only_below, With with, Foot* out,
-                 Near* near) const;
-  Height at_place(const Eigen::Vector2d& place, bool with_map) const;  // from the origin
-  bool stationary(const Eigen::Vector3d& p, const Eigen::Vector2d& start, double reach, Foot& out) const;
-  void find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) const;
-  bool descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Height here, With with, Foot& out) const;
-  double bend_within(const Eigen::Vector2d& place, double reach) const;  // of the field, at most [1/m]
-  double top_within(const Eigen::Vector2d& place, double reach) const;   // of the field, at most, in W [m]
+  void find_feet(const Eigen::Vector3d* points, std::size_t count, bool only_below, With with, Foot* out, Near* near);
+  Height at_place(const Eigen::Vector2d& place, bool with_map);  // from the origin
+  bool stationary(const Eigen::Vector3d& p, const Eigen::Vector2d& start, double reach, Foot& out);
+  void find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out);
+  bool descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, Height here, With with, Foot& out);
+  double bend_within(const Eigen::Vector2d& place, double reach);  // of the field, at most [1/m]
+  double top_within(const Eigen::Vector2d& place, double reach);   // of the field, at most, in W [m]
 
   TerrainParts parts_;
-  std::unique_ptr<const Map> map_;
+  std::unique_ptr<Map> map_;
   bool in_cells_ = false;  // the field is a map and a slope: in each cell a polynomial
   std::vector<Sphere> spheres_;
-  std::unique_ptr<RockCells> rock_cells_;
+  std::shared_ptr<const RockCells> rock_cells_;
   double grain_ = std::numeric_limits<double>::infinity();
   double wave_bend_ = 0.0, wave_height_ = 0.0;  // of all waves together, at most [1/m], [m]
 };

@@ -1,5 +1,5 @@
 // footfall_fmu_host: reads and runs one FMU for another program, which asks it through standard input and output
-// (base/helper_process.h, model/control/foreign_block.h). The code of the FMU runs in a process that this one watches: whatever
+// (base/helper_process.h, assemble/foreign_block.h). The code of the FMU runs in a process that this one watches: whatever
 // becomes of it, the folder with the unpacked FMU is removed.
 //   footfall_fmu_host describe      question D with the path of an FMU: what it says of itself
 //   footfall_fmu_host run           the questions of foreign_block.h; the task is FILE, then input NAME, output NAME, start NAME VALUE

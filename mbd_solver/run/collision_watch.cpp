@@ -186,8 +186,8 @@ SurfaceGap CollisionWatch::gap(const Pair& pair, const Place& at) {
   const FramePose pose = at.pose();
   SurfaceGap least;
   bool any = false;
-  for (const SurfaceModel& a : first.parts) {
-    for (const SurfaceModel& b : second.parts) {
+  for (SurfaceModel& a : first.parts) {
+    for (SurfaceModel& b : second.parts) {
       const SurfaceGap one = gap_between(a, b, pose);
       if (!any || one.distance < least.distance) least = one;
       any = true;

@@ -24,7 +24,7 @@ void resolve_segments(Scene& scene, Findings& findings);
 // The surface of the ground: a level or tilted one becomes point and normal of plane and soil; a map is read.
 void resolve_terrain(Scene& scene, Findings& findings);
 // The surface of a terrain whose parts are checked.
-std::shared_ptr<const Terrain> terrain_of(const TerrainSpec& terrain);
+std::shared_ptr<Terrain> terrain_of(const TerrainSpec& terrain);
 // Of a field of rocks, whose sizes are checked.
 double expected_rocks(const RockFieldSpec& field);
 

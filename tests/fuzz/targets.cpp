@@ -12,11 +12,11 @@
 #include "coupler/message_fields.h"
 #include "coupler/messages.h"
 #include "mbd_solver/assemble/grain_dump.h"
+#include "mbd_solver/assemble/law_files.h"
 #include "mbd_solver/fe/fe_mesh.h"
 #include "mbd_solver/fe/foreign_model.h"
 #include "mbd_solver/fe/mesh_skin.h"
 #include "mbd_solver/fe/modal_body_file.h"
-#include "mbd_solver/model/control/fuzzy.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/field_reader.h"
@@ -61,7 +61,7 @@ void calibration(const std::string& bytes) {
   as_file("calibration.toml", bytes, [](const std::string& path) { read_calibration(path); });
 }
 void fll(const std::string& bytes) {
-  as_file("controller.fll", bytes, [](const std::string& path) { const FuzzySystem system(path); });
+  as_file("controller.fll", bytes, [](const std::string& path) { const FuzzySystem system(read_fll(path)); });
 }
 void mesh_stl(const std::string& bytes) {
   as_file("mesh.stl", bytes, [](const std::string& path) { read_mesh(path, 1.0); });

@@ -111,7 +111,9 @@ std::vector<Eigen::Vector3d> forces_on(const PadRun& run, std::shared_ptr<const 
   }
   const SoilContact soil("fit", std::move(facets), run.two_sided,
                          SoilContact::Place{{0.0, 0.0, run.surface}, Eigen::Vector3d::UnitZ(), nullptr}, std::move(law),
-                         std::make_shared<SoilGround>(1.0), true);
+                         std::make_shared<const SoilGround>(1.0), true);
+  SharedCopies shared;
+  const std::unique_ptr<ElementScratch> scratch = soil.scratch(shared);
   BodyKinematics body, ground;
   body.ground = false;
   body.A = run.R_WB;
@@ -122,7 +124,8 @@ std::vector<Eigen::Vector3d> forces_on(const PadRun& run, std::shared_ptr<const 
   for (std::size_t row = 0; row < run.place.size(); ++row) {
     body.r = run.place[row];
     body.dr = run.velocity[row];
-    const ElementInput in{PairMotion{{&body, &ground}}, none, none, 0.0};
+    ElementInput in{PairMotion{{&body, &ground}}, none, none, 0.0};
+    in.scratch = scratch.get();
     out.push_back(soil.wrench(in).head<3>());
     soil.remember(in);
   }

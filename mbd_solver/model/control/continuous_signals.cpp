@@ -3,6 +3,7 @@
 #include "mbd_solver/model/control/continuous_signals.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -28,9 +29,11 @@ double CoordinateSensor::rate_of_state(const PairMotion& pair, double z) const {
 
 ContinuousSignals::ContinuousSignals(SignalChain chain, std::vector<SignalSource> sources,
                                      std::vector<std::unique_ptr<Sensor>> sensors)
-    : chain_(std::move(chain)), sources_(std::move(sources)), sensors_(std::move(sensors)) {
+    : chain_(std::move(chain)),
+      sources_(std::move(sources)),
+      sensors_(std::make_move_iterator(sensors.begin()), std::make_move_iterator(sensors.end())) {
   FOOTFALL_DEMAND(sources_.size() == chain_.names().size());
-  for (const std::unique_ptr<Sensor>& sensor : sensors_) {
+  for (const std::shared_ptr<const Sensor>& sensor : sensors_) {
     sensor_state_.push_back(sensor->has_state() ? chain_.state_count() + sensor_states_ : -1);
     sensor_states_ += sensor->has_state() ? 1 : 0;
   }
@@ -48,7 +51,7 @@ ContinuousSignals::ContinuousSignals(SignalChain chain, std::vector<SignalSource
   scratch_ = Eigen::VectorXd::Zero(state_count());
 }
 
-void ContinuousSignals::set_names(double t, const Eigen::Ref<const Eigen::VectorXd>& values) const {
+void ContinuousSignals::set_names(double t, const Eigen::Ref<const Eigen::VectorXd>& values) {
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const auto index = static_cast<Eigen::Index>(sources_[i].index);
     switch (sources_[i].kind) {
@@ -60,13 +63,13 @@ void ContinuousSignals::set_names(double t, const Eigen::Ref<const Eigen::Vector
   }
 }
 
-double ContinuousSignals::output(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& states) const {
+double ContinuousSignals::output(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& states) {
   const SignalBlock& block = *chain_.node(k).block;
   return block.passes_through() ? block.value(chain_.inputs(k), states) : block.value(states, states);
 }
 
 void ContinuousSignals::set_value(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& z,
-                                  Eigen::Ref<Eigen::VectorXd> values) const {
+                                  Eigen::Ref<Eigen::VectorXd> values) {
   const SignalNode& node = chain_.node(k);
   const double y = chain_.active(k) ? output(k, z.segment(chain_.first_state(k), node.block->state_count())) : 0.0;
   chain_.put(k, y);
@@ -74,7 +77,7 @@ void ContinuousSignals::set_value(std::size_t k, const Eigen::Ref<const Eigen::V
 }
 
 void ContinuousSignals::set_rates(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& z,
-                                  Eigen::Ref<Eigen::VectorXd> dz) const {
+                                  Eigen::Ref<Eigen::VectorXd> dz) {
   const SignalBlock& block = *chain_.node(k).block;
   if (block.state_count() == 0) return;
   auto rates = dz.segment(chain_.first_state(k), block.state_count());
@@ -144,7 +147,7 @@ std::vector<ContinuousSignals::Influence> ContinuousSignals::influences() const 
 }
 
 void ContinuousSignals::start(double t, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
-                              Eigen::Ref<Eigen::VectorXd> values) const {
+                              Eigen::Ref<Eigen::VectorXd> values) {
   std::vector<bool> was_active(chain_.size(), false);
   if (before) {
     set_names(t, *before);

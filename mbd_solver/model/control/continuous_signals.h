@@ -168,7 +168,7 @@ struct SignalSource {
 };
 
 // The continuous signals of a model: evaluated at every stage of a step; their inner states are integrated with those of
-// the mechanism.
+// the mechanism. Evaluation stores values: each evaluation of a model has a copy of its own.
 class ContinuousSignals {
  public:
   // sources: one per name of the chain.
@@ -193,7 +193,7 @@ class ContinuousSignals {
   // measured_by(). Throws NumericalError. No allocation.
   template <class Instant>
   void evaluate(double t, const Instant& instant, const Eigen::Ref<const Eigen::VectorXd>& z,
-                Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> dz) const {
+                Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> dz) {
     for (std::size_t i = 0; i < sensors_.size(); ++i) measure(i, instant, z, dz);
     set_names(t, values);
     for (std::size_t k = 0; k < chain_.size(); ++k) set_value(k, z, values);
@@ -202,7 +202,7 @@ class ContinuousSignals {
   // The same where only what has this influence differs from the last evaluation.
   template <class Instant>
   void evaluate(const Influence& changed, const Instant& instant, const Eigen::Ref<const Eigen::VectorXd>& z,
-                Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> dz) const {
+                Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> dz) {
     for (const std::size_t i : changed.sensors) {
       measure(i, instant, z, dz);
       chain_.set(name_of_sensor_[i], measured_[static_cast<Eigen::Index>(i)]);
@@ -214,7 +214,7 @@ class ContinuousSignals {
   // NumericalError; at the start, with before null, InputError.
   template <class Instant>
   void settle(double t, const Instant& instant, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
-              Eigen::Ref<Eigen::VectorXd> values) const {
+              Eigen::Ref<Eigen::VectorXd> values) {
     for (std::size_t i = 0; i < sensors_.size(); ++i) measure(i, instant, z, scratch_);
     start(t, before, z, values);
   }
@@ -222,7 +222,7 @@ class ContinuousSignals {
  private:
   template <class Instant>
   void measure(std::size_t i, const Instant& instant, const Eigen::Ref<const Eigen::VectorXd>& z,
-               Eigen::Ref<Eigen::VectorXd> dz) const {
+               Eigen::Ref<Eigen::VectorXd> dz) {
     const int state = sensor_state_[i];
     measured_[static_cast<Eigen::Index>(i)] = measured_by(*sensors_[i], instant, state >= 0 ? z[state] : 0.0);
     if (state < 0) return;
@@ -231,21 +231,21 @@ class ContinuousSignals {
   }
   // Adds the nodes that read its sensors or nodes, and the places and rates of all.
   void complete(Influence& influence, std::vector<bool>& visited) const;
-  double output(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& states) const;  // value of node k
-  void set_names(double t, const Eigen::Ref<const Eigen::VectorXd>& values) const;
-  void set_value(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> values) const;
-  void set_rates(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> dz) const;
+  double output(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& states);  // value of node k
+  void set_names(double t, const Eigen::Ref<const Eigen::VectorXd>& values);
+  void set_value(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> values);
+  void set_rates(std::size_t k, const Eigen::Ref<const Eigen::VectorXd>& z, Eigen::Ref<Eigen::VectorXd> dz);
   void start(double t, const Eigen::VectorXd* before, Eigen::Ref<Eigen::VectorXd> z,
-             Eigen::Ref<Eigen::VectorXd> values) const;
+             Eigen::Ref<Eigen::VectorXd> values);
 
   SignalChain chain_;
   std::vector<SignalSource> sources_;
-  std::vector<std::unique_ptr<Sensor>> sensors_;
+  std::vector<std::shared_ptr<const Sensor>> sensors_;
   std::vector<int> sensor_state_;                                      // place of its state among all states, or -1
   std::vector<std::size_t> name_of_sensor_;                            // its place among the names of the chain
   std::vector<std::vector<std::size_t>> readers_, readers_of_sensor_;  // nodes that read a node, a sensor
   int sensor_states_ = 0;
-  mutable Eigen::VectorXd measured_, scratch_;
+  Eigen::VectorXd measured_, scratch_;
 };
 
 }  // namespace footfall

@@ -1,88 +1,24 @@
-// The only file that includes FuzzyLite. A .fll file is split into lines with their numbers, each line is checked alone, and
-// every error names its line; FuzzyLite's own messages do not.
+// The only file that includes FuzzyLite. Each line of a .fll file is checked alone, and every error names its line; FuzzyLite's
+// own messages do not.
 
 #include "mbd_solver/model/control/fuzzy.h"
 
 #include <fl/Headers.h>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <map>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/base/budget.h"
 #include "mbd_solver/base/parameter_check.h"
-#include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/control/fuzzy_table.h"
 
 namespace footfall {
-
 namespace {
-
-struct FllLine {
-  int number;         // in the file, from 1
-  std::string key;    // left of the colon
-  std::string value;  // right of it, without comment
-};
-
-struct FllBlock {
-  FllLine head;  // InputVariable: name, OutputVariable: name, RuleBlock: name or Engine: name
-  std::vector<FllLine> lines;
-};
-
-const std::map<std::string, std::vector<std::string>> kKeys = {
-    {"Engine", {"description"}},
-    {"InputVariable", {"description", "enabled", "range", "lock-range", "term"}},
-    {"OutputVariable",
-     {"description", "enabled", "range", "lock-range", "aggregation", "defuzzifier", "default", "lock-previous",
-      "term"}},
-    {"RuleBlock", {"description", "enabled", "conjunction", "disjunction", "implication", "activation", "rule"}},
-};
-
-std::string first_word(const std::string& text) { return text.substr(0, text.find_first_of(" \t")); }
-
-// Throws InputError "file:line: ..." for a file that cannot be read, a line without colon, a line outside a block, an unknown
-// key, or a variable or term given twice.
-std::vector<FllBlock> read_fll_text(const std::filesystem::path& file) {
-  TextReader in(file.string(), code::kFllSyntax, "a fuzzy controller (.fll). Check the path.", kLargestText);
-  std::vector<FllBlock> blocks;
-  std::map<std::string, int> variables, terms;  // lines; terms of this block
-  ReadBudget lines(limit::kFllLines, file.string());
-  while (in.next()) {
-    lines.take();
-    const int number = in.number_of_line();
-    const std::string line = trimmed(in.line().substr(0, in.line().find('#')));
-    if (line.empty()) continue;
-    const auto colon = line.find(':');
-    if (colon == std::string::npos)
-      in.fail("\"" + line + "\" has no colon; expected \"key: value\", for example \"range: 0 5\".");
-    const FllLine entry{number, trimmed(line.substr(0, colon)), trimmed(line.substr(colon + 1))};
-    if (kKeys.count(entry.key) > 0) {
-      if (entry.key.find("Variable") != std::string::npos)
-        if (const auto [other, is_new] = variables.emplace(entry.value, number); !is_new)
-          in.fail("variable \"" + entry.value + "\" is already defined in line " + std::to_string(other->second) + ".");
-      blocks.push_back({entry, {}});
-      terms.clear();
-      continue;
-    }
-    if (blocks.empty()) in.fail("\"" + entry.key + "\" precedes the first block; expected \"Engine: name\" first.");
-    FllBlock& block = blocks.back();
-    const std::vector<std::string>& known = kKeys.at(block.head.key);
-    if (std::find(known.begin(), known.end(), entry.key) == known.end())
-      in.fail("unknown key \"" + entry.key + "\" in " + block.head.key + " \"" + block.head.value +
-              "\". Known keys: " + joined(known) + ".");
-    if (entry.key == "term")
-      if (const auto [other, is_new] = terms.emplace(first_word(entry.value), number); !is_new)
-        in.fail("term \"" + first_word(entry.value) + "\" of \"" + block.head.value + "\" is already defined in line " +
-                std::to_string(other->second) + ".");
-    block.lines.push_back(entry);
-  }
-  return blocks;
-}
 
 constexpr int kMostSamples = 100000;  // of a defuzzifier's integral; FuzzyLite's default is 100
 
@@ -138,7 +74,8 @@ std::string without_brackets(std::string word) {
 
 // Checks the names in every "variable is [hedges] term" of a rule; FuzzyLite reports its other errors.
 void check_rule(const std::string& where, const std::string& text, const fl::Engine& engine) {
-  const std::vector<std::string> word = blank_words(text);
+  std::istringstream words(text);
+  const std::vector<std::string> word{std::istream_iterator<std::string>(words), {}};
   const auto ends_proposition = [](const std::string& w) {
     return w == "and" || w == "or" || w == "then" || w == "with";
   };
@@ -166,15 +103,14 @@ void check_rule(const std::string& where, const std::string& text, const fl::Eng
 }
 
 // The place of a key of a variable, or of the variable if the key is absent.
-std::string where_is(const std::string& file, const std::vector<FllBlock>& blocks, const std::string& variable,
-                     const std::string& key) {
-  for (const FllBlock& block : blocks) {
+std::string where_is(const FllText& text, const std::string& variable, const std::string& key) {
+  for (const FllBlock& block : text.blocks) {
     if (block.head.key.find("Variable") == std::string::npos || block.head.value != variable) continue;
     for (const FllLine& line : block.lines)
-      if (line.key == key) return file + ":" + std::to_string(line.number) + ": ";
-    return file + ":" + std::to_string(block.head.number) + ": ";
+      if (line.key == key) return text.file + ":" + std::to_string(line.number) + ": ";
+    return text.file + ":" + std::to_string(block.head.number) + ": ";
   }
-  return file + ": ";
+  return text.file + ": ";
 }
 
 void check_range(const std::string& where, const fl::Variable& variable, bool valid, const std::string& expected) {
@@ -185,7 +121,9 @@ void check_range(const std::string& where, const fl::Variable& variable, bool va
 }
 
 // FuzzyLite's engine with the variables and rules of a file. Throws InputError "file:line: ...".
-std::unique_ptr<fl::Engine> read_fuzzy_engine(const std::string& file, const std::vector<FllBlock>& blocks) {
+std::unique_ptr<fl::Engine> read_fuzzy_engine(const FllText& from) {
+  const std::string& file = from.file;
+  const std::vector<FllBlock>& blocks = from.blocks;
   fl::fuzzylite::setLogging(false);  // its errors are exceptions; it must not write to our output
   // The text in two parts, because rules are checked against variables.
   std::string variables, rules;
@@ -216,7 +154,7 @@ struct FuzzySystem::Engine {
   std::optional<MamdaniSystem> plain;  // the same rules for the fast grid, if they are plain
 
   // Throw InputError "file:line: ...".
-  void take_variables(const std::string& file, const std::vector<FllBlock>& blocks);
+  void take_variables(const FllText& text);
   void check_coverage(const std::string& file) const;
 
   // The ends of an input's range and the corners of its terms, rising. `complete` is false if a term has no corners.
@@ -376,10 +314,10 @@ struct FuzzyFunction::Parts {
   double value = 0.0;      // its result: a step asks several times
 };
 
-FuzzyFunction::FuzzyFunction(const std::filesystem::path& path, std::size_t inputs, const std::string& output)
+FuzzyFunction::FuzzyFunction(const FllText& text, std::size_t inputs, const std::string& output)
     : parts_(std::make_unique<Parts>()) {
-  const std::string file = path.string();
-  parts_->engine = read_fuzzy_engine(file, read_fll_text(path));
+  const std::string& file = text.file;
+  parts_->engine = read_fuzzy_engine(text);
   fl::Engine& engine = *parts_->engine;
   std::vector<std::string> names, outputs;
   for (const fl::InputVariable* v : engine.inputVariables()) names.push_back(v->getName());
@@ -410,6 +348,13 @@ FuzzyFunction::FuzzyFunction(const std::filesystem::path& path, std::size_t inpu
     throw InputError(code::kFllVariables, file + ": the fuzzy system is not complete: " + status);
 }
 
+FuzzyFunction::FuzzyFunction(const FuzzyFunction& other) : parts_(std::make_unique<Parts>()) {
+  parts_->engine.reset(other.parts_->engine->clone());
+  parts_->output = parts_->engine->getOutputVariable(other.parts_->output->getName());
+  parts_->inputs = other.parts_->inputs;
+  parts_->value = other.parts_->value;
+}
+
 FuzzyFunction::~FuzzyFunction() = default;
 
 double FuzzyFunction::value(const Eigen::Ref<const Eigen::VectorXd>& inputs) const {
@@ -429,18 +374,18 @@ double FuzzyFunction::value(const Eigen::Ref<const Eigen::VectorXd>& inputs) con
   return value;
 }
 
-void FuzzySystem::Engine::take_variables(const std::string& file, const std::vector<FllBlock>& blocks) {
+void FuzzySystem::Engine::take_variables(const FllText& text) {
   for (std::size_t i = 0; i < kFuzzyInputs; ++i) {
     const std::string name = kFuzzyInputNames[i];
     for (fl::InputVariable* v : engine->inputVariables())
       if (v->getName() == name) input[i] = v;
     if (!input[i])
       throw InputError(code::kFllVariables,
-                       file + ": there is no InputVariable \"" + name +
+                       text.file + ": there is no InputVariable \"" + name +
                            "\"; expected a, da, alpha and beta. Found: " + names(engine->inputVariables()) + ".");
     lower[i] = input[i]->getMinimum();
     upper[i] = input[i]->getMaximum();
-    const std::string where = where_is(file, blocks, name, "range");
+    const std::string where = where_is(text, name, "range");
     if (i == 0)
       check_range(where, *input[i], lower[i] == 0.0 && upper[i] > 0.0, "0 to a_max > 0, in g");
     else
@@ -449,28 +394,26 @@ void FuzzySystem::Engine::take_variables(const std::string& file, const std::vec
   }
   for (const fl::InputVariable* v : engine->inputVariables())
     if (std::find(input.begin(), input.end(), v) == input.end())
-      throw InputError(code::kFllVariables, where_is(file, blocks, v->getName(), "") + "InputVariable \"" +
-                                                v->getName() +
+      throw InputError(code::kFllVariables, where_is(text, v->getName(), "") + "InputVariable \"" + v->getName() +
                                                 "\" is not measured; expected a, da, alpha and beta only.");
   for (std::size_t i = 0; i < engine->numberOfOutputVariables(); ++i) {
     fl::OutputVariable* v = engine->getOutputVariable(i);
     const std::string expected = "U" + std::to_string(i + 1);
     if (v->getName() != expected)
-      throw InputError(code::kFllVariables, where_is(file, blocks, v->getName(), "") + "OutputVariable \"" +
-                                                v->getName() + "\" is output number " + std::to_string(i + 1) +
+      throw InputError(code::kFllVariables, where_is(text, v->getName(), "") + "OutputVariable \"" + v->getName() +
+                                                "\" is output number " + std::to_string(i + 1) +
                                                 "; expected the outputs U1, U2, ... in this order.");
-    check_range(where_is(file, blocks, expected, "range"), *v, v->getMinimum() == 0.0 && v->getMaximum() == 1.0,
-                "0 to 1");
+    check_range(where_is(text, expected, "range"), *v, v->getMinimum() == 0.0 && v->getMaximum() == 1.0, "0 to 1");
     if (v->isLockPreviousValue())
       throw InputError(
           code::kFllVariables,
-          where_is(file, blocks, expected, "lock-previous") + "\"" + expected +
+          where_is(text, expected, "lock-previous") + "\"" + expected +
               "\" stores its previous value, which cannot be saved in a checkpoint; expected lock-previous: false.");
     output.push_back(v);
   }
   if (output.empty())
     throw InputError(code::kFllVariables,
-                     file + ": there is no OutputVariable; expected U1, U2, ...: one for each controlled strut.");
+                     text.file + ": there is no OutputVariable; expected U1, U2, ...: one for each controlled strut.");
 }
 
 // Each output requires a rule at every corner of the terms and half way between corners. Between corners no term begins or
@@ -502,15 +445,13 @@ void FuzzySystem::Engine::check_coverage(const std::string& file) const {
         for (const double beta : nodes[3]) check({a, da, alpha, beta});
 }
 
-FuzzySystem::FuzzySystem(const std::filesystem::path& path) : engine_(std::make_unique<Engine>()) {
-  const std::string file = path.string();
-  const std::vector<FllBlock> blocks = read_fll_text(path);
-  engine_->engine = read_fuzzy_engine(file, blocks);
-  engine_->take_variables(file, blocks);
+FuzzySystem::FuzzySystem(const FllText& text) : engine_(std::make_unique<Engine>()) {
+  engine_->engine = read_fuzzy_engine(text);
+  engine_->take_variables(text);
   std::string status;
   if (!engine_->engine->isReady(&status))
-    throw InputError(code::kFllVariables, file + ": the controller is not complete: " + status);
-  engine_->check_coverage(file);
+    throw InputError(code::kFllVariables, text.file + ": the controller is not complete: " + status);
+  engine_->check_coverage(text.file);
   engine_->plain = engine_->plain_system();
 }
 

@@ -2,14 +2,28 @@
 
 #include <Eigen/Dense>
 #include <array>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace footfall {
 
-// The fuzzy system of a controller: read from a FuzzyLite (.fll) file and evaluated by FuzzyLite [Lin25 section 2.2.2]. It
+// The lines of a FuzzyLite (.fll) file, without comments.
+struct FllLine {
+  int number;         // in the file, from 1
+  std::string key;    // left of the colon
+  std::string value;  // right of it
+};
+struct FllBlock {
+  FllLine head;  // InputVariable: name, OutputVariable: name, RuleBlock: name or Engine: name
+  std::vector<FllLine> lines;
+};
+struct FllText {
+  std::string file;  // its name, for messages
+  std::vector<FllBlock> blocks;
+};
+
+// The fuzzy system of a controller: described by a FuzzyLite (.fll) file and evaluated by FuzzyLite [Lin25 section 2.2.2]. It
 // has no time, filter or memory.
 //
 // Required content of the file, else InputError "file:line: ...":
@@ -21,7 +35,7 @@ namespace footfall {
 //   outputs  U1 ... Un, range [0, 1], lock-previous false (its hidden memory cannot be saved)
 //   rules    with known variables and terms, which cover the whole input box
 //
-// Coverage is checked when the file is read, at all corners of the terms and half way between them, which is complete for
+// Coverage is checked at construction, at all corners of the terms and half way between them, which is complete for
 // terms with corners (triangle, trapezoid, ramp, rectangle). Inputs outside their range are clamped. If no rule fires
 // although the check passed (terms of other shapes), or an input is NaN, the output is kNoRuleVoltage.
 
@@ -35,7 +49,7 @@ constexpr std::array<const char*, kFuzzyInputs> kFuzzyInputNames = {"a", "da", "
 
 class FuzzySystem {
  public:
-  explicit FuzzySystem(const std::filesystem::path& file);  // throws InputError
+  explicit FuzzySystem(const FllText& text);  // throws InputError
   ~FuzzySystem();
   FuzzySystem(FuzzySystem&&) noexcept;
   FuzzySystem& operator=(FuzzySystem&&) noexcept;
@@ -62,7 +76,9 @@ class FuzzyFunction {
  public:
   // inputs: their number, in the order of the file's input variables. output: name of an output variable; empty: the only
   // one. Throws InputError "file:line: ...".
-  FuzzyFunction(const std::filesystem::path& file, std::size_t inputs, const std::string& output);
+  FuzzyFunction(const FllText& text, std::size_t inputs, const std::string& output);
+  FuzzyFunction(const FuzzyFunction& other);  // with an engine of its own
+  FuzzyFunction& operator=(const FuzzyFunction&) = delete;
   ~FuzzyFunction();
 
   // Throws NumericalError if no rule fires.

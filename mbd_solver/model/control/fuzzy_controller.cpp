@@ -49,7 +49,7 @@ ControlSurface control_surface(const FuzzySystem& system, int output, std::strin
 
 FuzzyController::FuzzyController(const FuzzyControllerParameters& parameters)
     : parameters_(parameters),
-      system_(parameters.file),
+      system_(parameters.rules),
       filter_("controller fuzzy", parameters.filter_frequency, parameters.period) {
   if (!parameters.tabulated) return;
   table_.emplace(system_, parameters.grid);

@@ -26,7 +26,7 @@ ControlSurface control_surface(const FuzzySystem& system, int output, std::strin
 // Filters the measured acceleration, forms the jerk, converts to the units of the .fll file (fuzzy.h) and evaluates the
 // rules, exactly or by a table.
 struct FuzzyControllerParameters {
-  std::filesystem::path file;                         // the .fll file
+  FllText rules;
   double period = kDefaultControllerPeriod;           // > 0 [s]
   double filter_frequency = kDefaultFilterFrequency;  // corner of the acceleration filter, 0 = none [Hz]
   bool tabulated = false;                             // true: compute on `grid` at the start, then interpolate

@@ -209,15 +209,32 @@ SignalChain::SignalChain(std::vector<SignalNode> nodes) : values_(std::make_uniq
     index = names_.size();
     names_.push_back(name);
   }
-  for (const std::string& name : names_) outside_.push_back(&(*values_)[name]);
-  for (const SignalNode& node : nodes_) own_.push_back(&(*values_)[kSignal + node.name]);
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
-    const SignalNode& node = nodes_[k];
     reads_.emplace_back();
     for (const std::string& name : sorted.names[k]) {
       const auto found = own.find(name);
       found != own.end() ? reads_[k].nodes.push_back(found->second) : reads_[k].names.push_back(outside.at(name));
     }
+  }
+  bind();
+}
+
+SignalChain::SignalChain(const SignalChain& other)
+    : nodes_(other.nodes_),
+      reads_(other.reads_),
+      first_state_(other.first_state_),
+      states_(other.states_),
+      values_(std::make_unique<NamedValues>(*other.values_)),
+      names_(other.names_) {
+  for (SignalNode& node : nodes_)
+    if (std::unique_ptr<SignalBlock> own = node.block->copy()) node.block = std::move(own);
+  bind();
+}
+
+void SignalChain::bind() {
+  for (const std::string& name : names_) outside_.push_back(&(*values_)[name]);
+  for (const SignalNode& node : nodes_) own_.push_back(&(*values_)[kSignal + node.name]);
+  for (const SignalNode& node : nodes_) {
     expressions_.emplace_back();
     for (const std::string& input : node.inputs) expressions_.back().emplace_back(input, *values_);
     activities_.emplace_back();
@@ -231,7 +248,7 @@ bool SignalChain::active(std::size_t k) const {
   return states.empty() || std::any_of(states.begin(), states.end(), [](const double* s) { return *s != 0.0; });
 }
 
-const Eigen::VectorXd& SignalChain::inputs(std::size_t k) const {
+const Eigen::VectorXd& SignalChain::inputs(std::size_t k) {
   Eigen::VectorXd& u = inputs_[k];
   for (std::size_t i = 0; i < expressions_[k].size(); ++i) {
     try {
@@ -244,7 +261,7 @@ const Eigen::VectorXd& SignalChain::inputs(std::size_t k) const {
   return u;
 }
 
-void SignalChain::settle(std::size_t k, Eigen::Ref<Eigen::VectorXd> z) const {
+void SignalChain::settle(std::size_t k, Eigen::Ref<Eigen::VectorXd> z) {
   const SignalNode& node = nodes_[k];
   if (node.block->state_count() == 0) return;
   if (node.initial) {

@@ -47,7 +47,7 @@ class Expression {
 // signal NAME is the value "signal.NAME" to the others.
 struct SignalNode {
   std::string name;
-  std::unique_ptr<SignalBlock> block;
+  std::shared_ptr<SignalBlock> block;
   std::vector<std::string> inputs;  // expressions, one per input of the block
   std::vector<std::string> states;  // states of the scene in which it is active, else it is 0; empty: always
   std::optional<double> initial;    // value of its inputs before the start; default those of the start
@@ -57,10 +57,14 @@ struct SignalNode {
   std::vector<std::string> written_at = {};
 };
 
+// A chain holds the values of its last evaluation. Each evaluation of a model has a copy of its own.
 class SignalChain {
  public:
   // Throws InputError: an expression with a syntax error, or signals that depend on each other in a loop.
   explicit SignalChain(std::vector<SignalNode> nodes);
+  SignalChain(const SignalChain& other);
+  SignalChain(SignalChain&&) noexcept = default;
+  SignalChain& operator=(SignalChain&&) noexcept = default;
 
   std::size_t size() const { return nodes_.size(); }
   const SignalNode& node(std::size_t k) const { return nodes_[k]; }
@@ -75,17 +79,19 @@ class SignalChain {
 
   // The names of values from outside, to be set before an evaluation.
   const std::vector<std::string>& names() const { return names_; }
-  void set(std::size_t name, double value) const { *outside_[name] = value; }
+  void set(std::size_t name, double value) { *outside_[name] = value; }
 
   // Node k at the current values; preceding nodes are up to date. Throws NumericalError, naming the input.
-  bool active(std::size_t k) const;                                  // in the current state
-  const Eigen::VectorXd& inputs(std::size_t k) const;                // valid until the next call
-  void put(std::size_t k, double value) const { *own_[k] = value; }  // for the nodes after it
+  bool active(std::size_t k) const;                            // in the current state
+  const Eigen::VectorXd& inputs(std::size_t k);                // valid until the next call
+  void put(std::size_t k, double value) { *own_[k] = value; }  // for the nodes after it
 
   // The inner states of node k when it becomes active.
-  void settle(std::size_t k, Eigen::Ref<Eigen::VectorXd> z) const;
+  void settle(std::size_t k, Eigen::Ref<Eigen::VectorXd> z);
 
  private:
+  void bind();  // expressions and places to the values
+
   std::vector<SignalNode> nodes_;  // in order
   std::vector<Reads> reads_;
   std::vector<int> first_state_;
@@ -95,7 +101,7 @@ class SignalChain {
   std::vector<double*> outside_, own_;
   std::vector<std::vector<Expression>> expressions_;    // per node and input
   std::vector<std::vector<const double*>> activities_;  // per node: the values of its states
-  mutable std::vector<Eigen::VectorXd> inputs_;
+  std::vector<Eigen::VectorXd> inputs_;
 };
 
 // Indices in an order in which each follows those it depends on; reads[i]: indices. Throws InputError that shows the loop,

@@ -151,6 +151,14 @@ RotationVector rotation(const std::string& name, const PairMotion& pair, const M
 
 }  // namespace
 
+struct Bushing::Scratch : ElementScratch {
+  Scratch(const ForceElement& element, Eigen::Index n)
+      : ElementScratch(element), row(n), row_rate(n), columns(n, 4), W(3, n), T(3, n), X(3, n) {}
+  Eigen::VectorXd row, row_rate;
+  Eigen::Matrix<double, Eigen::Dynamic, 4> columns;
+  Eigen::Matrix3Xd W, T, X;
+};
+
 // Relative angular velocity w2 - w1 and its damping torque on body 2, T = -sum_i c_i (e1_i . w) e1_i.
 class Bushing::Turn {
  public:
@@ -178,13 +186,10 @@ Bushing::Bushing(std::string name, Marker m1, Marker m2, const Parameters& param
   translates_ = !p.stiffness.isZero(0.0) || !p.damping.isZero(0.0);
   turns_ = !p.rotational_stiffness.isZero(0.0);
   damps_turning_ = !p.rotational_damping.isZero(0.0);
-  const Eigen::Index n = 12 + m1_.S.cols() + m2_.S.cols();
-  row_.resize(n);
-  row_rate_.resize(n);
-  columns_.resize(n, 4);
-  W_.resize(3, n);
-  T_.resize(3, n);
-  X_.resize(3, n);
+}
+
+std::unique_ptr<ElementScratch> Bushing::scratch(SharedCopies&) const {
+  return std::make_unique<Scratch>(*this, 12 + m1_.S.cols() + m2_.S.cols());
 }
 
 void Bushing::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd>) const {
@@ -219,7 +224,8 @@ bool Bushing::add_derivatives(const ElementInput& in, ElementDerivatives& out) c
 void Bushing::add_translation_derivatives(const ElementInput& in, ElementDerivatives& out) const {
   // Q = sum F_i dd_i/dx,  F_i = -k_i d_i - c_i d_i'
   const Eigen::Index n = in.pair.size();
-  Eigen::Ref<Eigen::VectorXd> row = row_.head(n), rate = row_rate_.head(n);
+  Scratch& scratch = scratch_of<Scratch>(in);
+  Eigen::Ref<Eigen::VectorXd> row = scratch.row.head(n), rate = scratch.row_rate.head(n);
   const KinematicVector d = KinematicVector::difference(in.pair, m1_, m2_);
   for (int i = 0; i < 3; ++i) {
     const double k = parameters_.stiffness[i], c = parameters_.damping[i];
@@ -238,7 +244,7 @@ void Bushing::add_translation_derivatives(const ElementInput& in, ElementDerivat
 
 void Bushing::add_rotation_derivatives(const ElementInput& in, ElementDerivatives& out) const {
   // -d2V/dx2 = -(du/dx)^T (J^T K J + theta_uu . K theta) du/dx - V_u . d2u/dx2
-  Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, 4>> U = columns_.topRows(in.pair.size());
+  Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, 4>> U = scratch_of<Scratch>(in).columns.topRows(in.pair.size());
   const RotationVector theta = rotation(name(), in.pair, m1_, m2_);
   const Eigen::Vector3d& k = parameters_.rotational_stiffness;
   const Eigen::Vector3d torque = -k.cwiseProduct(theta.value());
@@ -254,7 +260,8 @@ void Bushing::add_rotation_derivatives(const ElementInput& in, ElementDerivative
 void Bushing::add_turning_derivatives(const ElementInput& in, ElementDerivatives& out) const {
   // Q = W^T T, w = W v:  dT = -sum c_i [e_i (e_i.dw + w.de_i) + (e_i.w) de_i]
   const Eigen::Index n = in.pair.size();
-  Eigen::Ref<Eigen::Matrix3Xd> W = W_.leftCols(n), T_x = T_.leftCols(n), X = X_.leftCols(n);
+  Scratch& scratch = scratch_of<Scratch>(in);
+  Eigen::Ref<Eigen::Matrix3Xd> W = scratch.W.leftCols(n), T_x = scratch.T.leftCols(n), X = scratch.X.leftCols(n);
   const Turn turn(*this, in.pair);
   W.setZero();
   T_x.setZero();  // first dw/dx

@@ -56,12 +56,14 @@ class Bushing : public ForceElement {
   };
   Bushing(std::string name, Marker m1, Marker m2, const Parameters& parameters);
 
+  std::unique_ptr<ElementScratch> scratch(SharedCopies& shared) const override;
   // All throw NumericalError beyond kLargestTurn if a rotational stiffness is not zero.
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
 
  private:
+  struct Scratch;
   class Turn;
   void add_translation_derivatives(const ElementInput& in, ElementDerivatives& out) const;
   void add_rotation_derivatives(const ElementInput& in, ElementDerivatives& out) const;
@@ -69,10 +71,7 @@ class Bushing : public ForceElement {
 
   Marker m1_, m2_;
   Parameters parameters_;
-  bool translates_, turns_, damps_turning_;                   // which parts are not zero
-  mutable Eigen::VectorXd row_, row_rate_;                    // scratch, n
-  mutable Eigen::Matrix<double, Eigen::Dynamic, 4> columns_;  // scratch, n x 4
-  mutable Eigen::Matrix3Xd W_, T_, X_;                        // scratch, 3 x n
+  bool translates_, turns_, damps_turning_;  // which parts are not zero
 };
 
 }  // namespace footfall

@@ -80,9 +80,9 @@ RowValue evaluate_coordinate(const ConstraintRow& row, MarkerVectors& vectors, E
 
 void coordinate_derivatives(const ConstraintRow& row, MarkerVectors& vectors, double lambda,
                             Eigen::Ref<Eigen::VectorXd> rate_dx, Eigen::Ref<Eigen::VectorXd> acc_dx,
-                            Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K, double near) {
+                            Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K,
+                            CoordinateScratch& scratch, double near) {
   const JointCoordinate q(*row.coordinate, vectors.pair(), vectors.marker(0), vectors.marker(1));
-  CoordinateScratch& scratch = *row.scratch;
   if (row.curve) {
     const CubicSpline::Value y = lift(row, q.value(), near);
     const double slope = row.scale * y.slope, curvature = row.scale * y.curvature, third = row.scale * y.third;
@@ -196,12 +196,14 @@ RowValue measure_row_with_reaction(const ConstraintRow& row, double t, MarkerVec
 
 void row_derivatives(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda,
                      Eigen::Ref<Eigen::VectorXd> rate_dx, Eigen::Ref<Eigen::VectorXd> acc_dx,
-                     Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K, double near) {
+                     Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K, RowScratch& scratch,
+                     double near) {
   rate_dx.setZero();
   acc_dx.setZero();
   acc_dv.setZero();
-  if (row.coordinate) return coordinate_derivatives(row, vectors, lambda, rate_dx, acc_dx, acc_dv, K, near);
-  if (row.law) return row.law->add_derivatives(row.law_row, vectors, lambda, rate_dx, acc_dx, acc_dv, K);
+  if (row.coordinate)
+    return coordinate_derivatives(row, vectors, lambda, rate_dx, acc_dx, acc_dv, K, scratch.coordinate, near);
+  if (row.law) return row.law->add_derivatives(row.law_row, vectors, lambda, rate_dx, acc_dx, acc_dv, K, scratch);
   const Coefficients at = coefficients(row, t);
   for (int i = 0; i < row.term_count; ++i) {
     const KinematicVector& alpha = vector_of(row.terms[i].alpha, vectors);

@@ -44,13 +44,21 @@ struct ConstraintRow {
   //   phi and phi' are zero.
   // - a member of a gear (J = 0): its term `scale` q of the sum; of a cam: `scale` (y(q) - y(0)).
   std::optional<Coordinate> coordinate;
-  double inertia = 0.0;                        // J of a rotor > 0 [kg m2 or kg]
-  std::shared_ptr<CoordinateScratch> scratch;  // of the coordinate
-  std::shared_ptr<const CubicSpline> curve;    // y of a cam
+  double inertia = 0.0;                      // J of a rotor > 0 [kg m2 or kg]
+  std::shared_ptr<const CubicSpline> curve;  // y of a cam
   // A condition other than a sum of dot products: row `law_row` of a law (rolling.h).
   std::shared_ptr<const RowLaw> law;
   int law_row = 0;
   bool holds_positions() const;  // false: a condition on phi' alone, phi = 0 (nonholonomic)
+};
+
+// What row_derivatives() writes besides its results, for pairs of bodies of size n at most.
+struct RowScratch {
+  static constexpr int kProducts = 10;  // of one row, at most
+  explicit RowScratch(Eigen::Index n) : coordinate(n), products(n, kProducts), row(n) {}
+  CoordinateScratch coordinate;
+  Eigen::MatrixXd products;  // n x kProducts
+  Eigen::VectorXd row;
 };
 
 // Values of one row at one instant. n = size of the pair of bodies.
@@ -71,7 +79,7 @@ class RowLaw {
   // Adds to all arguments.
   virtual void add_derivatives(int row, MarkerVectors& vectors, double lambda, Eigen::Ref<Eigen::VectorXd> rate_dx,
                                Eigen::Ref<Eigen::VectorXd> acc_dx, Eigen::Ref<Eigen::VectorXd> acc_dv,
-                               Eigen::Ref<Eigen::MatrixXd> K) const = 0;
+                               Eigen::Ref<Eigen::MatrixXd> K, RowScratch& scratch) const = 0;
 };
 inline bool ConstraintRow::holds_positions() const { return !law || law->holds_positions(law_row); }
 
@@ -93,6 +101,7 @@ RowValue measure_row_with_reaction(const ConstraintRow& row, double t, MarkerVec
 //   K += d(Phi_v^T lambda) / dx (n x n)
 void row_derivatives(const ConstraintRow& row, double t, MarkerVectors& vectors, double lambda,
                      Eigen::Ref<Eigen::VectorXd> rate_dx, Eigen::Ref<Eigen::VectorXd> acc_dx,
-                     Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K, double near = 0.0);
+                     Eigen::Ref<Eigen::VectorXd> acc_dv, Eigen::Ref<Eigen::MatrixXd> K, RowScratch& scratch,
+                     double near = 0.0);
 
 }  // namespace footfall

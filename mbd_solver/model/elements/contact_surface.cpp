@@ -187,15 +187,10 @@ double sign_of(double x) { return x < 0.0 ? -1.0 : 1.0; }
 }  // namespace
 
 struct ContactSurface::Triangles {
-  struct Candidate {
-    std::size_t triangle = 0;
-    NearestPoint at;
-    double distance = 0.0;  // of p [m] >= 0
-  };
+  using Candidate = NearTriangle;
 
   TrianglePieces pieces;
   fcl::BVHModel<fcl::AABBd> tree;
-  mutable std::vector<Candidate> near;  // scratch
 
   const Eigen::Vector3d& vertex(const PieceTriangle& t, int k) const { return pieces.vertices[t.corners[k]]; }
   Candidate candidate(std::size_t i, const Eigen::Vector3d& p) const {
@@ -216,19 +211,19 @@ struct ContactSurface::Triangles {
     const PieceTriangle& t = pieces.triangles[c.triangle];
     return (c.at.edge >= 0 && t.edge_is_border[c.at.edge]) || (c.at.corner >= 0 && t.corner_is_border[c.at.corner]);
   }
-  void find(int node, const fcl::AABBd& box, const Eigen::Vector3d& p) const {
+  void find(int node, const fcl::AABBd& box, const Eigen::Vector3d& p, std::vector<Candidate>& near) const {
     const fcl::BVNode<fcl::AABBd>& bv = tree.getBV(node);
     if (!bv.bv.overlap(box)) return;
     if (bv.isLeaf()) {
       near.push_back(candidate(static_cast<std::size_t>(bv.primitiveId()), p));
       return;
     }
-    find(bv.leftChild(), box, p);
-    find(bv.rightChild(), box, p);
+    find(bv.leftChild(), box, p, near);
+    find(bv.rightChild(), box, p, near);
   }
   bool shares(const PieceTriangle& t, int corner) const { return (t.corners.array() == corner).any(); }
   // The nearest point on an edge or corner is a minimum of the distance if no neighbour is nearer.
-  bool is_minimum(const Candidate& c, const Eigen::Vector3d& p) const {
+  bool is_minimum(const Candidate& c, const Eigen::Vector3d& p, const std::vector<Candidate>& near) const {
     if (c.at.edge < 0 && c.at.corner < 0) return true;
     const PieceTriangle& t = pieces.triangles[c.triangle];
     const int first = t.corners[c.at.edge >= 0 ? c.at.edge : c.at.corner];
@@ -351,7 +346,7 @@ SurfaceSides ContactSurface::sides_of(const std::vector<Eigen::Vector3d>& points
 }
 
 void ContactSurface::touches(const Eigen::Vector3d& p, double radius, double depth, const SurfaceSides& sides,
-                             std::vector<SurfaceTouch>& out) const {
+                             std::vector<NearTriangle>& near, std::vector<SurfaceTouch>& out) const {
   out.clear();
   std::size_t piece = 0;  // counts planes and pieces of meshes
   for (const Plane& plane : planes_) {
@@ -378,12 +373,12 @@ void ContactSurface::touches(const Eigen::Vector3d& p, double radius, double dep
 
   for (const auto& mesh : meshes_) {
     const Eigen::Vector3d wide = Eigen::Vector3d::Constant(std::max(radius, depth));
-    mesh->near.clear();
-    mesh->find(0, fcl::AABBd(p - wide, p + wide), p);
+    near.clear();
+    mesh->find(0, fcl::AABBd(p - wide, p + wide), p, near);
     const std::size_t first_piece = piece;
     piece += mesh->pieces.open.size();
-    if (mesh->near.empty()) continue;
-    std::sort(mesh->near.begin(), mesh->near.end(),
+    if (near.empty()) continue;
+    std::sort(near.begin(), near.end(),
               [](const Triangles::Candidate& a, const Triangles::Candidate& b) { return a.distance < b.distance; });
     const auto touch = [&](const Triangles::Candidate& c) {
       const auto k = static_cast<std::size_t>(mesh->pieces.triangles[c.triangle].piece);
@@ -391,16 +386,16 @@ void ContactSurface::touches(const Eigen::Vector3d& p, double radius, double dep
       return mesh->touch(c, p, alike ? mesh->side(c, p) : sides[first_piece + k]);
     };
     // Within: the nearest point alone.
-    const SurfaceTouch first = touch(mesh->near.front());
+    const SurfaceTouch first = touch(near.front());
     if (first.distance < 0.0 || radius == 0.0) {
-      if (first.distance < 0.0 && -first.distance < depth && !mesh->on_border(mesh->near.front())) out.push_back(first);
+      if (first.distance < 0.0 && -first.distance < depth && !mesh->on_border(near.front())) out.push_back(first);
       continue;
     }
     const auto of_this_mesh = static_cast<std::ptrdiff_t>(out.size());
-    for (const Triangles::Candidate& c : mesh->near) {
+    for (const Triangles::Candidate& c : near) {
       if (c.distance >= radius) break;
       const SurfaceTouch one = touch(c);
-      if (one.distance < 0.0 || !mesh->is_minimum(c, p)) continue;
+      if (one.distance < 0.0 || !mesh->is_minimum(c, p, near)) continue;
       const bool known = std::any_of(out.begin() + of_this_mesh, out.end(), [&](const SurfaceTouch& other) {
         return other.normal.dot(one.normal) > kOneSurface;
       });

@@ -55,6 +55,13 @@ struct SurfaceTouch {
   Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();    // H [1/m]
 };
 
+// A triangle near a point: scratch of ContactSurface::touches().
+struct NearTriangle {
+  std::size_t triangle = 0;
+  NearestPoint at;
+  double distance = 0.0;  // of the point [m] >= 0
+};
+
 // The side that counts as outside, for each piece of a ContactSurface: +1 that of the normals, -1 the other. (Closed
 // triangle surfaces have an outside; the sides of an open surface are equivalent.)
 using SurfaceSides = std::vector<double>;
@@ -76,9 +83,9 @@ class ContactSurface {
 
   // The side of each piece where most of the points are. across: largest distance of points on the other side [m].
   SurfaceSides sides_of(const std::vector<Eigen::Vector3d>& points, double& across) const;
-  // Contacts of a ball of radius >= 0 about p: distance < radius, and -distance < depth. Overwrites out.
+  // Contacts of a ball of radius >= 0 about p: distance < radius, and -distance < depth. Overwrites near and out.
   void touches(const Eigen::Vector3d& p, double radius, double depth, const SurfaceSides& sides,
-               std::vector<SurfaceTouch>& out) const;
+               std::vector<NearTriangle>& near, std::vector<SurfaceTouch>& out) const;
 
  private:
   struct Plane {

@@ -30,7 +30,7 @@ struct FacingPair {
 
 class EdgeSearch {
  public:
-  EdgeSearch(const Terrain& terrain, const Eigen::Vector3d& centre, double R, const Eigen::Vector3d& a,
+  EdgeSearch(Terrain& terrain, const Eigen::Vector3d& centre, double R, const Eigen::Vector3d& a,
              std::vector<EdgePlace>& out)
       : terrain_(terrain), centre_(centre), R_(R), a_(a), out_(out) {
     u_ = a.cross(Eigen::Vector3d::UnitZ()).normalized();
@@ -215,7 +215,7 @@ class EdgeSearch {
     if (!known) out_.push_back(one);
   }
 
-  const Terrain& terrain_;
+  Terrain& terrain_;
   const Eigen::Vector3d centre_;
   const double R_;
   const Eigen::Vector3d a_;
@@ -255,8 +255,8 @@ void EdgePlace::find_ways(const Eigen::Vector3d& a, const Eigen::Vector3d& centr
   of_n = (by_N - n * (n.transpose() * by_N)) / N.norm();
 }
 
-void find_edge_places(const Terrain& terrain, const Eigen::Vector3d& centre, double R, const Eigen::Vector3d& a,
-                      double top, std::vector<EdgePlace>& out) {
+void find_edge_places(Terrain& terrain, const Eigen::Vector3d& centre, double R, const Eigen::Vector3d& a, double top,
+                      std::vector<EdgePlace>& out) {
   out.clear();
   EdgeSearch(terrain, centre, R, a, out).find(top);
 }

@@ -30,7 +30,7 @@ struct EdgePlace {
 };
 
 // All that are inside. The field is below `top` [m] of W within R of the centre. Overwrites out.
-void find_edge_places(const Terrain& terrain, const Eigen::Vector3d& centre, double R, const Eigen::Vector3d& a,
-                      double top, std::vector<EdgePlace>& out);
+void find_edge_places(Terrain& terrain, const Eigen::Vector3d& centre, double R, const Eigen::Vector3d& a, double top,
+                      std::vector<EdgePlace>& out);
 
 }  // namespace footfall

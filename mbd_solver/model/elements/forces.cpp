@@ -11,15 +11,23 @@ constexpr int kSlot = 1;  // of the body; slot 0 is the ground
 
 }  // namespace
 
+struct AppliedForce::Scratch : ElementScratch {
+  Scratch(const ForceElement& element, Eigen::Index n) : ElementScratch(element), X(3, n) {}
+  Eigen::Matrix3Xd X;
+};
+
 AppliedForce::AppliedForce(std::string name, Marker marker, std::optional<Eigen::Vector3d> fixed_direction,
                            Magnitude force, Magnitude torque)
     : ForceElement(std::move(name), kGround, marker.body),
       marker_(std::move(marker)),
       fixed_direction_(std::move(fixed_direction)),
       force_(std::move(force)),
-      torque_(std::move(torque)),
-      X_(3, 6 + marker_.S.cols()) {
+      torque_(std::move(torque)) {
   FOOTFALL_DEMAND(marker_.body != kGround && (force_.is_given() || torque_.is_given()));
+}
+
+std::unique_ptr<ElementScratch> AppliedForce::scratch(SharedCopies&) const {
+  return std::make_unique<Scratch>(*this, 6 + marker_.S.cols());
 }
 
 KinematicVector AppliedForce::direction(const PairMotion& pair) const {
@@ -45,7 +53,7 @@ bool AppliedForce::add_derivatives(const ElementInput& in, ElementDerivatives& o
     const double m = torque_.at(in);
     const BodyKinematics& body = *in.pair.body[kSlot];
     add_torque_derivative(in.pair, kSlot, marker_, m * e.value(), out.dQ_dx);
-    Eigen::Ref<Eigen::Matrix3Xd> X = X_.leftCols(in.pair.size());  // de/dx
+    Eigen::Ref<Eigen::Matrix3Xd> X = scratch_of<Scratch>(in).X.leftCols(in.pair.size());  // de/dx
     X.setZero();
     e.add_jacobian(X);
     out.dQ_dx.middleRows<3>(3) += m * X;
@@ -63,6 +71,17 @@ void AppliedForce::add_supply(const ElementInput& in, Supplied& power) const {
                            torque_.at(in) * e.dot(angular_velocity(*in.pair.body[kSlot], marker_));
 }
 
+struct JointForce::Scratch : ElementScratch {
+  Scratch(const ForceElement& element, const std::vector<std::unique_ptr<StrutLaw>>& laws, Eigen::Index n)
+      : ElementScratch(element), row(n), row_rate(n), coordinate(n) {
+    for (const std::unique_ptr<StrutLaw>& law : laws) out.emplace_back(law->state_count());
+  }
+  std::vector<StrutOutput> out;  // one per law
+  std::vector<StrutPower> power;
+  Eigen::VectorXd row, row_rate;
+  CoordinateScratch coordinate;
+};
+
 JointForce::JointForce(std::string name, Marker m1, Marker m2, Coordinate coordinate,
                        std::vector<std::unique_ptr<StrutLaw>> laws, int command_index)
     : ForceElement(std::move(name), m1.body, m2.body),
@@ -71,17 +90,17 @@ JointForce::JointForce(std::string name, Marker m1, Marker m2, Coordinate coordi
       coordinate_(coordinate),
       laws_(std::move(laws)),
       states_(coordinate == Coordinate::kAngle ? 1 : 0),
-      command_index_(command_index),
-      scratch_(12 + m1_.S.cols() + m2_.S.cols()) {
+      command_index_(command_index) {
   FOOTFALL_DEMAND(!laws_.empty());
   for (const std::unique_ptr<StrutLaw>& law : laws_) {
     first_state_.push_back(states_);
     states_ += law->state_count();
     switches_ = switches_ || law->switches();
-    out_.emplace_back(law->state_count());
   }
-  row_.resize(scratch_.row.size());
-  row_rate_.resize(scratch_.row.size());
+}
+
+std::unique_ptr<ElementScratch> JointForce::scratch(SharedCopies&) const {
+  return std::make_unique<Scratch>(*this, laws_, 12 + m1_.S.cols() + m2_.S.cols());
 }
 
 Eigen::VectorXd JointForce::initial_state() const {
@@ -106,8 +125,9 @@ StrutInput JointForce::law_input(const ElementInput& in, const JointCoordinate& 
 }
 
 const StrutOutput& JointForce::evaluate(const ElementInput& in, const JointCoordinate& at, std::size_t law) const {
-  laws_[law]->evaluate(law_input(in, at, law), out_[law]);
-  return out_[law];
+  StrutOutput& out = scratch_of<Scratch>(in).out[law];
+  laws_[law]->evaluate(law_input(in, at, law), out);
+  return out;
 }
 
 void JointForce::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
@@ -127,11 +147,12 @@ bool JointForce::add_derivatives(const ElementInput& in, ElementDerivatives& out
   // Q = -F q_x:  by x -(F_q q_x + F_v q'_x) q_x^T - F q_xx,  by v -F_v q_x q_x^T
   const JointCoordinate at(coordinate_, in.pair, m1_, m2_);
   const Eigen::Index n = in.pair.size();
-  Eigen::Ref<Eigen::VectorXd> q_x = row_.head(n), rate_x = row_rate_.head(n);
+  Scratch& scratch = scratch_of<Scratch>(in);
+  Eigen::Ref<Eigen::VectorXd> q_x = scratch.row.head(n), rate_x = scratch.row_rate.head(n);
   q_x.setZero();
   rate_x.setZero();
   at.add_gradient(1.0, q_x);
-  at.add_rate_by_position(1.0, scratch_, rate_x);
+  at.add_rate_by_position(1.0, scratch.coordinate, rate_x);
   if (coordinate_ == Coordinate::kAngle) {
     out.ddz_dx.row(0) += (rate_x + kTurnFollow * q_x).transpose();
     out.ddz_dv.row(0) += q_x.transpose();
@@ -155,19 +176,20 @@ bool JointForce::add_derivatives(const ElementInput& in, ElementDerivatives& out
     out.dQ_dx.col(k) -= (by_q * q_x[k] + by_rate * rate_x[k]) * q_x;
     out.dQ_dv.col(k) -= (by_rate * q_x[k]) * q_x;
   }
-  at.add_second(-force, scratch_, out.dQ_dx);
+  at.add_second(-force, scratch.coordinate, out.dQ_dx);
   return true;
 }
 
 void JointForce::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
   const JointCoordinate at(coordinate_, in.pair, m1_, m2_);
-  power_.clear();
+  std::vector<StrutPower>& powers = scratch_of<Scratch>(in).power;
+  powers.clear();
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     const StrutInput law = law_input(in, at, i);
     stored[laws_[i]->stored_kind()] += laws_[i]->stored_energy(law);
-    laws_[i]->dissipated_power(law, power_);
+    laws_[i]->dissipated_power(law, powers);
   }
-  for (const StrutPower& p : power_) power[p.kind] += p.power;
+  for (const StrutPower& p : powers) power[p.kind] += p.power;
 }
 
 double JointForce::switch_value(const ElementInput& in) const {

@@ -69,6 +69,7 @@ class AppliedForce : public ForceElement {
                Magnitude torque);
 
   std::array<int, 2> read_inputs() const override { return {force_.signal, torque_.signal}; }
+  std::unique_ptr<ElementScratch> scratch(SharedCopies& shared) const override;
 
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
@@ -76,12 +77,12 @@ class AppliedForce : public ForceElement {
   void add_supply(const ElementInput& in, Supplied& power) const override;  // kForce
 
  private:
+  struct Scratch;
   KinematicVector direction(const PairMotion& pair) const;
 
   Marker marker_;
   std::optional<Eigen::Vector3d> fixed_direction_;
-  Magnitude force_, torque_;    // [N], [N m]
-  mutable Eigen::Matrix3Xd X_;  // scratch, 3 x n
+  Magnitude force_, torque_;  // [N], [N m]
 };
 
 struct JointForceSample {
@@ -98,13 +99,13 @@ struct JointForceSample {
 class JointForce : public ForceElement, public Switching {
  public:
   // Markers of the joint, z along its axis. command_index: of the signal that commands the laws, among the inputs; -1: none.
-  // Not for evaluation by two threads at once (it owns scratch).
   JointForce(std::string name, Marker m1, Marker m2, Coordinate coordinate, std::vector<std::unique_ptr<StrutLaw>> laws,
              int command_index = -1);
 
   int state_count() const override { return states_; }
   std::array<int, 2> read_inputs() const override { return {command_index_, -1}; }
   Eigen::VectorXd initial_state() const override;
+  std::unique_ptr<ElementScratch> scratch(SharedCopies& shared) const override;
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
@@ -117,6 +118,7 @@ class JointForce : public ForceElement, public Switching {
   const std::vector<std::unique_ptr<StrutLaw>>& laws() const { return laws_; }
 
  private:
+  struct Scratch;
   double with_turns(const ElementInput& in, double alpha) const;  // q
   StrutInput law_input(const ElementInput& in, const JointCoordinate& at, std::size_t law) const;
   const StrutOutput& evaluate(const ElementInput& in, const JointCoordinate& at, std::size_t law) const;
@@ -128,10 +130,6 @@ class JointForce : public ForceElement, public Switching {
   int states_;
   int command_index_;
   bool switches_ = false;
-  mutable std::vector<StrutOutput> out_;  // one per law
-  mutable std::vector<StrutPower> power_;
-  mutable Eigen::VectorXd row_, row_rate_;  // scratch rows of size n
-  mutable CoordinateScratch scratch_;
 };
 
 // Spring and damper on the angle about the common z axis of two markers: torque on body 2 about z1

@@ -27,7 +27,6 @@ int add_gear(Model& model, const std::string& name, const std::vector<GearMember
     row.scale = member.factor / members[0].factor;
     row.coordinate = member.coordinate;
     row.curve = member.curve;
-    row.scratch = std::make_shared<CoordinateScratch>(12 + m1.S.cols() + m2.S.cols());
     const bool closed = member.curve && member.curve->closed();  // then turns do not matter
     if (member.curve && !closed && member.coordinate == Coordinate::kAngle)
       row.offset = nearest_turn(0.0, 0.5 * (member.curve->first() + member.curve->last()));
@@ -40,12 +39,18 @@ int add_gear(Model& model, const std::string& name, const std::vector<GearMember
   return first;
 }
 
+struct TurnCounter::Scratch : ElementScratch {
+  Scratch(const ForceElement& element, Eigen::Index n) : ElementScratch(element), row(n), coordinate(n) {}
+  Eigen::VectorXd row;
+  CoordinateScratch coordinate;
+};
+
 TurnCounter::TurnCounter(std::string name, Marker m1, Marker m2)
-    : ForceElement(std::move(name), m1.body, m2.body),
-      m1_(std::move(m1)),
-      m2_(std::move(m2)),
-      scratch_(12 + m1_.S.cols() + m2_.S.cols()),
-      row_(scratch_.row.size()) {}
+    : ForceElement(std::move(name), m1.body, m2.body), m1_(std::move(m1)), m2_(std::move(m2)) {}
+
+std::unique_ptr<ElementScratch> TurnCounter::scratch(SharedCopies&) const {
+  return std::make_unique<Scratch>(*this, 12 + m1_.S.cols() + m2_.S.cols());
+}
 
 void TurnCounter::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd>, Eigen::Ref<Eigen::VectorXd> dz) const {
   const JointCoordinate at(Coordinate::kAngle, in.pair, m1_, m2_);
@@ -54,13 +59,14 @@ void TurnCounter::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd>,
 
 bool TurnCounter::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
   const JointCoordinate at(Coordinate::kAngle, in.pair, m1_, m2_);
-  Eigen::Ref<Eigen::VectorXd> row = row_.head(in.pair.size());
+  Scratch& scratch = scratch_of<Scratch>(in);
+  Eigen::Ref<Eigen::VectorXd> row = scratch.row.head(in.pair.size());
   row.setZero();
   at.add_gradient(1.0, row);
   out.ddz_dv.row(0) += row.transpose();
   out.ddz_dx.row(0) += kTurnFollow * row.transpose();
   row.setZero();
-  at.add_rate_by_position(1.0, scratch_, row);
+  at.add_rate_by_position(1.0, scratch.coordinate, row);
   out.ddz_dx.row(0) += row.transpose();
   out.ddz_dz(0, 0) -= kTurnFollow;
   return true;

@@ -32,19 +32,19 @@ int add_gear(Model& model, const std::string& name, const std::vector<GearMember
 //   z' = q' + kTurnFollow (q - z)     (joint_coordinate.h)
 class TurnCounter : public ForceElement {
  public:
-  // Markers of the joint, z along its axis. Not for evaluation by two threads at once (it owns scratch).
+  // Markers of the joint, z along its axis.
   TurnCounter(std::string name, Marker m1, Marker m2);
 
   int state_count() const override { return 1; }
   Eigen::VectorXd initial_state() const override { return Eigen::VectorXd::Zero(1); }
+  std::unique_ptr<ElementScratch> scratch(SharedCopies& shared) const override;
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput&, StoredEnergy&, Dissipated&) const override {}
 
  private:
+  struct Scratch;
   Marker m1_, m2_;
-  mutable CoordinateScratch scratch_;
-  mutable Eigen::VectorXd row_;
 };
 
 }  // namespace footfall

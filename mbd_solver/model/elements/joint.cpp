@@ -127,7 +127,6 @@ Joint rotor(std::string name, Marker m1, Marker m2, Coordinate coordinate, doubl
   ConstraintRow row;
   row.coordinate = coordinate;
   row.inertia = inertia;
-  row.scratch = std::make_shared<CoordinateScratch>(12 + joint.m1.S.cols() + joint.m2.S.cols());
   joint.rows = {row};
   return joint;
 }
@@ -136,7 +135,7 @@ Joint rolling_joint(std::string name, Marker m1, Marker m2, double radius, bool 
   FOOTFALL_DEMAND(std::isfinite(radius) && radius > 0.0);
   Joint joint = joint_of(std::move(name), "rolling", std::move(m1), std::move(m2));
   ConstraintRow row;
-  row.law = std::make_shared<Rolling>(radius, disc, 12 + joint.m1.S.cols() + joint.m2.S.cols());
+  row.law = std::make_shared<Rolling>(radius, disc);
   for (row.law_row = 0; row.law_row < 3; ++row.law_row) joint.rows.push_back(row);
   return joint;
 }

@@ -61,6 +61,11 @@ struct RigidPlane::Contact {
   Eigen::Matrix3d wander = Eigen::Matrix3d::Zero();  // G: p moves along its edge by G dtheta as the body turns [m]
 };
 
+struct RigidPlane::Scratch : ElementScratch {
+  Scratch(const ForceElement& element, Eigen::Index n) : ElementScratch(element), X(3, n), by_x(3, n) {}
+  Eigen::Matrix3Xd X, by_x;
+};
+
 RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters,
                        std::vector<ContactRim> rims)
     : ContactElement(std::move(name),
@@ -91,9 +96,10 @@ RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const
     reach_ = std::max(reach_, rim.marker.s0.norm() + rim.radius);
   }
   tangents_ = axes_with_z(parameters_.normal).leftCols<2>();
-  const Eigen::Index n = 6 + (points_.empty() ? 0 : points_.front().marker.S.cols());
-  X_.resize(3, n);
-  by_x_.resize(3, n);
+}
+
+std::unique_ptr<ElementScratch> RigidPlane::scratch(SharedCopies&) const {
+  return std::make_unique<Scratch>(*this, 6 + (points_.empty() ? 0 : points_.front().marker.S.cols()));
 }
 
 bool RigidPlane::far(const BodyKinematics& body) const {
@@ -141,11 +147,12 @@ void RigidPlane::each_contact(const ElementInput& in, const ContactRim& rim, int
   const Eigen::Vector3d b = a.cross(e_0);
   const double height = n.dot(centre - parameters_.point);
   Contact at;
+  Marker on_rim;
   for (int k = 0; k < kRimPlaces; ++k) {
     const Eigen::Vector3d e_k = rim_cosine(k) * e_0 + rim_sine(k) * b;
     if (height + rim.radius * n.dot(e_k) > kClear) continue;
-    on_rim_.s0 = rim.marker.s0 + rim.radius * (body.A.transpose() * e_k);
-    if (!contact(in, on_rim_, 0.0, first_place + k, at)) continue;
+    on_rim.s0 = rim.marker.s0 + rim.radius * (body.A.transpose() * e_k);
+    if (!contact(in, on_rim, 0.0, first_place + k, at)) continue;
     // b stays horizontal while the body turns by dtheta: in addition the places turn about a by psi = -(b x n).dtheta / s.
     if (tilted) at.wander = (-rim.radius / s) * a.cross(e_k) * b.cross(n).transpose();
     use(at);
@@ -198,6 +205,7 @@ bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out
   const Eigen::Matrix3d tangent = Eigen::Matrix3d::Identity() - n * n.transpose();
   const Eigen::Vector3d w = in.pair.body[0]->w;
   const double tau = parameters_.stick_time;
+  Eigen::Matrix3Xd &X = scratch_of<Scratch>(in).X, &by_x = scratch_of<Scratch>(in).by_x;
   bool any = tau > 0.0;
   if (any) out.ddz_dz.noalias() -= Eigen::Matrix2d::Identity().replicate(place_count(), 1) / tau;
   each_contact(in, [&](const Contact& at) {
@@ -209,30 +217,30 @@ bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out
     const Eigen::Matrix3d by_u = -at.by_closing * direction * n.transpose() + friction_by_u;
     const Eigen::Matrix3d by_p = -at.by_overlap * direction * n.transpose();
 
-    X_.setZero();
-    by_x_.setZero();
+    X.setZero();
+    by_x.setZero();
     const KinematicVector p = KinematicVector::point(in.pair, 0, *at.marker);
-    p.add_jacobian(X_);
-    p.add_rate_jacobian(by_x_);
+    p.add_jacobian(X);
+    p.add_rate_jacobian(by_x);
     const Eigen::Matrix<double, 2, 3> dxi_by_u = tangents_.transpose() * parameters_.clip(at.u).slope;
     if (tau > 0.0) {
-      out.ddz_dx.middleRows<2>(2 * at.place).noalias() += dxi_by_u.lazyProduct(by_x_);
+      out.ddz_dx.middleRows<2>(2 * at.place).noalias() += dxi_by_u.lazyProduct(by_x);
       out.ddz_dx.block<2, 3>(2 * at.place, 3) += dxi_by_u * skew(w) * at.wander;
       out.ddz_dz.middleRows<2>(2 * at.place) += dxi_by_u * tangents_ / tau;
     }
-    for (Eigen::Index j = 0; j < X_.cols(); ++j) {  // df/dx
-      const Eigen::Vector3d column = by_u * by_x_.col(j) + by_p * X_.col(j);
-      by_x_.col(j) = column;
+    for (Eigen::Index j = 0; j < X.cols(); ++j) {  // df/dx
+      const Eigen::Vector3d column = by_u * by_x.col(j) + by_p * X.col(j);
+      by_x.col(j) = column;
     }
-    by_x_.block<3, 3>(0, 3) += (by_u * skew(w) + by_p) * at.wander;
-    X_.block<3, 3>(0, 3) += at.radius * skew(n);  // X_c
-    out.dQ_dx.noalias() += X_.transpose().lazyProduct(by_x_);
-    by_x_.noalias() = by_u.lazyProduct(X_);  // df/dv
-    out.dQ_dv.noalias() += X_.transpose().lazyProduct(by_x_);
+    by_x.block<3, 3>(0, 3) += (by_u * skew(w) + by_p) * at.wander;
+    X.block<3, 3>(0, 3) += at.radius * skew(n);  // X_c
+    out.dQ_dx.noalias() += X.transpose().lazyProduct(by_x);
+    by_x.noalias() = by_u.lazyProduct(X);  // df/dv
+    out.dQ_dv.noalias() += X.transpose().lazyProduct(by_x);
     if (tau > 0.0) {
       const Eigen::Matrix<double, 3, 2> by_xi = friction_by_u * tangents_ / tau;
-      out.dQ_dz.middleCols<2>(2 * at.place).noalias() += X_.transpose().lazyProduct(by_xi);
-      out.ddz_dv.middleRows<2>(2 * at.place).noalias() += dxi_by_u.lazyProduct(X_);
+      out.dQ_dz.middleCols<2>(2 * at.place).noalias() += X.transpose().lazyProduct(by_xi);
+      out.ddz_dv.middleRows<2>(2 * at.place).noalias() += dxi_by_u.lazyProduct(X);
     }
     p.add_second(at.force, out.dQ_dx);
     out.dQ_dx.block<3, 3>(3, 3) -= skew(at.force) * at.wander;  // the moment p x f

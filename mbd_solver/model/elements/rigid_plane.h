@@ -49,6 +49,7 @@ class RigidPlane : public ContactElement {
   int state_count() const override { return parameters_.stick_time > 0.0 ? 2 * place_count() : 0; }
   int state_block() const override { return std::min(state_count(), 2); }
   Eigen::VectorXd initial_state() const override { return Eigen::VectorXd::Zero(state_count()); }
+  std::unique_ptr<ElementScratch> scratch(SharedCopies& shared) const override;
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
@@ -57,6 +58,7 @@ class RigidPlane : public ContactElement {
   double largest_overlap(const ElementInput& in) const override;
 
  private:
+  struct Scratch;
   struct Contact;
   bool far(const BodyKinematics& body) const;  // bounding sphere clear of the plane
   int place_count() const;
@@ -72,8 +74,6 @@ class RigidPlane : public ContactElement {
   Eigen::Matrix<double, 3, 2> tangents_;  // columns span the plane; xi is in these
   double reach_ = 0.0;                    // radius about Bo that encloses all undeformed spheres [m]
   double flexible_reach_ = 0.0;           // largest |S| of a point: reach grows by this times |a| [m per unit of a]
-  mutable Eigen::Matrix3Xd X_, by_x_;     // scratch, 3 x n
-  mutable Marker on_rim_;                 // scratch: one place of a rim
 };
 
 }  // namespace footfall

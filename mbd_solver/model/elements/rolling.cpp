@@ -10,6 +10,7 @@ namespace {
 
 // The dot products that a row is written in: d_k, then the axes of marker 2 in the frame of marker 1.
 enum : int { kD = 0, kX = 1, kY = 4, kA = 7, kCount = 10 };
+static_assert(kCount == RowScratch::kProducts);
 
 using ByValue = Eigen::AutoDiffScalar<Eigen::Matrix<double, kCount, 1>>;    // derivatives by u
 using ByAll = Eigen::AutoDiffScalar<Eigen::Matrix<double, 3 * kCount, 1>>;  // by u, u', u''
@@ -131,9 +132,6 @@ Products<ByAll> variables(int k, MarkerVectors& vectors) {
 
 }  // namespace
 
-Rolling::Rolling(double radius, bool disc, Eigen::Index size)
-    : radius_(radius), disc_(disc), products_x_(size, kCount), sum_(size) {}
-
 RowValue Rolling::evaluate(int row, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v) const {
   const Condition<ByAll> at = condition(radius_, disc_, row, variables(row, vectors));
   phi_v.setZero();
@@ -152,7 +150,7 @@ RowValue Rolling::evaluate(int row, MarkerVectors& vectors, Eigen::Ref<Eigen::Ve
 
 void Rolling::add_derivatives(int row, MarkerVectors& vectors, double lambda, Eigen::Ref<Eigen::VectorXd> rate_dx,
                               Eigen::Ref<Eigen::VectorXd> acc_dx, Eigen::Ref<Eigen::VectorXd> acc_dv,
-                              Eigen::Ref<Eigen::MatrixXd> K) const {
+                              Eigen::Ref<Eigen::MatrixXd> K, RowScratch& scratch) const {
   const Condition<ByAll> at = condition(radius_, disc_, row, variables(row, vectors));
   const auto by = [](const ByAll& of, int m) { return of.derivatives()[m]; };
   for (int m = 0; m < kCount; ++m) {
@@ -174,8 +172,8 @@ void Rolling::add_derivatives(int row, MarkerVectors& vectors, double lambda, Ei
   }
   weights(radius_, disc_, row, u, c);
   const Eigen::Index n = K.rows();
-  Eigen::Ref<Eigen::MatrixXd> u_x = products_x_.topRows(n);
-  Eigen::Ref<Eigen::VectorXd> sum = sum_.head(n);
+  Eigen::Ref<Eigen::MatrixXd> u_x = scratch.products.topRows(n);
+  Eigen::Ref<Eigen::VectorXd> sum = scratch.row.head(n);
   for (int m = 0; m < kCount; ++m) {
     const auto [a, b] = factors(m, row, vectors);
     sum.setZero();

@@ -13,23 +13,20 @@
 
 namespace footfall {
 
-// Row k is along axis k of marker 1. Not for evaluation by two threads at once (it owns scratch).
+// Row k is along axis k of marker 1.
 class Rolling : public RowLaw {
  public:
-  // radius R > 0 [m]; size: of the pair of bodies
-  Rolling(double radius, bool disc, Eigen::Index size);
+  Rolling(double radius, bool disc) : radius_(radius), disc_(disc) {}  // radius R > 0 [m]
 
   bool holds_positions(int row) const override { return row == 2; }
   RowValue evaluate(int row, MarkerVectors& vectors, Eigen::Ref<Eigen::VectorXd> phi_v) const override;
   void add_derivatives(int row, MarkerVectors& vectors, double lambda, Eigen::Ref<Eigen::VectorXd> rate_dx,
                        Eigen::Ref<Eigen::VectorXd> acc_dx, Eigen::Ref<Eigen::VectorXd> acc_dv,
-                       Eigen::Ref<Eigen::MatrixXd> K) const override;
+                       Eigen::Ref<Eigen::MatrixXd> K, RowScratch& scratch) const override;
 
  private:
   double radius_;
   bool disc_;
-  mutable Eigen::MatrixXd products_x_;
-  mutable Eigen::VectorXd sum_;
 };
 
 }  // namespace footfall

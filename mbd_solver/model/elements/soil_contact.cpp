@@ -81,8 +81,19 @@ struct SoilContact::Touch {
   Frame frame;
 };
 
+struct SoilContact::Scratch : ElementScratch {
+  Scratch(const ForceElement& element, std::shared_ptr<Terrain> uneven, std::shared_ptr<SoilGround> tracks,
+          Eigen::Index n)
+      : ElementScratch(element), terrain(std::move(uneven)), ground(std::move(tracks)), X(3, n), by_x(3, n) {}
+  std::shared_ptr<Terrain> terrain;
+  std::shared_ptr<SoilGround> ground;
+  std::vector<SoilMemory> memory;  // of the facets, at the last end of a step
+  Eigen::Matrix3Xd X, by_x;
+};
+
 SoilContact::SoilContact(std::string name, std::vector<SoilFacet> facets, bool two_sided, const Place& place,
-                         std::shared_ptr<const SoilLaw> law, std::shared_ptr<SoilGround> ground, bool keeps_ground)
+                         std::shared_ptr<const SoilLaw> law, std::shared_ptr<const SoilGround> ground,
+                         bool keeps_ground)
     : ContactElement(std::move(name), facets.empty() ? kGround : facets.front().marker.body, kGround),
       facets_(std::move(facets)),
       two_sided_(two_sided),
@@ -106,17 +117,20 @@ SoilContact::SoilContact(std::string name, std::vector<SoilFacet> facets, bool t
     flexible_reach_ = std::max(flexible_reach_, facet.marker.S.norm());
     area_ += facet.area;
   }
-  const Eigen::Index n = 6 + facets_.front().marker.S.cols();
-  X_.resize(3, n);
-  by_x_.resize(3, n);
-  const double* nothing = nullptr;
-  recall(nothing);
 }
 
-bool SoilContact::far(const BodyKinematics& body) const {
+std::unique_ptr<ElementScratch> SoilContact::scratch(SharedCopies& shared) const {
+  auto out =
+      std::make_unique<Scratch>(*this, shared.of(terrain_), shared.of(ground_), 6 + facets_.front().marker.S.cols());
+  const double* nothing = nullptr;
+  recall(nothing, *out);
+  return out;
+}
+
+bool SoilContact::far(const BodyKinematics& body, const Scratch& scratch) const {
   const double reach = body.modes == 0 ? reach_ : reach_ + flexible_reach_ * body.a.norm();
   if (terrain_) {
-    const Terrain::Lid lid = terrain_->lid(body.r, reach);
+    const Terrain::Lid lid = scratch.terrain->lid(body.r, reach);
     return lid.rocks.empty() && lid.above(body.r, reach);
   }
   return axes_.row(2).dot(body.r - point_) < -reach;
@@ -126,11 +140,11 @@ double SoilContact::size_of(const SoilFacet& facet) const { return std::sqrt(fac
 
 // A facet that has moved without touching is over another place of the ground: over the print that is there, or, where it has come
 // below the untouched ground beside its print, over ground that has given way to it.
-void SoilContact::look_below(std::size_t facet, const Eigen::Vector3d& place) const {
-  SoilMemory& memory = memory_[facet];
+void SoilContact::look_below(std::size_t facet, const Eigen::Vector3d& place, Scratch& scratch) const {
+  SoilMemory& memory = scratch.memory[facet];
   const double size = size_of(facets_[facet]);
   if (memory.touches || (place.head<2>() - memory.printed).squaredNorm() <= kMoved * kMoved * size * size) return;
-  memory.print = std::max({0.0, place.z(), ground_->depth_at(place.head<2>(), kFound * size)});
+  memory.print = std::max({0.0, place.z(), scratch.ground->depth_at(place.head<2>(), kFound * size)});
   memory.printed = place.head<2>();
 }
 
@@ -141,17 +155,17 @@ SoilPoint SoilContact::point_of(const ElementInput& in, const SoilFacet& facet, 
 }
 
 SoilPoint SoilContact::point_on_terrain(const ElementInput& in, std::size_t facet, const MovingPoint& p,
-                                        Frame& frame) const {
+                                        const Scratch& scratch, Frame& frame) const {
   const BodyKinematics& body = *in.pair.body[0];
-  const SoilMemory& memory = memory_[facet];
-  const Terrain::Height there = terrain_->at(memory.place.x(), memory.place.y());
+  const SoilMemory& memory = scratch.memory[facet];
+  const Terrain::Height there = scratch.terrain->at(memory.place.x(), memory.place.y());
   const Eigen::Vector3d origin(memory.place.x(), memory.place.y(), there.h);
   const Eigen::Vector3d up = Eigen::Vector3d(-there.slope.x(), -there.slope.y(), 1.0).normalized();
   const Eigen::Matrix3d tangents = axes_with_z(up);
   frame.axes.row(0) = tangents.col(0).transpose();
   frame.axes.row(1) = tangents.col(1).transpose();
   frame.axes.row(2) = -up.transpose();
-  const Terrain::Foot foot = terrain_->foot(p.value());
+  const Terrain::Foot foot = scratch.terrain->foot(p.value());
   frame.by_p = frame.axes;
   frame.by_p.row(2) = -foot.normal.transpose();
   frame.spot = {foot.place.x(), foot.place.y(), -foot.distance};
@@ -165,19 +179,20 @@ SoilPoint SoilContact::point_on_terrain(const ElementInput& in, std::size_t face
 template <class Use>
 void SoilContact::each_touch(const ElementInput& in, SoilLaw::With with, Use use) const {
   const BodyKinematics& body = *in.pair.body[0];
-  if (far(body)) return;
+  const Scratch& scratch = scratch_of<Scratch>(in);
+  if (far(body, scratch)) return;
   if (terrain_) {
     const double up_to = body.modes == 0 ? reach_ : reach_ + flexible_reach_ * body.a.norm();
-    const Terrain::Lid lid = terrain_->lid(body.r, up_to);
+    const Terrain::Lid lid = scratch.terrain->lid(body.r, up_to);
     Touch touch;
     for (std::size_t k = 0; k < facets_.size(); ++k) {
       const SoilFacet& facet = facets_[k];
       touch.p = MovingPoint(body, facet.marker);
       const Eigen::Vector2d away = (touch.p.value() - body.r).head<2>();
       if (touch.p.value().z() - lid.height - lid.slope.dot(away) > 0.5 * lid.bend * away.squaredNorm()) continue;
-      touch.at = point_on_terrain(in, k, touch.p, touch.frame);
+      touch.at = point_on_terrain(in, k, touch.p, scratch, touch.frame);
       if (!(touch.at.place.z() > 0.0)) continue;
-      const SoilMemory& memory = memory_[k];
+      const SoilMemory& memory = scratch.memory[k];
       if (!(touch.at.place.z() > memory.print)) continue;
       touch.facet = &facet;
       touch.stress = law_->stress(touch.at, memory, two_sided_, with);
@@ -194,7 +209,7 @@ void SoilContact::each_touch(const ElementInput& in, SoilLaw::With with, Use use
     double z = depth + down_B.dot(facet.marker.s0);
     for (Eigen::Index i = 0; i < facet.marker.S.cols(); ++i) z += down_B.dot(facet.marker.S.col(i)) * body.a[i];
     if (!(z > 0.0)) continue;
-    const SoilMemory& memory = memory_[k];
+    const SoilMemory& memory = scratch.memory[k];
     if (!(z > memory.print)) continue;
     touch.p = MovingPoint(body, facet.marker);
     touch.at = point_of(in, facet, touch.p);
@@ -212,6 +227,7 @@ void SoilContact::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> 
 
 bool SoilContact::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
   // f = a R^T t(R p, R n, R p'):  df = a R^T (t_p R dp + t_n R (-n~) dtheta + t_v R dp')
+  Eigen::Matrix3Xd &X = scratch_of<Scratch>(in).X, &by_x = scratch_of<Scratch>(in).by_x;
   bool any = false;
   const BodyKinematics& body = *in.pair.body[0];
   each_touch(in, SoilLaw::With::kSlope, [&](const Touch& touch) {
@@ -221,19 +237,19 @@ bool SoilContact::add_derivatives(const ElementInput& in, ElementDerivatives& ou
     const Eigen::Matrix3d by_p = turned * touch.stress.slope.leftCols<3>() * touch.frame.by_p;
     const Eigen::Matrix3d by_n = turned * touch.stress.slope.middleCols<3>(3) * axes;
     const Eigen::Matrix3d by_v = turned * touch.stress.slope.rightCols<3>() * axes;
-    X_.setZero();
-    by_x_.setZero();
+    X.setZero();
+    by_x.setZero();
     const KinematicVector p = KinematicVector::point(in.pair, 0, touch.facet->marker);
-    p.add_jacobian(X_);
-    p.add_rate_jacobian(by_x_);
-    for (Eigen::Index j = 0; j < X_.cols(); ++j) {  // df/dx
-      const Eigen::Vector3d column = by_v * by_x_.col(j) + by_p * X_.col(j);
-      by_x_.col(j) = column;
+    p.add_jacobian(X);
+    p.add_rate_jacobian(by_x);
+    for (Eigen::Index j = 0; j < X.cols(); ++j) {  // df/dx
+      const Eigen::Vector3d column = by_v * by_x.col(j) + by_p * X.col(j);
+      by_x.col(j) = column;
     }
-    by_x_.block<3, 3>(0, 3) -= by_n * skew(body.A * touch.facet->normal);
-    out.dQ_dx.noalias() += X_.transpose().lazyProduct(by_x_);
-    by_x_.noalias() = by_v.lazyProduct(X_);  // df/dv
-    out.dQ_dv.noalias() += X_.transpose().lazyProduct(by_x_);
+    by_x.block<3, 3>(0, 3) -= by_n * skew(body.A * touch.facet->normal);
+    out.dQ_dx.noalias() += X.transpose().lazyProduct(by_x);
+    by_x.noalias() = by_v.lazyProduct(X);  // df/dv
+    out.dQ_dv.noalias() += X.transpose().lazyProduct(by_x);
     p.add_second(touch.force, out.dQ_dx);
   });
   return any;
@@ -251,23 +267,24 @@ void SoilContact::add_energy(const ElementInput& in, StoredEnergy&, Dissipated& 
 
 // ---- memory ----
 
-void SoilContact::recall(const double*& from) const {
-  memory_.assign(facets_.size(), SoilMemory());
+void SoilContact::recall(const double*& from, ElementScratch& in) const {
+  auto& scratch = own_scratch<Scratch>(in);
+  scratch.memory.assign(facets_.size(), SoilMemory());
   if (from == nullptr) {
     for (std::size_t k = 0; k < facets_.size(); ++k) {
       Eigen::Vector3d start = axes_ * (facets_[k].start - point_);
       if (terrain_) {
-        const Terrain::Foot foot = terrain_->foot(facets_[k].start);
+        const Terrain::Foot foot = scratch.terrain->foot(facets_[k].start);
         start = {foot.place.x(), foot.place.y(), -foot.distance};
       }
-      memory_[k].printed = memory_[k].place = start.head<2>();
-      memory_[k].print = std::max(0.0, start.z());
-      memory_[k].touches = start.z() > 0.0;
+      scratch.memory[k].printed = scratch.memory[k].place = start.head<2>();
+      scratch.memory[k].print = std::max(0.0, start.z());
+      scratch.memory[k].touches = start.z() > 0.0;
     }
-    if (keeps_ground_) ground_->restore({});
+    if (keeps_ground_) scratch.ground->restore({});
     return;
   }
-  for (SoilMemory& m : memory_) {
+  for (SoilMemory& m : scratch.memory) {
     m.print = from[0];
     m.place = {from[1], from[2]};
     m.shear = {from[3], from[4]};
@@ -281,32 +298,34 @@ void SoilContact::recall(const double*& from) const {
     print = {{from[0], from[1]}, from[2]};
     from += 3;
   }
-  ground_->restore(std::move(prints));
+  scratch.ground->restore(std::move(prints));
 }
 
-void SoilContact::save_memory(std::vector<double>& out) const {
-  for (const SoilMemory& m : memory_)
+void SoilContact::save_memory(const ElementScratch& in, std::vector<double>& out) const {
+  const auto& scratch = own_scratch<const Scratch>(in);
+  for (const SoilMemory& m : scratch.memory)
     out.insert(out.end(), {m.print, m.place.x(), m.place.y(), m.shear.x(), m.shear.y(), m.printed.x(), m.printed.y(),
                            m.touches ? 1.0 : 0.0});
   if (!keeps_ground_) return;
-  out.push_back(static_cast<double>(ground_->prints().size()));
-  for (const SoilGround::Print& print : ground_->prints())
+  out.push_back(static_cast<double>(scratch.ground->prints().size()));
+  for (const SoilGround::Print& print : scratch.ground->prints())
     out.insert(out.end(), {print.place.x(), print.place.y(), print.depth});
 }
 
 bool SoilContact::remember(const ElementInput& in) const {
   const BodyKinematics& body = *in.pair.body[0];
-  const bool away = far(body);
+  Scratch& scratch = scratch_of<Scratch>(in);
+  const bool away = far(body, scratch);
   bool changed = false;
   for (std::size_t k = 0; k < facets_.size(); ++k) {
-    SoilMemory& m = memory_[k];
+    SoilMemory& m = scratch.memory[k];
     if (away && !m.touches && m.print == 0.0) continue;
     const MovingPoint p(body, facets_[k].marker);
     Frame frame;
-    const SoilPoint at = terrain_ ? point_on_terrain(in, k, p, frame) : point_of(in, facets_[k], p);
+    const SoilPoint at = terrain_ ? point_on_terrain(in, k, p, scratch, frame) : point_of(in, facets_[k], p);
     const Eigen::Vector3d spot = terrain_ ? frame.spot : at.place;
     const bool touched = m.touches;
-    look_below(k, spot);
+    look_below(k, spot, scratch);
     if (!touched) m.place = (terrain_ ? spot : at.place).head<2>();
     if (!touched && !(at.place.z() > m.print)) continue;
     law_->remember(at, m);
@@ -314,11 +333,11 @@ bool SoilContact::remember(const ElementInput& in) const {
     changed = true;
     const double size = size_of(facets_[k]);
     if (touched && !m.touches) {
-      ground_->leave(m.printed, m.print, kJoined * size);
+      scratch.ground->leave(m.printed, m.print, kJoined * size);
     } else if (m.touches && !touched) {
       m.printed = spot.head<2>();
     } else if (m.touches && (spot.head<2>() - m.printed).squaredNorm() > kMoved * kMoved * size * size) {
-      ground_->leave(m.printed, m.print, kJoined * size);  // a facet that slides carries its depth along
+      scratch.ground->leave(m.printed, m.print, kJoined * size);  // a facet that slides carries its depth along
       m.printed = spot.head<2>();
     }
   }
@@ -337,7 +356,7 @@ Eigen::Matrix<double, 6, 1> SoilContact::wrench(const ElementInput& in) const {
 double SoilContact::largest_overlap(const ElementInput& in) const {
   double largest = 0.0;
   const BodyKinematics& body = *in.pair.body[0];
-  if (far(body)) return largest;
+  if (far(body, scratch_of<Scratch>(in))) return largest;
   if (terrain_) {
     each_touch(in, SoilLaw::With::kTraction,
                [&](const Touch& touch) { largest = std::max(largest, touch.at.place.z()); });

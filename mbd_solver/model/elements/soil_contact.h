@@ -55,16 +55,18 @@ class SoilContact : public ContactElement, public Remembering {
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // out of the ground
     std::shared_ptr<const Terrain> terrain;             // uneven ground, instead of point and normal
   };
-  // Facets of one body, at least one. keeps_ground: this element saves the prints of the ground, for all that share it.
+  // Facets of one body, at least one. ground: without prints, shared by the elements that meet the same soil. keeps_ground: this
+  // element saves its prints, for all that share it.
   SoilContact(std::string name, std::vector<SoilFacet> facets, bool two_sided, const Place& place,
-              std::shared_ptr<const SoilLaw> law, std::shared_ptr<SoilGround> ground, bool keeps_ground);
+              std::shared_ptr<const SoilLaw> law, std::shared_ptr<const SoilGround> ground, bool keeps_ground);
 
+  std::unique_ptr<ElementScratch> scratch(SharedCopies& shared) const override;
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
 
-  void recall(const double*& memory) const override;
-  void save_memory(std::vector<double>& out) const override;
+  void recall(const double*& memory, ElementScratch& scratch) const override;
+  void save_memory(const ElementScratch& scratch, std::vector<double>& out) const override;
   bool remember(const ElementInput& in) const override;
 
   ContactKind kind() const override { return ContactKind::kSoil; }
@@ -75,17 +77,19 @@ class SoilContact : public ContactElement, public Remembering {
   bool two_sided() const { return two_sided_; }
 
  private:
+  struct Scratch;
   struct Touch;
-  bool far(const BodyKinematics& body) const;
+  bool far(const BodyKinematics& body, const Scratch& scratch) const;
   double size_of(const SoilFacet& facet) const;  // [m]
-  void look_below(std::size_t facet, const Eigen::Vector3d& place) const;
+  void look_below(std::size_t facet, const Eigen::Vector3d& place, Scratch& scratch) const;
   SoilPoint point_of(const ElementInput& in, const SoilFacet& facet, const MovingPoint& p) const;
   // Of the ground where a facet is; rows: x, y and down in W, and the derivatives of the place by p.
   struct Frame {
     Eigen::Matrix3d axes, by_p;
     Eigen::Vector3d spot;  // x and y of its foot, depth [m]
   };
-  SoilPoint point_on_terrain(const ElementInput& in, std::size_t facet, const MovingPoint& p, Frame& frame) const;
+  SoilPoint point_on_terrain(const ElementInput& in, std::size_t facet, const MovingPoint& p, const Scratch& scratch,
+                             Frame& frame) const;
   template <class Use>
   void each_touch(const ElementInput& in, SoilLaw::With with, Use use) const;
 
@@ -95,13 +99,11 @@ class SoilContact : public ContactElement, public Remembering {
   Eigen::Matrix3d axes_;  // rows: x, y and down of the ground, in W
   std::shared_ptr<const Terrain> terrain_;
   std::shared_ptr<const SoilLaw> law_;
-  std::shared_ptr<SoilGround> ground_;
+  std::shared_ptr<const SoilGround> ground_;
   bool keeps_ground_;
   double reach_ = 0.0;           // radius about Bo that encloses all undeformed facets [m]
   double flexible_reach_ = 0.0;  // as RigidPlane
   double area_ = 0.0;
-  mutable std::vector<SoilMemory> memory_;  // of the facets, at the last end of a step
-  mutable Eigen::Matrix3Xd X_, by_x_;       // scratch, 3 x n
 };
 
 }  // namespace footfall

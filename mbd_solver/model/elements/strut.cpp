@@ -10,6 +10,16 @@
 
 namespace footfall {
 
+struct Strut::Scratch : ElementScratch {
+  Scratch(const ForceElement& element, const std::vector<std::unique_ptr<StrutLaw>>& laws, Eigen::Index n)
+      : ElementScratch(element), row(n), row_rate(n) {
+    for (const std::unique_ptr<StrutLaw>& law : laws) out.emplace_back(law->state_count());
+  }
+  std::vector<StrutOutput> out;  // one per law
+  std::vector<StrutPower> power;
+  Eigen::VectorXd row, row_rate;
+};
+
 Strut::Strut(std::string name, Marker m1, Marker m2, std::vector<std::unique_ptr<StrutLaw>> laws,
              double undeformed_length, int voltage_index)
     : ForceElement(std::move(name), m1.body, m2.body),
@@ -25,11 +35,11 @@ Strut::Strut(std::string name, Marker m1, Marker m2, std::vector<std::unique_ptr
   for (const std::unique_ptr<StrutLaw>& law : laws_) {
     first_state_.push_back(states_);
     states_ += law->state_count();
-    out_.emplace_back(law->state_count());
   }
-  const Eigen::Index n = 12 + m1_.S.cols() + m2_.S.cols();
-  row_.resize(n);
-  row_rate_.resize(n);
+}
+
+std::unique_ptr<ElementScratch> Strut::scratch(SharedCopies&) const {
+  return std::make_unique<Scratch>(*this, laws_, 12 + m1_.S.cols() + m2_.S.cols());
 }
 
 Eigen::VectorXd Strut::initial_state() const {
@@ -58,12 +68,13 @@ StrutInput Strut::law_input(const ElementInput& in, const Line& line, std::size_
 }
 
 const StrutOutput& Strut::evaluate(const ElementInput& in, const Line& line, std::size_t law) const {
+  StrutOutput& out = scratch_of<Scratch>(in).out[law];
   try {
-    laws_[law]->evaluate(law_input(in, line, law), out_[law]);
+    laws_[law]->evaluate(law_input(in, line, law), out);
   } catch (const NumericalError& error) {
     throw NumericalError("strut \"" + name() + "\": " + error.what());
   }
-  return out_[law];
+  return out;
 }
 
 void Strut::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const {
@@ -81,8 +92,9 @@ bool Strut::add_derivatives(const ElementInput& in, ElementDerivatives& out) con
   // Q = F X^T e;  dl/dx = X^T e,  d(l')/dx = X^T P d' / l + (d'_x)^T e,  d(l')/dv = X^T e,  P = I - e e^T
   const Line at = line(in.pair);
   const Eigen::Index n = in.pair.size();
-  Eigen::Ref<Eigen::VectorXd> length_x = row_.head(n);
-  Eigen::Ref<Eigen::VectorXd> rate_x = row_rate_.head(n);
+  Scratch& scratch = scratch_of<Scratch>(in);
+  Eigen::Ref<Eigen::VectorXd> length_x = scratch.row.head(n);
+  Eigen::Ref<Eigen::VectorXd> rate_x = scratch.row_rate.head(n);
   length_x.setZero();
   rate_x.setZero();
   const Eigen::Matrix3d P_over_l = (Eigen::Matrix3d::Identity() - at.e * at.e.transpose()) / at.length;
@@ -116,13 +128,14 @@ bool Strut::add_derivatives(const ElementInput& in, ElementDerivatives& out) con
 
 void Strut::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
   const Line at = line(in.pair);
-  power_.clear();
+  std::vector<StrutPower>& powers = scratch_of<Scratch>(in).power;
+  powers.clear();
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     const StrutInput law = law_input(in, at, i);
     stored[laws_[i]->stored_kind()] += laws_[i]->stored_energy(law);
-    laws_[i]->dissipated_power(law, power_);
+    laws_[i]->dissipated_power(law, powers);
   }
-  for (const StrutPower& p : power_) power[p.kind] += p.power;
+  for (const StrutPower& p : powers) power[p.kind] += p.power;
 }
 
 StrutMotion Strut::motion(const PairMotion& pair) const {

@@ -26,13 +26,14 @@ struct StrutMotion {
 class Strut : public ForceElement {
  public:
   // undeformed_length [m] > 0: length at zero stroke. voltage_index: of the voltage among the inputs; -1: U = 0. Throws
-  // InputError if the length is not positive. Not for evaluation by two threads at once (it owns scratch).
+  // InputError if the length is not positive.
   Strut(std::string name, Marker m1, Marker m2, std::vector<std::unique_ptr<StrutLaw>> laws, double undeformed_length,
         int voltage_index = -1);
 
   int state_count() const override { return states_; }
   std::array<int, 2> read_inputs() const override { return {voltage_index_, -1}; }
   Eigen::VectorXd initial_state() const override;
+  std::unique_ptr<ElementScratch> scratch(SharedCopies& shared) const override;
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
@@ -44,6 +45,7 @@ class Strut : public ForceElement {
   int first_state(std::size_t law) const { return first_state_[law]; }  // of this law within the element's z
 
  private:
+  struct Scratch;
   struct Line {
     KinematicVector d;
     double length, stroke, rate;
@@ -60,9 +62,6 @@ class Strut : public ForceElement {
   double length_;  // [m]
   int voltage_index_;
   int states_ = 0;
-  mutable std::vector<StrutOutput> out_;  // one per law
-  mutable std::vector<StrutPower> power_;
-  mutable Eigen::VectorXd row_, row_rate_;  // scratch rows of size n
 };
 
 }  // namespace footfall

@@ -3,6 +3,7 @@
 #include "mbd_solver/model/elements/surface_contact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "coupler/base/errors.h"
@@ -17,6 +18,14 @@ struct SurfaceContact::Contact : CurvedContact {
   KinematicVector p;                                 // of the point
   Eigen::Vector3d from_B = Eigen::Vector3d::Zero();  // p - r_B [m]
   Eigen::Vector3d apart = Eigen::Vector3d::Zero();   // p' - v_B(p) [m/s]
+};
+
+struct SurfaceContact::Scratch : ElementScratch {
+  using ElementScratch::ElementScratch;
+  std::vector<NearTriangle> near;
+  std::vector<SurfaceTouch> touches;
+  std::vector<Contact> contacts;          // of one point
+  std::array<Eigen::Matrix3Xd, 8> parts;  // X, D, N, G, g_x, f_x, f_v, u_x of a contact, 3 x n
 };
 
 SurfaceContact::SurfaceContact(std::string name, int body_1, int body_2, std::vector<Side> sides, const ContactLaw& law)
@@ -37,7 +46,9 @@ SurfaceContact::SurfaceContact(std::string name, int body_1, int body_2, std::ve
   FOOTFALL_DEMAND(places_ > 0);
 }
 
-SurfaceContact::~SurfaceContact() = default;
+std::unique_ptr<ElementScratch> SurfaceContact::scratch(SharedCopies&) const {
+  return std::make_unique<Scratch>(*this);
+}
 
 bool SurfaceContact::far(const Side& side, double reach, double flexible_reach, const ElementInput& in) const {
   if (side.seen->surface == nullptr) return true;
@@ -48,6 +59,7 @@ bool SurfaceContact::far(const Side& side, double reach, double flexible_reach, 
 
 template <class Use>
 void SurfaceContact::each_place(const ElementInput& in, Use use) const {
+  Scratch& scratch = scratch_of<Scratch>(in);
   int place = 0;
   for (std::size_t k = 0; k < sides_.size(); ++k) {
     const Side& side = sides_[k];
@@ -60,10 +72,11 @@ void SurfaceContact::each_place(const ElementInput& in, Use use) const {
       const int here = place++;
       const KinematicVector p = KinematicVector::point(in.pair, side.slot, point.marker);
       const Eigen::Vector3d from_B = p.value() - B.r;
-      side.seen->surface->touches(B.A.transpose() * from_B, point.radius, side.depth, side.seen->sides, touches_);
-      if (touches_.empty()) continue;
-      contacts_.clear();
-      for (const SurfaceTouch& touch : touches_) {
+      side.seen->surface->touches(B.A.transpose() * from_B, point.radius, side.depth, side.seen->sides, scratch.near,
+                                  scratch.touches);
+      if (scratch.touches.empty()) continue;
+      scratch.contacts.clear();
+      for (const SurfaceTouch& touch : scratch.touches) {
         Contact at;
         at.slot = side.slot;
         at.p = p;
@@ -78,9 +91,9 @@ void SurfaceContact::each_place(const ElementInput& in, Use use) const {
         at.closing = -at.n.dot(at.g);
         if (law_.stick_time > 0.0) at.spring = B.A * in.z.segment<3>(3 * here) / law_.stick_time;
         at.apply(law_);
-        contacts_.push_back(at);
+        scratch.contacts.push_back(at);
       }
-      if (!contacts_.empty()) use(here, contacts_.data(), static_cast<int>(contacts_.size()));
+      if (!scratch.contacts.empty()) use(here, scratch.contacts.data(), static_cast<int>(scratch.contacts.size()));
     }
   }
 }
@@ -173,39 +186,40 @@ void SurfaceContact::add_derivatives(const ElementInput& in, const Contact& at, 
   const double tau = law_.stick_time;
   const Eigen::Matrix3d unit = Eigen::Matrix3d::Identity(), P = unit - at.n * at.n.transpose();
   const Eigen::Vector3d turning = A.w - B.w;
-  for (Eigen::Matrix3Xd* m : {&X_, &D_, &N_, &G_, &g_x_, &f_x_, &f_v_, &u_x_}) m->setZero(3, n);
+  auto& [X, D, N, G, g_x, f_x, f_v, u_x] = scratch_of<Scratch>(in).parts;
+  for (Eigen::Matrix3Xd& m : scratch_of<Scratch>(in).parts) m.setZero(3, n);
 
   // The point against B.
-  at.p.add_jacobian(X_);
-  if (!B.ground) X_.middleCols<3>(b) -= unit;  // X - E_r
-  D_ = X_;
-  if (!B.ground) D_.middleCols<3>(b + 3) += skew(at.from_B);
-  N_.noalias() = at.H.lazyProduct(D_);
-  if (!B.ground) N_.middleCols<3>(b + 3) -= skew(at.n);
-  G_ = D_;
-  G_.middleCols<3>(a + 3) += at.radius * skew(at.n);
-  if (!B.ground) G_.middleCols<3>(b + 3) -= at.radius * skew(at.n);
-  at.p.add_rate_jacobian(g_x_);
-  g_x_.noalias() -= skew(B.w).lazyProduct(X_);
-  g_x_.noalias() -= (at.radius * skew(turning)).lazyProduct(N_);
+  at.p.add_jacobian(X);
+  if (!B.ground) X.middleCols<3>(b) -= unit;  // X - E_r
+  D = X;
+  if (!B.ground) D.middleCols<3>(b + 3) += skew(at.from_B);
+  N.noalias() = at.H.lazyProduct(D);
+  if (!B.ground) N.middleCols<3>(b + 3) -= skew(at.n);
+  G = D;
+  G.middleCols<3>(a + 3) += at.radius * skew(at.n);
+  if (!B.ground) G.middleCols<3>(b + 3) -= at.radius * skew(at.n);
+  at.p.add_rate_jacobian(g_x);
+  g_x.noalias() -= skew(B.w).lazyProduct(X);
+  g_x.noalias() -= (at.radius * skew(turning)).lazyProduct(N);
 
   // The law.
   const Eigen::Vector3d y = at.g + at.spring;
-  u_x_.noalias() = P.lazyProduct(g_x_);
-  u_x_.noalias() -= (at.n.dot(y) * unit + at.n * y.transpose()).lazyProduct(N_);
-  if (!B.ground) u_x_.middleCols<3>(b + 3) -= P * skew(at.spring);
-  const auto [by_u, by_g] = at.differentiate(law_, D_, N_, g_x_, u_x_, f_x_);
-  f_v_.noalias() = by_g.lazyProduct(G_);
+  u_x.noalias() = P.lazyProduct(g_x);
+  u_x.noalias() -= (at.n.dot(y) * unit + at.n * y.transpose()).lazyProduct(N);
+  if (!B.ground) u_x.middleCols<3>(b + 3) -= P * skew(at.spring);
+  const auto [by_u, by_g] = at.differentiate(law_, D, N, g_x, u_x, f_x);
+  f_v.noalias() = by_g.lazyProduct(G);
 
   // Q = G^T f; then the rotation of G with the bodies at fixed f.
-  out.dQ_dx.noalias() += G_.transpose().lazyProduct(f_x_);
-  out.dQ_dv.noalias() += G_.transpose().lazyProduct(f_v_);
+  out.dQ_dx.noalias() += G.transpose().lazyProduct(f_x);
+  out.dQ_dv.noalias() += G.transpose().lazyProduct(f_v);
   at.p.add_second(at.force, out.dQ_dx);
   const Eigen::Matrix3d f = skew(at.force), arm = at.radius * f;
-  out.dQ_dx.middleRows<3>(a + 3).noalias() += arm.lazyProduct(N_);
+  out.dQ_dx.middleRows<3>(a + 3).noalias() += arm.lazyProduct(N);
   if (!B.ground) {
-    out.dQ_dx.middleRows<3>(b + 3).noalias() += f.lazyProduct(X_);
-    out.dQ_dx.middleRows<3>(b + 3).noalias() -= arm.lazyProduct(N_);
+    out.dQ_dx.middleRows<3>(b + 3).noalias() += f.lazyProduct(X);
+    out.dQ_dx.middleRows<3>(b + 3).noalias() -= arm.lazyProduct(N);
   }
   if (tau == 0.0) return;
 
@@ -213,14 +227,14 @@ void SurfaceContact::add_derivatives(const ElementInput& in, const Contact& at, 
   const ContactLaw::Clipped clipped = law_.clip(at.u);
   const Eigen::Matrix3d R = B.A, R_T = share * R.transpose();
   const Eigen::Matrix3d by_s = P * R / tau;
-  out.dQ_dz.middleCols<3>(3 * place).noalias() += G_.transpose().lazyProduct(by_u * by_s);
-  f_v_.noalias() = (clipped.slope * P).lazyProduct(G_);
-  out.ddz_dv.middleRows<3>(3 * place).noalias() += R_T.lazyProduct(f_v_);
+  out.dQ_dz.middleCols<3>(3 * place).noalias() += G.transpose().lazyProduct(by_u * by_s);
+  f_v.noalias() = (clipped.slope * P).lazyProduct(G);
+  out.ddz_dv.middleRows<3>(3 * place).noalias() += R_T.lazyProduct(f_v);
   out.ddz_dz.middleRows<3>(3 * place) += R_T * (clipped.slope - unit) * by_s;
-  f_x_.noalias() = clipped.slope.lazyProduct(u_x_);
-  f_x_.noalias() += (at.n.dot(at.spring) * unit + at.n * at.spring.transpose()).lazyProduct(N_);
-  if (!B.ground) f_x_.middleCols<3>(b + 3) += P * skew(at.spring) + skew(clipped.value - at.held);
-  out.ddz_dx.middleRows<3>(3 * place).noalias() += R_T.lazyProduct(f_x_);
+  f_x.noalias() = clipped.slope.lazyProduct(u_x);
+  f_x.noalias() += (at.n.dot(at.spring) * unit + at.n * at.spring.transpose()).lazyProduct(N);
+  if (!B.ground) f_x.middleCols<3>(b + 3) += P * skew(at.spring) + skew(clipped.value - at.held);
+  out.ddz_dx.middleRows<3>(3 * place).noalias() += R_T.lazyProduct(f_x);
 }
 
 }  // namespace footfall

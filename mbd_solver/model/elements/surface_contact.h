@@ -35,11 +35,10 @@ class SurfaceContact : public ContactElement {
   // body_2 may be kGround, for walls. At least one point. Throws InputError on values of the law outside their range.
   SurfaceContact(std::string name, int body_1, int body_2, std::vector<Side> sides, const ContactLaw& law);
 
-  ~SurfaceContact() override;
-
   int state_count() const override { return law_.stick_time > 0.0 ? 3 * places_ : 0; }
   int state_block() const override { return std::min(state_count(), 3); }
   Eigen::VectorXd initial_state() const override { return Eigen::VectorXd::Zero(state_count()); }
+  std::unique_ptr<ElementScratch> scratch(SharedCopies& shared) const override;
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
@@ -48,6 +47,7 @@ class SurfaceContact : public ContactElement {
   double largest_overlap(const ElementInput& in) const override;
 
  private:
+  struct Scratch;
   struct Contact;
   bool far(const Side& side, double reach, double flexible_reach, const ElementInput& in) const;
   // use(place, contacts, count) for every point with contacts.
@@ -61,9 +61,6 @@ class SurfaceContact : public ContactElement {
   std::vector<double> reach_, flexible_reach_;  // of each side's points [m], [m per unit of a]
   ContactLaw law_;
   int places_ = 0;
-  mutable std::vector<SurfaceTouch> touches_;                       // scratch
-  mutable std::vector<Contact> contacts_;                           // scratch: of one point
-  mutable Eigen::Matrix3Xd X_, D_, N_, G_, g_x_, f_x_, f_v_, u_x_;  // scratch, 3 x n
 };
 
 }  // namespace footfall

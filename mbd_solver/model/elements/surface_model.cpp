@@ -43,7 +43,7 @@ SurfaceModel::SurfaceModel(const Eigen::Matrix3Xd& vertices, std::vector<Eigen::
   for (const Eigen::Vector3d& point : corners_) radius_ = std::max(radius_, (point - centre_).norm() + thickness_);
 }
 
-SurfaceModel::Tree& SurfaceModel::tree() const {
+SurfaceModel::Tree& SurfaceModel::tree() {
   if (tree_) return *tree_;
   tree_ = std::make_unique<Tree>();
   std::vector<fcl::Triangle> three;
@@ -81,7 +81,7 @@ void SurfaceModel::move(const Eigen::Matrix3Xd& vertices) {
   FOOTFALL_DEMAND(model.endReplaceModel(true, true) == fcl::BVH_OK);
 }
 
-SurfaceGap gap_between(const SurfaceModel& a, const SurfaceModel& b, const FramePose& b_in_a) {
+SurfaceGap gap_between(SurfaceModel& a, SurfaceModel& b, const FramePose& b_in_a) {
   const fcl::Transform3d at_a = fcl::Transform3d::Identity(), at_b = transform(b_in_a);
   fcl::DistanceRequestd request(true);
   fcl::DistanceResultd found;

@@ -34,19 +34,19 @@ class SurfaceModel {
   double radius() const { return radius_; }
 
   // Smallest distance between a and b, with the pose of b in a.
-  friend SurfaceGap gap_between(const SurfaceModel& a, const SurfaceModel& b, const FramePose& b_in_a);
+  friend SurfaceGap gap_between(SurfaceModel& a, SurfaceModel& b, const FramePose& b_in_a);
 
  private:
   std::vector<Eigen::Vector3d> corners(const Eigen::Matrix3Xd& vertices) const;
 
   struct Tree;
-  Tree& tree() const;  // built at its first use: surfaces that never approach each other need none
+  Tree& tree();  // built at its first use: surfaces that never approach each other need none
   std::vector<Eigen::Vector3i> triangles_;
   double thickness_;
   Eigen::Vector3d centre_;
   double radius_ = 0.0;
-  mutable std::vector<Eigen::Vector3d> corners_;  // of tree_, until it is built
-  mutable std::unique_ptr<Tree> tree_;
+  std::vector<Eigen::Vector3d> corners_;  // of tree_, until it is built
+  std::unique_ptr<Tree> tree_;
 };
 
 }  // namespace footfall

@@ -87,13 +87,49 @@ Eigen::Matrix<double, 2, 3> slope_of_parts(const Eigen::Vector3d& n, const Eigen
 
 struct TerrainContact::Contact : CurvedContact {
   int place = 0, point = kOnRim;  // of points_
-  int way = -1;                   // of ways_; -1: none
+  int way = -1;                   // of Scratch::ways; -1: none
   Eigen::Vector3d s, d;           // from Bo to p, in B and in W [m]
   bool on_rock = false;
   void count_off() {
     normal = {-normal.elastic, -normal.force, -normal.by_overlap, -normal.by_closing};
     force = -force;
   }
+};
+
+struct TerrainContact::Scratch : ElementScratch {
+  Scratch(const ForceElement& element, std::shared_ptr<Terrain> ground, Eigen::Index flexible)
+      : ElementScratch(element), terrain(std::move(ground)), forces(Eigen::VectorXd::Zero(flexible)) {}
+
+  std::shared_ptr<Terrain> terrain;
+  Terrain::Lid lid;  // that of the last cell, with height and slope of the last place
+  bool flat = false;
+  double lid_reach = -1.0, lid_height = 0.0;  // [m]; height: at the middle
+  double plane_height = 0.0;                  // of a plane above the field, at the middle [m]
+  Eigen::Vector2d plane_slope = Eigen::Vector2d::Zero();
+  Eigen::Array3d lid_cell = Eigen::Array3d::Zero();
+  Eigen::Vector3d lid_middle = Eigen::Vector3d::Zero();
+  // Contacts of the last state, with what they depend on.
+  std::vector<double> state, known_state;
+  Terrain::With known_with = Terrain::With::kNormal;
+  std::vector<Contact> contacts;  // count of them
+  std::size_t count = 0;
+  std::vector<Way> ways;
+  // Buffers.
+  std::vector<Candidate> candidates;
+  std::vector<Eigen::Vector3d> places;  // of candidates [m]
+  std::vector<Terrain::Foot> feet, ball_feet;
+  std::vector<Terrain::Near> near;
+  Eigen::VectorXd s, ds, forces;  // of own points: deformed, its rate, forces in B
+  bool ds_known = false;
+  Marker on_rim;
+  Eigen::Matrix3Xd G, g_0, f_x, f_v;  // 3 x n
+
+  bool clears_plane(const Eigen::Vector3d& p, double radius) const;
+  double find_place_on_rim(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& e_0,
+                           const Eigen::Vector3d& b, double angle, int rock, Terrain::Foot& foot);
+  // use(first, count) for the contacts of every place that has some.
+  template <class Use>
+  void each_place(Use use) const;
 };
 
 TerrainContact::TerrainContact(std::string name, std::vector<ContactPoint> points, const ContactLaw& law,
@@ -134,7 +170,10 @@ TerrainContact::TerrainContact(std::string name, std::vector<ContactPoint> point
     own_s_.segment<3>(3 * i) = marker.s0;
     own_S_.middleRows<3>(3 * i) = marker.S;
   }
-  forces_.setZero(own_S_.cols() > 0 ? own : 0);
+}
+
+std::unique_ptr<ElementScratch> TerrainContact::scratch(SharedCopies& shared) const {
+  return std::make_unique<Scratch>(*this, shared.of(terrain_), own_S_.cols() > 0 ? own_s_.size() : 0);
 }
 
 bool TerrainContact::sort_onto_face(int point) {
@@ -150,17 +189,16 @@ bool TerrainContact::sort_onto_face(int point) {
   return false;
 }
 
-TerrainContact::~TerrainContact() = default;
-
 int TerrainContact::place_count() const { return static_cast<int>(own_.size() + kEdgePlaces * rims_.size()); }
 
 TerrainContact::Contact* TerrainContact::add_contact(const ElementInput& in, const Candidate& candidate,
-                                                     const Terrain::Foot& foot, bool with_bend) const {
+                                                     const Terrain::Foot& foot, bool with_bend,
+                                                     Scratch& scratch) const {
   const double radius = candidate.radius;
   if (radius - foot.distance <= 0.0) return nullptr;
   const BodyKinematics& body = *in.pair.body[0];
-  if (count_ == contacts_.size()) contacts_.emplace_back();
-  Contact& at = contacts_[count_++];  // all of it is written below
+  if (scratch.count == scratch.contacts.size()) scratch.contacts.emplace_back();
+  Contact& at = scratch.contacts[scratch.count++];  // all of it is written below
   at.place = candidate.place;
   at.point = candidate.point;
   at.way = -1;
@@ -173,9 +211,9 @@ TerrainContact::Contact* TerrainContact::add_contact(const ElementInput& in, con
   at.on_rock = foot.rock >= 0;
   at.g = body.dr + body.w.cross(at.d - radius * at.n);
   if (body.modes > 0) {
-    if (!ds_known_) ds_.noalias() = own_S_ * body.da;
-    ds_known_ = true;
-    at.g.noalias() += body.A.lazyProduct(ds_.segment<3>(3 * at.place));
+    if (!scratch.ds_known) scratch.ds.noalias() = own_S_ * body.da;
+    scratch.ds_known = true;
+    at.g.noalias() += body.A.lazyProduct(scratch.ds.segment<3>(3 * at.place));
   }
   at.closing = -at.n.dot(at.g);
   if (law_.stick_time > 0.0) at.spring = along(at.n, in.z.segment<2>(2 * at.place) / law_.stick_time);
@@ -191,10 +229,11 @@ TerrainContact::Contact* TerrainContact::add_contact(const ElementInput& in, con
 }
 
 // From an angle near a minimum of the distance along the edge to the minimum.
-double TerrainContact::find_place_on_rim(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& e_0,
-                                         const Eigen::Vector3d& b, double angle, int rock, Terrain::Foot& foot) const {
+double TerrainContact::Scratch::find_place_on_rim(const Eigen::Vector3d& centre, double radius,
+                                                  const Eigen::Vector3d& e_0, const Eigen::Vector3d& b, double angle,
+                                                  int rock, Terrain::Foot& foot) {
   constexpr int kSteps = 80;
-  const auto foot_at = [&](const Eigen::Vector3d& p) { return rock < 0 ? terrain_->foot(p) : terrain_->foot(p, rock); };
+  const auto foot_at = [&](const Eigen::Vector3d& p) { return rock < 0 ? terrain->foot(p) : terrain->foot(p, rock); };
   double low = angle - kOneWide, high = angle + kOneWide;  // the slope of the distance changes its sign between them
   for (int i = 0; i < kSteps; ++i) {
     const Eigen::Vector3d e = std::cos(angle) * e_0 + std::sin(angle) * b,
@@ -221,79 +260,82 @@ Terrain::Foot TerrainContact::foot_on_plane(const Terrain::Lid& lid, const Eigen
   return foot;
 }
 
-bool TerrainContact::clears_plane(const Eigen::Vector3d& p, double radius) const {
-  const double above = p.z() - plane_height_ - plane_slope_.dot((p - lid_middle_).head<2>());
-  return above > kAboveGround + (radius > 0.0 ? radius * std::sqrt(1.0 + plane_slope_.squaredNorm()) : 0.0);
+bool TerrainContact::Scratch::clears_plane(const Eigen::Vector3d& p, double radius) const {
+  const double above = p.z() - plane_height - plane_slope.dot((p - lid_middle).head<2>());
+  return above > kAboveGround + (radius > 0.0 ? radius * std::sqrt(1.0 + plane_slope.squaredNorm()) : 0.0);
 }
 
 // The contacts of all candidates, in their order.
-void TerrainContact::touch(const ElementInput& in, const Terrain::Lid& lid, Terrain::With with) const {
+void TerrainContact::touch(const ElementInput& in, const Terrain::Lid& lid, Terrain::With with,
+                           Scratch& scratch) const {
   const Eigen::Vector3d& r = in.pair.body[0]->r;
-  if (!flat_) {
-    places_.clear();
-    for (const Candidate& candidate : candidates_)
-      if (candidate.field && candidate.radius == 0.0) places_.push_back(r + candidate.d);
-    terrain_->below(places_, with, feet_, near_);
+  if (!scratch.flat) {
+    scratch.places.clear();
+    for (const Candidate& candidate : scratch.candidates)
+      if (candidate.field && candidate.radius == 0.0) scratch.places.push_back(r + candidate.d);
+    scratch.terrain->below(scratch.places, with, scratch.feet, scratch.near);
   }
   const bool bends = with == Terrain::With::kBend;
   std::size_t next = 0;
-  for (const Candidate& candidate : candidates_) {
+  for (const Candidate& candidate : scratch.candidates) {
     const Eigen::Vector3d p = r + candidate.d;
     if (!candidate.field) {
-    } else if (flat_) {
-      add_contact(in, candidate, foot_on_plane(lid, candidate.d, p.z() - lid.height), bends);
+    } else if (scratch.flat) {
+      add_contact(in, candidate, foot_on_plane(lid, candidate.d, p.z() - lid.height), bends, scratch);
     } else if (candidate.radius == 0.0) {
-      if (near_[next] == Terrain::Near::kFoot) add_contact(in, candidate, feet_[next], bends);
+      if (scratch.near[next] == Terrain::Near::kFoot) add_contact(in, candidate, scratch.feet[next], bends, scratch);
       ++next;
-    } else if (terrain_->may_touch(p, candidate.radius)) {
-      terrain_->feet(p, candidate.radius, ball_feet_);
-      for (const Terrain::Foot& one : ball_feet_) add_contact(in, candidate, one, bends);
+    } else if (scratch.terrain->may_touch(p, candidate.radius)) {
+      scratch.terrain->feet(p, candidate.radius, scratch.ball_feet);
+      for (const Terrain::Foot& one : scratch.ball_feet) add_contact(in, candidate, one, bends, scratch);
     }
     for (const int rock : lid.rocks) {
-      const Terrain::Sphere& sphere = terrain_->rocks()[rock];
+      const Terrain::Sphere& sphere = scratch.terrain->rocks()[rock];
       const double far = sphere.radius + candidate.radius;
       if ((p - sphere.centre).squaredNorm() >= far * far) continue;
       Candidate alone = candidate;
       alone.share = 1.0;
-      add_contact(in, alone, terrain_->foot(p, rock), bends);
+      add_contact(in, alone, scratch.terrain->foot(p, rock), bends, scratch);
     }
   }
-  candidates_.clear();
+  scratch.candidates.clear();
 }
 
-void TerrainContact::offer_face(const ElementInput& in, const Face& face, int part, int place,
-                                const Terrain::Lid& lid) const {
+void TerrainContact::offer_face(const ElementInput& in, const Face& face, int part, int place, const Terrain::Lid& lid,
+                                Scratch& scratch) const {
   const BodyKinematics& body = *in.pair.body[0];
   for (const int i : face.points[part]) {
     const Eigen::Vector3d& s = points_[i].marker.s0;
     const Eigen::Vector3d d = body.A * s;
     const double z = body.r.z() + d.z(),
                  above = z - lid.height - lid.slope.dot(d.head<2>()) - 0.5 * lid.bend * d.head<2>().squaredNorm();
-    const bool field = field_ && above <= kAboveGround && z <= lid.top && !clears_plane(body.r + d, 0.0);
-    if (field || !lid.rocks.empty()) candidates_.push_back({place, i, 0.0, face.share, field, s, d});
+    const bool field = field_ && above <= kAboveGround && z <= lid.top && !scratch.clears_plane(body.r + d, 0.0);
+    if (field || !lid.rocks.empty()) scratch.candidates.push_back({place, i, 0.0, face.share, field, s, d});
   }
 }
 
-void TerrainContact::offer_own_points(const ElementInput& in, const Terrain::Lid& lid) const {
+void TerrainContact::offer_own_points(const ElementInput& in, const Terrain::Lid& lid, Scratch& scratch) const {
   const BodyKinematics& body = *in.pair.body[0];
   const double up = std::sqrt(1.0 + lid.slope.squaredNorm());
   if (body.modes > 0) {
-    s_ = own_s_;
-    s_.noalias() += own_S_ * body.a;
+    scratch.s = own_s_;
+    scratch.s.noalias() += own_S_ * body.a;
   }
-  const Eigen::VectorXd& places = body.modes > 0 ? s_ : own_s_;
+  const Eigen::VectorXd& places = body.modes > 0 ? scratch.s : own_s_;
   for (std::size_t k = 0; k < own_.size(); ++k) {
     const double radius = points_[own_[k]].radius;
     const Eigen::Vector3d s = places.segment<3>(3 * static_cast<Eigen::Index>(k)), d = body.A * s;
     const double wide = d.head<2>().norm() + radius, z = body.r.z() + d.z();
     const double above = z - lid.height - lid.slope.dot(d.head<2>()) - 0.5 * lid.bend * wide * wide - radius * up;
-    const bool field = field_ && above <= kAboveGround && z - radius <= lid.top && !clears_plane(body.r + d, radius);
-    if (field || !lid.rocks.empty()) candidates_.push_back({static_cast<int>(k), own_[k], radius, 1.0, field, s, d});
+    const bool field =
+        field_ && above <= kAboveGround && z - radius <= lid.top && !scratch.clears_plane(body.r + d, radius);
+    if (field || !lid.rocks.empty())
+      scratch.candidates.push_back({static_cast<int>(k), own_[k], radius, 1.0, field, s, d});
   }
 }
 
-void TerrainContact::offer_rim(const ElementInput& in, std::size_t index, int first_place,
-                               const Terrain::Lid& lid) const {
+void TerrainContact::offer_rim(const ElementInput& in, std::size_t index, int first_place, const Terrain::Lid& lid,
+                               Scratch& scratch) const {
   const ContactRim& rim = rims_[index];
   const Face& face = faces_[index];
   const BodyKinematics& body = *in.pair.body[0];
@@ -305,37 +347,38 @@ void TerrainContact::offer_rim(const ElementInput& in, std::size_t index, int fi
   const double above = centre.z() - lid.height - lid.slope.dot(away) - 0.5 * lid.bend * far * far;
   const bool clear = above > R * up.cross(a).norm() || centre.z() - R * a.head<2>().norm() > lid.top;
   if (clear && lid.rocks.empty()) return;
-  const bool flat = flat_;
+  const bool flat = scratch.flat;
 
   const bool sharp = field_ && !flat && lid.bend * R > kSharp && a.head<2>().norm() > kStands &&
-                     terrain_->lid(centre, R).bend * R > kSharp;
-  const Eigen::Vector2d slope = flat ? lid.slope : terrain_->at(centre.x(), centre.y()).slope;
+                     scratch.terrain->lid(centre, R).bend * R > kSharp;
+  const Eigen::Vector2d slope = flat ? lid.slope : scratch.terrain->at(centre.x(), centre.y()).slope;
   const Eigen::Vector3d n =
       sharp ? Eigen::Vector3d(0.0, 0.0, 1.0) : Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
   if (n.cross(a).norm() >= kStands) {
     const bool bends =
-        field_ && !flat && lid.bend * R > kBends && (sharp || terrain_->lid(centre, R).bend * R > kBends);
-    return touch_standing_rim(in, index, first_place, lid, a, centre, n, bends);
+        field_ && !flat && lid.bend * R > kBends && (sharp || scratch.terrain->lid(centre, R).bend * R > kBends);
+    return touch_standing_rim(in, index, first_place, lid, a, centre, n, bends, scratch);
   }
   for (int k = 0; k < kEdgePlaces; ++k) {
     const Eigen::Vector2d& e = edge_directions()[k];
     const Eigen::Vector3d s = rim.marker.s0 + R * (e.x() * rim.marker.axes.col(0) + e.y() * rim.marker.axes.col(1));
     const Eigen::Vector3d d = body.A * s;
-    const bool field = field_ && !clears_plane(body.r + d, 0.0);
+    const bool field = field_ && !scratch.clears_plane(body.r + d, 0.0);
     if (field || !lid.rocks.empty())
-      candidates_.push_back({first_place + k, kOnRim, 0.0, flat ? 1.0 : face.share, field, s, d});
-    if (!flat) offer_face(in, face, k, first_place + k, lid);
+      scratch.candidates.push_back({first_place + k, kOnRim, 0.0, flat ? 1.0 : face.share, field, s, d});
+    if (!flat) offer_face(in, face, k, first_place + k, lid, scratch);
   }
 }
 
 void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t index, int first_place,
                                         const Terrain::Lid& lid, const Eigen::Vector3d& a,
-                                        const Eigen::Vector3d& centre, const Eigen::Vector3d& n, bool bends) const {
+                                        const Eigen::Vector3d& centre, const Eigen::Vector3d& n, bool bends,
+                                        Scratch& scratch) const {
   const ContactRim& rim = rims_[index];
   const Face& face = faces_[index];
   const BodyKinematics& body = *in.pair.body[0];
   const double R = rim.radius;
-  const bool flat = flat_;
+  const bool flat = scratch.flat;
   // Down in the plane of the edge, from where its springs are counted; the edge stands up, so there is such a direction.
   Eigen::Vector3d e_0 = n.dot(a) * a - n;
   e_0.normalize();
@@ -353,16 +396,16 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
   };
   const auto add = [&](double start, int rock) {
     Minimum one;
-    one.angle = find_place_on_rim(centre, R, e_0, b, start, rock, one.foot);
+    one.angle = scratch.find_place_on_rim(centre, R, e_0, b, start, rock, one.foot);
     if (!(one.foot.distance < 0.0)) return;
     std::vector<Minimum>& here = near(one.angle);
-    for (const Minimum& known : here)
-      if (known.foot.rock == rock && std::abs(std::remainder(known.angle - one.angle, 2.0 * kPi)) < 1e-6) return;
+    for (const Minimum& other : here)
+      if (other.foot.rock == rock && std::abs(std::remainder(other.angle - one.angle, 2.0 * kPi)) < 1e-6) return;
     here.push_back(one);
     any = true;
   };
   std::vector<EdgePlace> found;
-  if (bends) find_edge_places(*terrain_, centre, R, a, lid.top, found);
+  if (bends) find_edge_places(*scratch.terrain, centre, R, a, lid.top, found);
   for (const EdgePlace& place : found) {
     Minimum one;
     one.angle = std::atan2(place.e.dot(b), place.e.dot(e_0));
@@ -382,20 +425,20 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
   }
   if (field_ && !flat && !bends) add(0.0, -1);
   for (const int rock : lid.rocks) {
-    const Eigen::Vector3d d = terrain_->rocks()[rock].centre - centre;
-    if (d.norm() > R + terrain_->rocks()[rock].radius) continue;
+    const Eigen::Vector3d d = scratch.terrain->rocks()[rock].centre - centre;
+    if (d.norm() > R + scratch.terrain->rocks()[rock].radius) continue;
     add(std::atan2(d.dot(b), d.dot(e_0)), rock);
   }
   if (!any && (flat || face.share == 1.0)) return;
   for (int k = 0; k < kEdgePlaces; ++k) {
-    if (!flat) offer_face(in, face, k, first_place + k, lid);
+    if (!flat) offer_face(in, face, k, first_place + k, lid, scratch);
     for (const Minimum& one : minima[k]) {
       const Eigen::Vector3d e =
           one.place != nullptr ? one.place->e : Eigen::Vector3d(std::cos(one.angle) * e_0 + std::sin(one.angle) * b);
       const double share = one.place == nullptr ? 1.0 : std::pow(a.head<2>().norm() / one.place->tilt(a), 2.5);
       const double far = one.place == nullptr ? R : R - one.place->inside;
       const Eigen::Vector3d t = a.cross(e), s = rim.marker.s0 + far * (body.A.transpose() * e), d = body.A * s;
-      Contact* const at = add_contact(in, {first_place + k, kOnRim, 0.0, share, true, s, d}, one.foot, true);
+      Contact* const at = add_contact(in, {first_place + k, kOnRim, 0.0, share, true, s, d}, one.foot, true, scratch);
       if (at == nullptr) continue;
       const Eigen::Vector3d arm = centre + R * e - body.r;
       Way way;
@@ -422,92 +465,97 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
         turn.tail<3>() = (t.transpose() * at->H * skew(arm) - t.cross(at->n).transpose()) / curve;
         way.wander = (R * t) * turn;
       }
-      at->way = static_cast<int>(ways_.size());
-      ways_.push_back(way);
+      at->way = static_cast<int>(scratch.ways.size());
+      scratch.ways.push_back(way);
     }
   }
 }
 
 // Bounds are those of a cell that holds the place, a function of the place alone; height and slope are those at the place.
-const Terrain::Lid& TerrainContact::lid_over(const Eigen::Vector3d& r, double reach) const {
+const Terrain::Lid& TerrainContact::lid_over(const Eigen::Vector3d& r, double reach, Scratch& scratch) const {
   constexpr double kCell = 0.25;   // of the reach
   constexpr double kBeside = 0.4;  // of a cell: so that a body that rests at zero does not go to and fro between two
   const double size = std::max(kCell * reach, 1e-3);
   const Eigen::Array3d cell = (r.array() / size + kBeside).floor();
-  if (lid_reach_ != reach || (cell != lid_cell_).any()) {
-    lid_cell_ = cell;
-    lid_reach_ = reach;
-    lid_middle_ = (size * (cell + (0.5 - kBeside))).matrix();
+  if (scratch.lid_reach != reach || (cell != scratch.lid_cell).any()) {
+    scratch.lid_cell = cell;
+    scratch.lid_reach = reach;
+    scratch.lid_middle = (size * (cell + (0.5 - kBeside))).matrix();
     const double wide = reach + size;  // > its half diagonal
-    lid_ = terrain_->lid(lid_middle_, wide);
-    lid_height_ = lid_.height;
-    const double x = lid_middle_.x(), y = lid_middle_.y();  // of the mean slope: it leaves least room above the field
-    plane_slope_ = Eigen::Vector2d(terrain_->at(x + wide, y).h - terrain_->at(x - wide, y).h,
-                                   terrain_->at(x, y + wide).h - terrain_->at(x, y - wide).h) /
-                   (2.0 * wide);
-    plane_height_ = terrain_->plane_above({x, y}, wide, plane_slope_);
-    flat_ = field_ && lid_.rocks.empty() && 0.5 * lid_.bend * wide * wide < kFlat;
+    scratch.lid = scratch.terrain->lid(scratch.lid_middle, wide);
+    scratch.lid_height = scratch.lid.height;
+    const double x = scratch.lid_middle.x(),
+                 y = scratch.lid_middle.y();  // of the mean slope: it leaves least room above the field
+    scratch.plane_slope = Eigen::Vector2d(scratch.terrain->at(x + wide, y).h - scratch.terrain->at(x - wide, y).h,
+                                          scratch.terrain->at(x, y + wide).h - scratch.terrain->at(x, y - wide).h) /
+                          (2.0 * wide);
+    scratch.plane_height = scratch.terrain->plane_above({x, y}, wide, scratch.plane_slope);
+    scratch.flat = field_ && scratch.lid.rocks.empty() && 0.5 * scratch.lid.bend * wide * wide < kFlat;
   }
-  if (flat_) {
-    lid_.height = lid_height_ + lid_.slope.dot(r.head<2>() - lid_middle_.head<2>());
-  } else if (r.z() - reach <= lid_.top) {
-    const Terrain::Height here = terrain_->at(r.x(), r.y());
-    lid_.height = here.h;
-    lid_.slope = here.slope;
+  if (scratch.flat) {
+    scratch.lid.height = scratch.lid_height + scratch.lid.slope.dot(r.head<2>() - scratch.lid_middle.head<2>());
+  } else if (r.z() - reach <= scratch.lid.top) {
+    const Terrain::Height here = scratch.terrain->at(r.x(), r.y());
+    scratch.lid.height = here.h;
+    scratch.lid.slope = here.slope;
   }
-  return lid_;
+  return scratch.lid;
 }
 
 // Of the same state and with the bends that are asked for: the same bits.
-bool TerrainContact::is_known(const ElementInput& in, Terrain::With with) const {
+bool TerrainContact::is_known(const ElementInput& in, Terrain::With with, Scratch& scratch) const {
   const BodyKinematics& body = *in.pair.body[0];
-  state_.clear();
-  const auto add = [&](const double* from, Eigen::Index count) { state_.insert(state_.end(), from, from + count); };
+  scratch.state.clear();
+  const auto add = [&](const double* from, Eigen::Index count) {
+    scratch.state.insert(scratch.state.end(), from, from + count);
+  };
   for (const Eigen::Vector3d* x : {&body.r, &body.dr, &body.w}) add(x->data(), 3);
   add(body.A.data(), 9);
   if (body.modes > 0) {
-    for (int k = 0; k < body.modes; ++k) state_.push_back(body.a[k]);
-    for (int k = 0; k < body.modes; ++k) state_.push_back(body.da[k]);
+    for (int k = 0; k < body.modes; ++k) scratch.state.push_back(body.a[k]);
+    for (int k = 0; k < body.modes; ++k) scratch.state.push_back(body.da[k]);
   }
   add(in.z.data(), in.z.size());
-  return state_.size() == known_state_.size() &&
-         std::memcmp(state_.data(), known_state_.data(), state_.size() * sizeof(double)) == 0 &&
-         (with == Terrain::With::kNormal || known_with_ == with);
+  return scratch.state.size() == scratch.known_state.size() &&
+         std::memcmp(scratch.state.data(), scratch.known_state.data(), scratch.state.size() * sizeof(double)) == 0 &&
+         (with == Terrain::With::kNormal || scratch.known_with == with);
 }
 
-void TerrainContact::find_contacts(const ElementInput& in, Terrain::With with) const {
-  if (is_known(in, with)) return;
-  known_state_.clear();
-  count_ = 0;
-  candidates_.clear();
-  ways_.clear();
-  ds_known_ = false;
-  touch_all(in, with);
+TerrainContact::Scratch& TerrainContact::find_contacts(const ElementInput& in, Terrain::With with) const {
+  Scratch& scratch = scratch_of<Scratch>(in);
+  if (is_known(in, with, scratch)) return scratch;
+  scratch.known_state.clear();
+  scratch.count = 0;
+  scratch.candidates.clear();
+  scratch.ways.clear();
+  scratch.ds_known = false;
+  touch_all(in, with, scratch);
   const auto before = [](const Contact& a, const Contact& b) { return a.place < b.place; };
-  const auto begin = contacts_.begin(), end = begin + static_cast<std::ptrdiff_t>(count_);
+  const auto begin = scratch.contacts.begin(), end = begin + static_cast<std::ptrdiff_t>(scratch.count);
   if (!std::is_sorted(begin, end, before)) std::stable_sort(begin, end, before);
-  known_state_.swap(state_);
-  known_with_ = with;
+  scratch.known_state.swap(scratch.state);
+  scratch.known_with = with;
+  return scratch;
 }
 
-void TerrainContact::touch_all(const ElementInput& in, Terrain::With with) const {
+void TerrainContact::touch_all(const ElementInput& in, Terrain::With with, Scratch& scratch) const {
   constexpr double kParts = 32.0;  // of the reach: steps in which it grows as the body bends, so that a lid lasts
   const BodyKinematics& body = *in.pair.body[0];
   double reach = reach_;
   if (body.modes > 0) reach += std::ceil(kParts * flexible_reach_ * body.a.norm() / reach_) * reach_ / kParts;
-  const Terrain::Lid& lid = lid_over(body.r, reach);
+  const Terrain::Lid& lid = lid_over(body.r, reach, scratch);
   if (lid.rocks.empty() && (!field_ || body.r.z() - reach > lid.top || lid.above(body.r, reach))) return;
-  offer_own_points(in, lid);
+  offer_own_points(in, lid, scratch);
   int place = static_cast<int>(own_.size());
-  for (std::size_t k = 0; k < rims_.size(); ++k, place += kEdgePlaces) offer_rim(in, k, place, lid);
-  touch(in, lid, with);
+  for (std::size_t k = 0; k < rims_.size(); ++k, place += kEdgePlaces) offer_rim(in, k, place, lid, scratch);
+  touch(in, lid, with, scratch);
 }
 
 template <class Use>
-void TerrainContact::each_place(Use use) const {
-  for (std::size_t i = 0, end = 0; i < count_; i = end) {
-    while (end < count_ && contacts_[end].place == contacts_[i].place) ++end;
-    use(&contacts_[i], static_cast<int>(end - i));
+void TerrainContact::Scratch::each_place(Use use) const {
+  for (std::size_t i = 0, end = 0; i < count; i = end) {
+    while (end < count && contacts[end].place == contacts[i].place) ++end;
+    use(&contacts[i], static_cast<int>(end - i));
   }
 }
 
@@ -520,39 +568,40 @@ Eigen::Vector2d TerrainContact::spring_drive(const Contact* contacts, int count)
 
 void TerrainContact::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
                                Eigen::Ref<Eigen::VectorXd> dz) const {
-  find_contacts(in, Terrain::With::kNormal);
+  Scratch& scratch = find_contacts(in, Terrain::With::kNormal);
   const BodyKinematics& body = *in.pair.body[0];
   const bool springs = law_.stick_time > 0.0;
   if (springs) dz = -in.z / law_.stick_time;
   Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = force;
-  each_place([&](const Contact* contacts, int count) {
+  scratch.each_place([&](const Contact* contacts, int count) {
     const int place = contacts->place;
     Eigen::Vector3d here = Eigen::Vector3d::Zero();
     for (int i = 0; i < count; ++i) {
       const Contact& at = contacts[i];
       here += at.force;
       moment += (at.d - at.radius * at.n).cross(at.force);
-      if (at.way >= 0 && ways_[at.way].drags) Q.head<6>() -= at.normal.elastic * ways_[at.way].drag.transpose();
+      if (at.way >= 0 && scratch.ways[at.way].drags)
+        Q.head<6>() -= at.normal.elastic * scratch.ways[at.way].drag.transpose();
     }
     force += here;
-    if (body.modes > 0) forces_.segment<3>(3 * place).noalias() = body.A.transpose().lazyProduct(here);
+    if (body.modes > 0) scratch.forces.segment<3>(3 * place).noalias() = body.A.transpose().lazyProduct(here);
     if (springs) dz.segment<2>(2 * place) += spring_drive(contacts, count);
   });
   Q.head<3>() += force;
   Q.segment<3>(3) += moment;
-  if (body.modes == 0 || count_ == 0) return;
-  Q.segment(6, body.modes).noalias() += own_S_.transpose() * forces_;
-  each_place([&](const Contact* contacts, int) { forces_.segment<3>(3 * contacts->place).setZero(); });
+  if (body.modes == 0 || scratch.count == 0) return;
+  Q.segment(6, body.modes).noalias() += own_S_.transpose() * scratch.forces;
+  scratch.each_place([&](const Contact* contacts, int) { scratch.forces.segment<3>(3 * contacts->place).setZero(); });
 }
 
 bool TerrainContact::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
   const bool springs = law_.stick_time > 0.0;
   if (springs) out.ddz_dz.noalias() -= Eigen::Matrix2d::Identity().replicate(place_count(), 1) / law_.stick_time;
-  find_contacts(in, Terrain::With::kBend);
-  each_place([&](const Contact* contacts, int count) {
-    for (int i = 0; i < count; ++i) add_derivatives(in, contacts[i], 1.0 / count, out);
+  Scratch& scratch = find_contacts(in, Terrain::With::kBend);
+  scratch.each_place([&](const Contact* contacts, int count) {
+    for (int i = 0; i < count; ++i) add_derivatives(in, contacts[i], 1.0 / count, scratch, out);
   });
-  return springs || count_ > 0;
+  return springs || scratch.count > 0;
 }
 
 // The derivatives of one contact, W the way of a place along its edge:
@@ -561,22 +610,23 @@ bool TerrainContact::add_derivatives(const ElementInput& in, ElementDerivatives&
 // With f = f_n e, e = n - mu u / sqrt(u^2 + v_s^2), these are
 //   f_x = f_g g_0 + f_N N - (df_n/d delta) e n^T D,  f_g = f_u P - (df_n/d delta') e n^T,
 //   f_N = f_u u_N + f_n - (df_n/d delta') e g^T - R f_g w~,  f_v = f_g G
-void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, double share,
+void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, double share, Scratch& scratch,
                                      ElementDerivatives& out) const {
   const BodyKinematics& body = *in.pair.body[0];
   const int place = at.place, n = in.pair.size();
-  if (at.point == kOnRim) on_rim_.s0 = at.s;
-  const Marker& marker = at.point == kOnRim ? on_rim_ : points_[at.point].marker;
-  const Way* const way = at.way < 0 ? nullptr : &ways_[at.way];
+  if (at.point == kOnRim) scratch.on_rim.s0 = at.s;
+  const Marker& marker = at.point == kOnRim ? scratch.on_rim : points_[at.point].marker;
+  const Way* const way = at.way < 0 ? nullptr : &scratch.ways[at.way];
   const double tau = law_.stick_time, mu = law_.friction, R = at.radius, inverse = at.inverse_speed;
   const Eigen::Matrix3d unit = Eigen::Matrix3d::Identity(), P = unit - at.n * at.n.transpose(), turning = skew(body.w);
-  G_.setZero(3, n);
-  g_0_.setZero(3, n);
-  f_x_.resize(3, n);
-  f_v_.resize(3, n);
+  Eigen::Matrix3Xd &G = scratch.G, &g_0 = scratch.g_0, &f_x = scratch.f_x, &f_v = scratch.f_v;
+  G.setZero(3, n);
+  g_0.setZero(3, n);
+  f_x.resize(3, n);
+  f_v.resize(3, n);
   const KinematicVector p = KinematicVector::point(in.pair, 0, marker);
-  p.add_jacobian(G_);
-  p.add_rate_jacobian(g_0_);
+  p.add_jacobian(G);
+  p.add_rate_jacobian(g_0);
 
   Eigen::Matrix3d u_N = -at.n.dot(at.g) * unit - at.n * at.g.transpose();
   if (tau > 0.0) u_N += slope_of_tangent(at.n, in.z.segment<2>(2 * place) / tau);
@@ -596,26 +646,26 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
 
   // What follows from N, before G has more than X.
   if (way == nullptr) {
-    f_x_.noalias() = (f_N * at.H + f_D).lazyProduct(G_);
-    if (R > 0.0) out.dQ_dx.middleRows<3>(3).noalias() += (R * f * at.H).lazyProduct(G_);
-    if (tau > 0.0) out.ddz_dx.middleRows<2>(2 * place).noalias() += (s_N * at.H).lazyProduct(G_);
+    f_x.noalias() = (f_N * at.H + f_D).lazyProduct(G);
+    if (R > 0.0) out.dQ_dx.middleRows<3>(3).noalias() += (R * f * at.H).lazyProduct(G);
+    if (tau > 0.0) out.ddz_dx.middleRows<2>(2 * place).noalias() += (s_N * at.H).lazyProduct(G);
   } else {
-    Eigen::Matrix3Xd D = G_;
+    Eigen::Matrix3Xd D = G;
     D.leftCols<6>() += way->wander;
-    g_0_.leftCols<6>() += turning * way->wander;
+    g_0.leftCols<6>() += turning * way->wander;
     Eigen::Matrix3Xd N = Eigen::Matrix3Xd::Zero(3, n);
     if (way->turns)
       N.leftCols<6>() = way->turn;
     else
       N.noalias() = at.H.lazyProduct(D);
-    f_x_.noalias() = f_N.lazyProduct(N);
-    f_x_.noalias() += f_D.lazyProduct(way->drags ? G_ : D);
-    if (way->drags) f_x_.leftCols<6>() += at.force * way->growth;
+    f_x.noalias() = f_N.lazyProduct(N);
+    f_x.noalias() += f_D.lazyProduct(way->drags ? G : D);
+    if (way->drags) f_x.leftCols<6>() += at.force * way->growth;
     out.dQ_dx.middleRows<3>(3).noalias() += (R * f).lazyProduct(N);
     out.dQ_dx.block<3, 6>(3, 0) -= f * way->wander;
     if (tau > 0.0) out.ddz_dx.middleRows<2>(2 * place).noalias() += s_N.lazyProduct(N);
     if (way->drags) {  // of elastic overlap by_level^T, by_level = -a_z m^T / |a_h|^2, m = a x z
-      const Eigen::Matrix<double, 1, 6> along_n = at.n.transpose() * G_.leftCols<6>(),
+      const Eigen::Matrix<double, 1, 6> along_n = at.n.transpose() * G.leftCols<6>(),
                                         elastic = way->growth - (1.5 / at.overlap) * along_n,
                                         overlap = way->stretch - (1.0 / at.overlap) * along_n;
       out.dQ_dx.topLeftCorner<6, 6>() -= at.normal.elastic * way->drag.transpose() * (elastic + overlap);
@@ -626,23 +676,23 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
       out.dQ_dx.block<3, 3>(3, 3) += at.normal.elastic * at.overlap * by_a;
     }
   }
-  if (R > 0.0) G_.middleCols<3>(3) += R * skew(at.n);
-  f_x_.noalias() += f_g.lazyProduct(g_0_);
-  f_v_.noalias() = f_g.lazyProduct(G_);
+  if (R > 0.0) G.middleCols<3>(3) += R * skew(at.n);
+  f_x.noalias() += f_g.lazyProduct(g_0);
+  f_v.noalias() = f_g.lazyProduct(G);
 
-  out.dQ_dx.noalias() += G_.transpose().lazyProduct(f_x_);
-  out.dQ_dv.noalias() += G_.transpose().lazyProduct(f_v_);
+  out.dQ_dx.noalias() += G.transpose().lazyProduct(f_x);
+  out.dQ_dv.noalias() += G.transpose().lazyProduct(f_v);
   p.add_second(at.force, out.dQ_dx);
   if (tau == 0.0) return;
-  out.dQ_dz.middleCols<2>(2 * place).noalias() += G_.transpose().lazyProduct(f_u * T / tau);
-  out.ddz_dv.middleRows<2>(2 * place).noalias() += s_g.lazyProduct(G_);
+  out.dQ_dz.middleCols<2>(2 * place).noalias() += G.transpose().lazyProduct(f_u * T / tau);
+  out.ddz_dv.middleRows<2>(2 * place).noalias() += s_g.lazyProduct(G);
   out.ddz_dz.middleRows<2>(2 * place) += s_u * T / tau;
-  out.ddz_dx.middleRows<2>(2 * place).noalias() += s_g.lazyProduct(g_0_);
+  out.ddz_dx.middleRows<2>(2 * place).noalias() += s_g.lazyProduct(g_0);
 }
 
 void TerrainContact::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
-  find_contacts(in, Terrain::With::kNormal);
-  each_place([&](const Contact* contacts, int count) {
+  const Scratch& scratch = find_contacts(in, Terrain::With::kNormal);
+  scratch.each_place([&](const Contact* contacts, int count) {
     Eigen::Vector2d rate = Eigen::Vector2d::Zero();
     if (law_.stick_time > 0.0)
       rate = spring_drive(contacts, count) - in.z.segment<2>(2 * contacts->place) / law_.stick_time;
@@ -651,27 +701,27 @@ void TerrainContact::add_energy(const ElementInput& in, StoredEnergy& stored, Di
 }
 
 Eigen::Matrix<double, 6, 1> TerrainContact::wrench(const ElementInput& in) const {
-  find_contacts(in, Terrain::With::kNormal);
+  const Scratch& scratch = find_contacts(in, Terrain::With::kNormal);
   Eigen::Matrix<double, 6, 1> out = Eigen::Matrix<double, 6, 1>::Zero();
-  for (std::size_t i = 0; i < count_; ++i) {
-    const Contact& at = contacts_[i];
+  for (std::size_t i = 0; i < scratch.count; ++i) {
+    const Contact& at = scratch.contacts[i];
     out.head<3>() += at.force;
     out.tail<3>() += (at.d - at.radius * at.n).cross(at.force);
-    if (at.way >= 0 && ways_[at.way].drags) out -= at.normal.elastic * ways_[at.way].drag.transpose();
+    if (at.way >= 0 && scratch.ways[at.way].drags) out -= at.normal.elastic * scratch.ways[at.way].drag.transpose();
   }
   return out;
 }
 
 double TerrainContact::largest_overlap(const ElementInput& in) const {
-  find_contacts(in, Terrain::With::kNormal);
+  const Scratch& scratch = find_contacts(in, Terrain::With::kNormal);
   double largest = 0.0;
-  for (std::size_t i = 0; i < count_; ++i) largest = std::max(largest, contacts_[i].overlap);
+  for (std::size_t i = 0; i < scratch.count; ++i) largest = std::max(largest, scratch.contacts[i].overlap);
   return largest;
 }
 
 bool TerrainContact::touches_rock(const ElementInput& in) const {
-  find_contacts(in, Terrain::With::kNormal);
-  return std::any_of(contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(count_),
+  const Scratch& scratch = find_contacts(in, Terrain::With::kNormal);
+  return std::any_of(scratch.contacts.begin(), scratch.contacts.begin() + static_cast<std::ptrdiff_t>(scratch.count),
                      [](const Contact& at) { return at.on_rock; });
 }
 

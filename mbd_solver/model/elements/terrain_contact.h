@@ -30,11 +30,11 @@ class TerrainContact : public ContactElement {
   TerrainContact(std::string name, std::vector<ContactPoint> points, const ContactLaw& law,
                  std::shared_ptr<const Terrain> terrain, std::vector<ContactRim> rims = {},
                  Touches touches = Touches::kAll);
-  ~TerrainContact() override;
 
   int state_count() const override { return law_.stick_time > 0.0 ? 2 * place_count() : 0; }
   int state_block() const override { return std::min(state_count(), 2); }
   Eigen::VectorXd initial_state() const override { return Eigen::VectorXd::Zero(state_count()); }
+  std::unique_ptr<ElementScratch> scratch(SharedCopies& shared) const override;
   void add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eigen::Ref<Eigen::VectorXd> dz) const override;
   bool add_derivatives(const ElementInput& in, ElementDerivatives& out) const override;
   void add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const override;
@@ -45,6 +45,7 @@ class TerrainContact : public ContactElement {
 
  private:
   struct Contact;
+  struct Scratch;
   struct Face {                               // of an edge
     std::array<std::vector<int>, 12> points;  // on the face, by the nearest place
     double share = 1.0;                       // of the stiffness, of each place and point
@@ -66,27 +67,25 @@ class TerrainContact : public ContactElement {
   static constexpr int kOnRim = -1;
   bool sort_onto_face(int point);
   int place_count() const;
-  const Terrain::Lid& lid_over(const Eigen::Vector3d& r, double reach) const;
-  bool clears_plane(const Eigen::Vector3d& p, double radius) const;
-  // contacts_ of this state, by places.
-  void find_contacts(const ElementInput& in, Terrain::With with) const;
-  void touch_all(const ElementInput& in, Terrain::With with) const;
-  bool is_known(const ElementInput& in, Terrain::With with) const;
-  void offer_own_points(const ElementInput& in, const Terrain::Lid& lid) const;
-  void offer_rim(const ElementInput& in, std::size_t index, int first_place, const Terrain::Lid& lid) const;
-  void offer_face(const ElementInput& in, const Face& face, int part, int place, const Terrain::Lid& lid) const;
-  void touch(const ElementInput& in, const Terrain::Lid& lid, Terrain::With with) const;
+  const Terrain::Lid& lid_over(const Eigen::Vector3d& r, double reach, Scratch& scratch) const;
+  // The scratch with its contacts those of this state, by places.
+  Scratch& find_contacts(const ElementInput& in, Terrain::With with) const;
+  void touch_all(const ElementInput& in, Terrain::With with, Scratch& scratch) const;
+  bool is_known(const ElementInput& in, Terrain::With with, Scratch& scratch) const;
+  void offer_own_points(const ElementInput& in, const Terrain::Lid& lid, Scratch& scratch) const;
+  void offer_rim(const ElementInput& in, std::size_t index, int first_place, const Terrain::Lid& lid,
+                 Scratch& scratch) const;
+  void offer_face(const ElementInput& in, const Face& face, int part, int place, const Terrain::Lid& lid,
+                  Scratch& scratch) const;
+  void touch(const ElementInput& in, const Terrain::Lid& lid, Terrain::With with, Scratch& scratch) const;
   void touch_standing_rim(const ElementInput& in, std::size_t index, int first_place, const Terrain::Lid& lid,
-                          const Eigen::Vector3d& a, const Eigen::Vector3d& centre, const Eigen::Vector3d& n,
-                          bool bends) const;
+                          const Eigen::Vector3d& a, const Eigen::Vector3d& centre, const Eigen::Vector3d& n, bool bends,
+                          Scratch& scratch) const;
   Terrain::Foot foot_on_plane(const Terrain::Lid& lid, const Eigen::Vector3d& from_body, double above) const;
-  Contact* add_contact(const ElementInput& in, const Candidate& at, const Terrain::Foot& foot, bool with_bend) const;
-  void add_derivatives(const ElementInput& in, const Contact& at, double share, ElementDerivatives& out) const;
-  double find_place_on_rim(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& e_0,
-                           const Eigen::Vector3d& b, double angle, int rock, Terrain::Foot& foot) const;
-  // use(first, count) for the contacts of every place that has some.
-  template <class Use>
-  void each_place(Use use) const;
+  Contact* add_contact(const ElementInput& in, const Candidate& at, const Terrain::Foot& foot, bool with_bend,
+                       Scratch& scratch) const;
+  void add_derivatives(const ElementInput& in, const Contact& at, double share, Scratch& scratch,
+                       ElementDerivatives& out) const;
   Eigen::Vector2d spring_drive(const Contact* contacts, int count) const;
 
   std::vector<ContactPoint> points_;
@@ -100,28 +99,6 @@ class TerrainContact : public ContactElement {
   double flexible_reach_ = 0.0;  // largest |S| of a point [m per unit of a]
   Eigen::VectorXd own_s_;        // of own points, one below the other: from Bo, undeformed, in B [m]
   Eigen::MatrixXd own_S_;        // and their shapes; no columns on a rigid body [m per unit of a]
-  mutable Terrain::Lid lid_;     // that of the last cell, with height and slope of the last place
-  mutable bool flat_ = false;
-  mutable double lid_reach_ = -1.0, lid_height_ = 0.0;  // [m]; height: at the middle
-  mutable double plane_height_ = 0.0;                   // of a plane above the field, at the middle [m]
-  mutable Eigen::Vector2d plane_slope_ = Eigen::Vector2d::Zero();
-  mutable Eigen::Array3d lid_cell_ = Eigen::Array3d::Zero();
-  mutable Eigen::Vector3d lid_middle_ = Eigen::Vector3d::Zero();
-  // Contacts of the last state, with what they depend on.
-  mutable std::vector<double> state_, known_state_;
-  mutable Terrain::With known_with_ = Terrain::With::kNormal;
-  mutable std::vector<Contact> contacts_;  // count_ of them
-  mutable std::size_t count_ = 0;
-  mutable std::vector<Way> ways_;
-  // Scratch.
-  mutable std::vector<Candidate> candidates_;
-  mutable std::vector<Eigen::Vector3d> places_;  // of candidates [m]
-  mutable std::vector<Terrain::Foot> feet_, ball_feet_;
-  mutable std::vector<Terrain::Near> near_;
-  mutable Eigen::VectorXd s_, ds_, forces_;  // of own points: deformed, its rate, forces in B
-  mutable bool ds_known_ = false;
-  mutable Marker on_rim_;
-  mutable Eigen::Matrix3Xd G_, g_0_, f_x_, f_v_;  // 3 x n
 };
 
 }  // namespace footfall

@@ -46,51 +46,65 @@ JointFriction::Slip JointFriction::slip(double rate) const {
   return {parameters_.coulomb + fall, -2.0 * u / *parameters_.stribeck_speed * fall};
 }
 
-void JointFriction::evaluate(const StrutInput& in, StrutOutput& out) const {
-  out.set_zero();
-  const double z = in.z[0], s = std::round(in.z[1]), v = in.rate;
-  if (s == 0.0) {
-    out.force = trial(in);
-    out.dforce_drate = damping_;
-    out.dforce_dz[0] = stiffness_;
-    out.dz[0] = v;
-    out.ddz_drate[0] = 1.0;
+JointFriction::Bristle JointFriction::bristle(const Point& at) const {
+  Bristle out;
+  if (at.s == 0.0) {
+    out.force = trial(at.z, at.v);
+    out.by_rate = damping_;
+    out.by_z = stiffness_;
+    out.dz = at.v;
+    out.dz_by_rate = 1.0;
   } else {
-    const Slip g = slip(v);
-    out.force = s * g.force;
-    out.dforce_drate = s * g.slope;
-    out.dz[0] = (s * g.force - stiffness_ * z) / damping_;
-    out.ddz_drate[0] = s * g.slope / damping_;
-    out.ddz_dz(0, 0) = -stiffness_ / damping_;
+    const Slip g = slip(at.v);
+    out.force = at.s * g.force;
+    out.by_rate = at.s * g.slope;
+    out.dz = (at.s * g.force - stiffness_ * at.z) / damping_;
+    out.dz_by_rate = at.s * g.slope / damping_;
+    out.dz_by_z = -stiffness_ / damping_;
   }
-  out.force += parameters_.viscous * v;
-  out.dforce_drate += parameters_.viscous;
+  out.force += parameters_.viscous * at.v;
+  out.by_rate += parameters_.viscous;
+  return out;
+}
+
+void JointFriction::evaluate(const StrutInput& in, StrutOutput& out) const {
+  const Bristle here = bristle({in.z[0], std::round(in.z[1]), in.rate});
+  out.set_zero();
+  out.force = here.force;
+  out.dforce_drate = here.by_rate;
+  out.dforce_dz[0] = here.by_z;
+  out.dz[0] = here.dz;
+  out.ddz_drate[0] = here.dz_by_rate;
+  out.ddz_dz(0, 0) = here.dz_by_z;
+}
+
+double JointFriction::dissipated_power(const Point& at) const {
+  double power = damping_ * at.v * at.v;
+  if (at.s != 0.0) {
+    const double g = at.s * slip(at.v).force, z_rate = (g - stiffness_ * at.z) / damping_;
+    power = g * (at.v - z_rate) + damping_ * z_rate * z_rate;
+  }
+  return power + parameters_.viscous * at.v * at.v;
 }
 
 void JointFriction::dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const {
-  const double s = std::round(in.z[1]), v = in.rate;
-  double power = damping_ * v * v;
-  if (s != 0.0) {
-    const double g = s * slip(v).force, z_rate = (g - stiffness_ * in.z[0]) / damping_;
-    power = g * (v - z_rate) + damping_ * z_rate * z_rate;
-  }
-  out.push_back({Dissipation::kFriction, power + parameters_.viscous * v * v});
+  out.push_back({Dissipation::kFriction, dissipated_power({in.z[0], std::round(in.z[1]), in.rate})});
 }
 
 // Relative to F_c.
 double JointFriction::switch_value(const StrutInput& in) const {
-  const double s = std::round(in.z[1]), force = trial(in);
+  const double s = std::round(in.z[1]), force = trial(in.z[0], in.rate);
   const double left = s == 0.0 ? breakaway_ - std::abs(force) : s * force - (1.0 - kHysteresis) * slip(in.rate).force;
   return left / parameters_.coulomb;
 }
 
 void JointFriction::switch_state(const StrutInput& in, Eigen::Ref<Eigen::VectorXd> z) const {
-  const double force = trial(in);
+  const double force = trial(in.z[0], in.rate);
   z[1] = std::abs(force) > breakaway_ ? sign(force) : 0.0;
 }
 
 double JointFriction::mode_at(double z, double rate) const {
-  const double force = stiffness_ * z + damping_ * rate;
+  const double force = trial(z, rate);
   return std::abs(force) > breakaway_ ? sign(force) : 0.0;
 }
 
@@ -109,7 +123,7 @@ JointFrictionParameters friction_of(const BrakeParameters& p) {
 
 }  // namespace
 
-Brake::Brake(const BrakeParameters& parameters) : parameters_(parameters), friction_(friction_of(parameters)), out_(2) {
+Brake::Brake(const BrakeParameters& parameters) : parameters_(parameters), friction_(friction_of(parameters)) {
   FOOTFALL_DEMAND(parameters_.command != nullptr);
 }
 
@@ -121,42 +135,32 @@ double Brake::engagement_command(const StrutInput& in) const {
   return std::clamp(parameters_.command->at(in.time).value + in.command, 0.0, 1.0);
 }
 
-StrutInput Brake::of_friction(const StrutInput& in) const {
-  z_ << in.z[1], friction_.mode_at(in.z[1], in.rate);
-  return {in.stroke, in.rate, 0.0, z_, in.time};
-}
-
 void Brake::evaluate(const StrutInput& in, StrutOutput& out) const {
   out.set_zero();
-  friction_.evaluate(of_friction(in), out_);
+  const JointFriction::Bristle friction = friction_.bristle(of_friction(in));
   const double U = in.z[0], c = engagement_command(in), tau = parameters_.lag;
-  out.force = U * out_.force;
-  out.dforce_dstroke = U * out_.dforce_dstroke;
-  out.dforce_drate = U * out_.dforce_drate;
-  out.dforce_dz << out_.force, U * out_.dforce_dz[0];
-  out.dz << (c - U) / tau, out_.dz[0];
-  out.ddz_dstroke[1] = out_.ddz_dstroke[0];
-  out.ddz_drate[1] = out_.ddz_drate[0];
+  out.force = U * friction.force;
+  out.dforce_drate = U * friction.by_rate;
+  out.dforce_dz << friction.force, U * friction.by_z;
+  out.dz << (c - U) / tau, friction.dz;
+  out.ddz_drate[1] = friction.dz_by_rate;
   out.ddz_dz(0, 0) = -1.0 / tau;
-  out.ddz_dz(1, 1) = out_.ddz_dz(0, 0);
+  out.ddz_dz(1, 1) = friction.dz_by_z;
   if (c > 0.0) return;
   out.dz[1] -= in.z[1] / tau;
   out.ddz_dz(1, 1) -= 1.0 / tau;
 }
 
-double Brake::stored_energy(const StrutInput& in) const { return in.z[0] * friction_.stored_energy(of_friction(in)); }
+double Brake::stored_energy(const StrutInput& in) const { return in.z[0] * friction_.stored_energy(in.z[1]); }
 
 void Brake::dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const {
-  power_.clear();
-  friction_.dissipated_power(of_friction(in), power_);
-  double power = 0.0;
-  for (const StrutPower& p : power_) power += p.power;
-  if (engagement_command(in) == 0.0) power += 2.0 * friction_.stored_energy(of_friction(in)) / parameters_.lag;
+  double power = friction_.dissipated_power(of_friction(in));
+  if (engagement_command(in) == 0.0) power += 2.0 * friction_.stored_energy(in.z[1]) / parameters_.lag;
   out.push_back({Dissipation::kFriction, in.z[0] * power});
 }
 
 double Brake::supplied_power(const StrutInput& in) const {
-  return (engagement_command(in) - in.z[0]) / parameters_.lag * friction_.stored_energy(of_friction(in));
+  return (engagement_command(in) - in.z[0]) / parameters_.lag * friction_.stored_energy(in.z[1]);
 }
 
 }  // namespace footfall

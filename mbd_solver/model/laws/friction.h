@@ -35,12 +35,23 @@ class JointFriction final : public StrutLaw {
   int state_count() const override { return 2; }  // [z, s]
   Eigen::VectorXd initial_state() const override { return Eigen::Vector2d::Zero(); }
   void evaluate(const StrutInput& in, StrutOutput& out) const override;
-  double stored_energy(const StrutInput& in) const override { return 0.5 * stiffness_ * in.z[0] * in.z[0]; }
+  double stored_energy(const StrutInput& in) const override { return stored_energy(in.z[0]); }
   void dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const override;  // kFriction >= 0
   bool switches() const override { return true; }
   double switch_value(const StrutInput& in) const override;
   void switch_state(const StrutInput& in, Eigen::Ref<Eigen::VectorXd> z) const override;
 
+  // Deflection z [m], mode s, rate v [m/s].
+  struct Point {
+    double z, s, v;
+  };
+  // Force, rate of z, and their derivatives.
+  struct Bristle {
+    double force = 0.0, by_z = 0.0, by_rate = 0.0, dz = 0.0, dz_by_z = 0.0, dz_by_rate = 0.0;
+  };
+  Bristle bristle(const Point& at) const;
+  double stored_energy(double z) const { return 0.5 * stiffness_ * z * z; }  // [J]
+  double dissipated_power(const Point& at) const;                            // [W]
   // The mode of a law without memory (F_b = F_c) at this deflection [m] and rate [m/s].
   double mode_at(double z, double rate) const;
 
@@ -49,7 +60,7 @@ class JointFriction final : public StrutLaw {
     double force, slope;  // g [N], dg/dv
   };
   Slip slip(double rate) const;
-  double trial(const StrutInput& in) const { return stiffness_ * in.z[0] + damping_ * in.rate; }
+  double trial(double z, double rate) const { return stiffness_ * z + damping_ * rate; }
 
   JointFrictionParameters parameters_;
   double stiffness_;  // k [N/m]
@@ -86,13 +97,12 @@ class Brake final : public StrutLaw {
 
  private:
   double engagement_command(const StrutInput& in) const;  // c
-  StrutInput of_friction(const StrutInput& in) const;
+  JointFriction::Point of_friction(const StrutInput& in) const {
+    return {in.z[1], friction_.mode_at(in.z[1], in.rate), in.rate};
+  }
 
   BrakeParameters parameters_;
   JointFriction friction_;
-  mutable Eigen::Vector2d z_;  // of the friction
-  mutable StrutOutput out_;
-  mutable std::vector<StrutPower> power_;
 };
 
 }  // namespace footfall

@@ -7,8 +7,6 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/base/budget.h"
-#include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/parameter_check.h"
 #include "mbd_solver/model/codes.h"
 
@@ -123,42 +121,6 @@ double TableLaw::stored_energy(const StrutInput& in) const { return elastic_inte
 
 void TableLaw::dissipated_power(const StrutInput& in, std::vector<StrutPower>& out) const {
   out.push_back({Dissipation::kDamper, split(in.stroke, in.rate).dissipative * in.rate});
-}
-
-TableLawParameters read_table_law(const std::filesystem::path& file) {
-  CsvReader csv(file.string(), "a table of forces over stroke and rate");
-  TableLawParameters p;
-  p.source = file.string();
-  std::vector<std::vector<double>> rows;
-  ReadBudget cells(limit::kTableCells, p.source);
-  while (csv.next()) {
-    const std::size_t width = csv.cells().size();
-    cells.take(width);
-    if (p.rate.empty()) {  // the head: a label, then the rates
-      if (width < 3)
-        csv.fail(code::kTableWidth,
-                 "the first line has " + std::to_string(width) + " cells, expected a label and at least two rates");
-      for (std::size_t i = 1; i < width; ++i) p.rate.push_back(csv.number(i));
-      continue;
-    }
-    csv.require_width(p.rate.size() + 1);
-    const double stroke = csv.number(0);
-    if (!p.stroke.empty() && stroke <= p.stroke.back())
-      csv.fail(code::kTableCell,
-               "stroke " + csv.text(0) + " m does not exceed the one before; expected rising strokes");
-    p.stroke.push_back(stroke);
-    p.lines.push_back(csv.line());
-    rows.emplace_back();
-    for (std::size_t i = 1; i < width; ++i) rows.back().push_back(csv.number(i));
-  }
-  if (rows.size() < 2)
-    throw InputError(code::kTableShape, p.source + ": " + std::to_string(rows.size()) +
-                                            " lines of forces; expected a line of rates and at least two strokes.");
-  p.force.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(p.rate.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    p.force.row(static_cast<Eigen::Index>(i)) =
-        Eigen::Map<const Eigen::RowVectorXd>(rows[i].data(), static_cast<Eigen::Index>(rows[i].size()));
-  return p;
 }
 
 }  // namespace footfall

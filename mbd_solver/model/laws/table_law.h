@@ -10,16 +10,7 @@
 // dissipates everywhere, extrapolation included. The force is continuous; its derivatives jump at the table's lines
 // (one-sided: the side of the larger stroke or rate). A table that delivers energy (D v < 0 somewhere) is an InputError
 // that names the entry. Beyond the last stroke the table is a guess: put an end stop there.
-//
-// File: comma-separated numbers, SI units; # starts a comment. First line: any label, then the rates [m/s],
-// rising, 0 among them. Every further line: a stroke [m], rising, then the forces [N] (compression positive)
-// at these rates.
-//
-//   stroke, -1.0,  -0.1,    0,  0.1,  1.0
-//   0.00,   -900,  -400,    0,  600, 2000
-//   0.10,   -500,     0,  400, 1000, 2400
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -34,9 +25,6 @@ struct TableLawParameters {
   std::string source = "table_law";  // file name, for messages
   std::vector<int> lines;            // line of each stroke in `source`, for messages; may be empty
 };
-
-// Reads a file. Throws InputError "file:line: ..." for anything else.
-TableLawParameters read_table_law(const std::filesystem::path& file);
 
 class TableLaw final : public StrutLaw {
  public:

@@ -75,7 +75,11 @@ std::vector<LandingWatch::First> in_order(const std::vector<std::string>& names,
 
 GroundLevel ground_level(const Subject& subject) {
   const GroundSpec& ground = subject.scene.ground;
-  if (ground.is_flat()) return {ground.normal(), ground.normal().dot(ground.point()), subject.mechanism.terrain.get()};
+  if (ground.is_flat()) {
+    const auto& terrain = subject.mechanism.terrain;
+    return {ground.normal(), ground.normal().dot(ground.point()),
+            terrain ? std::make_shared<Terrain>(*terrain) : nullptr};
+  }
   return {up_direction(subject.scene.gravity), subject.mechanism.placement.ground_height, nullptr};
 }
 

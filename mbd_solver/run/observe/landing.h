@@ -12,6 +12,7 @@
 //                        R_i its length, L_i and I_i angular momentum and inertia about the edge; L_i counts where it turns
 //                        outwards. Beyond the edge the first part is negative, and a turn back adds.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,9 +24,9 @@ namespace footfall {
 
 // The ground of heights: the plane, uneven ground, or the highest grain under the boundaries at the start.
 struct GroundLevel {
-  Eigen::Vector3d normal;            // out of the ground, in W
-  double height;                     // along it [m]
-  const Terrain* terrain = nullptr;  // then normal and height do not count
+  Eigen::Vector3d normal;                      // out of the ground, in W
+  double height;                               // along it [m]
+  std::shared_ptr<Terrain> terrain = nullptr;  // then normal and height do not count
 
   double above(const Eigen::Vector3d& p) const { return terrain ? terrain->distance(p) : normal.dot(p) - height; }
   Eigen::Vector3d normal_at(const Eigen::Vector3d& p) const { return terrain ? terrain->foot(p).normal : normal; }

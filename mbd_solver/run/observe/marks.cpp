@@ -188,7 +188,7 @@ void Marks::put_cable(std::size_t first, Handle<Cable> force, const Kinematics& 
   const Cable& cable = force.of(subject_.mechanism.model);
   const Eigen::VectorXd start = cable.initial_state(), none;
   const ElementInput in = sample != nullptr ? element_input(subject_, *sample, force.index())
-                                            : element_input(cable, kinematics, start, none, 0.0);
+                                            : element_input(cable, kinematics, start, none, 0.0, nullptr);
   const std::vector<Eigen::Vector3d> corners = corners_of(cable, cable.points(in));
   const double tension = sample != nullptr ? cable.sample(in).force : 0.0;
   for (int k = 0; k < marks_[first].pieces; ++k) {

@@ -228,6 +228,7 @@ MetricRecorder::MetricRecorder(const Subject& subject)
   const GroundLevel ground = ground_level(subject);
   normal_ = ground.normal;
   ground_ = ground.height;
+  if (subject.mechanism.terrain) terrain_ = std::make_unique<Terrain>(*subject.mechanism.terrain);
   const Model& model = subject.mechanism.model;
   for (int i = 1; i < model.body_count(); ++i)
     if (model.body(i).mass() > model.body(body_).mass()) body_ = i;
@@ -295,7 +296,7 @@ double MetricRecorder::depth(const Sample& sample) const {
         Eigen::Vector3d s = point.marker.s0;
         if (point.marker.S.cols() > 0) s += point.marker.S * body.a;
         const Eigen::Vector3d p = body.r + body.A * s;
-        const Terrain::Height ground = mechanism.terrain->at(p.x(), p.y());
+        const Terrain::Height ground = terrain_->at(p.x(), p.y());
         deepest = std::max(deepest, point.radius + (ground.h - p.z()) / std::sqrt(1.0 + ground.slope.squaredNorm()));
       }
     }

@@ -176,8 +176,9 @@ class MetricRecorder {
   Metrics metrics_;
   Peak soil_speed_;  // of a body into the soil that it touches [m/s]
   EnergyFlow flow_;
-  Eigen::Vector3d up_, normal_;  // against gravity; out of the ground
-  double ground_ = 0.0;          // height of the ground along its normal [m]
+  Eigen::Vector3d up_, normal_;       // against gravity; out of the ground
+  double ground_ = 0.0;               // height of the ground along its normal [m]
+  std::unique_ptr<Terrain> terrain_;  // of uneven ground
   int body_ = 0;
   double start_height_ = 0.0;  // [m]
   double start_energy_ = 0.0;  // [J]

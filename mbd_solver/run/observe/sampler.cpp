@@ -11,7 +11,7 @@ Sampler::Sampler(const Subject& subject, Equations& equations, const State& stat
       equations_(equations),
       kinematics_(subject.mechanism.model),
       y_(Eigen::VectorXd::Zero(subject.layout.size())),
-      sample_{state, inputs, values_, rates, kinematics_, energy_, contact_} {
+      sample_{state, inputs, values_, rates, kinematics_, energy_, contact_, equations.scratch()} {
   const Model& model = subject.mechanism.model;
   double mass = 0.0;
   for (int i = 0; i < model.body_count(); ++i) {

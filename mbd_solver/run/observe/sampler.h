@@ -29,6 +29,7 @@ struct Sample {
   const EnergySample& energy;
   // load of the ground on each body, F_W and T_W about Bo: mean of the grains over the window, or of the plane now
   const std::vector<GeneralizedForce>& contact;
+  ElementScratches& scratch;                 // of the equations, which have evaluated the elements at this state
   long window = 0;                           // windows completed
   bool last = false;                         // the end time has been reached
   const CouplingSample* coupling = nullptr;  // null without grains
@@ -39,7 +40,7 @@ inline ElementInput element_input(const Subject& subject, const Sample& sample, 
   const ForceElement& element = subject.mechanism.model.force(force);
   const int z = subject.layout.force_z[force];
   return element_input(element, sample.kinematics, sample.state.z.segment(z, element.state_count()), sample.values,
-                       sample.state.time);
+                       sample.state.time, sample.scratch.of(force));
 }
 
 // What a strut, cable or drive reports at this instant.

@@ -55,8 +55,9 @@ bool cross(const Placed& a, const Placed& b) {
   for (const Placed* body : {&a, &b})
     for (const BeamSegment& segment : body->entry->boundary.segments()) thickest += segment.radius;
   if ((a_low > b_high + thickest).any() || (b_low > a_high + thickest).any()) return false;
-  for (const SurfaceModel& part_a : surfaces_of(a))
-    for (const SurfaceModel& part_b : surfaces_of(b))
+  std::vector<SurfaceModel> parts_a = surfaces_of(a), parts_b = surfaces_of(b);
+  for (SurfaceModel& part_a : parts_a)
+    for (SurfaceModel& part_b : parts_b)
       if (gap_between(part_a, part_b, {}).distance <= 0.0) return true;
   return false;
 }

@@ -70,7 +70,7 @@ class StartValues {
   const Eigen::VectorXd& inputs() const { return values_; }
 
   // Nodes in their order, those with known names.
-  void evaluate(const SignalChain& chain, const Measured& measured) {
+  void evaluate(SignalChain& chain, const Measured& measured) {
     set_names(chain, measured);
     for (std::size_t k = 0; k < chain.size(); ++k) {
       const SignalNode& node = chain.node(k);
@@ -93,7 +93,7 @@ class StartValues {
   }
 
   // Conditions in the first state. One that is true, or unknown, may change the state at once.
-  void evaluate_conditions(const SignalChain& conditions, const Measured& measured) {
+  void evaluate_conditions(SignalChain& conditions, const Measured& measured) {
     set_names(conditions, measured);
     for (const EventSpec& event : scene_.events) {
       const std::string& first = scene_.states.front().name;
@@ -112,7 +112,7 @@ class StartValues {
   }
 
  private:
-  void set_names(const SignalChain& chain, const Measured& measured) {
+  void set_names(SignalChain& chain, const Measured& measured) {
     for (std::size_t i = 0; i < chain.names().size(); ++i) {
       const std::optional<double> value = value_of(chain.names()[i], [&] { return measured(i); });
       if (!value) unknown_.insert(chain.names()[i]);
@@ -174,8 +174,8 @@ void require_values_at_start(const Scene& scene, bool is_placed, Mechanism& mech
   if (scene.landing) LandingWatch({scene, mechanism, layout});
   if (!scene.requirements.empty()) Requirements(scene, Observation({scene, mechanism, layout}).names());
   if (scene.signals.empty() && scene.events.empty()) return;
-  const SignalChain sampled = chain_of_signals(scene, std::move(mechanism.sampled));
-  const SignalChain conditions(conditions_of(scene));
+  SignalChain sampled = chain_of_signals(scene, std::move(mechanism.sampled));
+  SignalChain conditions(conditions_of(scene));
   std::vector<std::string> names = sampled.names();
   names.insert(names.end(), conditions.names().begin(), conditions.names().end());
   Readings readings(names, {scene, mechanism, layout});
@@ -184,7 +184,7 @@ void require_values_at_start(const Scene& scene, bool is_placed, Mechanism& mech
   StartValues values(scene, mechanism);
   try {
     if (const ContinuousSignals* const continuous = mechanism.model.signals()) {
-      const SignalChain& chain = continuous->chain();
+      SignalChain chain = continuous->chain();
       values.evaluate(chain, [&](std::size_t name) -> std::optional<double> {
         if (!is_known) return std::nullopt;
         return start.measure(*sensor_of(mechanism, chain.names()[name]));

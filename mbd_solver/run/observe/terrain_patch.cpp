@@ -13,7 +13,7 @@ std::string terrain_text(const Scene& scene, const Mechanism& mechanism) {
   const std::shared_ptr<const Terrain> surface =
       scene.touches_particles() ? build_bed_surface(scene) : mechanism.terrain;
   if (!surface) return "";
-  const Terrain& terrain = *surface;
+  Terrain terrain = *surface;
   constexpr int kCells = 160;
   Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL), high = -low;
   const auto take = [&](const Eigen::Vector2d& p) {

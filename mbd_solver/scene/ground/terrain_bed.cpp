@@ -27,7 +27,7 @@ std::optional<TerrainBed> terrain_bed(const Scene& scene) {
   if (!scene.ground.terrain || !scene.particles || !scene.particles->box || !scene.touches_particles())
     return std::nullopt;
   const BoxSpec& box = *scene.particles->box;
-  const std::shared_ptr<const Terrain> terrain = terrain_of(*scene.ground.terrain);
+  const std::shared_ptr<Terrain> terrain = terrain_of(*scene.ground.terrain);
   const double largest = *std::max_element(box.radius.begin(), box.radius.end());
   const double wide = std::max(2.0 * largest, std::sqrt(box.size[0] * box.size[1] / kMostColumns));
   TerrainBed bed;
@@ -62,7 +62,7 @@ double steepest_of_bed(const Scene& scene) {
   const std::optional<TerrainBed> bed = terrain_bed(scene);
   if (!bed) return 0.0;
   const BoxSpec& box = *scene.particles->box;
-  const std::shared_ptr<const Terrain> terrain = terrain_of(*scene.ground.terrain);
+  const std::shared_ptr<Terrain> terrain = terrain_of(*scene.ground.terrain);
   const Eigen::Vector3d up = -scene.gravity.normalized();
   const int columns = kPlaces * bed->columns, rows = kPlaces * bed->rows;
   double least = 1.0;  // cosine

@@ -204,7 +204,8 @@ RawMap read_esri(MapWords& words, std::shared_ptr<NumberFile> file) {
   map.y = header.has("yllcorner") ? header.of("yllcorner") + 0.5 * dy : header.of("yllcenter");
   const std::size_t count = static_cast<std::size_t>(map.grid.columns) * static_cast<std::size_t>(map.grid.rows);
   if (file->judge(words.passed(), count, hole)) {
-    map.grid.text = std::move(file);
+    map.grid.numbers = [numbers = std::shared_ptr<const NumberFile>(std::move(file))](
+                           std::size_t first, std::size_t n, double* out) { numbers->read(first, n, out); };
     return map;
   }
   words.go_on_with(file->whole());

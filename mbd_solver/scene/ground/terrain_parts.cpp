@@ -116,7 +116,7 @@ void add_rock_field(const RockFieldSpec& f, std::vector<Rock>& rocks) {
 
 }  // namespace
 
-std::shared_ptr<const Terrain> terrain_of(const TerrainSpec& spec) {
+std::shared_ptr<Terrain> terrain_of(const TerrainSpec& spec) {
   TerrainParts parts;
   parts.origin = spec.position;
   parts.slope = -std::tan(spec.slope) * Eigen::Vector2d(std::cos(spec.azimuth), std::sin(spec.azimuth));
@@ -131,7 +131,7 @@ std::shared_ptr<const Terrain> terrain_of(const TerrainSpec& spec) {
   if (spec.roughness) add_roughness(*spec.roughness, parts.waves);
   for (const RockSpec& r : spec.rocks) parts.rocks.push_back({{r.x, r.y}, 0.5 * r.diameter, r.buried});
   if (spec.rock_field) add_rock_field(*spec.rock_field, parts.rocks);
-  return std::make_shared<const Terrain>(std::move(parts));
+  return std::make_shared<Terrain>(std::move(parts));
 }
 
 }  // namespace footfall

@@ -140,7 +140,7 @@ TEST_P(ObliqueCable, StoresOrDissipatesWhatItTakes) {
   const Eigen::VectorXd inputs = Eigen::Vector2d::Zero();
   const auto input_at = [&](const State& at) {
     kinematics.load(layout, at.q, at.v, Eigen::VectorXd());
-    return element_input(element, kinematics, at.z, inputs, 0.0);
+    return element_input(element, kinematics, at.z, inputs, 0.0, nullptr);
   };
   const ElementInput in = input_at(state);
   Eigen::VectorXd Q = Eigen::VectorXd::Zero(in.size()), dz(element.state_count());
@@ -234,7 +234,7 @@ TEST(Capstan, WithoutFrictionBearsTheDifferenceOfTwoEqualTensions) {
     const State state = test::as_given(model).state;
     Kinematics kinematics(model);
     kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
-    const ElementInput in = element_input(model.force(0), kinematics, state.z, Eigen::VectorXd(), 0.0);
+    const ElementInput in = element_input(model.force(0), kinematics, state.z, Eigen::VectorXd(), 0.0, nullptr);
     Eigen::VectorXd Q = Eigen::VectorXd::Zero(12), dz(1);
     model.force(0).add_force(in, Q, dz);
     const double T = k * stretch;
@@ -427,8 +427,9 @@ TEST(Cables, RefuseWhatIsNoWay) {
   const State state = test::as_given(model).state;
   Kinematics kinematics(model);
   kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
-  EXPECT_THROW(cable.sample(element_input(cable, kinematics, Eigen::VectorXd::Zero(1), Eigen::VectorXd(), 0.0)),
-               NumericalError);
+  EXPECT_THROW(
+      cable.sample(element_input(cable, kinematics, Eigen::VectorXd::Zero(1), Eigen::VectorXd(), 0.0, nullptr)),
+      NumericalError);
 }
 
 }  // namespace

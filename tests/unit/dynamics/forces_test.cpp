@@ -35,7 +35,9 @@ double stored_rate(const ForceElement& element, const Model& model, const Layout
     kinematics.load(layout, moved.q, moved.v, Eigen::VectorXd());
     StoredEnergy energy;
     Dissipated power;
-    element.add_energy({kinematics.pair(element.bodies()[0], element.bodies()[1]), moved.z, voltages}, energy, power);
+    const test::OwnScratch own(element);
+    element.add_energy(own.with({kinematics.pair(element.bodies()[0], element.bodies()[1]), moved.z, voltages}), energy,
+                       power);
     stored[side] = energy.total();
   }
   return (stored[1] - stored[0]) / (2.0 * dt);
@@ -76,7 +78,8 @@ TEST_P(ForceElementEnergy, WhatIsTakenIsStoredOrDissipated) {
   for (const std::unique_ptr<ForceElement>& element : elements) {
     const PairMotion pair = kinematics.pair(element->bodies()[0], element->bodies()[1]);
     state.z = element->initial_state();
-    const ElementInput in{pair, state.z, voltages};
+    const test::OwnScratch own(*element);
+    const ElementInput in = own.with({pair, state.z, voltages});
     Eigen::VectorXd Q = Eigen::VectorXd::Zero(pair.size()), dz(element->state_count()), v(pair.size());
     for (std::size_t i = 0; i < 2; ++i) {
       if (element->bodies()[i] == kGround) continue;
@@ -118,7 +121,8 @@ TEST(ContactElement, OfEveryKindReportsTheForceThatItExertsOnItsFirstBody) {
     kinds.push_back(contact->kind());
     const PairMotion pair = kinematics.pair(contact->bodies()[0], contact->bodies()[1]);
     const Eigen::VectorXd z = contact->initial_state();
-    const ElementInput in{pair, z, Eigen::VectorXd()};
+    const test::OwnScratch own(*contact);
+    const ElementInput in = own.with({pair, z, Eigen::VectorXd()});
     Eigen::VectorXd Q = Eigen::VectorXd::Zero(pair.size()), dz(contact->state_count());
     contact->add_force(in, Q, dz);
     EXPECT_GT(contact->largest_overlap(in), 0.0) << contact->name();
@@ -276,7 +280,8 @@ struct TurnedBushing {
     Kinematics kinematics(model);
     const State state = test::as_given(model).state;
     kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
-    const ElementInput in{kinematics.pair(kGround, body), state.z, Eigen::VectorXd()};
+    const test::OwnScratch own(bushing);
+    const ElementInput in = own.with({kinematics.pair(kGround, body), state.z, Eigen::VectorXd()});
     Eigen::VectorXd no_states;
     bushing.add_force(in, Q, no_states);
     StoredEnergy stored;
@@ -343,7 +348,8 @@ TEST(Strut, SharesStrokeAndRateAmongItsLaws) {
   Kinematics kinematics(model);
   const State state = test::as_given(model).state;
   kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
-  const StrutSample sample = strut.sample({kinematics.pair(kGround, body), state.z, Eigen::VectorXd()});
+  const StrutSample sample =
+      strut.sample(test::OwnScratch(strut).with({kinematics.pair(kGround, body), state.z, Eigen::VectorXd()}));
   EXPECT_DOUBLE_EQ(sample.stroke, 1.0 - 0.8);
   EXPECT_DOUBLE_EQ(sample.rate, 0.5);
   EXPECT_DOUBLE_EQ(sample.force, 100.0 * (1.0 - 0.8) + 10.0 * 0.5);

@@ -281,8 +281,25 @@ inline std::unique_ptr<SoilContact> soil_contact(Random& random, const Model& mo
   sinkage.rebound = 0.3;
   std::shared_ptr<const SoilLaw> law = is_rft ? make_rft(rft, "") : make_pressure_sinkage(sinkage, "");
   return std::make_unique<SoilContact>(name, std::move(facets), is_rft, place, std::move(law),
-                                       std::make_shared<SoilGround>(1.0), true);
+                                       std::make_shared<const SoilGround>(1.0), true);
 }
+
+// The scratch of an element that is evaluated alone.
+class OwnScratch {
+ public:
+  explicit OwnScratch(const ForceElement& element) : scratch_(element.scratch(shared_)) {}
+  ElementScratch& operator*() const { return *scratch_; }
+  // The same input with it.
+  ElementInput with(const ElementInput& in) const {
+    ElementInput out = in;
+    out.scratch = scratch_.get();
+    return out;
+  }
+
+ private:
+  SharedCopies shared_;
+  std::unique_ptr<ElementScratch> scratch_;
+};
 
 // One of each kind of force element between the given bodies (a plane under the first of them that is a
 // body).

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
@@ -279,8 +280,9 @@ struct Plate {
       facet.start = model.initial_position(facet.marker);
     }
     auto contact = std::make_unique<SoilContact>("soil", facets, false, SoilContact::Place{{0, 0, 0}, up, nullptr},
-                                                 std::move(law), std::make_shared<SoilGround>(0.2), true);
+                                                 std::move(law), std::make_shared<const SoilGround>(0.2), true);
     soil = contact.get();
+    own.emplace(*soil);
     model.add_force(std::move(contact));
   }
   // The force along z of the plate at this place, which it is carried to straight.
@@ -292,13 +294,14 @@ struct Plate {
     state.v.head<3>() = 1e-3 * (place - last);
     kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
     last = place;
-    const ElementInput in{kinematics.pair(0, kGround), state.z, Eigen::VectorXd()};
+    const ElementInput in = own->with({kinematics.pair(0, kGround), state.z, Eigen::VectorXd()});
     const double force = soil->wrench(in)[2];
     soil->remember(in);
     return force;
   }
   Model model;
   const SoilContact* soil = nullptr;
+  std::optional<test::OwnScratch> own;
   Eigen::Vector3d last = Eigen::Vector3d::Zero();
 };
 
@@ -321,14 +324,14 @@ TEST(SoilContact, GroundKeepsPrintsWhereTheyAre) {
   EXPECT_NEAR(plate.carried_to({0.8, 0.0, -0.01}), 0.5 * p, 1e-4 * p);
   // What it remembers is a list of numbers.
   std::vector<double> memory, again;
-  plate.soil->save_memory(memory);
+  plate.soil->save_memory(**plate.own, memory);
   const double* from = memory.data();
-  plate.soil->recall(from);
+  plate.soil->recall(from, **plate.own);
   EXPECT_EQ(from, memory.data() + memory.size());
-  plate.soil->save_memory(again);
+  plate.soil->save_memory(**plate.own, again);
   EXPECT_EQ(memory, again);
   from = nullptr;
-  plate.soil->recall(from);
+  plate.soil->recall(from, **plate.own);
   EXPECT_NEAR(plate.carried_to({0.0, 0.0, -0.01}), 0.5 * p, 1e-4 * p) << "the ground of the start";
 }
 

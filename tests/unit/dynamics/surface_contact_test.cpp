@@ -194,12 +194,13 @@ TEST(SurfaceContact, ForceHasNoJumpWhereFacesMeet) {
     Eigen::Matrix3Xd vertices(3, 4);
     vertices << 0.0, 0.0, -1.0, 1.0, -1.0, 1.0, 0.0, 0.0, 0.0, 0.0, -0.36, -0.36;
     roof.add_triangles(vertices, {{0, 1, 2}, {0, 1, 3}});
+    std::vector<NearTriangle> near;
     std::vector<SurfaceTouch> touches;
     Eigen::Vector3d last = Eigen::Vector3d::Zero();
     for (int k = -400; k <= 400; ++k) {
       const double x = 1e-4 * k;
       const Eigen::Vector3d p(x, 0.01, side_of_roof > 0.0 ? 0.095 : -0.105 - 0.1 * std::abs(x));
-      roof.touches(p, kRadius, 0.01, {1.0}, touches);
+      roof.touches(p, kRadius, 0.01, {1.0}, near, touches);
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (const SurfaceTouch& touch : touches) sum += (kRadius - touch.distance) * touch.normal;
       if (k > -400) {

@@ -58,12 +58,10 @@ TerrainParts hills() {
   return parts;
 }
 
-std::shared_ptr<const Terrain> terrain_of(TerrainParts parts) {
-  return std::make_shared<const Terrain>(std::move(parts));
-}
+std::shared_ptr<Terrain> terrain_of(TerrainParts parts) { return std::make_shared<Terrain>(std::move(parts)); }
 
 TEST(Terrain, SlopesAndBendsAreDerivativesOfTheHeight) {
-  const Terrain ground(hills());
+  Terrain ground(hills());
   constexpr double d = 1e-5;  // error of differences: d^2 and 1e-16 / d, both below 1e-9
   test::Random random(3);
   for (int k = 0; k < 200; ++k) {
@@ -83,7 +81,7 @@ TEST(Terrain, MapGoesThroughItsSamplesAndKeepsSiteCoordinates) {
   TerrainParts parts;
   parts.map = map_of(9, 7, 0.25,
                      [](double x, double y) { return 0.0001 * std::round(1e3 * std::sin(3 * x) * std::cos(2 * y)); });
-  const Terrain ground(parts);
+  Terrain ground(parts);
   for (int j = 0; j < 7; ++j)
     for (int i = 0; i < 9; ++i)
       EXPECT_NEAR(ground.at(-1.0 + 0.25 * i, -0.75 + 0.25 * j).h, parts.map->at(i, j), 1e-15) << i << " " << j;
@@ -95,7 +93,7 @@ TEST(Terrain, MapGoesThroughItsSamplesAndKeepsSiteCoordinates) {
 }
 
 TEST(Terrain, DistanceIsThatOfTheNearestPoint) {
-  const Terrain ground(hills());
+  Terrain ground(hills());
   test::Random random(5);
   for (int k = 0; k < 100; ++k) {
     const double x = random.number(-3.0, 3.0), y = random.number(-3.0, 3.0);
@@ -124,7 +122,7 @@ TEST(Terrain, FeetInTheCellsOfAMapAreThoseOfTheWholeField) {
   parts.map = map_of(41, 31, 0.05, [](double x, double y) { return 0.02 * std::sin(7.0 * x + y) * std::cos(5.0 * y); });
   TerrainParts more = parts;
   more.craters = {{{100.0, 0.0}, 1.0, 0.1, 0.0}};
-  const Terrain cells(parts), whole(more);
+  Terrain cells(parts), whole(more);
   test::Random random(11);
   std::vector<Eigen::Vector3d> points;
   for (int k = 0; k < 403; ++k) {  // some beyond the edges, some across cells, some above; not a number of fours
@@ -155,7 +153,7 @@ TEST(Terrain, BallInAGrooveHasTwoFeet) {
   // h = |x| rounded off within 0.1 m: a ball of 0.5 m stands on both sides.
   TerrainParts parts;
   parts.map = map_of(201, 5, 0.02, [](double x, double) { return std::sqrt(x * x + 0.01); });
-  const Terrain ground(parts);
+  Terrain ground(parts);
   std::vector<Terrain::Foot> feet;
   ground.feet({0.0, 0.0, 0.71}, 0.55, feet);
   ASSERT_EQ(feet.size(), 2u);
@@ -172,7 +170,7 @@ TEST(Terrain, BallInAGrooveHasTwoFeet) {
 TEST(Terrain, NothingTouchesAboveTheLid) {
   TerrainParts parts = hills();
   parts.rocks = {{{1.0, 1.0}, 0.3, 0.5}, {{-1.0, 0.5}, 0.2, 0.2}};
-  const Terrain ground(parts);
+  Terrain ground(parts);
   test::Random random(9);
   int clear = 0;
   for (int k = 0; k < 300; ++k) {
@@ -194,7 +192,7 @@ TEST(Terrain, NothingTouchesAboveTheLid) {
   map.origin = {0.4, 0.3, 2.0};
   map.slope = {0.1, -0.3};
   map.map = map_of(161, 161, 0.02, [](double x, double y) { return 0.2 * x + 1e-3 * std::sin(40.0 * x + 30.0 * y); });
-  const Terrain rippled(map);
+  Terrain rippled(map);
   for (int k = 0; k < 100; ++k) {
     const Eigen::Vector2d c(random.number(-0.5, 1.3), random.number(-0.6, 1.2)), slope(0.3, -0.3);
     const double reach = random.number(0.05, 0.3), height = rippled.plane_above(c, reach, slope);
@@ -519,31 +517,32 @@ TEST(TerrainContact, ResultsDoNotDependOnWhatWasAskedBefore) {
   here.load(Layout(model), given.state.q, given.state.v, Eigen::VectorXd());
   there.load(Layout(model), given.state.q, 1.5 * given.state.v, Eigen::VectorXd());
   const Eigen::VectorXd z = random.vector_x(8, 0.05), inputs;
-  const TerrainContact fresh("ground", points, law, ground), used("ground", points, law, ground);
+  const TerrainContact contact("ground", points, law, ground);
+  const test::OwnScratch fresh(contact), used(contact), last(contact);
   const ElementInput in{here.pair(0, kGround), z, inputs}, other{there.pair(0, kGround), z, inputs};
   const int n = in.size();
-  const auto derivatives = [&](const TerrainContact& contact) {
+  const auto derivatives = [&](const test::OwnScratch& own) {
     ElementDerivatives out;
     for (Eigen::MatrixXd* m : {&out.dQ_dx, &out.dQ_dv}) m->setZero(n, n);
     out.dQ_dz.setZero(n, 8);
     for (Eigen::MatrixXd* m : {&out.ddz_dx, &out.ddz_dv}) m->setZero(8, n);
     out.ddz_dz.setZero(8, 2);
-    EXPECT_TRUE(contact.add_derivatives(in, out));
+    EXPECT_TRUE(contact.add_derivatives(own.with(in), out));
     return out.dQ_dx;
   };
-  const auto force = [&](const TerrainContact& contact, const ElementInput& of) {
+  const auto force = [&](const test::OwnScratch& own, const ElementInput& of) {
     Eigen::VectorXd Q = Eigen::VectorXd::Zero(n), dz(8);
-    contact.add_force(of, Q, dz);
+    contact.add_force(own.with(of), Q, dz);
     return Q;
   };
   const Eigen::VectorXd Q = force(fresh, in);
   EXPECT_GT(Q.norm(), 0.0);
   EXPECT_NE(force(used, other), Q);
-  EXPECT_EQ(used.wrench(other).head<3>(), force(used, other).head<3>());
+  EXPECT_EQ(contact.wrench(used.with(other)).head<3>(), force(used, other).head<3>());
   EXPECT_EQ(force(used, in), Q);
   const Eigen::MatrixXd K = derivatives(used);  // asks for more than the force did
   EXPECT_EQ(force(used, in), Q);
-  EXPECT_EQ(derivatives(TerrainContact("ground", points, law, ground)), K);
+  EXPECT_EQ(derivatives(last), K);
 }
 
 TEST(TerrainContact, EnergyIsKeptOverRocks) {
@@ -601,7 +600,8 @@ Eigen::Vector3d push_on_a_disc(const TerrainParts& parts, double tilt, bool plan
   kinematics.load(Layout(model), given.state.q, given.state.v, Eigen::VectorXd());
   const auto push = [&](const auto& ground) -> Eigen::Vector3d {
     const Eigen::VectorXd springs = ground.initial_state();
-    const auto wrench = ground.wrench({kinematics.pair(0, kGround), springs, Eigen::VectorXd()});
+    const test::OwnScratch own(ground);
+    const auto wrench = ground.wrench(own.with({kinematics.pair(0, kGround), springs, Eigen::VectorXd()}));
     return {wrench[2], wrench[3], wrench[4]};
   };
   if (!plane) return push(TerrainContact("ground", face, law, terrain_of(parts), rims));
@@ -627,7 +627,7 @@ TEST(TerrainContact, DiscIsAsStiffOnALevelMapAsOnThePlane) {
 TEST(Terrain, MapSmallerThanABallIsGroundThatGoesOn) {
   TerrainParts parts;
   parts.map = map_of(4, 3, 8.3e-6, [](double x, double y) { return x > 0.0 && y > 0.0 ? 2.0 : 0.0; });
-  const Terrain ground(parts);
+  Terrain ground(parts);
   std::vector<Terrain::Foot> feet;
   for (const double z : {-5.0, 0.0, 0.2, 5.0}) ground.feet({0.0, 0.0, z}, 0.3, feet);
   const double infinite = std::numeric_limits<double>::infinity();
@@ -637,7 +637,7 @@ TEST(Terrain, MapSmallerThanABallIsGroundThatGoesOn) {
 
 TEST(Terrain, SketchIsTheFieldAtTheNearestSamples) {
   TerrainParts parts = hills();
-  const Terrain ground(parts);
+  Terrain ground(parts);
   const std::vector<double> fine =
       ground.sketch({-6.0, -5.0}, {0.3, 0.4}, {40, 25});  // closer than the samples: the field
   for (std::size_t k = 0; k < fine.size(); ++k)
@@ -653,14 +653,14 @@ TEST(Terrain, SketchIsTheFieldAtTheNearestSamples) {
 // ---- steep steps ----
 
 // Samples 5 mm apart jump by 0.05 m: what a sharp kerb is in a map.
-std::shared_ptr<const Terrain> kerb(double rise = 0.05) {
+std::shared_ptr<Terrain> kerb(double rise = 0.05) {
   TerrainParts parts;
   parts.map = map_of(201, 41, 0.005, [rise](double x, double) { return x < 0.0 ? 0.0 : rise; });
   return terrain_of(parts);
 }
 
 // The place of the profile at y = 0 nearest to (x, z), by looking at all of them.
-Eigen::Vector2d nearest_on(const Terrain& ground, double x, double z) {
+Eigen::Vector2d nearest_on(Terrain& ground, double x, double z) {
   Eigen::Vector2d best(0.0, -1.0);
   double least = 1e9;
   const auto look = [&](double from, double to, double apart) {
@@ -714,8 +714,9 @@ TEST(SteepSteps, PushAWheelAndABallFromTheirEdge) {
       const Assembly given = test::as_given(model);
       Kinematics kinematics(model);
       kinematics.load(Layout(model), given.state.q, given.state.v, Eigen::VectorXd());
-      const ElementInput in{kinematics.pair(0, kGround), Eigen::VectorXd(), Eigen::VectorXd()};
-      const Eigen::Matrix<double, 6, 1> wrench = contact.wrench(in);
+      const Eigen::VectorXd none;
+      const Eigen::Matrix<double, 6, 1> wrench =
+          contact.wrench(test::OwnScratch(contact).with({kinematics.pair(0, kGround), none, none}));
       const double force = k * std::pow(overlap, 1.5);  // to the 1e-9 m of the search
       EXPECT_NEAR(wrench[0], force * n.x(), 1e-4 * force) << wheel << " " << lift;
       EXPECT_NEAR(wrench[2], force * n.y(), 1e-4 * force) << wheel << " " << lift;
@@ -791,7 +792,7 @@ TEST(SteepSteps, KeepTheEnergyOfABallAtAnyAngle) {
 }
 
 // A wheel across a kerb at an angle, of one sample or of three, 20 mm apart.
-std::shared_ptr<const Terrain> oblique_kerb(double degrees, double rise, int samples) {
+std::shared_ptr<Terrain> oblique_kerb(double degrees, double rise, int samples) {
   const double c = std::cos(degrees * kPi / 180.0), s = std::sin(degrees * kPi / 180.0);
   TerrainParts parts;
   parts.map = map_of(101, 101, 0.02, [&](double x, double y) {
@@ -830,8 +831,10 @@ TEST(SteepSteps, PushAWheelAlongTheSlopeOfItsEnergy) {
     for (const double lean : {-0.37, 0.0, 0.26}) {
       ObliqueWheel wheel(0.0, 0.0, lean);
       const TerrainContact contact("ground", {}, wheel.law, oblique_kerb(degrees, 0.05, 1), wheel.rims);
+      const test::OwnScratch own(contact);
       const Assembly given = test::as_given(wheel.model);
       Kinematics kinematics(wheel.model);
+      const Eigen::VectorXd none;
       constexpr int kSteps = 1500;
       double energy = 0.0, most = 0.0;
       Eigen::Vector3d r, force;
@@ -841,7 +844,7 @@ TEST(SteepSteps, PushAWheelAlongTheSlopeOfItsEnergy) {
         Eigen::VectorXd q = given.state.q;
         q.head<3>() = to;
         kinematics.load(Layout(wheel.model), q, given.state.v, Eigen::VectorXd());
-        const ElementInput in{kinematics.pair(0, kGround), Eigen::VectorXd(), Eigen::VectorXd()};
+        const ElementInput in = own.with({kinematics.pair(0, kGround), none, none});
         StoredEnergy stored{};
         Dissipated power{};
         contact.add_energy(in, stored, power);
@@ -952,7 +955,7 @@ TEST(SoilOnTerrain, SlopeAloneIsTheTiltedPlane) {
     place.normal = {-parts.slope.x(), -parts.slope.y(), 1.0};
     if (i == 0) place.terrain = terrain_of(parts);
     models[i].add_force(std::make_unique<SoilContact>("soil", facets, false, place, make_rft(sand, ""),
-                                                      std::make_shared<SoilGround>(0.1), true));
+                                                      std::make_shared<const SoilGround>(0.1), true));
   }
   test::Run uneven(models[0]), flat(models[1]);
   for (int k = 1; k <= 8; ++k) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "mbd_solver/assemble/law_files.h"
 #include "mbd_solver/model/control/fuzzy.h"
 #include "tests/support/temporary_folder.h"
 
@@ -18,7 +19,7 @@ inline std::filesystem::path lander_file() {
 }
 
 inline const FuzzySystem& lander() {
-  static const FuzzySystem system(lander_file());
+  static const FuzzySystem system(read_fll(lander_file()));
   return system;
 }
 

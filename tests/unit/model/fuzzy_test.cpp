@@ -32,7 +32,7 @@ TEST(Fuzzy, EqualsFuzzyLitesOwnEvaluationOfTheFile) {
 
 // The four outputs of the file take nearly all of the time of an evaluation.
 TEST(Fuzzy, ASignalOfOneOutputDoesNotComputeTheOthers) {
-  const FuzzyFunction one(lander_file(), 4, "U1");
+  const FuzzyFunction one(read_fll(lander_file()), 4, "U1");
   Eigen::Vector4d u(2.0, 1.0, 0.7, -1.1);
   const auto shortest = [](const auto& work) {
     double least = std::numeric_limits<double>::infinity();
@@ -48,6 +48,20 @@ TEST(Fuzzy, ASignalOfOneOutputDoesNotComputeTheOthers) {
     one.value(u);
   });
   EXPECT_LT(of_one, 0.6 * shortest([&] { voltages(lander(), {u[0], u[1], u[2], u[3]}); }));
+}
+
+TEST(Fuzzy, ACopyOfASignalHasAnEngineOfItsOwn) {
+  const FuzzyFunction one(read_fll(lander_file()), 4, "U1"), two(one);
+  std::mt19937_64 generator(5);
+  for (int k = 0; k < 20; ++k) {
+    const FuzzyInput x = random_input(lander(), generator), y = random_input(lander(), generator);
+    const Eigen::Vector4d here(x[0], x[1], x[2], x[3]), there(y[0], y[1], y[2], y[3]);
+    const double value = one.value(here);
+    EXPECT_EQ(value, voltages(lander(), x)[0]);
+    two.value(there);
+    EXPECT_EQ(two.value(here), value);
+    EXPECT_EQ(one.value(there), two.value(there));
+  }
 }
 
 TEST(Fuzzy, InputsSaturateAtTheirRanges) {
@@ -67,7 +81,7 @@ TEST(Fuzzy, NoRuleGivesTheStatedVoltageNotNaN) {
   const std::string gap = replaced(replaced(lander_text(), "term: N Ramp 0 -4", "term: N ZShape -3.2 -2.2"),
                                    "term: Z Triangle -4 0 4", "term: Z PiShape -2.1 -0.1 0.1 4");
   const TemporaryFll file(gap);
-  const FuzzySystem system(file.path);
+  const FuzzySystem system(read_fll(file.path));
   EXPECT_EQ(voltages(system, {1.0, 0.0, -2.15, 0.0}), Eigen::Vector4d::Constant(kNoRuleVoltage));
   EXPECT_NE(voltages(system, {1.0, 0.0, -1.5, 0.0}), Eigen::Vector4d::Constant(kNoRuleVoltage));
 }
@@ -132,12 +146,12 @@ TEST(Fuzzy, GridEqualsPointByPointEvaluation) {
   expect_grid_equals_points(lander());
   // Weights and rules that leave inputs out are plain too; other operators are not, and take the general way.
   const TemporaryFll weighted(replaced(lander_text(), "U4 is SB\n", "U4 is SB with 0.3\n"));
-  expect_grid_equals_points(FuzzySystem(weighted.path));
+  expect_grid_equals_points(FuzzySystem(read_fll(weighted.path)));
   const TemporaryFll any(
       replaced(lander_text(), "alpha is P and beta is P then U1 is M ", "alpha is any and beta is P then U1 is M "));
-  expect_grid_equals_points(FuzzySystem(any.path));
+  expect_grid_equals_points(FuzzySystem(read_fll(any.path)));
   const TemporaryFll product(replaced(lander_text(), "conjunction: Minimum", "conjunction: AlgebraicProduct"));
-  expect_grid_equals_points(FuzzySystem(product.path));
+  expect_grid_equals_points(FuzzySystem(read_fll(product.path)));
 }
 
 TEST(Fuzzy, BreakpointsAreTheCornersOfTheTerms) {
@@ -197,7 +211,7 @@ ControllerMeasurement measurement(double acceleration, double pitch = 0.0, doubl
 
 FuzzyControllerParameters parameters() {
   FuzzyControllerParameters p;
-  p.file = lander_file();
+  p.rules = read_fll(lander_file());
   return p;
 }
 
@@ -257,15 +271,13 @@ TEST(FuzzyController, RefusesNonsense) {
   FuzzyControllerParameters p = parameters();
   p.period = 0.0;
   EXPECT_THROW(FuzzyController{p}, InputError);
-  p = parameters();
-  p.file = "missing.fll";
-  EXPECT_THROW(FuzzyController{p}, InputError);
+  EXPECT_THROW(read_fll("missing.fll"), InputError);
 }
 
 // Loads the lander's file with `what` replaced by `with`: the refusal names the file and the line of the change.
 std::string refusal_of(const std::string& what, const std::string& with) {
   const TemporaryFll file(replaced(lander_text(), what, with));
-  const std::string said = test::error_of([&] { FuzzySystem system(file.path); });
+  const std::string said = test::error_of([&] { FuzzySystem system(read_fll(file.path)); });
   EXPECT_TRUE(test::names(said, {file.path.string()}));
   return said;
 }
@@ -308,7 +320,7 @@ TEST(FuzzyBadFile, IsNamedWithTheLineThatIsWrong) {
 // Before, the mark that some editors write was part of the first key, which then was unknown.
 TEST(FuzzyFile, MayBeginWithAByteOrderMark) {
   const TemporaryFll file("\xEF\xBB\xBF" + lander_text());
-  EXPECT_EQ(test::refusal([&] { FuzzySystem system(file.path); }), "");
+  EXPECT_EQ(test::refusal([&] { FuzzySystem system(read_fll(file.path)); }), "");
 }
 
 // Each line is compiled alone.
@@ -316,16 +328,16 @@ TEST(FuzzyBadFile, HasTwentyThousandLinesAtMost) {
   std::string many = "Engine: e\n";
   for (int k = 0; k < 20000; ++k) many += "\n";
   const TemporaryFll file(many);
-  EXPECT_TRUE(test::names(test::error_of([&] { FuzzySystem(file.path); }), {".fll", "20000 lines", "E0437"}));
+  EXPECT_TRUE(test::names(test::error_of([&] { FuzzySystem(read_fll(file.path)); }), {".fll", "20000 lines", "E0437"}));
 }
 
 TEST(FuzzyBadFile, LeavesOutNoVariableAndNoRegion) {
   const TemporaryFll pitch(
       replaced(replaced(lander_text(), "InputVariable: alpha", "InputVariable: pitch"), "alpha is", "pitch is", true));
-  EXPECT_TRUE(test::names(test::error_of([&] { FuzzySystem{pitch.path}; }), {"alpha", "a, da, pitch, beta"}));
+  EXPECT_TRUE(test::names(test::error_of([&] { FuzzySystem{read_fll(pitch.path)}; }), {"alpha", "a, da, pitch, beta"}));
   const TemporaryFll v2(
       replaced(replaced(lander_text(), "OutputVariable: U2", "OutputVariable: V2"), "U2 is", "V2 is", true));
-  EXPECT_TRUE(test::names(test::error_of([&] { FuzzySystem{v2.path}; }), {"V2"}));
+  EXPECT_TRUE(test::names(test::error_of([&] { FuzzySystem{read_fll(v2.path)}; }), {"V2"}));
   refusal_of("  implication: Minimum\n", "  implication: none\n");
   EXPECT_TRUE(test::names(refusal_of("  rule: if a is B and da is B and alpha is P and beta is P then", "  #"),
                           {"a = 5, da = 10, alpha = 4, beta = 4"}));
@@ -335,8 +347,8 @@ TEST(FuzzyBadFile, LeavesOutNoVariableAndNoRegion) {
                                      "  term: N Ramp -1.01 -4\n  term: Z Triangle -1 0 4\n"),
                           {"alpha = -1.01"}));
   const TemporaryFll empty("Engine: nothing\n");
-  EXPECT_THROW(FuzzySystem{empty.path}, InputError);
-  EXPECT_THROW(FuzzySystem{"no_such_file.fll"}, InputError);
+  EXPECT_THROW(FuzzySystem{read_fll(empty.path)}, InputError);
+  EXPECT_THROW(FuzzySystem{read_fll("no_such_file.fll")}, InputError);
 }
 
 TEST(ControlSurface, IsTheControllerOverTwoInputs) {

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/assemble/law_files.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/laws/curves.h"
 #include "mbd_solver/model/laws/friction.h"

@@ -493,7 +493,7 @@ SurfaceModel line(double radius) {
 }
 
 TEST(SurfaceModel, DistanceOfTwoCubesIsThatOfFaceEdgeAndCorner) {
-  const SurfaceModel a = cube(), b = cube();
+  SurfaceModel a = cube(), b = cube();
   EXPECT_NEAR(gap_between(a, b, {Eigen::Matrix3d::Identity(), {1.3, 0.2, 0.1}}).distance, 0.3, kSurfaceRoundOff);
   EXPECT_NEAR(gap_between(a, b, {Eigen::Matrix3d::Identity(), {1.3, 1.4, 0.1}}).distance, 0.5, kSurfaceRoundOff);
   EXPECT_NEAR(gap_between(a, b, {Eigen::Matrix3d::Identity(), {1.2, 1.2, 1.1}}).distance, 0.3, kSurfaceRoundOff);
@@ -505,18 +505,19 @@ TEST(SurfaceModel, DistanceOfTwoCubesIsThatOfFaceEdgeAndCorner) {
 }
 
 TEST(SurfaceModel, SurfacesThatCrossHaveNoDistanceAndAPlaceInBoth) {
-  const SurfaceModel a = cube(), b = cube();
+  SurfaceModel a = cube(), b = cube();
   const SurfaceGap gap = gap_between(a, b, {Eigen::Matrix3d::Identity(), {0.9, 0.8, 0.7}});
   EXPECT_LE(gap.distance, 0.0);
   EXPECT_LT((gap.place - Eigen::Vector3d(0.45, 0.4, 0.35)).cwiseAbs().maxCoeff(), 0.2);
   // One within the other does not cross it.
   Eigen::Matrix3Xd small(3, 3);
   small << 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0;
-  EXPECT_NEAR(gap_between(a, SurfaceModel(small, {{0, 1, 2}}), {}).distance, 0.4, kSurfaceRoundOff);
+  SurfaceModel within(small, {{0, 1, 2}});
+  EXPECT_NEAR(gap_between(a, within, {}).distance, 0.4, kSurfaceRoundOff);
 }
 
 TEST(SurfaceModel, ABeamIsAsThickAsItIs) {
-  const SurfaceModel a = line(0.1), b = line(0.05), c = cube();
+  SurfaceModel a = line(0.1), b = line(0.05), c = cube();
   const Eigen::Matrix3d across = rotation_matrix(quaternion_about(Eigen::Vector3d::UnitZ(), 2.0 * std::atan(1.0)));
   EXPECT_NEAR(gap_between(a, b, {across, {0.3, 0.4, 0.5}}).distance, 0.35, 1e-6);  // a line is a sliver
   EXPECT_LE(gap_between(a, b, {across, {0.3, 0.4, 0.14}}).distance, 0.0);
@@ -524,7 +525,7 @@ TEST(SurfaceModel, ABeamIsAsThickAsItIs) {
 }
 
 TEST(SurfaceModel, MovedVerticesAreWhereTheyWereMoved) {
-  const SurfaceModel a = cube();
+  SurfaceModel a = cube();
   SurfaceModel b = line(0.1);
   Eigen::Matrix3Xd v(3, 2);
   v << -1.0, 1.0, 0.0, 0.0, 1.5, 1.5;

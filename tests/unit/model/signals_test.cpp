@@ -259,7 +259,7 @@ std::vector<SignalNode> list(SignalNode a, SignalNode b, SignalNode c) {
 }
 
 TEST(SignalChain, IsEvaluatedInTheOrderOfItsReads) {
-  const SignalChain chain(list(node("c", "signal.b * 2"), node("b", "signal.a + x"), node("a", "x ^ 2")));
+  SignalChain chain(list(node("c", "signal.b * 2"), node("b", "signal.a + x"), node("a", "x ^ 2")));
   ASSERT_EQ(chain.size(), 3u);
   EXPECT_EQ(chain.node(0).name, "a");
   EXPECT_EQ(chain.node(1).name, "b");
@@ -274,20 +274,32 @@ TEST(SignalChain, IsEvaluatedInTheOrderOfItsReads) {
   }
 }
 
+TEST(SignalChain, ACopyHasValuesOfItsOwn) {
+  SignalChain chain(list(node("a", "x ^ 2"), node("b", "signal.a + x"), node("c", "1")));
+  chain.set(0, 3.0);
+  chain.put(0, 9.0);
+  SignalChain copy(chain);
+  EXPECT_DOUBLE_EQ(copy.inputs(1)[0], 12.0);
+  copy.set(0, 1.0);
+  copy.put(0, 1.0);
+  EXPECT_DOUBLE_EQ(copy.inputs(1)[0], 2.0);
+  EXPECT_DOUBLE_EQ(chain.inputs(1)[0], 12.0);
+}
+
 TEST(SignalChain, NamesTheCircleOfAnAlgebraicLoop) {
   const auto make = [] { SignalChain(list(node("a", "signal.c"), node("b", "signal.a"), node("c", "signal.b"))); };
   EXPECT_TRUE(test::names(test::error_of(make), {"a <- c <- b <- a"}));
 }
 
 TEST(SignalChain, MayGoRoundThroughAFilter) {
-  const SignalChain chain(list(node("a", "signal.c + 1"), node("b", "signal.a"), filter("c", "signal.b")));
+  SignalChain chain(list(node("a", "signal.c + 1"), node("b", "signal.a"), filter("c", "signal.b")));
   EXPECT_EQ(chain.node(0).name, "c");
 }
 
 TEST(SignalChain, WorksInItsStatesOnly) {
   SignalNode some = node("a", "1");
   some.states = {"up", "down"};
-  const SignalChain chain(list(std::move(some), node("b", "1"), node("c", "1")));
+  SignalChain chain(list(std::move(some), node("b", "1"), node("c", "1")));
   ASSERT_EQ(chain.names(), (std::vector<std::string>{"state.down", "state.up"}));
   EXPECT_FALSE(chain.active(0));
   EXPECT_TRUE(chain.active(1));
@@ -298,7 +310,7 @@ TEST(SignalChain, WorksInItsStatesOnly) {
 TEST(SignalChain, NamesThePlaceOfAnInputWithoutAValue) {
   SignalNode placed = node("a", "1 / x");
   placed.written_at = {"scene.toml:40: signals.a.input: "};
-  const SignalChain chain(list(std::move(placed), node("b", "1 / x"), node("c", "1")));
+  SignalChain chain(list(std::move(placed), node("b", "1 / x"), node("c", "1")));
   chain.set(0, 0.0);
   const auto complaint = [&](std::size_t k) { return test::error_of<NumericalError>([&] { chain.inputs(k); }); };
   EXPECT_TRUE(test::names(complaint(0), {"scene.toml:40: signals.a.input: ", "x = 0"}));

@@ -105,7 +105,7 @@ TEST(CollisionWatch, SpinningPlatesMeetWhenTheirExactDistanceSays) {
       faces.emplace_back(side, side + b + c, side + c);
     }
   }
-  const SurfaceModel plate(corners, faces);
+  SurfaceModel plate(corners, faces);
   int met = 0;
   for (int k = 0; k < 24; ++k) {
     const double y = 0.5 * any(random), x = 1.2 + 0.3 * any(random);  // not as arguments, whose order is the compiler's

@@ -1,6 +1,6 @@
 // Questions to the program of a signal, and what its answers mean. Its state in a checkpoint is text: base64.
 
-#include "mbd_solver/model/control/foreign_block.h"
+#include "mbd_solver/assemble/foreign_block.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include "coupler/archive.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/assemble/codes.h"
 #include "mbd_solver/base/packed_bytes.h"
-#include "mbd_solver/model/codes.h"
 
 namespace footfall {
 namespace {
