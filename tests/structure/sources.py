@@ -163,6 +163,21 @@ def one_child_process():
                 complain(f"{file}:{number}: {line.strip()}: starts a process; base/child_process.h does that")
 
 
+def model_is_constant():
+    """Several evaluations share a model: no part of it changes while it is evaluated (ElementScratch), and it reads no file and starts no
+    process: files are read before (scene, assemble), and what remains in a file comes as a function."""
+    constant = {f: text for f, text in sources.items() if f.startswith(("mbd_solver/model/", "mbd_solver/dynamics/"))}
+    found("sources of the model", constant, 80)
+    outside = (r"#include <(fstream|cstdio|fcntl\.h|unistd\.h|sys/[a-z]+\.h|spawn\.h)>"
+               r'|#include "[a-z_/]+/(text_reader|csv|number_file|input_file|files|run_directory|child_process|child_watch|helper_process)\.h"')
+    for file, text in constant.items():
+        for number, line in enumerate(text.split("\n"), 1):
+            if re.match(r"\s*(mutable|(static )?thread_local)\b", line) or ("const_cast" in line and "/model/" in file):
+                complain(f"{file}:{number}: {line.strip()}: the model is constant; expected scratch of the evaluation (ElementScratch)")
+            if re.match(outside, line):
+                complain(f"{file}:{number}: {line.strip()}: the model reads no file and starts no process")
+
+
 def one_text_reader():
     """Files of text are read in one place, which knows limits, ends of lines and the place of a fault; a text in memory is split."""
     reads = r"std::getline\(|std::ifstream\b"
@@ -244,6 +259,6 @@ def tests_leave_nothing():
             complain(f"{path.relative_to(root)}: left by a run; run programs in a folder of tests/support")
 
 
-for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, elements_have_types, quoting, one_child_process, one_text_reader, locales, named_files, readmes, packages, tests_leave_nothing):
+for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, elements_have_types, quoting, one_child_process, model_is_constant, one_text_reader, locales, named_files, readmes, packages, tests_leave_nothing):
     rule()
 sys.exit(failed)
