@@ -185,7 +185,8 @@ TEST(RigidPlane, CostsNothingFarAway) {
   Kinematics kinematics(model);
   const State state = test::as_given(model).state;
   kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
-  const ElementInput in{kinematics.pair(1, kGround), state.z, Eigen::VectorXd()};
+  const test::OwnScratch own(plane);
+  const ElementInput in = own.with({kinematics.pair(1, kGround), state.z, Eigen::VectorXd()});
   ElementDerivatives unsized;  // would not survive being written to
   EXPECT_FALSE(plane.add_derivatives(in, unsized));
   EXPECT_EQ(plane.wrench(in).norm(), 0.0);
