@@ -90,7 +90,7 @@ struct EmbeddedSimulation::Run {
   void observe(const Sample& sample) {
     if (leaving) return;
     metrics.update(sample);
-    if (sample.state.time < target - simulation.row_tolerance() && !sample.last) {
+    if (sample.state.time < target - simulation.instructions().rows().tolerance() && !sample.last) {
       observation.watch(sample);
       if (!asked || wall_clock() < next_question) return;
       fiber->pause();
@@ -131,7 +131,7 @@ struct EmbeddedSimulation::Run {
     for (Host& host : hosts) {
       archive(("signal." + host.name).c_str(), host.value);
       archive(("signal." + host.name + ".waits").c_str(), host.waits);
-      if (archive.restores() && host.waits) simulation.set_input(host.place, host.value);
+      if (archive.restores() && host.waits) simulation.instructions().set_input(host.place, host.value);
     }
   }
 
@@ -263,11 +263,11 @@ void EmbeddedSimulation::step(double until, const std::function<bool()>& asked) 
   if (!std::isfinite(until) || until < run.time)
     throw InputError(code::kStepBackwards, now + "a step to " + number_text(until, 9) +
                                                " s was asked for, expected a later time; restore() goes back");
-  if (until <= run.time + run.simulation.row_tolerance()) return;
+  if (until <= run.time + run.simulation.instructions().rows().tolerance()) return;
   run.target = std::min(until, run.scene.end_time);
-  run.simulation.stop_at(run.target);
+  run.simulation.instructions().stop_at(run.target);
   run.next_question = wall_clock() + kAskEvery;
-  while (!run.fiber->ended() && run.time < run.target - run.simulation.row_tolerance()) {
+  while (!run.fiber->ended() && run.time < run.target - run.simulation.instructions().rows().tolerance()) {
     const double before = run.time;
     run.resume();
     for (Run::Host& host : run.hosts) host.waits = false;
@@ -314,7 +314,7 @@ void EmbeddedSimulation::set_signal(const std::string& name, double value) {
     if (host.name != name) continue;
     host.value = value;
     host.waits = true;
-    run.simulation.set_input(host.place, value);
+    run.simulation.instructions().set_input(host.place, value);
   }
 }
 
@@ -334,7 +334,7 @@ std::string EmbeddedSimulation::save() {
                      "a simulation that has failed has no state to save; restore one that was saved before");
   if (run.has_ended() || run.fiber->ended()) return run.head() + run.archived();
   run.saving = true;
-  run.simulation.request_checkpoint();
+  run.simulation.instructions().request_checkpoint();
   run.resume();
   return run.head() + run.saved;
 }

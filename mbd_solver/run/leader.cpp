@@ -99,7 +99,8 @@ void Leader::set(const std::string& words) {
   const std::vector<SignalSpec>& signals = simulation_.scene().signals;
   for (std::size_t i = 0; space != std::string::npos && i < signals.size(); ++i)
     if (signals[i].kind == SignalKind::kHost && signals[i].name == name)
-      simulation_.set_input(simulation_.mechanism().signals[i].place, number_in(words.substr(space + 1)));
+      simulation_.instructions().set_input(simulation_.mechanism().signals[i].place,
+                                           number_in(words.substr(space + 1)));
 }
 
 double Leader::last_event(const Sample& sample) const {
@@ -110,7 +111,8 @@ double Leader::last_event(const Sample& sample) const {
 void Leader::observe(const Sample& sample, double energy_balance) {
   if (leaves_) return;
   const bool event = early_ && last_event(sample) != event_;
-  if (sample.state.time < target_ - simulation_.row_tolerance() && !sample.last && saved_.empty() && !event) {
+  if (sample.state.time < target_ - simulation_.instructions().rows().tolerance() && !sample.last && saved_.empty() &&
+      !event) {
     observation_.watch(sample);
     return;
   }
@@ -128,11 +130,11 @@ void Leader::observe(const Sample& sample, double energy_balance) {
       early_ = early;
       event_ = last_event(sample);
       target_ = number_in(line.substr(line.find(' ') + 1));
-      simulation_.stop_at(target_);
+      simulation_.instructions().stop_at(target_);
       return;
     }
     if (line == "save") {
-      simulation_.request_checkpoint();
+      simulation_.instructions().request_checkpoint();
       target_ = simulation_.scene().end_time;  // until saved() is called
       return;
     }
