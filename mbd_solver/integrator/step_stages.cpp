@@ -1,0 +1,136 @@
+// Stages are predicted from earlier rates, then solved one after the other; a stage that converges
+// slowly gets a Jacobian of its own.
+
+#include "mbd_solver/integrator/step_stages.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mbd_solver/dynamics/kinematics.h"
+
+namespace footfall {
+namespace {
+
+// Remaining error of Newton relative to the error of the step: invisible in the error estimate and
+// in the sum over many steps. The error of a first step is estimated; none counts as less than
+// kLeastError, because of round-off.
+constexpr double kNewton = 0.03, kFirstError = 1e-2, kLeastError = 1e-4, kRoundOff = 1e-12;
+constexpr double kKineticShare = 0.01;  // of the kinetic energy, against which errors of work are small
+// Convergence rate of a stage from which the next stage has a Jacobian of its own: a stiff force
+// whose direction turns within the step makes the one of its start useless, and what Newton then
+// leaves, small in every coordinate, adds up over many steps.
+constexpr double kStale = 0.1;
+
+}  // namespace
+
+StepData::StepData(const Layout& layout, const Tableau& first, int most_stages) : tableau(&first) {
+  const auto stages = static_cast<std::size_t>(most_stages);
+  y = Eigen::VectorXd::Zero(layout.size());
+  K.assign(stages, y);
+  Y.assign(stages, y);
+  energy.resize(stages);
+}
+
+StepStages::StepStages(Equations& equations, const IntegratorOptions& options, int stages, StepData& step,
+                       IntegratorStatistics& statistics)
+    : equations_(equations),
+      options_(options),
+      step_(step),
+      norm_(equations.layout(), options),
+      newton_(equations, norm_, statistics, failure_),
+      predictor_(stages, equations.layout().size()) {
+  Ydot_ = known_ = F_ = step.y;
+  dx_ = Eigen::VectorXd::Zero(equations.layout().v_size);
+}
+
+double StepStages::newton_tolerance(double h, double error_before) const {
+  const double expected = predictor_.has_step() && predictor_.tableau() == step_.tableau
+                              ? error_before * std::pow(h / predictor_.step(), step_.tableau->estimated_order + 1)
+                              : kFirstError;
+  return kNewton * std::clamp(expected, std::min(std::max(kLeastError, kRoundOff / options_.rtol), 1.0), 1.0);
+}
+
+bool StepStages::solve(double t, double h, const Treatment& treatment, const Inputs& inputs) {
+  norm_.set(step_.y);
+  failure_.reason.clear();
+  const double tolerance = newton_tolerance(h, treatment.error_before);
+  for (std::size_t i = 1; i <= step_.last(); ++i)
+    if (!solve_stage(i, t, h, tolerance, treatment, inputs)) return false;
+  return true;
+}
+
+bool StepStages::solve_stage(std::size_t i, double t, double h, double tolerance, const Treatment& treatment,
+                             const Inputs& inputs) {
+  const Tableau& tableau = *step_.tableau;
+  const int m = equations_.layout().lambda0(), rows = equations_.layout().row_count;
+  const double c = 1.0 / (h * tableau.gamma), slow = treatment.slow, t_stage = t + tableau.c[i] * h;
+  Eigen::VectorXd &Y = step_.Y[i], &K = step_.K[i];
+  known_ = step_.y;
+  for (std::size_t j = 0; j < i; ++j)
+    if (tableau.a[i][j] != 0.0) known_ += (h * tableau.a[i][j]) * step_.K[j];
+  predictor_.predict(tableau, static_cast<int>(i), h, step_.K);
+  const auto begin = [&] {
+    Y.head(m) = known_.head(m) + (h * tableau.gamma) * K.head(m);
+    Y.tail(rows) = K.tail(rows);
+  };
+  begin();
+  const bool own = treatment.at_stages || (treatment.stiff && i > 1 && newton_.rate() > kStale);
+  if (own) {
+    if (!newton_.refresh(t_stage, Y, K, c, slow, inputs)) return false;
+  } else if (newton_.needs_jacobian(c, i == 1, slow)) {
+    // At the start of the step: the prediction of the first implicit stage differs from it by O(h).
+    if (!newton_.refresh(t, step_.y, step_.K[0], c, slow, inputs)) return false;
+  }
+  if (newton_.solve(t_stage, c, known_, tolerance, slow, inputs, Y, K)) return true;
+  // Once more with the Jacobian of this stage, if that of the start of this step is not enough.
+  if (own || !newton_.fresh()) return false;
+  begin();
+  return newton_.refresh(t_stage, Y, K, c, slow, inputs) &&
+         newton_.solve(t_stage, c, known_, tolerance, slow, inputs, Y, K);
+}
+
+// e = h sum (b - b^) K, filtered: J x = c (dF/dydot) e, positions eliminated as in the Jacobian.
+double StepStages::estimated_error(double t, double h) {
+  const Layout& layout = equations_.layout();
+  const double c = 1.0 / (h * step_.tableau->gamma);
+  const int m = layout.lambda0(), lower = layout.size() - layout.q_size;
+  const Eigen::VectorXd& end = step_.Y[step_.last()];
+  Ydot_.setZero();
+  for (std::size_t j = 0; j <= step_.last(); ++j) Ydot_.head(m) += (h * step_.tableau->error[j]) * step_.K[j].head(m);
+  equations_.apply_mass(end, Ydot_, t + h, F_);
+  to_increments(layout, end.head(layout.q_size), Ydot_.head(layout.q_size), dx_);
+  Eigen::Ref<Eigen::VectorXd> x = F_.tail(lower);
+  x *= c;
+  equations_.subtract_stiffness(dx_, x);
+  newton_.apply_inverse(x);
+  dx_ += x.head(layout.v_size) / c;
+  from_increments(layout, end.head(layout.q_size), dx_, F_.head(layout.q_size));
+  failure_.worst = norm_.worst(F_);
+  return norm_(F_);
+}
+
+// Integrals of powers are further unknowns, W' = P, without influence on the others: their error is
+// h sum (b - b^) P. It is compared with the energies that all powers have transferred, and with a
+// share of the kinetic energy.
+double StepStages::work_error(double t, double h, double work_scale, const Inputs& inputs) {
+  const std::size_t last = step_.last();
+  std::vector<EnergySample>& energy = step_.energy;
+  work_error_.dissipated = {};
+  work_error_.supplied = {};
+  work_error_.load_work = Eigen::VectorXd::Zero(equations_.model().body_count());
+  for (std::size_t i = 0; i <= last; ++i) {
+    if (i == last) {
+      equations_.energy(t + h, step_.Y[i], inputs, energy[i]);
+    } else if (i > 0) {
+      equations_.powers(t + step_.tableau->c[i] * h, step_.Y[i], inputs, energy[i]);
+    }
+    add_work_error(energy[i], h * step_.tableau->error[i], work_error_);
+  }
+  work_error_.scale = 0.5 * h * (size_of_powers(energy[0]) + size_of_powers(energy[last]));
+  const double error = work_error_.total();
+  if (error == 0.0) return 0.0;
+  const double scale = work_scale + work_error_.scale + kKineticShare * energy[last].stored[Stored::kKinetic];
+  return error / (options_.rtol * scale);
+}
+
+}  // namespace footfall
