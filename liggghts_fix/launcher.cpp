@@ -133,7 +133,7 @@ int run(int argc, char** argv, const Communicator& communicator, DemLink& dem_li
   const std::unique_ptr<LAMMPS_NS::GrainAudit> audit = LAMMPS_NS::audit_if_required(lmp, dem_link);
   lmp->input->file();
   // The end of the scene stops a run as a signal would; the script then continues after that run.
-  while (LAMMPS_NS::SignalHandler::request_quit && dem_link.finished() && !dem_link.script_is_over() &&
+  while (LAMMPS_NS::SignalHandler::request_quit && dem_link.finished() && !dem_link.runs().script_is_over() &&
          interrupted() == 0) {
     LAMMPS_NS::SignalHandler::request_quit = false;
     lmp->input->file();

@@ -197,7 +197,7 @@ void FixWallGranBeam::post_force_primitive(int) {
 }
 
 void FixWallGranBeam::touch_grains(Beam& beam) {
-  DemBody& body = link_.body(beam.body);
+  DemBody& body = link_.window().body(beam.body);
   const bool counts = computeflag() != 0;  // otherwise an output evaluates the contacts once more
   if (counts) {
     beam.load.set_zero();
@@ -243,7 +243,7 @@ void FixWallGranBeam::watch_passage(Beam& beam, int i, const BeamTouch& touch) {
   const int tag = static_cast<int>(atom->tag[i]);
   const Eigen::Vector3d to_axis = touch.p - (vector(x_[i]) - touch.image);
   if (!beam.passages.passes(update->ntimestep, tag, to_axis, speed * update->dt)) return;
-  link_.grain_fault({GrainFault::kPassed, link_.time(), tag, beam.body, speed, radius_[i]});
+  link_.grains().fault({GrainFault::kPassed, link_.window().time(), tag, beam.body, speed, radius_[i]});
 }
 
 // Force on the round beam relative to a plane; the end of a beam is a sphere.
@@ -276,7 +276,7 @@ double FixWallGranBeam::touch(Beam& beam, int i, const BeamTouch& touch, double*
   {
     const ScopedModuli moduli(young_, shear_, atom->type[i], atom_type_wall(),
                               arguments_.curvature ? softness(beam, touch, r) : 1.0);
-    const ScopedPairMass mass(atom->rmass[i], link_.body(beam.body).inverse_mass());
+    const ScopedPairMass mass(atom->rmass[i], link_.window().body(beam.body).inverse_mass());
     std::optional<ScopedWallAsAtom> as_atom;
     if (reads_wall_as_atom_ && touch.gap > 0.0) as_atom.emplace(atom->v, velocities_, i, atom_type_wall(), v_wall);
     impl->compute_force(this, contact, touch.gap <= 0.0, v_wall);
@@ -296,7 +296,7 @@ double FixWallGranBeam::compute_vector(int n) {
     if (n < 3) {
       mine += load.F_W[n];
     } else if (n < 6) {
-      mine += load.T_W[n - 3] + link_.body(beam->body).pose().r.cross(load.F_W)[n - 3];
+      mine += load.T_W[n - 3] + link_.window().body(beam->body).pose().r.cross(load.F_W)[n - 3];
     } else if (n == 6) {
       mine += static_cast<double>(beam->contacts);
     } else {

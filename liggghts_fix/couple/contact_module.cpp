@@ -75,7 +75,7 @@ void ContactModule::watch_passage(int ip, const Eigen::Vector3d& d, const footfa
   const double speed = (vector3(atom->v[ip]) - body_->boundary().velocity(body_->pose(), point)).norm();
   const int tag = static_cast<int>(atom->tag[ip]);
   if (!passages_.passes(update->ntimestep, tag, d, speed * update->dt)) return;
-  link_->grain_fault({footfall::GrainFault::kPassed, link_->time(), tag, index_, speed, atom->radius[ip]});
+  link_->grains().fault({footfall::GrainFault::kPassed, link_->window().time(), tag, index_, speed, atom->radius[ip]});
 }
 
 }  // namespace LAMMPS_NS

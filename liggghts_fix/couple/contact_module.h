@@ -26,7 +26,7 @@ class ContactModule final : public MeshModule {
   void set_body(footfall::DemLink& link, int body) {
     link_ = &link;
     index_ = body;
-    body_ = &link.body(body);
+    body_ = &link.window().body(body);
   }
   // By grain type, from 1; empty: the script gives no elastic constants, and stiffnesses are unknown.
   void set_contacts(std::vector<footfall::WallContact> contacts) { contacts_ = std::move(contacts); }

@@ -299,12 +299,12 @@ void CoupledMesh::begin_run(const char* style, const GrainTorque& torque_before,
                          "model ... mesh n_meshes 1 meshes " +
                          mesh_id_);
   const std::string outside = outside_box();
-  stays_behind_ = !outside.empty() && link_.body(body_).off_bed();
+  stays_behind_ = !outside.empty() && link_.window().body(body_).off_bed();
   if (!outside.empty() && !stays_behind_)
     throw InputError(code::kMeshLeavesBox, where_ + "body \"" + link_.bodies().name(body_) + "\" " + outside);
   for (FixWallGran* wall : touching) {
     WallTorque::observe(lmp, *wall, torque_before);
-    if (arguments.mass_of_pair) WallTorque::set_body(*wall, fix_, &link_.body(body_));
+    if (arguments.mass_of_pair) WallTorque::set_body(*wall, fix_, &link_.window().body(body_));
   }
   let_grains_touch_once(arguments, touching);
   module_->set_torque_before(torque_before);
@@ -316,7 +316,7 @@ void CoupledMesh::begin_run(const char* style, const GrainTorque& torque_before,
 
 // Restart files hold the positions of the nodes only, but the forces before the first substep include damping.
 void CoupledMesh::set_velocities() {
-  const footfall::DemBody& body = link_.body(body_);
+  const footfall::DemBody& body = link_.window().body(body_);
   TriMesh* mesh = fix_->triMesh();
   body.boundary().node_velocities(body.pose(), v_W_);
   double*** v = node_velocities(mesh)->begin();
@@ -331,7 +331,7 @@ void CoupledMesh::move() {
   moved_ = true;
   if (stays_behind_) return;
   bend_round_surface();
-  const footfall::DemBody& body = link_.body(body_);
+  const footfall::DemBody& body = link_.window().body(body_);
   TriMesh* tri_mesh = fix_->triMesh();
   if (body.path().steady_translation()) {
     translate(body.pose().dr);
@@ -363,7 +363,7 @@ void CoupledMesh::move() {
 
 // LIGGGHTS loses a triangle whose centre is outside of a side of the box, be it by round-off.
 void CoupledMesh::hold_in_box() {
-  const footfall::DemBody& body = link_.body(body_);
+  const footfall::DemBody& body = link_.window().body(body_);
   const double margin = reach_ + 2.0 * kOnTheSide * (high(*domain) - low(*domain)).maxCoeff();
   if (body.boundary().mode_count() == 0 && !is_outside(*domain, body.pose().r, margin)) return;
   TriMesh* mesh = fix_->triMesh();
@@ -398,7 +398,7 @@ void CoupledMesh::translate(const Eigen::Vector3d& velocity) {
 void CoupledMesh::add_belt() {
   if (belt_B_.empty()) return;
   TriMesh* mesh = fix_->triMesh();
-  const Eigen::Matrix3d R_WB = link_.body(body_).pose().rotation();
+  const Eigen::Matrix3d R_WB = link_.window().body(body_).pose().rotation();
   double*** v = node_velocities(mesh)->begin();
   for (int i = 0; i < mesh->size(); ++i)
     for (int k = 0; k < 3; ++k) Eigen::Map<Eigen::Vector3d>(v[i][k]) += R_WB * belt_B_[mesh->id(i)].col(k);
@@ -420,7 +420,7 @@ void CoupledMesh::turn_properties(const footfall::BoundaryStep& step) {
     if (!step.r.isZero(0.0)) properties.move(step.r.data());
     return;
   }
-  const footfall::BodyMotion& pose = link_.body(body_).pose();
+  const footfall::BodyMotion& pose = link_.window().body(body_).pose();
   const Eigen::Vector3d from_Bo = step.r - pose.r;  // minus Bo before the step
   const Eigen::Vector4d turn = footfall::turned(Eigen::Vector4d(1.0, 0.0, 0.0, 0.0), step.theta_W);
   properties.move(from_Bo.data());
@@ -429,7 +429,7 @@ void CoupledMesh::turn_properties(const footfall::BoundaryStep& step) {
 }
 
 std::string CoupledMesh::outside_box() const {
-  const footfall::DemBody& body = link_.body(body_);
+  const footfall::DemBody& body = link_.window().body(body_);
   Eigen::Matrix3Xd x(3, body.boundary().node_count());
   body.boundary().node_positions(body.pose(), x);
   return outside_box_text(*domain, x(Eigen::all, nodes_));
@@ -437,7 +437,7 @@ std::string CoupledMesh::outside_box() const {
 
 // Every rank checks the same pose with the same result.
 void CoupledMesh::check_inside_box() {
-  const footfall::DemBody& body = link_.body(body_);
+  const footfall::DemBody& body = link_.window().body(body_);
   if (stays_behind_) return;
   if (body.boundary().mode_count() == 0 && !is_outside(*domain, body.pose().r, reach_)) return;
   const std::string outside = outside_box();
@@ -457,7 +457,7 @@ void CoupledMesh::let_grains_touch_once(const footfall::CoupleMbdArguments& argu
                                         const std::vector<FixWallGran*>& walls) {
   using Surface = footfall::CoupleMbdArguments::Surface;
   if (arguments.surface == Surface::kFacets || modify->n_fixes_style("multicontact/halfspace") > 0) return;
-  const footfall::ModalBoundary& boundary = link_.body(body_).boundary();
+  const footfall::ModalBoundary& boundary = link_.window().body(body_).boundary();
   auto smooth = std::make_shared<SmoothMesh>(
       SmoothMesh{footfall::SurfacePieces(boundary.rho0(), corners(), arguments.edge_angle), nullptr});
   if (!smooth->pieces.curved() && boundary.mode_count() == 0) return;
@@ -484,7 +484,7 @@ void CoupledMesh::let_grains_touch_once(const footfall::CoupleMbdArguments& argu
 // Turns or deforms the round surface with the body.
 void CoupledMesh::bend_round_surface() {
   if (smooth_ == nullptr || smooth_->round == nullptr) return;
-  const footfall::DemBody& body = link_.body(body_);
+  const footfall::DemBody& body = link_.window().body(body_);
   if (body.boundary().mode_count() == 0) {
     smooth_->round->turn(body.pose().rotation());
     return;

@@ -35,13 +35,13 @@ Eigen::Vector3d image_nearest_to(const Eigen::Vector3d& place, const double* x, 
 
 void FastGrains::check() {
   const bool is_due = neighbor->lastcall != list_ || update->ntimestep >= measured_ + kInterval;
-  if (!is_due && !link_.window_begins()) return;
+  if (!is_due && !link_.window().window_begins()) return;
   if (is_due) measure();
   if (smallest_ == 0.0) return;
   double speed = 0.0;
   for (int body = 0; body < link_.bodies().count(); ++body) {
-    const footfall::BodyMotion& pose = link_.body(body).pose();
-    const double reach = link_.body(body).boundary().rho0().colwise().norm().maxCoeff();
+    const footfall::BodyMotion& pose = link_.window().body(body).pose();
+    const double reach = link_.window().body(body).boundary().rho0().colwise().norm().maxCoeff();
     speed = std::max(speed, pose.dr.norm() + pose.w.norm() * reach + elastic_[body]);
   }
   if ((rate_ + speed / smallest_) * update->dt > footfall::kLongestWay) find_faults();
@@ -60,9 +60,9 @@ void FastGrains::measure() {
   smallest_ = atom->nlocal > 0 ? smallest : 0.0;
   elastic_.assign(static_cast<std::size_t>(link_.bodies().count()), 0.0);
   for (int body = 0; body < link_.bodies().count(); ++body) {
-    const footfall::ModalBoundary& boundary = link_.body(body).boundary();
+    const footfall::ModalBoundary& boundary = link_.window().body(body).boundary();
     if (boundary.mode_count() == 0) continue;
-    footfall::BodyMotion alone = link_.body(body).pose();
+    footfall::BodyMotion alone = link_.window().body(body).pose();
     alone.dr.setZero();
     alone.w.setZero();
     nodes_.resize(3, boundary.node_count());
@@ -73,8 +73,8 @@ void FastGrains::measure() {
 
 void FastGrains::find_faults() {
   for (int body = 0; body < link_.bodies().count(); ++body) {
-    const footfall::BodyMotion& pose = link_.body(body).pose();
-    const footfall::ModalBoundary& boundary = link_.body(body).boundary();
+    const footfall::BodyMotion& pose = link_.window().body(body).pose();
+    const footfall::ModalBoundary& boundary = link_.window().body(body).boundary();
     nodes_.resize(3, boundary.node_count());
     boundary.node_positions(pose, nodes_);
     for (int i = 0; i < atom->nlocal; ++i) {
@@ -84,9 +84,10 @@ void FastGrains::find_faults() {
       if (speed * update->dt <= footfall::kLongestWay * r) continue;
       // To the end of the window, and one radius and step on either side.
       const Eigen::Vector3d margin = r / speed * v + update->dt * v;
-      const Eigen::Vector3d way = link_.substeps_left() * update->dt * v + 2.0 * margin;
+      const Eigen::Vector3d way = link_.window().substeps_left() * update->dt * v + 2.0 * margin;
       if (!path_meets(boundary, nodes_, x - margin, way)) continue;
-      link_.grain_fault({footfall::GrainFault::kTooFast, link_.time(), static_cast<int>(atom->tag[i]), body, speed, r});
+      link_.grains().fault(
+          {footfall::GrainFault::kTooFast, link_.window().time(), static_cast<int>(atom->tag[i]), body, speed, r});
       return;
     }
   }

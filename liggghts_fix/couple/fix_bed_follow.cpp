@@ -255,7 +255,7 @@ void FixBedFollow::end_of_step() { find_next(); }
 
 void FixBedFollow::find_next() {
   next_axis_ = -1;
-  const Eigen::Vector3d& place = link_.body(body_).pose().r;
+  const Eigen::Vector3d& place = link_.window().body(body_).pose().r;
   for (int axis = 0; axis < 2 && next_axis_ < 0; ++axis) {
     if (!follows_[axis]) continue;
     const int first = first_[axis];
@@ -272,7 +272,7 @@ void FixBedFollow::find_next() {
 }
 
 std::array<double, 2> FixBedFollow::extent_of(int body, int axis) const {
-  const footfall::DemBody& one = link_.body(body);
+  const footfall::DemBody& one = link_.window().body(body);
   Eigen::Matrix3Xd x(3, one.boundary().node_count());
   one.boundary().node_positions(one.pose(), x);
   if (x.cols() == 0) return {HUGE_VAL, -HUGE_VAL};
@@ -329,7 +329,7 @@ void FixBedFollow::pre_exchange() {
   sum_.added_mass += counts[1];
   sum_.removed += counts[2];
   sum_.removed_mass += counts[3];
-  link_.grains_changed(changes);
+  link_.grains().changed(changes);
   atom->natoms += static_cast<bigint>(counts[0]) - static_cast<bigint>(counts[2]);
   if (atom->map_style) {
     atom->nghost = 0;

@@ -49,9 +49,9 @@ FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg)
   if (link_.started())
     throw InputError(code::kCouplingAfterRun,
                      arguments_.fix + "the coupling has run already and cannot be defined again");
-  if (arguments_.patience) link_.set_patience(*arguments_.patience);
-  link_.set_max_lost(arguments_.max_lost);
-  if (arguments_.outflow) link_.expect_outflow();
+  if (arguments_.patience) link_.handshake().set_patience(*arguments_.patience);
+  link_.grains().set_max_lost(arguments_.max_lost);
+  if (arguments_.outflow) link_.grains().expect_outflow();
   for (const footfall::MeshOfBody& pair : arguments_.meshes)
     meshes_.push_back(std::make_unique<CoupledMesh>(lmp_, arguments_.fix, pair, link_));
   for (const auto& mesh : meshes_) {
@@ -117,8 +117,8 @@ void FixCoupleMbd::init() {
   grain_changes_.initialized();
   for (const auto& mesh : meshes_) mesh->begin_run(style, torque_before_, arguments_);
   overlap_or_wait(first_run);
-  link_.expect_set_up();
-  if (first_run && link_.resumed()) link_.restore_opening_forces(comm->me == 0);
+  link_.window().opening_forces().expect_set_up();
+  if (first_run && link_.resumed()) link_.window().opening_forces().restore(comm->me == 0);
 }
 
 footfall::Start FixCoupleMbd::describe_script() {
@@ -140,7 +140,10 @@ footfall::Start FixCoupleMbd::describe_script() {
     warn_of_radius(lmp, script);
     script.walls = static_walls(*modify, world, script.warnings);
   } else {
-    for (const std::string& wall : gone_walls(*modify, link_.script_walls())) link_.wall_is_gone(wall);
+    for (const std::string& wall : gone_walls(*modify, link_.handshake().script().walls)) {
+      link_.handshake().forget_wall(wall);
+      link_.window().wall_is_gone(wall);
+    }
   }
   return script;
 }
@@ -172,19 +175,20 @@ void FixCoupleMbd::overlap_or_wait(bool report) {
 }
 
 void FixCoupleMbd::initial_integrate(int) {
-  if (update->dt != link_.dt())
+  if (update->dt != link_.handshake().script().dt)
     throw InputError(code::kTimeStepChanged,
                      arguments_.fix +
                          "the time step changed within the run (fix dt/reset?), but the coupling needs one "
                          "time step; use a fixed `timestep`");
-  if (compares_gravity_) link_.require_scene_gravity(gravity_now(*modify));  // its variables have values now
+  if (compares_gravity_)
+    link_.handshake().require_scene_gravity(gravity_now(*modify));  // its variables have values now
   compares_gravity_ = false;
   grain_changes_.run_begins();
   if (!overlaps_) move_boundaries();
 }
 
 void FixCoupleMbd::move_boundaries() {
-  link_.begin_substep(update->ntimestep);
+  link_.window().begin_substep(update->ntimestep);
   for (const auto& mesh : meshes_) {
     mesh->check_inside_box();
     mesh->move();
@@ -192,17 +196,17 @@ void FixCoupleMbd::move_boundaries() {
   fast_grains_.check();
   // The scene determines the length of the run: the run loop stops after this step. LIGGGHTS writes the thermo line of
   // this step only if the request comes in time, which restart_requested does.
-  if (!link_.in_last_substep() || (update->ntimestep >= update->laststep && !link_.repeats())) return;
+  if (!link_.window().in_last_substep() || (update->ntimestep >= update->laststep && !link_.runs().repeats())) return;
   SignalHandler::request_quit = true;
   output->restart_requested(update->ntimestep);
 }
 
 void FixCoupleMbd::final_integrate() {
-  if (!link_.end_substep()) return;
-  crossings_.check(*modify, link_, link_.time());
-  link_.write_shares(atom->nlocal, footfall::interrupted() != 0, row_);
+  if (!link_.window().end_substep()) return;
+  crossings_.check(*modify, link_, link_.window().time());
+  link_.window().write_shares(atom->nlocal, footfall::interrupted() != 0, row_);
   gather(row_);
-  link_.finish_window(rows_, comm->nprocs);
+  link_.window().finish_window(rows_, comm->nprocs);
 }
 
 // In the order of the ranks: the same bits on all.
@@ -222,25 +226,25 @@ void FixCoupleMbd::gather(const std::vector<double>& row) {
 }
 
 void FixCoupleMbd::end_of_step() {
-  if (const std::string folder = link_.checkpoint_folder(); !folder.empty()) write_checkpoint(folder);
+  if (const std::string folder = link_.window().checkpoint_folder(); !folder.empty()) write_checkpoint(folder);
 }
 
 void FixCoupleMbd::write_checkpoint(const std::string& folder) {
-  const bool undisturbed = link_.checkpoint_undisturbed();
+  const bool undisturbed = link_.window().checkpoint_undisturbed();
   const std::string file = footfall::DemCheckpoint::restart_file(folder);
-  link_.store_opening_forces(sum_over_ranks(link_.opening_forces()));
+  link_.window().opening_forces().store(sum_over_ranks(link_.window().opening_forces().of_this_rank()));
   const bool done = !undisturbed || write_grains_undisturbed(lmp, file);
   if (!undisturbed) write_grains(lmp, file);
   if (done) write_text(lmp, footfall::DemCheckpoint::file(folder), link_.checkpoint_text(update->ntimestep));
-  link_.checkpoint_done(update->ntimestep, done);
+  link_.window().checkpoint_done(update->ntimestep, done);
   if (undisturbed) return;
   continue_as_after_restart();
-  link_.restore_opening_forces(comm->me == 0);
+  link_.window().opening_forces().restore(comm->me == 0);
 }
 
 void FixCoupleMbd::set_up_done() {
   return_held_forces(lmp);
-  link_.count_changes();
+  link_.grains().count_changes();
 }
 
 // When a restart file is read, the grains get another order, and lists and contacts are created anew. Here the same is
@@ -271,25 +275,26 @@ double FixCoupleMbd::over_ranks(double share) { return sum_over_ranks({share}).f
 
 double FixCoupleMbd::compute_vector(int n) {
   switch (static_cast<OutputIndex>(n)) {
-    case kWindows: return static_cast<double>(link_.windows());
-    case kEnergyResidual: return link_.energy_residual();
-    case kWork: return link_.work();
-    case kOverlap: return link_.max_overlap_over_radius();
-    case kInserted: return over_ranks(link_.changes_here().inserted) + link_.changes().inserted;
-    case kLeft: return over_ranks(link_.changes_here().left) + link_.changes().left;
-    case kChanged: return over_ranks(link_.changes_here().changed) + link_.changes().changed;
+    case kWindows: return static_cast<double>(link_.window().count());
+    case kEnergyResidual: return link_.window().work().residual();
+    case kWork: return link_.window().work().all;
+    case kOverlap: return link_.window().max_overlap_over_radius();
+    case kInserted: return over_ranks(link_.grains().changes_here().inserted) + link_.grains().changes().inserted;
+    case kLeft: return over_ranks(link_.grains().changes_here().left) + link_.grains().changes().left;
+    case kChanged: return over_ranks(link_.grains().changes_here().changed) + link_.grains().changes().changed;
     case kContacts:
     case kOutputs: break;
   }
   double contacts = 0.0;
   if (link_.started())
-    for (int i = 0; i < link_.bodies().count(); ++i) contacts += static_cast<double>(link_.body(i).load().contacts);
+    for (int i = 0; i < link_.bodies().count(); ++i)
+      contacts += static_cast<double>(link_.window().body(i).load().contacts);
   return contacts;
 }
 
 double FixCoupleMbd::compute_array(int i, int j) {
   if (!link_.started()) return 0.0;
-  const footfall::DemBody& body = link_.body(output_rows_[i]);
+  const footfall::DemBody& body = link_.window().body(output_rows_[i]);
   if (j < 3) return body.load().mean.F_W[j];
   if (j < kForceAndMoment) return body.mean_moment_W()[j - 3];
   const Eigen::VectorXd& Q_a = body.load().mean.Q_a;

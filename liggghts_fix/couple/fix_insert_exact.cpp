@@ -125,14 +125,14 @@ void FixInsertExact::pre_exchange() {
   footfall::DemLink* const link = footfall::find_dem_link(lmp);
   if (late > 0 && !late_ && comm->me == 0 && link != nullptr) {
     late_ = true;
-    link->warn(footfall::with_code(footfall::code::kNoSpaceForGrains,
-                                   "t = " + footfall::number_text(static_cast<double>(update->ntimestep) * update->dt) +
-                                       " s: grain source " + id + ": " + std::to_string(late) + " of " +
-                                       std::to_string(wanted) + " grains found no space in its region" +
-                                       (ins_region->id == std::string(id) ? "" : std::string(" ") + ins_region->id) +
-                                       "; they come later, so that the flow is less than its rate. Move the region out "
-                                       "of the bed, enlarge it, or give "
-                                       "new grains a velocity out of it"));
+    link->window().warn(footfall::with_code(
+        footfall::code::kNoSpaceForGrains,
+        "t = " + footfall::number_text(static_cast<double>(update->ntimestep) * update->dt) + " s: grain source " + id +
+            ": " + std::to_string(late) + " of " + std::to_string(wanted) + " grains found no space in its region" +
+            (ins_region->id == std::string(id) ? "" : std::string(" ") + ins_region->id) +
+            "; they come later, so that the flow is less than its rate. Move the region out "
+            "of the bed, enlarge it, or give "
+            "new grains a velocity out of it"));
   }
   next_reneighbor = next_insertion(update->ntimestep);
 }

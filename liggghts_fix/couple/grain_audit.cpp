@@ -195,7 +195,7 @@ void GrainAudit::count_weight() {
 
 void GrainAudit::count_bodies() {
   for (int i = 0; i < link_.bodies().count(); ++i) {
-    const footfall::DemBody& body = link_.body(i);
+    const footfall::DemBody& body = link_.window().body(i);
     const footfall::GeneralizedForce& Q = body.contact_force();
     const Vector F = Q.F_W.cast<Real>(), T = Q.T_W.cast<Real>();
     const Vector r = body.pose().r.cast<Real>();
@@ -222,7 +222,7 @@ void GrainAudit::all_forces_done(bool set_up) {
     return;
   }
   const Real dt = update->dt;
-  const footfall::StepWeights scheme = link_.scheme().weights();
+  const footfall::StepWeights scheme = link_.handshake().scheme().weights();
   for (Source& one : sources_) {
     const bool by_scheme = one.kind == "mean";
     const Real opening = by_scheme ? scheme.opening : 0.5L, closing = by_scheme ? scheme.closing : 0.5L;
@@ -235,13 +235,13 @@ void GrainAudit::all_forces_done(bool set_up) {
 }
 
 void GrainAudit::step_done() {
-  if (!link_.started() || link_.windows() <= windows_) return;
+  if (!link_.started() || link_.window().count() <= windows_) return;
   const long window = static_cast<long>(windows_);
   write_sources(window);
   write_state(window);
   if (comm->me == 0 && !file_.flush())
     throw footfall::NumericalError(footfall::code::kAuditNotWritten, "the file of the audit cannot be written");
-  windows_ = link_.windows();
+  windows_ = link_.window().count();
   steps_ = 0;
 }
 
@@ -306,7 +306,8 @@ void GrainAudit::write_sources(long window) {
   footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, &grains, 1, MPI_DOUBLE, MPI_SUM, world), "MPI_Allreduce");
   const Real H = static_cast<Real>(update->dt) * steps_;
   Wrench clock;
-  clock << link_.time(), H, 0.0L, steps_, grains, domain->xperiodic + 2 * domain->yperiodic + 4 * domain->zperiodic;
+  clock << link_.window().time(), H, 0.0L, steps_, grains,
+      domain->xperiodic + 2 * domain->yperiodic + 4 * domain->zperiodic;
   write(window, "clock", "-", clock, 0.0L, 0.0L);
   for (std::size_t k = 0; k < sources_.size(); ++k) {
     const Real* const values = &row[8 * k];
@@ -315,7 +316,7 @@ void GrainAudit::write_sources(long window) {
     sources_[k].force = sources_[k].moment = 0.0L;
   }
   for (int i = 0; i < link_.bodies().count(); ++i) {
-    const footfall::MeanLoad& mean = link_.body(i).load().mean;
+    const footfall::MeanLoad& mean = link_.window().body(i).load().mean;
     Wrench load = Wrench::Zero();
     load << H * mean.F_W.cast<Real>(), H * mean.T_B.cast<Real>();
     write(window, "load", link_.bodies().name(i), load, 0.0L, 0.0L);

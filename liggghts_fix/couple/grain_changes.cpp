@@ -147,22 +147,22 @@ void GrainChangeWatch::initialized() {
   int rank = 0;
   MPI_Comm_rank(world, &rank);
   if (rank == 0)
-    link_.grains_changed(
+    link_.grains().changed(
         changes({sums[0], sums[1], 0.0, std::lround(sums[2])}, {sums[3], sums[4], 0.0, std::lround(sums[5])}));
 }
 
 void GrainChangeWatch::run_ended() {
-  if (link_.counts_changes()) at_end_ = sum_of_grains(lmp, link_.script_gravity());
+  if (link_.grains().counts_changes()) at_end_ = sum_of_grains(lmp, link_.script_gravity());
 }
 
 GrainSum GrainChangeWatch::sum() const { return sum_of_grains(lmp, link_.script_gravity(), false, ahead_); }
 
 void GrainChangeWatch::before() {
-  if (link_.counts_changes()) before_ = sum();
+  if (link_.grains().counts_changes()) before_ = sum();
 }
 
 void GrainChangeWatch::after() {
-  if (link_.counts_changes()) link_.grains_changed(changes(before_, sum()));
+  if (link_.grains().counts_changes()) link_.grains().changed(changes(before_, sum()));
 }
 
 }  // namespace LAMMPS_NS

@@ -19,8 +19,8 @@ void LAMMPS_NS::Comm::exchange() {
     footfall::GrainChanges changes;
     changes.left = -lost.energy;
     changes.lost_mass = lost.mass;
-    link->grains_changed(changes);
+    link->grains().changed(changes);
   }
   exchange(this);
-  if (link != nullptr) link->grains_exchanged(before, atom->nlocal);
+  if (link != nullptr) link->grains().exchanged(before, atom->nlocal);
 }

@@ -8,6 +8,7 @@
 
 void LAMMPS_NS::Input::jump() {
   static const auto jump = footfall::next_definition<void (*)(Input*)>("_ZN9LAMMPS_NS5Input4jumpEv");
-  if (footfall::DemLink* const link = footfall::find_dem_link(lmp)) link->script_jumps();
+  footfall::DemLink* const link = footfall::find_dem_link(lmp);
+  if (link != nullptr && link->started()) link->runs().script_jumps();
   jump(this);
 }

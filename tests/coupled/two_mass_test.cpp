@@ -32,7 +32,7 @@ void grain_side(Transport& transport, double dt, int n, double contact_damping, 
   script.dt = dt;
   script.n = n;
   dem.start(script);
-  DemBody& body = dem.body(0);
+  DemBody& body = dem.window().body(0);
   const BoundaryPoint face{{0, 1, 2}, {0.25, 0.25, 0.5}};
   double x = 0.0, v = 0.0, f = 0.0, boundary_velocity = TwoMass::initial()[1];
   const auto contact = [&] {
@@ -40,25 +40,25 @@ void grain_side(Transport& transport, double dt, int n, double contact_damping, 
     f = TwoMass::kc * (X - x) + contact_damping * (boundary_velocity - v);  // on the grain
     body.add_contact(face, {-f, 0.0, 0.0}, Eigen::Vector3d::Zero(), 0.0, TwoMass::kc);
   };
-  dem.expect_set_up();
+  dem.window().opening_forces().expect_set_up();
   contact();
   std::vector<double> sums;
   for (std::int64_t step = 1; !dem.finished(); ++step) {
-    dem.begin_substep(step);
+    dem.window().begin_substep(step);
     boundary_velocity = body.pose().dr[0];
     const double half = v + 0.5 * dt * (-TwoMass::kp * x + f) / TwoMass::m;
     x += dt * half;
     v = half;
     contact();
     v = half + 0.5 * dt * (-TwoMass::kp * x + f) / TwoMass::m;
-    if (!dem.end_substep()) continue;
-    dem.write_shares(1, false, sums);
-    dem.finish_window(sums, 1);
-    result.given = dem.work();
+    if (!dem.window().end_substep()) continue;
+    dem.window().write_shares(1, false, sums);
+    dem.window().finish_window(sums, 1);
+    result.given = dem.window().work().all;
   }
   result.state[2] = x;
   result.state[3] = v;
-  result.energy_residual = dem.energy_residual();
+  result.energy_residual = dem.window().work().residual();
 }
 
 void body_side(Transport& transport, const std::string& scheme, double T, double damping, Result& result) {

@@ -114,22 +114,22 @@ TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
   pair.dem.bodies().couple("pad", "si");
   pair.dem.start(script(1e-4, 1, 0));
   const auto push = [&](double f) {
-    pair.dem.body(0).add_contact({{0, 1, 2}, {1, 0, 0}}, {0, 0, f}, Eigen::Vector3d::Zero(), 0.01 * f, 100.0);
+    pair.dem.window().body(0).add_contact({{0, 1, 2}, {1, 0, 0}}, {0, 0, f}, Eigen::Vector3d::Zero(), 0.01 * f, 100.0);
   };
   push(1000.0);  // of nobody's concern: before the set-up
-  pair.dem.expect_set_up();
+  pair.dem.window().opening_forces().expect_set_up();
   push(8.0);
-  pair.dem.begin_substep(1);
-  pair.dem.begin_substep(1);  // a second fix of the same step changes nothing
-  EXPECT_TRUE(pair.dem.in_last_substep());
+  pair.dem.window().begin_substep(1);
+  pair.dem.window().begin_substep(1);  // a second fix of the same step changes nothing
+  EXPECT_TRUE(pair.dem.window().in_last_substep());
   push(2.0);
-  ASSERT_TRUE(pair.dem.end_substep());
+  ASSERT_TRUE(pair.dem.window().end_substep());
   std::vector<double> sums;
-  pair.dem.write_shares(38, false, sums);
-  EXPECT_FALSE(pair.dem.end_requested());
+  pair.dem.window().write_shares(38, false, sums);
+  EXPECT_FALSE(pair.dem.window().end_requested());
   std::vector<double> both = sums;  // two ranks with the same forces
   both.insert(both.end(), sums.begin(), sums.end());
-  pair.dem.finish_window(both, 2);
+  pair.dem.window().finish_window(both, 2);
   pair.partner.join();
   EXPECT_TRUE(pair.dem.finished());
   EXPECT_DOUBLE_EQ(load.bodies[0].mean.F_W[2], 10.0);
@@ -141,7 +141,7 @@ TEST(DemLink, TheForceOfTheSetUpOpensTheFirstSubstep) {
   EXPECT_EQ(load.lost, 0);
   EXPECT_TRUE(load.warnings.empty());
   EXPECT_NO_THROW(pair.dem.script_ended());
-  EXPECT_THROW(pair.dem.begin_substep(2), InputError);
+  EXPECT_THROW(pair.dem.window().begin_substep(2), InputError);
 }
 
 // Windows of one substep; in each one rank counts so many grains, and so many lost ones.
@@ -175,27 +175,27 @@ std::vector<Load> loads_of(const std::vector<Census>& census, double max_lost, s
     }
   });
   pair.dem.bodies().couple("pad", "si");
-  pair.dem.set_max_lost(max_lost);
-  if (outflow) pair.dem.expect_outflow();
+  pair.dem.grains().set_max_lost(max_lost);
+  if (outflow) pair.dem.grains().expect_outflow();
   const double before_start = wall_clock();
   pair.dem.start(script(1e-4, 1, 0));
   const double after_start = wall_clock();
   double before_end = 0.0;
-  pair.dem.expect_set_up();
-  pair.dem.count_changes();
+  pair.dem.window().opening_forces().expect_set_up();
+  pair.dem.grains().count_changes();
   try {
     int step = 0;
     for (const Census& now : census) {
-      pair.dem.begin_substep(++step);
-      EXPECT_TRUE(pair.dem.end_substep());
+      pair.dem.window().begin_substep(++step);
+      EXPECT_TRUE(pair.dem.window().end_substep());
       const auto grains = static_cast<std::int64_t>(now.grains), lost = static_cast<std::int64_t>(now.lost);
-      pair.dem.grains_exchanged(grains + lost, grains);
-      pair.dem.grains_changed(now.changes);
-      pair.dem.grain_fault(now.fault);
+      pair.dem.grains().exchanged(grains + lost, grains);
+      pair.dem.grains().changed(now.changes);
+      pair.dem.grains().fault(now.fault);
       std::vector<double> row;
-      pair.dem.write_shares(grains, false, row);
+      pair.dem.window().write_shares(grains, false, row);
       before_end = wall_clock();
-      pair.dem.finish_window(row, 1);
+      pair.dem.window().finish_window(row, 1);
     }
   } catch (const NumericalError& error) {
     EXPECT_NE(failure, nullptr) << error.what();
@@ -309,9 +309,9 @@ TEST(DemLink, AScriptThatMayEndEarlyEndsWithoutAFailure) {
   Start start = script(1e-4, 10, 0);
   start.may_end_early = true;
   pair.dem.start(start);
-  pair.dem.expect_set_up();
-  pair.dem.begin_substep(1);
-  EXPECT_FALSE(pair.dem.end_substep());
+  pair.dem.window().opening_forces().expect_set_up();
+  pair.dem.window().begin_substep(1);
+  EXPECT_FALSE(pair.dem.window().end_substep());
   EXPECT_NO_THROW(pair.dem.uncoupled_by("unfix m"));
   pair.partner.join();
   EXPECT_TRUE(pair.dem.finished());
@@ -348,15 +348,15 @@ TEST(DemLink, OneRankThatIsAskedToEndAsksAll) {
     });
     pair.dem.bodies().couple("pad", "si");
     pair.dem.start(script(1e-4, 1, 0));
-    pair.dem.begin_substep(1);
-    ASSERT_TRUE(pair.dem.end_substep());
+    pair.dem.window().begin_substep(1);
+    ASSERT_TRUE(pair.dem.window().end_substep());
     std::vector<double> rows, row;
     for (int rank = 0; rank < 3; ++rank) {
-      pair.dem.write_shares(1, rank == signalled, row);
+      pair.dem.window().write_shares(1, rank == signalled, row);
       rows.insert(rows.end(), row.begin(), row.end());
     }
-    pair.dem.finish_window(rows, 3);
-    EXPECT_TRUE(pair.dem.end_requested()) << signalled;
+    pair.dem.window().finish_window(rows, 3);
+    EXPECT_TRUE(pair.dem.window().end_requested()) << signalled;
     EXPECT_TRUE(pair.dem.fail("stopped by a signal", Status::kInterrupted));
     pair.partner.join();
   }
@@ -378,10 +378,10 @@ TEST(DemLink, AScriptThatEndsTooEarlySaysWhenAndHowManyStepsAreNeeded) {
   });
   pair.dem.bodies().couple("pad", "si");
   pair.dem.start(script(1e-4, 10, 0));
-  pair.dem.expect_set_up();
+  pair.dem.window().opening_forces().expect_set_up();
   for (int step = 1; step <= 4; ++step) {
-    pair.dem.begin_substep(step);
-    EXPECT_FALSE(pair.dem.end_substep());
+    pair.dem.window().begin_substep(step);
+    EXPECT_FALSE(pair.dem.window().end_substep());
   }
   const std::string said = test::error_of<InputError>([&] { pair.dem.script_ended(); });
   pair.partner.join();
@@ -416,8 +416,8 @@ TEST(DemLink, RefusesAMotionOfAnotherShape) {
     });
     pair.dem.bodies().couple("pad", "si");
     pair.dem.start(script(1e-4, 10, 0));
-    pair.dem.expect_set_up();
-    EXPECT_THROW(pair.dem.begin_substep(1), ProtocolError) << wrong;
+    pair.dem.window().opening_forces().expect_set_up();
+    EXPECT_THROW(pair.dem.window().begin_substep(1), ProtocolError) << wrong;
   }
 }
 
