@@ -1,8 +1,7 @@
-// The loop of Simulation runs in a fiber. It pauses where it observes a sample at the end of the step that is asked for, and at the
-// checkpoint of save(). A run that is no longer wanted is interrupted, and ends as after SIGINT. A lock that nobody waits for refuses
-// calls of other threads; what is read is copied, so that no thread sees it change.
+// The run pauses at its samples; a step is over at the sample of its end, and save() at the checkpoint that it requests. A lock that nobody
+// waits for refuses calls of other threads; what is read is copied, so that no thread sees it change.
 
-#include "mbd_solver/embed/embedded_simulation.h"
+#include "mbd_solver/embed/session.h"
 
 #include <atomic>
 #include <cmath>
@@ -16,7 +15,6 @@
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/base/fiber.h"
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/embed/codes.h"
 #include "mbd_solver/run/codes.h"
@@ -44,8 +42,8 @@ const Scene& without_grains(const Scene& scene, bool trusted) {
 
 }  // namespace
 
-struct EmbeddedSimulation::Run {
-  Run(Scene given, EmbeddedOptions chosen)
+struct Session::Run {
+  Run(Scene given, SessionOptions chosen)
       : scene(std::move(given)),
         options(chosen),
         simulation(without_grains(scene, options.trusted), scene.end_time, nullptr),
@@ -61,44 +59,47 @@ struct EmbeddedSimulation::Run {
       if (signals[i].kind == SignalKind::kHost)
         hosts.push_back({signals[i].name, simulation.mechanism().signals[i].place, signals[i].initial.value_or(0.0)});
     begin();
-    fiber->resume();
+    continue_run();
+    take(simulation.sample());
   }
-  ~Run() { leave(); }
 
   void begin() {
-    interrupted = 0;
-    leaving = failed = false;
-    fiber = std::make_unique<Fiber>([this] {
-      CheckpointWriter writer;
-      writer.begin = [](long) { return std::string(); };
-      writer.finish = [this] { checkpoint(); };
-      simulation.run([this](const Sample& sample) { observe(sample); }, interrupted, writer);
-    });
+    failed = false;
+    CheckpointWriter writer;
+    writer.begin = [](long) { return std::string(); };
+    writer.finish = [] {};
+    simulation.begin(never, writer);
   }
 
-  // Ends the fiber, so that nothing remains on its stack.
-  void leave() {
-    leaving = true;
-    interrupted = 1;
-    while (fiber && fiber->begun() && !fiber->ended()) try {
-        fiber->resume();
-      } catch (const std::exception&) {  // of a run that nobody wants
-      }
-    fiber.reset();
-  }
-
-  void observe(const Sample& sample) {
-    if (leaving) return;
-    metrics.update(sample);
-    if (sample.state.time < target - simulation.instructions().rows().tolerance() && !sample.last) {
-      observation.watch(sample);
-      if (!asked || wall_clock() < next_question) return;
-      fiber->pause();
-      next_question = wall_clock() + kAskEvery;
-      return;
+  // To the next sample, checkpoint or end.
+  Reached continue_run() {
+    try {
+      const Reached reached = simulation.next();
+      if (reached == Reached::kSample) metrics.update(simulation.sample());
+      return reached;
+    } catch (...) {
+      failed = true;
+      throw;
     }
-    take(sample);
-    fiber->pause();
+  }
+
+  // Up to the time of the step, or until `asked` ends it at the time that it has reached.
+  void step(const std::function<bool()>& asked) {
+    double next_question = wall_clock() + kAskEvery;
+    for (Reached reached = continue_run(); reached != Reached::kEnd; reached = continue_run()) {
+      for (Host& host : hosts) host.waits = false;
+      if (reached != Reached::kSample) continue;
+      const Sample& sample = simulation.sample();
+      if (sample.state.time >= target - simulation.instructions().rows().tolerance() || sample.last)
+        return take(sample);
+      observation.watch(sample);
+      if (!asked || wall_clock() < next_question) continue;
+      if (asked()) {
+        target = sample.state.time;
+        return take(sample);
+      }
+      next_question = wall_clock() + kAskEvery;
+    }
   }
 
   void take(const Sample& sample) {
@@ -107,13 +108,6 @@ struct EmbeddedSimulation::Run {
     v = sample.state.v;
     z = sample.state.z;
     row = observation.row(sample);
-  }
-
-  void checkpoint() {
-    if (leaving || !saving) return;
-    saved = archived();
-    saving = false;
-    fiber->pause();
   }
 
   std::string archived() {
@@ -135,21 +129,6 @@ struct EmbeddedSimulation::Run {
     }
   }
 
-  void resume() {
-    try {
-      fiber->resume();
-    } catch (...) {
-      failed = true;
-      throw;
-    }
-  }
-
-  // Ends the step where it has come to, because of an interruption.
-  void stop_here() {
-    take(simulation.sample());
-    target = time;
-  }
-
   std::string head() const { return kStateHead + fingerprint(scene_json(scene)) + "\n"; }
 
   struct Host {
@@ -160,21 +139,17 @@ struct EmbeddedSimulation::Run {
   };
 
   Scene scene;
-  EmbeddedOptions options;
+  SessionOptions options;
   Simulation simulation;
   Observation observation;
   MetricRecorder metrics;
   std::vector<std::string> names, units;
   std::unordered_map<std::string, std::size_t> places;  // in a row, by name
   std::vector<Host> hosts;
-  std::unique_ptr<Fiber> fiber;
-  volatile std::sig_atomic_t interrupted = 0;
-  double target = 0.0;  // of the step [s]
-  bool leaving = false, failed = false, saving = false;
-  std::string saved;
-  std::function<bool()> asked;  // of the step that is under way; empty: nobody asks
-  double next_question = 0.0;   // by the wall clock [s]
-  double time = 0.0;            // [s], and what belongs to it
+  const volatile std::sig_atomic_t never = 0;  // no signal interrupts a step
+  double target = 0.0;                         // of the step [s]
+  bool failed = false;
+  double time = 0.0;  // [s], and what belongs to it
   Eigen::VectorXd q, v, z;
   std::vector<double> row;
   std::shared_mutex use;                 // shared by those who read, alone for one who changes
@@ -189,7 +164,7 @@ struct EmbeddedSimulation::Run {
 };
 
 // For the time of a call that reads.
-class EmbeddedSimulation::Reading {
+class Session::Reading {
  public:
   explicit Reading(Run& run) {
     if (run.changer == std::this_thread::get_id()) return;
@@ -202,14 +177,13 @@ class EmbeddedSimulation::Reading {
 };
 
 // For the time of a call that changes the simulation.
-class EmbeddedSimulation::Changing {
+class Session::Changing {
  public:
   explicit Changing(Run& run) : run_(run) {
     if (run.changer == std::this_thread::get_id() || !run.use.try_lock()) run.refuse_use();
     run.changer = std::this_thread::get_id();
   }
   ~Changing() {
-    run_.asked = nullptr;
     run_.changer = std::thread::id();
     run_.use.unlock();
   }
@@ -220,39 +194,37 @@ class EmbeddedSimulation::Changing {
   Run& run_;
 };
 
-EmbeddedSimulation::EmbeddedSimulation(Scene scene, EmbeddedOptions options)
-    : run_(std::make_unique<Run>(std::move(scene), options)) {}
-EmbeddedSimulation::~EmbeddedSimulation() = default;
-EmbeddedSimulation::EmbeddedSimulation(EmbeddedSimulation&&) noexcept = default;
-EmbeddedSimulation& EmbeddedSimulation::operator=(EmbeddedSimulation&&) noexcept = default;
+Session::Session(Scene scene, SessionOptions options) : run_(std::make_unique<Run>(std::move(scene), options)) {}
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
 
-const Scene& EmbeddedSimulation::scene() const { return run_->scene; }
-double EmbeddedSimulation::time() const {
+const Scene& Session::scene() const { return run_->scene; }
+double Session::time() const {
   const Reading reading(*run_);
   return run_->time;
 }
-double EmbeddedSimulation::end_time() const { return run_->scene.end_time; }
-bool EmbeddedSimulation::finished() const {
+double Session::end_time() const { return run_->scene.end_time; }
+bool Session::finished() const {
   const Reading reading(*run_);
   return run_->has_ended();
 }
-Eigen::VectorXd EmbeddedSimulation::q() const {
+Eigen::VectorXd Session::q() const {
   const Reading reading(*run_);
   return run_->q;
 }
-Eigen::VectorXd EmbeddedSimulation::v() const {
+Eigen::VectorXd Session::v() const {
   const Reading reading(*run_);
   return run_->v;
 }
-Eigen::VectorXd EmbeddedSimulation::z() const {
+Eigen::VectorXd Session::z() const {
   const Reading reading(*run_);
   return run_->z;
 }
 
-void EmbeddedSimulation::step(double until, const std::function<bool()>& asked) {
+void Session::step_to(double until, const std::function<bool()>& asked) {
   Run& run = *run_;
   const Changing changing(run);
-  run.asked = asked;
   const std::string now = "t = " + number_text(run.time, 9) + " s: ";
   if (run.failed)
     throw InputError(code::kCannotGoOn,
@@ -266,23 +238,17 @@ void EmbeddedSimulation::step(double until, const std::function<bool()>& asked) 
   if (until <= run.time + run.simulation.instructions().rows().tolerance()) return;
   run.target = std::min(until, run.scene.end_time);
   run.simulation.instructions().stop_at(run.target);
-  run.next_question = wall_clock() + kAskEvery;
-  while (!run.fiber->ended() && run.time < run.target - run.simulation.instructions().rows().tolerance()) {
-    const double before = run.time;
-    run.resume();
-    for (Run::Host& host : run.hosts) host.waits = false;
-    if (run.time == before && run.asked && !run.fiber->ended() && run.asked()) run.stop_here();
-  }
+  run.step(asked);
 }
 
-const std::vector<std::string>& EmbeddedSimulation::names() const { return run_->names; }
-const std::vector<std::string>& EmbeddedSimulation::units() const { return run_->units; }
-std::vector<double> EmbeddedSimulation::row() const {
+const std::vector<std::string>& Session::names() const { return run_->names; }
+const std::vector<std::string>& Session::units() const { return run_->units; }
+std::vector<double> Session::row() const {
   const Reading reading(*run_);
   return run_->row;
 }
 
-std::size_t EmbeddedSimulation::column(const std::string& name) const {
+std::size_t Session::column(const std::string& name) const {
   const auto found = run_->places.find(name);
   if (found == run_->places.end())
     throw InputError(code::kNoSuchColumn, run_->scene.file + ": there is no column \"" + name + "\"." +
@@ -290,19 +256,19 @@ std::size_t EmbeddedSimulation::column(const std::string& name) const {
   return found->second;
 }
 
-double EmbeddedSimulation::value(const std::string& name) const {
+double Session::value(const std::string& name) const {
   const std::size_t place = column(name);
   const Reading reading(*run_);
   return run_->row[place];
 }
 
-std::vector<std::string> EmbeddedSimulation::signals() const {
+std::vector<std::string> Session::signals() const {
   std::vector<std::string> names;
   for (const Run::Host& host : run_->hosts) names.push_back(host.name);
   return names;
 }
 
-void EmbeddedSimulation::set_signal(const std::string& name, double value) {
+void Session::set(const std::string& name, double value) {
   Run& run = *run_;
   const Changing changing(run);
   const double before = signal(name);
@@ -318,7 +284,7 @@ void EmbeddedSimulation::set_signal(const std::string& name, double value) {
   }
 }
 
-double EmbeddedSimulation::signal(const std::string& name) const {
+double Session::signal(const std::string& name) const {
   const Reading reading(*run_);
   for (const Run::Host& host : run_->hosts)
     if (host.name == name) return host.value;
@@ -326,20 +292,20 @@ double EmbeddedSimulation::signal(const std::string& name) const {
                                             known_names("such signals", name, signals()));
 }
 
-std::string EmbeddedSimulation::save() {
+std::string Session::save() {
   Run& run = *run_;
   const Changing changing(run);
   if (run.failed)
     throw InputError(code::kCannotGoOn,
                      "a simulation that has failed has no state to save; restore one that was saved before");
-  if (run.has_ended() || run.fiber->ended()) return run.head() + run.archived();
-  run.saving = true;
+  if (run.has_ended()) return run.head() + run.archived();
   run.simulation.instructions().request_checkpoint();
-  run.resume();
-  return run.head() + run.saved;
+  const Reached reached = run.continue_run();
+  FOOTFALL_DEMAND(reached == Reached::kCheckpoint);
+  return run.head() + run.archived();
 }
 
-void EmbeddedSimulation::restore(const std::string& state) {
+void Session::restore(const std::string& state) {
   Run& run = *run_;
   const Changing changing(run);
   const std::string head = run.head();
@@ -348,7 +314,6 @@ void EmbeddedSimulation::restore(const std::string& state) {
                      run.scene.file +
                          ": the state that is restored belongs to another scene, other settings or another "
                          "version of footfall");
-  run.leave();
   run.failed = true;  // until all of it is restored
   Archive archive("state", state.substr(head.size()));
   run.visit(archive);
@@ -361,16 +326,16 @@ void EmbeddedSimulation::restore(const std::string& state) {
   run.begin();
 }
 
-double EmbeddedSimulation::energy_balance() const {
+double Session::energy_balance() const {
   const Reading reading(*run_);
   return run_->metrics.metrics().energy_balance_relative();
 }
-double EmbeddedSimulation::summed_error() const {
+double Session::summed_error() const {
   const Reading reading(*run_);
   return run_->simulation.integrator().statistics().summed_error;
 }
 
-std::vector<std::string> EmbeddedSimulation::warnings() const {
+std::vector<std::string> Session::warnings() const {
   const Reading reading(*run_);
   const Run& run = *run_;
   std::vector<std::string> all = run.simulation.mechanism().warnings;  // those of the scene included
@@ -384,12 +349,12 @@ std::vector<std::string> EmbeddedSimulation::warnings() const {
   return all;
 }
 
-std::vector<std::string> EmbeddedSimulation::notes() const {
+std::vector<std::string> Session::notes() const {
   const Reading reading(*run_);
   return run_->simulation.assembly().notes;
 }
 
-std::string EmbeddedSimulation::summary() const {
+std::string Session::summary() const {
   const Reading reading(*run_);
   const Run& run = *run_;
   if (!run.options.record)
@@ -399,6 +364,6 @@ std::string EmbeddedSimulation::summary() const {
   return run_summary(run.simulation, run.metrics, run.observation, status, "", "").dump(1);
 }
 
-std::string EmbeddedSimulation::parameters() const { return scene_json(run_->scene); }
+std::string Session::parameters() const { return scene_json(run_->scene); }
 
 }  // namespace footfall

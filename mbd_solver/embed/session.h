@@ -1,14 +1,14 @@
 #pragma once
 // A mechanism inside another program, which leads it:
-//   EmbeddedSimulation lander(read_scene("landing.toml", {"initial.velocity = [0, 0, -5]"}));
+//   Session lander(read_scene("landing.toml", {"initial.velocity = [0, 0, -5]"}));
 //   while (!lander.finished()) {
-//     lander.set_signal("thrust", 3000.0);
-//     lander.step(lander.time() + 1e-3);
+//     lander.set("thrust", 3000.0);
+//     lander.step_to(lander.time() + 1e-3);
 //     use(lander.value("cabin.az"));
 //   }
-// It is the run of the command line (run/simulation.h), paused: while no signal is set and no state saved, times at which it is read
+// It is the run of the command line (run/simulation.h), in parts: while no signal is set and no state saved, times at which it is read
 // influence it as rows of a history do, by round-off at most. No file is written. Objects share nothing. Each serves one thread at a time: while a call is
-// under way that changes it (step, set_signal, save, restore), every call of another thread throws InputError.
+// under way that changes it (step_to, set, save, restore), every call of another thread throws InputError.
 
 #include <functional>
 #include <map>
@@ -21,18 +21,18 @@
 
 namespace footfall {
 
-struct EmbeddedOptions {
+struct SessionOptions {
   bool trusted = false;  // programs that the scene names may run: FMUs, Python files
   bool record = false;   // the peaks of all steps, as a run from the command line has them: for summary()
 };
 
-class EmbeddedSimulation {
+class Session {
  public:
   // At the start, with its columns. Throws InputError, also for a scene that touches grains, and NumericalError.
-  explicit EmbeddedSimulation(Scene scene, EmbeddedOptions options = {});
-  ~EmbeddedSimulation();
-  EmbeddedSimulation(EmbeddedSimulation&&) noexcept;
-  EmbeddedSimulation& operator=(EmbeddedSimulation&&) noexcept;
+  explicit Session(Scene scene, SessionOptions options = {});
+  ~Session();
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
 
   const Scene& scene() const;
   double time() const;      // [s]
@@ -42,7 +42,7 @@ class EmbeddedSimulation {
   // To this time [s], or to the end of the scene if that is earlier. Throws NumericalError; time, columns and state remain those before
   // the step then, but only restore() lets the simulation go on. Throws InputError for a time before the present one.
   // asked: at most every tenth of a second by the wall clock; true ends the step early, at a time that it has reached.
-  void step(double until, const std::function<bool()>& asked = {});
+  void step_to(double until, const std::function<bool()>& asked = {});
 
   // Columns of history.csv of this scene, as docs/reference/history.md lists them; the first is the time. SI units, "-" of plain numbers.
   const std::vector<std::string>& names() const;
@@ -53,8 +53,8 @@ class EmbeddedSimulation {
 
   // Signals of kind "host". A value acts from the present time on, constant until it is set again.
   std::vector<std::string> signals() const;
-  void set_signal(const std::string& name, double value);  // throws InputError
-  double signal(const std::string& name) const;            // its last value; throws InputError
+  void set(const std::string& signal, double value);  // throws InputError
+  double signal(const std::string& name) const;       // its last value; throws InputError
 
   // Coordinates, velocities and inner states, as integrated: theory 2.1.
   Eigen::VectorXd q() const;  // positions [m] and unit quaternions [-], then modal coordinates

@@ -21,6 +21,7 @@ class DenseStep {
   const State& start_before() const { return start_before_; }  // of the step before
   // State and rates at a time [s] in the step, without projection; valid until the next call.
   State& at(double time);
+  const State& state() const { return state_; }
   Eigen::VectorXd& rates() { return rates_; }
   // The first change of a mode, in the middle or the end of the step [s]; HUGE_VAL: none.
   double time_of_switch(double end, const Inputs& inputs);

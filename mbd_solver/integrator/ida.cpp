@@ -54,6 +54,25 @@ int silence(SUNContext, void* memory) { return IDASetErrHandlerFn(memory, &print
 
 struct Ida::Sundials {
   class View;
+  // The window that is open, with the last step in it.
+  struct Window {
+    enum Phase { kTrying, kPassing, kInRows, kAtRow, kAtEnd };
+    Phase phase = kTrying;
+    State* state = nullptr;
+    double t_end = 0.0;  // [s]
+    const Inputs* inputs = nullptr;
+    WindowStops stops;
+    ProgressWatch watch{0.0, 0.0};
+    bool starts = false;  // IDA must restart
+    bool ended = false;   // at a row or step
+    Drift drift;          // at the last time
+    int steps = 0;
+    double step_begin = 0.0, from = 0.0;  // of the step; until here its work is added [s]
+    double change = 0.0;                  // when a mode changes in it; HUGE_VAL: none
+    double row_time = 0.0;                // of the next row [s]
+    IntegratorStatistics before_pass;
+    double pass_goal = 0.0;  // [s]
+  };
   Sundials(Equations& equations, const IntegratorOptions& options);
   ~Sundials();
 
@@ -66,15 +85,18 @@ struct Ida::Sundials {
   [[noreturn]] void give_up(const MessageCode& code, const std::string& what);
   void restart(const State& state, double t_end, const Inputs& inputs, IntegratorStatistics& statistics);
   double first_step(double window, const Eigen::VectorXd& later);  // [s]
-  void aim(double t_end, const Rows& rows, const State& state);    // sets the stop time of IDA and its next row
+  void aim();                                                      // sets the stop time of IDA and its next row
   // Moves all values of the history by the displacement of the newest to the projected `state`. False: the displacement is large,
   // a singular position is near; nothing moves, and IDA must restart.
   bool move_history(const State& state);
   const Eigen::VectorXd& y_of(N_Vector unknowns) { return actual = view(unknowns) + offset; }
-  void interpolate(double time, N_Vector out);  // y at a time [s] within the last step
-  N_Vector predicted();                         // unknowns at the start of Newton's iteration
-  // One step of IDA, with its rows; false: a row has ended the window, and state and rates belong to it.
-  bool step(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
+  void interpolate(double time, N_Vector out);        // y at a time [s] within the last step
+  N_Vector predicted();                               // unknowns at the start of Newton's iteration
+  void solve_step(IntegratorStatistics& statistics);  // one step of IDA
+  WindowStop read_row(IntegratorStatistics& statistics);
+  void reach_end();                                    // of the step, or where a mode changes in it
+  void finish_step(IntegratorStatistics& statistics);  // at its end, or at a row that ended the window
+  void finish_window(IntegratorStatistics& statistics);
   void add_work_between(double begin, double end, const Inputs& inputs, State& state);
   // In the last step, between two times [s]: when a mode changes (like OneStep); infinity: it does not.
   double time_of_switch(double begin, double end, const Inputs& inputs);
@@ -82,8 +104,9 @@ struct Ida::Sundials {
   double step_error();                  // of the last step, in tolerances of the scene
   double carried();                     // share of such an error that all later steps carry on
   void look_ahead(const State& state);  // after a step: sets passage_end if a singular position comes near
-  // OneStep from state.time to passage_end or t_end, with rows; false: a row has ended the window.
-  bool pass(double t_end, const Inputs& inputs, const Rows& rows, State& state, IntegratorStatistics& statistics);
+  // OneStep from the present time to passage_end or the end of the window.
+  void begin_pass(IntegratorStatistics& statistics);
+  void end_pass(IntegratorStatistics& statistics);
   void begin_passage(double end);
   void forget_passage();
 
@@ -117,16 +140,17 @@ struct Ida::Sundials {
   double first_change = 0.0;           // of Newton's iteration in this step [tolerances]
   const Inputs* inputs_now = nullptr;  // during one call of IDASolve
   Inputs inputs_last;
-  State state_last;       // as returned; empty: restart
-  State row;              // projected, for the caller
-  double row_time = 0.0;  // of the next row [s]
+  State state_last;  // as returned; empty: restart
+  State row;         // projected, for the caller
   double t = 0.0;
   Eigen::VectorXd rates;
   TurnFollower turns;
   TurnFollower::Motion turning;  // at the last state that was returned
   EnergySample energy;
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
-  double passage_end = kNever;        // OneStep continues up to this time [s]
+  double passage_end = kNever;  // OneStep continues up to this time [s]
+  Window window;
+  std::unique_ptr<View> step_view;
   std::unique_ptr<OneStep> one_step;  // created when the first singular position comes near
   std::array<Nearness, 3> seen;       // the last measurements
   int looks = 0, steps_since_look = 0;
@@ -140,13 +164,13 @@ struct Ida::Sundials {
 // Between the ends of the last step of IDA, by its own interpolation.
 class Ida::Sundials::View : public StepView {
  public:
-  View(Sundials& ida, double begin, const State& end) : ida_(ida), begin_(begin), end_(end) {}
-  double begin() const override { return begin_; }
-  double end() const override { return end_.time; }
+  explicit View(Sundials& ida) : ida_(ida) {}
+  double begin() const override { return ida_.window.step_begin; }
+  double end() const override { return ida_.window.state->time; }
   void at(double time, State& state, Eigen::VectorXd& derivative) override {
-    state = end_;
+    state = *ida_.window.state;
     derivative = ida_.rates;
-    if (time >= end_.time) return;
+    if (time >= end()) return;
     ida_.interpolate(time, ida_.scratch);
     ida_.check(IDAGetDky(ida_.memory, time, 1, ida_.scratch2), "IDAGetDky");
     ida_.equations.unpack(view(ida_.scratch), state);
@@ -157,8 +181,6 @@ class Ida::Sundials::View : public StepView {
 
  private:
   Sundials& ida_;
-  double begin_;  // [s]
-  const State& end_;
 };
 
 namespace {
@@ -223,6 +245,7 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
   check(SUNNonlinSolSetConvTestFn(newton, &Sundials::converged, this), "SUNNonlinSolSetConvTestFn");
   check(IDASetMinStep(memory, options.min_step), "IDASetMinStep");
   if (options.max_step > 0.0) check(IDASetMaxStep(memory, exact_limit(options.max_step)), "IDASetMaxStep");
+  step_view = std::make_unique<View>(*this);
   rates = Eigen::VectorXd::Zero(n);
   offset = Eigen::VectorXd::Constant(n, kNoOffset);
 }
@@ -341,9 +364,9 @@ double Ida::Sundials::first_step(double window, const Eigen::VectorXd& later) {
   return std::min(std::max(h, options.min_step), window);
 }
 
-void Ida::Sundials::aim(double t_end, const Rows& rows, const State& state) {
-  row_time = rows.after(state.time);
-  check(IDASetStopTime(memory, t_end), "IDASetStopTime");
+void Ida::Sundials::aim() {
+  window.row_time = window.stops.row_after(window.state->time);
+  check(IDASetStopTime(memory, window.t_end), "IDASetStopTime");
 }
 
 // The newest y becomes that of `state`, to the last bit: differences of two numbers that are nearly equal are exact.
@@ -375,40 +398,43 @@ N_Vector Ida::Sundials::predicted() {
   return y_predicted;
 }
 
-bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, State& state,
-                         IntegratorStatistics& statistics) {
-  const double begin = t;
-  double from = t;
+void Ida::Sundials::solve_step(IntegratorStatistics& statistics) {
+  window.step_begin = window.from = t;
   reason.clear();
-  check(IDASolve(memory, t_end, &t, y, ydot, IDA_ONE_STEP), "IDASolve");
+  check(IDASolve(memory, window.t_end, &t, y, ydot, IDA_ONE_STEP), "IDASolve");
   writable(y) += offset;
   const double error = step_error();
   statistics.reported_error += error;
   statistics.summed_error += error * carried();
   last_error = error / share;
-  const double change = equations.has_modes() ? time_of_switch(from, t, inputs) : HUGE_VAL;
-  const double end = std::min(t, change);
-  for (; row_time < end; row_time = rows.after(row_time)) {
-    add_work_between(from, row_time, inputs, state);
-    from = row_time;
-    interpolate(row_time, scratch);
-    check(IDAGetDky(memory, row_time, 1, scratch2), "IDAGetDky");
-    equations.unpack(view(scratch), state);
-    state.time = row_time;
-    rates = view(scratch2);
-    rates.tail(equations.layout().row_count) = view(scratch).tail(equations.layout().row_count);
-    row = state;
-    statistics.count(options.projection ? equations.saddle().project(row) : equations.saddle().check_closed(row));
-    equations.saddle().smallest_multipliers(row, rates.tail(equations.layout().row_count));
-    turns.follow(turning, rates, row, &turning);
-    state.angles = row.angles;
-    state.uncertain_angle = row.uncertain_angle;
-    if (rows.on_row(row, rates)) continue;
-    state = row;
-    return false;
-  }
-  add_work_between(from, end, inputs, state);
-  switched = change < HUGE_VAL;
+  window.change = equations.has_modes() ? time_of_switch(window.from, t, *window.inputs) : HUGE_VAL;
+}
+
+WindowStop Ida::Sundials::read_row(IntegratorStatistics& statistics) {
+  State& state = *window.state;
+  const double time = window.row_time;
+  add_work_between(window.from, time, *window.inputs, state);
+  window.from = time;
+  interpolate(time, scratch);
+  check(IDAGetDky(memory, time, 1, scratch2), "IDAGetDky");
+  equations.unpack(view(scratch), state);
+  state.time = time;
+  rates = view(scratch2);
+  rates.tail(equations.layout().row_count) = view(scratch).tail(equations.layout().row_count);
+  row = state;
+  statistics.count(options.projection ? equations.saddle().project(row) : equations.saddle().check_closed(row));
+  equations.saddle().smallest_multipliers(row, rates.tail(equations.layout().row_count));
+  turns.follow(turning, rates, row, &turning);
+  state.angles = row.angles;
+  state.uncertain_angle = row.uncertain_angle;
+  return {WindowStop::kRow, &row, &rates, nullptr};
+}
+
+void Ida::Sundials::reach_end() {
+  State& state = *window.state;
+  const double end = std::min(t, window.change);
+  add_work_between(window.from, end, *window.inputs, state);
+  switched = window.change < HUGE_VAL;
   if (switched) {
     check(IDAGetDky(memory, end, 1, ydot), "IDAGetDky");
     interpolate(end, y);
@@ -418,13 +444,6 @@ bool Ida::Sundials::step(double t_end, const Inputs& inputs, const Rows& rows, S
   rates = view(ydot);
   rates.tail(equations.layout().row_count) = view(y).tail(equations.layout().row_count);
   turns.follow(turning, rates, state, &turning);
-  bool goes_on = true;
-  if (rows.on_step) {
-    View step_view(*this, begin, state);
-    goes_on = rows.on_step(step_view);
-  }
-  if (switched) equations.switch_modes(inputs, state);
-  return goes_on;
 }
 
 double Ida::Sundials::time_of_switch(double begin, double end, const Inputs& inputs) {
@@ -555,12 +574,14 @@ void Ida::forget() {
 }
 
 void Ida::resume(const IntegratorStatistics& so_far) {
+  IntegratorStatistics abandoned;  // of a window that has not been finished
+  ida_->count(abandoned);
   forget();
   statistics_ = so_far;
   ida_->jacobians = so_far.jacobians;
 }
 
-void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) {
+void Ida::begin(State& state, double t_end, const Inputs& inputs, const WindowStops& stops) {
   Sundials& s = *ida_;
   FOOTFALL_DEMAND(t_end > state.time);
   s.equations.recall(state);
@@ -568,61 +589,126 @@ void Ida::advance(State& state, double t_end, const Inputs& inputs, const Rows& 
   s.inputs_now = &inputs;
   const bool continues = state.time == s.state_last.time && same(state.q, s.state_last.q) &&
                          same(state.v, s.state_last.v) && same(state.z, s.state_last.z) && same(inputs, s.inputs_last);
-  if (continues) s.aim(t_end, rows, state);
+  s.window = {};
+  s.window.state = &state;
+  s.window.t_end = t_end;
+  s.window.inputs = &inputs;
+  s.window.stops = stops;
+  s.window.watch = ProgressWatch(state.time, t_end);
+  s.window.starts = !continues;
+  if (continues) s.aim();
   if (t_end - state.time < kShortest * std::max(s.options.min_step, kTimeRoundOff * t_end)) s.begin_passage(t_end);
-  bool starts = !continues, ended_by_row = false;
-  Drift drift;
-  int steps = 0;
-  ProgressWatch watch(state.time, t_end);
-  const double largest_position = std::max(kLeastDrift, kRemainingDrift * s.share * s.options.atol);
-  const double largest_velocity = std::max(kLeastSpeedDrift, kRemainingDrift * s.share * s.options.atol_velocity);
-  while (!ended_by_row && state.time < t_end) {
-    if (state.time < s.passage_end) {
-      ended_by_row = !s.pass(t_end, inputs, rows, state, statistics_);
-      drift = {};
-      starts = true;
-      continue;
-    }
-    if (starts) {
-      s.restart(state, t_end, inputs, statistics_);
-      s.aim(t_end, rows, state);
-      starts = false;
-    }
-    ended_by_row = !s.step(t_end, inputs, rows, state, statistics_);
-    s.equations.remember(inputs, state);
-    if (++steps % kRestInterval == 0) s.equations.saddle().update_resting_rows(state);
-    if (const std::string slow = watch.check(state.time); !slow.empty()) s.give_up(code::kNoProgress, slow);
-    if (std::exchange(s.switched, false)) {  // a new initial value problem
-      statistics_.count(s.options.projection ? s.equations.saddle().project(state, SaddleSystem::Close::kFully)
-                                             : s.equations.saddle().check_closed(state));
-      drift = {};
-      starts = true;
-      if (ended_by_row || state.time >= t_end) s.equations.saddle().stage_rates(state, inputs, s.rates);
-      continue;
-    }
-    drift = s.options.projection ? s.equations.saddle().drift(state) : s.equations.saddle().check_closed(state);
-    if (!ended_by_row) s.look_ahead(state);
-    if (ended_by_row || state.time >= t_end || !s.options.projection ||
-        (drift.position < largest_position && drift.velocity < largest_velocity))
-      continue;
-    statistics_.count(s.equations.saddle().project(state, SaddleSystem::Close::kFully));
-    if (s.move_history(state)) continue;
-    s.equations.saddle().forget();  // the motion must not depend on pivots of other positions
-    s.equations.saddle().project(state, SaddleSystem::Close::kFully);
-    starts = true;
-  }
-  s.count(statistics_);
-  ++statistics_.windows;
+}
 
-  bool continues_next = !ended_by_row && !starts;
-  if (s.options.projection && (drift.position > kProjectAbove || drift.velocity > kProjectSpeedAbove)) {
-    drift = s.equations.saddle().project(state);
-    continues_next = continues_next && s.move_history(state);
+void Ida::end_window() {
+  Sundials& s = *ida_;
+  if (s.window.phase == Sundials::Window::kPassing) {
+    s.one_step->end_window();
+  } else {
+    s.window.ended = true;
   }
-  s.state_last = continues_next ? state : State{};
-  s.inputs_last = inputs;
-  statistics_.count(drift);
-  if (!ended_by_row) s.equations.saddle().smallest_multipliers(state, s.rates.tail(s.equations.layout().row_count));
+}
+
+WindowStop Ida::next() {
+  using Window = Sundials::Window;
+  Sundials& s = *ida_;
+  Window& w = s.window;
+  FOOTFALL_DEMAND(w.state != nullptr);
+  for (;;) switch (w.phase) {
+      case Window::kTrying:
+        if (w.ended || !(w.state->time < w.t_end)) {
+          s.finish_window(statistics_);
+          return {};
+        }
+        if (w.state->time < s.passage_end) {
+          s.begin_pass(statistics_);
+          w.phase = Window::kPassing;
+          break;
+        }
+        if (w.starts) {
+          s.restart(*w.state, w.t_end, *w.inputs, statistics_);
+          s.aim();
+          w.starts = false;
+        }
+        s.solve_step(statistics_);
+        w.phase = Window::kInRows;
+        break;
+      case Window::kPassing: {
+        const WindowStop stop = s.one_step->next();
+        if (stop.kind != WindowStop::kEnd) return stop;
+        s.end_pass(statistics_);
+        w.phase = Window::kTrying;
+        break;
+      }
+      case Window::kInRows:
+        if (w.row_time < std::min(s.t, w.change)) {
+          w.phase = Window::kAtRow;
+          return s.read_row(statistics_);
+        }
+        s.reach_end();
+        w.phase = Window::kAtEnd;
+        if (w.stops.steps) return {WindowStop::kStep, nullptr, nullptr, s.step_view.get()};
+        break;
+      case Window::kAtRow:
+        if (w.ended) {
+          *w.state = s.row;
+          s.finish_step(statistics_);
+        } else {
+          w.row_time = w.stops.row_after(w.row_time);
+          w.phase = Window::kInRows;
+        }
+        break;
+      case Window::kAtEnd:
+        if (s.switched) s.equations.switch_modes(*w.inputs, *w.state);
+        s.finish_step(statistics_);
+        break;
+    }
+}
+
+void Ida::Sundials::finish_step(IntegratorStatistics& statistics) {
+  State& state = *window.state;
+  const double largest_position = std::max(kLeastDrift, kRemainingDrift * share * options.atol);
+  const double largest_velocity = std::max(kLeastSpeedDrift, kRemainingDrift * share * options.atol_velocity);
+  window.phase = Window::kTrying;
+  equations.remember(*window.inputs, state);
+  if (++window.steps % kRestInterval == 0) equations.saddle().update_resting_rows(state);
+  if (const std::string slow = window.watch.check(state.time); !slow.empty()) give_up(code::kNoProgress, slow);
+  const bool last = window.ended || state.time >= window.t_end;
+  if (std::exchange(switched, false)) {  // a new initial value problem
+    statistics.count(options.projection ? equations.saddle().project(state, SaddleSystem::Close::kFully)
+                                        : equations.saddle().check_closed(state));
+    window.drift = {};
+    window.starts = true;
+    if (last) equations.saddle().stage_rates(state, *window.inputs, rates);
+    return;
+  }
+  window.drift = options.projection ? equations.saddle().drift(state) : equations.saddle().check_closed(state);
+  if (!window.ended) look_ahead(state);
+  if (last || !options.projection ||
+      (window.drift.position < largest_position && window.drift.velocity < largest_velocity))
+    return;
+  statistics.count(equations.saddle().project(state, SaddleSystem::Close::kFully));
+  if (move_history(state)) return;
+  equations.saddle().forget();  // the motion must not depend on pivots of other positions
+  equations.saddle().project(state, SaddleSystem::Close::kFully);
+  window.starts = true;
+}
+
+void Ida::Sundials::finish_window(IntegratorStatistics& statistics) {
+  State& state = *window.state;
+  Drift& drift = window.drift;
+  count(statistics);
+  ++statistics.windows;
+  bool continues_next = !window.ended && !window.starts;
+  if (options.projection && (drift.position > kProjectAbove || drift.velocity > kProjectSpeedAbove)) {
+    drift = equations.saddle().project(state);
+    continues_next = continues_next && move_history(state);
+  }
+  state_last = continues_next ? state : State{};
+  inputs_last = *window.inputs;
+  statistics.count(drift);
+  if (!window.ended) equations.saddle().smallest_multipliers(state, rates.tail(equations.layout().row_count));
+  window.state = nullptr;
 }
 
 std::string sundials_version() {
@@ -736,22 +822,28 @@ void Ida::Sundials::begin_passage(double end) {
   one_step->resume({});
 }
 
-bool Ida::Sundials::pass(double t_end, const Inputs& inputs, const Rows& rows, State& state,
-                         IntegratorStatistics& statistics) {
+void Ida::Sundials::begin_pass(IntegratorStatistics& statistics) {
+  State& state = *window.state;
   count(statistics);
-  const IntegratorStatistics before = one_step->statistics();
-  const double goal = std::min(t_end, passage_end);
+  window.before_pass = one_step->statistics();
+  window.pass_goal = std::min(window.t_end, passage_end);
   if (!(state.step > 0.0)) check(IDAGetLastStep(memory, &state.step), "IDAGetLastStep");
-  one_step->advance(state, goal, inputs, rows);
-  statistics.add(before, one_step->statistics());
+  one_step->begin(state, window.pass_goal, *window.inputs, window.stops);
+}
+
+void Ida::Sundials::end_pass(IntegratorStatistics& statistics) {
+  State& state = *window.state;
+  statistics.add(window.before_pass, one_step->statistics());
   jacobians = statistics.jacobians;
   rates = one_step->end_rates();
   t = state.time;
-  if (t < passage_end) return t == goal;
+  window.ended = t != window.pass_goal;
+  window.drift = {};
+  window.starts = true;
+  if (t < passage_end) return;
   passage_end = kNever;
   state.step = 0.0;
   looks = steps_since_look = 0;
-  return t == goal;
 }
 
 void Ida::Sundials::forget_passage() {

@@ -20,7 +20,9 @@ class Ida : public Integrator {
   ~Ida() override;
 
   std::string name() const override { return "ida"; }
-  void advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) override;
+  void begin(State& state, double t_end, const Inputs& inputs, const WindowStops& stops) override;
+  WindowStop next() override;
+  void end_window() override;
   const Eigen::VectorXd& end_rates() const override;
   void forget() override;
   const IntegratorStatistics& statistics() const override { return statistics_; }

@@ -63,6 +63,12 @@ double size_of_powers(const EnergySample& at) {
   return sum;
 }
 
+void Integrator::advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) {
+  begin(state, t_end, inputs, {rows.next ? &rows.next : nullptr, rows.on_step != nullptr});
+  for (WindowStop stop = next(); stop.kind != WindowStop::kEnd; stop = next())
+    if (!(stop.step ? rows.on_step(*stop.step) : rows.on_row(*stop.state, *stop.rates))) end_window();
+}
+
 std::unique_ptr<Integrator> make_integrator(const std::string& kind, Equations& equations,
                                             const IntegratorOptions& options) {
   if (!(options.rtol > 0.0 && options.atol > 0.0 && options.atol_velocity > 0.0))

@@ -71,28 +71,46 @@ class StepView {
   virtual void at(double time, State& state, Eigen::VectorXd& rates) = 0;
 };
 
-// States required within a window: output rows of a history, samples of a controller. They come from the continuous extension of
-// the steps (DenseWeights) and do not influence the steps.
-struct Rows {
-  std::function<double(double time)> next;  // the first required time after this one [s]; infinity: no more
-  // Receives the state, projected if the integrator projects, and its rates [dq; dv; dz; lambda]. False ends the window there: an
-  // event changes the loads or inputs.
-  std::function<bool(const State& state, const Eigen::VectorXd& rates)> on_row;
-  // After every step, and the rows in it. False ends the window with the step.
-  std::function<bool(StepView& step)> on_step;
+// Where a window stops on its way.
+struct WindowStops {
+  // The first required row after a time [s]; infinity: no more. Null: none. Rows are output rows of a history, or samples of a
+  // controller: they come from the continuous extension of the steps (DenseWeights) and do not influence the steps.
+  const std::function<double(double time)>* next_row = nullptr;
+  bool steps = false;  // at every step, after the rows in it
 
-  double after(double time) const { return next ? next(time) : std::numeric_limits<double>::infinity(); }
+  double row_after(double time) const { return next_row ? (*next_row)(time) : std::numeric_limits<double>::infinity(); }
+};
+
+struct WindowStop {
+  enum Kind { kRow, kStep, kEnd };
+  Kind kind = kEnd;
+  // Of a row: the state, projected if the integrator projects, and its rates [dq; dv; dz; lambda].
+  const State* state = nullptr;
+  const Eigen::VectorXd* rates = nullptr;
+  StepView* step = nullptr;  // of a step
+};
+
+// The same for a caller that does not pause within a window.
+struct Rows {
+  std::function<double(double time)> next;  // WindowStops::next_row; empty: no rows
+  // False ends the window there: an event changes the loads or inputs.
+  std::function<bool(const State& state, const Eigen::VectorXd& rates)> on_row;
+  std::function<bool(StepView& step)> on_step;  // likewise; empty: steps are no stops
 };
 
 class Integrator {
  public:
   virtual ~Integrator() = default;
   virtual std::string name() const = 0;  // "one_step", "ida"
-  // From state.time to t_end [s] under constant loads and inputs. On return state is at t_end exactly (or at the row that ended
-  // the window), projected if required, with its integrals (dissipated, load_work, supplied) advanced. Throws NumericalError
-  // naming time and body or joint.
-  virtual void advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) = 0;
-  void advance(State& state, double t_end, const Inputs& inputs) { advance(state, t_end, inputs, Rows{}); }
+  // A window from state.time to t_end [s] under constant loads and inputs:
+  //   begin(...);  while (next().kind != WindowStop::kEnd) {...}
+  // At its end the state is at t_end exactly (or at the row or step that ended the window), projected if required, with its
+  // integrals (dissipated, load_work, supplied) advanced. State and inputs must outlive the window; a window that is not
+  // finished is forgotten with the next one, after forget(). Each throws NumericalError naming time and body or joint.
+  virtual void begin(State& state, double t_end, const Inputs& inputs, const WindowStops& stops) = 0;
+  virtual WindowStop next() = 0;
+  virtual void end_window() = 0;  // at the row or step that next() has returned
+  void advance(State& state, double t_end, const Inputs& inputs, const Rows& rows = {});
   // dy/dt and multipliers at the end of the last window under its loads: [dq; dv; dz; lambda].
   virtual const Eigen::VectorXd& end_rates() const = 0;
   // Drops all memory of earlier windows (factors, step history), so that the continuation depends on the State alone.

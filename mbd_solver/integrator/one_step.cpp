@@ -36,26 +36,20 @@ constexpr double kOpen = 1e3;  // error of a step whose end cannot be closed
 
 }  // namespace
 
-class OneStep::View : public StepView {
- public:
-  View(OneStep& steps, const State& end, bool cut) : steps_(steps), end_(end), cut_(cut) {}
-  double begin() const override { return steps_.dense_.start().time; }
-  double end() const override { return end_.time; }
-  void at(double time, State& state, Eigen::VectorXd& rates) override {
-    if (time >= end_.time && !cut_) {
-      state = end_;
-      rates = steps_.step_.K[steps_.step_.last()];
-      return;
-    }
-    state = steps_.dense_.at(time);
-    rates = steps_.dense_.rates();
-  }
+double OneStep::View::begin() const { return steps_.dense_.start().time; }
 
- private:
-  OneStep& steps_;
-  const State& end_;
-  bool cut_;  // the step ends before all of its stages
-};
+double OneStep::View::end() const { return steps_.window_.state->time; }
+
+void OneStep::View::at(double time, State& state, Eigen::VectorXd& rates) {
+  const bool cut = steps_.window_.change < HUGE_VAL;  // the step ends before all of its stages
+  if (time >= end() && !cut) {
+    state = *steps_.window_.state;
+    rates = steps_.step_.K[steps_.step_.last()];
+    return;
+  }
+  state = steps_.dense_.at(time);
+  rates = steps_.dense_.rates();
+}
 
 OneStep::OneStep(Equations& equations, const IntegratorOptions& options)
     : equations_(equations),
@@ -81,59 +75,111 @@ void OneStep::forget() {
   equations_.saddle().forget();
 }
 
-void OneStep::advance(State& state, double t_end, const Inputs& inputs, const Rows& rows) {
+void OneStep::begin(State& state, double t_end, const Inputs& inputs, const WindowStops& stops) {
   FOOTFALL_DEMAND(t_end > state.time);
   equations_.recall(state);
   equations_.switch_modes(inputs, state);
-  work_scale_ = state.work_error.scale;
   start_.start_window(inputs, state);
   if (state.time != turning_.time) turns_.measure(state, step_.K[0], turning_);
-  row_time_ = rows.after(state.time);
+  window_ = {};
+  window_.state = &state;
+  window_.t_end = t_end;
+  window_.inputs = &inputs;
+  window_.stops = stops;
+  window_.row_time = stops.row_after(state.time);
+  window_.required = state.step > 0.0 ? state.step : std::min(t_end - state.time, first_step());
+  window_.watch = ProgressWatch(state.time, t_end);
+  if (&high_ != &usual_ && options_.error_control)
+    window_.required = choice_.begin(t_end - state.time, window_.required);
+}
 
-  // The next step as accuracy alone requires.
-  double required = state.step > 0.0 ? state.step : std::min(t_end - state.time, first_step());
-  ProgressWatch watch(state.time, t_end);
-  if (&high_ != &usual_ && options_.error_control) required = choice_.begin(t_end - state.time, required);
-  bool continues = true;
-  bool diverged = false;  // Newton, in the last try
-  while (continues && state.time < t_end) {
-    const double h = options_.max_step > 0.0 ? std::min(required, options_.max_step) : required;
-    const double t = state.time, planned = planned_step(t, h), steps = std::ceil((t_end - t) / planned * (1.0 - 1e-9));
-    const double step = steps > (planned != h ? 1.0 : kStretch) ? planned : (t_end - t) / steps;
-    limit_ = planned != h && t + step > crossing_.time() ? std::max(1.0, kCrossing / options_.rtol) : 1.0;
-    const bool few_stages = choice_.stiff() && high_.stages > kManyStages;
-    step_.tableau = choice_.high() && !few_stages ? &high_ : &usual_;
-    const Outcome outcome = try_with_newer_jacobians(t, step, inputs);
-    if (outcome == Outcome::kAccepted) {
-      crossing_.count_success();
-      choice_.see(stages_.newton().turns());
-      required = next_step(step);
-      if (diverged && !may_be_singular_) required = std::min(required, kAfterDivergence * step);
-      diverged = false;
-      if (error_ > 1.0 && limit_ > 1.0) statistics_.reported_error = std::max(statistics_.reported_error, error_);
-      continues = accept(step, steps > 1.0 ? t + step : t_end, t_end, inputs, rows, state);
-      equations_.remember(inputs, state);
-      if (std::exchange(switched_, false)) required = std::min(required, first_step());
-      if (const std::string slow = watch.check(state.time); !slow.empty()) give_up(code::kNoProgress, state.time, slow);
-      if (crossing_.careful()) look_ahead(state);
-      crossing_.finish_step();
-      continue;
+WindowStop OneStep::next() {
+  FOOTFALL_DEMAND(window_.state != nullptr);
+  for (;;) switch (window_.phase) {
+      case Window::kTrying:
+        if (window_.ended || !(window_.state->time < window_.t_end)) {
+          finish_window();
+          return {};
+        }
+        if (try_next_step()) window_.phase = Window::kInRows;
+        break;
+      case Window::kInRows:
+        if (window_.row_time < window_.t_end && window_.row_time <= window_.reached) {
+          window_.phase = Window::kAtRow;
+          return read_row();
+        }
+        reach_end();
+        window_.phase = Window::kAtEnd;
+        if (window_.stops.steps) return {WindowStop::kStep, nullptr, nullptr, &view_};
+        break;
+      case Window::kAtRow:
+        if (window_.ended) {
+          stay_at_row();
+          finish_step();
+        } else {
+          window_.row_time = window_.stops.row_after(window_.row_time);
+          window_.phase = Window::kInRows;
+        }
+        break;
+      case Window::kAtEnd:
+        leave_end();
+        finish_step();
+        break;
     }
-    diverged = outcome == Outcome::kNoConvergence;
-    ++(outcome == Outcome::kTooInaccurate ? statistics_.rejected : statistics_.newton_failures);
-    if (finds_another_step(h, planned, inputs, state)) continue;
-    required = outcome == Outcome::kTooInaccurate ? std::min(next_step(step), 0.8 * step)
-                                                  : (may_be_singular_ ? kSingularDivergence : kDivergence) * step;
-    if (required < options_.min_step)
-      give_up(code::kStepTooSmall, t, "the step size fell below " + number_text(options_.min_step, 3) + " s; ");
-  }
+}
 
+bool OneStep::try_next_step() {
+  State& state = *window_.state;
+  double& required = window_.required;
+  const double t = state.time, t_end = window_.t_end;
+  const double h = options_.max_step > 0.0 ? std::min(required, options_.max_step) : required;
+  const double planned = planned_step(t, h), steps = std::ceil((t_end - t) / planned * (1.0 - 1e-9));
+  const double step = steps > (planned != h ? 1.0 : kStretch) ? planned : (t_end - t) / steps;
+  errors_.limit = planned != h && t + step > crossing_.time() ? std::max(1.0, kCrossing / options_.rtol) : 1.0;
+  const bool few_stages = choice_.stiff() && high_.stages > kManyStages;
+  step_.tableau = choice_.high() && !few_stages ? &high_ : &usual_;
+  const Outcome outcome = try_with_newer_jacobians(t, step, *window_.inputs);
+  if (outcome == Outcome::kAccepted) {
+    crossing_.count_success();
+    choice_.see(stages_.newton().turns());
+    required = next_step(step);
+    if (window_.diverged && !may_be_singular_) required = std::min(required, kAfterDivergence * step);
+    window_.diverged = false;
+    if (errors_.last > 1.0 && errors_.limit > 1.0)
+      statistics_.reported_error = std::max(statistics_.reported_error, errors_.last);
+    accept(step, steps > 1.0 ? t + step : t_end);
+    return true;
+  }
+  window_.diverged = outcome == Outcome::kNoConvergence;
+  ++(outcome == Outcome::kTooInaccurate ? statistics_.rejected : statistics_.newton_failures);
+  if (finds_another_step(h, planned, *window_.inputs, state)) return false;
+  required = outcome == Outcome::kTooInaccurate ? std::min(next_step(step), 0.8 * step)
+                                                : (may_be_singular_ ? kSingularDivergence : kDivergence) * step;
+  if (required < options_.min_step)
+    give_up(code::kStepTooSmall, t, "the step size fell below " + number_text(options_.min_step, 3) + " s; ");
+  return false;
+}
+
+void OneStep::finish_step() {
+  State& state = *window_.state;
+  window_.phase = Window::kTrying;
+  equations_.remember(*window_.inputs, state);
+  if (std::exchange(window_.switched, false)) window_.required = std::min(window_.required, first_step());
+  if (const std::string slow = window_.watch.check(state.time); !slow.empty())
+    give_up(code::kNoProgress, state.time, slow);
+  if (crossing_.careful()) look_ahead(state);
+  crossing_.finish_step();
+}
+
+void OneStep::finish_window() {
+  State& state = *window_.state;
   ++statistics_.windows;
-  state.step = required;
+  state.step = window_.required;
   if (!end_.used)
     statistics_.count(options_.projection ? equations_.saddle().project(state, SaddleSystem::Close::kWithOldFactors)
                                           : equations_.saddle().check_closed(state));
   start_.end_window(state);
+  window_.state = nullptr;
 }
 
 double OneStep::first_step() {
@@ -150,8 +196,8 @@ double OneStep::next_step(double h) const {
   // Without error control only Newton shortens steps: they grow again.
   const double factor =
       options_.error_control
-          ? std::clamp(kSafety * std::pow(std::max(error_, 1e-12), -1.0 / (step_.tableau->estimated_order + 1)), kLeast,
-                       kMost)
+          ? std::clamp(kSafety * std::pow(std::max(errors_.last, 1e-12), -1.0 / (step_.tableau->estimated_order + 1)),
+                       kLeast, kMost)
           : 2.0;
   return h * factor;
 }
@@ -175,19 +221,22 @@ OneStep::Outcome OneStep::try_with_newer_jacobians(double t, double h, const Inp
 
 OneStep::Outcome OneStep::try_step(double t, double h, bool at_stages, const Inputs& inputs) {
   start_.follow_resting_rows(t);
-  if (!stages_.solve(t, h, {error_before_, slow(), at_stages, choice_.stiff()}, inputs)) return Outcome::kNoConvergence;
-  error_ = stages_.estimated_error(t, h);
-  if (!std::isfinite(error_)) return Outcome::kNoConvergence;
-  state_error_ = error_;
-  if (error_ <= limit_ || !options_.error_control)
-    error_ = std::max(error_, std::min(stages_.work_error(t, h, work_scale_, inputs), kMostWorkError * error_));
-  if ((error_ <= limit_ || !options_.error_control) && !close_end(t + h)) return Outcome::kTooInaccurate;
-  return error_ <= limit_ || !options_.error_control ? Outcome::kAccepted : Outcome::kTooInaccurate;
+  if (!stages_.solve(t, h, {errors_.before, slow(), at_stages, choice_.stiff()}, inputs))
+    return Outcome::kNoConvergence;
+  errors_.last = stages_.estimated_error(t, h);
+  if (!std::isfinite(errors_.last)) return Outcome::kNoConvergence;
+  errors_.of_state = errors_.last;
+  if (errors_.last <= errors_.limit || !options_.error_control)
+    errors_.last = std::max(errors_.last, std::min(stages_.work_error(t, h, window_.state->work_error.scale, inputs),
+                                                   kMostWorkError * errors_.last));
+  if ((errors_.last <= errors_.limit || !options_.error_control) && !close_end(t + h)) return Outcome::kTooInaccurate;
+  return errors_.last <= errors_.limit || !options_.error_control ? Outcome::kAccepted : Outcome::kTooInaccurate;
 }
 
-bool OneStep::accept(double h, double t_new, double t_end, const Inputs& inputs, const Rows& rows, State& state) {
+void OneStep::accept(double h, double t_new) {
+  State& state = *window_.state;
   ++statistics_.steps;
-  statistics_.summed_error += state_error_;
+  statistics_.summed_error += errors_.of_state;
   dense_.begin(state, h);
   const std::size_t last = step_.last();
   // Work integrals with the weights of the method.
@@ -196,59 +245,54 @@ bool OneStep::accept(double h, double t_new, double t_end, const Inputs& inputs,
     if (b != 0.0) add_work(step_.energy[i], h * b, state);
   }
   add_step_error(stages_.work_error_parts(), state.work_error);
-  work_scale_ = state.work_error.scale;
   equations_.unpack(step_.Y[last], state);
   state.time = t_new;
-
-  const double change = equations_.has_modes() ? dense_.time_of_switch(t_new, inputs) : HUGE_VAL;
-  const bool changes = change < HUGE_VAL;
+  window_.h = h;
+  window_.change = equations_.has_modes() ? dense_.time_of_switch(t_new, *window_.inputs) : HUGE_VAL;
   // A row just behind the step, by round-off, belongs to it.
-  if (!report_rows(changes ? change : t_new + kNear * h, t_end, rows, state)) return false;
-  if (changes) {
-    State& end = dense_.at(change);
-    turns_.follow(turning_, dense_.rates(), end);
-    state = end;
-    add_step_error(stages_.work_error_parts(), state.work_error);  // at most that of the whole step
-  } else {
-    turns_.follow(turning_, step_.K[last], state, &turning_next_);
-  }
-  bool continues = true;
-  if (rows.on_step) {
-    View view(*this, state, changes);
-    continues = rows.on_step(view);
-  }
-  if (changes) {
-    switch_modes(inputs, state);
-  } else {
-    move_on(h, inputs, state);
-  }
-  return continues;
+  window_.reached = window_.change < HUGE_VAL ? window_.change : t_new + kNear * h;
 }
 
-bool OneStep::report_rows(double reached, double t_end, const Rows& rows, State& state) {
-  for (; row_time_ < t_end && row_time_ <= reached; row_time_ = rows.after(row_time_)) {
-    State& row = dense_.at(row_time_);
-    statistics_.count(options_.projection ? equations_.saddle().project(row, SaddleSystem::Close::kWithOldFactors)
-                                          : equations_.saddle().check_closed(row));
-    equations_.saddle().smallest_multipliers(row, dense_.rates().tail(equations_.layout().row_count));
-    turns_.follow(turning_, dense_.rates(), row);
-    if (rows.on_row(row, dense_.rates())) continue;
-    state = row;
-    step_.K[0] = dense_.rates();
-    turning_.time = kNever;
-    stages_.predictor().forget();
-    end_.used = false;
-    return false;
-  }
-  return true;
+WindowStop OneStep::read_row() {
+  State& row = dense_.at(window_.row_time);
+  statistics_.count(options_.projection ? equations_.saddle().project(row, SaddleSystem::Close::kWithOldFactors)
+                                        : equations_.saddle().check_closed(row));
+  equations_.saddle().smallest_multipliers(row, dense_.rates().tail(equations_.layout().row_count));
+  turns_.follow(turning_, dense_.rates(), row);
+  return {WindowStop::kRow, &row, &dense_.rates(), nullptr};
 }
 
-void OneStep::move_on(double h, const Inputs& inputs, State& state) {
+void OneStep::stay_at_row() {
+  *window_.state = dense_.state();
+  step_.K[0] = dense_.rates();
+  turning_.time = kNever;
+  stages_.predictor().forget();
+  end_.used = false;
+}
+
+void OneStep::reach_end() {
+  State& state = *window_.state;
+  if (!(window_.change < HUGE_VAL)) {
+    turns_.follow(turning_, step_.K[step_.last()], state, &turning_next_);
+    return;
+  }
+  State& end = dense_.at(window_.change);
+  turns_.follow(turning_, dense_.rates(), end);
+  state = end;
+  add_step_error(stages_.work_error_parts(), state.work_error);  // at most that of the whole step
+}
+
+void OneStep::leave_end() {
+  State& state = *window_.state;
+  if (window_.change < HUGE_VAL) {
+    switch_modes(*window_.inputs, state);
+    return;
+  }
   const std::size_t last = step_.last();
   std::swap(turning_, turning_next_);
-  stages_.predictor().accept(*step_.tableau, h, step_.K);
+  stages_.predictor().accept(*step_.tableau, window_.h, step_.K);
   std::swap(step_.energy[0], step_.energy[last]);
-  error_before_ = error_;
+  errors_.before = errors_.last;
   step_.y.swap(step_.Y[last]);
   if (stages_.newton().fresh()) equations_.saddle().update_resting_rows(state);
   if (end_.used) {
@@ -259,7 +303,7 @@ void OneStep::move_on(double h, const Inputs& inputs, State& state) {
   }
   if (crossing_.careful()) {
     crossing_.finish_careful_step();
-    start_.renew(inputs, state);
+    start_.renew(*window_.inputs, state);
   }
 }
 
@@ -295,7 +339,7 @@ void OneStep::switch_modes(const Inputs& inputs, State& state) {
   stages_.predictor().forget();
   stages_.newton().drop_factors();
   end_.used = false;
-  switched_ = true;
+  window_.switched = true;
 }
 
 // If drift is large enough, or a singular position near, projection is a part of the step.
@@ -315,7 +359,7 @@ bool OneStep::close_end(double t) {
   } catch (const NumericalError& error) {   // a joint cannot be closed
     const std::string text = error.what();  // "t = ... s: ..."; the time is reported once
     stages_.failure().reason = text.substr(text.find(": ") + 2);
-    error_ = kOpen;
+    errors_.last = kOpen;
     return false;
   }
   const Layout& layout = equations_.layout();
@@ -324,7 +368,7 @@ bool OneStep::close_end(double t) {
   change_.segment(layout.v0(), layout.v_size) = end_.state.v - y_end.segment(layout.v0(), layout.v_size);
   change_.segment(layout.z0(), layout.z_size).setZero();
   if (!options_.error_control || !norm.far(change_)) return true;
-  error_ = norm(change_);
+  errors_.last = norm(change_);
   stages_.failure().worst = norm.worst(change_);
   stages_.failure().reason =
       with_code(code::kStepTooSmall, "near a position where conditions of joints become dependent, drift of " +

@@ -1,4 +1,4 @@
-// footfall._core: EmbeddedSimulation, checks and histories as Python sees them. Everything that needs no C++ is in footfall/*.py.
+// footfall._core: Session, checks and histories as Python sees them. Everything that needs no C++ is in footfall/*.py.
 
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
@@ -11,8 +11,8 @@
 
 #include "coupler/base/text.h"
 #include "mbd_solver/embed/codes.h"
-#include "mbd_solver/embed/embedded_simulation.h"
 #include "mbd_solver/embed/error_report.h"
+#include "mbd_solver/embed/session.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/scene/scene_schema.h"
 
@@ -80,11 +80,11 @@ using Array = py::array_t<double>;
 Array array_of(const Eigen::VectorXd& x) { return Array(x.size(), x.data()); }
 
 // Ctrl-C ends a step at a time that it has reached; the interruption is then raised.
-void step(EmbeddedSimulation& simulation, double until) {
+void step(Session& simulation, double until) {
   bool interrupted = false;
   {
     const py::gil_scoped_release others_may_run;
-    simulation.step(until, [&] {
+    simulation.step_to(until, [&] {
       const py::gil_scoped_acquire python;
       return interrupted = PyErr_CheckSignals() != 0;
     });
@@ -93,7 +93,7 @@ void step(EmbeddedSimulation& simulation, double until) {
 }
 
 // Rows of the chosen columns at the present time and every `every` [s] after it, to `until`.
-Array sample(EmbeddedSimulation& simulation, double until, double every, const std::vector<std::string>& names) {
+Array sample(Session& simulation, double until, double every, const std::vector<std::string>& names) {
   if (!(every > 0.0))
     throw InputError(code::kWrongArgument, "every is " + number_text(every) + " s, expected a time above zero");
   std::vector<std::size_t> places;
@@ -136,7 +136,7 @@ py::dict history_of(const std::string& file) {
 
 PYBIND11_MODULE(_core, m) {
   using namespace footfall;
-  using Simulation = EmbeddedSimulation;
+  using Simulation = Session;
   py::register_exception_translator(&translate);
   py::class_<SceneSource>(m, "Source")
       .def(py::init<std::string, std::string, std::string, std::vector<std::string>>())
@@ -150,7 +150,7 @@ PYBIND11_MODULE(_core, m) {
   py::class_<Simulation>(m, "Simulation")
       .def(py::init([](const SceneSource& source, bool record, bool trusted) {
         const py::gil_scoped_release others_may_run;
-        return std::make_unique<Simulation>(source.read(), EmbeddedOptions{trusted, record});
+        return std::make_unique<Simulation>(source.read(), SessionOptions{trusted, record});
       }))
       .def_property_readonly("time", &Simulation::time)
       .def_property_readonly("end_time", &Simulation::end_time)
@@ -166,7 +166,7 @@ PYBIND11_MODULE(_core, m) {
                              })
       .def("value", &Simulation::value)
       .def_property_readonly("signals", &Simulation::signals)
-      .def("set_signal", &Simulation::set_signal)
+      .def("set_signal", &Simulation::set)
       .def("signal", &Simulation::signal)
       .def_property_readonly("q", [](const Simulation& s) { return array_of(s.q()); })
       .def_property_readonly("v", [](const Simulation& s) { return array_of(s.v()); })

@@ -4,16 +4,15 @@
 #include "mbd_solver/run/simulation.h"
 
 #include "coupler/base/text.h"
-#include "mbd_solver/run/alone_loop.h"
 #include "mbd_solver/run/codes.h"
-#include "mbd_solver/run/coupled_loop.h"
+#include "mbd_solver/run/loop/coupled_loop.h"
+#include "mbd_solver/run/loop/solver_options.h"
 #include "mbd_solver/run/observe/attached_damping.h"
 #include "mbd_solver/run/observe/carry_over.h"
 #include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/observe/requirements.h"
 #include "mbd_solver/run/observe/start_values.h"
 #include "mbd_solver/run/settle.h"
-#include "mbd_solver/run/solver_options.h"
 
 namespace footfall {
 namespace {
@@ -64,12 +63,19 @@ Simulation::Simulation(const Scene& scene, double t_end, Transport* partner_tran
 
 void Simulation::run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted,
                      const CheckpointWriter& checkpoints) {
-  parts_->checkpoints.begin(checkpoints);
   if (coupled()) {
+    parts_->checkpoints.begin(checkpoints);
     CoupledLoop(*parts_, observe, interrupted).run();
-  } else {
-    AloneLoop(*parts_, observe, interrupted).run();
+    return;
   }
+  begin(interrupted, checkpoints);
+  for (Reached reached = next(); reached != Reached::kEnd; reached = next())
+    if (reached == Reached::kSample) observe(sample());
+}
+
+void Simulation::begin(const volatile std::sig_atomic_t& interrupted, const CheckpointWriter& checkpoints) {
+  parts_->checkpoints.begin(checkpoints);
+  loop_ = std::make_unique<AloneLoop>(*parts_, interrupted);
 }
 
 // The integrator's history is dropped at a checkpoint, in the run that continues and in the resumed

@@ -14,7 +14,8 @@
 
 #include "coupler/archive.h"
 #include "coupler/transport.h"
-#include "mbd_solver/run/run_loop.h"
+#include "mbd_solver/run/loop/alone_loop.h"
+#include "mbd_solver/run/loop/run_loop.h"
 
 namespace footfall {
 
@@ -31,6 +32,11 @@ class Simulation {
   // continue alike. Throws NumericalError, PartnerError.
   void run(const std::function<void(const Sample&)>& observe, const volatile std::sig_atomic_t& interrupted,
            const CheckpointWriter& checkpoints = {});
+
+  // Without grains, a run in parts: the same as run(), which calls these.
+  //   begin(...);  while (next() != Reached::kEnd) {...}
+  void begin(const volatile std::sig_atomic_t& interrupted, const CheckpointWriter& checkpoints = {});
+  Reached next() { return loop_->next(); }
 
   // Of run(), besides its own observer: `steps` is called within steps and at their ends, for peaks that rows do not show;
   // `rows`, with grains, at output times within windows.
@@ -70,6 +76,7 @@ class Simulation {
   MovingMechanism& moving() const { return parts_->moving; }
 
   std::unique_ptr<RunParts> parts_;
+  std::unique_ptr<AloneLoop> loop_;  // since begin()
 };
 
 }  // namespace footfall

@@ -61,7 +61,7 @@ ONLY_IN = {
         "liggghts_fix/launcher.cpp liggghts_fix/liggghts_access.* liggghts_fix/couple/* liggghts_fix/contact/* liggghts_fix/replaced/*",
     # A scene without grains makes nothing of the coupling: all of it is made by CoupledRun, and that by the run alone.
     r"mbd_solver/coupling/(dem_partner|coupling_watch|window_choice)\.h": "mbd_solver/coupling/*",
-    r"mbd_solver/coupling/coupled_run\.h": "mbd_solver/coupling/* mbd_solver/run/simulation.h",
+    r"mbd_solver/coupling/coupled_run\.h": "mbd_solver/coupling/* mbd_solver/run/loop/moving_mechanism.h",
     r"mbd_solver/coupling/coupling_sample\.h": "mbd_solver/coupling/* mbd_solver/run/observe/sampler.h",
     r"mbd_solver/run/(?!codes)[a-z_]*\.h": "mbd_solver/run/* mbd_solver/embed/* mbd_solver/programs/mbd_solver.cpp",
 }
@@ -69,7 +69,7 @@ ONLY_IN = {
 SYSTEM_FILES_OF_BASE = ("coupler/base/files.cpp coupler/base/confinement.cpp coupler/base/input_file.cpp coupler/base/number.cpp coupler/base/pulse.cpp"
                         " coupler/base/run_directory.cpp coupler/base/run_directory.h coupler/base/start.cpp coupler/base/interrupt.cpp")
 SYSTEM_HEADER = re.compile(r"[a-z_]+[/.]")
-COUPLED_RUN_IS_MADE_IN = "mbd_solver/run/simulation.cpp"
+COUPLED_RUN_IS_MADE_IN = "mbd_solver/run/loop/moving_mechanism.cpp"
 
 root = pathlib.Path(__file__).resolve().parents[2]
 failed = False

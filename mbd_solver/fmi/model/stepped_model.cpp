@@ -21,17 +21,17 @@ double SteppedModel::value(const std::string& column) const {
 bool MechanismModel::step(double until, bool early) {
   const bool has_states = std::find(names().begin(), names().end(), "state.since") != names().end();
   if (!early || !has_states) {
-    simulation_.step(until);
+    simulation_.step_to(until);
     return false;
   }
   const auto last_event = [&] { return simulation_.time() - value("state.since"); };
   const double begin = simulation_.time(), before = last_event();
   const std::string saved = simulation_.save();
-  simulation_.step(until);
+  simulation_.step_to(until);
   const double event = last_event();
   if (!(event > before + 1e-9 && event > begin && event < until * (1.0 - 1e-9))) return false;
   simulation_.restore(saved);
-  simulation_.step(event);
+  simulation_.step_to(event);
   return true;
 }
 

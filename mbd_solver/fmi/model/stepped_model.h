@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/embed/embedded_simulation.h"
+#include "mbd_solver/embed/session.h"
 
 namespace footfall {
 
@@ -34,7 +34,7 @@ class SteppedModel {
 
 class MechanismModel : public SteppedModel {
  public:
-  MechanismModel(Scene scene, bool trusted) : simulation_(std::move(scene), EmbeddedOptions{trusted, false}) {}
+  MechanismModel(Scene scene, bool trusted) : simulation_(std::move(scene), SessionOptions{trusted, false}) {}
 
   double time() const override { return simulation_.time(); }
   bool finished() const override { return simulation_.finished(); }
@@ -43,7 +43,7 @@ class MechanismModel : public SteppedModel {
   std::vector<double> row() const override { return simulation_.row(); }
   std::vector<std::string> signals() const override { return simulation_.signals(); }
   double signal(const std::string& name) const override { return simulation_.signal(name); }
-  void set_signal(const std::string& name, double value) override { simulation_.set_signal(name, value); }
+  void set_signal(const std::string& name, double value) override { simulation_.set(name, value); }
   bool step(double until, bool early) override;
   std::string save() override { return simulation_.save(); }
   void restore(const std::string& state) override { simulation_.restore(state); }
@@ -52,7 +52,7 @@ class MechanismModel : public SteppedModel {
   std::vector<std::string> warnings() const override { return simulation_.warnings(); }
 
  private:
-  EmbeddedSimulation simulation_;
+  Session simulation_;
 };
 
 }  // namespace footfall

@@ -1,5 +1,5 @@
 // A mechanism inside another program: the same digits as a run, signals that the host sets, states in memory, errors as parts.
-#include "mbd_solver/embed/embedded_simulation.h"
+#include "mbd_solver/embed/session.h"
 
 #include <gtest/gtest.h>
 
@@ -64,8 +64,8 @@ class EveryScene : public testing::TestWithParam<Case> {
 
 // Bit for bit where steps end at rows or rows influence nothing: states are read on the way, and no step is cut.
 TEST_P(EveryScene, IsIntegratedInTheSameDigitsAsByARun) {
-  EmbeddedSimulation led(scene());
-  for (int k = 1; !led.finished(); ++k) led.step(2e-3 * k);
+  Session led(scene());
+  for (int k = 1; !led.finished(); ++k) led.step_to(2e-3 * k);
   const State end = after_run(scene()).first;
   EXPECT_EQ(led.q(), end.q);
   EXPECT_EQ(led.v(), end.v);
@@ -74,14 +74,14 @@ TEST_P(EveryScene, IsIntegratedInTheSameDigitsAsByARun) {
 }
 
 TEST_P(EveryScene, GoesOnFromASavedStateInTheSameDigits) {
-  EmbeddedSimulation led(scene()), other(scene());
-  led.step(0.03);
+  Session led(scene()), other(scene());
+  led.step_to(0.03);
   const std::string state = led.save();
-  other.step(0.01);
+  other.step_to(0.01);
   other.restore(state);
   EXPECT_EQ(other.row(), led.row());
-  const auto goes_on = [](EmbeddedSimulation& simulation) {
-    for (int k = 1; k < 20; ++k) simulation.step(0.03 + 0.003 * k);
+  const auto goes_on = [](Session& simulation) {
+    for (int k = 1; k < 20; ++k) simulation.step_to(0.03 + 0.003 * k);
     return simulation.row();
   };
   const std::vector<double> end = goes_on(led);
@@ -95,23 +95,23 @@ std::string name_of_case(const testing::TestParamInfo<Case>& info) { return info
 INSTANTIATE_TEST_SUITE_P(Of, EveryScene, testing::ValuesIn(cases()), name_of_case);
 
 // Whole steps of 30 ms are not cut into thirty.
-TEST(EmbeddedSimulation, TakesNoMoreStepsThanARun) {
+TEST(Session, TakesNoMoreStepsThanARun) {
   const SceneText folder;
   const Scene scene = folder.read(kPendulum, {"initial.joints.hinge=0.5", "output.interval=0.1"});
-  EmbeddedSimulation led(scene, {false, true});
-  for (int k = 1; !led.finished(); ++k) led.step(1e-3 * k);
+  Session led(scene, {false, true});
+  for (int k = 1; !led.finished(); ++k) led.step_to(1e-3 * k);
   const std::string summary = led.summary();
   EXPECT_NE(summary.find("\"steps\": " + std::to_string(after_run(scene).second)), std::string::npos) << summary;
 }
 
 // x = F t^2 / 2 m in pieces; forces that are constant in a step are integrated exactly.
-TEST(EmbeddedSimulation, ASignalOfTheHostActsFromTheTimeAtWhichItIsSet) {
-  EmbeddedSimulation led(SceneText().read(kPushed));
+TEST(Session, ASignalOfTheHostActsFromTheTimeAtWhichItIsSet) {
+  Session led(SceneText().read(kPushed));
   double x = 0.0, v = 0.0, force = 4.0;
   for (int k = 0; k < 50; ++k) {
     const double h = 0.011;
-    if (k % 5 == 3) led.set_signal("thrust", force = 10.0 * std::sin(k));
-    led.step(h * (k + 1));
+    if (k % 5 == 3) led.set("thrust", force = 10.0 * std::sin(k));
+    led.step_to(h * (k + 1));
     x += v * h + force / 4.0 * h * h;
     v += force / 2.0 * h;
     ASSERT_NEAR(led.value("b.x"), x, 1e-12) << k;
@@ -124,7 +124,7 @@ TEST(EmbeddedSimulation, ASignalOfTheHostActsFromTheTimeAtWhichItIsSet) {
 }
 
 // A sampled signal reads the new value at once, an event takes place at the instant.
-TEST(EmbeddedSimulation, SampledSignalsAndEventsSeeWhatTheHostSets) {
+TEST(Session, SampledSignalsAndEventsSeeWhatTheHostSets) {
   const std::string more = R"([[signals]]
 name = "twice"
 kind = "expression"
@@ -139,41 +139,40 @@ name = "start"
 when = "signal.thrust > 5"
 to = "goes"
 )";
-  EmbeddedSimulation led(SceneText().read(kPushed + more));
-  led.step(0.05);
-  led.set_signal("thrust", 6.0);
-  led.step(0.055);
+  Session led(SceneText().read(kPushed + more));
+  led.step_to(0.05);
+  led.set("thrust", 6.0);
+  led.step_to(0.055);
   EXPECT_EQ(led.value("signal.twice"), 12.0);
   EXPECT_EQ(led.value("state.goes"), 1.0);
 }
 
-TEST(EmbeddedSimulation, AValueThatHasNotActedYetIsPartOfASavedState) {
-  EmbeddedSimulation led(SceneText().read(kPushed)), other(SceneText().read(kPushed));
-  led.step(0.1);
-  led.set_signal("thrust", -3.0);
+TEST(Session, AValueThatHasNotActedYetIsPartOfASavedState) {
+  Session led(SceneText().read(kPushed)), other(SceneText().read(kPushed));
+  led.step_to(0.1);
+  led.set("thrust", -3.0);
   other.restore(led.save());
   EXPECT_EQ(other.signal("thrust"), -3.0);
-  led.step(0.2);
-  other.step(0.2);
+  led.step_to(0.2);
+  other.step_to(0.2);
   EXPECT_EQ(other.row(), led.row());
   EXPECT_NEAR(led.value("b.vx"), 0.1 * (4.0 - 3.0) / 2.0, 1e-12);
 }
 
-TEST(EmbeddedSimulation, TwoInOneProcessDoNotMeet) {
-  EmbeddedSimulation alone(SceneText().read(kPendulum)), first(SceneText().read(kPendulum)),
-      second(SceneText().read(kPushed));
+TEST(Session, TwoInOneProcessDoNotMeet) {
+  Session alone(SceneText().read(kPendulum)), first(SceneText().read(kPendulum)), second(SceneText().read(kPushed));
   for (int k = 1; k <= 40; ++k) {
-    first.step(0.01 * k);
-    second.step(0.02 * k);
-    if (k == 20) second = EmbeddedSimulation(SceneText().read(test::kSmallMachine));
+    first.step_to(0.01 * k);
+    second.step_to(0.02 * k);
+    if (k == 20) second = Session(SceneText().read(test::kSmallMachine));
     if (k > 20) break;
   }
-  for (int k = 1; k <= 21; ++k) alone.step(0.01 * k);
+  for (int k = 1; k <= 21; ++k) alone.step_to(0.01 * k);
   EXPECT_EQ(first.row(), alone.row());
 }
 
 // The state remains that before the step, and another one can be restored.
-TEST(EmbeddedSimulation, AFailureLeavesTheStateBeforeTheStep) {
+TEST(Session, AFailureLeavesTheStateBeforeTheStep) {
   const std::string blows_up = R"TOML(
 [[signals]]
 name = "root"
@@ -181,68 +180,68 @@ kind = "expression"
 input = "sqrt(0.5 - time)"
 period_ms = 10
 )TOML";
-  EmbeddedSimulation led(SceneText().read(kPushed + blows_up));
-  led.step(0.4);
+  Session led(SceneText().read(kPushed + blows_up));
+  led.step_to(0.4);
   const std::string state = led.save();
   const std::vector<double> row = led.row();
-  EXPECT_THROW(led.step(0.6), NumericalError);
+  EXPECT_THROW(led.step_to(0.6), NumericalError);
   EXPECT_EQ(led.row(), row);
   EXPECT_EQ(led.time(), 0.4);
-  EXPECT_NE(test::refusal([&] { led.step(0.45); }).find(code::kCannotGoOn.number), std::string::npos);
+  EXPECT_NE(test::refusal([&] { led.step_to(0.45); }).find(code::kCannotGoOn.number), std::string::npos);
   led.restore(state);
-  led.step(0.45);
+  led.step_to(0.45);
   EXPECT_NEAR(led.time(), 0.45, 1e-12);
 }
 
-TEST(EmbeddedSimulation, RefusesWhatItCannotDo) {
-  EmbeddedSimulation led(SceneText().read(kPushed));
+TEST(Session, RefusesWhatItCannotDo) {
+  Session led(SceneText().read(kPushed));
   const auto refused = [&](const auto& what, const MessageCode& code) {
     const std::string message = test::refusal(what);
     EXPECT_NE(message.find(code.number), std::string::npos) << message;
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  led.step(0.1);
-  refused([&] { led.step(0.05); }, code::kStepBackwards);
-  refused([&] { led.step(nan); }, code::kStepBackwards);
-  refused([&] { led.set_signal("thrust", nan); }, code::kGivenNotFinite);
-  refused([&] { led.set_signal("trust", 1.0); }, code::kNoHostSignal);
+  led.step_to(0.1);
+  refused([&] { led.step_to(0.05); }, code::kStepBackwards);
+  refused([&] { led.step_to(nan); }, code::kStepBackwards);
+  refused([&] { led.set("thrust", nan); }, code::kGivenNotFinite);
+  refused([&] { led.set("trust", 1.0); }, code::kNoHostSignal);
   refused([&] { led.value("b.q"); }, code::kNoSuchColumn);
   refused([&] { led.summary(); }, code::kNotRecorded);
   refused([&] { led.restore("nonsense"); }, code::kStateOfAnother);
-  refused([&] { led.restore(EmbeddedSimulation(SceneText().read(kPendulum)).save()); }, code::kStateOfAnother);
-  led.step(5.0);  // the end of the scene is earlier
+  refused([&] { led.restore(Session(SceneText().read(kPendulum)).save()); }, code::kStateOfAnother);
+  led.step_to(5.0);  // the end of the scene is earlier
   EXPECT_TRUE(led.finished());
   EXPECT_EQ(led.time(), 1.0);
-  refused([&] { led.step(6.0); }, code::kCannotGoOn);
+  refused([&] { led.step_to(6.0); }, code::kCannotGoOn);
 }
 
-TEST(EmbeddedSimulation, AHostMayEndAStepEarly) {
-  EmbeddedSimulation led(SceneText().read(kPendulum, {"end_time=1e3", "output.interval=1e-3"}));
-  led.step(1e3, [] { return true; });
+TEST(Session, AHostMayEndAStepEarly) {
+  Session led(SceneText().read(kPendulum, {"end_time=1e3", "output.interval=1e-3"}));
+  led.step_to(1e3, [] { return true; });
   EXPECT_GT(led.time(), 0.0);
   EXPECT_LT(led.time(), 1e3);
   const double reached = led.time();
-  led.step(reached + 0.01);
+  led.step_to(reached + 0.01);
   EXPECT_NEAR(led.time(), reached + 0.01, 1e-12);
 }
 
 // The question within a step is the time at which other threads, and the thread itself, find the simulation under way.
-TEST(EmbeddedSimulation, RefusesCallsWhileItIsBeingStepped) {
-  EmbeddedSimulation led(SceneText().read(kPushed, {"end_time=1e3", "output.interval=1e-3", "solver.max_step=1e-3"}),
-                         {false, true});
+TEST(Session, RefusesCallsWhileItIsBeingStepped) {
+  Session led(SceneText().read(kPushed, {"end_time=1e3", "output.interval=1e-3", "solver.max_step=1e-3"}),
+              {false, true});
   const std::string state = led.save();
   const auto refused = [&](const auto& what) {
     const std::string message = test::refusal(what);
     EXPECT_NE(message.find(code::kInUse.number), std::string::npos) << message;
   };
   const auto change = [&] {
-    refused([&] { led.step(1e3); });
+    refused([&] { led.step_to(1e3); });
     refused([&] { led.save(); });
     refused([&] { led.restore(state); });
-    refused([&] { led.set_signal("thrust", 1.0); });
+    refused([&] { led.set("thrust", 1.0); });
   };
   int questions = 0;
-  led.step(1e3, [&] {
+  led.step_to(1e3, [&] {
     ++questions;
     std::thread([&] {
       change();
@@ -263,20 +262,20 @@ TEST(EmbeddedSimulation, RefusesCallsWhileItIsBeingStepped) {
   ASSERT_EQ(questions, 1);
   const double reached = led.time();
   EXPECT_GT(reached, 0.0);
-  std::thread([&] { led.step(reached + 0.01); }).join();
+  std::thread([&] { led.step_to(reached + 0.01); }).join();
   EXPECT_NEAR(led.value("b.x"), 4.0 / 2.0 * led.time() * led.time() / 2.0, 1e-9 * led.time() * led.time());
 }
 
 // Of a host that writes 1.234,5: the scene, its expressions, states and messages are read and written as elsewhere.
-TEST(EmbeddedSimulation, GivesTheSameInEveryLocale) {
+TEST(Session, GivesTheSameInEveryLocale) {
   const std::string signal = "[[signals]]\nname = \"s\"\nkind = \"expression\"\ninput = \"1.5 * time + 0.25\"\n";
   const auto result = [&] {
-    EmbeddedSimulation led(read_scene_text(kPushed + signal, "."), {false, true});
-    led.step(0.0125);
+    Session led(read_scene_text(kPushed + signal, "."), {false, true});
+    led.step_to(0.0125);
     const std::string state = led.save();
-    led.step(0.02);
+    led.step_to(0.02);
     led.restore(state);
-    led.step(0.03);
+    led.step_to(0.03);
     return std::pair(led.row(), state);
   };
   const auto here = result();
@@ -288,7 +287,7 @@ TEST(EmbeddedSimulation, GivesTheSameInEveryLocale) {
   EXPECT_EQ(test::refusal([&] { read_scene_text(kPushed, ".", {"solver.rtol=-1.5e3"}); }), refusal);
 }
 
-TEST(EmbeddedSimulation, ReadsAScenesText) {
+TEST(Session, ReadsAScenesText) {
   const SceneText folder;
   const Scene scene = read_scene_text(kPushed, ".", {"bodies.b.mass=4"});
   EXPECT_EQ(scene.bodies[0].mass, 4.0);

@@ -1,6 +1,6 @@
 // Orders of the one-step method follow from the length of windows, which are short with grains.
 
-#include "mbd_solver/run/solver_options.h"
+#include "mbd_solver/run/loop/solver_options.h"
 
 #include "coupler/base/errors.h"
 

@@ -1,18 +1,15 @@
-// One advance is a sequence of advances of the integrator from corner to corner of what the scene
-// gives as functions of time.
+// State, rates and inputs are plain data of the mechanism; the sampler views them.
 
-#include "mbd_solver/run/moving_mechanism.h"
+#include "mbd_solver/run/loop/moving_mechanism.h"
 
-#include <algorithm>
-
-#include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/run/codes.h"
-#include "mbd_solver/run/load_fields.h"
+#include "mbd_solver/run/loop/advance.h"
+#include "mbd_solver/run/loop/load_fields.h"
+#include "mbd_solver/run/loop/solver_options.h"
 #include "mbd_solver/run/observe/start_values.h"
-#include "mbd_solver/run/solver_options.h"
 
 namespace footfall {
 
@@ -63,27 +60,10 @@ bool MovingMechanism::finished() const {
   return state_.time >= t_end_ * (1.0 - 1e-12) || (coupled_ && coupled_->script_has_ended());
 }
 
-void MovingMechanism::advance(State from, double time, const Rows& rows, const Instructions* instructions) {
-  const double started = wall_clock();
-  for (;;) {
-    const Corner corner = corners_.next_step_end(from.time, inputs_.values);
-    const double end = std::min(corner.before, time);
-    if (from.time < end) {
-      integrator_->advance(from, end, inputs_, rows);
-      rates_ = integrator_->end_rates();
-    }
-    if (end == time || from.time < end) break;
-    if (rows.on_row && instructions && instructions->is_stop(end) && !rows.on_row(from, rates_) &&
-        instructions->waiting())
-      break;
-    from.time = corner.after;
-    if (from.time < time) continue;
-    equations_.saddle().accelerations(from, inputs_, rates_);
-    break;
-  }
-  state_ = from;
-  times_.mbd += wall_clock() - started;
-  check_finite();
+void MovingMechanism::advance(const State& from, double time) {
+  Advance way(*this);
+  way.begin(from, time);
+  way.next();
 }
 
 void MovingMechanism::check_finite() const {

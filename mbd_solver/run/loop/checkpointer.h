@@ -9,8 +9,8 @@
 
 #include "coupler/archive.h"
 #include "mbd_solver/run/checkpoint.h"
-#include "mbd_solver/run/instructions.h"
-#include "mbd_solver/run/moving_mechanism.h"
+#include "mbd_solver/run/loop/instructions.h"
+#include "mbd_solver/run/loop/moving_mechanism.h"
 
 namespace footfall {
 

@@ -1,33 +1,32 @@
 // A window ends with its sample, the collisions that it shows, and the events that it leads to.
 
-#include "mbd_solver/run/run_loop.h"
+#include "mbd_solver/run/loop/run_loop.h"
 
 #include "coupler/base/clock.h"
 
 namespace footfall {
 
-void RunLoop::begin() {
+bool RunLoop::begin() {
   begun_ = wall_clock() - moving_.times().total;
-  if (!run_.resumed) moving_.renew();
-  if (run_.resumed) moving_.update_sample();
+  if (run_.resumed) {
+    moving_.update_sample();
+  } else {
+    moving_.renew();
+  }
   run_.surfaces.begin();
   if (!run_.resumed) {
     run_.events.apply();
     run_.inputs.sample_at_start();
-    observe_(moving_.sample());
   } else if (SignalLoop* const signals = run_.inputs.signals()) {
     signals->triggered(moving_.sample(), moving_.inputs().values);  // is read
   }
-  run_.events.begin();
+  return !run_.resumed;
 }
 
-void RunLoop::observe(double now) {
-  moving_.times().total = now - begun_;
-  observe_(moving_.sample());
-}
+void RunLoop::count_time() { moving_.times().total = wall_clock() - begun_; }
 
 bool RunLoop::save(bool undisturbed) {
-  moving_.times().total = wall_clock() - begun_;
+  count_time();
   return run_.checkpoints.save(undisturbed);
 }
 
@@ -41,7 +40,6 @@ void RunLoop::finish_window() {
 
 bool RunLoop::watch_step(StepView& step, double window_end) {
   if (!(step.end() < window_end)) return true;  // finish_window() follows
-  const double started = wall_clock();
   step.at(step.end(), moving_.state(), moving_.rates());
   if (moving_.scene().output.reactions || !moving_.mechanism().gears.empty()) {
     Equations& equations = moving_.equations();
@@ -50,7 +48,6 @@ bool RunLoop::watch_step(StepView& step, double window_end) {
   moving_.update_sample();
   const bool goes_on = moving_.coupled() || !run_.events.ends_window();
   if (goes_on && run_.observe_step) run_.observe_step(moving_.sample());
-  moving_.times().mbd -= wall_clock() - started;  // advance() counts it
   return goes_on;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mbd_solver/run/control_loop.h"
-#include "mbd_solver/run/moving_mechanism.h"
+#include "mbd_solver/run/loop/moving_mechanism.h"
 #include "mbd_solver/run/stiff_signals.h"
 
 namespace footfall {

@@ -13,9 +13,9 @@
 #include "mbd_solver/coupling/coupled_run.h"
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/integrator/integrator.h"
-#include "mbd_solver/run/instructions.h"
+#include "mbd_solver/run/loop/instructions.h"
+#include "mbd_solver/run/loop/run_times.h"
 #include "mbd_solver/run/observe/sampler.h"
-#include "mbd_solver/run/run_times.h"
 
 namespace footfall {
 
@@ -56,10 +56,9 @@ class MovingMechanism {
     rates_ = rates;
     update_sample();
   }
-  // From a state to this time [s]; sets state and rates, not the sample. Steps end at corners of
-  // given functions. instructions: where a corner is one of their stops it is a row, too, and the
-  // advance ends there if they wait. Throws NumericalError.
-  void advance(State from, double time, const Rows& rows = {}, const Instructions* instructions = nullptr);
+  // From a state to this time [s]; sets state and rates, not the sample. Advance does so with
+  // pauses. Throws NumericalError.
+  void advance(const State& from, double time);
   void check_finite() const;  // throws NumericalError
 
   void visit(Archive& archive);                     // state, rates, inputs and windows

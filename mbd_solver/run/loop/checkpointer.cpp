@@ -1,7 +1,7 @@
 // Without grains a checkpoint is written at once; with grains both sides write theirs between two
 // windows.
 
-#include "mbd_solver/run/checkpointer.h"
+#include "mbd_solver/run/loop/checkpointer.h"
 
 #include "coupler/base/clock.h"
 

@@ -1,6 +1,6 @@
 // Walls that the script has removed no longer act, neither on the mechanism nor on the watch.
 
-#include "mbd_solver/run/surface_watch.h"
+#include "mbd_solver/run/loop/surface_watch.h"
 
 #include <algorithm>
 #include <string>

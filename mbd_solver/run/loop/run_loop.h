@@ -4,13 +4,13 @@
 #include <csignal>
 #include <functional>
 
-#include "mbd_solver/run/checkpointer.h"
-#include "mbd_solver/run/event_finder.h"
-#include "mbd_solver/run/event_foresight.h"
-#include "mbd_solver/run/instructions.h"
-#include "mbd_solver/run/moving_mechanism.h"
-#include "mbd_solver/run/sampled_inputs.h"
-#include "mbd_solver/run/surface_watch.h"
+#include "mbd_solver/run/loop/checkpointer.h"
+#include "mbd_solver/run/loop/event_finder.h"
+#include "mbd_solver/run/loop/event_foresight.h"
+#include "mbd_solver/run/loop/instructions.h"
+#include "mbd_solver/run/loop/moving_mechanism.h"
+#include "mbd_solver/run/loop/sampled_inputs.h"
+#include "mbd_solver/run/loop/surface_watch.h"
 
 namespace footfall {
 
@@ -37,17 +37,18 @@ struct RunParts {
 
 class RunLoop {
  public:
-  // observe: at the start and after every window. The loop ends when `interrupted` is set. All must
-  // outlive this.
-  RunLoop(RunParts& run, const std::function<void(const Sample&)>& observe,
-          const volatile std::sig_atomic_t& interrupted)
-      : run_(run), moving_(run.moving), observe_(observe), interrupted_(interrupted) {}
+  // The loop ends when `interrupted` is set. Both must outlive this.
+  RunLoop(RunParts& run, const volatile std::sig_atomic_t& interrupted)
+      : run_(run), moving_(run.moving), interrupted_(interrupted) {}
 
  protected:
   ~RunLoop() = default;
-  void begin();  // at the start, or where the run resumes
+  // At the start, or where the run resumes. True: the present sample is to be observed before
+  // finish_start().
+  bool begin();
+  void finish_start() { run_.events.begin(); }
   bool interrupted() const { return interrupted_ != 0; }
-  void observe(double now);     // the present sample, at this wall-clock time [s]
+  void count_time();            // of the run, before a sample is observed or saved
   bool save(bool undisturbed);  // a checkpoint, as Checkpointer::save
   void finish_window();         // sample, collisions, events
   // After a step of a window that ends at window_end [s]: observes it; false: an event ends the
@@ -58,7 +59,6 @@ class RunLoop {
   MovingMechanism& moving_;
 
  private:
-  const std::function<void(const Sample&)>& observe_;
   const volatile std::sig_atomic_t& interrupted_;
   double begun_ = 0.0;  // wall clock at the start of the loop, minus the time of earlier parts of the run [s]
 };

@@ -2,16 +2,17 @@
 // The loop of a run with grains: every window is one exchange. The present sample is observed, and
 // control computed, after the motion has been sent, while the grains move.
 
-#include "mbd_solver/run/run_loop.h"
+#include "mbd_solver/run/loop/advance.h"
+#include "mbd_solver/run/loop/run_loop.h"
 
 namespace footfall {
 
 class CoupledLoop : private RunLoop {
  public:
-  // The mechanism is coupled.
+  // The mechanism is coupled. observe: at the start and after every window.
   CoupledLoop(RunParts& run, const std::function<void(const Sample&)>& observe,
               const volatile std::sig_atomic_t& interrupted)
-      : RunLoop(run, observe, interrupted), coupled_(*run.moving.coupled()) {}
+      : RunLoop(run, interrupted), observe_(observe), advance_(run.moving), coupled_(*run.moving.coupled()) {}
   void run();
 
  private:
@@ -21,7 +22,10 @@ class CoupledLoop : private RunLoop {
   CheckpointRequest checkpoint_at(double time);  // [s]
   void observe_once();                           // the present sample, unless it has been observed
   bool end_requested() const { return interrupted() || coupled_.end_requested(); }
+  void advance(double end);  // [s], with rows and steps on the way
 
+  const std::function<void(const Sample&)>& observe_;
+  Advance advance_;
   CoupledRun& coupled_;
   bool observed_ = true;  // the present sample
 };

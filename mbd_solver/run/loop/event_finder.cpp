@@ -1,7 +1,7 @@
 // Bisection moves the mechanism from the last state without an event to times before the present
 // one, and compares conditions there.
 
-#include "mbd_solver/run/event_finder.h"
+#include "mbd_solver/run/loop/event_finder.h"
 
 #include <algorithm>
 #include <string>

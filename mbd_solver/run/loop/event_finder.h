@@ -7,9 +7,9 @@
 #include <functional>
 #include <optional>
 
-#include "mbd_solver/run/event_foresight.h"
 #include "mbd_solver/run/event_watch.h"
-#include "mbd_solver/run/moving_mechanism.h"
+#include "mbd_solver/run/loop/event_foresight.h"
+#include "mbd_solver/run/loop/moving_mechanism.h"
 #include "mbd_solver/run/signal_loop.h"
 
 namespace footfall {

@@ -1,16 +1,16 @@
 // The mechanism is shown to the conditions as it would be at later times; afterwards it is as it
 // was.
 
-#include "mbd_solver/run/event_foresight.h"
+#include "mbd_solver/run/loop/event_foresight.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/run/event_finder.h"
-#include "mbd_solver/run/load_fields.h"
-#include "mbd_solver/run/solver_options.h"
+#include "mbd_solver/run/loop/event_finder.h"
+#include "mbd_solver/run/loop/load_fields.h"
+#include "mbd_solver/run/loop/solver_options.h"
 
 namespace footfall {
 namespace {

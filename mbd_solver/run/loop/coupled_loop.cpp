@@ -1,7 +1,7 @@
 // A window: what is due before it, the exchange, the motion under the load that it brought, and its
 // end.
 
-#include "mbd_solver/run/coupled_loop.h"
+#include "mbd_solver/run/loop/coupled_loop.h"
 
 #include <algorithm>
 
@@ -10,7 +10,8 @@
 namespace footfall {
 
 void CoupledLoop::run() {
-  begin();
+  if (begin()) observe_(moving_.sample());
+  finish_start();
   while (!moving_.finished()) {
     bool saved = false;
     if (run_.checkpoints.writes() && coupled_.checkpoint_required()) {
@@ -32,24 +33,29 @@ bool CoupledLoop::run_window() {
   const double corner = moving_.corners().next_time(moving_.state().time, moving_.inputs().values);
   const double end = exchange(corner);
   if (coupled_.script_has_ended()) return false;
-  Rows rows;
-  // An interval below the step of the grains asks for a row per window.
-  if (run_.observe_row && moving_.scene().output.interval > 0.999 * coupled_.agreement().dt) {
-    rows.next = [&](double t) { return run_.instructions.rows().after(t); };
-    rows.on_row = [&](const State& state, const Eigen::VectorXd& rates) {
-      moving_.show(state, rates);
-      run_.observe_row(moving_.sample());
-      return true;
-    };
-  }
-  if (run_.observe_step) rows.on_step = [&](StepView& step) { return watch_step(step, end); };
-  moving_.advance(moving_.state(), end, rows, &run_.instructions);
+  advance(end);
   coupled_.settle_work(moving_.state());
   if (corner <= end) coupled_.restart();
   finish_window();
   coupled_.end_window(moving_.state(), moving_.sample().kinematics);
   observed_ = false;
   return true;
+}
+
+void CoupledLoop::advance(double end) {
+  // An interval below the step of the grains asks for a row per window.
+  const bool has_rows = run_.observe_row && moving_.scene().output.interval > 0.999 * coupled_.agreement().dt;
+  const std::function<double(double)> next_row = [&](double t) { return run_.instructions.rows().after(t); };
+  advance_.begin(moving_.state(), end, {has_rows ? &next_row : nullptr, run_.observe_step != nullptr},
+                 &run_.instructions);
+  for (WindowStop stop = advance_.next(); stop.kind != WindowStop::kEnd; stop = advance_.next()) {
+    if (stop.kind == WindowStop::kStep) {
+      watch_step(*stop.step, end);
+    } else {
+      moving_.show(*stop.state, *stop.rates);
+      run_.observe_row(moving_.sample());
+    }
+  }
 }
 
 void CoupledLoop::sample_before_window() {
@@ -93,7 +99,8 @@ CheckpointRequest CoupledLoop::checkpoint_at(double time) {
 void CoupledLoop::observe_once() {
   if (observed_) return;
   observed_ = true;
-  observe(wall_clock());
+  count_time();
+  observe_(moving_.sample());
   run_.instructions.apply_inputs(moving_.inputs().values);
 }
 

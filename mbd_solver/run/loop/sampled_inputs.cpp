@@ -1,9 +1,9 @@
 // While no sample changes an input, windows need not end at samples: change() tells.
 
-#include "mbd_solver/run/sampled_inputs.h"
+#include "mbd_solver/run/loop/sampled_inputs.h"
 
 #include "coupler/base/clock.h"
-#include "mbd_solver/run/solver_options.h"
+#include "mbd_solver/run/loop/solver_options.h"
 
 namespace footfall {
 

@@ -7,7 +7,7 @@
 
 #include "coupler/messages.h"
 #include "mbd_solver/run/collision_watch.h"
-#include "mbd_solver/run/moving_mechanism.h"
+#include "mbd_solver/run/loop/moving_mechanism.h"
 
 namespace footfall {
 

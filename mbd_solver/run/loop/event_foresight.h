@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "coupler/archive.h"
-#include "mbd_solver/run/moving_mechanism.h"
+#include "mbd_solver/run/loop/moving_mechanism.h"
 #include "mbd_solver/run/signal_loop.h"
 
 namespace footfall {
