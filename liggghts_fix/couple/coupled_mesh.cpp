@@ -299,7 +299,7 @@ void CoupledMesh::begin_run(const char* style, const GrainTorque& torque_before,
                          "model ... mesh n_meshes 1 meshes " +
                          mesh_id_);
   const std::string outside = outside_box();
-  stays_behind_ = !outside.empty() && link_.window().body(body_).off_bed();
+  stays_behind_ = !outside.empty() && link_.window().body(body_).sides().off_bed();
   if (!outside.empty() && !stays_behind_)
     throw InputError(code::kMeshLeavesBox, where_ + "body \"" + link_.bodies().name(body_) + "\" " + outside);
   for (FixWallGran* wall : touching) {
@@ -442,7 +442,7 @@ void CoupledMesh::check_inside_box() {
   if (body.boundary().mode_count() == 0 && !is_outside(*domain, body.pose().r, reach_)) return;
   const std::string outside = outside_box();
   if (outside.empty()) return;
-  stays_behind_ = body.off_bed();
+  stays_behind_ = link_.window().body(body_).sides().off_bed();
   if (stays_behind_) return;
   throw footfall::NumericalError(
       code::kMeshLeavesBox, "t = " + footfall::number_text(static_cast<double>(update->ntimestep) * update->dt) +

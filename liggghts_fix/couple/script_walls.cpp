@@ -151,12 +151,12 @@ void WallCrossings::check(const std::string& wall_id, PrimitiveWall& wall, footf
   const auto [place, is_new] = pairs_.try_emplace({wall_id, body});
   Pair& pair = place->second;
   if (const Eigen::Vector3d* const side =
-          is_new ? link.window().body(body).passed_side(wall_id) : nullptr) {  // before a checkpoint
+          is_new ? link.window().body(body).sides().direction_of(wall_id) : nullptr) {  // before a checkpoint
     pair.exempt = true;
     pair.side = *side;
   }
   if (!pair.side.isZero(0.0) && (pair.side.transpose() * to_wall(wall, x)).maxCoeff() <= 0.0)
-    link.window().body(body).set_off_bed();
+    link.window().body(body).sides().leave_bed();
   if (pair.exempt) return;
   const Eigen::Matrix3Xd d = to_wall(wall, x);
   if (is_new || before_.empty()) {
@@ -185,7 +185,7 @@ bool WallCrossings::report(const std::string& wall_id, const Eigen::Vector3d& to
   const Eigen::Vector3d& g = link.script_gravity();
   const double down = to_wall.dot(g), steep = kSteep * to_wall.norm() * g.norm();
   footfall::DemBody& record = link.window().body(body);
-  if (down > 0.0 && down >= steep && !record.beside_bed())
+  if (down > 0.0 && down >= steep && !record.sides().has_passed())
     throw footfall::NumericalError(
         code::kBodyThroughFloor,
         what + ". This wall is the floor below the body: make the bed deeper, or end the scene earlier");
@@ -193,7 +193,7 @@ bool WallCrossings::report(const std::string& wall_id, const Eigen::Vector3d& to
     link.window().warn(footfall::with_code(code::kBodyThroughWall, what));
     return false;
   }
-  record.set_beside_bed(wall_id, to_wall);
+  record.sides().pass(wall_id, to_wall);
   link.window().warn(footfall::with_code(
       code::kBodyLeavesBed,
       what + ". This wall is a side of the bed: from here on the body has no grains below it, and "

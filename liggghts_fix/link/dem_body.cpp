@@ -21,29 +21,57 @@ DemBody::DemBody(const CoupledBody& scene_body, const Scheme& scheme, double gra
       path_(scheme, scene_body.initial),
       average_(scheme, scene_body.boundary.mode_count()),
       now_(scene_body.boundary.mode_count()),
-      scheme_needs_slopes_(scheme.requires_tangent()),
+      slopes_(scheme.requires_tangent()),
       gravity_(gravity) {
   share_.mean = MeanLoad(boundary_.mode_count());
-  if (scheme_needs_slopes_) share_.tangent.resize(1);
+  if (scheme.requires_tangent()) share_.tangent.resize(1);
   load_ = share_;
 }
 
-void DemBody::PassedSide::visit(Archive& archive) {
+const Eigen::Vector3d* BedSides::direction_of(const std::string& wall) const {
+  for (const Passed& side : passed_)
+    if (side.wall == wall) return &side.to_side;
+  return nullptr;
+}
+
+void BedSides::Passed::visit(Archive& archive) {
   archive("wall", wall);
   archive("to_side", to_side);
 }
 
-const Eigen::Vector3d* DemBody::passed_side(const std::string& wall) const {
-  for (const PassedSide& side : passed_sides_)
-    if (side.wall == wall) return &side.to_side;
-  return nullptr;
+void BedSides::visit(Archive& archive) {
+  archive("passed_sides", passed_);
+  archive("off_bed", off_bed_);
+}
+
+void SlopeMean::begin_window(int n) {
+  stride_ = (n + kSlopeSamples - 1) / kSlopeSamples;
+  count_ = 0;
+  sum_ = {};
+}
+
+void SlopeMean::begin_substep(int substep) {
+  samples_ = required_ && substep % stride_ == stride_ / 2;
+  if (samples_) now_ = {};
+}
+
+void SlopeMean::end_substep() {
+  if (!samples_) return;
+  sum_.K += now_.K;
+  sum_.C += now_.C;
+  ++count_;
+}
+
+void SlopeMean::write(ContactTangent& mean) const {
+  const double per_sample = 1.0 / std::max(1, count_);
+  mean.K = per_sample * sum_.K;
+  mean.C = per_sample * sum_.C;
 }
 
 void DemBody::visit(Archive& archive) {
   archive("path", path_);
   archive("load", load_);
-  archive("passed_sides", passed_sides_);
-  archive("off_bed", off_bed_);
+  sides_.visit(archive);
 }
 
 void DemBody::begin_window(const BodyMotion& start, int n, double dt, double inverse_mass, int closing,
@@ -53,20 +81,17 @@ void DemBody::begin_window(const BodyMotion& start, int n, double dt, double inv
   average_.begin_window(path_.jump(), path_.pose());
   stiffness_time_ = 0.0;
   time_ = 0.0;
-  overlap_ = patch_over_facet_ = 0.0;
-  grain_energy_ = grain_mass_ = grain_omega2_ = 0.0;
+  share_.max_overlap_over_radius = share_.max_patch_over_facet = 0.0;
+  share_.grain_energy = share_.grain_mass = share_.grain_omega2 = 0.0;
   contact_time_ = 0.0;
   substep_ = 0;
   step_forces_.setZero(3, n);
-  slope_stride_ = (n + kSlopeSamples - 1) / kSlopeSamples;
-  slope_samples_ = 0;
-  slopes_sum_ = {};
+  slopes_.begin_window(n);
 }
 
 void DemBody::clear_contacts() {
   now_.set_zero();
-  samples_slopes_ = scheme_needs_slopes_ && substep_ % slope_stride_ == slope_stride_ / 2;
-  if (samples_slopes_) slopes_now_ = {};
+  slopes_.begin_substep(substep_);
   stiffness_now_ = 0.0;
   contacts_now_ = 0;
 }
@@ -78,7 +103,9 @@ void DemBody::add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W
   count_contact(overlap_over_radius, stiffness, point, grain);
 }
 
-void DemBody::count_patch(double over_facet) { patch_over_facet_ = std::max(patch_over_facet_, over_facet); }
+void DemBody::count_patch(double over_facet) {
+  share_.max_patch_over_facet = std::max(share_.max_patch_over_facet, over_facet);
+}
 
 void DemBody::add_load(const GeneralizedForce& Q) {
   now_.F_W += Q.F_W;
@@ -88,16 +115,16 @@ void DemBody::add_load(const GeneralizedForce& Q) {
 
 void DemBody::count_contact(double overlap_over_radius, double stiffness, const BoundaryPoint& point,
                             const TouchingGrain& grain) {
-  overlap_ = std::max(overlap_, overlap_over_radius);
+  share_.max_overlap_over_radius = std::max(share_.max_overlap_over_radius, overlap_over_radius);
   stiffness_now_ += stiffness;
   ++contacts_now_;
   if (grain.mass <= 0.0) return;
   const double overlap = overlap_over_radius * grain.radius;
   const double v2 = (grain.v_W - boundary_.velocity(path_.pose(), point)).squaredNorm();
   const double energy = grain.mass * (0.5 * v2 + gravity_ * grain.radius) + 0.5 * stiffness * overlap * overlap;
-  grain_energy_ = std::max(grain_energy_, energy);
-  grain_mass_ = std::max(grain_mass_, grain.mass);
-  grain_omega2_ = std::max(grain_omega2_, stiffness / grain.mass);
+  share_.grain_energy = std::max(share_.grain_energy, energy);
+  share_.grain_mass = std::max(share_.grain_mass, grain.mass);
+  share_.grain_omega2 = std::max(share_.grain_omega2, stiffness / grain.mass);
 }
 
 void DemBody::add_slope(const BoundaryPoint& point, const Eigen::Vector3d& arm_W, const ContactSlope& slope) {
@@ -105,7 +132,7 @@ void DemBody::add_slope(const BoundaryPoint& point, const Eigen::Vector3d& arm_W
 }
 
 void DemBody::add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope) {
-  footfall::add_slope(slope, point_W - path_.pose().r, slopes_now_);
+  slopes_.add(slope, point_W - path_.pose().r);
 }
 
 void DemBody::use_as_opening_force() { average_.set_opening_force(now_, path_.pose()); }
@@ -114,11 +141,7 @@ void DemBody::end_substep(double dt) {
   step_forces_.col(substep_) = average_.add_step(now_, path_.pose(), path_.last_step(), dt);
   stiffness_time_ += stiffness_now_ * dt;
   contact_time_ += static_cast<double>(contacts_now_) * dt;
-  if (samples_slopes_) {
-    slopes_sum_.K += slopes_now_.K;
-    slopes_sum_.C += slopes_now_.C;
-    ++slope_samples_;
-  }
+  slopes_.end_substep();
   ++substep_;
   time_ += dt;
 }
@@ -128,16 +151,7 @@ void DemBody::append_share(std::vector<double>& row) {
   share_.contacts = contacts_now_;
   share_.mean_contacts = contact_time_ / time_;
   share_.contact_stiffness = stiffness_time_ / time_;
-  share_.max_overlap_over_radius = overlap_;
-  share_.max_patch_over_facet = patch_over_facet_;
-  share_.grain_energy = grain_energy_;
-  share_.grain_mass = grain_mass_;
-  share_.grain_omega2 = grain_omega2_;
-  const double per_sample = 1.0 / std::max(1, slope_samples_);
-  for (ContactTangent& tangent : share_.tangent) {
-    tangent.K = per_sample * slopes_sum_.K;
-    tangent.C = per_sample * slopes_sum_.C;
-  }
+  for (ContactTangent& tangent : share_.tangent) slopes_.write(tangent);
   footfall::append_share(share_, row);
   row.insert(row.end(), step_forces_.data(), step_forces_.data() + step_forces_.size());
 }

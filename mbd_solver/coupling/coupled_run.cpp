@@ -135,10 +135,10 @@ void CoupledRun::visit(Archive& archive) {
   archive("watch", *watch_);
   archive("choice", *choice_);
   archive("sample", sample_);
-  archive("dem_seconds", dem_seconds_);
-  archive("waited_seconds", waited_seconds_);
-  archive("exchange_seconds", exchange_seconds_);
-  archive("overlapped_seconds", overlapped_seconds_);
+  archive("dem_seconds", times_.dem);
+  archive("waited_seconds", times_.waited);
+  archive("exchange_seconds", times_.exchange);
+  archive("overlapped_seconds", times_.overlapped);
 }
 
 int CoupledRun::wanted_substeps() const {
@@ -184,10 +184,10 @@ double CoupledRun::exchange(const State& state, const Kinematics& kinematics, do
   exchanged_ = wall_clock();
   if (script_has_ended()) return state.time;
   for (const std::string& warning : load.warnings) watch_->warn(warning);
-  dem_seconds_ += load.wall_seconds;
-  waited_seconds_ += load.waited_seconds;
-  exchange_seconds_ += std::max(0.0, load.waited_seconds - worked);
-  overlapped_seconds_ += std::max(0.0, worked - load.waited_seconds);
+  times_.dem += load.wall_seconds;
+  times_.waited += load.waited_seconds;
+  times_.exchange += std::max(0.0, load.waited_seconds - worked);
+  times_.overlapped += std::max(0.0, worked - load.waited_seconds);
   receive(load, inputs);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const auto body = static_cast<std::size_t>(bodies_[k].entry.body);

@@ -32,6 +32,14 @@ struct CheckpointRequest {
   bool undisturbed = false;  // only if the DEM side can write it without changing the run
 };
 
+// Wall-clock times [s].
+struct CouplingTimes {
+  double dem = 0.0;         // work of LIGGGHTS on its windows, without waiting
+  double waited = 0.0;      // LIGGGHTS waited for motions
+  double exchange = 0.0;    // of that, beyond the work of the mechanism for them: the cost of the exchange
+  double overlapped = 0.0;  // work of the mechanism for motions before LIGGGHTS waited for them
+};
+
 class CoupledRun {
  public:
   // Performs the handshake with LIGGGHTS. start: of the mechanism. mechanism, assembly, equations and transport must
@@ -86,12 +94,7 @@ class CoupledRun {
   bool end_requested() const { return partner_.load().end_requested; }  // by a signal to a rank of LIGGGHTS
   const CouplingWatch& watch() const { return *watch_; }
   const std::string& dem_version() const { return partner_.dem_version(); }  // of LIGGGHTS
-  double dem_seconds() const { return dem_seconds_; }        // work of LIGGGHTS on its windows, without waiting [s]
-  double waited_seconds() const { return waited_seconds_; }  // LIGGGHTS waited for motions [s]
-  // Of that, beyond the work of the mechanism for them: the cost of the exchange [s].
-  double exchange_seconds() const { return exchange_seconds_; }
-  // Work of the mechanism for motions before LIGGGHTS waited for them [s].
-  double overlapped_seconds() const { return overlapped_seconds_; }
+  const CouplingTimes& times() const { return times_; }
 
  private:
   // A body that the script couples.
@@ -131,7 +134,7 @@ class CoupledRun {
   CouplingSample sample_;
   Eigen::VectorXd work_before_;               // State::load_work at the window's start [J]
   std::vector<CouplingWatch::Body> watched_;  // of the window, per coupled body
-  double dem_seconds_ = 0.0, waited_seconds_ = 0.0, exchange_seconds_ = 0.0, overlapped_seconds_ = 0.0;  // [s]
+  CouplingTimes times_;
   double exchanged_ = wall_clock();  // arrival of the last load [s]
 };
 

@@ -122,28 +122,28 @@ void CouplingWatch::Record::visit(Archive& archive) {
 
 void CouplingWatch::visit(Archive& archive) {
   archive("bodies", records_);
-  archive("sum", sum_);
-  archive("residual", residual_);
-  archive("largest_residual", largest_residual_);
-  archive("largest_kick", largest_kick_);
+  archive("sum", energy_.sum);
+  archive("residual", energy_.residual);
+  archive("largest_residual", energy_.largest_residual);
+  archive("largest_kick", energy_.largest_kick);
   archive("began", began_);
-  archive("warned_of_gain", warned_of_gain_);
-  archive("warned_of_loss", warned_of_loss_);
-  archive("starts_in_bed", starts_in_bed_);
-  archive("warned_of_facets", warned_of_facets_);
-  archive("warned_of_surplus", warned_of_surplus_);
-  archive("warned_of_event", warned_of_event_);
-  archive("gain_before", gain_before_);
-  archive("energy_error", energy_error_);
-  archive("deepest_time", deepest_time_);
-  archive("deepest", deepest_);
+  archive("warned_of_gain", warned_of_.gain);
+  archive("warned_of_loss", warned_of_.loss);
+  archive("warned_of_facets", warned_of_.facets);
+  archive("warned_of_surplus", warned_of_.surplus);
+  archive("warned_of_event", warned_of_.event);
+  archive("gain_before", energy_.gain_before);
+  archive("energy_error", energy_.error);
+  archive("deepest_time", deepest_.time);
+  archive("deepest", deepest_.body);
+  archive("starts_in_bed", deepest_.starts_in_bed);
   archive("dt", dt_);
   archive("n_before", n_before_);
   archive("n_longest", n_longest_);
   archive("lengths", lengths_);
   archive("advised", advised_);
-  archive("largest_overlap", largest_overlap_);
-  archive("largest_patch", largest_patch_);
+  archive("largest_overlap", deepest_.overlap);
+  archive("largest_patch", deepest_.patch);
   archive("largest_force", largest_force_);
   archive("largest_impulse", largest_impulse_);
   archive("surplus_windows", surplus_windows_);
@@ -194,11 +194,11 @@ void CouplingWatch::watch_omega_h(Record& record, const Window& window, const Bo
 
 void CouplingWatch::watch_energy(const Window& window, const Load& load, const std::vector<Body>& bodies) {
   double pending = 0.0, surplus = 0.0, moved = 0.0, kick = 0.0;
-  residual_ = 0.0;
+  energy_.residual = 0.0;
   for (std::size_t i = 0; i < records_.size(); ++i) {
     const MeanLoad& mean = load.bodies[i].mean;
-    sum_ += mean.work - bodies[i].work_received;
-    residual_ += bodies[i].pending;
+    energy_.sum += mean.work - bodies[i].work_received;
+    energy_.residual += bodies[i].pending;
     Work& work = records_[i].work;
     if (!std::isinf(bodies[i].mass)) {
       const BodyLoad& grains = load.bodies[i];
@@ -215,28 +215,30 @@ void CouplingWatch::watch_energy(const Window& window, const Load& load, const s
     surplus += work.surplus;
     moved += std::max(work.largest - work.smallest, work.kinetic) + work.grain;
   }
-  residual_ += sum_;
-  largest_residual_ = std::max(largest_residual_, std::abs(residual_));
-  largest_kick_ = std::max(largest_kick_, kick);
-  const double scale = moved + kFloor * largest_kick_;
+  energy_.residual += energy_.sum;
+  energy_.largest_residual = std::max(energy_.largest_residual, std::abs(energy_.residual));
+  energy_.largest_kick = std::max(energy_.largest_kick, kick);
+  const double scale = moved + kFloor * energy_.largest_kick;
   const double now = -(surplus + pending);
   // What stands for two windows: of both the value nearer to zero.
-  const double gain = now * gain_before_ <= 0.0 ? 0.0 : std::abs(now) < std::abs(gain_before_) ? now : gain_before_;
-  gain_before_ = now;
-  if (scale > 0.0) energy_error_ = std::max(energy_error_, std::abs(gain) / scale);
+  const double gain = now * energy_.gain_before <= 0.0                ? 0.0
+                      : std::abs(now) < std::abs(energy_.gain_before) ? now
+                                                                      : energy_.gain_before;
+  energy_.gain_before = now;
+  if (scale > 0.0) energy_.error = std::max(energy_.error, std::abs(gain) / scale);
   // Errors of energy are of second order or more in H; the advice aims at half of what is warned of.
   const double share = std::clamp(
       std::sqrt(0.5 * kWarnGain * limits_.max_energy_residual * scale / std::max(std::abs(gain), 1e-300)), 0.1, 0.5);
   const auto energy = [&](double E) {
     return number(E) + " J of spurious energy, " + percent(E / scale) + " of the energy exchanged in contacts";
   };
-  if (!warned_of_gain_ && gain > kWarnGain * limits_.max_energy_residual * scale) {
-    warned_of_gain_ = true;
+  if (!warned_of_.gain && gain > kWarnGain * limits_.max_energy_residual * scale) {
+    warned_of_.gain = true;
     warn(with_code(code::kCouplingCreates,
                    at(window.time) + "the coupling added " + energy(gain) + ": " + shorter_than_now(share)));
   }
-  if (!warned_of_loss_ && -gain > limits_.max_energy_residual * scale) {
-    warned_of_loss_ = true;
+  if (!warned_of_.loss && -gain > limits_.max_energy_residual * scale) {
+    warned_of_.loss = true;
     warn(with_code(code::kCouplingDissipates, at(window.time) + "the coupling dissipated " + number(-gain) + " J, " +
                                                   percent(-gain / scale) +
                                                   " of the energy exchanged in contacts: " + shorter_than_now(share)));
@@ -283,10 +285,10 @@ void CouplingWatch::add_surplus_impulse(std::size_t i, double time, const Eigen:
   record.given += given;
   largest_impulse_ = std::max(largest_impulse_, record.given);
   // The beginning of a contact is not judged: one window of a landing says nothing about its sum.
-  if (warned_of_surplus_ || ++surplus_windows_ < kSurplusWindows ||
+  if (warned_of_.surplus || ++surplus_windows_ < kSurplusWindows ||
       record.surplus.norm() <= kSurplus * largest_impulse_)
     return;
-  warned_of_surplus_ = true;
+  warned_of_.surplus = true;
   warn(with_code(code::kTangentImpulse,
                  at(time) + "scheme tangent gave body " + record.name + " an impulse of " +
                      number(record.surplus.norm()) + " N s beyond that of the grains, " +
@@ -299,8 +301,8 @@ void CouplingWatch::tell_of_event(const std::string& event, const Window& window
   // Longer windows are never advised: there the event may not be foreseen.
   if (share > 0.0)
     advised_ = std::min(advised_, std::max(1, static_cast<int>(std::min(1e6, kEventShare / share * window.n))));
-  if (!late || warned_of_event_ || window.n <= 1 || share <= kEventShare) return;
-  warned_of_event_ = true;
+  if (!late || warned_of_.event || window.n <= 1 || share <= kEventShare) return;
+  warned_of_.event = true;
   n_longest_ = std::max(window.n, n_before_);
   warn(with_code(code::kEventLate, at(window.time) + "event \"" + event +
                                        "\" was triggered by loads of the grains, which are known as means over " +
@@ -312,33 +314,33 @@ void CouplingWatch::tell_of_event(const std::string& event, const Window& window
 void CouplingWatch::watch_grains(const Window& window, const Load& load, const std::vector<Body>& bodies) {
   const bool first_window = !std::exchange(began_, true);
   for (std::size_t i = 0; i < records_.size(); ++i) {
-    largest_patch_ = std::max(largest_patch_, load.bodies[i].max_patch_over_facet);
-    if (load.bodies[i].max_overlap_over_radius <= largest_overlap_) continue;
-    largest_overlap_ = load.bodies[i].max_overlap_over_radius;
-    deepest_time_ = window.time;
-    deepest_ = static_cast<int>(i);
+    deepest_.patch = std::max(deepest_.patch, load.bodies[i].max_patch_over_facet);
+    if (load.bodies[i].max_overlap_over_radius <= deepest_.overlap) continue;
+    deepest_.overlap = load.bodies[i].max_overlap_over_radius;
+    deepest_.time = window.time;
+    deepest_.body = static_cast<int>(i);
   }
-  if (first_window && largest_overlap_ > kInside) {
+  if (first_window && deepest_.overlap > kInside) {
     // A fast body may have come so far within the window.
-    const auto deepest = static_cast<std::size_t>(deepest_);
+    const auto deepest = static_cast<std::size_t>(deepest_.body);
     const double radius = std::cbrt(0.75 * load.bodies[deepest].grain_mass / (kPi * kUsualDensity));  // [m]
-    const bool comes = bodies[deepest].speed * window.H > 0.5 * largest_overlap_ * radius && radius > 0.0;
-    starts_in_bed_ = !comes;
-    if (starts_in_bed_)
-      warn(with_code(code::kStartsInBed, at(deepest_time_) + "grain overlap " + percent(largest_overlap_) +
+    const bool comes = bodies[deepest].speed * window.H > 0.5 * deepest_.overlap * radius && radius > 0.0;
+    deepest_.starts_in_bed = !comes;
+    if (deepest_.starts_in_bed)
+      warn(with_code(code::kStartsInBed, at(deepest_.time) + "grain overlap " + percent(deepest_.overlap) +
                                              " of radius, on body " + records_[deepest].name +
                                              ", in the first coupling interval: a body overlaps the bed at the start; "
                                              "raise it (initial.clearance, positions of bodies, [initial.joints])"));
   }
-  if (!warned_of_facets_ && largest_patch_ > 1.0) {
-    warned_of_facets_ = true;
+  if (!warned_of_.facets && deepest_.patch > 1.0) {
+    warned_of_.facets = true;
     warn(with_code(code::kFacetsTooSmall,
-                   at(window.time) + "the contact patch of a grain has " + number(largest_patch_) +
+                   at(window.time) + "the contact patch of a grain has " + number(deepest_.patch) +
                        " times the width of its facet, and with `surface facets` its contacts with several facets add "
                        "up: the force is about " +
-                       number(0.9 + 0.4 * largest_patch_) +
+                       number(0.9 + 0.4 * deepest_.patch) +
                        " times that of one contact where the surface is curved in one direction, " +
-                       number(1.4 + largest_patch_ * largest_patch_ / 3.0) +
+                       number(1.4 + deepest_.patch * deepest_.patch / 3.0) +
                        " times where it is curved in both; remove `surface facets` from the script"));
   }
 }
@@ -414,7 +416,7 @@ std::vector<CouplingWatch::Finding> CouplingWatch::long_intervals() const {
   for (const Record& record : records_) {
     if (record.most_excess <= 1.0) continue;
     const double force_error = largest_force_ > 0.0 ? record.error / largest_force_ : 0.0;
-    if (record.most_excess < kFarAbove && std::max(energy_error_, force_error) < kSeen) continue;
+    if (record.most_excess < kFarAbove && std::max(energy_.error, force_error) < kSeen) continue;
     const double omega_dt = record.worst_omega_h / record.worst_n;
     const int n = limit.substeps(omega_dt, record.worst_n);
     const double most = omega_dt > limit.at(1) ? limit.at(1) / omega_dt : n;  // below 1: of a DEM step
@@ -476,11 +478,11 @@ std::vector<CouplingWatch::Finding> CouplingWatch::unresolved_forces() const {
 
 // By Hertz an impact of given energy overlaps by E^(-2/5).
 std::string CouplingWatch::soft_grains() const {
-  if (starts_in_bed_ || largest_overlap_ <= kLargeOverlap) return {};
-  return at(deepest_time_) + "largest grain overlap " + percent(largest_overlap_) + " of radius, on body " +
-         records_[static_cast<std::size_t>(deepest_)].name + " (limit " + percent(kLargeOverlap) +
+  if (deepest_.starts_in_bed || deepest_.overlap <= kLargeOverlap) return {};
+  return at(deepest_.time) + "largest grain overlap " + percent(deepest_.overlap) + " of radius, on body " +
+         records_[static_cast<std::size_t>(deepest_.body)].name + " (limit " + percent(kLargeOverlap) +
          "): the grains are too soft, so the first peak is underestimated; use " +
-         advice_.stiffer(std::pow(largest_overlap_ / kLargeOverlap, 2.5));
+         advice_.stiffer(std::pow(deepest_.overlap / kLargeOverlap, 2.5));
 }
 
 std::string CouplingWatch::told(std::vector<Finding> findings, int& advised) const {

@@ -62,9 +62,11 @@ class CouplingWatch {
 
   void visit(Archive& archive);
 
-  double energy_residual() const { return residual_; }  // sum of (work on the boundary - work received), + pending [J]
-  double largest_energy_residual() const { return largest_residual_; }
-  double largest_overlap() const { return largest_overlap_; }  // of radius [-]
+  double energy_residual() const {
+    return energy_.residual;
+  }  // sum of (work on the boundary - work received), + pending [J]
+  double largest_energy_residual() const { return energy_.largest_residual; }
+  double largest_overlap() const { return deepest_.overlap; }  // of radius [-]
   double largest_force() const { return largest_force_; }      // mean over a window, on one body [N]
   std::size_t body_count() const { return records_.size(); }
   const std::string& name(std::size_t i) const { return records_[i].name; }
@@ -164,17 +166,25 @@ class CouplingWatch {
   int advised_ = std::numeric_limits<int>::max();  // DEM steps
   Eigen::Vector3d lengths_ = Eigen::Vector3d::Zero();  // of the last three windows, newest first [s]; 0: none yet
   std::vector<Record> records_;                        // per coupled body
-  double sum_ = 0.0;                                   // of work on the boundary - work received [J]
-  double residual_ = 0.0, largest_residual_ = 0.0;     // [J]
-  double largest_kick_ = 0.0;                          // sum over bodies of J^2 / 2m, largest of any window [J]
+  struct Energy {
+    double sum = 0.0;                               // of work on the boundary - work received [J]
+    double residual = 0.0, largest_residual = 0.0;  // [J]
+    double largest_kick = 0.0;                      // sum over bodies of J^2 / 2m, largest of any window [J]
+    double gain_before = 0.0;                       // at the end of the last window [J]
+    double error = 0.0;                             // largest gain or loss, of the energy exchanged in contacts [-]
+  } energy_;
   bool began_ = false;
-  bool warned_of_gain_ = false, warned_of_loss_ = false, warned_of_facets_ = false, starts_in_bed_ = false;
-  bool warned_of_surplus_ = false, warned_of_event_ = false;
-  double gain_before_ = 0.0;   // of energy, at the end of the last window [J]
-  double energy_error_ = 0.0;  // largest gain or loss, of the energy exchanged in contacts [-]
-  double deepest_time_ = 0.0;  // of largest_overlap_ [s]
-  int deepest_ = 0;            // body of largest_overlap_
-  double largest_overlap_ = 0.0, largest_patch_ = 0.0, largest_force_ = 0.0;
+  struct Warned {
+    bool gain = false, loss = false, facets = false, surplus = false, event = false;
+  } warned_of_;
+  struct Deepest {
+    double overlap = 0.0;  // largest, of radius [-]
+    double time = 0.0;     // [s]
+    int body = 0;
+    double patch = 0.0;          // largest patch radius over the width of a facet [-]
+    bool starts_in_bed = false;  // a body overlaps the bed in the first window
+  } deepest_;
+  double largest_force_ = 0.0;
   double largest_impulse_ = 0.0;  // largest Record::given [N s]
   int surplus_windows_ = 0;
   std::vector<std::string> warnings_;

@@ -60,7 +60,7 @@ void Trial::observe(const Simulation& simulation, double time) {
   if (!active() || over_) return;
   const IntegratorStatistics& statistics = simulation.integrator().statistics();
   const CoupledRun* coupled = simulation.coupled();
-  const Mark mark = {time, wall_clock(), coupled ? coupled->dem_seconds() : 0.0, statistics.steps, statistics.windows};
+  const Mark mark = {time, wall_clock(), coupled ? coupled->times().dem : 0.0, statistics.steps, statistics.windows};
   const double spent = marks_.empty() ? 0.0 : mark.wall - marks_.front().wall;
   if (marks_.size() == 3) marks_.back() = mark;
   if (marks_.empty() || (marks_.size() == 1 && spent >= 0.5 * seconds_) ||

@@ -142,13 +142,13 @@ void add_costs(const Simulation& simulation, Json& json) {
   const RunTimes& times = simulation.times();
   const CoupledRun* const coupled = simulation.coupled();
   json["wall_s"] = times.total;
-  json["dem_wall_s"] = coupled ? coupled->dem_seconds() : 0.0;
-  json["waited_wall_s"] = coupled ? coupled->waited_seconds() : 0.0;
+  json["dem_wall_s"] = coupled ? coupled->times().dem : 0.0;
+  json["waited_wall_s"] = coupled ? coupled->times().waited : 0.0;
   json["mbd_wall_s"] = times.mbd;
-  json["mbd_beside_wall_s"] = times.overlapped + (coupled ? coupled->overlapped_seconds() : 0.0);
+  json["mbd_beside_wall_s"] = times.overlapped + (coupled ? coupled->times().overlapped : 0.0);
   json["control_wall_s"] = times.control;
   json["checkpoint_wall_s"] = times.checkpoint;
-  json["exchange_wall_s"] = coupled ? coupled->exchange_seconds() : 0.0;
+  json["exchange_wall_s"] = coupled ? coupled->times().exchange : 0.0;
 }
 
 // A body at rest on an inclined plane creeps where friction_speed is given; no value where it slides.

@@ -92,8 +92,8 @@ LandingWatch::LandingWatch(const Subject& subject)
   choose_pads();
   choose_edges();
   const Eigen::Vector3d axis_D = spec.axis ? *spec.axis : axis_towards(up_);
-  const Eigen::Matrix3d A = rotation_matrix(subject_.mechanism.model.initial(base_).L);
-  axis_B_ = A.transpose() * subject_.mechanism.placement.R_WD * axis_D;
+  const Eigen::Matrix3d A = rotation_matrix(subject_.mechanism.model.initial(lander_.base).L);
+  lander_.axis_B = A.transpose() * subject_.mechanism.placement.R_WD * axis_D;
   now_.clearance.resize(points_.size());
   least_clearance_.resize(points_.size());
   pad_places_.resize(pads_.size());
@@ -114,18 +114,18 @@ void LandingWatch::choose_base() {
   const Model& model = subject_.mechanism.model;
   const std::string& name = subject_.scene.landing->base;
   if (!name.empty()) {
-    base_ = subject_.scene.body_index(name);
+    lander_.base = subject_.scene.body_index(name);
     return;
   }
   for (int i = 1; i < model.body_count(); ++i)
-    if (model.body(i).mass() > model.body(base_).mass()) base_ = i;
+    if (model.body(i).mass() > model.body(lander_.base).mass()) lander_.base = i;
 }
 
 // The bodies of the model are those of the scene.
 void LandingWatch::choose_bodies() {
   const Scene& scene = subject_.scene;
   std::vector<bool> found(scene.bodies.size(), false);
-  found[base_] = true;
+  found[lander_.base] = true;
   bool grows = true;
   const auto connect = [&](const auto& entries) {
     for (const auto& entry : entries) {
@@ -145,8 +145,8 @@ void LandingWatch::choose_bodies() {
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!found[i]) continue;
-    bodies_.push_back(static_cast<int>(i));
-    mass_ += subject_.mechanism.model.body(static_cast<int>(i)).mass();
+    lander_.bodies.push_back(static_cast<int>(i));
+    lander_.mass += subject_.mechanism.model.body(static_cast<int>(i)).mass();
   }
 }
 
@@ -162,7 +162,8 @@ void LandingWatch::choose_pads() {
   };
   if (scene.landing->pads.empty()) {
     for (const BodyBoundary& entry : boundaries)
-      if (entry.body != base_ && std::find(bodies_.begin(), bodies_.end(), entry.body) != bodies_.end())
+      if (entry.body != lander_.base &&
+          std::find(lander_.bodies.begin(), lander_.bodies.end(), entry.body) != lander_.bodies.end())
         add(scene.bodies[entry.body].name, entry.body);
   }
   for (const std::string& name : scene.landing->pads) {
@@ -204,7 +205,7 @@ void LandingWatch::choose_edges() {
                "area; name other pads, or give landing.axis");
 }
 
-const std::string& LandingWatch::base() const { return subject_.mechanism.model.body(base_).name(); }
+const std::string& LandingWatch::base() const { return subject_.mechanism.model.body(lander_.base).name(); }
 
 // Horizontally the centre of a pad, as high as its lowest place.
 Eigen::Vector3d LandingWatch::place_of(const Place& place, const Sample& sample) const {
@@ -243,8 +244,8 @@ bool LandingWatch::at_stop(std::size_t strut, const Sample& sample) const {
 void LandingWatch::measure_edges(const Sample& sample) {
   const Model& model = subject_.mechanism.model;
   Eigen::Vector3d c = Eigen::Vector3d::Zero();
-  for (const int i : bodies_) c += model.body(i).mass() / mass_ * sample.kinematics.of(i).r;
-  const double weight = mass_ * subject_.scene.gravity.norm();
+  for (const int i : lander_.bodies) c += model.body(i).mass() / lander_.mass * sample.kinematics.of(i).r;
+  const double weight = lander_.mass * subject_.scene.gravity.norm();
   now_.stability_distance = now_.tip_energy_margin = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < edges_.size(); ++k) {
     const Eigen::Vector3d &p = pad_places_[edges_[k]], &next = pad_places_[edges_[(k + 1) % edges_.size()]];
@@ -254,7 +255,7 @@ void LandingWatch::measure_edges(const Sample& sample) {
     const Eigen::Vector3d u = e.normalized(), rho = (c - p) - u * u.dot(c - p);
     const double lift = weight * (rho.norm() * (up_ - u * u.dot(up_)).norm() - rho.dot(up_));
     double L = 0.0, I = 0.0;
-    for (const int i : bodies_) {
+    for (const int i : lander_.bodies) {
       const BodyKinematics& body = sample.kinematics.of(i);
       const double m = model.body(i).mass();
       const Eigen::Vector3d arm = body.r - p, u_B = body.A.transpose() * u;
@@ -295,8 +296,8 @@ void LandingWatch::update(const Sample& sample) {
   const double time = sample.state.time;
   see_pads(sample);
   measure_edges(sample);
-  const BodyKinematics& base = sample.kinematics.of(base_);
-  const Eigen::Vector3d axis = base.A * axis_B_;
+  const BodyKinematics& base = sample.kinematics.of(lander_.base);
+  const Eigen::Vector3d axis = base.A * lander_.axis_B;
   now_.tilt = std::atan2(axis.cross(up_).norm(), axis.dot(up_));
   now_.struts_at_stops = 0;
   for (std::size_t k = 0; k < stopped_.size(); ++k) {

@@ -94,10 +94,12 @@ class LandingWatch {
   Subject subject_;
   Eigen::Vector3d up_;
   GroundLevel ground_;
-  int base_ = 0;
-  Eigen::Vector3d axis_B_;   // upwards, in the axes of the base
-  std::vector<int> bodies_;  // of the lander
-  double mass_ = 0.0;        // [kg]
+  struct Lander {
+    int base = 0;
+    Eigen::Vector3d axis_B;  // upwards, in the axes of the base
+    std::vector<int> bodies;
+    double mass = 0.0;  // [kg]
+  } lander_;
   std::vector<std::string> pad_names_;
   std::vector<Place> pads_, points_;
   std::vector<std::size_t> edges_;  // pads in their order around the axis
