@@ -67,7 +67,7 @@ void WorkerPool::begin(Worker& worker) {
   ::close(to[0]), ::close(from[1]);
   worker.to = to[1];
   worker.from = from[0];
-  worker.heard.clear();
+  worker.lines = LineChannel(worker.from, worker.to);
 }
 
 int WorkerPool::end(Worker& worker) {
@@ -85,19 +85,14 @@ void WorkerPool::start(const WorkerTask& task) {
   for (const char* file : {"summary.json", "history.csv", "peaks.csv"}) ::unlink((worker.folder + "/" + file).c_str());
   if (::truncate((worker.folder + ".log").c_str(), 0) != 0) errno = 0;  // there is none yet
   if (worker.process < 0) begin(worker);
-  const std::string line = nlohmann::json{{"scene", task.scene},
-                                          {"settings", task.settings},
-                                          {"until", task.until},
-                                          {"out", worker.folder},
-                                          {"trusted", task.trusted}}
-                               .dump() +
-                           "\n";
-  for (std::size_t at = 0; at < line.size();) {
-    const ssize_t sent = ::write(worker.to, line.data() + at, line.size() - at);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent < 0) break;  // it is gone: wait() says so
-    at += static_cast<std::size_t>(sent);
-  }
+  const std::string line = nlohmann::json{
+      {"scene", task.scene},
+      {"settings", task.settings},
+      {"until", task.until},
+      {"out", worker.folder},
+      {"trusted",
+       task.trusted}}.dump();
+  worker.lines.send(line);  // it may be gone: wait() says so
   worker.works = true;
   worker.run = task.run;
   worker.started = wall_clock();
@@ -123,18 +118,12 @@ std::optional<WorkerAnswer> WorkerPool::wait() {
   for (std::size_t i = 0; i < fds.size(); ++i) {
     Worker& worker = workers_[who[i]];
     if (fds[i].revents != 0) {
-      char text[4096];
-      const ssize_t count = ::read(worker.from, text, sizeof text);
-      if (count > 0) {
-        worker.heard.append(text, static_cast<std::size_t>(count));
-        const std::size_t line_end = worker.heard.find('\n');
-        if (line_end == std::string::npos) continue;
-        const std::string answer = worker.heard.substr(0, line_end);
-        worker.heard.erase(0, line_end + 1);
+      std::string answer;
+      const LineChannel::Heard heard = worker.lines.receive(answer, 0);
+      if (heard == LineChannel::Heard::kNothing) continue;
+      if (heard == LineChannel::Heard::kLine)
         return answered(worker, std::atoi(answer.c_str()),
                         answer.substr(std::min(answer.size(), answer.find(' ') + 1)));
-      }
-      if (count < 0 && errno == EINTR) continue;
       // It has ended: the status of its own end, not of our kill.
       ::close(worker.to), ::close(worker.from);
       const int code = wait_for_end(std::exchange(worker.process, -1));

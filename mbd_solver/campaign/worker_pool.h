@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mbd_solver/base/child_watch.h"
+#include "mbd_solver/base/line_channel.h"
 
 namespace footfall {
 
@@ -51,7 +52,7 @@ class WorkerPool {
     bool works = false;
     std::size_t run = 0;
     double started = 0.0;  // wall clock [s]
-    std::string heard;     // of its answer
+    LineChannel lines;
   };
   void begin(Worker& worker);
   int end(Worker& worker);  // returns its exit code

@@ -13,7 +13,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -25,6 +24,7 @@
 #include "coupler/link.h"
 #include "coupler/programs.h"
 #include "coupler/transport_mpi.h"
+#include "mbd_solver/base/line_channel.h"
 #include "mbd_solver/base/option_checks.h"
 #include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/output/checkpoint_folder.h"
@@ -39,6 +39,7 @@ using namespace footfall;
 
 // Time until the end of a failed run is forced [s].
 constexpr unsigned kForcedEnd = 4;
+constexpr int kLook = 1000;  // for an interruption, while there is no task [ms]
 
 struct Arguments {
   std::string scene;
@@ -162,8 +163,12 @@ int guarded(const std::function<int()>& work, const std::function<int(const std:
 int serve() {
   const int answers = ::dup(STDOUT_FILENO);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);  // whatever else is printed
+  LineChannel lines(STDIN_FILENO, answers);
   std::string line;
-  while (std::getline(std::cin, line)) {
+  for (;;) {
+    const LineChannel::Heard heard = lines.receive(line, kLook);
+    if (heard == LineChannel::Heard::kGone || interrupted() != 0) return kExitDone;
+    if (heard == LineChannel::Heard::kNothing) continue;
     std::string message;
     const int code = guarded(
         [&] {
@@ -186,11 +191,9 @@ int serve() {
         });
     for (char& c : message)
       if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-    const std::string answer = std::to_string(code) + " " + message + "\n";
-    if (::write(answers, answer.data(), answer.size()) != static_cast<ssize_t>(answer.size())) return kExitFailed;
+    if (!lines.send(std::to_string(code) + " " + message)) return kExitFailed;
     if (code == kExitInterrupted) return code;
   }
-  return kExitDone;
 }
 
 int run_coupled(const Arguments& arguments, const Communicator& communicator) {

@@ -2,13 +2,11 @@
 
 #include "mbd_solver/run/leader.h"
 
-#include <poll.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -17,24 +15,13 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/interrupt.h"
 #include "coupler/programs.h"
+#include "mbd_solver/base/exact_number.h"
 #include "mbd_solver/run/codes.h"
 
 namespace footfall {
 namespace {
 
 constexpr int kLook = 200;  // for an interruption [ms]
-
-std::string all_digits(double value) {
-  char text[40];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return {text, end};
-}
-
-double number_in(const std::string& text) {
-  double value = 0.0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
 
 }  // namespace
 
@@ -54,6 +41,7 @@ Leader::Leader(Simulation& simulation, const std::string& path)
     throw PartnerError(code::kLeaderGone, std::string("the program that leads this run cannot be reached at ") + path +
                                               " (" + std::strerror(fits ? errno : ENAMETOOLONG) +
                                               "); unset FOOTFALL_LEADER to run without one");
+  lines_ = LineChannel(socket_, socket_);
   nlohmann::ordered_json hello = {{"columns", observation_.names()}, {"units", observation_.units()}};
   hello["signals"] = nlohmann::ordered_json::object();
   for (const SignalSpec& signal : simulation.scene().signals)
@@ -67,29 +55,17 @@ Leader::~Leader() {
 }
 
 void Leader::send(const std::string& line) {
-  const std::string text = line + "\n";
-  for (std::size_t done = 0; done < text.size() && !leaves_;) {
-    const ssize_t count = ::send(socket_, text.data() + done, text.size() - done, MSG_NOSIGNAL);
-    if (count > 0) done += static_cast<std::size_t>(count);
-    if (count < 0 && errno != EINTR) leaves_ = true;
-  }
+  if (!leaves_ && !lines_.send(line)) leaves_ = true;
 }
 
 bool Leader::receive(std::string& line) {
   for (;;) {
-    const std::size_t end = received_.find('\n');
-    if (end != std::string::npos) {
-      line = received_.substr(0, end);
-      received_.erase(0, end + 1);
-      return true;
+    switch (lines_.receive(line, kLook)) {
+      case LineChannel::Heard::kLine: return true;
+      case LineChannel::Heard::kGone: return false;
+      case LineChannel::Heard::kNothing: break;
     }
-    char bytes[4096];
-    pollfd wait = {socket_, POLLIN, 0};
     if (interrupted() != 0) return false;
-    if (poll(&wait, 1, kLook) <= 0) continue;
-    const ssize_t count = recv(socket_, bytes, sizeof bytes, 0);
-    if (count == 0 || (count < 0 && errno != EINTR)) return false;
-    if (count > 0) received_.append(bytes, static_cast<std::size_t>(count));
   }
 }
 
@@ -100,7 +76,7 @@ void Leader::set(const std::string& words) {
   for (std::size_t i = 0; space != std::string::npos && i < signals.size(); ++i)
     if (signals[i].kind == SignalKind::kHost && signals[i].name == name)
       simulation_.instructions().set_input(simulation_.mechanism().signals[i].place,
-                                           number_in(words.substr(space + 1)));
+                                           exact_number(words.substr(space + 1)));
 }
 
 double Leader::last_event(const Sample& sample) const {
@@ -117,9 +93,10 @@ void Leader::observe(const Sample& sample, double energy_balance) {
     return;
   }
   early_ = false;
-  send("balance " + all_digits(energy_balance) + ' ' + all_digits(simulation_.integrator().statistics().summed_error));
+  send("balance " + shortest_text(energy_balance) + ' ' +
+       shortest_text(simulation_.integrator().statistics().summed_error));
   std::string row = "row";
-  for (const double value : observation_.row(sample)) row += ' ' + all_digits(value);
+  for (const double value : observation_.row(sample)) row += ' ' + shortest_text(value);
   if (!saved_.empty()) send("saved " + saved_);
   saved_.clear();
   send(row);
@@ -129,7 +106,7 @@ void Leader::observe(const Sample& sample, double energy_balance) {
     if (early || line.rfind("step ", 0) == 0) {
       early_ = early;
       event_ = last_event(sample);
-      target_ = number_in(line.substr(line.find(' ') + 1));
+      target_ = exact_number(line.substr(line.find(' ') + 1));
       simulation_.instructions().stop_at(target_);
       return;
     }

@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/base/line_channel.h"
 #include "mbd_solver/run/observe/observation.h"
 #include "mbd_solver/run/simulation.h"
 
@@ -47,12 +48,12 @@ class Leader {
   Simulation& simulation_;
   Observation observation_;
   int socket_ = -1;
-  std::string received_;  // not read yet
-  std::string saved_;     // folder of a checkpoint that was asked for and has not been told
-  double target_ = 0.0;   // of the step [s]
-  bool early_ = false;    // an event ends the step
-  double event_ = 0.0;    // the last one before the step [s]
-  bool leaves_ = false;   // no more answers are wanted
+  LineChannel lines_;
+  std::string saved_;    // folder of a checkpoint that was asked for and has not been told
+  double target_ = 0.0;  // of the step [s]
+  bool early_ = false;   // an event ends the step
+  double event_ = 0.0;   // the last one before the step [s]
+  bool leaves_ = false;  // no more answers are wanted
 };
 
 }  // namespace footfall

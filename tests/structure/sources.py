@@ -22,7 +22,6 @@ OWN_READERS = {
     "coupler/base/files.cpp": "whole files",
     "mbd_solver/base/child_watch.cpp": "/proc",
     "mbd_solver/base/lock.cpp": "/proc, and a number in the lock file",
-    "mbd_solver/programs/mbd_solver.cpp": "standard input",
     "mbd_solver/campaign/calibrate/evaluations.cpp": "lines of a text in memory, the last of which may be incomplete",
 }
 LIBRARIES = ("coupler", "mbd_solver/base", "mbd_solver/model", "mbd_solver/fe", "mbd_solver/dynamics", "mbd_solver/integrator", "mbd_solver/scene",

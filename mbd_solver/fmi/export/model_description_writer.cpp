@@ -54,7 +54,7 @@ std::string variable_element(const ExportedVariable& v) {
   if (v.kind == Kind::kParameter) text += attribute("initial", "exact");
   if (v.kind == Kind::kInput || v.kind == Kind::kParameter) {
     std::string start;
-    for (const double value : v.start) start += (start.empty() ? "" : " ") + exact_text(value);
+    for (const double value : v.start) start += (start.empty() ? "" : " ") + shortest_text(value);
     text += attribute("start", start);
   }
   if (v.start.size() == 1) return text + "/>\n";
@@ -113,8 +113,8 @@ std::string model_description(const ExportedScene& scene) {
   }
   if (!units.empty()) text += "  </UnitDefinitions>\n";
   text += "  <LogCategories><Category name=\"logStatusError\" description=\"Why a call failed\"/></LogCategories>\n";
-  text += "  <DefaultExperiment" + attribute("startTime", "0") + attribute("stopTime", exact_text(scene.end_time)) +
-          attribute("stepSize", exact_text(scene.step)) + "/>\n  <ModelVariables>\n";
+  text += "  <DefaultExperiment" + attribute("startTime", "0") + attribute("stopTime", shortest_text(scene.end_time)) +
+          attribute("stepSize", shortest_text(scene.step)) + "/>\n  <ModelVariables>\n";
   for (const ExportedVariable& v : scene.variables) text += variable_element(v);
   text += "  </ModelVariables>\n  <ModelStructure>\n";
   for (const char* element : {"Output", "InitialUnknown"})

@@ -94,7 +94,7 @@ class Instance {
       if (next + v.start.size() > value_count) throw std::runtime_error("too few values are given");
       for (std::size_t k = 0; k < v.start.size(); ++k, ++next) {
         if (!std::isfinite(values[next]))
-          throw std::runtime_error("\"" + v.name + "\" cannot be " + exact_text(values[next]));
+          throw std::runtime_error("\"" + v.name + "\" cannot be " + shortest_text(values[next]));
         now[v.reference + k] = values[next];
       }
       if (v.kind == Kind::kParameter) changed[v.reference] = true;
@@ -119,8 +119,8 @@ class Instance {
   void enter_initialization(double start, bool stop_defined, double stop) {
     require(Phase::kInstantiated, "fmi3EnterInitializationMode");
     if (!std::isfinite(start) || (stop_defined && !(stop > start)))
-      throw std::runtime_error("fmi3EnterInitializationMode from " + exact_text(start) + " s" +
-                               (stop_defined ? " to " + exact_text(stop) + " s" : "") +
+      throw std::runtime_error("fmi3EnterInitializationMode from " + shortest_text(start) + " s" +
+                               (stop_defined ? " to " + shortest_text(stop) + " s" : "") +
                                ", expected a finite start time, and a stop time behind it");
     require_program();
     phase_ = Phase::kInitializing;
@@ -143,8 +143,8 @@ class Instance {
     require(Phase::kStepping, "fmi3DoStep");
     const double round_off = 1e-9 * std::max({1.0, std::abs(from), std::abs(length)});
     if (!(length > 0.0) || std::abs(from - state_.time) > round_off)
-      throw std::runtime_error("fmi3DoStep from " + exact_text(from) + " s by " + exact_text(length) +
-                               " s, but the model is at " + exact_text(state_.time) + " s");
+      throw std::runtime_error("fmi3DoStep from " + shortest_text(from) + " s by " + shortest_text(length) +
+                               " s, but the model is at " + shortest_text(state_.time) + " s");
     const double until = from + length;
     std::string question = "S";
     append(question, until - state_.start);
@@ -283,17 +283,17 @@ class Instance {
       text += v.name + "=";
       if (v.start.size() > 1) text += "[";
       for (std::size_t k = 0; k < v.start.size(); ++k)
-        text += (k ? "," : "") + exact_text(state_.values[reference + k]);
+        text += (k ? "," : "") + shortest_text(state_.values[reference + k]);
       if (v.start.size() > 1) text += "]";
       text += "\n";
     }
     for (const ExportedVariable& v : variables_)
       if (v.kind == Kind::kInput && state_.values[v.reference] != v.start[0])
-        text += "signals." + v.name + ".initial=" + exact_text(state_.values[v.reference]) + "\n";
+        text += "signals." + v.name + ".initial=" + shortest_text(state_.values[v.reference]) + "\n";
     bool ends = duration_ > 0.0;
     for (const ExportedVariable& v : variables_)
       if (v.name == "end_time" && (changed_.count(v.reference) > 0 || v.start[0] >= duration_)) ends = false;
-    if (ends) text += "end_time=" + exact_text(duration_) + "\n";
+    if (ends) text += "end_time=" + shortest_text(duration_) + "\n";
     return text;
   }
   void make() {

@@ -8,17 +8,12 @@
 
 namespace footfall {
 
-std::string exact_text(double value) {
-  char text[40];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
 std::string text_of_variables(const std::vector<ExportedVariable>& variables) {
   std::string text;
   for (const ExportedVariable& v : variables) {
     text += "TIOP"[static_cast<int>(v.kind)];
     text += "\t" + std::to_string(v.reference) + "\t" + v.name + "\t" + v.unit + "\t";
-    for (const double value : v.start) text += exact_text(value) + " ";
+    for (const double value : v.start) text += shortest_text(value) + " ";
     text += "\t.\n";
   }
   return text;

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/base/exact_number.h"
+
 namespace footfall {
 
 struct ExportedVariable {
@@ -27,8 +29,5 @@ inline const std::string kBalanceColumn = "balance.energy", kErrorColumn = "bala
 
 std::string text_of_variables(const std::vector<ExportedVariable>& variables);
 std::vector<ExportedVariable> variables_of_text(const std::string& text);
-
-// A number that reads back as the same, in every locale.
-std::string exact_text(double value);
 
 }  // namespace footfall

@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -56,12 +55,6 @@ std::string without_program(const std::string& line) {
   return line;
 }
 
-double number_of(const std::string& word) {
-  double value = std::nan("");
-  std::from_chars(word.data(), word.data() + word.size(), value);
-  return value;
-}
-
 }  // namespace
 
 LedPair::LedPair(const PairToLead& pair, std::function<bool()> unwanted) : unwanted_(std::move(unwanted)) {
@@ -102,7 +95,8 @@ void LedPair::start(const PairToLead& pair) {
   const Scene read = read_scene(scene, pair.settings);
   std::vector<std::string> settings = pair.settings;
   // The leading program may think for as long as it likes.
-  if (read.coupling.timeout == CouplingSpec().timeout) settings.push_back("coupling.timeout=" + exact_text(kPatience));
+  if (read.coupling.timeout == CouplingSpec().timeout)
+    settings.push_back("coupling.timeout=" + shortest_text(kPatience));
   if (pair.kept.empty()) settings.push_back("output.plots=false");
   std::string out = folder_ + "/run";
   if (!pair.kept.empty()) {
@@ -137,6 +131,7 @@ void LedPair::start(const PairToLead& pair) {
     if (has_ended()) fail();
     if (unwanted_()) throw Interrupted(code::kPairInterrupted, "interrupted before the coupled pair had begun");
   }
+  lines_ = LineChannel(socket_, socket_);
   close(listener_);
   listener_ = -1;
 }
@@ -159,8 +154,7 @@ bool LedPair::has_ended_within(double time) {
 // The socket closes: mbd_solver ends the run as after SIGINT. footfall ends what does not follow.
 void LedPair::end() {
   if (socket_ >= 0) {
-    const char last[] = "end\n";
-    if (::send(socket_, last, sizeof last - 1, MSG_NOSIGNAL) < 0 && errno == EPIPE) errno = 0;
+    lines_.send("end");
   } else if (process_ > 0) {
     kill(process_, SIGTERM);
   }
@@ -202,32 +196,19 @@ void LedPair::fail() {
 }
 
 std::string LedPair::line() {
-  for (;;) {
-    if (const std::size_t end = received_.find('\n'); end != std::string::npos) {
-      std::string found = received_.substr(0, end);
-      received_.erase(0, end + 1);
-      return found;
+  std::string found;
+  for (;;) switch (lines_.receive(found, kLook)) {
+      case LineChannel::Heard::kLine: return found;
+      case LineChannel::Heard::kGone: fail();
+      case LineChannel::Heard::kNothing:
+        if (unwanted_()) throw Interrupted(code::kPairInterrupted, "the program that leads the coupled pair has gone");
+        if (has_ended()) fail();
+        break;
     }
-    if (unwanted_()) throw Interrupted(code::kPairInterrupted, "the program that leads the coupled pair has gone");
-    pollfd wait = {socket_, POLLIN, 0};
-    if (poll(&wait, 1, kLook) <= 0) {
-      if (has_ended()) fail();
-      continue;
-    }
-    char bytes[1 << 14];
-    const ssize_t count = recv(socket_, bytes, sizeof bytes, 0);
-    if (count == 0 || (count < 0 && errno != EINTR)) fail();
-    if (count > 0) received_.append(bytes, static_cast<std::size_t>(count));
-  }
 }
 
 void LedPair::say(const std::string& words) {
-  const std::string text = words + "\n";
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t count = ::send(socket_, text.data() + done, text.size() - done, MSG_NOSIGNAL);
-    if (count > 0) done += static_cast<std::size_t>(count);
-    if (count < 0 && errno != EINTR) fail();
-  }
+  if (!lines_.send(words)) fail();
 }
 
 void LedPair::read_row() {
@@ -235,12 +216,12 @@ void LedPair::read_row() {
   for (;;) {
     std::vector<std::string> words = split(line(), ' ');
     if (words[0] == "balance" && words.size() > 2) {
-      balance = number_of(words[1]);
-      error = number_of(words[2]);
+      balance = exact_number(words[1]);
+      error = exact_number(words[2]);
     }
     if (words[0] != "row") continue;
     std::vector<double> row;
-    for (std::size_t k = 1; k < words.size(); ++k) row.push_back(number_of(words[k]));
+    for (std::size_t k = 1; k < words.size(); ++k) row.push_back(exact_number(words[k]));
     if (row.size() != names_.size())
       throw PartnerError(code::kPairGone, "the coupled pair sent another row than that of its columns");
     row_ = std::move(row);
@@ -260,12 +241,12 @@ double LedPair::signal(const std::string& name) const { return signals_.at(name)
 
 void LedPair::set_signal(const std::string& name, double value) {
   signals_.at(name) = value;
-  say("set " + name + " " + exact_text(value));
+  say("set " + name + " " + shortest_text(value));
 }
 
 bool LedPair::step(double until, bool early) {
   if (until <= time() || finished()) return false;  // within the coupling interval that was computed last
-  say((early ? "early " : "step ") + exact_text(until));
+  say((early ? "early " : "step ") + shortest_text(until));
   read_row();
   return early && time() < until * (1.0 - 1e-9) && !finished();
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/base/line_channel.h"
 #include "mbd_solver/fmi/model/stepped_model.h"
 
 namespace footfall {
@@ -66,7 +67,7 @@ class LedPair : public SteppedModel {
   int listener_ = -1, socket_ = -1;
   pid_t process_ = -1;
   int exit_code_ = 0;
-  std::string received_;
+  LineChannel lines_;
   std::vector<std::string> names_, units_;
   std::map<std::string, double> signals_;
   double end_time_ = 0.0;  // [s]
