@@ -1,6 +1,7 @@
 // LAMMPS_NS::Neighbor::granular_bin_no_newton: the same neighbour lists of grains, entry by entry, in less time (16 % of
 // the DEM time of a landing). LIGGGHTS follows a chain through all of memory for the grains of a bin, and searches as far
-// for small grains as for the largest. Here grains are stored bin after bin, and rows of bins that are too far are skipped.
+// for small grains as for the largest. Here grains are stored bin after bin, and rows of bins that are too far are skipped;
+// where most bins are empty, a table of them costs more than it saves, and the chains are followed.
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +55,8 @@ class BinnedGrains {
   std::vector<Bin> bins_;                    // and one past the last
   std::vector<BinnedGrain> grains_;
 };
+
+constexpr double kSparse = 200.0;  // bins a grain: beyond, chains are followed
 
 // A row of neighbouring bins in x, relative to the bin of a grain.
 struct BinRow {
@@ -124,9 +127,11 @@ void Neighbor::granular_bin_no_newton(NeighList* list) {
   static BinnedGrains binned;
   static std::vector<BinRow> rows;
   static std::vector<const BinnedGrain*> near;
+  static std::vector<BinnedGrain> chained;  // of one grain, where bins are sparse
   bin_atoms();
-  binned.fill(mbins, binhead, bins, atom->x, atom->radius, 2 * sx);
-  near.resize(binned.grains().size() + 1);
+  const bool sparse = mbins > kSparse * (atom->nlocal + atom->nghost);
+  if (!sparse) binned.fill(mbins, binhead, bins, atom->x, atom->radius, 2 * sx);
+  near.resize(static_cast<std::size_t>(atom->nlocal + atom->nghost) + 1);
   // The library's order: offset = (c mbiny + b) mbinx + a, a running first.
   rows.clear();
   int taken = 0;
@@ -150,13 +155,22 @@ void Neighbor::granular_bin_no_newton(NeighList* list) {
   for (int i = 0; i < grains; ++i) {
     const double* const x = atom->x[i];
     const BinnedGrain own = {x[0], x[1], x[2], atom->radius[i], i};
-    const BinnedGrains::Bin* const bin = binned.bins() + coord2bin(atom->x[i]);
-    const BinnedGrain* const all = binned.grains().data();
+    const int of_grain = coord2bin(atom->x[i]);
     const BinnedGrain** end = near.data();
-    for (const BinRow& row : rows) {
-      const BinnedGrains::Bin* const at = bin + row.offset;
-      if (at->largest >= row.least - own.radius)
-        end = gather(all + at->first, all + at[row.count].first, own, contactDistanceFactor, skin, end);
+    if (sparse) {
+      chained.clear();
+      for (int k = 0; k < list->nstencil; ++k)
+        for (int j = binhead[of_grain + list->stencil[k]]; j >= 0; j = bins[j])
+          if (j > i) chained.push_back({atom->x[j][0], atom->x[j][1], atom->x[j][2], atom->radius[j], j});
+      end = gather(chained.data(), chained.data() + chained.size(), own, contactDistanceFactor, skin, end);
+    } else {
+      const BinnedGrains::Bin* const bin = binned.bins() + of_grain;
+      const BinnedGrain* const all = binned.grains().data();
+      for (const BinRow& row : rows) {
+        const BinnedGrains::Bin* const at = bin + row.offset;
+        if (at->largest >= row.least - own.radius)
+          end = gather(all + at->first, all + at[row.count].first, own, contactDistanceFactor, skin, end);
+      }
     }
 
     int* const neighbours = list->ipage->vget();

@@ -344,8 +344,8 @@ std::vector<std::string> Session::warnings() const {
   add(run.simulation.signal_warnings());
   add(run.observation.flexible().warnings());
   add(run.observation.joints().warnings());
-  for (const std::string& text : {run.metrics.balance_warning(), run.simulation.integrator().warning()})
-    if (!text.empty()) all.push_back(text);
+  add(run.metrics.warnings());
+  if (const std::string text = run.simulation.integrator().warning(); !text.empty()) all.push_back(text);
   return all;
 }
 

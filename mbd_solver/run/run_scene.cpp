@@ -143,9 +143,8 @@ class RunSession {
     });
     if (coupled_)
       for (const std::string& text : coupled_->watch().conclusions()) print_warning(scene_, text);
-    for (const std::string& text :
-         {metrics_.soil_warning(), metrics_.balance_warning(), simulation_.integrator().warning()})
-      if (!text.empty()) print_warning(scene_, text);
+    for (const std::string& text : metrics_.warnings()) print_warning(scene_, text);
+    if (const std::string text = simulation_.integrator().warning(); !text.empty()) print_warning(scene_, text);
     if (!simulation_.finished()) {
       // The summary first: mpirun ends the programs soon after it has asked them to.
       summarize("interrupted", reason);

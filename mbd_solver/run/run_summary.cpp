@@ -123,9 +123,8 @@ void add_warnings(const Simulation& simulation, const MetricRecorder& recorder, 
   add(observation.flexible().warnings());
   add(observation.joints().warnings());
   add(observation.grips().warnings());
-  for (const std::string& text :
-       {recorder.soil_warning(), recorder.balance_warning(), simulation.integrator().warning()})
-    if (!text.empty()) add({text});
+  add(recorder.warnings());
+  if (const std::string text = simulation.integrator().warning(); !text.empty()) add({text});
   json["warnings"] = warnings;
   if (!accepted.empty()) json["accepted_warnings"] = accepted;
 }

@@ -146,6 +146,20 @@ TEST_P(OnRanks, NeighboursWithAnEmptyBinBetweenStandInTheList) {
   EXPECT_EQ(told, neighbours_told(folder.read("log.ours")));
 }
 
+// Some 6000 bins a grain: a swarm of small grains that fly into one another in a roomy box.
+TEST_P(OnRanks, GrainsInARoomyBoxGiveTheSameBits) {
+  const int ranks = GetParam();
+  const RunFolder folder("stock_roomy_" + std::to_string(ranks));
+  const auto script = [&](const std::string& name) {
+    return script_head("-0.3 0.3 -0.3 0.3 -0.3 0.3", ranks == 1 ? "1 1 1" : "2 1 1") +
+           "lattice sc 0.0062\nregion some block -0.01 0.015 -0.012 0.012 -0.01 0.01 units box\n"
+           "create_atoms 1 region some\nset type 1 diameter 0.006 density 2600\nneighbor 0.001 bin\n"
+           "velocity all ramp vx 3 -3 x -0.01 0.015 units box\nfix integr all nve/sphere\n" +
+           thermo("ke") + dump_every(100, name) + "run 300\n";
+  };
+  expect_same_run(folder, ranks, script, {0, 100, 200, 300});
+}
+
 // A plate goes down at (0.1, -0.05, speed) m/s until `end` [s], moved by fix move/mesh in stock LIGGGHTS and through the
 // coupling: the same dumps and lines of thermo. `script` takes a name for its dumps and the mover. Gives the force on the
 // plate at the end [N].

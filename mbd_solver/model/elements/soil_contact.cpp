@@ -17,7 +17,7 @@ namespace {
 constexpr double kMoved = 0.5;   // of a facet's size: beyond, it is at another place of the ground
 constexpr double kFound = 1.0;   // of a facet's size: a print nearer than this is under it
 constexpr double kJoined = 0.5;  // of a facet's size: prints nearer than this are one
-constexpr int kNumbers = 8;      // of a SoilMemory
+constexpr int kNumbers = 9;      // of a SoilMemory
 
 }  // namespace
 
@@ -290,6 +290,7 @@ void SoilContact::recall(const double*& from, ElementScratch& in) const {
     m.shear = {from[3], from[4]};
     m.printed = {from[5], from[6]};
     m.touches = from[7] != 0.0;
+    m.limit = from[8];
     from += kNumbers;
   }
   if (!keeps_ground_) return;
@@ -305,7 +306,7 @@ void SoilContact::save_memory(const ElementScratch& in, std::vector<double>& out
   const auto& scratch = own_scratch<const Scratch>(in);
   for (const SoilMemory& m : scratch.memory)
     out.insert(out.end(), {m.print, m.place.x(), m.place.y(), m.shear.x(), m.shear.y(), m.printed.x(), m.printed.y(),
-                           m.touches ? 1.0 : 0.0});
+                           m.touches ? 1.0 : 0.0, m.limit});
   if (!keeps_ground_) return;
   out.push_back(static_cast<double>(scratch.ground->prints().size()));
   for (const SoilGround::Print& print : scratch.ground->prints())

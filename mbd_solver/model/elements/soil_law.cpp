@@ -349,8 +349,12 @@ class SinkageLaw final : public SoilLaw {
     const T strength = p_.stiffness * power(at.p.z, p_.exponent);
     const T p = strength * borne;
     const T limit = p_.cohesion * borne + friction_ * p;
-    const std::array<T, 2> shear = sheared(at, m, below);
-    out.traction = n.z * (Three<T>{-(limit * shear[0]), -(limit * shear[1]), -p} + sway(p_, at, strength, rest));
+    const std::array<T, 2> shear = sheared(at, m, below, limit);
+    const Three<T> side = Three<T>{-(limit * shear[0]), -(limit * shear[1]), T(0.0)} + sway(p_, at, strength, rest);
+    const T square = side.x * side.x + side.y * side.y;
+    T held(1.0);
+    if (number(square) > number(limit) * number(limit)) held = limit / root(square);
+    out.traction = n.z * (held * side + Three<T>{T(0.0), T(0.0), -p});
     return out;
   }
 
@@ -363,27 +367,32 @@ class SinkageLaw final : public SoilLaw {
       m.print = std::max(m.print, at.place.z() - p_.rebound);
       // A facet that swings about its place stays with its memory: the law of the way slid would wear off with every swing.
       if (m.touches && (at.place.head<2>() - m.place).norm() < kSwing * p_.shear_length) return;
-      const std::array<double, 2> shear = sheared(plain_facet(at), m, below);
+      const double rest = grown(below, p_.rebound), borne = borne_share(p_, rest, at.velocity.z());
+      const double limit = (p_.cohesion + friction_ * p_.stiffness * power(at.place.z(), p_.exponent)) * borne;
+      const std::array<double, 2> shear = sheared(plain_facet(at), m, below, limit);
       m.shear = Eigen::Vector2d(shear[0], shear[1]);
       if (const double size = m.shear.norm(); size > 1.0) m.shear /= size;
+      m.limit = limit;
       m.touches = true;
     }
     m.place = at.place.head<2>();
   }
 
  private:
-  // dT/dj = (u - T) / K along a straight way: T = T_0 exp(-j/K) + u (1 - exp(-j/K)).
+  // dT/dj = (u - T) / K along a straight way: T = T_0 exp(-j/K) + u (1 - exp(-j/K)), with what is remembered under the present limit.
   template <class T>
-  std::array<T, 2> sheared(const Facet<T>& at, const SoilMemory& m, const T& below) const {
+  std::array<T, 2> sheared(const Facet<T>& at, const SoilMemory& m, const T& below, const T& limit) const {
     const std::array<T, 2> way = slid(at, m, below);
+    const T kept = number(limit) > m.limit ? T(m.limit) / limit : T(1.0);
+    const T x = m.shear.x() * kept, y = m.shear.y() * kept;
     const T square = way[0] * way[0] + way[1] * way[1];
     const double K = p_.shear_length;
     if (!(number(square) > 1e-24 * K * K))  // too short for a direction
-      return {T(m.shear.x()) + way[0] * (1.0 / K), T(m.shear.y()) + way[1] * (1.0 / K)};
+      return {x + way[0] * (1.0 / K), y + way[1] * (1.0 / K)};
     const T j = root(square);
     const T left = exponential(j * (-1.0 / K));
     const T gained = (T(1.0) + (-left)) / j;
-    return {m.shear.x() * left + gained * way[0], m.shear.y() * left + gained * way[1]};
+    return {x * left + gained * way[0], y * left + gained * way[1]};
   }
 
   SinkageParameters p_;

@@ -22,6 +22,8 @@
 //
 // Pressure and sinkage [Bekker 1969; Reece 1965] with shear [Janosi and Hanamoto 1961], on the area seen from above:
 //   p = (k_c / b + k_phi) z^n,   tau = (c + p tan(phi)) (1 - exp(-j / K)) along the way j that the facet has slid
+// A share s of a limit L that the ground remembers bears s min(L, L') where the limit is L' now: pressed harder it carries the same
+// stress, relieved the same displacement, so that no closed way gives energy. tau and sway together never exceed c + p tan(phi).
 // Range: flat plates of about the width b of the test, pressed normal to the ground; no force on facets that stand upright.
 
 #include <Eigen/Dense>
@@ -43,6 +45,7 @@ struct SoilMemory {
   double print = 0.0;                               // s [m]
   Eigen::Vector2d place = Eigen::Vector2d::Zero();  // x, y when it was remembered last [m]
   Eigen::Vector2d shear = Eigen::Vector2d::Zero();  // rft: elastic displacement [m]; pressure_sinkage: share of tau [-]
+  double limit = 0.0;                               // pressure_sinkage: c + p tan(phi) at that share [Pa]
   Eigen::Vector2d printed = Eigen::Vector2d::Zero();  // x, y of its print [m]
   bool touches = false;
 };

@@ -224,7 +224,7 @@ double energy_balance_relative(const Metrics& metrics, const std::vector<WorkEst
 }
 
 MetricRecorder::MetricRecorder(const Subject& subject)
-    : subject_(subject), flow_(subject.mechanism.model), up_(up_direction(subject.scene.gravity)) {
+    : subject_(subject), unheld_(subject), flow_(subject.mechanism.model), up_(up_direction(subject.scene.gravity)) {
   const GroundLevel ground = ground_level(subject);
   normal_ = ground.normal;
   ground_ = ground.height;
@@ -237,6 +237,7 @@ MetricRecorder::MetricRecorder(const Subject& subject)
 void MetricRecorder::visit(Archive& archive) {
   archive("metrics", metrics_);
   archive("soil_speed", soil_speed_);
+  archive("unheld", unheld_);
   archive("flow", flow_);
   archive("start_height", start_height_);
   archive("start_energy", start_energy_);
@@ -274,6 +275,13 @@ std::string MetricRecorder::soil_warning() const {
                    "the run leaves the range for which the numbers of the soil hold: " + joined(beyond) +
                        "; forces and depths there are extrapolated. Fit the soil for this range (footfall ground fit), "
                        "or use grains");
+}
+
+std::vector<std::string> MetricRecorder::warnings() const {
+  std::vector<std::string> texts;
+  for (const std::string& text : {unheld_.warning(), soil_warning(), balance_warning()})
+    if (!text.empty()) texts.push_back(text);
+  return texts;
 }
 
 double MetricRecorder::depth(const Sample& sample) const {
@@ -325,6 +333,7 @@ void MetricRecorder::update_peaks(const Sample& sample) {
 }
 
 void MetricRecorder::update(const Sample& sample) {
+  unheld_.update(sample);
   Metrics& f = metrics_;
   const StoredEnergy& stored = sample.energy.stored;
   const BodyKinematics& body = sample.kinematics.of(body_);

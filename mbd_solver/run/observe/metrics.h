@@ -7,6 +7,7 @@
 #include "coupler/archive.h"
 #include "mbd_solver/dynamics/energy_flow.h"
 #include "mbd_solver/run/observe/sampler.h"
+#include "mbd_solver/run/observe/unheld_bodies.h"
 
 namespace footfall {
 
@@ -166,6 +167,7 @@ class MetricRecorder {
   std::string balance_warning() const;
   // The warning when bodies have left the speeds or depths for which the numbers of the soil were fitted; otherwise empty.
   std::string soil_warning() const;
+  std::vector<std::string> warnings() const;  // all there are
   void visit(Archive& archive);
   const std::string& body_name() const;  // the heaviest body, whose acceleration and descent are reported
 
@@ -174,6 +176,7 @@ class MetricRecorder {
 
   Subject subject_;
   Metrics metrics_;
+  UnheldBodies unheld_;
   Peak soil_speed_;  // of a body into the soil that it touches [m/s]
   EnergyFlow flow_;
   Eigen::Vector3d up_, normal_;       // against gravity; out of the ground

@@ -13,6 +13,7 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/scene_check.h"
+#include "mbd_solver/scene/shape_outline.h"
 
 namespace footfall {
 
@@ -40,56 +41,6 @@ constexpr double kOpenMotion = 1e-3;                            // largest gap t
 constexpr double kLongRun = 1e6;                                // steps, of minutes to hours
 constexpr double kStepsOfPeriod = 10.0;                         // of a sine, at least
 constexpr double kSunk = 0.1;                                   // on a plane, at rest [size of the mechanism]
-
-// Any two unit vectors that are perpendicular to the axis and to each other.
-std::array<Vector3d, 2> across(const Vector3d& axis) {
-  const Vector3d x = axis.unitOrthogonal();
-  return {x, axis.normalized().cross(x)};
-}
-
-// The outermost points of a shape in D, whose hull it fills but for round edges; empty: unknown.
-std::vector<Vector3d> outline(const BodySpec& body) {
-  std::vector<Vector3d> out;
-  const ShapeSpec& s = *body.shape;
-  const auto ring = [&](const Vector3d& centre, const Vector3d& axis, double radius) {
-    for (const Vector3d& e : across(axis))
-      for (const double side : {-radius, radius}) out.push_back(centre + side * e);
-  };
-  switch (s.kind) {
-    case ShapeKind::kBox:
-      for (int k = 0; k < 8; ++k) {
-        const Vector3d corner(k & 1 ? 0.5 : -0.5, k & 2 ? 0.5 : -0.5, k & 4 ? 0.5 : -0.5);
-        out.push_back(s.centre + body.orientation * corner.cwiseProduct(s.size));
-      }
-      break;
-    case ShapeKind::kCapsule: {
-      const Vector3d end = 0.5 * s.diameter * (s.to - s.from).normalized();
-      out = {s.from - end, s.to + end};
-    }
-      [[fallthrough]];
-    case ShapeKind::kTube:
-    case ShapeKind::kRod:
-      for (const Vector3d& end : {s.from, s.to}) ring(end, s.to - s.from, 0.5 * s.diameter);
-      break;
-    case ShapeKind::kDisc:
-    case ShapeKind::kCylinder: {
-      const double half = 0.5 * (s.kind == ShapeKind::kDisc ? s.thickness : s.length);
-      for (const double side : {-half, half}) ring(s.centre + side * s.axis.normalized(), s.axis, s.radius);
-      break;
-    }
-    case ShapeKind::kDish:
-      out.push_back(s.centre);
-      ring(s.centre + s.depth * s.axis.normalized(), s.axis, s.radius);
-      break;
-    case ShapeKind::kSphere:
-      for (int k = 0; k < 3; ++k)
-        for (const double side : {-s.radius, s.radius}) out.push_back(s.centre + side * Vector3d::Unit(k));
-      break;
-    case ShapeKind::kPoints: out = s.points; break;
-    case ShapeKind::kMesh: break;  // its file was read for the mass, and is not kept
-  }
-  return out;
-}
 
 // Of what the shape encloses, a thin plate or wall taken as thick [m3]; 0: unknown.
 double volume_within(const ShapeSpec& s) {
@@ -161,7 +112,7 @@ class Plausibility {
  public:
   Plausibility(const Scene& scene, Findings& findings) : scene_(scene), findings_(findings) {
     for (const BodySpec& body : scene.bodies) {
-      outlines_.push_back(body.shape ? outline(body) : std::vector<Vector3d>());
+      outlines_.push_back(shape_outline(body));
       box_.extend(body.position);
       for (const Vector3d& point : outlines_.back()) box_.extend(point);
     }

@@ -159,6 +159,56 @@ TEST(SoilLaw, PlateDrawnAtConstantDepth) {
   }
 }
 
+// A facet drawn at any speed is held by c + p tan(phi) at most, also where the ground is elastic and its sway is damped.
+TEST(SoilLaw, ShearNeverExceedsItsLimit) {
+  SinkageParameters p = loam();
+  p.damping = 3.0;
+  p.rebound = 1e-3;
+  for (const double speed : {0.01, 0.2, 1.0}) {
+    Way way(make_pressure_sinkage(p, ""));
+    way.to({0, 0, 0.03}, 5);
+    way.to({0.0, 0, 0.0294});
+    way.to({0.5, 0, 0.0294}, 50);
+    way.at.velocity = {speed, 0.0, 0.0};
+    const SoilStress drawn = way.now();
+    const double limit = -0.55 * drawn.traction.z() + 1700.0 * borne(0.4);
+    EXPECT_LE(drawn.traction.head<2>().norm(), limit * (1.0 + 1e-9)) << speed;
+    EXPECT_GE(drawn.traction.head<2>().norm(), 0.99 * limit) << speed;
+  }
+}
+
+// Closed ways of presses, slides and lifts within the print, slowly: no cycle gives energy.
+TEST(SoilLaw, ClosedWaysGiveNoEnergy) {
+  test::Random random(11);
+  for (int trial = 0; trial < 40; ++trial) {
+    SinkageParameters p = loam();
+    p.rebound = 5e-3;
+    Way way(make_pressure_sinkage(p, ""));
+    way.to({0, 0, 0.05}, 50);
+    std::vector<Eigen::Vector3d> corners;
+    for (int k = 0; k < 4; ++k) {
+      const Eigen::Vector3d at = random.vector();
+      corners.emplace_back(0.02 * at.x(), 0.005 * at.y(), 0.05 - 0.0024 * (1.0 + at.z()));
+    }
+    double work = 0.0;  // of the ground on the facet, per area [J/m2]
+    const auto go = [&](const Eigen::Vector3d& to) {
+      constexpr int kSteps = 200;
+      const Eigen::Vector3d from = way.at.place, piece = (to - from) / kSteps;
+      for (int i = 0; i < kSteps; ++i) {
+        const Eigen::Vector3d before = way.now().traction;
+        way.to(from + piece * (i + 1));
+        work += 0.5 * (before + way.now().traction).dot(piece);
+      }
+    };
+    go(corners[0]);
+    for (int cycle = 0; cycle < 3; ++cycle) {
+      work = 0.0;
+      for (const int k : {1, 2, 3, 0}) go(corners[static_cast<std::size_t>(k)]);
+    }
+    EXPECT_LE(work, 0.05) << trial << ": of some 100 J/m2";
+  }
+}
+
 TEST(SoilLaw, PlateLiftedAndSetDownAgainStandsInItsPrint) {
   for (const bool is_rft : {true, false}) {
     Way way(is_rft ? make_rft(sand(), "") : make_pressure_sinkage(loam(), ""));
