@@ -12,7 +12,6 @@
 #include <openturns/DistFunc.hxx>
 #include <openturns/FixedStrategy.hxx>
 #include <openturns/FunctionalChaosAlgorithm.hxx>
-#include <openturns/FunctionalChaosSobolIndices.hxx>
 #include <openturns/GeneralLinearModelAlgorithm.hxx>
 #include <openturns/HyperbolicAnisotropicEnumerateFunction.hxx>
 #include <openturns/KrigingAlgorithm.hxx>
@@ -219,43 +218,79 @@ OT::Sample rows_of(const std::vector<std::vector<double>>& x, std::size_t first,
   return sample;
 }
 
-OT::FunctionalChaosResult chaos_of(const OT::Sample& x, const OT::Sample& y) {
+// A polynomial of the inputs: y = sum of coefficients times products of orthonormal Legendre polynomials.
+struct Chaos {
+  OT::Function model;
+  std::vector<OT::Indices> degrees;  // of each term, an entry per input
+  std::vector<double> coefficients;
+};
+
+Chaos chaos_of(const OT::Sample& x, const OT::Sample& y) {
   constexpr double kNorm = 0.75;           // of the degrees: interactions of high degree are left out
   constexpr std::size_t kMostTerms = 250;  // time grows with their square
   const std::size_t width = x.getDimension();
   const std::size_t terms = std::min(kMostTerms, std::max<std::size_t>(1 + width, x.getSize() / 2));
+  const OT::HyperbolicAnisotropicEnumerateFunction enumerate(width, kNorm);
   const OT::OrthogonalProductPolynomialFactory basis(
-      OT::Collection<OT::OrthogonalUniVariatePolynomialFamily>(width, OT::LegendreFactory()),
-      OT::HyperbolicAnisotropicEnumerateFunction(width, kNorm));
+      OT::Collection<OT::OrthogonalUniVariatePolynomialFamily>(width, OT::LegendreFactory()), enumerate);
   OT::FunctionalChaosAlgorithm algorithm(
       x, y, unit_cube(width), OT::FixedStrategy(basis, terms),
       OT::LeastSquaresStrategy(OT::LeastSquaresMetaModelSelectionFactory(OT::LARS(), OT::CorrectedLeaveOneOut())));
   algorithm.run();
-  return algorithm.getResult();
+  const OT::FunctionalChaosResult result = algorithm.getResult();
+  Chaos chaos{result.getMetaModel(), {}, {}};
+  const OT::Indices chosen = result.getIndices();
+  for (std::size_t k = 0; k < chosen.getSize(); ++k) {
+    chaos.degrees.push_back(enumerate(chosen[k]));
+    chaos.coefficients.push_back(result.getCoefficients()(k, 0));
+  }
+  return chaos;
+}
+
+// The terms are orthonormal: V = sum of c^2 over all terms but the constant; that of input k alone over the terms that have
+// no other, its total over those that have it [Sudret 2008]. OT::FunctionalChaosSobolIndices takes the first term for the
+// constant, which the selection leaves out where the mean is about 0.
+void add_indices(const Chaos& chaos, std::size_t width, Sensitivity& s) {
+  double variance = 0.0;
+  s.first.assign(width, 0.0);
+  s.total.assign(width, 0.0);
+  for (std::size_t i = 0; i < chaos.degrees.size(); ++i) {
+    const OT::Indices& degrees = chaos.degrees[i];
+    const double part = chaos.coefficients[i] * chaos.coefficients[i];
+    const auto inputs = std::count_if(degrees.begin(), degrees.end(), [](std::size_t d) { return d > 0; });
+    if (inputs > 0) variance += part;
+    for (std::size_t k = 0; k < width; ++k) {
+      if (degrees[k] == 0) continue;
+      s.total[k] += part;
+      if (inputs == 1) s.first[k] += part;
+    }
+  }
+  for (std::vector<double>* indices : {&s.first, &s.total})
+    for (double& index : *indices) index = variance > 0.0 ? index / variance : 0.0;
 }
 
 }  // namespace
 
-Sensitivity sobol_indices(const std::vector<std::vector<double>>& x, const std::vector<double>& y) {
+Sensitivity sobol_indices(const std::vector<std::vector<double>>& x, const std::vector<double>& values) {
   Sensitivity s;
   const std::size_t count = x.size(), width = x.empty() ? 0 : x.front().size();
-  const auto [least, most] = std::minmax_element(y.begin(), y.end());
-  if (count < 8 * (width + 1) || !(*least < *most)) return s;
-  const std::size_t fitted = count - count / 4;
-  const OT::Function model = chaos_of(rows_of(x, 0, fitted), column_of(y, 0, fitted)).getMetaModel();
-  const OT::Sample predicted = model(rows_of(x, fitted, count));
+  if (count < 8 * (width + 1)) return s;
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  if (!(*least < *most)) return s;
+  // Without their mean, so that a constant that is added changes nothing.
+  std::vector<double> y = values;
   const double mean = std::accumulate(y.begin(), y.end(), 0.0) / static_cast<double>(count);
+  for (double& value : y) value -= mean;
+  const std::size_t fitted = count - count / 4;
+  const OT::Function model = chaos_of(rows_of(x, 0, fitted), column_of(y, 0, fitted)).model;
+  const OT::Sample predicted = model(rows_of(x, fitted, count));
   double error = 0.0, variance = 0.0;
   for (std::size_t i = fitted; i < count; ++i) {
     error += std::pow(y[i] - predicted(i - fitted, 0), 2);
-    variance += std::pow(y[i] - mean, 2);
+    variance += y[i] * y[i];
   }
   s.explained = variance > 0.0 ? 1.0 - error / variance : 0.0;
-  const OT::FunctionalChaosSobolIndices indices(chaos_of(rows_of(x, 0, count), column_of(y, 0, count)));
-  for (std::size_t k = 0; k < width; ++k) {
-    s.first.push_back(indices.getSobolIndex(k));
-    s.total.push_back(indices.getSobolTotalIndex(k));
-  }
+  add_indices(chaos_of(rows_of(x, 0, count), column_of(y, 0, count)), width, s);
   return s;
 }
 

@@ -21,38 +21,10 @@
 #include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/campaign/drawn_parameters.h"
 
 namespace footfall {
 namespace {
-
-ParameterSpec drawn(const std::string& name, DistributionKind kind) {
-  ParameterSpec p;
-  p.name = name;
-  p.distribution.kind = kind;
-  return p;
-}
-
-ParameterSpec uniform(const std::string& name, double least, double most) {
-  ParameterSpec p = drawn(name, DistributionKind::kUniform);
-  p.distribution.least = least;
-  p.distribution.most = most;
-  return p;
-}
-
-SweepSpec drawn_sweep(std::vector<ParameterSpec> parameters, int runs, Design design = Design::kRandom, int seed = 1) {
-  SweepSpec spec;
-  spec.parameters = std::move(parameters);
-  spec.runs = runs;
-  spec.design = design;
-  spec.seed = seed;
-  return spec;
-}
-
-std::vector<double> column(const Draws& draws, std::size_t k) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < draws.count(); ++i) values.push_back(draws.values(i)[k]);
-  return values;
-}
 
 double mean(const std::vector<double>& x) {
   return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
@@ -178,27 +150,6 @@ TEST(IntervalsOfAQuantile, CoverTheMedianInNinetyFiveOfAHundredCampaigns) {
   }
   EXPECT_NEAR(covered / 200.0, 0.95, 0.045);        // three deviations; the places are whole, so that it is a bit above
   EXPECT_EQ(quantile_bounds(10, 0.99).second, 10);  // no bound above
-}
-
-// Ishigami and Homma 1990: sin x1 + a sin^2 x2 + b x3^4 sin x1, a = 7, b = 0.1; S1 = 0.3139, S2 = 0.4424, T3 = 0.2437.
-TEST(SensitivityOf, IshigamisFunctionIsThePublishedOne) {
-  const Draws draws(drawn_sweep({uniform("a", -kPi, kPi), uniform("b", -kPi, kPi), uniform("c", -kPi, kPi)}, 1000,
-                                Design::kLatinHypercube));
-  std::vector<std::vector<double>> x;
-  std::vector<double> y;
-  for (std::size_t i = 0; i < draws.count(); ++i) {
-    const std::vector<double>& v = draws.values(i);
-    x.push_back(draws.positions(i));
-    y.push_back(std::sin(v[0]) + 7.0 * std::pow(std::sin(v[1]), 2) + 0.1 * std::pow(v[2], 4) * std::sin(v[0]));
-  }
-  const Sensitivity s = sobol_indices(x, y);
-  ASSERT_EQ(s.first.size(), 3U);
-  EXPECT_GT(s.explained, 0.98);
-  const double first[] = {0.3139, 0.4424, 0.0}, total[] = {0.5576, 0.4424, 0.2437};
-  for (std::size_t k = 0; k < 3; ++k) {
-    EXPECT_NEAR(s.first[k], first[k], 0.02) << k;
-    EXPECT_NEAR(s.total[k], total[k], 0.02) << k;
-  }
 }
 
 // The boundary of a certain event, which separates the runs: within its band in 95 of 100 campaigns or more.
