@@ -12,7 +12,6 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/fingerprint.h"
-#include "mbd_solver/campaign/statistics.h"
 #include "mbd_solver/campaign/worker_pool.h"
 #include "mbd_solver/model/control/signal_chain.h"
 #include "mbd_solver/scene/scene_reader.h"
@@ -46,8 +45,7 @@ Campaign::Campaign(const SweepSpec& spec, bool short_form)
       plan_(plan_of(spec_, short_form)),
       draws_(spec_),
       rows_(draws_.count() * plan_.runs.size()),
-      hits_(plan_.runs.size(), std::vector<long>(spec_.outcomes.size(), 0)),
-      known_(hits_) {}
+      tallies_(plan_.runs.size(), std::vector<Tally>(spec_.outcomes.size())) {}
 
 std::string Campaign::case_name(std::size_t c) const { return cases() == 1 ? "all" : plan_.cases[c].name; }
 
@@ -141,20 +139,13 @@ void Campaign::look_for_end() {
     for (std::size_t c = 0; c < cases(); ++c)
       if (!rows_[used_ * cases() + c].is_done()) return;
     for (std::size_t c = 0; c < cases(); ++c)
-      for (std::size_t k = 0; k < spec_.outcomes.size(); ++k) {
-        const int outcome = rows_[used_ * cases() + c].outcomes[k];
-        hits_[c][k] += outcome > 0 ? 1 : 0;
-        known_[c][k] += outcome >= 0 ? 1 : 0;
-      }
+      for (std::size_t k = 0; k < spec_.outcomes.size(); ++k)
+        tallies_[c][k].add(rows_[used_ * cases() + c].outcomes[k]);
     ++used_;
     if (!(spec_.until_width > 0.0) || spec_.outcomes.empty() || used_ < kFewest || used_ % kEvery != 0) continue;
     stopped_ = true;
-    for (std::size_t c = 0; c < cases(); ++c)
-      for (std::size_t k = 0; k < spec_.outcomes.size(); ++k) {
-        const auto count = static_cast<double>(known_[c][k]);
-        stopped_ = stopped_ && count > 0.0 &&
-                   wilson(static_cast<double>(hits_[c][k]) / count, count).width() <= spec_.until_width;
-      }
+    for (const std::vector<Tally>& of_case : tallies_)
+      for (const Tally& tally : of_case) stopped_ = stopped_ && tally.probability().width() <= spec_.until_width;
   }
 }
 
@@ -184,6 +175,16 @@ std::string Campaign::recipe() const {
   return fingerprint(text.str());
 }
 
+std::size_t rows_without_number(const Campaign& campaign) {
+  std::size_t count = 0;
+  for (std::size_t row = 0; row < campaign.used() * campaign.cases(); ++row) {
+    const std::vector<double>& metrics = campaign.row(row).metrics;
+    const bool numbers = std::all_of(metrics.begin(), metrics.end(), [](double value) { return std::isfinite(value); });
+    count += metrics.empty() || !numbers ? 1 : 0;
+  }
+  return count;
+}
+
 std::vector<RepeatedRun> rows_to_keep(const Campaign& campaign, std::size_t most) {
   const SweepSpec& spec = campaign.spec();
   const std::size_t count = campaign.used() * campaign.cases();
@@ -196,6 +197,12 @@ std::vector<RepeatedRun> rows_to_keep(const Campaign& campaign, std::size_t most
   lists[0].why = "no result";
   for (std::size_t row = 0; row < count; ++row)
     if (campaign.row(row).code > 0 && !campaign.row(row).is_lost()) lists[0].rows.push_back(row);
+  lists.push_back({"figure without a number", {}});
+  for (std::size_t row = 0; row < count; ++row) {
+    const std::vector<double>& metrics = campaign.row(row).metrics;
+    if (std::any_of(metrics.begin(), metrics.end(), [](double value) { return !std::isfinite(value); }))
+      lists[1].rows.push_back(row);
+  }
   for (std::size_t k = 0; k < spec.outcomes.size(); ++k) {
     List list{spec.outcomes[k].name, {}};
     for (std::size_t row = 0; row < count; ++row)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mbd_solver/campaign/sampling.h"
+#include "mbd_solver/campaign/statistics.h"
 #include "mbd_solver/scene/scene.h"
 #include "mbd_solver/studies/plan.h"
 #include "mbd_solver/studies/sweep_command.h"
@@ -52,6 +53,10 @@ class Campaign {
   // The value of a drawn parameter in formulas and tables: a draw's; of a choice that is no number its place.
   double drawn_number(std::size_t draw, std::size_t place) const;
 
+  // Of an outcome over the rows that the results are of. Rows without result, or without a number that the outcome requires,
+  // do not tell.
+  const Tally& tally(std::size_t which_case, std::size_t outcome) const { return tallies_[which_case][outcome]; }
+
   // The draws that the results are of: all, or as many as until_width required. Rows before them are done.
   std::size_t used() const { return used_; }
   bool stopped_early() const { return stopped_; }
@@ -67,9 +72,9 @@ class Campaign {
   Plan plan_;
   Draws draws_;
   std::vector<CampaignRow> rows_;
-  std::size_t used_ = 0;                         // draws, from the first, all of whose rows are done
-  bool stopped_ = false;                         // the intervals are as narrow as asked for
-  std::vector<std::vector<long>> hits_, known_;  // of those, by case and outcome
+  std::size_t used_ = 0;                     // draws, from the first, all of whose rows are done
+  bool stopped_ = false;                     // the intervals are as narrow as asked for
+  std::vector<std::vector<Tally>> tallies_;  // of those, by case and outcome
 };
 
 // A run of a row that was repeated with all its files, or with the settings of [check].
@@ -78,6 +83,9 @@ struct RepeatedRun {
   std::string why, folder;
   std::vector<double> metrics;  // empty: it failed
 };
+
+// Rows that the results are of, and that have no result, or a figure that is no number.
+std::size_t rows_without_number(const Campaign& campaign);
 
 // Rows worth looking at, at most `most`: without result, with an outcome, or with the least or largest value of a metric.
 std::vector<RepeatedRun> rows_to_keep(const Campaign& campaign, std::size_t most);

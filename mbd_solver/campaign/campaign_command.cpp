@@ -135,12 +135,12 @@ std::string progress_text(const Campaign& campaign, std::size_t done, std::size_
   if (without > 0) text += ", " + std::to_string(without) + " without result";
   const SweepSpec& spec = campaign.spec();
   for (std::size_t c = 0; c < std::min<std::size_t>(3, campaign.cases()) && !spec.outcomes.empty(); ++c) {
-    const Probability p = probability_of(campaign, c, 0);
-    long hits = 0;
-    for (const std::size_t row : rows_of_case(campaign, c)) hits += campaign.row(row).outcomes[0] > 0 ? 1 : 0;
+    const Tally& tally = campaign.tally(c, 0);
+    const Probability p = tally.probability();
     text += ", " + (campaign.cases() > 1 ? campaign.case_name(c) + ": " : "") + spec.outcomes[0].name + " " +
-            std::to_string(hits) + " times, " + number_text(100.0 * p.value, 3) + " % (" +
-            number_text(100.0 * p.low, 3) + " to " + number_text(100.0 * p.high, 3) + " %)";
+            std::to_string(tally.hits) + " times" +
+            (tally.unknown > 0 ? ", unknown " + std::to_string(tally.unknown) + " times" : "") + ": " +
+            number_text(100.0 * p.low, 3) + " to " + number_text(100.0 * p.high, 3) + " %";
   }
   const double share = static_cast<double>(done) / static_cast<double>(all);
   const std::string left =
@@ -488,13 +488,18 @@ int campaign_command(const SweepArguments& a) {
   } catch (const InputError& e) {
     warn_missing_file("picture", e);
   }
+  if (const std::size_t unknown = rows_without_number(campaign); unknown > 0)
+    std::fprintf(stderr, "footfall: %s\n",
+                 with_code(code::kRowsUnknown,
+                           std::to_string(unknown) + " of " + std::to_string(campaign.used() * campaign.cases()) +
+                               " rows have no result, or a figure without a number; probabilities and percentiles "
+                               "are bounded as if these had any value, and the page lists the causes")
+                     .c_str());
   const StudyPage page = campaign_page(campaign, kept, checks, output.command, pictures);
   write_page(page, output);
   std::printf("%s%s\n%s\n%s\n", page.markdown().c_str(), output.path("runs.csv").c_str(),
               output.path(output.name + ".md").c_str(), output.path("report.html").c_str());
-  bool all = run.differing() == 0;
-  for (std::size_t row = 0; row < campaign.used() * campaign.cases(); ++row) all = all && campaign.row(row).code == 0;
-  return all ? kExitDone : kExitFailed;
+  return run.differing() == 0 && rows_without_number(campaign) == 0 ? kExitDone : kExitFailed;
 }
 
 }  // namespace footfall

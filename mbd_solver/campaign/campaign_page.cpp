@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <numeric>
 #include <sstream>
 
@@ -23,9 +24,16 @@ constexpr double kBand = 1.959963984540054;  // deviations, 95 %
 constexpr int kSteps = 400;                  // along a line, between looks for the boundary
 constexpr double kGoodChaos = 0.8;           // least explained variance with which Sobol' indices are shown
 
-std::string share_with_interval(const Probability& p) {
-  return number_text(100.0 * p.value, 3) + " (" + number_text(100.0 * p.low, 3) + " to " +
-         number_text(100.0 * p.high, 3) + ")";
+std::string interval_text(const std::string& value, const Probability& p) {
+  return value + " (" + number_text(100.0 * p.low, 3) + " to " + number_text(100.0 * p.high, 3) + ")";
+}
+
+std::string share_with_interval(const Probability& p) { return interval_text(number_text(100.0 * p.value, 3), p); }
+
+// Runs that do not tell leave a range instead of a number.
+std::string share_with_interval(const Tally& tally) {
+  const std::string least = number_text(100.0 * tally.least(), 3), most = number_text(100.0 * tally.most(), 3);
+  return interval_text(tally.unknown > 0 ? least + " to " + most : least, tally.probability());
 }
 
 std::size_t place_of_outcome(const SweepSpec& spec, const std::string& name) {
@@ -49,16 +57,6 @@ std::vector<std::size_t> rows_of_case(const Campaign& campaign, std::size_t whic
     if (const std::size_t row = draw * campaign.cases() + which_case; !campaign.row(row).metrics.empty())
       rows.push_back(row);
   return rows;
-}
-
-Probability probability_of(const Campaign& campaign, std::size_t which_case, std::size_t outcome) {
-  long hits = 0, known = 0;
-  for (const std::size_t row : rows_of_case(campaign, which_case)) {
-    hits += campaign.row(row).outcomes[outcome] > 0 ? 1 : 0;
-    known += campaign.row(row).outcomes[outcome] >= 0 ? 1 : 0;
-  }
-  const auto count = static_cast<double>(known);
-  return wilson(known > 0 ? static_cast<double>(hits) / count : 0.0, count);
 }
 
 // ---- boundary ----
@@ -224,42 +222,73 @@ std::vector<double> sorted_metric(const Campaign& campaign, std::size_t which_ca
   return values;
 }
 
-std::string quantile_text(const std::vector<double>& sorted, double share) {
-  if (sorted.empty()) return "";
-  const auto [low, high] = quantile_bounds(sorted.size(), share);
-  const auto bound = [&](long k) {
-    return k < 0 || k >= static_cast<long>(sorted.size()) ? "?" : number_text(sorted[k], 4);
-  };
-  return number_text(quantile(sorted, share), 4) + " (" + bound(low) + " to " + bound(high) + ")";
+// "E0123" of a message that ends with its code.
+std::string message_code(const std::string& message) {
+  const std::size_t start = message.rfind('[');
+  return has_code(message) ? message.substr(start + 1, message.find(' ', start) - start - 1) : "no code";
 }
 
-// A row per probability and percentile, a column per case.
-Table main_table(const Campaign& campaign) {
+// Values that are not known may be less than all others or larger: both bounds are widened by their number.
+std::string quantile_text(const std::vector<double>& sorted, std::size_t unknown, double share) {
+  if (sorted.empty()) return "";
+  const auto [low, high] = quantile_bounds(sorted.size() + unknown, share);
+  const auto bound = [&](long k) {
+    return k < 0 || k >= static_cast<long>(sorted.size()) ? "?" : number_text(sorted[static_cast<std::size_t>(k)], 4);
+  };
+  return number_text(quantile(sorted, share), 4) + " (" + bound(low - static_cast<long>(unknown)) + " to " +
+         bound(high) + ")";
+}
+
+Table probability_table(const Campaign& campaign) {
   const SweepSpec& spec = campaign.spec();
-  std::vector<std::string> head = {"95 % intervals in brackets"};
-  std::vector<std::string> runs = {"runs"}, without = {"without result"};
-  for (std::size_t c = 0; c < campaign.cases(); ++c) {
-    head.push_back(campaign.case_name(c));
-    const std::size_t good = rows_of_case(campaign, c).size();
-    runs.push_back(std::to_string(campaign.used()));
-    without.push_back(std::to_string(campaign.used() - good));
-  }
-  Table table(head);
-  table.add(runs);
-  table.add(without);
-  for (std::size_t k = 0; k < spec.outcomes.size(); ++k) {
-    std::vector<std::string> cells = {"probability of " + spec.outcomes[k].name + " [%]"};
-    for (std::size_t c = 0; c < campaign.cases(); ++c)
-      cells.push_back(share_with_interval(probability_of(campaign, c, k)));
-    table.add(cells);
-  }
+  Table table({"outcome", "case", "happened", "did not", "unknown", "probability [%] (95 % interval)"});
+  for (std::size_t k = 0; k < spec.outcomes.size(); ++k)
+    for (std::size_t c = 0; c < campaign.cases(); ++c) {
+      const Tally& tally = campaign.tally(c, k);
+      table.add({spec.outcomes[k].name, campaign.case_name(c), std::to_string(tally.hits), std::to_string(tally.misses),
+                 std::to_string(tally.unknown), share_with_interval(tally)});
+    }
+  return table;
+}
+
+Table quantile_table(const Campaign& campaign) {
+  const SweepSpec& spec = campaign.spec();
+  Table table({"figure", "case", "without a number", "5 %", "50 %", "95 %", "99 %"});
   for (std::size_t k = 0; k < spec.metrics.size(); ++k)
-    for (const double share : {0.05, 0.5, 0.95, 0.99}) {
-      std::vector<std::string> cells = {spec.metrics[k].name + ", " + number_text(100.0 * share) + " %"};
-      for (std::size_t c = 0; c < campaign.cases(); ++c)
-        cells.push_back(quantile_text(sorted_metric(campaign, c, k), share));
+    for (std::size_t c = 0; c < campaign.cases(); ++c) {
+      const std::vector<double> values = sorted_metric(campaign, c, k);
+      const std::size_t unknown = campaign.used() - values.size();
+      std::vector<std::string> cells = {spec.metrics[k].name, campaign.case_name(c), std::to_string(unknown)};
+      for (const double share : {0.05, 0.5, 0.95, 0.99}) cells.push_back(quantile_text(values, unknown, share));
       table.add(cells);
     }
+  return table;
+}
+
+// Rows that lack a result or a number, by cause: the code of the message, else the exit code or the figure.
+Table unknown_table(const Campaign& campaign) {
+  const SweepSpec& spec = campaign.spec();
+  struct Cause {
+    std::size_t count = 0, first = 0;
+    std::string example;
+  };
+  std::map<std::pair<std::string, std::string>, Cause> causes;  // by case and cause
+  const auto add = [&](std::size_t row, const std::string& cause, const std::string& example) {
+    Cause& entry = causes[{campaign.case_name(campaign.case_of(row)), cause}];
+    if (entry.count++ == 0) entry.first = row, entry.example = example;
+  };
+  constexpr std::size_t kLongest = 100;  // characters of a message
+  for (std::size_t row = 0; row < campaign.used() * campaign.cases(); ++row) {
+    const CampaignRow& r = campaign.row(row);
+    if (r.metrics.empty())
+      add(row, "exit code " + std::to_string(r.code) + (r.message.empty() ? "" : ", " + message_code(r.message)),
+          r.message.size() > kLongest ? r.message.substr(0, kLongest) + "..." : r.message);
+    for (std::size_t k = 0; k < r.metrics.size(); ++k)
+      if (!std::isfinite(r.metrics[k])) add(row, "figure " + spec.metrics[k].name + " has no number", "");
+  }
+  Table table({"case", "cause", "rows", "first row", "its message"});
+  for (const auto& [key, cause] : causes)
+    table.add({key.first, key.second, std::to_string(cause.count), std::to_string(cause.first), cause.example});
   return table;
 }
 
@@ -345,24 +374,26 @@ Table kept_table(const Campaign& campaign, const std::vector<RepeatedRun>& kept)
 
 Table better_model_table(const Campaign& campaign, const std::vector<BetterModelResult>& checks) {
   const SweepSpec& spec = campaign.spec();
-  const std::string outcome = spec.outcomes[place_of_outcome(spec, spec.better_model->outcome)].name;
+  const std::size_t place = place_of_outcome(spec, spec.better_model->outcome);
+  const std::string outcome = spec.outcomes[place].name;
   Table table({"case", "runs of the check", "without result", "probability of " + outcome + " before [%]",
                "corrected [%]", "called wrong", "of those near the boundary", "missed", "false alarms"});
   for (const BetterModelResult& check : checks) {
     int known = 0, wrong = 0, near = 0, near_wrong = 0;
     for (std::size_t k = 0; k < check.runs.size(); ++k) {
       if (check.better[k] < 0) continue;
-      const bool differs = check.better[k] !=
-                           campaign.row(check.runs[k].row).outcomes[place_of_outcome(spec, spec.better_model->outcome)];
+      const bool differs = check.better[k] != campaign.row(check.runs[k].row).outcomes[place];
       ++known;
       wrong += differs ? 1 : 0;
       if (std::abs(check.chance[k] - 0.5) > 0.4) continue;  // chances of 10 to 90 %
       ++near;
       near_wrong += differs ? 1 : 0;
     }
+    const Tally& tally = campaign.tally(check.which_case, place);
     table.add({campaign.case_name(check.which_case), std::to_string(check.runs.size()),
-               std::to_string(static_cast<int>(check.runs.size()) - known), share_with_interval(check.levels.cheap),
-               share_with_interval(check.levels.corrected), std::to_string(wrong) + " of " + std::to_string(known),
+               std::to_string(static_cast<int>(check.runs.size()) - known), share_with_interval(tally),
+               share_with_interval(with_unknown(check.levels.corrected, tally.runs() - tally.unknown, tally.unknown)),
+               std::to_string(wrong) + " of " + std::to_string(known),
                std::to_string(near_wrong) + " of " + std::to_string(near), std::to_string(check.levels.missed),
                std::to_string(check.levels.false_alarms)});
   }
@@ -415,10 +446,32 @@ StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>
                       ? ", ended where all intervals were as narrow as " + number_text(spec.until_width)
                       : "") +
                  ". Rows are in `runs.csv`.");
-  page.table(main_table(campaign));
+  if (!spec.outcomes.empty()) {
+    page.section("Probabilities");
+    page.table(probability_table(campaign));
+    page.paragraph(
+        "Intervals of Clopper and Pearson: they hold in at least 95 of 100 campaigns, whatever the probability is. Of "
+        "runs whose outcome is unknown it is taken that the outcome happened in none, and in all, of them.");
+  }
+  page.section("Figures");
+  page.table(quantile_table(campaign));
+  page.paragraph(
+      "Percentiles with intervals of 95 % by order statistics, whatever the distribution is. \"?\": the runs give no "
+      "bound. A figure without a number may be less or larger than all others.");
+  if (const Table unknown = unknown_table(campaign); unknown.rows().size() > 1) {
+    page.section("Rows without a result or a number");
+    page.table(unknown);
+  }
   if (!checks.empty()) {
     page.section("Repeated with the settings of the check");
-    page.paragraph("The interval of the corrected probability has the scatter of the draws and of the check.");
+    page.paragraph(
+        "The interval of the corrected probability has the scatter of the draws and of the check. " +
+        std::string(spec.better_model->far < BetterModelSpec::kFar
+                        ? "It is no interval of 95 %: with far = " + number_text(spec.better_model->far) +
+                              " most runs of the check are near the boundary, and wrong calls elsewhere are hardly "
+                              "seen; it holds if there are none."
+                        : "It holds in 95 of 100 campaigns wherever the two models differ, also where few runs of the "
+                          "check found that they do."));
     page.table(better_model_table(campaign, checks));
     page.paragraph("Deviations are relative to the figure in the check.");
     page.table(better_metrics_table(campaign, checks));

@@ -20,9 +20,7 @@ struct BetterModelResult {
   TwoLevels levels;
 };
 
-// Of an outcome over the rows of a case that have a result.
-Probability probability_of(const Campaign& campaign, std::size_t which_case, std::size_t outcome);
-// Places of the rows of a case that have this outcome (or any result, for -1).
+// Places of the rows of a case that have a result.
 std::vector<std::size_t> rows_of_case(const Campaign& campaign, std::size_t which_case);
 
 // The boundary of an outcome in one or two drawn parameters, from a quadratic logistic curve.

@@ -63,6 +63,8 @@ double two_sided_quantile(double confidence, int degrees) {
   return degrees > 0 ? OT::DistFunc::qStudent(degrees, share) : OT::DistFunc::qNormal(share);
 }
 
+double beta_quantile(double a, double b, double share) { return OT::DistFunc::qBeta(a, b, share); }
+
 namespace {
 
 constexpr std::uint32_t kSeeds = 0x7fffffffU;  // 2^31 - 1, as a mask

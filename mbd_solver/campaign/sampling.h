@@ -55,6 +55,8 @@ Surface response_surface(const std::vector<std::vector<double>>& x, const std::v
 std::vector<std::vector<double>> latin_hypercube(std::size_t count, std::size_t width, std::uint64_t seed);
 // q with P(|t| > q) = 1 - confidence, of Student's distribution; degrees 0: of the normal distribution.
 double two_sided_quantile(double confidence, int degrees);
+// x with P(X <= x) = share, of the beta distribution with these exponents (counted from 1 for the uniform one).
+double beta_quantile(double a, double b, double share);
 // Spearman's coefficient of each input with y.
 std::vector<double> rank_correlations(const std::vector<std::vector<double>>& x, const std::vector<double>& y);
 

@@ -7,10 +7,12 @@
 #include <numeric>
 #include <random>
 
+#include "mbd_solver/campaign/sampling.h"
+
 namespace footfall {
 
 namespace {
-constexpr double kTwoSided = 1.959963984540054;  // of the normal distribution, 95 %
+constexpr double kTail = 0.025;  // beyond each end of an interval of 95 %
 }
 
 double quantile(std::vector<double> values, double share) {
@@ -24,12 +26,31 @@ double quantile(std::vector<double> values, double share) {
   return at(place);
 }
 
-Probability wilson(double share, double count) {
-  if (!(count > 0.0)) return {share, 0.0, 1.0};
-  const double z2 = kTwoSided * kTwoSided, centre = (share + 0.5 * z2 / count) / (1.0 + z2 / count);
-  const double half =
-      kTwoSided / (1.0 + z2 / count) * std::sqrt(share * (1.0 - share) / count + 0.25 * z2 / (count * count));
-  return {share, share <= 0.0 ? 0.0 : std::max(0.0, centre - half), share >= 1.0 ? 1.0 : std::min(1.0, centre + half)};
+Probability clopper_pearson(double hits, double trials) {
+  if (!(trials > 0.0)) return {0.0, 0.0, 1.0};
+  const double misses = trials - hits;
+  return {hits / trials, hits > 0.0 ? beta_quantile(hits, misses + 1.0, kTail) : 0.0,
+          misses > 0.0 ? beta_quantile(hits + 1.0, misses, 1.0 - kTail) : 1.0};
+}
+
+void Tally::add(int outcome) { ++(outcome < 0 ? unknown : outcome > 0 ? hits : misses); }
+
+double Tally::least() const { return runs() > 0 ? static_cast<double>(hits) / static_cast<double>(runs()) : 0.0; }
+
+double Tally::most() const {
+  return runs() > 0 ? static_cast<double>(hits + unknown) / static_cast<double>(runs()) : 1.0;
+}
+
+Probability Tally::probability() const {
+  const auto all = static_cast<double>(runs()), known = static_cast<double>(hits + misses);
+  return {known > 0.0 ? static_cast<double>(hits) / known : 0.0, clopper_pearson(static_cast<double>(hits), all).low,
+          clopper_pearson(static_cast<double>(hits + unknown), all).high};
+}
+
+Probability with_unknown(const Probability& p, long known, long unknown) {
+  if (unknown == 0) return p;
+  const double share = static_cast<double>(known) / static_cast<double>(known + unknown);
+  return {p.value, share * p.low, share * p.high + (1.0 - share)};
 }
 
 double Logistic::deviation(const Eigen::VectorXd& x) const { return std::sqrt(std::max(0.0, x.dot(covariance * x))); }
@@ -118,7 +139,7 @@ TwoLevels two_levels(const std::vector<int>& cheap, const std::vector<GroupDraw>
   TwoLevels result;
   const auto all = static_cast<double>(cheap.size());
   const double share = std::accumulate(cheap.begin(), cheap.end(), 0.0) / all;
-  result.cheap = wilson(share, all);
+  result.cheap = clopper_pearson(share * all, all);
   double known = 0.0, squares = 0.0, members = 0.0;  // of the groups whose better result is known
   std::vector<double> factors;
   for (std::size_t g = 0; g < checked.size(); ++g) {
@@ -147,14 +168,24 @@ TwoLevels two_levels(const std::vector<int>& cheap, const std::vector<GroupDraw>
   }
   const double rest = members * members - squares;
   variance *= rest > 0.0 ? (squares - members) / rest : 1.0;
-  // Where none or few are wrong, the sum knows little of those that were not drawn: half a wrong call of middle weight.
+  // Where none or few are wrong, the sum knows little of those that were not drawn: one more wrong call of middle weight, as
+  // the interval of Agresti and Coull adds.
   std::nth_element(factors.begin(), factors.begin() + static_cast<long>(factors.size() / 2), factors.end());
   const double middle = factors[factors.size() / 2];
-  if (squares > members) variance += 0.5 * middle * middle;
+  if (squares > members) variance += middle * middle;
   // The scatter of the runs themselves is that of the better model: p (1 - p) / N.
   const double p = std::clamp(share + result.correction, 0.0, 1.0);
   const double scatter = std::max(p * (1.0 - p), 0.25 / all) / all + variance;
-  result.corrected = wilson(p, std::max(p * (1.0 - p), 0.25 / all) / scatter);
+  const double trials = std::max(p * (1.0 - p), 0.25 / all) / scatter;
+  result.corrected = clopper_pearson(p * trials, trials);
+  // Checked runs without result: as if the outcome had happened in none, and in all, of them.
+  if (std::count(better.begin(), better.end(), -1) > 0) {
+    std::vector<int> none = better, every = better;
+    std::replace(none.begin(), none.end(), -1, 0);
+    std::replace(every.begin(), every.end(), -1, 1);
+    result.corrected.low = std::min(result.corrected.low, two_levels(cheap, checked, none).corrected.low);
+    result.corrected.high = std::max(result.corrected.high, two_levels(cheap, checked, every).corrected.high);
+  }
   return result;
 }
 

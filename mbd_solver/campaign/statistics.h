@@ -17,8 +17,25 @@ struct Probability {
   double value = 0.0, low = 0.0, high = 1.0;
   double width() const { return high - low; }
 };
-// Of `count` independent trials the share `share`; the trials may be an effective, broken number. Wilson 1927.
-Probability wilson(double share, double count);
+// Of independent trials; they may be an effective, broken number. Clopper and Pearson 1934: the bounds p with
+// P(X >= hits | low) = P(X <= hits | high) = 0.025, which hold in at least 95 % of all campaigns whatever p is.
+Probability clopper_pearson(double hits, double trials);
+
+// How often something happened in independent runs, some of which do not tell.
+struct Tally {
+  long hits = 0, misses = 0, unknown = 0;
+
+  void add(int outcome);  // 1, 0, or -1: unknown
+  long runs() const { return hits + misses + unknown; }
+  // Shares of the runs if it happened in none, and in all, of those that do not tell; 0 and 1 without runs.
+  double least() const;
+  double most() const;
+  // From the lower bound of the one to the upper bound of the other; value: the share of the runs that tell.
+  Probability probability() const;
+};
+
+// The interval of a share of the runs that tell, for all of them: `unknown` more may have any outcome.
+Probability with_unknown(const Probability& p, long known, long unknown);
 
 // P(y = 1 | x) = 1 / (1 + exp(-x b)), by Firth's penalized likelihood (Biometrika 80, 1993), which is finite where a plane
 // separates the outcomes.
@@ -48,7 +65,8 @@ struct TwoLevels {
   double correction = 0.0;
   int missed = 0, false_alarms = 0;  // of the checked runs: the cheap model says no and the better one yes, and reverse
 };
-// cheap: 0 or 1 for every run; better: likewise for every checked run, or -1 where it is unknown.
+// cheap: 0 or 1 for every run; better: likewise for every checked run, or -1 where it is unknown. The interval holds in 95 %
+// of campaigns wherever the two models differ if every weight is at least BetterModelSpec::kFar of their mean.
 TwoLevels two_levels(const std::vector<int>& cheap, const std::vector<GroupDraw>& checked,
                      const std::vector<int>& better);
 

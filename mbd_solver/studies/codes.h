@@ -80,6 +80,10 @@ inline constexpr MessageCode kRowDiffers{"E0622", "row-differs"};
 // Rows of the table are not done yet. Carry out the remaining elements of the job array.
 inline constexpr MessageCode kRowsMissing{"E0623", "rows-missing"};
 
+// Rows of the table have no result, or a figure without a number. The page lists the causes; probabilities and percentiles are bounded as if
+// these rows had any value.
+inline constexpr MessageCode kRowsUnknown{"E0625", "rows-unknown"};
+
 // The command does not carry out such a file. Use the one that the message names.
 inline constexpr MessageCode kWrongSweep{"E0624", "wrong-sweep"};
 

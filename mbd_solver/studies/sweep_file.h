@@ -164,10 +164,12 @@ struct EnvelopeSpec {
 
 // [check]: drawn runs that are repeated with a better model, such as on grains.
 struct BetterModelSpec {
+  // Least share with which the interval holds wherever the models differ.
+  static constexpr double kFar = 0.7;
   std::string scene, outcome;         // empty: that of the run; the first
   std::vector<std::string> settings;  // after those of the run
   int runs = 20;                      // of each case
-  double far = 0.2;                   // share of the weights that all runs get, near the boundary or not [-]
+  double far = kFar;                  // share of the weights that all runs get, near the boundary or not [-]
   double until = 0.0;                 // [s]; 0: that of the run
   Source source;
 };

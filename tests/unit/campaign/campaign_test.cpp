@@ -119,27 +119,6 @@ TEST(DrawnRuns, OfCorrelatedParametersHaveTheRankAskedFor) {
   EXPECT_THROW(Draws{spec}, InputError);
 }
 
-// 200 campaigns of an event of 5 %: the share of the intervals with 5 % in them is 95 % with a deviation of 1.5 %.
-TEST(IntervalsOfAProbability, CoverItInNinetyFiveOfAHundredCampaigns) {
-  for (const int runs : {100, 400}) {
-    int covered = 0;
-    for (int seed = 1; seed <= 200; ++seed) {
-      const Draws draws(drawn_sweep({uniform("a", 0.0, 1.0)}, runs, Design::kRandom, seed));
-      const std::vector<double> a = column(draws, 0);
-      const auto hits = std::count_if(a.begin(), a.end(), [](double value) { return value < 0.05; });
-      const Probability p = wilson(static_cast<double>(hits) / runs, runs);
-      covered += p.low <= 0.05 && 0.05 <= p.high ? 1 : 0;
-    }
-    EXPECT_NEAR(covered / 200.0, 0.95, 0.03) << runs;
-  }
-}
-
-TEST(IntervalsOfAProbability, HaveABoundWhereNothingHappened) {
-  EXPECT_EQ(wilson(0.0, 100.0).low, 0.0);
-  EXPECT_NEAR(wilson(0.0, 100.0).high, 0.037, 5e-4);  // z^2 / (n + z^2)
-  EXPECT_EQ(wilson(1.0, 100.0).high, 1.0);
-}
-
 TEST(IntervalsOfAQuantile, CoverTheMedianInNinetyFiveOfAHundredCampaigns) {
   int covered = 0;
   for (int seed = 1; seed <= 200; ++seed) {
@@ -174,57 +153,6 @@ TEST(BoundariesOf, AnEventThatIsCertainAreWithinTheirBand) {
   }
   EXPECT_GE(within, 90);
   EXPECT_LT(width, 0.3);  // of a range of 2: it says something
-}
-
-// A better model whose boundary lies elsewhere and is wavy, so that 2 to 3 % of the runs are called wrong.
-TEST(TwoLevelEstimate, IsUnbiasedAndNarrowerThanHalfOfItsGrainRunsAlone) {
-  constexpr int kCampaigns = 300, kChecked = 40, kRuns = 500;
-  std::vector<double> estimates, truths, widths, alone;
-  int covered = 0;
-  double truth = 0.0;
-  const auto better = [](double a, double b) { return a + 0.5 * b + 0.12 * std::sin(4.0 * b) > 0.9; };
-  const auto cheap = [](double a, double b) { return a + 0.5 * b > 0.92; };
-  {
-    const Draws many(drawn_sweep({uniform("a", -1.0, 1.0), uniform("b", -1.0, 1.0)}, 40000, Design::kSobol));
-    for (std::size_t i = 0; i < many.count(); ++i)
-      truth += better(many.values(i)[0], many.values(i)[1]) / static_cast<double>(many.count());
-  }
-  for (int seed = 1; seed <= kCampaigns; ++seed) {
-    const Draws draws(drawn_sweep({uniform("a", -1.0, 1.0), uniform("b", -1.0, 1.0)}, kRuns, Design::kRandom, seed));
-    Eigen::MatrixXd x(kRuns, 3);
-    Eigen::VectorXd y(kRuns);
-    std::vector<int> cheaply;
-    for (std::size_t i = 0; i < draws.count(); ++i) {
-      const auto& v = draws.values(i);
-      cheaply.push_back(cheap(v[0], v[1]) ? 1 : 0);
-      x.row(static_cast<Eigen::Index>(i)) << 1.0, v[0], v[1];
-      y[static_cast<Eigen::Index>(i)] = cheaply.back();
-    }
-    const Logistic fit = fit_logistic(x, y);
-    std::vector<double> weights;
-    double sum = 0.0;
-    for (Eigen::Index i = 0; i < kRuns; ++i) {
-      const double p = fit.probability(x.row(i));
-      weights.push_back(std::pow(p * (1.0 - p), 0.25));
-      sum += weights.back();
-    }
-    for (double& w : weights) w = 0.8 * w / sum + 0.2 / kRuns;
-    const std::vector<GroupDraw> checked = draw_by_groups(weights, kChecked, static_cast<std::uint64_t>(seed));
-    std::vector<int> better_ones;
-    for (const GroupDraw& c : checked) better_ones.push_back(better(draws.values(c.run)[0], draws.values(c.run)[1]));
-    const TwoLevels levels = two_levels(cheaply, checked, better_ones);
-    estimates.push_back(levels.corrected.value);
-    widths.push_back(levels.corrected.width());
-    covered += levels.corrected.low <= truth && truth <= levels.corrected.high ? 1 : 0;
-    // As many runs of the better model, drawn at random, by themselves.
-    int hits = 0;
-    for (std::size_t i = 0; i < kChecked; ++i) hits += better(draws.values(i)[0], draws.values(i)[1]) ? 1 : 0;
-    alone.push_back(wilson(static_cast<double>(hits) / kChecked, kChecked).width());
-  }
-  EXPECT_NEAR(mean(estimates), truth, 3.0 * deviation(estimates) / std::sqrt(kCampaigns));
-  EXPECT_LT(mean(widths), 0.5 * mean(alone));
-  EXPECT_GE(covered / static_cast<double>(kCampaigns), 0.92);
-  EXPECT_LT(covered / static_cast<double>(kCampaigns), 0.995);  // it is no wider than it says
 }
 
 // Bisection of the scene: sqrt(2 g (r - h) (k^2 + r^2)) / h.
@@ -268,7 +196,7 @@ TEST_F(CampaignOfTheTipOver, EndsAtTheSameDrawInWhateverOrderRunsEnd) {
   EXPECT_TRUE(forward.stopped_early());
   EXPECT_LT(forward.used(), forward.draws().count());
   EXPECT_EQ(forward.used(), backward.used());
-  EXPECT_LE(probability_of(forward, 0, 0).width(), 0.2);
+  EXPECT_LE(forward.tally(0, 0).probability().width(), 0.2);
 }
 
 TEST_F(CampaignOfTheTipOver, IsNotEndedByAFirstDrawThatTheSceneRefuses) {
@@ -325,6 +253,28 @@ TEST_F(CampaignOfTheTipOver, CountsARunWithoutANumberNeitherAsOneNorAsTheOther) 
   EXPECT_EQ(campaign.row(0).outcomes, (std::vector<int>{-1}));
   EXPECT_EQ(campaign.row(1).outcomes, (std::vector<int>{-1}));
   EXPECT_EQ(rows_to_keep(campaign, 2)[0].row, 1U);
+  EXPECT_EQ(rows_to_keep(campaign, 2)[1].row, 0U);
+}
+
+// 28 of 60 runs have the outcome, the others have no number (a ratio 0/0) or no result: 28/60 to 1.
+TEST_F(CampaignOfTheTipOver, BoundsAProbabilityByTheRunsThatDoNotTell) {
+  spec_.runs = 60;
+  Campaign campaign(spec_, false);
+  for (std::size_t k = 0; k < 60; ++k)
+    campaign.set(k, k < 28   ? CampaignRow{0, "", {2.0}, {}}
+                    : k < 58 ? CampaignRow{0, "", {NAN}, {}}
+                             : CampaignRow{1, "t = 1 s: stopped [E0666 passes-through]", {}, {}});
+  const Tally& tally = campaign.tally(0, 0);
+  EXPECT_EQ(tally.unknown, 32);
+  EXPECT_NEAR(tally.least(), 28.0 / 60.0, 1e-12);
+  EXPECT_EQ(tally.most(), 1.0);
+  EXPECT_NEAR(tally.probability().low, clopper_pearson(28.0, 60.0).low, 1e-12);
+  EXPECT_EQ(tally.probability().high, 1.0);
+  EXPECT_EQ(rows_without_number(campaign), 32U);
+  const std::string page = campaign_page(campaign, {}, {}, "footfall sweep", {}).markdown();
+  EXPECT_NE(page.find("| tipped | all | 28 | 0 | 32 | 46.7 to 100 ("), std::string::npos) << page;
+  EXPECT_NE(page.find("figure turn [rad] has no number | 30 | 28 |"), std::string::npos) << page;
+  EXPECT_NE(page.find("exit code 1, E0666 | 2 | 58 |"), std::string::npos) << page;
 }
 
 }  // namespace
