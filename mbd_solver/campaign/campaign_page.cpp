@@ -1,8 +1,7 @@
-// Markdown with a column per case; boundaries are found by looking along lines for a change of sign.
+// Markdown tables with a row per outcome or figure and case; pictures from CSV files.
 #include "mbd_solver/campaign/campaign_page.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -20,9 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kBand = 1.959963984540054;  // deviations, 95 %
-constexpr int kSteps = 400;                  // along a line, between looks for the boundary
-constexpr double kGoodChaos = 0.8;           // least explained variance with which Sobol' indices are shown
+constexpr double kGoodChaos = 0.8;  // least explained variance with which Sobol' indices are shown
 
 std::string interval_text(const std::string& value, const Probability& p) {
   return value + " (" + number_text(100.0 * p.low, 3) + " to " + number_text(100.0 * p.high, 3) + ")";
@@ -59,106 +56,19 @@ std::vector<std::size_t> rows_of_case(const Campaign& campaign, std::size_t whic
   return rows;
 }
 
-// ---- boundary ----
-
-Boundary::Boundary(const Campaign& campaign, const EnvelopeSpec& envelope, std::size_t which_case)
-    : two_(!envelope.y.empty()), level_(std::log(envelope.level / (1.0 - envelope.level))) {
+Boundary boundary_of(const Campaign& campaign, const EnvelopeSpec& envelope, std::size_t which_case) {
+  const bool two = !envelope.y.empty();
   const std::size_t outcome = place_of_outcome(campaign.spec(), envelope.outcome);
-  std::vector<std::array<double, 2>> points;
+  const std::size_t x = drawn_place(campaign, envelope.x), y = two ? drawn_place(campaign, envelope.y) : x;
+  std::vector<Boundary::Point> points;
   std::vector<int> happened;
-  const std::size_t places[2] = {drawn_place(campaign, envelope.x),
-                                 two_ ? drawn_place(campaign, envelope.y) : std::size_t{0}};
   for (const std::size_t row : rows_of_case(campaign, which_case)) {
     if (campaign.row(row).outcomes[outcome] < 0) continue;
-    points.push_back({campaign.drawn_number(campaign.draw_of(row), places[0]),
-                      two_ ? campaign.drawn_number(campaign.draw_of(row), places[1]) : 0.0});
+    const std::size_t draw = campaign.draw_of(row);
+    points.push_back({campaign.drawn_number(draw, x), two ? campaign.drawn_number(draw, y) : 0.0});
     happened.push_back(campaign.row(row).outcomes[outcome]);
   }
-  const long hits = std::count(happened.begin(), happened.end(), 1);
-  fitted_ = hits > 0 && hits < static_cast<long>(happened.size());
-  if (points.empty()) return;
-  for (int axis = 0; axis < 2; ++axis) {
-    std::vector<double> values;
-    for (const auto& point : points) values.push_back(point[axis]);
-    low_[axis] = *std::min_element(values.begin(), values.end());
-    high_[axis] = *std::max_element(values.begin(), values.end());
-    if (!(high_[axis] > low_[axis])) high_[axis] = low_[axis] + 1.0;
-    median_[axis] = quantile(values, 0.5);
-  }
-  if (!fitted_) return;
-  Eigen::MatrixXd x(static_cast<Eigen::Index>(points.size()), two_ ? 6 : 3);
-  Eigen::VectorXd y(x.rows());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    x.row(static_cast<Eigen::Index>(i)) = terms(points[i][0], points[i][1]);
-    y[static_cast<Eigen::Index>(i)] = happened[i];
-  }
-  fit_ = fit_logistic(x, y);
-  long right = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    right += (score(points[i][0], points[i][1]) > 0.0) == (happened[i] > 0) ? 1 : 0;
-  agreement_ = static_cast<double>(right) / static_cast<double>(points.size());
-}
-
-Eigen::VectorXd Boundary::terms(double x, double y) const {
-  const double u = 2.0 * (x - low_[0]) / (high_[0] - low_[0]) - 1.0;
-  if (!two_) return Eigen::Vector3d(1.0, u, u * u);
-  const double w = 2.0 * (y - low_[1]) / (high_[1] - low_[1]) - 1.0;
-  Eigen::VectorXd t(6);
-  t << 1.0, u, w, u * u, u * w, w * w;
-  return t;
-}
-
-double Boundary::score(double x, double y) const { return fit_.score(terms(x, y)) - level_; }
-
-bool Boundary::in_band(double x, double y) const {
-  const Eigen::VectorXd t = terms(x, y);
-  return std::abs(fit_.score(t) - level_) < kBand * fit_.deviation(t);
-}
-
-// The band about a crossing ends where the score differs from 0 by more than its own deviation allows.
-std::vector<Boundary::Crossing> Boundary::along(int axis, double other) const {
-  std::vector<Crossing> found;
-  if (!fitted_) return found;
-  const double step = (high_[axis] - low_[axis]) / kSteps;
-  const auto at = [&](double s) { return axis == 0 ? score(s, other) : score(other, s); };
-  const auto inside = [&](double s) { return axis == 0 ? in_band(s, other) : in_band(other, s); };
-  for (int k = 0; k < kSteps; ++k) {
-    double a = low_[axis] + k * step, b = a + step;
-    if ((at(a) > 0.0) == (at(b) > 0.0)) continue;
-    for (int half = 0; half < 40; ++half) {
-      const double middle = 0.5 * (a + b);
-      ((at(middle) > 0.0) == (at(a) > 0.0) ? a : b) = middle;
-    }
-    Crossing c;
-    const double root = 0.5 * (a + b);
-    c.low = c.high = root;
-    while (c.low > low_[axis] && inside(c.low)) c.low -= 0.1 * step;
-    while (c.high < high_[axis] && inside(c.high)) c.high += 0.1 * step;
-    c.along_x = axis == 0;
-    c.x = axis == 0 ? root : other;
-    c.y = axis == 0 ? other : root;
-    found.push_back(c);
-  }
-  return found;
-}
-
-std::vector<Boundary::Crossing> Boundary::crossings() const {
-  if (!two_) return along(0, 0.0);
-  constexpr int kLines = 80;
-  std::vector<Crossing> all;
-  for (const int axis : {1, 0})
-    for (int k = 0; k <= kLines; ++k) {
-      const int other = 1 - axis;
-      const std::vector<Crossing> more = along(axis, low_[other] + k * (high_[other] - low_[other]) / kLines);
-      all.insert(all.end(), more.begin(), more.end());
-    }
-  return all;
-}
-
-std::vector<Boundary::Crossing> Boundary::middle() const {
-  if (!two_) return along(0, 0.0);
-  const std::vector<Crossing> up = along(1, median_[0]);
-  return up.empty() ? along(0, median_[1]) : up;
+  return {points, happened, two, envelope.level};
 }
 
 std::vector<double> chances(const Campaign& campaign, std::size_t outcome, const std::vector<std::size_t>& rows) {
@@ -297,7 +207,7 @@ Table envelope_table(const Campaign& campaign) {
   Table table({"envelope", "case", "outcome", "boundary (band of 95 %)", "runs on its right side"});
   for (const EnvelopeSpec& e : spec.envelopes)
     for (std::size_t c = 0; c < campaign.cases(); ++c) {
-      const Boundary boundary(campaign, e, c);
+      const Boundary boundary = boundary_of(campaign, e, c);
       std::vector<std::string> texts;
       for (const Boundary::Crossing& at : boundary.middle()) {
         const std::string& name = at.along_x ? e.x : e.y;
@@ -307,7 +217,7 @@ Table envelope_table(const Campaign& campaign) {
             e.y.empty() ? "" : " at " + (at.along_x ? e.y : e.x) + " = " + number_text(at.along_x ? at.y : at.x, 4);
         texts.push_back(name + " = " + value + where);
       }
-      const std::string none = boundary.fitted() ? "none in the sampled range" : "only one side has been seen";
+      const std::string none = boundary.fitted() ? "none in the sampled range" : "fewer than five runs on one side";
       table.add({e.name, campaign.case_name(c), spec.outcomes[place_of_outcome(spec, e.outcome)].name,
                  texts.empty() ? none : joined(texts, "; "),
                  boundary.fitted() ? share_text(boundary.agreement()) : ""});
@@ -539,7 +449,7 @@ std::vector<std::string> draw_campaign(const Campaign& campaign, const std::stri
     for (std::size_t c = 0; c < campaign.cases(); ++c) {
       const std::string name = e.name + (campaign.cases() == 1 ? "" : "_" + std::to_string(c));
       const std::size_t outcome = place_of_outcome(spec, e.outcome);
-      const Boundary boundary(campaign, e, c);
+      const Boundary boundary = boundary_of(campaign, e, c);
       std::ostringstream points;
       points << "kind,x,y\n";
       const std::size_t x = drawn_place(campaign, e.x), y = e.y.empty() ? 0 : drawn_place(campaign, e.y);

@@ -239,7 +239,7 @@ TEST_F(CampaignOfTheTipOver, HasItsBoundaryWithinTheBand) {
   const double exact = 2.218;
   for (std::size_t k = 0; k < campaign.size(); ++k)
     campaign.set(k, {0, "", {campaign.draws().values(k)[0] > exact ? 2.0 : 0.5}, {}});
-  const std::vector<Boundary::Crossing> at = Boundary(campaign, spec_.envelopes[0], 0).middle();
+  const std::vector<Boundary::Crossing> at = boundary_of(campaign, spec_.envelopes[0], 0).middle();
   ASSERT_EQ(at.size(), 1U);
   EXPECT_LT(at[0].low, exact);
   EXPECT_GT(at[0].high, exact);
