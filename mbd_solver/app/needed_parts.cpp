@@ -126,7 +126,7 @@ Texts needed_parts(const Texts& words) {
                        [&](const std::string& name) { return finds([&] { return look(scene_file(name)); }); });
   };
   Texts parts;
-  if (line.command == "sweep" && any_named(draws_runs)) parts.push_back("campaign");
+  if ((line.command == "sweep" || line.command == "check") && any_named(draws_runs)) parts.push_back("campaign");
   if (any_named([&](const std::string& file) { return has_fmu(parse_scene_with_base(file), line.settings); }) ||
       any_named([&](const std::string& file) { return study_has_fmu(file, line.settings); }) ||
       (!line.resumed.empty() && finds([&] { return resumed_has_fmu(line.resumed); })))

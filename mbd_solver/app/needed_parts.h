@@ -8,7 +8,7 @@
 namespace footfall {
 
 // Some of these, in this order:
-//   campaign  `sweep` with a file of drawn runs
+//   campaign  `sweep` or `check` with a file of drawn runs
 //   fmi       a scene that is named, or that a named file of a study names, has a signal of kind "fmu"
 //   import    `new` from the file of a robot
 // Every word that names a file or a folder counts, whatever option it belongs to. Only reads files; one that cannot be read

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kBand = 1.959963984540054;  // deviations, 95 %
 constexpr int kSteps = 400;                  // along a line, between looks for the boundary
-constexpr long kFewest = 5;                  // runs with the outcome, and without it
+constexpr long kFewestOnASide = 5;           // runs with the outcome, and without it
 
 double turn(const Boundary::Point& a, const Boundary::Point& b, const Boundary::Point& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -49,7 +49,7 @@ double log_likelihood(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, const 
 Boundary::Boundary(std::vector<Point> points, std::vector<int> happened, bool two, double level)
     : points_(std::move(points)), happened_(std::move(happened)), two_(two), level_(std::log(level / (1.0 - level))) {
   const long hits = std::count(happened_.begin(), happened_.end(), 1);
-  fitted_ = std::min(hits, static_cast<long>(happened_.size()) - hits) >= kFewest;
+  fitted_ = std::min(hits, static_cast<long>(happened_.size()) - hits) >= kFewestOnASide;
   if (points_.empty()) return;
   for (int axis = 0; axis < 2; ++axis) {
     const auto [least, most] = std::minmax_element(

@@ -41,9 +41,15 @@ std::string text_of(const ParameterSpec& p, double value) {
 bool CampaignRow::is_lost() const { return code >= WorkerAnswer::kLost || code == kExitInterrupted; }
 
 Campaign::Campaign(const SweepSpec& spec, bool short_form)
+    : Campaign(spec, short_form, Draws(shortened(spec, short_form))) {}
+
+Campaign::Campaign(const SweepSpec& spec, bool short_form, std::vector<std::vector<double>> points)
+    : Campaign(spec, short_form, Draws(spec, std::move(points))) {}
+
+Campaign::Campaign(const SweepSpec& spec, bool short_form, Draws draws)
     : spec_(shortened(spec, short_form)),
       plan_(plan_of(spec_, short_form)),
-      draws_(spec_),
+      draws_(std::move(draws)),
       rows_(draws_.count() * plan_.runs.size()),
       tallies_(plan_.runs.size(), std::vector<Tally>(spec_.outcomes.size())) {}
 
@@ -116,6 +122,11 @@ std::vector<int> Campaign::outcomes_of(std::size_t row, const std::vector<double
   NamedValues values = values_of(draw_of(row));
   for (std::size_t k = 0; k < metrics.size(); ++k) values[formula_name(spec_.metrics[k].name)] = metrics[k];
   for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    if (const OutcomeSpec& o = spec_.outcomes[k]; !o.metric.empty()) {
+      const double value = metrics[static_cast<std::size_t>(index_of(spec_.metrics, o.metric))];
+      if (std::isfinite(value)) outcomes[k] = (o.least && value < *o.least) || (o.most && value > *o.most) ? 1 : 0;
+      continue;
+    }
     const std::string& when = spec_.outcomes[k].when;
     const std::vector<std::string> names = Expression::names_in(when);
     // A comparison with no number would be false.
@@ -161,9 +172,14 @@ std::string Campaign::recipe() const {
     for (const auto& value : {d.mean, d.deviation, d.least, d.most, d.likely, d.shape, d.scale}) put(value);
     for (const double value : d.weights) put(value);
     for (const double value : d.measured) put(value);
+    if (d.whole_rows) text << " whole rows of " << d.file;
     for (const ChoiceSpec& choice : p.choices)
       text << '\n' << choice.name << ' ' << choice.scene << ' ' << joined(choice.settings, "\n");
     text << '\n';
+  }
+  if (spec_.rare) {  // on these the later points depend
+    text << "rare " << spec_.rare->metric << ' ' << spec_.runs;
+    for (const auto& value : {spec_.rare->above, spec_.rare->below}) put(value);
   }
   for (const double value : draws_.values(0)) put(value);  // by another OpenTURNS it may have other digits
   for (const CorrelationSpec& c : spec_.correlations) text << joined(c.between) << ' ' << c.rank << '\n';
@@ -173,6 +189,26 @@ std::string Campaign::recipe() const {
     text << recipe_of(scene, r.until) << joined(spec_.settings, "\n") << '\n';
   }
   return fingerprint(text.str());
+}
+
+SweepSpec with_requirements(SweepSpec spec, bool short_form) {
+  const Campaign campaign(spec, short_form);
+  for (std::size_t c = 0; c < campaign.cases(); ++c)
+    for (const RequirementSpec& r : campaign.first_valid(c).second.requirements) {
+      const std::string name = "requirement " + r.name + (r.unit.empty() ? "" : " [" + r.unit + "]");
+      if (index_of(spec.metrics, name) >= 0) continue;
+      MetricSpec metric;
+      metric.name = name;
+      metric.requirement = r.name;
+      spec.metrics.push_back(metric);
+      OutcomeSpec missed;
+      missed.name = r.name + ": requirement missed";
+      missed.metric = name;
+      missed.least = r.least;
+      missed.most = r.most;
+      spec.outcomes.push_back(missed);
+    }
+  return spec;
 }
 
 std::size_t rows_without_number(const Campaign& campaign) {

@@ -30,6 +30,8 @@ struct CampaignRow {
 class Campaign {
  public:
   Campaign(const SweepSpec& spec, bool short_form);
+  // Of draws at these points, of rare events.
+  Campaign(const SweepSpec& spec, bool short_form, std::vector<std::vector<double>> points);
 
   const SweepSpec& spec() const { return spec_; }
   const Draws& draws() const { return draws_; }
@@ -65,6 +67,7 @@ class Campaign {
   std::string recipe() const;
 
  private:
+  Campaign(const SweepSpec& spec, bool short_form, Draws draws);
   std::map<std::string, double> values_of(std::size_t draw) const;  // for formulas
   void look_for_end();
 
@@ -84,11 +87,17 @@ struct RepeatedRun {
   std::vector<double> metrics;  // empty: it failed
 };
 
+// With a metric and an outcome, "missed", for each of the [[requirements]] of the scenes.
+SweepSpec with_requirements(SweepSpec spec, bool short_form);
+
 // Rows that the results are of, and that have no result, or a figure that is no number.
 std::size_t rows_without_number(const Campaign& campaign);
 
 // Rows worth looking at, at most `most`: without result, with an outcome, or with the least or largest value of a metric.
 std::vector<RepeatedRun> rows_to_keep(const Campaign& campaign, std::size_t most);
+
+// Before any run: how many runs the statements of the file need, and what its runs can show. Returns the exit code.
+int check_campaign(const std::string& file);
 
 // Runs, and writes the results into the folder. As sweep_command.
 int campaign_command(const SweepArguments& arguments);

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -28,6 +29,7 @@
 #include "mbd_solver/campaign/campaign.h"
 #include "mbd_solver/campaign/campaign_page.h"
 #include "mbd_solver/campaign/worker_pool.h"
+#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/run_store.h"
@@ -401,12 +403,99 @@ int make_beds(const Campaign& campaign, const std::string& folder, std::size_t f
   return code;
 }
 
+// What the runs can show; false when they cannot show a statement of the file, also if nothing happens.
+bool report_statements(const SweepSpec& spec) {
+  const auto percent = [](double share) { return number_text(100.0 * share, 3) + " %"; };
+  bool all = true;
+  for (const OutcomeSpec& o : spec.outcomes) {
+    const auto runs = static_cast<double>(spec.runs);
+    std::string text = "\"" + o.name + "\": ";
+    if (!o.at_most) {
+      text += std::to_string(spec.runs) + " runs in which it does not happen show a probability of at most " +
+              percent(upper_bound(0.0, runs)) + " with 95 % confidence";
+    } else {
+      text += "below " + percent(*o.at_most) + " with 95 % confidence takes";
+      for (const long hits : {0, 1, 2, 5})
+        text += (hits > 0 ? ", " : " ") + std::to_string(runs_for(*o.at_most, hits)) + " runs if it happens " +
+                (hits > 0 ? std::to_string(hits) + " times" : "never");
+      const long allowed = hits_allowed(*o.at_most, spec.runs);
+      if (allowed >= 0)
+        text += "; in " + std::to_string(spec.runs) + " runs it may happen " + std::to_string(allowed) + " times";
+      if (allowed < 0) {
+        all = false;
+        std::fprintf(
+            stderr, "footfall: %s\n",
+            with_code(code::kTooFewRuns, text + "; expected runs = " + std::to_string(runs_for(*o.at_most, 0)) +
+                                             " or more in " + spec.file)
+                .c_str());
+        continue;
+      }
+    }
+    std::printf("%s.\n", text.c_str());
+  }
+  const auto count = static_cast<std::size_t>(spec.runs);
+  if (tolerance_place(count, kTolerance) >= count)
+    std::printf("Limits of figures that 95 %% of runs keep, with 95 %% confidence, take 59 runs.\n");
+  return all;
+}
+
+// Each batch of runs depends on the results before it, which the journal has after an interruption.
+int search_rare(const SweepSpec& spec, const SweepArguments& a, const OutputFolder& output, int jobs) {
+  if (a.only >= 0 || a.row >= 0 || a.list || a.slurm || a.merge || a.beds)
+    throw InputError(code::kWrongSweep, spec.file +
+                                            ": has [rare], whose runs depend on those before; remove --only, "
+                                            "--row, --list, --slurm, --merge and --beds");
+  const RareSpec& rare = *spec.rare;
+  const double sign = rare.above ? 1.0 : -1.0;
+  const auto metric = static_cast<std::size_t>(index_of(spec.metrics, rare.metric));
+  const auto inputs = static_cast<std::size_t>(std::count_if(spec.parameters.begin(), spec.parameters.end(),
+                                                             [](const ParameterSpec& p) { return p.is_drawn(); }));
+  SubsetSearch search(inputs, spec.runs, sign * (rare.above ? *rare.above : *rare.below),
+                      static_cast<std::uint64_t>(spec.seed));
+  make_folder(output.folder);
+  const FileLock lock = lock_folder(output.folder);
+  std::vector<std::vector<double>> points, batch = search.next({});
+  std::optional<Campaign> campaign;
+  while (!batch.empty()) {
+    points.insert(points.end(), batch.begin(), batch.end());
+    campaign.emplace(spec, false, points);
+    CampaignRun run(*campaign, output.folder, jobs);
+    if (!run.run(0, campaign->size(), "", campaign->recipe())) return study_interrupted();
+    std::vector<double> values;
+    for (std::size_t row = points.size() - batch.size(); row < points.size(); ++row) {
+      if (campaign->row(row).is_lost()) return kExitFailed;  // its result decides about the points that follow
+      const std::vector<double>& metrics = campaign->row(row).metrics;
+      values.push_back(metrics.empty() ? NAN : sign * metrics[metric]);
+    }
+    batch = search.next(values);
+  }
+  write_whole_file(output.path("runs.csv"), campaign_table(*campaign).csv());
+  const StudyPage page = rare_page(*campaign, search, output.command);
+  write_page(page, output);
+  std::printf("%s%s\n%s\n%s\n", page.markdown().c_str(), output.path("runs.csv").c_str(),
+              output.path(output.name + ".md").c_str(), output.path("report.html").c_str());
+  return rows_without_number(*campaign) == 0 ? kExitDone : kExitFailed;
+}
+
 }  // namespace
+
+int check_campaign(const std::string& file) {
+  const SweepSpec spec = with_requirements(read_sweep_file(file), false);
+  const Campaign campaign(spec, false);
+  campaign.recipe();  // reads the scene of every case
+  std::printf("%s: no faults. %zu draws of %zu parameters, %zu cases.\n", file.c_str(), campaign.draws().count(),
+              campaign.draws().parameters().size(), campaign.cases());
+  return report_statements(spec) ? kExitDone : kExitFailed;
+}
 
 int campaign_command(const SweepArguments& a) {
   SweepSpec spec = read_sweep_file(a.file);
   spec.trusted = a.trust_script;
-  Campaign campaign(spec, a.short_form);
+  if (spec.rare && !a.short_form) {
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return search_rare(spec, a, OutputFolder(a), a.jobs > 0 ? a.jobs : cores);
+  }
+  Campaign campaign(with_requirements(spec, a.short_form), a.short_form);
   const OutputFolder output(a);
   const std::string& folder = output.folder;
   const std::string recipe = campaign.recipe();  // reads the scene of every case: its faults are found before all runs
@@ -447,6 +536,10 @@ int campaign_command(const SweepArguments& a) {
     return make_beds(campaign, folder, element * campaign.size() / parts, (element + 1) * campaign.size() / parts);
   }
   CampaignRun run(campaign, folder, jobs);
+  if (a.row < 0 && a.only < 0 && !a.short_form &&
+      std::any_of(spec.outcomes.begin(), spec.outcomes.end(),
+                  [](const OutcomeSpec& o) { return o.at_most.has_value(); }))
+    report_statements(spec);
   if (a.row >= 0) {
     read_journals(folder, recipe, campaign);
     std::vector<RepeatedRun> one = {{static_cast<std::size_t>(a.row), "", "", {}}};
@@ -499,7 +592,8 @@ int campaign_command(const SweepArguments& a) {
   write_page(page, output);
   std::printf("%s%s\n%s\n%s\n", page.markdown().c_str(), output.path("runs.csv").c_str(),
               output.path(output.name + ".md").c_str(), output.path("report.html").c_str());
-  return run.differing() == 0 && rows_without_number(campaign) == 0 ? kExitDone : kExitFailed;
+  if (run.differing() > 0 || rows_without_number(campaign) > 0) return kExitFailed;
+  return statements_shown(campaign) ? kExitDone : kExitRequirements;
 }
 
 }  // namespace footfall

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 #include "coupler/base/files.h"
@@ -149,30 +150,174 @@ std::string quantile_text(const std::vector<double>& sorted, std::size_t unknown
          bound(high) + ")";
 }
 
+// Runs that do not tell count as if the outcome had happened.
+double bound_of(const Tally& tally) {
+  return upper_bound(static_cast<double>(tally.hits + tally.unknown), static_cast<double>(tally.runs()));
+}
+
 Table probability_table(const Campaign& campaign) {
   const SweepSpec& spec = campaign.spec();
-  Table table({"outcome", "case", "happened", "did not", "unknown", "probability [%] (95 % interval)"});
+  Table table({"outcome", "case", "happened", "did not", "unknown", "probability [%] (95 % interval)",
+               "with 95 % confidence at most [%]"});
   for (std::size_t k = 0; k < spec.outcomes.size(); ++k)
     for (std::size_t c = 0; c < campaign.cases(); ++c) {
       const Tally& tally = campaign.tally(c, k);
       table.add({spec.outcomes[k].name, campaign.case_name(c), std::to_string(tally.hits), std::to_string(tally.misses),
-                 std::to_string(tally.unknown), share_with_interval(tally)});
+                 std::to_string(tally.unknown), share_with_interval(tally), number_text(100.0 * bound_of(tally), 3)});
+    }
+  return table;
+}
+
+// With 95 % confidence at least 95 % of the distribution is below, or above, this value; "?": too few runs. Unknown values
+// may be anywhere.
+std::string tolerance_text(const std::vector<double>& sorted, std::size_t unknown, bool below) {
+  const std::size_t place = tolerance_place(sorted.size() + unknown, kTolerance);
+  if (place >= sorted.size()) return "?";
+  return number_text(below ? sorted[place] : sorted[sorted.size() - 1 - place], 4);
+}
+
+// The first case and each other one, on the same draws.
+Table pair_table(const Campaign& campaign) {
+  const SweepSpec& spec = campaign.spec();
+  Table table({"outcome", "second case less \"" + campaign.case_name(0) + "\"", "both", "only first", "only second",
+               "neither", "unknown", "difference of the probabilities [%] (95 % interval)", "McNemar p"});
+  for (std::size_t k = 0; k < spec.outcomes.size(); ++k)
+    for (std::size_t c = 1; c < campaign.cases(); ++c) {
+      PairTally tally;
+      for (std::size_t draw = 0; draw < campaign.used(); ++draw)
+        tally.add(campaign.row(draw * campaign.cases()).outcomes[k],
+                  campaign.row(draw * campaign.cases() + c).outcomes[k]);
+      std::vector<std::string> cells = {spec.outcomes[k].name, campaign.case_name(c)};
+      for (const long count : {tally.both, tally.first_only, tally.second_only, tally.neither, tally.unknown})
+        cells.push_back(std::to_string(count));
+      append(cells, {share_with_interval(tally.difference()), number_text(tally.chance(), 2)});
+      table.add(cells);
+    }
+  return table;
+}
+
+// Differences draw by draw: their median, and how often the second case has the larger value.
+Table paired_figures_table(const Campaign& campaign) {
+  const SweepSpec& spec = campaign.spec();
+  Table table({"figure", "second case less \"" + campaign.case_name(0) + "\"", "pairs", "unknown",
+               "median of the differences (95 % interval)", "mean", "second larger [%]"});
+  for (std::size_t k = 0; k < spec.metrics.size(); ++k)
+    for (std::size_t c = 1; c < campaign.cases(); ++c) {
+      std::vector<double> differences;
+      for (std::size_t draw = 0; draw < campaign.used(); ++draw) {
+        const std::vector<double>& first = campaign.row(draw * campaign.cases()).metrics;
+        const std::vector<double>& second = campaign.row(draw * campaign.cases() + c).metrics;
+        if (!first.empty() && !second.empty() && std::isfinite(second[k] - first[k]))
+          differences.push_back(second[k] - first[k]);
+      }
+      if (differences.empty()) continue;
+      std::sort(differences.begin(), differences.end());
+      const auto count = static_cast<double>(differences.size());
+      const auto larger = std::count_if(differences.begin(), differences.end(), [](double d) { return d > 0.0; });
+      const std::size_t unknown = campaign.used() - differences.size();
+      table.add({spec.metrics[k].name, campaign.case_name(c), std::to_string(differences.size()),
+                 std::to_string(unknown), quantile_text(differences, unknown, 0.5),
+                 number_text(std::accumulate(differences.begin(), differences.end(), 0.0) / count, 4),
+                 number_text(100.0 * static_cast<double>(larger) / count, 3)});
     }
   return table;
 }
 
 Table quantile_table(const Campaign& campaign) {
   const SweepSpec& spec = campaign.spec();
-  Table table({"figure", "case", "without a number", "5 %", "50 %", "95 %", "99 %"});
+  Table table({"figure", "case", "without a number", "5 %", "50 %", "95 %", "99 %",
+               "95 % of runs are below (95 % confidence)", "95 % of runs are above (95 % confidence)"});
   for (std::size_t k = 0; k < spec.metrics.size(); ++k)
     for (std::size_t c = 0; c < campaign.cases(); ++c) {
       const std::vector<double> values = sorted_metric(campaign, c, k);
       const std::size_t unknown = campaign.used() - values.size();
       std::vector<std::string> cells = {spec.metrics[k].name, campaign.case_name(c), std::to_string(unknown)};
       for (const double share : {0.05, 0.5, 0.95, 0.99}) cells.push_back(quantile_text(values, unknown, share));
+      append(cells, {tolerance_text(values, unknown, true), tolerance_text(values, unknown, false)});
       table.add(cells);
     }
   return table;
+}
+
+std::string distribution_text(const ParameterSpec& p) {
+  const DistributionSpec& d = p.distribution;
+  std::string text(name_of(*d.kind));
+  for (const auto& [name, value] : {std::pair{"mean", d.mean},
+                                    {"deviation", d.deviation},
+                                    {"scale", d.scale},
+                                    {"shape", d.shape},
+                                    {"least", d.least},
+                                    {"likely", d.likely},
+                                    {"most", d.most}})
+    if (value) text += ", " + std::string(name) + " " + exact_text(*value);
+  if (!d.file.empty())
+    text += ": " + std::to_string(d.measured.size()) + " values of " + d.file +
+            (d.column.empty() ? "" : ", column " + d.column) + (d.whole_rows ? ", in whole rows" : "");
+  std::vector<std::string> values;
+  for (std::size_t k = 0; k < p.choices.size(); ++k)
+    values.push_back(p.choices[k].name + (d.weights.empty() ? "" : " (weight " + exact_text(d.weights[k]) + ")"));
+  return text + (values.empty() ? "" : ": " + joined(values, ", "));
+}
+
+Table input_table(const Campaign& campaign) {
+  const SweepSpec& spec = campaign.spec();
+  Table table({"drawn parameter", "distribution", "settings"});
+  for (const std::size_t k : campaign.draws().parameters())
+    table.add(
+        {spec.parameters[k].name, distribution_text(spec.parameters[k]), joined(spec.parameters[k].settings, "; ")});
+  for (const CorrelationSpec& c : spec.correlations)
+    table.add({joined(c.between, ", "), "rank correlation " + exact_text(c.rank) + ", normal copula", ""});
+  return table;
+}
+
+Table outcome_table(const SweepSpec& spec) {
+  Table table({"outcome", "happens when", "statement: probability below"});
+  for (const OutcomeSpec& o : spec.outcomes) {
+    std::vector<std::string> bounds;
+    if (o.least) bounds.push_back("below " + exact_text(*o.least));
+    if (o.most) bounds.push_back("above " + exact_text(*o.most));
+    table.add({o.name, o.metric.empty() ? o.when : o.metric + " " + joined(bounds, " or "),
+               o.at_most ? exact_text(*o.at_most) : ""});
+  }
+  return table;
+}
+
+Table origin_table(const Campaign& campaign, const std::string& command) {
+  const SweepSpec& spec = campaign.spec();
+  Table table({"of the campaign", ""});
+  table.add({"command", "`" + command + "`"});
+  table.add({"program", "footfall " FOOTFALL_VERSION ", OpenTURNS " + openturns_version()});
+  table.add({"file", spec.file});
+  std::set<std::string> scenes;
+  for (std::size_t c = 0; c < campaign.cases(); ++c) scenes.insert(campaign.first_valid(c).first.scene);
+  for (const std::string& scene : scenes) table.add({"scene", scene});
+  for (const std::string& setting : spec.settings) table.add({"setting", setting});
+  table.add({"design, seed of the draws",
+             std::string(name_of(spec.design)) + ", " + std::to_string(spec.seed) + " (seeds of runs: runs.csv)"});
+  table.add({"draws, cases", std::to_string(campaign.used()) + " of " + std::to_string(campaign.draws().count()) +
+                                 ", " + std::to_string(campaign.cases())});
+  table.add({"fingerprint of scene, files and distributions", campaign.recipe()});
+  return table;
+}
+
+// Sentences with numbers that may be signed.
+std::vector<std::string> statements(const Campaign& campaign) {
+  const SweepSpec& spec = campaign.spec();
+  std::vector<std::string> all;
+  for (std::size_t k = 0; k < spec.outcomes.size(); ++k)
+    for (std::size_t c = 0; c < campaign.cases(); ++c) {
+      const Tally& tally = campaign.tally(c, k);
+      const std::string who = campaign.cases() == 1 ? "" : " of case \"" + campaign.case_name(c) + "\"";
+      std::string text = "\"" + spec.outcomes[k].name + "\" happened in " + std::to_string(tally.hits) + " of " +
+                         std::to_string(tally.runs()) + " runs" + who;
+      if (tally.unknown > 0) text += ", and " + std::to_string(tally.unknown) + " runs do not tell";
+      text += ". With 95 % confidence its probability is at most " + number_text(100.0 * bound_of(tally), 3) + " %.";
+      if (const std::optional<double>& claim = spec.outcomes[k].at_most)
+        text += " The statement that it is below " + number_text(100.0 * *claim, 3) + " % is " +
+                (bound_of(tally) <= *claim ? "shown." : "NOT shown.");
+      all.push_back(text);
+    }
+  return all;
 }
 
 // Rows that lack a result or a number, by cause: the code of the message, else the exit code or the figure.
@@ -244,22 +389,72 @@ Table sensitivity_table(const Campaign& campaign) {
         y.push_back(value);
       }
       const std::string name = is_metric ? spec.metrics[k].name : spec.outcomes[k - spec.metrics.size()].name;
-      const auto add = [&](const std::string& measure, const std::vector<double>& values) {
+      const auto add = [&](const std::string& measure, const std::vector<double>& values,
+                           const std::vector<std::pair<double, double>>& intervals) {
         std::vector<std::string> cells = {campaign.case_name(c), name, measure};
-        for (const double value : values) cells.push_back(fixed_text(value, 2));
+        for (std::size_t j = 0; j < values.size(); ++j)
+          cells.push_back(fixed_text(values[j], 2) + (intervals.empty()
+                                                          ? ""
+                                                          : " (" + fixed_text(intervals[j].first, 2) + " to " +
+                                                                fixed_text(intervals[j].second, 2) + ")"));
         if (!values.empty()) table.add(cells);
       };
       if (is_metric && campaign.draws().independent()) {
         const Sensitivity s = sobol_indices(x, y);
         if (s.explained >= kGoodChaos) {
-          add("Sobol', alone", s.first);
-          add("Sobol', with interactions (polynomials explain " + share_text(s.explained) + ")", s.total);
+          add("Sobol', alone", s.first, s.first_interval);
+          add("Sobol', with interactions (polynomials explain " + share_text(s.explained) + ")", s.total,
+              s.total_interval);
           continue;
         }
       }
-      add("rank correlation", rank_correlations(x, y));
+      add("rank correlation", rank_correlations(x, y), {});
     }
   }
+  return table;
+}
+
+// Percentage points by which probabilities change when a mean moves by a tenth of the deviation, or a deviation grows by a
+// tenth. Of inputs with numbers as values, where enough runs have the outcome and enough lack it.
+Table moments_table(const Campaign& campaign) {
+  constexpr long kEnough = 40;
+  constexpr double kTenth = 0.1;
+  const SweepSpec& spec = campaign.spec();
+  std::vector<std::size_t> places;  // among the drawn parameters
+  std::vector<std::string> head = {"case", "outcome", "when this grows"};
+  for (std::size_t k = 0; k < campaign.draws().parameters().size(); ++k) {
+    const ParameterSpec& p = spec.parameters[campaign.draws().parameters()[k]];
+    if (p.distribution.kind == DistributionKind::kDiscrete) continue;
+    places.push_back(k);
+    head.push_back(p.name);
+  }
+  Table table(head);
+  for (std::size_t c = 0; c < campaign.cases() && !places.empty() && campaign.draws().independent(); ++c)
+    for (std::size_t k = 0; k < spec.outcomes.size(); ++k) {
+      const Tally& tally = campaign.tally(c, k);
+      if (std::min(tally.hits, tally.misses) < kEnough) continue;
+      Eigen::MatrixXd x(tally.hits + tally.misses, static_cast<Eigen::Index>(places.size()));
+      Eigen::VectorXd y(x.rows());
+      Eigen::Index at = 0;
+      for (const std::size_t row : rows_of_case(campaign, c)) {
+        if (campaign.row(row).outcomes[k] < 0) continue;
+        for (std::size_t j = 0; j < places.size(); ++j)
+          x(at, static_cast<Eigen::Index>(j)) = campaign.drawn_number(campaign.draw_of(row), places[j]);
+        y[at++] = campaign.row(row).outcomes[k];
+      }
+      std::vector<Moments> moments;
+      for (const std::size_t place : places) moments.push_back(campaign.draws().moments(place));
+      const MomentSlopes slopes = moment_slopes(x, y, moments);
+      const auto add = [&](const std::string& what, const std::vector<Probability>& of) {
+        std::vector<std::string> cells = {campaign.case_name(c), spec.outcomes[k].name, what};
+        for (const Probability& p : of)
+          cells.push_back(
+              interval_text(number_text(100.0 * kTenth * p.value, 2), {0.0, kTenth * p.low, kTenth * p.high}));
+        if (!of.empty()) table.add(cells);
+      };
+      add("mean, by 0.1 deviations", slopes.of_mean);
+      add("deviation, by 10 %", slopes.of_deviation);
+    }
   return table;
 }
 
@@ -345,18 +540,69 @@ Table better_metrics_table(const Campaign& campaign, const std::vector<BetterMod
 
 }  // namespace
 
+StudyPage rare_page(const Campaign& campaign, const SubsetSearch& search, const std::string& command) {
+  const SweepSpec& spec = campaign.spec();
+  const RareSpec& rare = *spec.rare;
+  const RareProbability p = search.result();
+  StudyPage page(spec.title.empty() ? fs::path(spec.file).stem().string() : spec.title);
+  const double sign = rare.above ? 1.0 : -1.0, threshold = rare.above ? *rare.above : *rare.below;
+  const std::string event = rare.metric + (rare.above ? " is above " : " is below ") + exact_text(threshold);
+  page.section("Statement");
+  page.paragraph(p.reached ? "The probability that " + event + " is " + number_text(p.value, 3) + ", between " +
+                                 number_text(p.low, 2) + " and " + number_text(p.high, 2) +
+                                 " with 95 % confidence, by subset simulation of " + std::to_string(campaign.size()) +
+                                 " runs."
+                           : "No run of " + std::to_string(campaign.size()) + " has shown that " + event +
+                                 ". With 95 % confidence its probability is below " + number_text(p.high, 2) +
+                                 ". More runs reach further.");
+  if (const std::size_t unknown = rows_without_number(campaign); unknown > 0)
+    page.paragraph(std::to_string(unknown) +
+                   " runs have no result or no number; the event is taken to have happened in them.");
+  page.paragraph(
+      "The statement is about the model and the distributions of this page, not about what these leave out.");
+  page.section("Levels");
+  Table table({"level of " + rare.metric, "share of the runs beyond it", "variation"});
+  for (const SubsetSearch::Level& level : search.levels())
+    table.add({number_text(sign * level.level, 4), number_text(level.share, 3), number_text(level.variation, 2)});
+  page.table(table);
+  page.paragraph(
+      "The probability is the product of the shares; the interval takes the logarithm as normal, with the sum of the "
+      "variations. Runs beyond a level are not independent, and have no percentiles: runs.csv has them all.");
+  if (const Table unknown = unknown_table(campaign); unknown.rows().size() > 1) {
+    page.section("Rows without a result or a number");
+    page.table(unknown);
+  }
+  page.section("Inputs");
+  page.table(input_table(campaign));
+  page.section("How to make this page again");
+  page.table(origin_table(campaign, command));
+  return page;
+}
+
+bool statements_shown(const Campaign& campaign) {
+  for (std::size_t k = 0; k < campaign.spec().outcomes.size(); ++k)
+    for (std::size_t c = 0; c < campaign.cases(); ++c)
+      if (const std::optional<double>& claim = campaign.spec().outcomes[k].at_most;
+          claim && bound_of(campaign.tally(c, k)) > *claim)
+        return false;
+  return true;
+}
+
 StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>& kept,
                         const std::vector<BetterModelResult>& checks, const std::string& command,
                         const std::vector<std::string>& pictures) {
   const SweepSpec& spec = campaign.spec();
   StudyPage page(spec.title.empty() ? fs::path(spec.file).stem().string() : spec.title);
-  page.paragraph("`" + command + "`: " + std::to_string(campaign.used()) + " draws (" +
-                 std::string(name_of(spec.design)) + ", seed " + std::to_string(spec.seed) + ")" +
+  page.paragraph("`" + command + "`: " + std::to_string(campaign.used()) + " draws" +
                  (campaign.stopped_early()
                       ? ", ended where all intervals were as narrow as " + number_text(spec.until_width)
                       : "") +
                  ". Rows are in `runs.csv`.");
   if (!spec.outcomes.empty()) {
+    page.section("Statements");
+    for (const std::string& statement : statements(campaign)) page.paragraph(statement);
+    page.paragraph(
+        "The statements are about the model and the distributions of this page, not about what these leave out.");
     page.section("Probabilities");
     page.table(probability_table(campaign));
     page.paragraph(
@@ -368,6 +614,15 @@ StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>
   page.paragraph(
       "Percentiles with intervals of 95 % by order statistics, whatever the distribution is. \"?\": the runs give no "
       "bound. A figure without a number may be less or larger than all others.");
+  if (campaign.cases() > 1) {
+    page.section("Cases compared on the same draws");
+    if (!spec.outcomes.empty()) page.table(pair_table(campaign));
+    page.table(paired_figures_table(campaign));
+    page.paragraph(
+        "Only pairs that differ tell the cases apart. McNemar p: the chance of counts as unlike as those of \"only "
+        "first\" "
+        "and \"only second\" if the cases were alike.");
+  }
   if (const Table unknown = unknown_table(campaign); unknown.rows().size() > 1) {
     page.section("Rows without a result or a number");
     page.table(unknown);
@@ -392,6 +647,19 @@ StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>
   }
   page.section("Which input matters");
   page.table(sensitivity_table(campaign));
+  if (const Table moments = moments_table(campaign); moments.rows().size() > 1) {
+    page.section("How probabilities move with the inputs");
+    page.table(moments);
+    page.paragraph(
+        "Percentage points with 95 % intervals, estimated from the runs of this campaign, for small changes of one "
+        "input "
+        "whose other moment stays.");
+  }
+  page.section("Inputs");
+  page.table(input_table(campaign));
+  if (!spec.outcomes.empty()) page.table(outcome_table(spec));
+  page.section("How to make this page again");
+  page.table(origin_table(campaign, command));
   if (!kept.empty()) {
     page.section("Runs to look at");
     page.table(kept_table(campaign, kept));
@@ -442,7 +710,7 @@ std::vector<std::string> draw_campaign(const Campaign& campaign, const std::stri
     const int rows = (static_cast<int>(panels.size()) + 1) / 2;
     scripts.push_back(write_drawing(folder, "histograms", {1100, 320 * rows + 40}, csv_setup(),
                                     "set multiplot layout " + std::to_string(rows) +
-                                        ",2\nset grid\nset ylabel 'runs [%]'\nset key noenhanced\n" +
+                                        ",2\nset grid\nset yrange [0:*]\nset ylabel 'runs [%]'\nset key noenhanced\n" +
                                         joined(panels, "") + "unset multiplot\n"));
   }
   for (const EnvelopeSpec& e : spec.envelopes)

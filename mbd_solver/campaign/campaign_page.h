@@ -7,6 +7,7 @@
 #include "mbd_solver/campaign/boundary.h"
 #include "mbd_solver/campaign/campaign.h"
 #include "mbd_solver/campaign/statistics.h"
+#include "mbd_solver/campaign/subset_search.h"
 #include "mbd_solver/studies/tables.h"
 
 namespace footfall {
@@ -35,6 +36,10 @@ Table campaign_table(const Campaign& campaign);
 StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>& kept,
                         const std::vector<BetterModelResult>& checks, const std::string& command,
                         const std::vector<std::string>& pictures);
+// Of a rare event, with all runs of the search.
+StudyPage rare_page(const Campaign& campaign, const SubsetSearch& search, const std::string& command);
+// Every statement of [[outcomes]] is shown, in every case.
+bool statements_shown(const Campaign& campaign);
 // Histograms and envelopes; returns the pictures. Throws InputError when gnuplot is missing or fails.
 std::vector<std::string> draw_campaign(const Campaign& campaign, const std::string& folder);
 

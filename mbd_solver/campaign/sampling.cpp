@@ -1,8 +1,10 @@
 // A design in the unit cube, a normal copula, and the quantiles of each distribution.
 #include "mbd_solver/campaign/sampling.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <openturns/Binomial.hxx>
 #include <openturns/ComposedDistribution.hxx>
@@ -22,10 +24,12 @@
 #include <openturns/LegendreFactory.hxx>
 #include <openturns/LinearBasisFactory.hxx>
 #include <openturns/Log.hxx>
+#include <openturns/LogNormal.hxx>
 #include <openturns/MaternModel.hxx>
 #include <openturns/Normal.hxx>
 #include <openturns/NormalCopula.hxx>
 #include <openturns/OrthogonalProductPolynomialFactory.hxx>
+#include <openturns/PlatformInfo.hxx>
 #include <openturns/RandomGenerator.hxx>
 #include <openturns/SobolSequence.hxx>
 #include <openturns/Triangular.hxx>
@@ -92,6 +96,15 @@ OT::Distribution distribution_of(const ParameterSpec& p) {
   const DistributionSpec& d = p.distribution;
   switch (*d.kind) {
     case DistributionKind::kNormal: return truncated(OT::Normal(*d.mean, *d.deviation), d);
+    case DistributionKind::kLognormal: {
+      // m = exp(mu + sigma^2 / 2), s^2 = m^2 (exp(sigma^2) - 1), of the values above `least`.
+      const double least = d.least.value_or(0.0), ratio = *d.deviation / (*d.mean - least);
+      const double variance = std::log1p(ratio * ratio);
+      DistributionSpec above = d;
+      above.least.reset();
+      const double mu = std::log(*d.mean - least) - 0.5 * variance;
+      return truncated(OT::LogNormal(mu, std::sqrt(variance), least), above);
+    }
     case DistributionKind::kUniform: return OT::Uniform(*d.least, *d.most);
     case DistributionKind::kTriangular: return OT::Triangular(*d.least, *d.likely, *d.most);
     case DistributionKind::kWeibull: {
@@ -138,6 +151,8 @@ std::vector<std::vector<double>> design_of(const SweepSpec& spec, std::size_t wi
 
 }  // namespace
 
+std::string openturns_version() { return OT::PlatformInfo::GetVersion(); }
+
 std::uint32_t scattered(std::uint32_t base, std::uint32_t place) {
   // Odd factors and shifts are permutations modulo 2^31.
   std::uint32_t x = (base + place) & kSeeds;
@@ -150,7 +165,11 @@ std::uint32_t scattered(std::uint32_t base, std::uint32_t place) {
 
 std::uint32_t Draws::seed(std::size_t run) const { return scattered(base_, static_cast<std::uint32_t>(run)); }
 
-Draws::Draws(const SweepSpec& spec)
+Draws::Draws(const SweepSpec& spec) : Draws(spec, nullptr) {}
+
+Draws::Draws(const SweepSpec& spec, std::vector<std::vector<double>> points) : Draws(spec, &points) {}
+
+Draws::Draws(const SweepSpec& spec, const std::vector<std::vector<double>>* points)
     : base_(scattered(0x1234567U, static_cast<std::uint32_t>(spec.seed) * 0x9e3779b1U & kSeeds)) {
   OT::Log::Show(OT::Log::NONE);
   std::vector<OT::Distribution> laws;
@@ -158,9 +177,10 @@ Draws::Draws(const SweepSpec& spec)
     if (spec.parameters[k].is_drawn()) {
       parameters_.push_back(k);
       laws.push_back(distribution_of(spec.parameters[k]));
+      moments_.push_back({laws.back().getMean()[0], laws.back().getStandardDeviation()[0]});
     }
   const std::size_t width = parameters_.size();
-  units_ = design_of(spec, width, *this);
+  units_ = points != nullptr ? *points : design_of(spec, width, *this);
   for (auto& row : units_) std::transform(row.begin(), row.end(), row.begin(), open_unit);
   if (!spec.correlations.empty()) {
     independent_ = false;
@@ -194,6 +214,29 @@ Draws::Draws(const SweepSpec& spec)
     for (std::size_t k = 0; k < width; ++k) values[k] = laws[k].computeQuantile(row[k])[0];
     values_.push_back(values);
   }
+  draw_whole_rows(spec);
+}
+
+// The first parameter of a file says which row it is; the positions of all are those of their own values.
+void Draws::draw_whole_rows(const SweepSpec& spec) {
+  std::map<std::string, std::size_t> first;  // by file
+  const std::vector<std::vector<double>> drawn = units_;
+  for (std::size_t k = 0; k < parameters_.size(); ++k) {
+    const DistributionSpec& d = spec.parameters[parameters_[k]].distribution;
+    if (!d.whole_rows) continue;
+    const auto [at, is_first] = first.emplace(d.file, k);
+    independent_ = independent_ && is_first;
+    std::vector<double> sorted = d.measured;
+    std::sort(sorted.begin(), sorted.end());
+    const auto count = static_cast<double>(sorted.size());
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      const auto row = static_cast<std::size_t>(drawn[i][at->second] * count);
+      const double value = d.measured[std::min(row, d.measured.size() - 1)];
+      const auto [low, high] = std::equal_range(sorted.begin(), sorted.end(), value);
+      values_[i][k] = value;
+      units_[i][k] = 0.5 * static_cast<double>((low - sorted.begin()) + (high - sorted.begin())) / count;
+    }
+  }
 }
 
 std::pair<long, long> quantile_bounds(std::size_t count, double share) {
@@ -203,6 +246,13 @@ std::pair<long, long> quantile_bounds(std::size_t count, double share) {
   const auto low = static_cast<long>(below.computeQuantile(0.025)[0]);
   const auto high = static_cast<long>(below.computeQuantile(0.975)[0]);
   return {low - 1, high};
+}
+
+std::size_t tolerance_place(std::size_t count, double share) {
+  // x_(k), from 1, is too low if at least k values are below the quantile: the least k with P(B >= k) <= 0.05.
+  constexpr double kConfidence = 0.95;
+  if (count == 0) return 0;
+  return static_cast<std::size_t>(OT::Binomial(count, share).computeQuantile(kConfidence)[0]);
 }
 
 namespace {
@@ -271,6 +321,64 @@ void add_indices(const Chaos& chaos, std::size_t width, Sensitivity& s) {
     for (double& index : *indices) index = variance > 0.0 ? index / variance : 0.0;
 }
 
+// Products of orthonormal Legendre polynomials at the rows of x, a column per term.
+Eigen::MatrixXd terms_at(const Chaos& chaos, const std::vector<std::vector<double>>& x) {
+  Eigen::MatrixXd a =
+      Eigen::MatrixXd::Ones(static_cast<Eigen::Index>(x.size()), static_cast<Eigen::Index>(chaos.degrees.size()));
+  for (std::size_t i = 0; i < x.size(); ++i)
+    for (std::size_t k = 0; k < x[i].size(); ++k) {
+      std::size_t most = 0;
+      for (const OT::Indices& degrees : chaos.degrees) most = std::max<std::size_t>(most, degrees[k]);
+      // (n + 1) P_n+1 = (2 n + 1) u P_n - n P_n-1
+      std::vector<double> p = {1.0};
+      const double u = 2.0 * x[i][k] - 1.0;
+      for (std::size_t n = 0; n < most; ++n) {
+        const auto m = static_cast<double>(n);
+        p.push_back(((2.0 * m + 1.0) * u * p[n] - (n > 0 ? m * p[n - 1] : 0.0)) / (m + 1.0));
+      }
+      for (std::size_t j = 0; j < chaos.degrees.size(); ++j) {
+        const std::size_t n = chaos.degrees[j][k];
+        a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) *=
+            std::sqrt(2.0 * static_cast<double>(n) + 1.0) * p[n];
+      }
+    }
+  return a;
+}
+
+// S = sum of c_j^2 over the terms of an input, over that of all: dS/dc_j = 2 c_j ([j is of the input] - S) / V. The covariance
+// of the coefficients is that of White with residuals r / (1 - h) (HC3), h the leverage of a run.
+void add_intervals(const Chaos& chaos, const std::vector<std::vector<double>>& x, const std::vector<double>& y,
+                   Sensitivity& s) {
+  const Eigen::MatrixXd a = terms_at(chaos, x);
+  const Eigen::Map<const Eigen::VectorXd> c(chaos.coefficients.data(), a.cols()), values(y.data(), a.rows());
+  const Eigen::MatrixXd inverse = (a.transpose() * a).ldlt().solve(Eigen::MatrixXd::Identity(a.cols(), a.cols()));
+  const Eigen::ArrayXd leverage = ((a * inverse).array() * a.array()).rowwise().sum();
+  const Eigen::ArrayXd residual = (values - a * c).array() / (1.0 - leverage).max(0.05);
+  const Eigen::MatrixXd weighted = (a * inverse).array().colwise() * residual;
+  const double variance = std::max(c.squaredNorm(), std::numeric_limits<double>::min());
+  const double unknown = std::clamp(1.0 - s.explained, 0.0, 1.0);
+  // What the polynomial explains of its own runs and not of those held back is noise in its terms.
+  const double own = 1.0 - (values - a * c).squaredNorm() / values.squaredNorm();
+  const double noise = std::max(0.0, own - s.explained);
+  const double deviations = two_sided_quantile(0.95, 0);
+  for (const bool total : {false, true}) {
+    auto& intervals = total ? s.total_interval : s.first_interval;
+    for (std::size_t k = 0; k < s.first.size(); ++k) {
+      const double index = total ? s.total[k] : s.first[k];
+      Eigen::VectorXd slope(c.size());
+      for (Eigen::Index j = 0; j < c.size(); ++j) {
+        const OT::Indices& degrees = chaos.degrees[static_cast<std::size_t>(j)];
+        const auto inputs = std::count_if(degrees.begin(), degrees.end(), [](std::size_t d) { return d > 0; });
+        const bool mine = degrees[k] > 0 && (total || inputs == 1);
+        slope[j] = inputs == 0 ? 0.0 : 2.0 * c[j] * ((mine ? 1.0 : 0.0) - index) / variance;
+      }
+      const double half = deviations * (weighted * slope).norm();
+      intervals.emplace_back(std::max(0.0, (index - half) * (1.0 - unknown) - noise),
+                             std::min(1.0, std::min(1.0, index + half) * (1.0 - unknown) + unknown));
+    }
+  }
+}
+
 }  // namespace
 
 Sensitivity sobol_indices(const std::vector<std::vector<double>>& x, const std::vector<double>& values) {
@@ -292,7 +400,9 @@ Sensitivity sobol_indices(const std::vector<std::vector<double>>& x, const std::
     variance += y[i] * y[i];
   }
   s.explained = variance > 0.0 ? 1.0 - error / variance : 0.0;
-  add_indices(chaos_of(rows_of(x, 0, count), column_of(y, 0, count)), width, s);
+  const Chaos chaos = chaos_of(rows_of(x, 0, count), column_of(y, 0, count));
+  add_indices(chaos, width, s);
+  add_intervals(chaos, x, y, s);
   return s;
 }
 

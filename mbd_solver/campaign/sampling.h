@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "mbd_solver/campaign/statistics.h"
 #include "mbd_solver/studies/sweep_file.h"
 
 namespace footfall {
@@ -17,6 +19,8 @@ class Draws {
  public:
   // Throws InputError when the correlations contradict each other.
   explicit Draws(const SweepSpec& spec);
+  // Of these points of the unit cube, before correlations, instead of the design.
+  Draws(const SweepSpec& spec, std::vector<std::vector<double>> points);
 
   std::size_t count() const { return values_.size(); }                                 // runs of a case
   const std::vector<std::size_t>& parameters() const { return parameters_; }           // of SweepSpec::parameters
@@ -24,13 +28,20 @@ class Draws {
   const std::vector<double>& positions(std::size_t run) const { return units_[run]; }  // quantiles, 0 to 1
   std::uint32_t seed(std::size_t run) const;  // of the run, below 2^31; different in every run
   bool independent() const { return independent_; }
+  Moments moments(std::size_t place) const { return moments_[place]; }  // of the distribution of a parameter
 
  private:
+  Draws(const SweepSpec& spec, const std::vector<std::vector<double>>* points);
+  void draw_whole_rows(const SweepSpec& spec);
+
   std::vector<std::size_t> parameters_;
   std::vector<std::vector<double>> values_, units_;
+  std::vector<Moments> moments_;
   std::uint32_t base_;
   bool independent_ = true;
 };
+
+std::string openturns_version();
 
 // Seed number `place` of those that begin at `base`: a permutation of the numbers below 2^31.
 std::uint32_t scattered(std::uint32_t base, std::uint32_t place);
@@ -39,9 +50,16 @@ std::uint32_t scattered(std::uint32_t base, std::uint32_t place);
 // -1 or `count`: there is no bound.
 std::pair<long, long> quantile_bounds(std::size_t count, double share);
 
+// Tolerance limits [Wilks 1941]: place (from 0) of the sorted values below which, with 95 % confidence, at least `share` of
+// the distribution is; `count`: too few values. Counted from the largest value it is the limit above which that share is.
+std::size_t tolerance_place(std::size_t count, double share);
+
 // Sobol' indices by polynomial chaos: share of the variance by each input alone, and with its interactions.
 struct Sensitivity {
   std::vector<double> first, total;
+  // Their 95 % intervals: of the coefficients by their scatter, with any share of the variance that the polynomial does not
+  // explain, or explains of its own runs only, as this may be anybody's.
+  std::vector<std::pair<double, double>> first_interval, total_interval;
   double explained = 0.0;  // of the variance of a quarter of the runs that was held back (Q2); poor below 0.8
 };
 // x: of each run the independent inputs, uniform in 0 to 1.

@@ -12,8 +12,10 @@
 namespace footfall {
 
 namespace {
-constexpr double kTail = 0.025;  // beyond each end of an interval of 95 %
-}
+constexpr double kTail = 0.025;                    // beyond each end of an interval of 95 %
+constexpr double kOneSided = 0.95;                 // of bounds on one side
+constexpr double kDeviations = 1.959963984540054;  // of the normal distribution, 95 % on both sides
+}  // namespace
 
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
@@ -31,6 +33,67 @@ Probability clopper_pearson(double hits, double trials) {
   const double misses = trials - hits;
   return {hits / trials, hits > 0.0 ? beta_quantile(hits, misses + 1.0, kTail) : 0.0,
           misses > 0.0 ? beta_quantile(hits + 1.0, misses, 1.0 - kTail) : 1.0};
+}
+
+double upper_bound(double hits, double trials) {
+  return hits < trials ? beta_quantile(hits + 1.0, trials - hits, kOneSided) : 1.0;
+}
+
+long runs_for(double p, long hits) {
+  const auto shown = [&](long runs) { return upper_bound(static_cast<double>(hits), static_cast<double>(runs)) <= p; };
+  long many = hits + 1;
+  while (!shown(many)) many *= 2;
+  long few = many / 2;  // not enough
+  while (many - few > 1) {
+    const long middle = few + (many - few) / 2;
+    (shown(middle) ? many : few) = middle;
+  }
+  return many;
+}
+
+long hits_allowed(double p, long runs) {
+  long hits = -1;
+  while (hits + 1 < runs && upper_bound(static_cast<double>(hits + 1), static_cast<double>(runs)) <= p) ++hits;
+  return hits;
+}
+
+void PairTally::add(int first, int second) {
+  if (first < 0 || second < 0)
+    ++unknown;
+  else if (first > 0)
+    ++(second > 0 ? both : first_only);
+  else
+    ++(second > 0 ? second_only : neither);
+}
+
+namespace {
+
+// Bonett and Price: p_b = (b + 1) / (n + 2), p_c likewise, (p_c - p_b) -+ z sqrt((p_b + p_c - (p_c - p_b)^2) / (n + 2)).
+std::pair<double, double> difference_bounds(double b, double c, double n) {
+  const double p_b = (b + 1.0) / (n + 2.0), p_c = (c + 1.0) / (n + 2.0), d = p_c - p_b;
+  const double half = kDeviations * std::sqrt((p_b + p_c - d * d) / (n + 2.0));
+  return {std::max(-1.0, d - half), std::min(1.0, d + half)};
+}
+
+}  // namespace
+
+Probability PairTally::difference() const {
+  const auto n = static_cast<double>(runs()), b = static_cast<double>(first_only), c = static_cast<double>(second_only),
+             u = static_cast<double>(unknown);
+  if (!(n > u)) return {0.0, -1.0, 1.0};
+  return {(c - b) / (n - u), difference_bounds(b + u, c, n).first, difference_bounds(b, c + u, n).second};
+}
+
+double PairTally::chance() const {
+  // Twice the tail of the binomial distribution of b + c trials with 1/2; I_x(a, b) of the beta distribution has it closed,
+  // this sum is short enough.
+  const long trials = first_only + second_only, fewer = std::min(first_only, second_only);
+  double tail = 0.0;
+  for (long k = 0; k <= fewer; ++k) {
+    const auto n = static_cast<double>(trials), x = static_cast<double>(k);
+    tail += std::exp(std::lgamma(n + 1.0) - std::lgamma(x + 1.0) - std::lgamma(n - x + 1.0) - n * std::log(2.0));
+  }
+  return std::min(1.0, 2.0 * tail);
 }
 
 void Tally::add(int outcome) { ++(outcome < 0 ? unknown : outcome > 0 ? hits : misses); }
@@ -109,6 +172,37 @@ Logistic fit_logistic(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
   }
   fit.covariance = now.information.solve(Eigen::MatrixXd::Identity(x.cols(), x.cols()));
   return fit;
+}
+
+MomentSlopes moment_slopes(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, const std::vector<Moments>& moments) {
+  constexpr double kWider = 1.1;  // with 50 events of 1000 runs the interval of the normal distribution holds in 93 %
+  MomentSlopes slopes;
+  const Eigen::Index runs = x.rows(), inputs = x.cols(), terms = 1 + 2 * inputs;
+  if (runs < 5 * terms) return slopes;
+  Eigen::MatrixXd a(runs, terms);
+  a.col(0).setOnes();
+  for (Eigen::Index k = 0; k < inputs; ++k) {
+    const Moments& m = moments[static_cast<std::size_t>(k)];
+    if (!(m.deviation > 0.0)) return slopes;
+    a.col(1 + k) = (x.col(k).array() - m.mean) / m.deviation;
+    a.col(1 + inputs + k) = a.col(1 + k).array().square();
+  }
+  const Eigen::LDLT<Eigen::MatrixXd> normal(a.transpose() * a);
+  if (normal.rcond() < 1e-9) return slopes;
+  const Eigen::MatrixXd solved = a * normal.solve(Eigen::MatrixXd::Identity(terms, terms));
+  const Eigen::VectorXd b = solved.transpose() * y;
+  const Eigen::ArrayXd leverage = (solved.array() * a.array()).rowwise().sum();
+  const Eigen::ArrayXd residual = (y - a * b).array() / (1.0 - leverage).max(0.05);
+  const Eigen::MatrixXd weighted = solved.array().colwise() * residual;
+  const auto with_interval = [&](Eigen::Index place, double factor) {
+    const double value = factor * b[place], half = factor * kWider * kDeviations * weighted.col(place).norm();
+    return Probability{value, value - half, value + half};
+  };
+  for (Eigen::Index k = 0; k < inputs; ++k) {
+    slopes.of_mean.push_back(with_interval(1 + k, 1.0));
+    slopes.of_deviation.push_back(with_interval(1 + inputs + k, 2.0));
+  }
+  return slopes;
 }
 
 std::vector<GroupDraw> draw_by_groups(const std::vector<double>& weights, int count, std::uint64_t seed) {

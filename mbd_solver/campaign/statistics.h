@@ -21,6 +21,15 @@ struct Probability {
 // P(X >= hits | low) = P(X <= hits | high) = 0.025, which hold in at least 95 % of all campaigns whatever p is.
 Probability clopper_pearson(double hits, double trials);
 
+// With 95 % confidence the probability is at most this: P(X <= hits | bound) = 0.05.
+double upper_bound(double hits, double trials);
+// The fewest runs, with so many hits among them, whose upper bound is at most p; and the most hits that so many runs may
+// have, -1: too few runs. p: 0 to 1 without the ends.
+long runs_for(double p, long hits);
+long hits_allowed(double p, long runs);
+
+inline constexpr double kTolerance = 0.95;  // share of the runs within a tolerance limit
+
 // How often something happened in independent runs, some of which do not tell.
 struct Tally {
   long hits = 0, misses = 0, unknown = 0;
@@ -37,6 +46,20 @@ struct Tally {
 // The interval of a share of the runs that tell, for all of them: `unknown` more may have any outcome.
 Probability with_unknown(const Probability& p, long known, long unknown);
 
+// The same runs of two cases: where the outcome happened.
+struct PairTally {
+  long both = 0, first_only = 0, second_only = 0, neither = 0, unknown = 0;
+
+  void add(int first, int second);  // 1, 0, or -1: unknown
+  long runs() const { return both + first_only + second_only + neither + unknown; }
+  // Probability of the second case less that of the first: (c - b) / n, with the interval of Bonett and Price (J. Educ. Behav.
+  // Stat. 37, 2012), that of the normal distribution with one more run in either of b and c. Pairs that do not tell count
+  // as c, and as b.
+  Probability difference() const;
+  // McNemar's exact test, of the pairs that tell: the chance of counts as unlike as b and c if both were alike.
+  double chance() const;
+};
+
 // P(y = 1 | x) = 1 / (1 + exp(-x b)), by Firth's penalized likelihood (Biometrika 80, 1993), which is finite where a plane
 // separates the outcomes.
 struct Logistic {
@@ -49,6 +72,23 @@ struct Logistic {
 };
 // A row of x for each y, which is 0 or 1; the first column of x is 1.
 Logistic fit_logistic(const Eigen::MatrixXd& x, const Eigen::VectorXd& y);
+
+// Of the distribution of an input.
+struct Moments {
+  double mean = 0.0, deviation = 1.0;
+};
+// How the mean of y moves with means and deviations of independent inputs: of all densities with another mean (or deviation)
+// of one input, and the same deviation (or mean), that with the least Kullback-Leibler distance from the present one is taken
+// [Lemaitre and others, J. Stat. Comput. Simul. 85, 2015]. For a small change the derivatives are coefficients of the linear
+// regression of y over z_k and z_k^2, z_k = (x_k - mean) / deviation: dE/dmean = b_k / deviation, dE/dlog(deviation) = 2 c_k.
+// No runs are added; intervals of 95 % by the covariance of White (HC3), for 40 events or more.
+struct MomentSlopes {
+  std::vector<Probability> of_mean;       // of a shift by one deviation
+  std::vector<Probability> of_deviation;  // of the logarithm of the deviation
+};
+// A row of x per run, a column per input. Empty where runs are fewer than five times the coefficients, or an input has fewer
+// than three values.
+MomentSlopes moment_slopes(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, const std::vector<Moments>& moments);
 
 // Runs that are repeated with a better model, by random groups (Rao, Hartley, Cochran, J. R. Stat. Soc. B 24, 1962): the
 // runs are dealt into as many groups, and one of each is drawn with a probability in proportion to its weight.

@@ -1,9 +1,11 @@
 // footfall: the command line. It only arranges mbd_solver and liggghts_mbd, with the line that it prints. Commands that
 // start many runs are in footfall_studies and footfall_campaign, which it starts in its place; so are `import` and `fmu`
 // programs of their own.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/start.h"
@@ -23,6 +25,14 @@ int main(int argc, char** argv) {
     keep_streams();
     if (word == "needs") return print_needed_parts({argv + 2, argv + argc});
     if (word == "help" && argc > 2) word = argv[2];
+    // A file of drawn runs is checked by the program that carries it out.
+    if (const std::vector<std::string> words = {argv + 1, argv + argc}; word == "check")
+      if (const std::vector<std::string> parts = needed_parts(words);
+          std::find(parts.begin(), parts.end(), "campaign") != parts.end()) {
+        std::fprintf(stderr, "footfall: %s\n",
+                     become_program(built_program("footfall_campaign"), {argv, argv + argc}).c_str());
+        return kExitFailed;
+      }
     for (const Subcommand& subcommand : subcommands()) {
       if (word != subcommand.name || subcommand.prepare != nullptr) continue;
       if (word == "import") return start_import({argv + 1, argv + argc});

@@ -17,6 +17,12 @@ Action drawn_sweep(CLI::App& command) {
   return [a] { return campaign_command(*a); };
 }
 
+Action check(CLI::App& command) {
+  const auto file = std::make_shared<std::string>();
+  command.add_option("FILE", *file, "Sweep file with drawn runs")->required();
+  return [file] { return check_campaign(*file); };
+}
+
 Action calibrate(CLI::App& command) {
   const auto a = std::make_shared<CalibrateArguments>();
   command.add_option("FILE", a->file, "Calibration file, as in inputs/calibrations")->required();
@@ -55,6 +61,7 @@ Action ground(CLI::App& command) {
 
 int main(int argc, char** argv) {
   using namespace footfall;
-  return run_command_line(argc, argv,
-                          commands_with({{"sweep", drawn_sweep}, {"calibrate", calibrate}, {"ground", ground}}));
+  return run_command_line(
+      argc, argv,
+      commands_with({{"sweep", drawn_sweep}, {"check", check}, {"calibrate", calibrate}, {"ground", ground}}));
 }

@@ -84,6 +84,9 @@ inline constexpr MessageCode kRowsMissing{"E0623", "rows-missing"};
 // these rows had any value.
 inline constexpr MessageCode kRowsUnknown{"E0625", "rows-unknown"};
 
+// A statement of a campaign cannot be shown with so few runs, whatever happens in them. Raise runs to the number in the message.
+inline constexpr MessageCode kTooFewRuns{"E0626", "too-few-runs"};
+
 // The command does not carry out such a file. Use the one that the message names.
 inline constexpr MessageCode kWrongSweep{"E0624", "wrong-sweep"};
 

@@ -94,6 +94,13 @@ double of_history(const MetricSpec& metric, const History& history, const std::v
                                              : *std::max_element(values.begin(), values.end());
 }
 
+double value_of_requirement(const nlohmann::ordered_json& summary, const std::string& name) {
+  for (const auto& told : summary.value("requirements", nlohmann::ordered_json::array()))
+    if (told.value("name", "") == name && told.contains("value") && told.at("value").is_number())
+      return told.at("value").get<double>();
+  return kNone;
+}
+
 }  // namespace
 
 int count_peaks(const std::vector<double>& values, double least) {
@@ -135,6 +142,7 @@ std::string metric_recipe(const MetricSpec& f) {
   text << f.name << '\n' << f.key << '\n' << joined(f.columns, ",") << '\n' << name_of(f.reduction) << ' ';
   text << f.average << ' ' << f.prominence << ' ' << f.over;
   for (const double height : f.slope) text << ' ' << height;
+  if (!f.requirement.empty()) text << " requirement " << f.requirement;
   return text.str();
 }
 
@@ -152,6 +160,10 @@ std::vector<double> metrics_of_run(const std::vector<MetricSpec>& metrics, const
   std::vector<ColumnPeaks> peaks;
   std::vector<double> values;
   for (const MetricSpec& metric : metrics) {
+    if (!metric.requirement.empty()) {
+      values.push_back(value_of_requirement(summary, metric.requirement));
+      continue;
+    }
     if (!metric.columns.empty()) {
       if (history.names.empty()) {
         history = read_history((fs::path(folder) / "history.csv").string());

@@ -51,6 +51,7 @@ struct MetricSpec {
   Reduction reduction = Reduction::kMax;
   bool average = false;     // the mean over the columns; otherwise the largest (kMin: the least, kFinal: the last)
   double prominence = 0.3;  // of kPeaks
+  std::string requirement;  // name of one of the scene's [[requirements]], whose value it is; NaN: not computed
   std::string over;         // key of summary.json that the metric is divided by; empty: none
   ErrorKind error = ErrorKind::kRelative;
   double until = 0.0;  // kRms, kFinal: rows up to this time [s]; 0: all

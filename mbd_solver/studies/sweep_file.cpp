@@ -35,7 +35,7 @@ static void visit_fields(FieldVisitor& v, ParameterSpec& p) {
   v.fields(rule::plain, {{"mean", &d.mean}, {"least", &d.least}, {"most", &d.most}, {"likely", &d.likely}});
   v.fields(rule::plain, {{"deviation", &d.deviation}, {"shape", &d.shape}, {"scale", &d.scale}});
   v.fields(rule::not_negative(), {{"weights", &d.weights}});
-  v.fields(rule::plain, {{"measured", &d.file}});
+  v.fields(rule::plain, {{"measured", &d.file}, {"whole_rows", &d.whole_rows}});
   v.fields(kWords, {{"column", &d.column}});
 }
 
@@ -49,6 +49,7 @@ static void visit_fields(FieldVisitor& v, OutcomeSpec& o) {
   v.fields(rule::plain, {{"", &o.source}});
   v.fields(rule::required(kWords), {{"name", &o.name}});
   v.fields(rule::required(), {{"when", &o.when}});
+  v.fields(rule::share, {{"at_most", &o.at_most}});
 }
 
 static void visit_fields(FieldVisitor& v, EnvelopeSpec& e) {
@@ -64,6 +65,11 @@ static void visit_fields(FieldVisitor& v, BetterModelSpec& c) {
   v.fields(rule::positive(), {{"runs", &c.runs}});
   v.fields(rule::share, {{"far", &c.far}});
   v.fields(rule::not_negative(), {{"until", &c.until}});
+}
+
+static void visit_fields(FieldVisitor& v, RareSpec& r) {
+  v.fields(rule::plain, {{"", &r.source}, {"above", &r.above}, {"below", &r.below}});
+  v.fields(rule::required(), {{"figure", &r.metric}});
 }
 
 static void visit_fields(FieldVisitor& v, CurveSpec& c) {
@@ -153,6 +159,7 @@ void visit_fields(FieldVisitor& v, SweepSpec& s) {
   v.list("outcomes", s.outcomes);
   v.list("envelopes", s.envelopes);
   v.section("check", s.better_model);
+  v.section("rare", s.rare);
 }
 
 std::string sweep_schema() {
@@ -230,20 +237,24 @@ class SweepValidator : StudyValidator<SweepSpec> {
         wrong(code::kKeyWithoutEffect, p.source, key, "has no effect on the distribution " + name + "; remove it");
     };
     const bool bounded = is({K::kUniform, K::kTriangular});
-    number("mean", d.mean, is({K::kNormal}), is({K::kNormal}));
-    number("deviation", d.deviation, is({K::kNormal}), is({K::kNormal}));
-    number("least", d.least, bounded, bounded || is({K::kNormal, K::kWeibull}));
-    number("most", d.most, bounded, bounded || is({K::kNormal, K::kWeibull}));
+    const bool moments = is({K::kNormal, K::kLognormal}), open = is({K::kNormal, K::kLognormal, K::kWeibull});
+    number("mean", d.mean, moments, moments);
+    number("deviation", d.deviation, moments, moments);
+    number("least", d.least, bounded, bounded || open);
+    number("most", d.most, bounded, bounded || open);
     number("likely", d.likely, is({K::kTriangular}), is({K::kTriangular}));
     number("shape", d.shape, is({K::kWeibull}), is({K::kWeibull}));
     number("scale", d.scale, is({K::kWeibull}), is({K::kWeibull}));
     for (const auto& [key, value] : {std::pair{"deviation", d.deviation}, {"shape", d.shape}, {"scale", d.scale}})
       if (value && !(*value > 0.0)) wrong(code::kOutOfRange, p.source, key, "expected a number above 0");
-    const double low = d.least.value_or(kind == K::kWeibull ? 0.0 : -HUGE_VAL), high = d.most.value_or(HUGE_VAL);
+    const double low = d.least.value_or(is({K::kWeibull, K::kLognormal}) ? 0.0 : -HUGE_VAL),
+                 high = d.most.value_or(HUGE_VAL);
     if (!(low < high))
       wrong(code::kRangeReversed, p.source, "most", "is not above least, expected an interval");
     else if (d.likely && !(*d.likely >= low && *d.likely <= high))
       wrong(code::kOutOfRange, p.source, "likely", "expected a value between least and most");
+    if (kind == K::kLognormal && d.mean && !(*d.mean > low))
+      wrong(code::kOutOfRange, p.source, "mean", "expected a number above least (0), where the distribution begins");
     // A truncation far out in the tails leaves nothing to draw from.
     if (kind == K::kNormal && d.mean && d.deviation && *d.deviation > 0.0 &&
         (low > *d.mean + 8.0 * *d.deviation || high < *d.mean - 8.0 * *d.deviation))
@@ -279,6 +290,7 @@ class SweepValidator : StudyValidator<SweepSpec> {
     if (kind != DistributionKind::kMeasured) {
       without("measured", !d.file.empty());
       without("column", !d.column.empty());
+      without("whole_rows", d.whole_rows);
     } else if (d.file.empty()) {
       wrong(code::kMissingKey, p.source, "measured", "is missing, expected a CSV file of measured values");
     } else {
@@ -387,6 +399,7 @@ class SweepValidator : StudyValidator<SweepSpec> {
       only("outcomes", !spec_.outcomes.empty());
       only("envelopes", !spec_.envelopes.empty());
       only("check", spec_.better_model.has_value());
+      only("rare", spec_.rare.has_value());
       for (const char* key : {"until_width", "design", "keep", "seed"}) only(key, spec_.source.given(key));
       return;
     }
@@ -433,6 +446,10 @@ class SweepValidator : StudyValidator<SweepSpec> {
       if (c.between.size() != 2 || c.between[0] == c.between[1])
         wrong(code::kWrongCount, c.source, "between", "expected the names of two drawn parameters");
       for (const std::string& name : c.between) require_drawn(c.source, "between", name, drawn);
+      for (const std::string& name : c.between)
+        if (const int k = index_of(spec_.parameters, name); k >= 0 && spec_.parameters[k].distribution.whole_rows)
+          wrong(code::kConflictingKeys, c.source, "between",
+                "\"" + name + "\" is drawn in whole rows, which have the correlation of the measurement");
       if (!(std::abs(c.rank) < 1.0))
         wrong(code::kOutOfRange, c.source, "rank", "expected a number between -1 and 1, without the ends");
     }
@@ -444,6 +461,7 @@ class SweepValidator : StudyValidator<SweepSpec> {
         wrong(code::kOutOfRange, e.source, "level", "expected a probability between 0 and 1, without the ends");
       require_outcome(e.source, e.outcome);
     }
+    if (spec_.rare) validate_rare(*spec_.rare, cases);
     if (!spec_.better_model) return;
     require_outcome(spec_.better_model->source, spec_.better_model->outcome);
     if (spec_.better_model->settings.empty() && spec_.better_model->scene.empty())
@@ -451,6 +469,25 @@ class SweepValidator : StudyValidator<SweepSpec> {
             "are missing, expected what differs in the runs of the check, such as \"ground.kind=particles\"");
     if (spec_.better_model->runs < 2)
       wrong(code::kOutOfRange, spec_.better_model->source, "runs", "expected at least 2");
+  }
+
+  void validate_rare(const RareSpec& rare, double cases) {
+    constexpr int kFewest = 500;
+    require_metric(rare.source, "figure", rare.metric);
+    if (rare.above.has_value() == rare.below.has_value())
+      wrong(code::kConflictingKeys, rare.source, "above", "expected one of above and below");
+    if (spec_.runs < kFewest)
+      wrong(code::kOutOfRange, spec_.source, "runs",
+            "is " + std::to_string(spec_.runs) + ", expected at least " + std::to_string(kFewest) + " with [rare]");
+    if (cases > 1.0)
+      wrong(code::kConflictingKeys, rare.source, "", "cannot be combined with cases, expected drawn parameters only");
+    const auto without = [&](const char* key, bool given) {
+      if (given) wrong(code::kConflictingKeys, rare.source, key, "cannot be combined with [rare]; remove it");
+    };
+    without("outcomes", !spec_.outcomes.empty());
+    without("envelopes", !spec_.envelopes.empty());
+    without("check", spec_.better_model.has_value());
+    for (const char* key : {"until_width", "design"}) without(key, spec_.source.given(key));
   }
 
   void validate_formulas(const std::set<std::string>& drawn) {
@@ -487,6 +524,8 @@ class SweepValidator : StudyValidator<SweepSpec> {
               "\"" + formula_name(m.name) + "\" in formulas is taken by another figure or parameter");
     std::set<std::string> outcomes;
     for (const OutcomeSpec& o : spec_.outcomes) {
+      if (o.at_most && !(*o.at_most > 0.0 && *o.at_most < 1.0))
+        wrong(code::kOutOfRange, o.source, "at_most", "expected a probability between 0 and 1, without the ends");
       if (!outcomes.insert(o.name).second)
         wrong(code::kDuplicateName, o.source, "name", "\"" + o.name + "\" is taken by another outcome");
       try {

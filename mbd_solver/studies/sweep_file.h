@@ -28,10 +28,11 @@ constexpr std::string_view name_of(Design design) {
   return "";
 }
 
-enum class DistributionKind { kNormal, kUniform, kTriangular, kWeibull, kDiscrete, kMeasured };
+enum class DistributionKind { kNormal, kLognormal, kUniform, kTriangular, kWeibull, kDiscrete, kMeasured };
 constexpr std::string_view name_of(DistributionKind kind) {
   switch (kind) {
     case DistributionKind::kNormal: return "normal";
+    case DistributionKind::kLognormal: return "lognormal";  // log(X - least) is normal
     case DistributionKind::kUniform: return "uniform";
     case DistributionKind::kTriangular: return "triangular";
     case DistributionKind::kWeibull: return "weibull";    // P(X > least + x) = exp(-(x / scale)^shape)
@@ -41,13 +42,15 @@ constexpr std::string_view name_of(DistributionKind kind) {
   return "";
 }
 
-// Of a parameter that is drawn. A normal or Weibull distribution with bounds is truncated there.
+// Of a parameter that is drawn. A normal, lognormal or Weibull distribution with bounds is truncated there; the latter two
+// begin at `least`. Mean and deviation are those of the values, before they are truncated.
 struct DistributionSpec {
   std::optional<DistributionKind> kind;                                      // none: the parameter is not drawn
   std::optional<double> mean, deviation, least, most, likely, shape, scale;  // units of the parameter, shape [-]
   std::vector<double> weights;                                               // of the values or choices; empty: alike
   std::string file, column;      // of measured values; column: name in the first line, else the first column
   std::vector<double> measured;  // from that file
+  bool whole_rows = false;       // of measured: all such parameters of the same file have the values of the same row
 };
 
 struct ChoiceSpec {
@@ -151,7 +154,11 @@ struct CorrelationSpec {
 
 // [[outcomes]]: what may happen in a run.
 struct OutcomeSpec {
-  std::string name, when;  // when: a formula of metrics and drawn parameters; not 0: it has happened
+  std::string name, when;         // when: a formula of metrics and drawn parameters; not 0: it has happened
+  std::optional<double> at_most;  // probability that a statement with 95 % confidence claims it is below
+  // Instead of a formula: it has happened when this metric is out of these bounds, of a requirement of the scene.
+  std::string metric;
+  std::optional<double> least, most;
   Source source;
 };
 
@@ -171,6 +178,13 @@ struct BetterModelSpec {
   int runs = 20;                      // of each case
   double far = kFar;                  // share of the weights that all runs get, near the boundary or not [-]
   double until = 0.0;                 // [s]; 0: that of the run
+  Source source;
+};
+
+// [rare]: the probability of a rare event, whose runs depend on those before (campaign/subset_search.h).
+struct RareSpec {
+  std::string metric;
+  std::optional<double> above, below;  // the event: the metric is beyond; one of them
   Source source;
 };
 
@@ -201,6 +215,7 @@ struct SweepSpec {
   std::vector<OutcomeSpec> outcomes;
   std::vector<EnvelopeSpec> envelopes;
   std::optional<BetterModelSpec> better_model;
+  std::optional<RareSpec> rare;
   Source source;
 
   bool is_campaign() const { return runs > 0; }

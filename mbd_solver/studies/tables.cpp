@@ -54,14 +54,27 @@ void StudyPage::section(const std::string& heading) {
   html_.section(heading);
 }
 
+namespace {
+
+// Marks of Markdown, which the page in HTML would show.
+std::string unmarked(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), '`'), text.end());
+  return text;
+}
+
+}  // namespace
+
 void StudyPage::paragraph(const std::string& text) {
   markdown_ += "\n" + text + "\n";
-  html_.paragraph(text);
+  html_.paragraph(unmarked(text));
 }
 
 void StudyPage::table(const Table& table) {
   markdown_ += "\n" + table.page();
-  html_.table(table.rows());
+  std::vector<std::vector<std::string>> rows = table.rows();
+  for (std::vector<std::string>& row : rows)
+    for (std::string& one : row) one = unmarked(one);
+  html_.table(rows);
 }
 
 void StudyPage::picture(const std::string& file) {

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # campaign.sh FOOTFALL OUT: the table of drawn runs is the same from one and from two workers and after kills at any moment, of the campaign or of a
-# worker; draws that the scene refuses are rows; a row is made again to the digit; no program of a landing loads OpenTURNS.
+# worker; draws that the scene refuses are rows, figures without a number are counted; statements are checked before any run; a row is made again to
+# the digit; no program of a landing loads OpenTURNS.
 set -u
 footfall=$1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -76,6 +77,37 @@ cmp one/runs.csv array/runs.csv || fail "a job array has another table"
 sed 's/x,0,0/0,0,0/; s/initial.velocity/initial.speed/' drawn.toml >bad.toml
 "$footfall" sweep bad.toml --out bad >bad.txt 2>&1
 (($? == 2)) && [[ ! -e bad ]] || { cat bad.txt; fail "a wrong setting is not refused before all runs"; }
+# A statement that so few runs cannot show is found before any run; with enough runs the check says how often it may happen.
+sed 's/when = "turn/at_most = 0.05\nwhen = "turn/' drawn.toml >few.toml
+"$footfall" check few.toml >few.txt 2>&1
+(($? == 1)) && grep -q "59 runs if it happens never.*E0626" few.txt || { cat few.txt; fail "a statement with too few runs is not refused"; }
+sed 's/runs = 40/runs = 93/' few.toml >enough.toml
+"$footfall" check enough.toml >few.txt 2>&1 || { cat few.txt; fail "check of a campaign"; }
+grep -q "in 93 runs it may happen 1 times" few.txt || { cat few.txt; fail "check does not say how often it may happen"; }
+grep -q "McNemar" one/drawn.md || fail "cases are not compared"
+! grep -q '`' one/report.html || fail "report.html has backticks"
+# Figures without a number are counted and end with exit code 1: force over sinkage, 0/0 of the balls that do not reach the ground.
+cat >ball.toml <<END
+end_time = 0.1
+gravity = [0, 0, -9.81]
+bodies = [{ name = "b", mass = 1, shape = { kind = "sphere", centre = [0, 0, 0], radius = 0.1 } }]
+boundaries = [{ body = "b", surface = {} }]
+ground = { kind = "plane", plane = { stiffness = 1e7, damping = 1, friction = 0.6 } }
+initial = { clearance = 0 }
+output = { interval = 0.01, vtk = false, plots = false }
+END
+cat >nan.toml <<END
+scene = "ball.toml"
+settings = ["initial.clearance={= a > 0 ? 0 : 1}"]
+runs = 20
+keep = 1
+parameters = [{ name = "a", distribution = "normal", mean = 0, deviation = 1 }]
+figures = [{ name = "ratio", key = "max_contact_force_N", over = "max_penetration_m" }]
+outcomes = [{ name = "stiff", when = "ratio > 1" }]
+END
+"$footfall" sweep nan.toml --jobs 2 --out nan >nan.txt 2>&1
+(($? == 1)) && grep -q E0625 nan.txt && grep -q "| stiff | all | .* to 100 (.* to 100) |" nan/nan.md && grep -q "figure ratio has no number" nan/nan.md ||
+  { cat nan.txt; fail "figures without a number are not counted"; }
 for program in footfall footfall_studies mbd_solver liggghts_mbd; do
   ! ldd "$(dirname "$footfall")/$program" | grep -q libOT || fail "$program loads OpenTURNS"
 done

@@ -20,6 +20,7 @@
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/studies/metrics.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/campaign/drawn_parameters.h"
 
@@ -79,6 +80,43 @@ TEST(DrawnRuns, OfEveryDistributionHaveItsMoments) {
     EXPECT_NEAR(deviation(column(draws, k)), deviations[k], 0.02 * deviations[k]) << p[k].name;
   }
   EXPECT_GE(*std::min_element(draws.values(0).begin(), draws.values(0).end()), 0.0);
+}
+
+// Of the values themselves, also above a threshold.
+TEST(DrawnRuns, OfALognormalDistributionHaveTheMomentsOfTheFile) {
+  ParameterSpec p = drawn("l", DistributionKind::kLognormal), above = p;
+  p.distribution.mean = 3.0, p.distribution.deviation = 1.5;
+  above.distribution.mean = 3.0, above.distribution.deviation = 1.0, above.distribution.least = 1.0;
+  const Draws draws(drawn_sweep({p, above}, 4000, Design::kLatinHypercube));
+  for (const std::size_t k : {0, 1}) EXPECT_NEAR(mean(column(draws, k)), 3.0, 0.01);
+  EXPECT_NEAR(deviation(column(draws, 0)), 1.5, 0.05);
+  EXPECT_NEAR(deviation(column(draws, 1)), 1.0, 0.04);
+  std::vector<double> logs;
+  for (const double value : column(draws, 1)) logs.push_back(std::log(value - 1.0));
+  EXPECT_NEAR(deviation(logs), std::sqrt(std::log(1.25)), 0.01);  // sigma^2 = log(1 + (s / m)^2)
+}
+
+// Pairs that a table has, and no others; the correlation is that of the table.
+TEST(DrawnRuns, OfWholeRowsKeepWhatBelongsTogether) {
+  ParameterSpec x = drawn("x", DistributionKind::kMeasured), y = drawn("y", DistributionKind::kMeasured), alone = x;
+  x.distribution.file = y.distribution.file = "touchdowns.csv";
+  x.distribution.whole_rows = y.distribution.whole_rows = true;
+  x.distribution.measured = {3.0, 1.0, 2.0, 5.0};
+  y.distribution.measured = {-3.0, -1.0, -2.0, -5.0};
+  alone.name = "z";
+  alone.distribution.measured = y.distribution.measured;
+  const Draws draws(drawn_sweep({x, y, alone}, 400));
+  std::set<double> seen;
+  int unlike = 0;
+  for (std::size_t i = 0; i < draws.count(); ++i) {
+    EXPECT_EQ(draws.values(i)[0], -draws.values(i)[1]);
+    EXPECT_NEAR(draws.positions(i)[0], 1.0 - draws.positions(i)[1], 1e-12);
+    seen.insert(draws.values(i)[0]);
+    unlike += draws.values(i)[0] != -draws.values(i)[2] ? 1 : 0;
+  }
+  EXPECT_EQ(seen.size(), 4U);
+  EXPECT_NEAR(unlike, 300, 40);  // three of four; deviation 9
+  EXPECT_FALSE(draws.independent());
 }
 
 TEST(DrawnRuns, OfALatinHypercubeFillEverySliceOnce) {
@@ -244,6 +282,51 @@ TEST_F(CampaignOfTheTipOver, HasItsBoundaryWithinTheBand) {
   EXPECT_LT(at[0].low, exact);
   EXPECT_GT(at[0].high, exact);
   EXPECT_NEAR(at[0].x, exact, 0.02 * exact);
+}
+
+// The value of a requirement is a metric, and missing it an outcome with a probability.
+TEST_F(CampaignOfTheTipOver, ReportsRequirementsOfTheSceneWithTheirProbability) {
+  const TemporaryFolder folder;
+  spec_.scene = folder.write("scene.toml", "base = \"" FOOTFALL_SOURCE_DIR
+                                           "/inputs/tip_over/scene.toml\"\n[[requirements]]\nname = \"turns little\"\n"
+                                           "value = \"foot.angle.max\"\nunit = \"rad\"\nmost = 0.7\n");
+  spec_.runs = 10;
+  const SweepSpec spec = with_requirements(spec_, false);
+  ASSERT_EQ(spec.metrics.size(), spec_.metrics.size() + 1);
+  EXPECT_EQ(spec.metrics.back().requirement, "turns little");
+  Campaign campaign(spec, false);
+  for (std::size_t k = 0; k < campaign.size(); ++k) {
+    const double turn = k < 4 ? 0.8 : k < 9 ? 0.6 : NAN;
+    campaign.set(k, {0, "", {turn, turn}, {}});
+  }
+  const Tally& tally = campaign.tally(0, spec.outcomes.size() - 1);
+  EXPECT_EQ(tally.hits, 4);
+  EXPECT_EQ(tally.misses, 5);
+  EXPECT_EQ(tally.unknown, 1);
+  const std::string summary =
+      folder.write("run/summary.json", "{\"requirements\": [{\"name\": \"turns little\", \"value\": 0.75}]}");
+  EXPECT_EQ(metrics_of_run({spec.metrics.back()}, folder.file("run"), "f").front(), 0.75);
+}
+
+TEST_F(CampaignOfTheTipOver, HasAPageThatCanBeSignedAndMadeAgain) {
+  spec_.outcomes[0].at_most = 0.3;
+  Campaign campaign(spec_, false);
+  for (std::size_t k = 0; k < campaign.size(); ++k) campaign.set(k, {0, "", {k < 40 ? 2.0 : 0.5}, {}});
+  const StudyPage page = campaign_page(campaign, {}, {}, "./footfall sweep tip_over_plane.toml", {});
+  const std::string text = page.markdown(), html = page.html();
+  for (const char* part :
+       {"\"tipped\" happened in 40 of 200 runs. With 95 % confidence its probability is at most 25.2 %.",
+        "The statement that it is below 30 % is shown.", "uniform, least 1.5, most 3", "turn > pi / 4",
+        "inputs/tip_over/scene.toml", "./footfall sweep tip_over_plane.toml", "OpenTURNS", "random, 1",
+        "95 % of runs are below (95 % confidence)"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
+  EXPECT_NE(text.find(campaign.recipe()), std::string::npos);
+  EXPECT_EQ(html.find('`'), std::string::npos);
+  EXPECT_TRUE(statements_shown(campaign));
+  spec_.outcomes[0].at_most = 0.25;
+  Campaign other(spec_, false);
+  for (std::size_t k = 0; k < other.size(); ++k) other.set(k, {0, "", {k < 40 ? 2.0 : 0.5}, {}});
+  EXPECT_FALSE(statements_shown(other));
 }
 
 TEST_F(CampaignOfTheTipOver, CountsARunWithoutANumberNeitherAsOneNorAsTheOther) {
