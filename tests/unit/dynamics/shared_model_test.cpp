@@ -179,8 +179,9 @@ TEST(SharedSoil, HasTheMemoryOfTheStateThatIsRecalled) {
   };
   State pressed = given.state, fresh = given.state;
   carry(one, pressed, 0.0, -0.03, 0.3, 0.01);
-  carry(one, pressed, 0.0, 0.01, 0.3, 0.01);  // it leaves its print
-  carry(one, pressed, -2.0, 0.01, 0.0, 0.01);
+  carry(one, pressed, 0.0, 0.01, 0.3, 0.01);    // it leaves its print
+  carry(one, pressed, -2.0, 0.01, 0.0, 0.01);   // over which the other plate comes
+  carry(one, pressed, -2.0, -0.01, 0.0, 0.01);  // and makes another one
   State there = pressed;
   there.q[9] = -0.02;  // the other plate, within the print
   fresh.q = there.q;
