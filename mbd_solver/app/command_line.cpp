@@ -58,8 +58,9 @@ std::string value_name(const CLI::Option& option) {
 std::string missing_value(const CLI::App& command, const std::string& what) {
   const CLI::Option* const option = command.get_option_no_throw(what.substr(0, what.find(':')));
   if (option == nullptr) return "";
-  return option->get_name() + " has no value, expected: " + option->get_name() + " " + value_name(*option) + ": " +
-         with_small_letter(option->get_description()) + ".";
+  const bool some = what.find("received") != std::string::npos;  // "--camera: At least 2 required but received 1"
+  return option->get_name() + (some ? " has too few values, expected: " : " has no value, expected: ") +
+         option->get_name() + " " + value_name(*option) + ": " + with_small_letter(option->get_description()) + ".";
 }
 
 // CLI11: "Could not convert: --times = a"
@@ -82,16 +83,27 @@ std::string missing_other(std::string what) {
   return at == std::string::npos ? "" : what.replace(at, word.size(), " has no effect without ") + "; add it.";
 }
 
-// ' Did you mean "--until"?' for the first option of the line that the command does not have; empty if none is near.
-std::string suggested_option(const CLI::App& command, const Line& line) {
-  std::vector<std::string> known;
+std::vector<std::string> options_of(const CLI::App& command) {
+  std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_snames()) known.push_back("-" + name);
-    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
+  return names;
+}
+
+// ' Did you mean "--until"?', or which commands have it, for the first option of the line that the command does not have; empty if none.
+std::string suggested_option(const CLI::App& app, const CLI::App& command, const Line& line) {
+  const std::vector<std::string> known = options_of(command);
   for (const std::string& word : line) {
     const std::string name = word.substr(0, word.find('='));
     if (name.size() < 2 || name[0] != '-' || std::find(known.begin(), known.end(), name) != known.end()) continue;
+    std::vector<std::string> others;
+    for (const CLI::App* other : app.get_subcommands([](const CLI::App*) { return true; }))
+      if (const std::vector<std::string> names = options_of(*other);
+          std::find(names.begin(), names.end(), name) != names.end())
+        others.push_back(other->get_name());
+    if (!others.empty()) return " " + name + " is an option of " + joined(others) + ".";
     const std::string nearest = nearest_name(name, known);
     return nearest.empty() ? "" : " Did you mean \"" + nearest + "\"?";
   }
@@ -111,7 +123,7 @@ std::string option_error(const CLI::App& app, const CLI::ParseError& error, cons
   if (const auto* extras = dynamic_cast<const CLI::ExtrasError*>(&error)) {
     const std::string text = extras->what();  // "The following argument was not expected: y"
     what = "unexpected argument" + text.substr(std::min(text.size(), text.rfind(": "))) + "." +
-           suggested_option(*command, line);
+           suggested_option(app, *command, line);
   }
   if (what.empty()) what = error.what() + std::string(".");
   return "footfall " + command->get_name() + ": " + what + help + command->get_name() + " --help`.";

@@ -127,6 +127,8 @@ ConfigNode parse_toml(const std::string& text, const std::string& file) {
   ReadBudget parts(limit::kTomlParts, file);
   parts.take(static_cast<std::uint64_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return c == '=' || c == ',' || c == '['; })));
+  if (text.find('\0') != std::string::npos)
+    throw InputError(kNotToml, file + ": is no text file (a picture, an archive, a program?); expected TOML");
   require_flat_keys(file, text);
   try {
     return convert(toml::parse(text, file));
@@ -174,6 +176,11 @@ std::string scene_file(const std::string& argument) {
   if (argument.empty()) throw InputError(kNoScene, "the name of the scene is empty; expected " + expected);
   if (fs::is_directory(argument, ignored)) {
     const fs::path file = fs::path(argument) / "scene.toml";
+    if (!fs::exists(file, ignored) && fs::exists(fs::path(argument) / "history.csv", ignored))
+      throw InputError(kNoScene, argument +
+                                     ": is the folder of a run, not a scene; `footfall view`, `plot` and `report` show "
+                                     "it, `footfall run --resume " +
+                                     argument + "` continues it, and its summary.json names the scene (scene_file)");
     if (!fs::exists(file, ignored))
       throw InputError(kNoScene, argument + ": is a folder without scene.toml; expected " + expected);
     return file.string();

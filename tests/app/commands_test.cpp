@@ -123,6 +123,9 @@ TEST_F(Commands, ThatCannotBeReadAreAnsweredByOneLine) {
                         {"run --large --resume DIR", "E0500", "--resume"},
                         {"check scene.toml more", "E0500", "more"},
                         {"compare DIR --qiet", "E0500", "\"--quiet\""},
+                        {"sweep file.toml --set a=1", "E0500", "is an option of check"},
+                        {"view DIR --png a.png --camera 400", "E0500", "--camera"},
+                        {"check " FOOTFALL_SOURCE_DIR "/docs/tutorials/landing.png", "E0102", "no text file"},
                         {"new other", "E0500", "--from"},
                         {"new other --from whel", "E0508", "\"wheel\""},
                         {"new 'my case' --from wheel", "E0509", "my case"}};
