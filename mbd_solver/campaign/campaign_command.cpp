@@ -434,7 +434,7 @@ bool report_statements(const SweepSpec& spec) {
     std::printf("%s.\n", text.c_str());
   }
   const auto count = static_cast<std::size_t>(spec.runs);
-  if (tolerance_place(count, kTolerance) >= count)
+  if (tolerance_place(count, kToleranceShare) >= count)
     std::printf("Limits of figures that 95 %% of runs keep, with 95 %% confidence, take 59 runs.\n");
   return all;
 }

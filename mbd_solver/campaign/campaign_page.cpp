@@ -171,7 +171,7 @@ Table probability_table(const Campaign& campaign) {
 // With 95 % confidence at least 95 % of the distribution is below, or above, this value; "?": too few runs. Unknown values
 // may be anywhere.
 std::string tolerance_text(const std::vector<double>& sorted, std::size_t unknown, bool below) {
-  const std::size_t place = tolerance_place(sorted.size() + unknown, kTolerance);
+  const std::size_t place = tolerance_place(sorted.size() + unknown, kToleranceShare);
   if (place >= sorted.size()) return "?";
   return number_text(below ? sorted[place] : sorted[sorted.size() - 1 - place], 4);
 }

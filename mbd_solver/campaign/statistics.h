@@ -28,7 +28,7 @@ double upper_bound(double hits, double trials);
 long runs_for(double p, long hits);
 long hits_allowed(double p, long runs);
 
-inline constexpr double kTolerance = 0.95;  // share of the runs within a tolerance limit
+inline constexpr double kToleranceShare = 0.95;  // share of the runs within a tolerance limit
 
 // How often something happened in independent runs, some of which do not tell.
 struct Tally {

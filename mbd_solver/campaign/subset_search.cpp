@@ -12,9 +12,9 @@ namespace footfall {
 
 namespace {
 
-constexpr std::size_t kSteps = 10;      // of a chain: the inverse of the share that a level is aimed at
-constexpr std::size_t kMostLevels = 5;  // for which the runs are divided
-constexpr double kCorrelation = 0.8;    // r, of a step
+constexpr std::size_t kChainSteps = 10;  // of a chain: the inverse of the share that a level is aimed at
+constexpr std::size_t kMostLevels = 5;   // for which the runs are divided
+constexpr double kCorrelation = 0.8;     // r, of a step
 constexpr double kBothSides = 1.959963984540054;
 
 }  // namespace
@@ -22,8 +22,9 @@ constexpr double kBothSides = 1.959963984540054;
 SubsetSearch::SubsetSearch(std::size_t inputs, int runs, double threshold, std::uint64_t seed)
     : inputs_(inputs), left_(runs), threshold_(threshold), engine_(seed) {
   // N + 4 (N - N / 10) runs.
-  chains_ = std::max<std::size_t>(1, static_cast<std::size_t>(runs) / (kSteps + (kMostLevels - 1) * (kSteps - 1)));
-  size_ = chains_ * kSteps;
+  chains_ =
+      std::max<std::size_t>(1, static_cast<std::size_t>(runs) / (kChainSteps + (kMostLevels - 1) * (kChainSteps - 1)));
+  size_ = chains_ * kChainSteps;
 }
 
 std::vector<std::vector<double>> SubsetSearch::positions() const {
@@ -75,12 +76,12 @@ void SubsetSearch::raise() {
   // d^2 = (1 - p) / (p N) (1 + gamma), gamma = 2 sum over k of (1 - k / steps) r_k, r_k: the correlation of [g > level] k
   // steps apart in the chains [Au and Beck 27].
   double gamma = 0.0;
-  for (std::size_t k = 1; !levels_.empty() && share > 0.0 && share < 1.0 && k < kSteps; ++k) {
+  for (std::size_t k = 1; !levels_.empty() && share > 0.0 && share < 1.0 && k < kChainSteps; ++k) {
     double together = 0.0;
     for (std::size_t i = 0; i + k * chains_ < size_; ++i)
       together += runs_[i].g > level && runs_[i + k * chains_].g > level ? 1.0 : 0.0;
     const double r = (together / static_cast<double>(size_ - k * chains_) - share * share) / (share * (1.0 - share));
-    gamma += 2.0 * (1.0 - static_cast<double>(k) / kSteps) * r;
+    gamma += 2.0 * (1.0 - static_cast<double>(k) / kChainSteps) * r;
   }
   levels_.push_back(
       {level, share, share > 0.0 ? std::sqrt((1.0 - share) / above * (1.0 + std::max(0.0, gamma))) : 0.0});
