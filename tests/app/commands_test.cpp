@@ -123,7 +123,7 @@ TEST_F(Commands, ThatCannotBeReadAreAnsweredByOneLine) {
                         {"run --large --resume DIR", "E0500", "--resume"},
                         {"check scene.toml more", "E0500", "more"},
                         {"compare DIR --qiet", "E0500", "\"--quiet\""},
-                        {"sweep file.toml --set a=1", "E0500", "is an option of check"},
+                        {"sweep file.toml --set a=1", "E0500", "is an option of"},
                         {"view DIR --png a.png --camera 400", "E0500", "--camera"},
                         {"check " FOOTFALL_SOURCE_DIR "/docs/tutorials/landing.png", "E0102", "no text file"},
                         {"new other", "E0500", "--from"},
