@@ -10,7 +10,7 @@
 namespace footfall {
 namespace {
 
-constexpr double kNearEnd = 1e-9;     // of a step
+constexpr double kNearEnd = 1e-9;  // of a step
 constexpr int kMostHalvings = 60;  // in the search for the change of a mode
 
 }  // namespace
