@@ -249,7 +249,9 @@ TEST_F(CampaignOfTheTipOver, IsNotEndedByAFirstDrawThatTheSceneRefuses) {
 // From the draw to the scene, the outcome and the table.
 TEST_F(CampaignOfTheTipOver, HasTheSameBitsInTheDrawTheRunTheOutcomeAndTheTable) {
   spec_.settings.push_back("end_time={= exp(v) / 3}");
-  spec_.outcomes = {{"differs", "turn != exp(v) / 3", {}}};
+  spec_.outcomes.resize(1);
+  spec_.outcomes[0].name = "differs";
+  spec_.outcomes[0].when = "turn != exp(v) / 3";
   const Campaign campaign(spec_, false), resumed(spec_, false);
   int of_more_than_ten_digits = 0;
   for (std::size_t row = 0; row < campaign.size(); ++row) {
