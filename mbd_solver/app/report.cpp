@@ -320,8 +320,8 @@ void show_quality(const Json& summary, HtmlPage& page) {
              rows);
   add_metric(summary, "drift of the joints, position", "drift_position", 1.0, "m, rad", rows);
   add_metric(summary, "drift of the joints, velocity", "drift_velocity", 1.0, "m/s, rad/s", rows);
-  add_metric(summary, "coupling energy error", "coupling_energy_residual_relative", 100.0,
-             "% of the energy exchanged", rows);
+  add_metric(summary, "coupling energy error", "coupling_energy_residual_relative", 100.0, "% of the energy exchanged",
+             rows);
   add_metric(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "% of its radius", rows);
   add_metric(summary, "time step of the grains", "dt_dem_s", 1.0, "s", rows);
   add_metric(summary, "windows", "windows", 1.0, "", rows);
@@ -446,8 +446,8 @@ std::string sweep_page(const fs::path& folder) {
   }
   show_pictures(folder.string(), "Plots", page);
   show_pictures((folder / "plots").string(), "Plots", page);
-  Rows rows = {
-      {"run", "status", "energy balance [%]", "coupling energy error [%]", "largest overlap [% of radius]", "wall time [s]"}};
+  Rows rows = {{"run", "status", "energy balance [%]", "coupling energy error [%]", "largest overlap [% of radius]",
+                "wall time [s]"}};
   Json last;
   for (const fs::path& run : runs) {
     try {

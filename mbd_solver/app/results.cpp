@@ -280,8 +280,7 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
     row_by_size(summary, "largest contact force on one body", "max_contact_force_N", "N");
   }
   row(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "%.4f %% of the energy exchanged");
-  row(summary, "coupling energy error", "coupling_energy_residual_relative", 100.0,
-      "%.3f %% of the energy exchanged");
+  row(summary, "coupling energy error", "coupling_energy_residual_relative", 100.0, "%.3f %% of the energy exchanged");
   if (summary.contains("ledger")) {
     row_by_size(summary.at("ledger"), "energy given to the grains", "energy_to_grains_J", "J");
     row_by_size(summary.at("ledger"), "dissipated by the grains", "grains_dissipated_J", "J");
