@@ -176,7 +176,7 @@ std::array<T, 2> slid(const Facet<T>& at, const SoilMemory& m, const T& below) {
 }
 
 // Speeds below this are slow flow, where the part that grows with speed has no corner at rest [m/s].
-constexpr double kSlow = 1e-3;
+constexpr double kSlowFlow = 1e-3;
 
 template <class T>
 T saturated(const T& z, double z_s) {
@@ -193,7 +193,7 @@ Three<T> inertia_of(const SoilLaw::Common& c, const Facet<T>& at, const Three<T>
   T size = (c.inertia * c.density) * (advance * advance) * seated;
   if (c.speed_resistance > 0.0) {
     const T speed = advances ? advance : -advance;
-    const T fast = speed * speed / (speed + kSlow);
+    const T fast = speed * speed / (speed + kSlowFlow);
     size = size + (c.speed_resistance * fast) * saturated(at.p.z, c.speed_depth) * seated;
   }
   if (advances) return -size * n;
