@@ -138,6 +138,7 @@ PYBIND11_MODULE(_core, m) {
   using namespace footfall;
   using Simulation = Session;
   py::register_exception_translator(&translate);
+  m.attr("__version__") = FOOTFALL_VERSION;
   py::class_<SceneSource>(m, "Source")
       .def(py::init<std::string, std::string, std::string, std::vector<std::string>>())
       .def("json", [](const SceneSource& source) { return scene_json(source.read()); })

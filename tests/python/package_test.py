@@ -30,6 +30,12 @@ point = [0, 0, 0]
 """
 
 
+class Package(unittest.TestCase):
+    def test_tells_its_version(self):
+        self.assertRegex(ff.__version__, r"^[0-9]+\.[0-9]+\.[0-9]+$")
+        self.assertIn("__version__", ff.__all__)
+
+
 class Scenes(unittest.TestCase):
     def test_are_files_texts_and_dicts(self):
         file = os.path.join(folder(), "scene.toml")

@@ -14,6 +14,7 @@
 All numbers are SI: m, kg, s, N, rad, K.
 """
 
+from ._core import __version__
 from .errors import ArgumentError, Error, FileError, Finding, InputError, InternalError, NumericalError, PartnerError
 from .runs import History, Run, Sweep, load, program, run, sweep
 from .scene import Entries, Entry, Scene
@@ -21,5 +22,5 @@ from .simulation import Simulation, State
 
 __all__ = [
     "ArgumentError", "Entries", "Entry", "Error", "FileError", "Finding", "History", "InputError", "InternalError", "NumericalError",
-    "PartnerError", "Run", "Scene", "Simulation", "State", "Sweep", "load", "program", "run", "sweep",
+    "PartnerError", "Run", "Scene", "Simulation", "State", "Sweep", "__version__", "load", "program", "run", "sweep",
 ]

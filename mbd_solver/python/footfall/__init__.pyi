@@ -10,6 +10,8 @@ _Array = numpy.typing.NDArray[numpy.float64]
 _Path = Union[str, os.PathLike[str]]
 _Source = Union[str, os.PathLike[str], Mapping[str, Any], "Scene"]
 
+__version__: str
+
 class Finding(NamedTuple):
     severity: str
     code: str
