@@ -8,8 +8,11 @@
 
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/quote.h"
+#include "mbd_solver/bed/bed_forecast.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/import/codes.h"
+#include "mbd_solver/run/observe/start_check.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/scene_reader.h"
 
@@ -53,6 +56,31 @@ void write_files(const fs::path& folder, const std::vector<SceneFile>& files) {
   }
 }
 
+// The bed that `check` proposes for the scene; nothing where it has none, or cannot be built: `check` says why.
+std::optional<RobotBed> bed_of(const std::string& folder) {
+  constexpr int kRounds = 5;  // grains become smaller with the bed, and narrow bodies need a bed of some grains
+  Scene scene = read_scene(folder);
+  if (!scene.touches_particles() || !scene.particles->box) return std::nullopt;
+  std::optional<RobotBed> bed;
+  try {
+    check_by_building(
+        scene, false, [](const std::string&) {},
+        [&](const Scene& placed, const Mechanism& mechanism) {
+          scene = placed;
+          BoxSpec& box = *scene.particles->box;
+          for (int round = 0; round < kRounds; ++round) {
+            const BedProposal proposal = proposed_bed(scene, mechanism);
+            if (!(proposal.width > 0.0)) return;
+            bed = RobotBed{proposal.size, proposal.centre, proposal.depth};
+            box.radius = {bed->radius()};
+          }
+        });
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  return bed;
+}
+
 }  // namespace
 
 int import_command(const ImportArguments& arguments) {
@@ -74,22 +102,23 @@ int import_command(const ImportArguments& arguments) {
     throw InputError(code::kRobotStill, arguments.file + ":1: no part of \"" + robot.name +
                                             "\" can move: it is static, or without mass; a "
                                             "scene needs a body. Export the robot itself, not its surroundings");
-  const std::vector<SceneFile> files = write_robot_scene(robot, arguments.options);
-  std::stable_sort(robot.not_taken.begin(), robot.not_taken.end(), [](const NotTaken& a, const NotTaken& b) {
-    return std::tie(a.origin.file, a.origin.line) < std::tie(b.origin.file, b.origin.line);
-  });
+  const Robot as_read = robot;
+  std::vector<SceneFile> files = write_robot_scene(robot, arguments.options);
   std::string list;
+  for (const std::string& line : not_taken_lines(robot, false, false)) list += line + "\n";
   std::size_t looks = 0, others = 0;
-  for (const NotTaken& one : robot.not_taken) {
-    ++(one.looks ? looks : others);
-    if (!one.looks) list += one.origin.place() + ": " + one.what + ": " + one.why + "\n";
-  }
+  for (const NotTaken& one : robot.not_taken) ++(one.looks ? looks : others);
   if (arguments.strict && others > 0)
     throw InputError(code::kRobotStrict,
                      list + arguments.file + ": --strict: " + std::to_string(others) +
                          " parts cannot be said in a scene as they are; remove them, or import without "
                          "--strict");
   write_files(folder, files);
+  if (const std::optional<RobotBed> bed = bed_of(folder.string())) {
+    Robot again = as_read;
+    write_whole_file((folder / files.front().name).string(),
+                     write_robot_scene(again, arguments.options, bed)[0].content);
+  }
   if (!arguments.quiet) std::fprintf(stderr, "%s", list.c_str());
   const auto count = [](std::size_t n, const std::string& what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
@@ -105,9 +134,8 @@ int import_command(const ImportArguments& arguments) {
                           std::to_string(others) + " parts are not taken as they are, and " + std::to_string(looks) +
                               " of pictures alone; the end of scene.toml lists all with their lines")
                     .c_str());
-  const std::string self = called_as();
-  std::printf("Next: %s check %s; %s run %s\n", self.c_str(), folder.string().c_str(), self.c_str(),
-              folder.string().c_str());
+  const std::string self = called_as(), place = shell_word(folder.string());
+  std::printf("Next: %s check %s; %s run %s\n", self.c_str(), place.c_str(), self.c_str(), place.c_str());
   return kExitDone;
 }
 

@@ -1,5 +1,6 @@
 // MJCF, by the compiled model of MuJoCo: its defaults, classes, compiler flags and inertias of geoms are applied there. The
-// drawing is qpos0, with free joints where the first keyframe has them; with ball joints it is this keyframe. Equations: mujoco.readthedocs.io, Computation.
+// drawing is qpos0, with free joints where the first keyframe has them, or this keyframe where draw() says so. Equations:
+// mujoco.readthedocs.io, Computation.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -21,7 +22,9 @@ namespace {
 using Model = std::unique_ptr<mjModel, decltype(&mj_deleteModel)>;
 using Data = std::unique_ptr<mjData, decltype(&mj_deleteData)>;
 
-constexpr int kCamPoints = 33;  // of a gear whose ratio changes
+constexpr int kCamPoints = 33;        // of a gear whose ratio changes
+constexpr double kHolds = 1e-6;       // parts of a loop that are so near are together [m or rad]
+constexpr double kHoldsInKey = 1e-4;  // in a keyframe, whose numbers have few digits
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 Eigen::Vector3d vector(const mjtNum* v) { return {v[0], v[1], v[2]}; }
@@ -59,8 +62,13 @@ Model compiled(MjcfSource& source) {
 
 class MjcfRobot {
  public:
-  MjcfRobot(const MjcfSource& source, const mjModel& m, Robot& robot)
-      : source_(source), m_(m), d_(mj_makeData(&m), mj_deleteData), robot_(robot), bodies_(source.bodies()) {
+  MjcfRobot(const MjcfSource& source, const mjModel& m, const ImportOptions& options, Robot& robot)
+      : source_(source),
+        m_(m),
+        options_(options),
+        d_(mj_makeData(&m), mj_deleteData),
+        robot_(robot),
+        bodies_(source.bodies()) {
     if (bodies_.size() != at(m.nbody)) bodies_.assign(at(m.nbody), source.root());
     joints_of_.assign(at(m.njnt), {-1, ""});
   }
@@ -79,7 +87,7 @@ class MjcfRobot {
     add_contact_pairs();
     for (const pugi::xml_node& tendon : source_.children_of("tendon"))
       leave_out(tendon, "a scene has no tendons; a strut between two points, or a gear, may stand for it");
-    add_start();
+    add_velocities();
   }
 
  private:
@@ -109,23 +117,71 @@ class MjcfRobot {
     return child_of(body, {"geom"}, g - m_.body_geomadr[body], m_.body_geomnum[body]);
   }
 
-  void draw() {
-    mju_copy(d_->qpos, m_.qpos0, m_.nq);
-    // What hangs on a ball joint would not follow [initial.joints] as it does in the keyframe: all is drawn as it starts.
-    const bool balls =
-        std::find(m_.jnt_type, m_.jnt_type + m_.njnt, static_cast<int>(mjJNT_BALL)) != m_.jnt_type + m_.njnt;
-    robot_.drawn = m_.nkey > 0 && balls ? "the first keyframe" : "qpos0";
-    if (m_.nkey > 0 && balls) mju_copy(d_->qpos, m_.key_qpos, m_.nq);
-    if (m_.nkey > 0)
-      for (int j = 0; j < m_.njnt; ++j) {
-        const int from = m_.jnt_qposadr[j];
-        if (m_.jnt_type[j] == mjJNT_FREE) mju_copy(d_->qpos + from, m_.key_qpos + from, 7);
-      }
-    mj_normalizeQuat(&m_, d_->qpos);
-    mj_kinematics(&m_, d_.get());
+  void place(mjData& d, const mjtNum* qpos) const {
+    mju_copy(d.qpos, qpos, m_.nq);
+    mj_normalizeQuat(&m_, d.qpos);
+    mj_kinematics(&m_, &d);
   }
 
-  RigidFrame placed(int body) const { return {vector(d_->xpos + 3 * body), rotation(d_->xquat + 4 * body)}; }
+  bool has(mjtJoint type) const {
+    return std::find(m_.jnt_type, m_.jnt_type + m_.njnt, static_cast<int>(type)) != m_.jnt_type + m_.njnt;
+  }
+
+  // Drawn at the first keyframe is what would not come there by [initial.joints], from which all else follows by the smallest
+  // motion: what hangs on a ball joint, loops and couplings on the way of several coordinates, free bodies beside what the world
+  // holds. So are bodies that move, whose velocities are those of the drawing, and what is put on a ground, which is below it.
+  void draw() {
+    robot_.drawn = "qpos0";
+    place(*d_, m_.qpos0);
+    if (m_.nkey == 0) return;
+    const Data key(mj_makeData(&m_), mj_deleteData);
+    place(*key, m_.key_qpos);
+    moves_ = std::any_of(m_.key_qvel, m_.key_qvel + m_.nv, [](mjtNum v) { return v != 0.0; });
+    const auto trees = std::count(m_.body_parentid + 1, m_.body_parentid + m_.nbody, 0);
+    const bool tied = std::find(m_.eq_active, m_.eq_active + m_.neq, mjtByte{1}) != m_.eq_active + m_.neq;
+    starts_ = !tied || holds(*key, kHoldsInKey) || !holds(*d_, kHolds);
+    if (!starts_)
+      leave_out(source_.children_of("keyframe").front(),
+                "loops or couplings do not hold there: only its free bodies are where it has them");
+    const bool put = !options_.ground.empty();
+    if (starts_ && (tied || moves_ || put || has(mjJNT_BALL) || (has(mjJNT_FREE) && trees > 1))) {
+      robot_.drawn = "the first keyframe";
+      place(*d_, m_.key_qpos);
+      return;
+    }
+    std::vector<mjtNum> qpos(m_.qpos0, m_.qpos0 + m_.nq);
+    for (int j = 0; j < m_.njnt; ++j)
+      if (m_.jnt_type[j] == mjJNT_FREE) std::copy_n(m_.key_qpos + m_.jnt_qposadr[j], 7, &qpos[at(m_.jnt_qposadr[j])]);
+    place(*d_, qpos.data());
+  }
+
+  // Distance or angle between the parts that an equality holds together.
+  double gap_of(const mjData& d, int e) const {
+    const mjtNum* data = m_.eq_data + mjNEQDATA * e;
+    const int a = m_.eq_obj1id[e], b = m_.eq_obj2id[e];
+    if (m_.eq_type[e] == mjEQ_JOINT) return b < 0 ? 0.0 : std::abs(moved(d, a) - coupled(data, moved(d, b)));
+    if (m_.eq_type[e] != mjEQ_CONNECT && m_.eq_type[e] != mjEQ_WELD) return 0.0;
+    const RigidFrame X_a = placed(d, a), X_b = placed(d, b);
+    // connect: the anchor in body 1, then in body 2. weld: in body 2, then in body 1, then the rotation of 2 in 1.
+    if (m_.eq_type[e] == mjEQ_CONNECT) return (X_a * vector(data) - X_b * vector(data + 3)).norm();
+    return std::max((X_b * vector(data) - X_a * vector(data + 3)).norm(),
+                    (X_a.R.transpose() * X_b.R - rotation(data + 6)).norm());
+  }
+  bool holds(const mjData& d, double tolerance) const {
+    for (int e = 0; e < m_.neq; ++e)
+      if (m_.eq_active[e] != 0 && gap_of(d, e) > tolerance) return false;
+    return true;
+  }
+  bool drawn_at_key() const { return robot_.drawn != "qpos0"; }
+
+  // Coordinate of a joint since qpos0, and that of one that is coupled to it.
+  double moved(const mjData& d, int j) const { return d.qpos[m_.jnt_qposadr[j]] - m_.qpos0[m_.jnt_qposadr[j]]; }
+  static double coupled(const mjtNum* a, double q) { return a[0] + q * (a[1] + q * (a[2] + q * (a[3] + q * a[4]))); }
+
+  static RigidFrame placed(const mjData& d, int body) {
+    return {vector(d.xpos + 3 * body), rotation(d.xquat + 4 * body)};
+  }
+  RigidFrame placed(int body) const { return placed(*d_, body); }
 
   // Link of a body: bodies count from 1, the world is the ground.
   int link_of(int body) const { return body == 0 ? -1 : links_.at(body); }
@@ -184,7 +240,7 @@ class MjcfRobot {
     c.armature = m_.dof_armature[v];
     c.stiffness = m_.jnt_stiffness[j];
     c.rest = m_.qpos_spring[q];
-    if (m_.nkey > 0) c.start = m_.key_qpos[q];
+    if (m_.nkey > 0 && starts_) c.start = m_.key_qpos[q];
     return c;
   }
 
@@ -367,17 +423,47 @@ class MjcfRobot {
     for (int g = 0; g < m_.ngeom; ++g) {
       if (m_.geom_bodyid[g] != 0) continue;
       const bool collides = m_.geom_contype[g] != 0 || m_.geom_conaffinity[g] != 0;
-      const bool level =
-          m_.geom_type[g] == mjGEOM_PLANE && std::abs(rotation(m_.geom_quat + 4 * g)(2, 2)) > 1.0 - 1e-12;
-      if (level && collides && !robot_.plane) {
+      const Eigen::Matrix3d R = rotation(m_.geom_quat + 4 * g);
+      const bool level = m_.geom_type[g] == mjGEOM_PLANE && std::abs(R(2, 2)) > 1.0 - 1e-12;
+      const int field = m_.geom_type[g] == mjGEOM_HFIELD ? m_.geom_dataid[g] : -1;
+      if (field >= 0 && collides && !robot_.map && R.isIdentity(1e-12) && m_.hfield_nrow[field] > 1 &&
+          m_.hfield_ncol[field] > 1) {
+        add_map(g);
+      } else if (level && collides && !robot_.plane) {
         robot_.plane = true;
         robot_.plane_height = m_.geom_pos[3 * g + 2];
-        robot_.plane_friction = m_.geom_friction[3 * g];
+        if (!robot_.map) robot_.plane_friction = m_.geom_friction[3 * g];
       } else {
-        leave_out(geom_node(g), "stands still in the world; the ground of a scene is one level plane, or grains",
+        leave_out(geom_node(g),
+                  "stands still in the world; the ground of a scene is one level plane, one map of heights along x "
+                  "and y, or grains",
                   !collides);
       }
     }
+    if (robot_.map && !options_.ground.empty())
+      leave_out(source_.root(), "the height field is not taken: --ground was given");
+    else if (robot_.map && robot_.plane)
+      leave_out(source_.root(), "the plane is not taken: the ground of the scene is the height field");
+  }
+
+  // Row k of the heights is the k-th along y; they are shares of the third size.
+  void add_map(int g) {
+    const int id = m_.geom_dataid[g], rows = m_.hfield_nrow[id], columns = m_.hfield_ncol[id];
+    const mjtNum* size = m_.hfield_size + 4 * id;
+    const Eigen::Vector3d p = vector(m_.geom_pos + 3 * g);
+    RobotMap map;
+    map.origin = source_.origin(geom_node(g));
+    map.label = "height field \"" + name_of(mjOBJ_HFIELD, id, "hfield") + "\"";
+    map.x = Eigen::VectorXd::LinSpaced(columns, p[0] - size[0], p[0] + size[0]);
+    map.y = Eigen::VectorXd::LinSpaced(rows, p[1] - size[1], p[1] + size[1]);
+    map.heights.resize(rows, columns);
+    const Eigen::MatrixXd given = source_.elevation(name_of(mjOBJ_HFIELD, id, ""));
+    for (int r = 0; r < rows; ++r)
+      for (int c = 0; c < columns; ++c)
+        map.heights(r, c) =
+            p[2] + size[2] * (given.size() > 0 ? given(r, c) : m_.hfield_data[m_.hfield_adr[id] + r * columns + c]);
+    robot_.map = std::move(map);
+    robot_.plane_friction = m_.geom_friction[3 * g];
   }
 
   void add_contact_pairs() {
@@ -419,17 +505,12 @@ class MjcfRobot {
       if (m_.eq_type[e] == mjEQ_CONNECT || m_.eq_type[e] == mjEQ_WELD) {
         const int a = m_.eq_obj1id[e], b = m_.eq_obj2id[e];
         const bool connect = m_.eq_type[e] == mjEQ_CONNECT;
-        const RigidFrame X_a = placed(a), X_b = placed(b);
-        const Eigen::Vector3d anchor = vector(data);
         loop.kind = connect ? RobotJointKind::kSpherical : RobotJointKind::kFixed;
         loop.parent = link_of(a);
         loop.child = link_of(b);
-        // connect: the anchor in body 1, then in body 2. weld: in body 2, then in body 1, then the rotation of 2 in 1.
-        loop.point = connect ? X_a * anchor : X_b * anchor;
-        double gap =
-            connect ? (loop.point - X_b * vector(data + 3)).norm() : (loop.point - X_a * vector(data + 3)).norm();
-        if (!connect) gap = std::max(gap, (X_a.R.transpose() * X_b.R - rotation(data + 6)).norm());
-        if (gap > 1e-6) {
+        loop.point = placed(connect ? a : b) * vector(data);
+        const double gap = gap_of(*d_, e);
+        if (gap > (drawn_at_key() ? kHoldsInKey : kHolds)) {
           leave_out(node, "does not hold where the robot is drawn (its parts are " + number_text(gap, 3) +
                               " m or rad apart): it is left out");
           continue;
@@ -441,21 +522,21 @@ class MjcfRobot {
         leave_out(node, "a scene couples joints, not tendons");
         continue;
       }
-      add_coupling(node, m_.eq_obj1id[e], m_.eq_obj2id[e], data, loop.name);
+      add_coupling(node, e, loop.name);
     }
   }
 
   // q1 = a0 + a1 q2 + a2 q2^2 + ..., both counted from qpos0.
-  void add_coupling(const pugi::xml_node& node, int j1, int j2, const mjtNum* a, const std::string& name) {
+  void add_coupling(const pugi::xml_node& node, int e, const std::string& name) {
+    const int j1 = m_.eq_obj1id[e], j2 = m_.eq_obj2id[e];
+    const mjtNum* a = m_.eq_data + mjNEQDATA * e;
     const auto [first, coordinate1] = joints_of_[at(j1)];
     if (first < 0 || (j2 >= 0 && joints_of_[at(j2)].first < 0) || a[0] != 0.0 || j2 < 0) {
       leave_out(node, "a scene couples two coordinates that are zero together");
       return;
     }
     const auto [second, coordinate2] = joints_of_[at(j2)];
-    const auto polynomial = [&](double q) { return q * (a[1] + q * (a[2] + q * (a[3] + q * a[4]))); };
-    const auto drawn = [&](int j) { return d_->qpos[m_.jnt_qposadr[j]] - m_.qpos0[m_.jnt_qposadr[j]]; };
-    if (std::abs(drawn(j1) - polynomial(drawn(j2))) > 1e-6) {
+    if (gap_of(*d_, e) > (drawn_at_key() ? kHoldsInKey : kHolds)) {
       leave_out(node, "does not hold where the robot is drawn");
       return;
     }
@@ -472,7 +553,7 @@ class MjcfRobot {
                    to = limited ? m_.jnt_range[2 * j2 + 1] - zero : kPi;
       for (int k = 0; k < kCamPoints; ++k) {
         const double q = from + (to - from) * k / (kCamPoints - 1);
-        gear.curve.emplace_back(q - drawn(j2), polynomial(q));
+        gear.curve.emplace_back(q - moved(*d_, j2), coupled(a, q));
       }
       gear.factors = {1.0, -1.0};
     } else if (a[1] == 0.0) {
@@ -530,7 +611,8 @@ class MjcfRobot {
       } else {
         drive.command = g * (k * control + b0);
         if (largest > 0.0) drive.max_torque = largest;
-        drive.remark = number_text(g * k, 6) + " times the control";
+        drive.remark = number_text(g * k, 6) + " times the control" +
+                       (control != 0.0 ? ", which remains that of the keyframe" : "");
       }
       if (m_.actuator_forcelimited[i] != 0) {
         const double lo = m_.actuator_forcerange[2 * i], hi = m_.actuator_forcerange[2 * i + 1];
@@ -543,25 +625,35 @@ class MjcfRobot {
     }
   }
 
-  void add_start() {
-    if (m_.nkey == 0) return;
-    bool moves = false;
-    for (int v = 0; v < m_.nv; ++v) moves = moves || m_.key_qvel[v] != 0.0;
-    if (!moves) return;
+  // Velocities of all bodies in the keyframe: those of free bodies, in qvel of the origin of their frame, and of joints.
+  void add_velocities() {
+    if (!moves_) return;
     const pugi::xml_node key = source_.children_of("keyframe").front();
-    if (free_joints_.size() == 1) {
-      const int v = m_.jnt_dofadr[free_joints_[0]], body = m_.jnt_bodyid[free_joints_[0]];
-      robot_.velocity = vector(m_.key_qvel + v);
-      robot_.angular_velocity = placed(body).R * vector(m_.key_qvel + v + 3);
-      leave_out(key, "qvel: the velocity of the free body is that of the whole robot, joints start at rest");
-    } else {
-      leave_out(key, "qvel: the joints start at rest");
+    if (!drawn_at_key()) {
+      leave_out(key, "qvel: the robot starts at rest");
+      return;
+    }
+    mju_copy(d_->qvel, m_.key_qvel, m_.nv);
+    if (options_.fix_base && !free_joints_.empty()) {
+      mju_zero(d_->qvel + m_.jnt_dofadr[free_joints_.front()], 6);
+      leave_out(key, "qvel: the base is fixed, by --fix-base");
+    }
+    mj_comPos(&m_, d_.get());
+    mj_comVel(&m_, d_.get());
+    for (const auto& [body, link] : links_) {
+      mjtNum twist[6];  // angular, then of the frame's origin, both along the axes of the world
+      mj_objectVelocity(&m_, d_.get(), mjOBJ_XBODY, body, twist, 0);
+      robot_.links[at(link)].angular_velocity = vector(twist);
+      robot_.links[at(link)].velocity = vector(twist + 3);
     }
   }
 
   const MjcfSource& source_;
   const mjModel& m_;
-  Data d_;
+  const ImportOptions& options_;
+  Data d_;              // as drawn
+  bool starts_ = true;  // joints start in the first keyframe
+  bool moves_ = false;  // it has velocities
   Robot& robot_;
   std::vector<pugi::xml_node> bodies_;                  // by body
   std::map<int, int> links_;                            // of bodies
@@ -578,7 +670,7 @@ Robot read_mjcf(const std::string& file, const ImportOptions& options) {
   robot.file = file;
   MjcfSource source(file, options, robot);
   const Model model = compiled(source);
-  MjcfRobot(source, *model, robot).read();
+  MjcfRobot(source, *model, options, robot).read();
   return robot;
 }
 

@@ -61,7 +61,7 @@ MjcfSource::MjcfSource(const std::string& file, const ImportOptions& options, Ro
   resolve_frames(
       merged_.document_element(), [this](const pugi::xml_node& node) { return origin(node); },
       [this](const pugi::xml_node& made, const pugi::xml_node& of) { origins_[made.hash_value()] = origin(of); });
-  name_meshes();
+  name_assets();
   rewrite_actuators();
 }
 
@@ -174,16 +174,6 @@ void MjcfSource::take_what_is_for_looks() {
     } else if (name == "plugin") {
       leave_out(node, "is code of MuJoCo");
       node.parent().remove_child(node);
-    } else if (name == "hfield" && above == "asset") {
-      leave_out(node, "a scene has no height fields; its ground is a plane or grains");
-      std::string field = node.attribute("name").value();
-      if (field.empty()) field = fs::path(node.attribute("file").value()).stem().string();
-      node.parent().remove_child(node);
-      for_each(mujoco, [&](pugi::xml_node geom) {
-        if (field != geom.attribute("hfield").value() || field.empty()) return;
-        leave_out(geom, "its height field is not taken");
-        geom.parent().remove_child(geom);
-      });
     }
   });
   for (pugi::xml_node keyframe : mujoco.children("keyframe")) {
@@ -214,8 +204,8 @@ void MjcfSource::take_option() {
   }
 }
 
-// Meshes get the whole path of their file; those that are not there go, with the geoms that are made of them.
-void MjcfSource::name_meshes() {
+// Meshes and height fields get the whole path of their file; those that are not there go, with the geoms that are made of them.
+void MjcfSource::name_assets() {
   pugi::xml_node mujoco = merged_.document_element();
   std::string folder;
   bool strip = false;
@@ -231,6 +221,7 @@ void MjcfSource::name_meshes() {
   bool said = false;
   for (const pugi::xml_node& one : mujoco.children("compiler")) said = said || one.attribute("autolimits");
   if (!said) compiler.append_attribute("autolimits") = "true";
+  read_height_fields(folder, strip);
   std::vector<std::string> missing;
   for (pugi::xml_node asset : mujoco.children("asset"))
     for (pugi::xml_node mesh = asset.child("mesh"); mesh;) {
@@ -240,12 +231,7 @@ void MjcfSource::name_meshes() {
         fs::path path(file);
         if (strip) path = path.filename();
         if (!mesh.attribute("name")) mesh.append_attribute("name") = path.stem().string().c_str();
-        std::string found;
-        for (const fs::path& place :
-             {fs::path(folder_) / folder / path, fs::path(folder) / path, fs::path(folder_) / path})
-          if (found.empty()) found = find_mesh(place.string(), robot_.file, options_);
-        for (const std::string& package : options_.packages)
-          if (found.empty()) found = find_mesh((fs::path(package) / path).string(), robot_.file, options_);
+        const std::string found = asset_file(folder, path.string());
         if (found.empty()) {
           leave_out(mesh, "there is no file \"" + file + "\"; give its folder with --package");
           missing.emplace_back(mesh.attribute("name").value());
@@ -257,6 +243,65 @@ void MjcfSource::name_meshes() {
       mesh = next;
     }
   if (!missing.empty()) without_meshes(missing);
+}
+
+std::string MjcfSource::asset_file(const std::string& folder, const std::string& path) const {
+  std::vector<fs::path> places = {fs::path(folder_) / folder / path, fs::path(folder) / path, fs::path(folder_) / path};
+  for (const std::string& package : options_.packages) places.push_back(fs::path(package) / path);
+  for (const fs::path& place : places)
+    if (std::string found = find_mesh(place.string(), robot_.file, options_); !found.empty()) return found;
+  return "";
+}
+
+// Height fields whose heights are numbers of the file, which the library does not read, are read here: from the row of largest y
+// on, made to go from 0 to 1.
+void MjcfSource::read_height_fields(const std::string& folder, bool strip) {
+  pugi::xml_node mujoco = merged_.document_element();
+  for (pugi::xml_node asset : mujoco.children("asset"))
+    for (pugi::xml_node field = asset.child("hfield"); field;) {
+      const pugi::xml_node next = field.next_sibling("hfield");
+      fs::path path(field.attribute("file").value());
+      if (strip) path = path.filename();
+      if (!field.attribute("name")) field.append_attribute("name") = path.stem().string().c_str();
+      const std::string name = field.attribute("name").value();
+      std::string why;
+      if (!path.empty()) {
+        const std::string found = asset_file(folder, path.string());
+        if (found.empty())
+          why = "there is no file \"" + path.string() + "\"; give its folder with --package";
+        else
+          field.attribute("file").set_value(fs::absolute(found).string().c_str());
+      } else if (const pugi::xml_attribute given = field.attribute("elevation")) {
+        const int rows = field.attribute("nrow").as_int(), columns = field.attribute("ncol").as_int();
+        const std::optional<std::vector<double>> z = numbers_of(given.value());
+        if (!z || rows < 1 || columns < 1 ||
+            z->size() != static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns))
+          throw InputError(code::kRobotNumber, origin(field).place() + ": " + title_of(field) +
+                                                   " elevation has other than nrow times ncol finite numbers");
+        using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+        const Eigen::MatrixXd h = Eigen::Map<const Rows>(z->data(), rows, columns).colwise().reverse();
+        const double range = h.maxCoeff() - h.minCoeff();
+        elevations_[name] = (h.array() - h.minCoeff()) / (range > 0.0 ? range : 1.0);
+        field.remove_attribute("elevation");
+      } else {
+        why = "the file has no heights of it: a program sets them";
+      }
+      if (!why.empty()) {
+        leave_out(field, why);
+        asset.remove_child(field);
+        for_each(mujoco, [&](pugi::xml_node geom) {
+          if (name != geom.attribute("hfield").value() || name.empty()) return;
+          leave_out(geom, "its height field is not there");
+          geom.parent().remove_child(geom);
+        });
+      }
+      field = next;
+    }
+}
+
+Eigen::MatrixXd MjcfSource::elevation(const std::string& field) const {
+  const auto found = elevations_.find(field);
+  return found == elevations_.end() ? Eigen::MatrixXd() : found->second;
 }
 
 void MjcfSource::without_meshes(const std::vector<std::string>& missing) {

@@ -26,6 +26,8 @@ class MjcfSource {
   // In the order of the compiled model. `section`: of the root, such as "actuator"; all of the same name follow each other.
   std::vector<pugi::xml_node> children_of(const char* section) const;
   std::vector<pugi::xml_node> bodies() const;  // depth first; the first is the worldbody
+  // Heights that the file gives as numbers, from 0 to 1, row k at the k-th place along y; empty for other height fields.
+  Eigen::MatrixXd elevation(const std::string& field) const;
   pugi::xml_node root() const { return merged_.document_element(); }
 
  private:
@@ -34,7 +36,9 @@ class MjcfSource {
   void leave_out(const pugi::xml_node& node, const std::string& why, bool looks = false);
   void take_what_is_for_looks();
   void take_option();
-  void name_meshes();
+  void name_assets();
+  void read_height_fields(const std::string& folder, bool strip);
+  std::string asset_file(const std::string& folder, const std::string& path) const;
   void without_meshes(const std::vector<std::string>& missing);
   void rewrite_actuators();
   pugi::xml_node at_printed_line(int line) const;
@@ -46,6 +50,7 @@ class MjcfSource {
   std::vector<std::unique_ptr<XmlSource>> sources_;
   pugi::xml_document merged_;
   std::unordered_map<std::size_t, Origin> origins_;  // by hash of the node
+  std::map<std::string, Eigen::MatrixXd> elevations_;
   int taken_out_ = 0;
 };
 

@@ -42,7 +42,7 @@ struct RobotGeometry {
   Origin origin;
   std::string name;
   GeometryKind kind = GeometryKind::kBox;
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();   // box: edges along the axes of G [m]
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();   // box: edges; mesh of an ellipsoid: axes; along the axes of G [m]
   double radius = 0.0;                              // sphere, cylinder, capsule [m]
   double length = 0.0;                              // cylinder, capsule: along z of G, without round ends [m]
   std::string file;                                 // mesh: where it is on this machine
@@ -51,6 +51,9 @@ struct RobotGeometry {
   RigidFrame X_LG;
 };
 
+// A shape without volume, as files have for what touches nothing.
+bool is_empty(const RobotGeometry& geometry);
+
 struct RobotLink {
   Origin origin;
   std::string name, label;                            // label: as the file names it, after tidy_robot()
@@ -58,6 +61,8 @@ struct RobotLink {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();   // mass centre in L [m]
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the mass centre, in axes of L [kg m2]
   RigidFrame X_DL;                                    // in the drawing
+  // At the start, of the origin of L; both or none. In axes of D [m/s, rad/s].
+  std::optional<Eigen::Vector3d> velocity, angular_velocity;
   std::vector<RobotGeometry> collisions, visuals;
   std::optional<double> friction;  // of its surface [-]
   std::string remark;              // for the scene: what was merged into it
@@ -118,6 +123,14 @@ struct RobotDrive {
   std::string remark;
 };
 
+// Heights of the ground on a level grid: row k at the k-th place along y.
+struct RobotMap {
+  Origin origin;
+  std::string label;
+  Eigen::VectorXd x, y;     // places [m]
+  Eigen::MatrixXd heights;  // [m]
+};
+
 struct Robot {
   std::string name, format, file;
   std::string drawn;                                           // at which coordinates; empty: zero
@@ -131,10 +144,11 @@ struct Robot {
   bool plane = false;                      // the file has a floor at z = plane_height
   double plane_height = 0.0;               // [m]
   std::optional<double> plane_friction;
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // of the free root at the start [m/s]
-  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
+  std::optional<RobotMap> map;  // the file has a height field: it is the ground
   std::vector<NotTaken> not_taken;
 
+  // Adds the geometry to the surfaces of the link, or lists one without volume.
+  void add_geometry(RobotLink& link, RobotGeometry geometry, bool collides);
   void leave_out(const Origin& origin, const std::string& what, const std::string& why, bool looks = false) {
     not_taken.push_back({origin, what, why, looks});
   }
@@ -145,9 +159,14 @@ struct ImportOptions {
   bool merge_fixed = false;           // links with fixed joints become one body
   bool fix_base = false;              // the root is fixed to the ground
   bool hold = false;                  // joints without a motor are held where they start, by gains of this program
+  bool host = false;                  // a program that leads the run sets the commands of motors
   bool bare = false;                  // without surfaces
   std::vector<std::string> packages;  // folders in which package:// and model:// are looked for
 };
+
+// Of an effort of 0, which many programs write where none is known.
+inline constexpr const char* kWithoutEffort =
+    "effort is 0, which no motor has: the one of --hold has no largest torque or force";
 
 // --- Readers: one per format, and one door to each library. All throw InputError with file and line.
 
@@ -162,6 +181,10 @@ Robot read_robot(const std::string& file, const ImportOptions& options);
 // Links without mass join their neighbours, inertias become those of real bodies, options are carried out; each change is
 // in not_taken.
 void tidy_robot(Robot& robot, const ImportOptions& options);
+
+// Mass, centre and inertia of the link grow by those of a homogeneous solid, density [kg/m3]. Throws InputError where a mesh
+// encloses none.
+void add_solid(RobotLink& link, const RobotGeometry& solid, double density);
 
 // What the joints of a robot move, computed once.
 class MovedInertias {
@@ -198,6 +221,18 @@ std::string find_model(const std::string& uri, const std::string& robot_file, co
 struct SceneFile {
   std::string name, content;
 };
-std::vector<SceneFile> write_robot_scene(Robot& robot, const ImportOptions& options);
+// A bed of about 6000 grains.
+struct RobotBed {
+  Eigen::Vector2d size = Eigen::Vector2d::Zero(), centre = Eigen::Vector2d::Zero();  // along x and y [m]
+  double depth = 0.0;                                                                // [m]
+  double radius() const;                                                             // of its grains [m]
+};
+// `bed`: of --ground; otherwise one below the whole robot.
+std::vector<SceneFile> write_robot_scene(Robot& robot, const ImportOptions& options,
+                                         const std::optional<RobotBed>& bed = std::nullopt);
+
+// What is not taken, in the order of the file; parts of one kind and with one reason are one line. `looks`: with what is of
+// pictures alone; `names_only`: files without their folders, and all lines of a group.
+std::vector<std::string> not_taken_lines(const Robot& robot, bool looks, bool names_only);
 
 }  // namespace footfall

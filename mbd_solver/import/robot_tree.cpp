@@ -9,6 +9,7 @@
 #include <set>
 
 #include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/import/codes.h"
 #include "mbd_solver/import/robot.h"
 
@@ -375,6 +376,52 @@ void give_plain_names(Robot& robot) {
 }
 
 }  // namespace
+
+void add_solid(RobotLink& link, const RobotGeometry& g, double density) {
+  const Eigen::Vector3d half(0.0, 0.0, 0.5 * g.length);
+  MassProperties solid;
+  switch (g.kind) {
+    case GeometryKind::kBox: solid = box_properties(g.size, density); break;
+    case GeometryKind::kSphere: solid = sphere_properties(g.radius, density); break;
+    case GeometryKind::kCylinder: solid = rod_properties(-half, half, 2.0 * g.radius, density); break;
+    case GeometryKind::kCapsule: solid = capsule_properties(-half, half, 2.0 * g.radius, density); break;
+    case GeometryKind::kMesh:
+      if (g.size.minCoeff() > 0.0) {  // an ellipsoid: m (b2 + c2) / 20 of its axes
+        const Eigen::Vector3d squares = g.size.cwiseAbs2();
+        solid.mass = density * kPi / 6.0 * g.size.prod();
+        solid.inertia = (solid.mass / 20.0 * (Eigen::Vector3d::Constant(squares.sum()) - squares)).asDiagonal();
+      } else {
+        solid = polyhedron_properties(geometry_mesh(g), density, g.file);
+      }
+  }
+  RobotLink part;
+  part.X_DL = link.X_DL * g.X_LG;
+  part.mass = solid.mass;
+  part.centre = solid.centre;
+  part.inertia = solid.inertia;
+  add_mass(link, part);
+}
+
+bool is_empty(const RobotGeometry& g) {
+  switch (g.kind) {
+    case GeometryKind::kBox: return !(g.size.minCoeff() > 0.0);
+    case GeometryKind::kSphere: return !(g.radius > 0.0);
+    case GeometryKind::kCylinder:
+    case GeometryKind::kCapsule: return !(g.radius > 0.0) || !(g.length > 0.0);
+    case GeometryKind::kMesh: return g.scale.isZero(0.0);
+  }
+  return false;
+}
+
+void Robot::add_geometry(RobotLink& link, RobotGeometry geometry, bool collides) {
+  if (is_empty(geometry)) {
+    leave_out(geometry.origin,
+              std::string(collides ? "a collision" : "a visual") + " geometry of link \"" + link.name + "\"",
+              "has a size of 0: it is left out", !collides);
+    return;
+  }
+  (collides ? link.collisions : link.visuals).push_back(std::move(geometry));
+}
 
 // Masses are added from the leaves to the roots. In a circle of joints each one moves all.
 MovedInertias::MovedInertias(const Robot& robot) : beyond_(robot.links.size()) {

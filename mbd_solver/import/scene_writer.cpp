@@ -30,6 +30,8 @@ constexpr double kGrains = 6000.0;        // of the bed of --ground, about
 constexpr double kDepthInRadii = 10.0;    // of this bed
 constexpr std::size_t kMostPairs = 1500;  // entries of bodies that do not touch each other
 constexpr std::size_t kManyTriangles = 20000;
+constexpr const char* kUnsetSignal = "W0667";  // the warning that nobody sets a signal of kind host
+constexpr std::size_t kMostLines = 6;          // of a group of the printed list
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -101,8 +103,8 @@ std::string obj_text(const TriangleMesh& mesh, const std::string& what) {
 
 class Writer {
  public:
-  Writer(Robot& robot, const ImportOptions& options)
-      : robot_(robot), options_(options), moved_(robot), mesh_bytes_(limit::kRobotMeshes, robot.file) {
+  Writer(Robot& robot, const ImportOptions& options, const std::optional<RobotBed>& bed)
+      : robot_(robot), options_(options), bed_(bed), moved_(robot), mesh_bytes_(limit::kRobotMeshes, robot.file) {
     for (const RobotDrive& drive : robot_.drives) driven_.insert({drive.joint, drive.coordinate});
     for (const RobotGear& gear : robot_.gears)
       if (!gear.joints.empty()) driven_.insert({gear.joints[0], gear.coordinates[0]});
@@ -115,8 +117,12 @@ class Writer {
     add_drives();
     add_ground();
     add_start();
-    std::vector<SceneFile> files = {
-        {"scene.toml", head() + bodies_ + joints_ + gears_ + drives_ + boundaries_ + contacts() + rest_ + not_taken()}};
+    // Of each such signal a run from the command line would warn.
+    if (!signals_.empty())
+      rest_ += "\n[accepted]\n" + std::string(kUnsetSignal) +
+               " = \"a program that leads the run sets the commands of motors (--host)\"\n";
+    std::vector<SceneFile> files = {{"scene.toml", head() + bodies_ + joints_ + gears_ + drives_ + signals_ +
+                                                       boundaries_ + contacts() + rest_ + not_taken()}};
     for (auto& [name, content] : meshes_) files.push_back({name, std::move(content)});
     return files;
   }
@@ -414,10 +420,17 @@ class Writer {
          << "\n";
     if (robot_.joints[at(drive.joint)].coordinates.size() > 1)
       text << "coordinate = " << toml_text(drive.coordinate) << "\n";
-    text << "command = { polynomial = [" << number(drive.command) << "] }\n";
+    if (options_.host) {
+      text << "command = { signal = " << toml_text(drive.name) << " }\n";
+      signals_ += "\n[[signals]]\nname = " + toml_text(drive.name) + "\nkind = \"host\"\n";
+      if (drive.command != 0.0) signals_ += "initial = " + number(drive.command) + "\n";
+    } else {
+      text << "command = { polynomial = [" << number(drive.command) << "] }\n";
+    }
     if (drive.kp > 0.0) text << "kp = " << number(drive.kp) << "\n";
     if (drive.kd > 0.0) text << "kd = " << number(drive.kd) << "\n";
-    if (drive.max_torque) text << "max_torque = " << number(*drive.max_torque) << "\n";
+    if (drive.max_torque)
+      text << (drive.coordinate == "angle" ? "max_torque = " : "max_force = ") << number(*drive.max_torque) << "\n";
     if (drive.max_speed > 0.0 && drive.max_torque) text << "max_speed = " << number(drive.max_speed) << "\n";
     if (drive.rotor_inertia > 0.0) text << "rotor_inertia = " << number(drive.rotor_inertia) << "\n";
     drives_ += text.str();
@@ -458,10 +471,33 @@ class Writer {
 
   // --- Ground and start.
 
+  // A bed below the whole robot.
+  RobotBed first_bed(double longer) const {
+    RobotBed bed;
+    const Eigen::Vector3d extent = box_.sizes();
+    for (int axis = 0; axis < 2; ++axis) {
+      bed.size[axis] = 1.3 * std::max(extent[axis], 0.4 * longer);
+      bed.centre[axis] = box_.center()[axis];
+    }
+    bed.depth = std::sqrt(0.6 * kDepthInRadii * bed.size.prod() / (4.0 / 3.0 * kPi * kGrains)) * kDepthInRadii;
+    return bed;
+  }
+
+  // The heights of the file, counted from its origin, with their map in the folder of meshes.
+  std::string terrain(const RobotMap& map) {
+    std::string points = "# x y z of " + one_line(map.label) + " [m]\n";
+    for (Eigen::Index row = 0; row < map.y.size(); ++row)
+      for (Eigen::Index column = 0; column < map.x.size(); ++column)
+        points += number_text(map.x[column], 9) + " " + number_text(map.y[row], 9) + " " +
+                  number_text(map.heights(row, column), 9) + "\n";
+    meshes_["meshes/heights.xyz"] = std::move(points);
+    return "[ground.terrain.map]" + from(map.origin, map.label) + "file = \"meshes/heights.xyz\"\norigin = [0, 0, 0]\n";
+  }
+
   void add_ground() {
     std::ostringstream text;
     std::string kind = options_.ground;
-    if (kind.empty() && robot_.plane && !bounded_.empty()) kind = "plane";
+    if (kind.empty() && (robot_.plane || robot_.map) && !bounded_.empty()) kind = "plane";
     if (kind.empty()) return;
     if (bounded_.empty())
       throw InputError(code::kRobotGround, robot_.file +
@@ -473,23 +509,31 @@ class Writer {
       if (!robot_.plane_friction)
         for (const RobotLink& link : robot_.links) friction = std::max(friction, link.friction.value_or(0.0));
       text << "\n[ground]\nkind = \"plane\"\n[ground.plane]\n";
-      if (of_file && robot_.plane_height != 0.0) text << "point = [0, 0, " << number(robot_.plane_height) << "]\n";
+      if (of_file && !robot_.map && robot_.plane_height != 0.0)
+        text << "point = [0, 0, " << number(robot_.plane_height) << "]\n";
       text << "young_MPa = 10                        # assumed\nrestitution = 0.3                     # assumed\n"
               "impact_speed = 1.0                    # m/s, assumed\n";
       if (friction > 0.0) text << "friction = " << number(friction) << "\n";
+      if (of_file && robot_.map) text << terrain(*robot_.map);
     } else {
-      const Eigen::Vector3d extent = box_.sizes(), centre = box_.center();
+      const Eigen::Vector3d extent = box_.sizes();
       const double longer = std::max({extent[0], extent[1], 0.3 * extent[2]});
-      const double x = 1.3 * std::max(extent[0], 0.4 * longer), y = 1.3 * std::max(extent[1], 0.4 * longer);
-      const double radius = std::sqrt(0.6 * kDepthInRadii * x * y / (4.0 / 3.0 * kPi * kGrains));
+      const RobotBed bed = bed_.value_or(first_bed(longer));
+      // The simulation box holds all that the robot has beside the bed.
+      double margin = 0.5 * longer;
+      for (int axis = 0; axis < 2; ++axis) {
+        const double farthest = std::max(box_.max()[axis] - bed.centre[axis], bed.centre[axis] - box_.min()[axis]);
+        margin = std::max(margin, farthest - 0.5 * bed.size[axis] + 0.2 * longer);
+      }
       text << "\n[ground]\nkind = \"particles\"\n";
       if (kind != "grains") text << "[particles]\nsoil = " << toml_text(kind) << "\n";
       text << "[particles.box]                       # below the robot, of about " << number_text(kGrains)
-           << " grains: choose size and radius for the part that touches it\nsize = [" << number_text(x, 3) << ", "
-           << number_text(y, 3) << "]\ndepth = " << number_text(kDepthInRadii * radius, 3)
-           << "\nradius = " << number_text(radius, 3) << "\ncentre = [" << number_text(centre[0], 3) << ", "
-           << number_text(centre[1], 3) << "]\nheadroom = " << number_text(1.5 * extent[2] + 0.5 * longer, 3)
-           << "\nmargin = " << number_text(0.5 * longer, 3) << "\nframe_interval = 0.05\n";
+           << " grains: as small as the bodies allow that touch it where they start\nsize = ["
+           << number_text(bed.size[0], 3) << ", " << number_text(bed.size[1], 3)
+           << "]\ndepth = " << number_text(bed.depth, 3) << "\nradius = " << number_text(bed.radius(), 3)
+           << "\ncentre = [" << number_text(bed.centre[0], 3) << ", " << number_text(bed.centre[1], 3)
+           << "]\nheadroom = " << number_text(1.5 * extent[2] + 0.5 * longer, 3)
+           << "\nmargin = " << number_text(margin, 3) << "\nframe_interval = 0.05\n";
     }
     rest_ += text.str();
     if (of_file) return;
@@ -505,34 +549,40 @@ class Writer {
   }
 
   void add_start() {
-    if (!robot_.velocity.isZero(0.0)) initial_ += "velocity = " + list(robot_.velocity) + "\n";
-    if (!robot_.angular_velocity.isZero(0.0)) initial_ += "angular_velocity = " + list(robot_.angular_velocity) + "\n";
-    std::string joints;
+    std::string joints, velocities;
+    for (const RobotLink& link : robot_.links) {
+      if (!link.velocity || !link.angular_velocity) continue;
+      const Eigen::Vector3d v = *link.velocity + link.angular_velocity->cross(link.X_DL.R * link.centre);
+      velocities += "[[initial.bodies]]\nbody = " + toml_text(link.name) + "\nvelocity = " + list(v) +
+                    "\nangular_velocity = " + list(*link.angular_velocity) + "\n";
+    }
+    // A coordinate that is not given is free: where one starts elsewhere, those at zero are given, too.
+    bool moved = false;
+    for (const RobotJoint& joint : robot_.joints)
+      for (const RobotCoordinate& q : joint.coordinates) moved = moved || (q.start && *q.start != q.zero);
     for (const RobotJoint& joint : robot_.joints) {
       std::string values;
       for (const RobotCoordinate& q : joint.coordinates)
-        if (q.start && *q.start != q.zero) values += q.name + " = " + number(*q.start - q.zero) + "\n";
+        if (q.start && moved) values += q.name + " = " + number(*q.start - q.zero) + "\n";
       if (!values.empty()) joints += "[initial.joints." + joint.name + "]\n" + values;
     }
-    if (!initial_.empty() || !joints.empty()) rest_ += "\n[initial]\n" + initial_ + joints;
+    if (!initial_.empty() || !joints.empty() || !velocities.empty())
+      rest_ += "\n[initial]\n" + initial_ + joints + velocities;
   }
 
   std::string not_taken() const {
     if (robot_.not_taken.empty()) return "";
     std::string text = "\n# Not in this scene, or otherwise than in the file:\n";
-    for (const NotTaken& one : robot_.not_taken)
-      text += "#   " +
-              one_line(fs::path(one.origin.file).filename().string() + ":" + std::to_string(one.origin.line) + ": " +
-                       one.what + ": " + one.why) +
-              "\n";
+    for (const std::string& line : not_taken_lines(robot_, true, true)) text += "#   " + one_line(line) + "\n";
     return text;
   }
 
   Robot& robot_;
   const ImportOptions& options_;
+  const std::optional<RobotBed> bed_;
   const MovedInertias moved_;
   std::set<std::pair<int, std::string>> driven_;  // coordinates that a motor or gear moves
-  std::string bodies_, joints_, gears_, drives_, boundaries_, rest_, initial_;
+  std::string bodies_, joints_, gears_, drives_, signals_, boundaries_, rest_, initial_;
   std::vector<int> bounded_;  // links with a boundary
   Eigen::AlignedBox3d box_;   // of all surfaces in D
   std::map<std::string, std::string> meshes_, copies_;
@@ -541,7 +591,53 @@ class Writer {
 
 }  // namespace
 
-std::vector<SceneFile> write_robot_scene(Robot& robot, const ImportOptions& options) {
+// 60 % of the bed are grains.
+double RobotBed::radius() const { return std::cbrt(0.6 * size.prod() * depth / (4.0 / 3.0 * kPi * kGrains)); }
+
+std::vector<std::string> not_taken_lines(const Robot& robot, bool looks, bool names_only) {
+  std::vector<const NotTaken*> all;
+  for (const NotTaken& one : robot.not_taken)
+    if (looks || !one.looks) all.push_back(&one);
+  std::stable_sort(all.begin(), all.end(), [](const NotTaken* a, const NotTaken* b) {
+    return std::tie(a->origin.file, a->origin.line) < std::tie(b->origin.file, b->origin.line);
+  });
+  const auto file_of = [&](const NotTaken& one) {
+    return names_only ? fs::path(one.origin.file).filename().string() : one.origin.file;
+  };
+  // Of the same kind: what differs in names and values alone, for the same reason.
+  const auto kind_of = [](const NotTaken& one) {
+    std::string kind;
+    bool quoted = false;
+    for (const char c : one.what) {
+      if (c == '"') quoted = !quoted;
+      if (!quoted) kind += c;
+    }
+    return kind + "\n" + one.why;
+  };
+  std::map<std::string, std::size_t> places;
+  std::vector<std::vector<const NotTaken*>> groups;
+  for (const NotTaken* one : all) {
+    const auto [place, added] = places.try_emplace(file_of(*one) + "\n" + kind_of(*one), groups.size());
+    if (added) groups.emplace_back();
+    groups[place->second].push_back(one);
+  }
+  std::vector<std::string> lines;
+  for (const std::vector<const NotTaken*>& group : groups) {
+    const NotTaken& first = *group.front();
+    std::string line = file_of(first) + ":" + std::to_string(first.origin.line) + ": " + first.what + ": " + first.why;
+    std::string more;
+    for (std::size_t k = 1; k < group.size(); ++k)
+      if (names_only || k <= kMostLines) more += (k > 1 ? ", " : "") + std::to_string(group[k]->origin.line);
+    if (group.size() > 1)
+      line += " (and " + std::to_string(group.size() - 1) + " more, in " + (group.size() > 2 ? "lines " : "line ") +
+              more + (!names_only && group.size() > kMostLines + 1 ? " ..." : "") + ")";
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::vector<SceneFile> write_robot_scene(Robot& robot, const ImportOptions& options,
+                                         const std::optional<RobotBed>& bed) {
   if (!options.ground.empty() && options.ground != "plane" && options.ground != "grains") {
     std::vector<std::string> soils = {"plane", "grains"};
     for (const auto& entry : fs::directory_iterator(shipped_file("inputs/soils")))
@@ -551,7 +647,7 @@ std::vector<SceneFile> write_robot_scene(Robot& robot, const ImportOptions& opti
       throw InputError(code::kRobotGround, "--ground " + options.ground + ": expected a plane, grains or a soil." +
                                                known_names("grounds", options.ground, soils));
   }
-  return Writer(robot, options).write();
+  return Writer(robot, options, bed).write();
 }
 
 }  // namespace footfall

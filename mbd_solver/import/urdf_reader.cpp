@@ -70,14 +70,14 @@ void check_geometry(const XmlSource& xml, const pugi::xml_node& of) {
   });
   if (!shape)
     xml.fail(code::kRobotElement, geometry, "has no box, sphere, cylinder, capsule or mesh; expected one of them");
-  const auto positive = [&](const char* attribute, std::size_t count) {
+  const auto not_negative = [&](const char* attribute, std::size_t count) {
     for (const double value : xml.numbers(shape, attribute, count))
-      if (!(value > 0.0)) xml.fail(code::kRobotNumber, shape, std::string(attribute) + " is not above zero [m]");
+      if (value < 0.0) xml.fail(code::kRobotNumber, shape, std::string(attribute) + " is negative [m]");
   };
   const std::string name = shape.name();
-  if (name == "box") positive("size", 3);
-  if (name == "sphere" || name == "cylinder" || name == "capsule") positive("radius", 1);
-  if (name == "cylinder" || name == "capsule") positive("length", 1);
+  if (name == "box") not_negative("size", 3);
+  if (name == "sphere" || name == "cylinder" || name == "capsule") not_negative("radius", 1);
+  if (name == "cylinder" || name == "capsule") not_negative("length", 1);
   if (name != "mesh") return;
   if (*shape.attribute("filename").value() == 0) xml.fail(code::kRobotElement, shape, "has no filename");
   for (const double value : xml.numbers(shape, "scale", 3, {1, 1, 1}))
@@ -304,9 +304,10 @@ class UrdfRobot {
     }
     auto collision = node.children("collision").begin();
     for (const auto& of : link.collision_array)
-      made.collisions.push_back(geometry(*of->geometry, of->origin, *collision++));
+      robot_.add_geometry(made, geometry(*of->geometry, of->origin, *collision++), true);
     auto visual = node.children("visual").begin();
-    for (const auto& of : link.visual_array) made.visuals.push_back(geometry(*of->geometry, of->origin, *visual++));
+    for (const auto& of : link.visual_array)
+      robot_.add_geometry(made, geometry(*of->geometry, of->origin, *visual++), false);
     if (link.parent_joint) add_joint(*link.parent_joint, parent, index);
     open_children(link, index, X_DL);
   }
@@ -397,6 +398,8 @@ class UrdfRobot {
       if (joint.limits) {
         q.effort = std::max(0.0, joint.limits->effort);
         q.speed = std::max(0.0, joint.limits->velocity);
+        if (options_.hold && limit.attribute("effort") && !(joint.limits->effort > 0.0) && !joint.mimic)
+          robot_.leave_out(xml_.origin(limit), "<limit> of " + title_of(node), kWithoutEffort);
       }
       if (joint.dynamics) {
         q.damping = joint.dynamics->damping;

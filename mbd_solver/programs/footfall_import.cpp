@@ -10,7 +10,7 @@ namespace {
 
 Action import_robot(CLI::App& command) {
   const auto a = std::make_shared<ImportArguments>();
-  command.add_option("FILE", a->file, "Robot: URDF (expanded xacro), SDF 1.4 to 1.9, or MJCF")->required();
+  command.add_option("FILE", a->file, "Robot: URDF (expanded xacro), SDF 1.4 to 1.11, or MJCF")->required();
   command.add_option("--out", a->out, "Folder to create (default: the name of the file)");
   command.add_flag("--strict", a->strict, "Refuse a file with parts that a scene cannot say, instead of listing them");
   ImportOptions& o = a->options;
@@ -19,6 +19,7 @@ Action import_robot(CLI::App& command) {
   command.add_flag("--fix-base", o.fix_base, "Fix the root of the robot to the ground");
   command.add_flag("--merge-fixed", o.merge_fixed, "Make one body of links that fixed joints connect");
   command.add_flag("--hold", o.hold, "Hold joints without a motor where they start, by motors with assumed gains");
+  command.add_flag("--host", o.host, "Give each motor a signal of kind host, which a Python program sets");
   command.add_flag("--bare", o.bare, "Leave out collision geometry");
   command.add_option("--package", o.packages, "Folder in which package:// and model:// are looked for")
       ->allow_extra_args(false);

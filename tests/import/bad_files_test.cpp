@@ -96,7 +96,7 @@ TEST_F(BadRobots, Urdf) {
       {"r.urdf:2", "E0706"}));
   EXPECT_TRUE(test::names(
       message("r.urdf",
-              robot("<link name='a'>\n<collision><geometry><box size='1 1 0'/></geometry></collision></link>")),
+              robot("<link name='a'>\n<collision><geometry><box size='1 1 -1'/></geometry></collision></link>")),
       {"r.urdf:3", "E0704"}));
   EXPECT_TRUE(test::names(
       message("r.urdf", robot(a + b + "<joint name='j' type='continuous'>" + ab + "<mimic joint='x'/></joint>")),

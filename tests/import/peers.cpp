@@ -72,13 +72,13 @@ using Links = std::map<std::string, LinkValues>;
 Eigen::Vector3d vec(const mjtNum* v) { return {v[0], v[1], v[2]}; }
 Eigen::Matrix3d mat(const mjtNum* q) { return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix(); }
 
-Links of_mujoco(const mjModel& m, bool keyframe) {
+// drawn: as Robot::drawn of an MJCF; empty: all is at zero.
+Links of_mujoco(const mjModel& m, const std::string& drawn) {
   const Data d(mj_makeData(&m), mj_deleteData);
   mju_copy(d->qpos, m.qpos0, m.nq);
-  const bool balls = std::find(m.jnt_type, m.jnt_type + m.njnt, static_cast<int>(mjJNT_BALL)) != m.jnt_type + m.njnt;
-  for (int j = 0; keyframe && m.nkey > 0 && j < m.njnt; ++j)
+  for (int j = 0; !drawn.empty() && m.nkey > 0 && j < m.njnt; ++j)
     if (m.jnt_type[j] == mjJNT_FREE) mju_copy(d->qpos + m.jnt_qposadr[j], m.key_qpos + m.jnt_qposadr[j], 7);
-  if (keyframe && m.nkey > 0 && balls) mju_copy(d->qpos, m.key_qpos, m.nq);
+  if (drawn == "the first keyframe") mju_copy(d->qpos, m.key_qpos, m.nq);
   mj_normalizeQuat(&m, d->qpos);
   mj_kinematics(&m, d.get());
   Links links;
@@ -153,7 +153,7 @@ Links of_urdfdom(const std::string& file) {
 // The same file by MuJoCo's own reader of URDF, without surfaces. Empty where MuJoCo refuses it.
 Links of_urdf_in_mujoco(const std::string& file) {
   try {
-    return of_mujoco(*loaded(bare_urdf(file, true)), false);
+    return of_mujoco(*loaded(bare_urdf(file, true)), "");
   } catch (const std::exception&) {
     return {};
   }
@@ -318,8 +318,10 @@ void without_soft_parts(Robot& robot) {
       c.upper.reset();
       c.friction = 0.0;
     }
-  robot.velocity.setZero();
-  robot.angular_velocity.setZero();
+  for (RobotLink& link : robot.links) {
+    link.velocity.reset();
+    link.angular_velocity.reset();
+  }
 }
 
 void without_soft_parts(mjModel& m, const Robot& robot) {
@@ -501,7 +503,7 @@ int carry_out(const std::string& file) {
     }
     fs::current_path(here);
     if (!m) m = loaded_of_later_version(file, options);
-    add(of_mujoco(*m, true));
+    add(of_mujoco(*m, robot.drawn));
   }
   std::string problem;
   try {

@@ -6,10 +6,16 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <map>
+#include <optional>
 
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/bed/bed_forecast.h"
+#include "mbd_solver/bed/bed_report.h"
 #include "mbd_solver/import/import_command.h"
 #include "mbd_solver/import/robot.h"
+#include "mbd_solver/run/observe/start_check.h"
+#include "mbd_solver/scene/resolve.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
@@ -490,6 +496,228 @@ TEST_F(Robots, GroundOfASoilIsBelowTheRobot) {
   EXPECT_TRUE(s.initial.clearance);
   ASSERT_EQ(s.drives.size(), 1u);
   EXPECT_EQ(*s.drives[0].motor.largest_torque, 5.0);
+}
+
+// Files have collisions of no size for what touches nothing.
+TEST_F(Robots, GeometryWithoutSizeIsLeftOut) {
+  const Scene s = imported(
+      "r.urdf",
+      urdf(link("a", kBall + std::string("\n<collision><geometry><sphere radius='0'/></geometry></collision>"
+                                         "<collision><geometry><sphere radius='0.1'/></geometry></collision>")) +
+           link("b", kBall + std::string("<collision><geometry><box size='0 0 0'/></geometry></collision>")) +
+           joint("fixed", "")));
+  ASSERT_EQ(s.boundaries.size(), 1u);
+  EXPECT_EQ(s.body("a")->shape->radius, 0.1);
+  EXPECT_TRUE(test::names(scene_text_, {"r.urdf:3: a collision geometry of link \"a\": has a size of 0"}));
+}
+
+// A drive on a displacement has a largest force; an effort of 0 is none, which is said.
+TEST_F(Robots, HeldJointsHaveTheLimitsOfTheFile) {
+  ImportArguments a;
+  a.options.hold = true;
+  const Scene s =
+      imported("r.urdf",
+               urdf(link("a") + link("b") + link("c") +
+                    joint("prismatic", "<limit lower='0' upper='1' effort='50' velocity='6'/>", "a", "b", "slide") +
+                    joint("revolute", "\n<limit lower='0' upper='1' effort='0' velocity='6'/>", "a", "c", "turn")),
+               a);
+  ASSERT_EQ(s.drives.size(), 2u);
+  EXPECT_EQ(*s.drives[0].motor.largest_torque, 50.0);
+  EXPECT_FALSE(s.drives[1].motor.largest_torque);
+  EXPECT_TRUE(test::names(scene_text_, {"max_force = 50", "r.urdf:7: <limit> of <joint \"turn\">: effort is 0"}));
+  for (const std::string& warning : s.warnings) EXPECT_EQ(warning.find("W0171"), std::string::npos) << warning;
+}
+
+TEST_F(Robots, PartsOfOneKindAreOneLineOfTheList) {
+  std::string parts = link("a");
+  for (int k = 0; k < 12; ++k) parts += "<transmission name='t" + std::to_string(k) + "'/>\n";
+  Robot robot = read_robot(write("r.urdf", urdf(parts + "<gazebo/>\n")), {});
+  const std::vector<std::string> all = not_taken_lines(robot, true, true), some = not_taken_lines(robot, false, false);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_TRUE(test::names(all[0], {"r.urdf:3: <transmission \"t0\"> of <robot \"test\">: a scene has no such element",
+                                   "(and 11 more, in lines 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14)"}));
+  EXPECT_TRUE(test::names(some[0], {file("r.urdf:3"), "(and 11 more, in lines 4, 5, 6, 7, 8, 9 ...)"}));
+}
+
+TEST_F(Robots, TheNextCommandsCanBeTyped) {
+  ImportArguments a;
+  a.file = write("r.urdf", urdf(link("a")));
+  a.out = file("my robots/r");
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(import_command(a), 0);
+  EXPECT_TRUE(test::names(::testing::internal::GetCapturedStdout(), {"check '" + a.out + "'", "run '" + a.out + "'"}));
+}
+
+TEST_F(Robots, OfAHostHaveASignalForEachMotor) {
+  ImportArguments a;
+  a.options.hold = a.options.host = true;
+  const Scene s =
+      imported("r.xml",
+               mjcf("<body name='a'>" + std::string(kMass) + "<joint name='h'/><body name='b' pos='0 0 1'>" + kMass +
+                        "<joint name='k'/></body></body>",
+                    "<actuator><position name='p' joint='h' kp='100'/></actuator><keyframe><key "
+                    "qpos='0 0' ctrl='0.6'/></keyframe>"),
+               a);
+  ASSERT_EQ(s.signals.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(s.signals[k].kind, SignalKind::kHost);
+    EXPECT_EQ(s.drives[k].command->signal, s.signals[k].name);
+  }
+  EXPECT_TRUE(test::names(scene_text_, {"name = \"p\"\nkind = \"host\"\ninitial = 0.6\n"}));
+  EXPECT_EQ(s.accepted.count("W0667"), 1u);  // `check` does not warn of each of them
+}
+
+// A broad body one metre above two feet: the bed is that of the feet, as `check` proposes it.
+TEST_F(Robots, TheBedIsAsLargeAsWhatTouchesIt) {
+  ImportArguments a;
+  a.options.ground = "grc-1-dense";
+  const std::string foot = "<collision><geometry><sphere radius='0.1'/></geometry></collision>";
+  const Scene s = imported(
+      "r.urdf",
+      urdf(link("a", kBall + std::string("<collision><geometry><box size='2 0.2 0.1'/></geometry></collision>")) +
+           link("b", kBall + foot) + link("c", kBall + foot) +
+           joint("fixed", "<origin xyz='0.2 0 -1'/>", "a", "b", "j1") +
+           joint("fixed", "<origin xyz='-0.2 0 -1'/>", "a", "c", "j2")),
+      a);
+  std::optional<BedProposal> proposal;
+  check_by_building(
+      s, false, [](const std::string&) {},
+      [&](const Scene& placed, const Mechanism& mechanism) {
+        require_inside_box(placed, mechanism);
+        proposal = proposed_bed(placed, mechanism);
+      });
+  ASSERT_TRUE(proposal);
+  const BoxSpec& box = *s.particles->box;
+  EXPECT_NEAR(box.size[0], proposal->size[0], 0.01 * box.size[0]);  // three digits
+  EXPECT_NEAR(box.size[1], proposal->size[1], 0.01 * box.size[1]);
+  EXPECT_NEAR(box.depth, proposal->depth, 0.01 * box.depth);
+  EXPECT_LT(box.size[0], 1.1);  // 0.6 m of the feet, and one width of them on either side
+}
+
+// --- Keyframes: what MuJoCo has there.
+
+std::string leg(const std::string& base, const std::string& key) {
+  return mjcf("<geom type='plane' size='5 5 1'/><body name='base' pos='0 0 1'>" + base +
+                  "<geom type='box' size='0.2 0.1 0.05' mass='5'/>"
+                  "<body name='hip' pos='0.2 0.1 0'><joint name='hip' axis='1 0 0'/><geom size='0.04' pos='0 0.08 0' "
+                  "mass='0.7'/><body name='thigh' pos='0 0.08 0'><joint name='thigh' axis='0 1 0'/><geom "
+                  "type='capsule' fromto='0 0 0 0 0 -0.2' size='0.02' mass='1'/><body name='shank' pos='0 0 -0.2'>"
+                  "<joint name='knee' axis='0 1 0'/><geom type='capsule' fromto='0 0 0 0 0 -0.2' size='0.015' "
+                  "mass='0.3'/></body></body></body></body>\n",
+              "<keyframe><key qpos='" + key + "'/></keyframe>");
+}
+
+// A coordinate that is not given would be free: those at zero are given, too.
+TEST_F(Robots, JointsAtZeroOfAKeyframeStartThere) {
+  const Scene s = imported("r.xml", leg("<freejoint/>", "0 0 1 1 0 0 0  0 0.9 -1.8"));
+  std::map<std::string, double> start;
+  for (const InitialJointSpec& joint : s.initial.joints) start[joint.name] = joint.angle.value_or(kPi);
+  // Their bodies have the plain names.
+  EXPECT_EQ(start, (std::map<std::string, double>{{"hip_2", 0.0}, {"thigh_2", 0.9}, {"knee", -1.8}}));
+  EXPECT_TRUE(imported("z.xml", leg("<freejoint/>", "0 0 1 1 0 0 0  0 0 0")).initial.joints.empty());
+}
+
+// Beside what the world holds a free base would move with its joints: all is drawn where the keyframe has it. So it is above a
+// ground, whose place follows from the drawing.
+TEST_F(Robots, RobotsThatWouldMoveAreDrawnAtTheirKeyframe) {
+  std::string beside = leg("<freejoint/>", "0 0 1 1 0 0 0  0.1 0.9 -1.8 0.5");
+  beside.insert(beside.find("</worldbody>"),
+                "<body name='door' pos='3 0 1'><joint name='door'/><geom size='0.1' mass='2'/></body>");
+  const Scene s = imported("r.xml", beside);
+  EXPECT_TRUE(s.initial.joints.empty());
+  const Eigen::Matrix3d R = rx(0.1) * ry(0.9);
+  EXPECT_LT((axes(*s.body("shank")) - R * ry(-1.8)).norm(), kExact);
+  EXPECT_LT((axes(*s.body("door")) - rz(0.5)).norm(), kExact);
+  EXPECT_EQ(s.body("base")->position, Eigen::Vector3d(0, 0, 1));
+  EXPECT_TRUE(test::names(scene_text_, {"Coordinates are zero as drawn (the first keyframe)"}));
+  ImportArguments a;
+  a.options.ground = "plane";
+  const Scene on_ground = imported("g.xml", leg("<freejoint/>", "0 0 1 1 0 0 0  0 0.9 -1.8"), a);
+  EXPECT_TRUE(on_ground.initial.joints.empty());
+  EXPECT_TRUE(on_ground.initial.clearance);
+  EXPECT_LT((axes(*on_ground.body("shank")) - ry(-0.9)).norm(), kExact);
+}
+
+// v_B = v + w x (p_B - p) of the frame, whose linear velocity is along the world and angular along the body; the hip turns by 2
+// rad/s about x of the base.
+TEST_F(Robots, VelocitiesOfAKeyframeAreThoseOfBodies) {
+  std::string robot = leg("<freejoint/><geom pos='0.3 0 0' size='0.01' mass='5'/>", "0 0 1 0.6 0 0 0.8  0 0 0");
+  robot.replace(robot.find("'/></keyframe>"), 1, "' qvel='1 2 3 0.1 0.2 0.3 2 0 0'");
+  const Scene s = imported("r.xml", robot);
+  std::map<std::string, const BodyVelocitySpec*> moving;
+  for (const BodyVelocitySpec& one : s.initial.bodies) moving[one.body] = &one;
+  ASSERT_EQ(moving.size(), 4u);
+  const Eigen::Matrix3d R = Eigen::Quaterniond(0.6, 0, 0, 0.8).toRotationMatrix();
+  const Eigen::Vector3d v(1, 2, 3), w = R * Eigen::Vector3d(0.1, 0.2, 0.3), w_hip = w + R * Eigen::Vector3d(2, 0, 0);
+  const Eigen::Vector3d hip = R * Eigen::Vector3d(0.2, 0.1, 0);
+  EXPECT_LT((*moving["base"]->velocity - (v + w.cross(R * Eigen::Vector3d(0.15, 0, 0)))).norm(), kExact);
+  EXPECT_LT((*moving["base"]->angular_velocity - w).norm(), kExact);
+  EXPECT_LT((*moving["hip"]->angular_velocity - w_hip).norm(), kExact);
+  EXPECT_LT((*moving["hip"]->velocity - (v + w.cross(hip) + w_hip.cross(R * Eigen::Vector3d(0, 0.08, 0)))).norm(),
+            kExact);
+  ImportArguments a;
+  a.options.fix_base = true;
+  for (const BodyVelocitySpec& one : imported("f.xml", robot, a).initial.bodies)
+    if (one.body == "base") {
+      EXPECT_EQ(one.velocity->norm(), 0.0);
+    }
+}
+
+// What a controller of MuJoCo does not change remains: gear 3 times the control, which its range limits.
+TEST_F(Robots, TheControlOfATorqueMotorIsATorque) {
+  std::string robot = leg("<freejoint/>", "0 0 1 1 0 0 0  0 0.9 -1.8");
+  robot.replace(robot.find("'/></keyframe>"), 1, "' ctrl='0.5 9'");
+  robot.insert(robot.find("<keyframe>"),
+               "<actuator><motor name='h' joint='hip' gear='3'/><motor name='k' joint='knee' gear='3' ctrlrange='-2 "
+               "2' ctrllimited='true'/></actuator>");
+  const Scene s = imported("r.xml", robot);
+  ASSERT_EQ(s.drives.size(), 2u);
+  EXPECT_EQ(s.drives[0].command->polynomial, std::vector<double>{1.5});
+  EXPECT_EQ(s.drives[1].command->polynomial, std::vector<double>{6.0});
+  EXPECT_EQ(*s.drives[1].motor.largest_torque, 6.0);
+  EXPECT_TRUE(test::names(scene_text_, {"3 times the control, which remains that of the keyframe"}));
+}
+
+// A loop that the keyframe closes to its digits is drawn there: on the way of single coordinates it would be open.
+TEST_F(Robots, LoopsAreDrawnAtTheirKeyframe) {
+  const std::string rod = std::string(kMass) + "<joint name='";
+  const std::string robot =
+      mjcf("<body name='a'>" + rod + "j1' axis='0 1 0'/><body name='b' pos='0 0 1'>" + rod +
+               "j2' axis='0 1 0'/></body></body><body name='c' pos='1 0 0'>" + rod + "j3' axis='0 1 0'/></body>",
+           "<equality><connect body1='b' body2='c' anchor='1 0 0'/></equality><keyframe><key qpos='0.3 -0.3 0.3'/>"
+           "</keyframe>");
+  const Scene s = imported("r.xml", robot);
+  EXPECT_TRUE(s.initial.joints.empty());
+  EXPECT_EQ(s.joints.size(), 4u);
+  EXPECT_LT((axes(*s.body("a")) - ry(0.3)).norm(), kExact);
+  std::string open = robot;
+  open.replace(open.find("0.3 -0.3 0.3"), 12, "0.3 -0.2 0.3");
+  const Scene t = imported("o.xml", open);
+  EXPECT_TRUE(t.initial.joints.empty());
+  EXPECT_EQ(t.joints.size(), 4u);
+  EXPECT_TRUE(axes(*t.body("a")).isIdentity());
+  EXPECT_TRUE(test::names(scene_text_, {"loops or couplings do not hold there"}));
+}
+
+// The first of the rows in the file is that of largest y; heights become those above the lowest, over their range.
+TEST_F(Robots, AHeightFieldIsTheGround) {
+  std::string robot = mjcf(
+      "<geom type='hfield' hfield='hills' pos='1 2 0.5' friction='0.6 0 0'/><body name='a' pos='0 "
+      "0 5'><freejoint/><geom size='0.1'/></body>");
+  robot.insert(robot.find("<worldbody>"),
+               "<asset><hfield name='hills' nrow='2' ncol='3' size='2 1 0.4 0.1' elevation='0 2 4  1 1 1'/></asset>\n");
+  const Scene s = imported("r.xml", robot);
+  ASSERT_TRUE(s.ground.terrain && s.ground.terrain->map);
+  EXPECT_EQ(s.ground.plane->friction, 0.6);
+  const std::shared_ptr<const Terrain> terrain = terrain_of(*s.ground.terrain);
+  const double low = 0.5, one = 0.4 / 4.0;  // z of the lowest, and of one of the file
+  EXPECT_NEAR(terrain->at(-1.0, 3.0).h, low, 1e-9);
+  EXPECT_NEAR(terrain->at(1.0, 3.0).h, low + 2.0 * one, 1e-9);
+  EXPECT_NEAR(terrain->at(3.0, 3.0).h, low + 4.0 * one, 1e-9);
+  EXPECT_NEAR(terrain->at(3.0, 1.0).h, low + one, 1e-9);
+  robot.replace(robot.find("elevation"), 24, "file='none.png'");
+  EXPECT_FALSE(imported("n.xml", robot).ground.terrain);
+  EXPECT_TRUE(test::names(scene_text_, {"n.xml:3: <hfield \"hills\">: there is no file \"none.png\""}));
 }
 
 // --- Of many links.

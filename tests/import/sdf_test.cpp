@@ -47,6 +47,7 @@ class Sdf : public ::testing::Test, public TemporaryFolder {
   }
   static Eigen::Matrix3d axes(const BodySpec& body) { return body.orientation.toRotationMatrix(); }
   std::string scene_text_;
+  int placed_ = 0;
 
  private:
   int count_ = 0;
@@ -284,6 +285,50 @@ TEST_F(Sdf, WithoutAMovingPartOrAnAxisIsRefused) {
   EXPECT_TRUE(test::names(refused(model("<static>true</static>" + link("a"))), {"bad.sdf:1", "E0712"}));
   for (const char* type : {"universal", "revolute2", "screw", "gearbox", "prismatic"})
     EXPECT_TRUE(test::names(refused(model(link("a") + link("b") + joint(type, ""))), {"bad.sdf:5"})) << type;
+}
+
+// The pose of a model is that of its placement frame: here of a link, a frame that is turned, and a link of a nested model.
+TEST_F(Sdf, TheModelStandsOnItsPlacementFrame) {
+  const auto placed = [&](const std::string& frame, const std::string& inside) {
+    ImportArguments a;
+    a.file = write("p.sdf", "<sdf version='1.8'><model name='m' placement_frame='" + frame +
+                                "'><pose>0 0 5 0 0 0.3</pose>" + inside + "</model></sdf>");
+    a.out = file("placed" + std::to_string(++placed_));
+    a.quiet = true;
+    ::testing::internal::CaptureStdout();
+    EXPECT_EQ(import_command(a), 0);
+    ::testing::internal::GetCapturedStdout();
+    return read_scene(a.out);
+  };
+  const std::string ab = link("a") + link("b", "0 0 1 0 0 0.3") + joint("fixed", "");
+  const Scene s = placed("b", ab);
+  EXPECT_LT((s.body("b")->position - Eigen::Vector3d(0, 0, 5)).norm(), kExact);
+  EXPECT_LT((s.body("a")->position - Eigen::Vector3d(0, 0, 4)).norm(), kExact);
+  EXPECT_LT((axes(*s.body("b")) - rpy(0, 0, 0.3)).norm(), kExact);
+  EXPECT_LT((axes(*s.body("a")) - rpy(0, 0, 0)).norm(), kExact);
+  const Scene t = placed("f", ab + "<frame name='f' attached_to='b'><pose>1 0 0 0 0 0</pose></frame>");
+  EXPECT_LT((t.body("b")->position - Eigen::Vector3d(-std::cos(0.3), -std::sin(0.3), 5)).norm(), kExact);
+  const Scene u =
+      placed("inner::c", link("a") + "<model name='inner'><pose>0 1 0 0 0 0</pose>" + link("c", "0 0 2 0 0 0") +
+                             "</model>" + joint("fixed", "", "j", "a", "inner::c"));
+  EXPECT_LT((u.body("inner__c")->position - Eigen::Vector3d(0, 0, 5)).norm(), kExact);
+}
+
+// SDF 1.11: mass, centre and inertia follow from the collisions and their densities [kg/m3].
+TEST_F(Sdf, InertiaOfCollisions) {
+  const Scene s = imported(
+      "<link name='a'><inertial auto='true'><density>500</density></inertial>"
+      "<collision name='c'><pose>0 0 1 0 0 0</pose><geometry><box><size>1 2 3</size></box></geometry></collision>"
+      "<collision name='d'><density>6000</density><geometry><ellipsoid><radii>0.1 0.2 0.3</radii></ellipsoid>"
+      "</geometry></collision></link>",
+      "1.11");
+  const double box = 500.0 * 6.0, ball = 6000.0 * 4.0 / 3.0 * kPi * 0.1 * 0.2 * 0.3, mass = box + ball, z = box / mass;
+  const BodySpec& a = *s.body("a");
+  EXPECT_NEAR(a.mass, mass, kExact * mass);
+  EXPECT_LT((a.position - Eigen::Vector3d(0, 0, z)).norm(), kExact);
+  const double apart = box * (1.0 - z) * (1.0 - z) + ball * z * z;
+  EXPECT_NEAR(a.inertia(0, 0), box * (4.0 + 9.0) / 12.0 + ball * (0.04 + 0.09) / 5.0 + apart, 1e-9 * box);
+  EXPECT_NEAR(a.inertia(2, 2), box * (1.0 + 4.0) / 12.0 + ball * (0.01 + 0.04) / 5.0, 1e-9 * box);
 }
 
 }  // namespace

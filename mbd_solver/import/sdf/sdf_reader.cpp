@@ -46,8 +46,8 @@ const std::map<std::string, KnownElement>& sdf_elements() {
        {{"name"},
         {"inertial", "collision", "visual", "pose"},
         {"light", "enable_wind", "velocity_decay", "must_be_base_link"}}},
-      {"inertial", {{}, {"mass", "pose", "inertia"}, {}}},
-      {"collision", {{"name"}, {"pose", "geometry", "surface"}, {"max_contacts", "laser_retro"}}},
+      {"inertial", {{"auto"}, {"mass", "pose", "inertia", "density"}, {}}},
+      {"collision", {{"name"}, {"pose", "geometry", "surface", "density"}, {"max_contacts", "laser_retro"}}},
       {"visual",
        {{"name"},
         {"pose", "geometry"},
@@ -123,7 +123,13 @@ class SdfRobot {
     }
     report(errors);
     std::vector<std::pair<const sdf::Model*, RigidFrame>> models;
-    if (root.Model() != nullptr) models.emplace_back(root.Model(), placement(root.Model()->RawPose()));
+    if (root.Model() != nullptr) {  // its pose is that of its placement frame
+      const sdf::Model& model = *root.Model();
+      RigidFrame X = placement(model.RawPose());
+      if (const std::string& frame = model.PlacementFrameName(); !frame.empty())
+        X = X * frame_in_model(model, frame).inverse();
+      models.emplace_back(&model, X);
+    }
     for (std::uint64_t w = 0; w < root.WorldCount(); ++w) {
       const sdf::World& world = *root.WorldByIndex(w);
       if (w > 0) {
@@ -306,6 +312,21 @@ class SdfRobot {
     return found == link_places_.end() ? -1 : found->second;
   }
 
+  // Of a link, joint, frame or nested model, "inner::link" of one within.
+  RigidFrame frame_in_model(const sdf::Model& model, const std::string& name) const {
+    ignition::math::Pose3d pose;
+    const std::size_t scope = name.find("::");
+    if (const sdf::Model* inner = model.ModelByName(name.substr(0, scope))) {
+      report(inner->SemanticPose().Resolve(pose, "__model__"));
+      return scope == std::string::npos ? placement(pose)
+                                        : placement(pose) * frame_in_model(*inner, name.substr(scope + 2));
+    }
+    if (const sdf::Link* link = model.LinkByName(name)) report(link->SemanticPose().Resolve(pose, "__model__"));
+    if (const sdf::Joint* joint = model.JointByName(name)) report(joint->SemanticPose().Resolve(pose, "__model__"));
+    if (const sdf::Frame* frame = model.FrameByName(name)) report(frame->SemanticPose().Resolve(pose, "__model__"));
+    return placement(pose);
+  }
+
   static bool collides_with_itself(const sdf::Model& model) {
     bool does = model.SelfCollide();
     for (std::uint64_t k = 0; k < model.ModelCount(); ++k) does = does || collides_with_itself(*model.ModelByIndex(k));
@@ -362,6 +383,48 @@ class SdfRobot {
                          "stands still; the ground of a scene is one level plane, or grains");
       return;
     }
+    if (const pugi::xml_node inertial = node.child("inertial"); inertial.attribute("auto").as_bool()) {
+      add_solids(made, node, inertial);
+    } else {
+      take_inertial(made, link);
+    }
+    if (!std::isfinite(made.mass) || !made.inertia.allFinite() || !made.X_DL.p.allFinite() || !made.X_DL.R.allFinite())
+      throw InputError(code::kRobotNumber,
+                       made.origin.place() + ": link \"" + made.name + "\" has a number that is not finite");
+    link_places_.emplace(made.name, static_cast<int>(robot_.links.size()));
+    robot_.links.push_back(made);
+  }
+
+  // <inertial auto="true"> of SDF 1.11, which the library does not read: that of the collisions, by their densities.
+  void add_solids(RobotLink& made, const pugi::xml_node& link, const pugi::xml_node& inertial) {
+    constexpr double kUsualDensity = 1000.0;  // of SDF [kg/m3]
+    const auto density_of = [&](const pugi::xml_node& of, double otherwise) {
+      const pugi::xml_node given = of.child("density");
+      if (!given) return otherwise;
+      const std::optional<std::vector<double>> density = numbers_of(given.text().get());
+      if (!density || density->size() != 1 || !((*density)[0] > 0.0))
+        xml_.fail(code::kRobotNumber, given, "is no number above zero [kg/m3]");
+      return (*density)[0];
+    };
+    const double usual = density_of(inertial, kUsualDensity);
+    const std::vector<RobotGeometry> all = made.collisions;
+    for (const RobotGeometry& solid : all) {
+      double density = usual;
+      for (const pugi::xml_node& collision : link.children("collision"))
+        if (xml_.origin(collision).line == solid.origin.line && collision.attribute("name").value() == solid.name)
+          density = density_of(collision, usual);
+      try {
+        add_solid(made, solid, density);
+      } catch (const InputError& error) {
+        robot_.leave_out(solid.origin, "the mass of a collision of link \"" + made.name + "\"", error.what());
+      }
+    }
+    if (!(made.mass > 0.0))
+      robot_.leave_out(made.origin, "link \"" + made.name + "\" with inertial auto",
+                       "has no collision of which a mass follows");
+  }
+
+  void take_inertial(RobotLink& made, const sdf::Link& link) {
     const ignition::math::Inertiald& inertial = link.Inertial();
     const RigidFrame X_LI = placement(inertial.Pose());
     const ignition::math::Matrix3d I = inertial.MassMatrix().Moi();
@@ -374,17 +437,13 @@ class SdfRobot {
     if (!link.Element()->HasElement("inertial"))
       robot_.leave_out(made.origin, "link \"" + made.name + "\" without inertial",
                        "has the 1 kg and 1 kg m2 that SDF gives it");
-    if (!std::isfinite(made.mass) || !made.inertia.allFinite() || !made.X_DL.p.allFinite() || !made.X_DL.R.allFinite())
-      throw InputError(code::kRobotNumber,
-                       made.origin.place() + ": link \"" + made.name + "\" has a number that is not finite");
-    link_places_.emplace(made.name, static_cast<int>(robot_.links.size()));
-    robot_.links.push_back(made);
   }
 
   void add_geometry(RobotLink& link, const sdf::Geometry& geometry, const RigidFrame& X_LG, const pugi::xml_node& node,
                     bool collides) {
     RobotGeometry made;
     made.origin = node ? xml_.origin(node) : link.origin;
+    made.name = node.attribute("name").value();
     made.X_LG = X_LG;
     switch (geometry.Type()) {
       case sdf::GeometryType::BOX:
@@ -407,6 +466,7 @@ class SdfRobot {
         break;
       case sdf::GeometryType::ELLIPSOID:
         made.kind = GeometryKind::kMesh;
+        made.size = 2.0 * vector(geometry.EllipsoidShape()->Radii());
         made.mesh = sphere_mesh(1.0, 0.5);
         for (Eigen::Vector3d& x : made.mesh.vertices) x = x.cwiseProduct(vector(geometry.EllipsoidShape()->Radii()));
         break;
@@ -427,17 +487,13 @@ class SdfRobot {
           robot_.leave_out(made.origin, title_of(node), "has no surface of a kind that a scene knows");
         return;
     }
-    const bool sized = made.kind == GeometryKind::kMesh ||
-                       (made.kind == GeometryKind::kBox ? made.size.minCoeff() > 0.0 : made.radius > 0.0);
-    const bool long_enough =
-        (made.kind != GeometryKind::kCylinder && made.kind != GeometryKind::kCapsule) || made.length > 0.0;
-    if (!sized || !long_enough)
-      throw InputError(code::kRobotNumber, made.origin.place() + ": a geometry of link \"" + link.name +
-                                               "\" has a size that is not above zero [m]");
-    (collides ? link.collisions : link.visuals).push_back(made);
+    if (made.size.minCoeff() < 0.0 || made.radius < 0.0 || made.length < 0.0)
+      throw InputError(code::kRobotNumber,
+                       made.origin.place() + ": a geometry of link \"" + link.name + "\" has a negative size [m]");
+    robot_.add_geometry(link, made, collides);
   }
 
-  RobotCoordinate coordinate(const sdf::JointAxis& axis, const char* name) const {
+  RobotCoordinate coordinate(const sdf::JointAxis& axis, const char* name, const RobotJoint& of) {
     RobotCoordinate q;
     q.name = name;
     if (axis.Lower() > -kNoLimit) q.lower = axis.Lower();
@@ -447,6 +503,8 @@ class SdfRobot {
     q.stiffness = std::max(0.0, axis.SpringStiffness());
     q.rest = axis.SpringReference();
     if (axis.Effort() > 0.0 && axis.Effort() < kNoLimit) q.effort = axis.Effort();
+    if (options_.hold && axis.Effort() == 0.0)
+      robot_.leave_out(of.origin, "<effort> of joint \"" + of.name + "\"", kWithoutEffort);
     if (axis.MaxVelocity() > 0.0 && axis.MaxVelocity() < kNoLimit) q.speed = axis.MaxVelocity();
     return q;
   }
@@ -493,7 +551,7 @@ class SdfRobot {
       case sdf::JointType::REVOLUTE:
       case sdf::JointType::CONTINUOUS:
         made.kind = RobotJointKind::kRevolute;
-        made.coordinates.push_back(coordinate(*joint.Axis(0), "angle"));
+        made.coordinates.push_back(coordinate(*joint.Axis(0), "angle", made));
         if (joint.Type() == sdf::JointType::CONTINUOUS) {
           made.coordinates[0].lower.reset();
           made.coordinates[0].upper.reset();
@@ -501,7 +559,7 @@ class SdfRobot {
         break;
       case sdf::JointType::PRISMATIC:
         made.kind = RobotJointKind::kPrismatic;
-        made.coordinates.push_back(coordinate(*joint.Axis(0), "displacement"));
+        made.coordinates.push_back(coordinate(*joint.Axis(0), "displacement", made));
         break;
       case sdf::JointType::SCREW: add_screw(made, joint); return;
       case sdf::JointType::UNIVERSAL:
@@ -520,7 +578,7 @@ class SdfRobot {
   // angle = -thread_pitch displacement, thread_pitch in rad/m.
   void add_screw(RobotJoint made, const sdf::Joint& joint) {
     made.kind = RobotJointKind::kCylindrical;
-    made.coordinates.push_back(coordinate(*joint.Axis(0), "angle"));
+    made.coordinates.push_back(coordinate(*joint.Axis(0), "angle", made));
     made.coordinates.push_back({});
     made.coordinates.back().name = "displacement";
     const double pitch = joint.ThreadPitch();
@@ -541,7 +599,8 @@ class SdfRobot {
   // An axis in the parent, then one in the child. A universal joint has no coordinates for laws: these need a link between.
   void add_two_axes(RobotJoint made, const sdf::Joint& joint, const RigidFrame& X_DM) {
     const Eigen::Vector3d axis2 = axis_in_D(*joint.Axis(1), X_DM);
-    const RobotCoordinate q1 = coordinate(*joint.Axis(0), "angle"), q2 = coordinate(*joint.Axis(1), "angle");
+    const RobotCoordinate q1 = coordinate(*joint.Axis(0), "angle", made),
+                          q2 = coordinate(*joint.Axis(1), "angle", made);
     const bool right = std::abs(made.axis.dot(axis2)) < 1e-9;
     if (right && !has_laws(q1) && !has_laws(q2)) {
       made.kind = RobotJointKind::kUniversal;
