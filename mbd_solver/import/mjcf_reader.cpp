@@ -143,8 +143,11 @@ class MjcfRobot {
     if (!starts_)
       leave_out(source_.children_of("keyframe").front(),
                 "loops or couplings do not hold there: only its free bodies are where it has them");
+    bool turned = false;  // [initial.joints] turns by half a turn at most
+    for (int j = 0; j < m_.njnt; ++j)
+      turned = turned || (m_.jnt_type[j] == mjJNT_HINGE && std::abs(moved(*key, j)) > kPi);
     const bool put = !options_.ground.empty();
-    if (starts_ && (tied || moves_ || put || has(mjJNT_BALL) || (has(mjJNT_FREE) && trees > 1))) {
+    if (starts_ && (tied || moves_ || put || turned || has(mjJNT_BALL) || (has(mjJNT_FREE) && trees > 1))) {
       robot_.drawn = "the first keyframe";
       place(*d_, m_.key_qpos);
       return;
@@ -346,6 +349,7 @@ class MjcfRobot {
         between.name = link.name + "_after_" + name_of(mjOBJ_JOINT, joints[k], "joint");
         between.X_DL = link.X_DL;
         child = add_link(between);
+        between_.push_back({child, {joints.begin() + static_cast<std::ptrdiff_t>(k) + 1, joints.end()}});
       }
       add_joint(joints[k], parent, child);
       parent = child;
@@ -646,6 +650,28 @@ class MjcfRobot {
       robot_.links[at(link)].angular_velocity = vector(twist);
       robot_.links[at(link)].velocity = vector(twist + 3);
     }
+    for (const auto& [link, beyond] : between_) add_velocity_before(link, beyond);
+  }
+
+  // The link moves as the body beyond these joints would if they stood still: v - w_j x (p - p_j), w - w_j of each.
+  void add_velocity_before(int link, const std::vector<int>& joints) {
+    const int body = body_of(joints.back());
+    const RobotLink& whole = robot_.links[at(link_of(body))];
+    Eigen::Vector3d v = *whole.velocity, w = *whole.angular_velocity;
+    for (const int j : joints) {
+      const mjtNum* rate = d_->qvel + m_.jnt_dofadr[j];
+      if (m_.jnt_type[j] == mjJNT_SLIDE) {
+        v -= *rate * vector(d_->xaxis + 3 * j);
+        continue;
+      }
+      const bool ball = m_.jnt_type[j] == mjJNT_BALL;
+      const Eigen::Vector3d turn =
+          ball ? Eigen::Vector3d(placed(body).R * vector(rate)) : Eigen::Vector3d(*rate * vector(d_->xaxis + 3 * j));
+      w -= turn;
+      v -= turn.cross(whole.X_DL.p - vector(d_->xanchor + 3 * j));
+    }
+    robot_.links[at(link)].velocity = v;
+    robot_.links[at(link)].angular_velocity = w;
   }
 
   const MjcfSource& source_;
@@ -660,6 +686,7 @@ class MjcfRobot {
   std::vector<std::pair<int, std::string>> joints_of_;  // joint and coordinate, by joint of the model
   std::map<int, std::vector<int>> colliding_;           // geoms of bodies
   std::vector<int> free_joints_;
+  std::vector<std::pair<int, std::vector<int>>> between_;  // links within a body, and its joints beyond each
 };
 
 }  // namespace

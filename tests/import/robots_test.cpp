@@ -630,6 +630,9 @@ TEST_F(Robots, RobotsThatWouldMoveAreDrawnAtTheirKeyframe) {
   EXPECT_LT((axes(*s.body("door")) - rz(0.5)).norm(), kExact);
   EXPECT_EQ(s.body("base")->position, Eigen::Vector3d(0, 0, 1));
   EXPECT_TRUE(test::names(scene_text_, {"Coordinates are zero as drawn (the first keyframe)"}));
+  const Scene turned = imported("t.xml", leg("", "0 4 0"));  // by more than half a turn
+  EXPECT_TRUE(turned.initial.joints.empty());
+  EXPECT_LT((axes(*turned.body("thigh")) - ry(4.0)).norm(), kExact);
   ImportArguments a;
   a.options.ground = "plane";
   const Scene on_ground = imported("g.xml", leg("<freejoint/>", "0 0 1 1 0 0 0  0 0.9 -1.8"), a);
@@ -661,6 +664,23 @@ TEST_F(Robots, VelocitiesOfAKeyframeAreThoseOfBodies) {
     if (one.body == "base") {
       EXPECT_EQ(one.velocity->norm(), 0.0);
     }
+}
+
+// Between the joints of one body: about x at the origin, then along z as it stands, then about y there.
+TEST_F(Robots, VelocitiesBetweenTheJointsOfABodyFitTheJoints) {
+  const Scene s = imported("r.xml", mjcf("<body name='a'>" + std::string(kMass) +
+                                             "<joint name='p' axis='1 0 0'/><joint name='z' type='slide' axis='0 0 "
+                                             "1'/><joint name='q' axis='0 1 0'/></body>",
+                                         "<keyframe><key qpos='0.5 2 0.3' qvel='3 4 5'/></keyframe>"));
+  std::map<std::string, const BodyVelocitySpec*> moving;
+  for (const BodyVelocitySpec& one : s.initial.bodies) moving[one.body] = &one;
+  ASSERT_EQ(moving.size(), 3u);
+  const Eigen::Vector3d z = rx(0.5) * Eigen::Vector3d::UnitZ(), w(3, 0, 0), p = 2.0 * z;
+  EXPECT_LT((*moving["a_after_p"]->angular_velocity - w).norm(), kExact);
+  EXPECT_LT((*moving["a_after_p"]->velocity - w.cross(p)).norm(), kExact);
+  EXPECT_LT((*moving["a_after_z"]->angular_velocity - w).norm(), kExact);
+  EXPECT_LT((*moving["a_after_z"]->velocity - w.cross(p) - 4.0 * z).norm(), kExact);
+  EXPECT_LT((*moving["a"]->angular_velocity - w - rx(0.5) * Eigen::Vector3d(0, 5, 0)).norm(), kExact);
 }
 
 // What a controller of MuJoCo does not change remains: gear 3 times the control, which its range limits.
