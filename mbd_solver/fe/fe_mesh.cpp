@@ -453,6 +453,17 @@ long frd_id(const ModelText& text, bool wide) {
                     kLargestId);
 }
 std::vector<double> frd_values(const ModelText& text, bool wide) {
+  const std::string& line = text.line();
+  for (std::size_t at = line.find('E'); at != std::string::npos; at = line.find('E', at + 1)) {
+    std::size_t end = at + 2;
+    while (end < line.size() && std::isdigit(static_cast<unsigned char>(line[end])) != 0) ++end;
+    if (end < line.size() && line[end] == '.') --end;  // the first digit of the next number
+    if (end >= at + 5)
+      text.fail("\"" + line.substr(at, 5) +
+                "\", an exponent of three digits, as programs for Windows write it: numbers of 13 characters do not "
+                "fit into the columns of 12. Expected two digits (E-03): write the file by CalculiX for Linux, or by "
+                "a later one for Windows.");
+  }
   std::vector<double> values;
   for (std::size_t at = wide ? 13 : 8; at + 1 < text.line().size(); at += 12) {
     const std::string cell = trimmed(text.line().substr(at, 12));

@@ -239,11 +239,17 @@ FeModel with_mass(FeModel model, double mass) {
 
 namespace {
 
+constexpr double kSamePlace = 1e-6;  // of the size: nodes that are so near are at one place
+
+// Nodes of sets stand in front of those of the mesh: of two at one place the joint holds the set.
 int nearest(const Eigen::Matrix3Xd& nodes, const Vector3d& p) {
   FOOTFALL_DEMAND(nodes.cols() > 0);
-  Eigen::Index best = 0;
-  (nodes.colwise() - p).colwise().squaredNorm().minCoeff(&best);
-  return static_cast<int>(best);
+  const Eigen::RowVectorXd distance = (nodes.colwise() - p).colwise().norm();
+  const double size = (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).norm();
+  const double most = distance.minCoeff() + kSamePlace * size;
+  Eigen::Index first = 0;
+  while (first + 1 < distance.size() && !(distance(first) <= most)) ++first;
+  return static_cast<int>(first);
 }
 
 // turns: nodes with rotations; empty: all.

@@ -83,7 +83,8 @@ FeModel with_mass(FeModel model, double mass);
 // Nodes with rotations of their own, or those of a rigid set.
 std::vector<bool> turning_nodes(const FeModel& model);
 
-// Index of the node nearest to the point: in D for a model, in B (relative to Bo) for a body. Of equal ones the lowest.
+// Index of the node nearest to the point: in D for a model, in B (relative to Bo) for a body. Of those at one place the lowest:
+// that of a set (spider.h), not one of the mesh.
 int nearest_node(const FeModel& model, const Eigen::Vector3d& p_D);
 int nearest_node(const ModalBody& body, const Eigen::Vector3d& p_B);
 

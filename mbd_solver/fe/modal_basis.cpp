@@ -411,7 +411,9 @@ void fix_signs(ModalBody& body) {
 // First elastic frequency times size [m/s]: half the speed of sound, 2500 m/s, for a steel bar along its axis, less by
 // thickness over length in bending. Less than the first are cables and foils, more than the second has no material.
 constexpr double kSlowest = 0.3, kFastest = 1e4;
-constexpr double kLightest = 1e-3;  // mass over the volume of the box around the nodes [kg/m3]; air has 1.2
+// Mass over the volume of the box around the nodes [kg/m3]: air has 1.2, osmium 22600. Boxes thinner than this share of their length
+// may be those of shells, whose thickness is not in them.
+constexpr double kLightest = 1e-3, kDensest = 23000.0, kThinnestBox = 0.01;
 
 double mass_of(const ModalBody& body) {
   return body.mass.size() > 0 ? mass_properties(body.rho0, body.mass).mass : body.node_mass.sum();
@@ -423,7 +425,8 @@ std::string frequency_warning(const ModalBody& body) {
   const Eigen::Vector3d box = body.rho0.rowwise().maxCoeff() - body.rho0.rowwise().minCoeff();
   const bool slow_or_fast = !(first * size >= kSlowest && first * size <= kFastest);
   const bool light = mass < kLightest * box.prod();
-  if (!slow_or_fast && !light) return "";
+  const bool dense = box.minCoeff() > kThinnestBox * box.maxCoeff() && mass > kDensest * box.prod();
+  if (!slow_or_fast && !light && !dense) return "";
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << "body \"" << body.name << "\": ";
@@ -433,6 +436,11 @@ std::string frequency_warning(const ModalBody& body) {
   if (light)
     text << "the body weighs " << mass << " kg in a box of " << box.x() << " x " << box.y() << " x " << box.z()
          << " m, a thousandth of air. ";
+  if (dense)
+    text << "the body weighs " << mass << " kg in a box of " << box.x() << " x " << box.y() << " x " << box.z()
+         << " m, at least " << mass / box.prod()
+         << " kg/m3, more than any solid. Densities of a model in mm-t-s are in t/mm3 (steel: 7.85e-9), in mm-kg-ms in "
+            "kg/mm3, in in-lbf-s in lbf s2/in4 (steel: 7.35e-4). ";
   text << "Check the units: lengths in m (not mm), masses in kg, forces in N, Young's modulus in Pa.";
   return with_code(code::kUnusualFrequencies, text.str());
 }

@@ -570,6 +570,32 @@ TEST(Interfaces, MayBeSeveral) {
   EXPECT_LT((found.segment<3>(6 * tip) - mean).norm(), 1e-5 * mean.norm());
 }
 
+// A joint at the point of a set holds the set, where a node of the mesh is at this point, too, to the digits of the scene.
+TEST(Interfaces, HoldAJointAtANodeOfTheMesh) {
+  ForeignFiles files = files_of(kSamples[3]);
+  const FeMesh mesh = mesh_of(files.nodes);
+  const Vector3d node = mesh.points[static_cast<std::size_t>(mesh.set("TIP", files.nodes).front())];
+  for (const SpiderKind kind : {SpiderKind::kRigid, SpiderKind::kAveraged}) {
+    files.interfaces = {{"TIP", kind, Vector3d(node + Vector3d(1e-8, 0, 0))}};
+    const FeModel model = read_foreign_model(files);
+    EXPECT_EQ(joint_node(model, node, 1.0, true), model.spiders[0].node);
+    const ReducedBody reduced = reduce(model, free_modes(6), "leg");
+    EXPECT_EQ(joint_node(reduced.body, node - reduced.p_DBo, 1.0, true), model.spiders[0].node);
+  }
+}
+
+// kg/mm3 instead of t/mm3 makes a thousandfold mass, lb/in3 instead of lbf s2/in4 386 times the mass.
+TEST(Units, OfDensitiesThatNoSolidHasAreWarnedOf) {
+  const FeModel model = read_foreign_model(files_of(kSamples[2]));
+  EXPECT_TRUE(reduce(model, free_modes(6), "bracket").warnings.empty());
+  for (const double factor : {1000.0, 386.0886}) {
+    const FeModel heavy = with_mass(model, factor * mass_properties(model).mass);
+    const std::vector<std::string> warnings = reduce(heavy, free_modes(6), "bracket").warnings;
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_TRUE(names(warnings[0], {"bracket", "more than any solid", "t/mm3", "lbf s2/in4"}));
+  }
+}
+
 TEST(Interfaces, ThatCannotBeAreRefused) {
   const auto with = [](std::vector<InterfaceSpec> interfaces) {
     ForeignFiles files = files_of(kSamples[0]);
@@ -825,6 +851,10 @@ TEST(FeMeshes, NameFileAndLineOfWhatIsWrong) {
        "    2C                             1                                     1\n -1         1 0.00000E+00 "
        "0.00000E+00\n",
        2},
+      {"a.frd",
+       "    2C                             1                                     1\n"
+       " -1         11.00000E-003-2.00000E+0000.00000E+000\n",
+       2},
       {"a.nodes", "0 0 0\n0 0\n", 2},
       {"a.nodes", "# nothing\n", 0},
   };
@@ -834,6 +864,18 @@ TEST(FeMeshes, NameFileAndLineOfWhatIsWrong) {
     EXPECT_EQ(message.rfind(where, 0), 0u) << file.text << message;
     EXPECT_TRUE(names(message, {"E0328"})) << file.text;
   }
+}
+
+TEST(FeMeshes, NameTheExponentsOfWindows) {
+  const auto of = [](const std::string& node) {
+    return refusal([&] {
+      parse_fe_mesh("    2C                             1                                     1\n -1         1" + node +
+                        "\n -3\n",
+                    "a.frd");
+    });
+  };
+  EXPECT_TRUE(names(of("1.00000E-003-2.00000E+0000.00000E+000"), {"a.frd:2", "E-003", "Windows", "E0328"}));
+  EXPECT_EQ(of("1.000000E-032.000000E-030.000000E+00"), "");  // of twelve characters each
 }
 
 TEST(ForeignMatrices, NameFileAndLineOfWhatIsWrong) {
