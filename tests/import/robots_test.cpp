@@ -666,16 +666,16 @@ TEST_F(Robots, VelocitiesOfAKeyframeAreThoseOfBodies) {
     }
 }
 
-// Between the joints of one body: about x at the origin, then along z as it stands, then about y there.
+// Between the joints of one body: about x at the origin, then along z as it stands, then about y beside the origin.
 TEST_F(Robots, VelocitiesBetweenTheJointsOfABodyFitTheJoints) {
   const Scene s = imported("r.xml", mjcf("<body name='a'>" + std::string(kMass) +
                                              "<joint name='p' axis='1 0 0'/><joint name='z' type='slide' axis='0 0 "
-                                             "1'/><joint name='q' axis='0 1 0'/></body>",
+                                             "1'/><joint name='q' axis='0 1 0' pos='0.1 0 0'/></body>",
                                          "<keyframe><key qpos='0.5 2 0.3' qvel='3 4 5'/></keyframe>"));
   std::map<std::string, const BodyVelocitySpec*> moving;
   for (const BodyVelocitySpec& one : s.initial.bodies) moving[one.body] = &one;
   ASSERT_EQ(moving.size(), 3u);
-  const Eigen::Vector3d z = rx(0.5) * Eigen::Vector3d::UnitZ(), w(3, 0, 0), p = 2.0 * z;
+  const Eigen::Vector3d z = rx(0.5) * Eigen::Vector3d::UnitZ(), w(3, 0, 0), p = s.body("a")->position;
   EXPECT_LT((*moving["a_after_p"]->angular_velocity - w).norm(), kExact);
   EXPECT_LT((*moving["a_after_p"]->velocity - w.cross(p)).norm(), kExact);
   EXPECT_LT((*moving["a_after_z"]->angular_velocity - w).norm(), kExact);
