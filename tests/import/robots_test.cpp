@@ -729,12 +729,12 @@ TEST_F(Robots, AHeightFieldIsTheGround) {
   const Scene s = imported("r.xml", robot);
   ASSERT_TRUE(s.ground.terrain && s.ground.terrain->map);
   EXPECT_EQ(s.ground.plane->friction, 0.6);
-  const std::shared_ptr<const Terrain> terrain = terrain_of(*s.ground.terrain);
+  Terrain terrain = *terrain_of(*s.ground.terrain);
   const double low = 0.5, one = 0.4 / 4.0;  // z of the lowest, and of one of the file
-  EXPECT_NEAR(terrain->at(-1.0, 3.0).h, low, 1e-9);
-  EXPECT_NEAR(terrain->at(1.0, 3.0).h, low + 2.0 * one, 1e-9);
-  EXPECT_NEAR(terrain->at(3.0, 3.0).h, low + 4.0 * one, 1e-9);
-  EXPECT_NEAR(terrain->at(3.0, 1.0).h, low + one, 1e-9);
+  EXPECT_NEAR(terrain.at(-1.0, 3.0).h, low, 1e-9);
+  EXPECT_NEAR(terrain.at(1.0, 3.0).h, low + 2.0 * one, 1e-9);
+  EXPECT_NEAR(terrain.at(3.0, 3.0).h, low + 4.0 * one, 1e-9);
+  EXPECT_NEAR(terrain.at(3.0, 1.0).h, low + one, 1e-9);
   robot.replace(robot.find("elevation"), 24, "file='none.png'");
   EXPECT_FALSE(imported("n.xml", robot).ground.terrain);
   EXPECT_TRUE(test::names(scene_text_, {"n.xml:3: <hfield \"hills\">: there is no file \"none.png\""}));
