@@ -177,36 +177,32 @@ TEST(SoilLaw, ShearNeverExceedsItsLimit) {
   }
 }
 
-// Closed ways of presses, slides and lifts within the print, slowly: no cycle gives energy.
-TEST(SoilLaw, ClosedWaysGiveNoEnergy) {
-  test::Random random(11);
-  for (int trial = 0; trial < 40; ++trial) {
-    SinkageParameters p = loam();
-    p.rebound = 5e-3;
-    Way way(make_pressure_sinkage(p, ""));
-    way.to({0, 0, 0.05}, 50);
-    std::vector<Eigen::Vector3d> corners;
-    for (int k = 0; k < 4; ++k) {
-      const Eigen::Vector3d at = random.vector();
-      corners.emplace_back(0.02 * at.x(), 0.005 * at.y(), 0.05 - 0.0024 * (1.0 + at.z()));
-    }
-    double work = 0.0;  // of the ground on the facet, per area [J/m2]
-    const auto go = [&](const Eigen::Vector3d& to) {
+// Slid lightly, pressed, moved back: what it gained lightly it must not give back under the load.
+TEST(SoilLaw, APumpOfPressesAndSlidesGivesNoEnergy) {
+  SinkageParameters p = loam();
+  p.rebound = 5e-3;
+  p.cohesion = 0.0;
+  Way way(make_pressure_sinkage(p, ""));
+  way.to({0, 0, 0.05}, 50);
+  const double light = 0.05 - 0.00475, loaded = 0.05 - 0.0005;
+  way.to({0, 0, light}, 50);
+  double work = 0.0;  // of the ground on the facet in a cycle, per area [J/m2]
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    work = 0.0;
+    const double x = way.at.place.x() + 0.1;
+    for (const Eigen::Vector3d& corner :
+         {Eigen::Vector3d(x, 0, light), Eigen::Vector3d(x, 0, loaded), Eigen::Vector3d(x - 0.012, 0, loaded),
+          Eigen::Vector3d(x - 0.012, 0, light)}) {
       constexpr int kSteps = 200;
-      const Eigen::Vector3d from = way.at.place, piece = (to - from) / kSteps;
+      const Eigen::Vector3d from = way.at.place, piece = (corner - from) / kSteps;
       for (int i = 0; i < kSteps; ++i) {
         const Eigen::Vector3d before = way.now().traction;
         way.to(from + piece * (i + 1));
         work += 0.5 * (before + way.now().traction).dot(piece);
       }
-    };
-    go(corners[0]);
-    for (int cycle = 0; cycle < 3; ++cycle) {
-      work = 0.0;
-      for (const int k : {1, 2, 3, 0}) go(corners[static_cast<std::size_t>(k)]);
     }
-    EXPECT_LE(work, 0.05) << trial << ": of some 100 J/m2";
   }
+  EXPECT_LT(work, 0.0);
 }
 
 TEST(SoilLaw, PlateLiftedAndSetDownAgainStandsInItsPrint) {
