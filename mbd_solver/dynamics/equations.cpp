@@ -1,8 +1,6 @@
-// The residual is assembled body by body, joint by joint and element by element; the Jacobians are gathered once over
-// [v; z; lambda] by increments dx = [dr; dtheta; da] and by velocities, and then
-//   full:     columns of q = stiffness chained by dtheta = (2 R(L) / |L|^2) dL, rows of dq - N v on top;
-//   reduced:  q eliminated by dq = N v at the rate c:
-//             dx = T dv,  T = diag(1/c, (c I + w~/2) / (c^2 + |w|^2 / 4), 1/c).
+// The residual is assembled body by body, joint by joint and element by element; the Jacobian is gathered over [v; z; lambda]
+// by increments dx = [dr; dtheta; da] and by velocities, and q is eliminated by dq = N v at the rate c:
+//   dx = T dv,  T = diag(1/c, (c I + w~/2) / (c^2 + |w|^2 / 4), 1/c).
 
 #include "mbd_solver/dynamics/equations.h"
 
@@ -364,8 +362,8 @@ void Equations::add_body_derivatives(int index, double c, const Inputs& inputs) 
     D = -D;
   }
   D += c * M;
-  add_columns(w.pattern.bodies[at].v_v, w.pattern.stiffness.data(), K);
-  add_columns(w.pattern.bodies[at].v_v, w.pattern.lower.valuePtr(), D);
+  add_columns(w.pattern.bodies[at], w.pattern.stiffness.data(), K);
+  add_columns(w.pattern.bodies[at], w.pattern.lower.valuePtr(), D);
 }
 
 void Equations::add_joint_derivatives(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda) {
@@ -464,56 +462,6 @@ void Equations::gather_derivatives(double t, const Eigen::Ref<const Eigen::Vecto
   for (int i = 0; i < model_.force_count(); ++i)
     add_force_derivatives(i, t, y.segment(layout_.z0() + layout_.force_z[i], model_.force(i).state_count()), values);
   if (model_.signals()) add_signal_derivatives(t, y);
-}
-
-const Eigen::SparseMatrix<double>& Equations::jacobian_pattern() const { return work_->pattern.full; }
-
-const Eigen::SparseMatrix<double>& Equations::jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
-                                                       const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
-                                                       const Inputs& inputs) {
-  Workspace& w = *work_;
-  gather_derivatives(t, y, ydot, c, inputs);
-  double* values = w.pattern.full.valuePtr();
-  Eigen::Map<Eigen::VectorXd>(values, w.pattern.full.nonZeros()).setZero();
-  for (int j = 0; j < w.pattern.lower.cols(); ++j) {
-    const Eigen::Map<const Eigen::VectorXd> column = stored(w.pattern.lower, w.pattern.lower.valuePtr(), j);
-    tail(w.pattern.full, layout_.q_size + j, column.size()) = column;
-  }
-  for (int i = 0; i < model_.body_count(); ++i) {
-    const std::size_t at = static_cast<std::size_t>(i);
-    const BodyKinematics& body = w.kinematics.of(i);
-    const BodyPlaces& places = w.pattern.bodies[at];
-    const int q = layout_.body_q[at], v = layout_.body_v[at];
-    const Matrix34d R = rate_matrix(body.L);
-
-    // Lower rows by q.
-    const auto by = [&](int k) { return stored(w.pattern.lower, w.pattern.stiffness.data(), v + k); };
-    const Eigen::Index count = by(0).size();
-    for (int k = 0; k < 3; ++k) tail(w.pattern.full, q + k, count) = by(k);
-    const double scale = 2.0 / body.L.squaredNorm();
-    for (int l = 0; l < 4; ++l)
-      tail(w.pattern.full, q + 3 + l, count) = scale * (R(0, l) * by(3) + R(1, l) * by(4) + R(2, l) * by(5));
-    for (int k = 0; k < body.modes; ++k) tail(w.pattern.full, q + 7 + k, count) = by(6 + k);
-
-    // F_q = dq - N v;  -d(1/2 R(L)^T w)/dL = -1/2 [0, -w^T; w, w~]
-    for (std::size_t k = 0; k < 3; ++k) {
-      values[places.r_r[k]] = c;
-      values[places.r_dr[k]] = -1.0;
-    }
-    for (std::size_t k = 0; k < places.a_a.size(); ++k) {
-      values[places.a_a[k]] = c;
-      values[places.a_da[k]] = -1.0;
-    }
-    Eigen::Matrix4d by_L;
-    by_L(0, 0) = c;
-    by_L.topRightCorner<1, 3>() = 0.5 * body.w.transpose();
-    by_L.bottomLeftCorner<3, 1>() = -0.5 * body.w;
-    by_L.bottomRightCorner<3, 3>() = -0.5 * skew(body.w);
-    by_L.bottomRightCorner<3, 3>().diagonal().array() += c;
-    for (int k = 0; k < 4; ++k) places.L_L.add_column(values, k, by_L.col(k));
-    for (int k = 0; k < 3; ++k) places.L_w.add_column(values, k, -0.5 * R.row(k).transpose());
-  }
-  return w.pattern.full;
 }
 
 const Eigen::SparseMatrix<double>& Equations::reduced_pattern() const { return work_->pattern.reduced; }

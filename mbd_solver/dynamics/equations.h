@@ -48,18 +48,13 @@ class Equations {
   // F(t, y, ydot).
   void residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& ydot,
                 const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> F);
-  // dF/dy + c dF/dydot: column-major, compressed, of constant pattern; values are rewritten in place.
-  const Eigen::SparseMatrix<double>& jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
-                                              const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
-                                              const Inputs& inputs);
-  // The same matrix with its current values.
-  const Eigen::SparseMatrix<double>& jacobian_pattern() const;
-  // The same with the rows F_q and the columns q eliminated by c dq = N dv + (dN v) (exact for the step of a one-step method):
-  // square in [v; z; lambda], a quarter of the work to factor.
+  // dF/dy + c dF/dydot with the rows F_q and the columns q eliminated by c dq = N dv + (dN v): square in [v; z; lambda],
+  // column-major, compressed, of constant pattern; values are rewritten in place. What it leaves of a right-hand side with
+  // F_q != 0 is in ReducedSystem.
   const Eigen::SparseMatrix<double>& reduced_jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                                       const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
                                                       const Inputs& inputs);
-  const Eigen::SparseMatrix<double>& reduced_pattern() const;
+  const Eigen::SparseMatrix<double>& reduced_pattern() const;  // the same matrix with its current values
   // Per velocity, the contribution of its body alone to the diagonal of the last Jacobian, reduced at c: c M_ii, of a mode
   // c M_ii + C_i + K_i / c.
   const Eigen::VectorXd& own_diagonal() const;

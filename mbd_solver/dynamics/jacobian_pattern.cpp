@@ -134,7 +134,7 @@ JacobianPattern::JacobianPattern(const Model& model, const Layout& layout, const
     }
     for (int i = 0; i < model.body_count(); ++i) {
       const Range v = body_range(layout, kinematics, i);
-      visit(v, v, bodies[i].v_v);
+      visit(v, v, bodies[i]);
     }
   };
   SparsePattern pattern(lambda0 + layout.row_count);
@@ -146,42 +146,6 @@ JacobianPattern::JacobianPattern(const Model& model, const Layout& layout, const
   visit_all(locate_in(lower));
   z_z = diagonal_places(lower, z0, z0, layout.z_size);
   lambda_lambda = diagonal_places(lower, lambda0, lambda0, layout.row_count);
-  build_full(model, layout);
-}
-
-// The full matrix: F_q in its own rows and, below, the columns of `lower` for q (as often as a body has positions) and for
-// v.
-void JacobianPattern::build_full(const Model& model, const Layout& layout) {
-  SparsePattern pattern(layout.size());
-  const int lower0 = layout.q_size;  // rows of `lower` start here; so do its columns v, z, lambda
-  const auto copy_column = [&](int from, int to) {
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, from); entry; ++entry)
-      pattern.add_block(lower0 + static_cast<int>(entry.row()), 1, to, 1);
-  };
-  for (int j = 0; j < lower.cols(); ++j) copy_column(j, lower0 + j);
-  for (int i = 0; i < model.body_count(); ++i) {
-    const std::size_t at = static_cast<std::size_t>(i);
-    const int s = model.body(i).mode_count(), q = layout.body_q[at], v = layout.v0() + layout.body_v[at];
-    for (int k = 0; k < 7 + s; ++k) copy_column(layout.body_v[at], q + k);
-    pattern.add_diagonal(q, q, 3);
-    pattern.add_diagonal(q, v, 3);
-    pattern.add_block(q + 3, 4, q + 3, 4);
-    pattern.add_block(q + 3, 4, v + 3, 3);
-    pattern.add_diagonal(q + 7, q + 7, s);
-    pattern.add_diagonal(q + 7, v + 6, s);
-  }
-  full = pattern.build();
-  for (int i = 0; i < model.body_count(); ++i) {
-    const std::size_t at = static_cast<std::size_t>(i);
-    const int s = model.body(i).mode_count(), q = layout.body_q[at], v = layout.v0() + layout.body_v[at];
-    BodyPlaces& places = bodies[at];
-    places.r_r = diagonal_places(full, q, q, 3);
-    places.r_dr = diagonal_places(full, q, v, 3);
-    places.L_L = SparseBlock(full, q + 3, 4, q + 3, 4);
-    places.L_w = SparseBlock(full, q + 3, 4, v + 3, 3);
-    places.a_a = diagonal_places(full, q + 7, q + 7, s);
-    places.a_da = diagonal_places(full, q + 7, v + 6, s);
-  }
 }
 
 SaddlePattern::SaddlePattern(const Model& model, const Layout& layout, const Kinematics& kinematics)

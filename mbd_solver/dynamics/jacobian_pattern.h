@@ -11,13 +11,6 @@
 
 namespace footfall {
 
-// Places of one body in the Jacobian of the forces and in F_q. n = 6 + s.
-struct BodyPlaces {
-  SparseBlock v_v;                        // force rows by the body's own coordinates, in `lower`
-  std::vector<int> r_r, r_dr, a_a, a_da;  // F_q in the full matrix, diagonals: by r, dr, a, da
-  SparseBlock L_L, L_w;                   // F_q of the quaternion by L and w
-};
-
 // Places of one joint between its two bodies; blocks of a ground body are empty.
 struct PairPlaces {
   SparseBlock v_v[2][2];                 // force rows of body i by coordinates of body j
@@ -49,19 +42,15 @@ struct JacobianPattern {
   // Derivatives of the lower rows F_v, F_z, F_lambda, in one pattern over [v; z; lambda], two value arrays:
   //   stiffness          by the increments dx of positions (columns of v)
   //   values of `lower`  by v, z, lambda, with c dF/dydot
-  // All columns of one body have the same rows, so that both Jacobians are combinations of columns.
+  // All columns of one body have the same rows, so that the reduced Jacobian is a combination of columns.
   Eigen::SparseMatrix<double> lower;
   Eigen::VectorXd stiffness;
-  std::vector<BodyPlaces> bodies;
+  std::vector<SparseBlock> bodies;  // force rows by the body's own coordinates
   std::vector<PairPlaces> joints;
   std::vector<ElementPlaces> forces;
   std::vector<int> z_z, lambda_lambda;
   std::vector<SignalPlaces> signals;
-  Eigen::SparseMatrix<double> full;     // of the full system: columns of q, then as in `lower` with F_q on top
   Eigen::SparseMatrix<double> reduced;  // pattern of `lower`
-
- private:
-  void build_full(const Model& model, const Layout& layout);
 };
 
 // The saddle matrix [M, Phi_v^T; Phi_v, -eps].

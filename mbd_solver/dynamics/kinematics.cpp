@@ -123,6 +123,18 @@ void solve_positions(const Layout& layout, const Eigen::Ref<const Eigen::VectorX
   });
 }
 
+void solve_position_rows(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& v, double c,
+                         Eigen::Ref<Eigen::VectorXd> dq) {
+  // (c I - W/2)^-1 = (c I + W/2) / (c^2 + |w|^2 / 4), as in solve_positions
+  for_each_body(layout, [&](int q0, int v0, int s) {
+    const Eigen::Vector3d w = v.segment<3>(v0 + 3);
+    const Eigen::Vector4d L = dq.segment<4>(q0 + 3);
+    dq.segment<3>(q0) /= c;
+    dq.segment<4>(q0 + 3) = (c * L + quaternion_rate(L, w)) / (c * c + 0.25 * w.squaredNorm());
+    dq.segment(q0 + 7, s) /= c;
+  });
+}
+
 void to_increments(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q,
                    const Eigen::Ref<const Eigen::VectorXd>& dq, Eigen::Ref<Eigen::VectorXd> dx) {
   for_each_body(layout, [&](int q0, int v0, int s) {

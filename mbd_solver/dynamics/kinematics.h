@@ -92,6 +92,10 @@ void add_increment(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>
 void solve_positions(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& known,
                      const Eigen::Ref<const Eigen::VectorXd>& v, double c, Eigen::Ref<Eigen::VectorXd> q);
 
+// dq = (c I - d(N v)/dq)^-1 dq: the rows dq/dt - N v of Newton's matrix, whose positions follow from rates of velocities.
+void solve_position_rows(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& v, double c,
+                         Eigen::Ref<Eigen::VectorXd> dq);
+
 // A small difference of positions dq as increments dx, and back.
 void to_increments(const Layout& layout, const Eigen::Ref<const Eigen::VectorXd>& q,
                    const Eigen::Ref<const Eigen::VectorXd>& dq, Eigen::Ref<Eigen::VectorXd> dx);

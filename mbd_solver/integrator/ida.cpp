@@ -7,10 +7,10 @@
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_config.h>
 #include <sundials/sundials_context.h>
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
 #include <sundials/sundials_nonlinearsolver.h>
 #include <sundials/sundials_version.h>
-#include <sunlinsol/sunlinsol_klu.h>
-#include <sunmatrix/sunmatrix_sparse.h>
 #include <sunnonlinsol/sunnonlinsol_newton.h>
 #include <algorithm>
 #include <array>
@@ -30,6 +30,7 @@
 #include "mbd_solver/integrator/codes.h"
 #include "mbd_solver/integrator/error_norm.h"
 #include "mbd_solver/integrator/one_step.h"
+#include "mbd_solver/integrator/reduced_system.h"
 #include "mbd_solver/integrator/singular_position.h"
 #include "mbd_solver/integrator/step_control.h"
 
@@ -111,8 +112,10 @@ struct Ida::Sundials {
   void forget_passage();
 
   static int residual(sunrealtype t, N_Vector unknowns, N_Vector ydot, N_Vector F, void* self);
-  static int jacobian(sunrealtype t, sunrealtype c, N_Vector unknowns, N_Vector ydot, N_Vector F, SUNMatrix J,
-                      void* self, N_Vector, N_Vector, N_Vector);
+  static int jacobian(sunrealtype t, sunrealtype c, N_Vector unknowns, N_Vector ydot, N_Vector F, SUNMatrix, void* self,
+                      N_Vector, N_Vector, N_Vector);
+  static int factor(SUNLinearSolver solver, SUNMatrix);
+  static int solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector r, sunrealtype);
   static int converged(SUNNonlinearSolver newton, N_Vector, N_Vector change, sunrealtype tolerance, N_Vector weight,
                        void* self);
   static int weights(N_Vector unknowns, N_Vector weight, void* self);
@@ -127,9 +130,10 @@ struct Ida::Sundials {
   void* memory = nullptr;
   N_Vector y = nullptr, ydot = nullptr, scratch = nullptr, scratch2 = nullptr;
   // The unknowns of IDA are y - offset: a change of the offset moves all values of its history.
-  Eigen::VectorXd offset;  // by which projections have moved q and v since the last restart [m, rad, m/s, rad/s]
-  Eigen::VectorXd actual;  // of y_of
-  SUNMatrix matrix = nullptr;
+  Eigen::VectorXd offset;      // by which projections have moved q and v since the last restart [m, rad, m/s, rad/s]
+  Eigen::VectorXd actual;      // of y_of
+  ReducedSystem system;        // Newton's
+  SUNMatrix matrix = nullptr;  // without numbers: `system` has them
   SUNLinearSolver solver = nullptr;
   SUNNonlinearSolver newton = nullptr;
   bool fresh = false;                  // the Jacobian belongs to the current step
@@ -208,6 +212,7 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
       options(o),
       norm(e.layout(), o),
       share(std::clamp(std::sqrt(kAllFrom / o.rtol), kStepShare, 1.0)),
+      system(e, e.negligible_shares().cwiseMin(ThinLu::kRoundOff)),
       turns(e.model(), e.layout()) {
   const Layout& layout = equations.layout();
   const int n = layout.size();
@@ -217,15 +222,17 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
   ydot = N_VNew_Serial(n, context);
   scratch = N_VNew_Serial(n, context);
   scratch2 = N_VNew_Serial(n, context);
-  const Eigen::SparseMatrix<double>& pattern = equations.jacobian_pattern();
-  matrix = SUNSparseMatrix(n, n, static_cast<sunindextype>(pattern.nonZeros()), CSC_MAT, context);
+  matrix = SUNMatNewEmpty(context);
+  solver = SUNLinSolNewEmpty(context);
   memory = IDACreate(context);
   FOOTFALL_DEMAND(y != nullptr && ydot != nullptr && scratch != nullptr && scratch2 != nullptr && matrix != nullptr &&
-                  memory != nullptr);
-  std::copy_n(pattern.outerIndexPtr(), n + 1, SUNSparseMatrix_IndexPointers(matrix));
-  std::copy_n(pattern.innerIndexPtr(), pattern.nonZeros(), SUNSparseMatrix_IndexValues(matrix));
-  solver = SUNLinSol_KLU(y, matrix, context);
-  FOOTFALL_DEMAND(solver != nullptr);
+                  solver != nullptr && memory != nullptr);
+  matrix->ops->getid = [](SUNMatrix) { return SUNMATRIX_CUSTOM; };
+  matrix->ops->zero = [](SUNMatrix) { return 0; };
+  solver->content = this;
+  solver->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; };
+  solver->ops->setup = &Sundials::factor;
+  solver->ops->solve = &Sundials::solve;
 
   writable(y).setZero();
   writable(ydot).setZero();
@@ -253,8 +260,8 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
 Ida::Sundials::~Sundials() {
   IDAFree(&memory);
   SUNNonlinSolFree(newton);
-  SUNLinSolFree(solver);
-  SUNMatDestroy(matrix);
+  SUNLinSolFreeEmpty(solver);
+  SUNMatFreeEmpty(matrix);
   for (N_Vector x : {y, ydot, scratch, scratch2}) N_VDestroy(x);
   SUNContext_Free(&context);
 }
@@ -311,19 +318,25 @@ int Ida::Sundials::residual(sunrealtype time, N_Vector unknowns, N_Vector ydot, 
   return view(F).allFinite() ? 0 : 1;
 }
 
-int Ida::Sundials::jacobian(sunrealtype time, sunrealtype c, N_Vector unknowns, N_Vector ydot, N_Vector, SUNMatrix J,
+int Ida::Sundials::jacobian(sunrealtype time, sunrealtype c, N_Vector unknowns, N_Vector ydot, N_Vector, SUNMatrix,
                             void* self, N_Vector, N_Vector, N_Vector) {
   Sundials& s = *static_cast<Sundials*>(self);
   return s.guarded([&] {
-    const Eigen::SparseMatrix<double>& values =
-        s.equations.jacobian(time, s.y_of(unknowns), view(ydot), c, *s.inputs_now);
-    // The matrix is zeroed before each call, pattern included.
-    std::copy_n(values.outerIndexPtr(), values.cols() + 1, SUNSparseMatrix_IndexPointers(J));
-    std::copy_n(values.innerIndexPtr(), values.nonZeros(), SUNSparseMatrix_IndexValues(J));
-    std::copy_n(values.valuePtr(), values.nonZeros(), SUNSparseMatrix_Data(J));
+    s.system.evaluate(time, s.y_of(unknowns), view(ydot), c, *s.inputs_now);
     ++s.jacobians;
     s.fresh = true;
   });
+}
+
+// A singular matrix is a reason for a smaller step.
+int Ida::Sundials::factor(SUNLinearSolver solver, SUNMatrix) {
+  return static_cast<Sundials*>(solver->content)->system.factor() ? 0 : 1;
+}
+
+int Ida::Sundials::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector r, sunrealtype) {
+  writable(x) = view(r);
+  static_cast<Sundials*>(solver->content)->system.solve_whole(writable(x));
+  return 0;
 }
 
 void Ida::Sundials::restart(const State& state, double t_end, const Inputs& inputs, IntegratorStatistics& statistics) {
@@ -569,8 +582,7 @@ void Ida::forget() {
   ida_->state_last = {};
   ida_->forget_passage();
   ida_->equations.saddle().forget();
-  ida_->check(SUNLinSol_KLUReInit(ida_->solver, ida_->matrix, SUNSparseMatrix_NNZ(ida_->matrix), SUNKLU_REINIT_PARTIAL),
-              "SUNLinSol_KLUReInit");
+  ida_->system.forget();
 }
 
 void Ida::resume(const IntegratorStatistics& so_far) {

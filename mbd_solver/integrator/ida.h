@@ -1,5 +1,5 @@
 #pragma once
-// SUNDIALS IDA: variable-order BDF on the same residual and the same analytic Jacobian (KLU). A window with other loads or
+// SUNDIALS IDA: variable-order BDF on the same residual and the same reduced Jacobian as OneStep. A window with other loads or
 // inputs (or a state changed from outside, projection included) is a new initial value problem: IDA restarts at first order;
 // otherwise it continues. When drift is projected, all values of its history move with the projection (E. Eich, SIAM J. Numer.
 // Anal. 30 (1993), 1467), so that order and step remain. Its error test is that of a single step, and errors of hundreds of

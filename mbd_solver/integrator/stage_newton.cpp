@@ -30,8 +30,7 @@ StageNewton::StageNewton(Equations& equations, const ErrorNorm& norm, Integrator
       norm_(norm),
       statistics_(statistics),
       failure_(failure),
-      matrix_(equations.reduced_pattern(), equations.local_states()),
-      lu_(matrix_.matrix(), equations.negligible_shares()) {
+      system_(equations, equations.negligible_shares()) {
   Ydot_ = F_ = change_ = Eigen::VectorXd::Zero(equations.layout().size());
 }
 
@@ -39,7 +38,7 @@ void StageNewton::forget() {
   factored_c_ = 0.0;
   rate_ = 1.0;
   slowest_ = slowest_before_ = 0.0;
-  lu_.forget();
+  system_.forget();
 }
 
 bool StageNewton::needs_jacobian(double c, bool first_stage, double slow) const {
@@ -49,7 +48,7 @@ bool StageNewton::needs_jacobian(double c, bool first_stage, double slow) const 
 bool StageNewton::refresh(double t, const Eigen::VectorXd& y, const Eigen::VectorXd& K, double c, double slow,
                           const Inputs& inputs) {
   try {
-    equations_.reduced_jacobian(t, y, K, c, inputs);
+    system_.evaluate(t, y, K, c, inputs);
   } catch (const NumericalError& error) {
     failure_.reason = error.what();
     return false;
@@ -61,7 +60,7 @@ bool StageNewton::refresh(double t, const Eigen::VectorXd& y, const Eigen::Vecto
   stiffness_ = 0.0;
   for (Eigen::Index i = 0; i < equations_.own_diagonal().size(); ++i)
     stiffness_ = std::max(stiffness_, equations_.reduced_pattern().coeff(i, i) / equations_.own_diagonal()[i]);
-  factored_c_ = matrix_.update() && lu_.factor(equations_.own_diagonal()) ? c : 0.0;
+  factored_c_ = system_.factor() ? c : 0.0;
   return factored_c_ != 0.0;
 }
 

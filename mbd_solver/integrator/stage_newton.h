@@ -9,10 +9,9 @@
 
 #include <string>
 
-#include "mbd_solver/dynamics/condensed_matrix.h"
-#include "mbd_solver/dynamics/sparse_lu.h"
 #include "mbd_solver/integrator/error_norm.h"
 #include "mbd_solver/integrator/integrator.h"
+#include "mbd_solver/integrator/reduced_system.h"
 
 namespace footfall {
 
@@ -50,17 +49,14 @@ class StageNewton {
   bool solve(double t, double c, const Eigen::VectorXd& known, double tolerance, double slow, const Inputs& inputs,
              Eigen::VectorXd& Y, Eigen::VectorXd& K);
   // x = J^-1 x, with the current factors.
-  void apply_inverse(Eigen::Ref<Eigen::VectorXd> x) {
-    matrix_.solve(x, [this](Eigen::Ref<Eigen::VectorXd> y) { lu_.solve(y); });
-  }
+  void apply_inverse(Eigen::Ref<Eigen::VectorXd> x) { system_.solve(x); }
 
  private:
   Equations& equations_;
   const ErrorNorm& norm_;
   IntegratorStatistics& statistics_;
   StepFailure& failure_;
-  CondensedMatrix matrix_;  // the reduced Jacobian
-  ThinLu lu_;
+  ReducedSystem system_;
   double factored_c_ = 0.0;  // c of the factors; 0: none
   bool fresh_ = false, stiff_ = false, turns_ = false;
   double stiffness_ = 1.0;  // largest diagonal entry of a velocity over that of the body's own inertia

@@ -292,11 +292,11 @@ TEST(Jacobian, KeepsItsPatternAndItsPlace) {
   Eigen::VectorXd y(equations.layout().size());
   equations.pack(test::as_given(model).state, Eigen::VectorXd::Zero(equations.layout().row_count), y);
   const Inputs inputs = test::random_inputs(random, model);
-  const double* values = equations.jacobian_pattern().valuePtr();
-  const Eigen::Index entries = equations.jacobian_pattern().nonZeros();
-  equations.jacobian(0.0, y, Eigen::VectorXd::Zero(y.size()), 10.0, inputs);
-  EXPECT_EQ(equations.jacobian_pattern().valuePtr(), values);
-  EXPECT_EQ(equations.jacobian_pattern().nonZeros(), entries);
+  const double* values = equations.reduced_pattern().valuePtr();
+  const Eigen::Index entries = equations.reduced_pattern().nonZeros();
+  equations.reduced_jacobian(0.0, y, Eigen::VectorXd::Zero(y.size()), 10.0, inputs);
+  EXPECT_EQ(equations.reduced_pattern().valuePtr(), values);
+  EXPECT_EQ(equations.reduced_pattern().nonZeros(), entries);
 }
 
 TEST(Jacobian, MassTimesVectorIsItsDerivativeByRates) {
