@@ -132,8 +132,8 @@ struct Ida::Sundials {
   // The unknowns of IDA are y - offset: a change of the offset moves all values of its history.
   Eigen::VectorXd offset;      // by which projections have moved q and v since the last restart [m, rad, m/s, rad/s]
   Eigen::VectorXd actual;      // of y_of
-  ReducedSystem system;        // Newton's
-  SUNMatrix matrix = nullptr;  // without numbers: `system` has them
+  ReducedSystem linear;        // Newton's
+  SUNMatrix matrix = nullptr;  // without numbers: `linear` has them
   SUNLinearSolver solver = nullptr;
   SUNNonlinearSolver newton = nullptr;
   bool fresh = false;                  // the Jacobian belongs to the current step
@@ -212,7 +212,7 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
       options(o),
       norm(e.layout(), o),
       share(std::clamp(std::sqrt(kAllFrom / o.rtol), kStepShare, 1.0)),
-      system(e, e.negligible_shares().cwiseMin(ThinLu::kRoundOff)),
+      linear(e, e.negligible_shares().cwiseMin(ThinLu::kRoundOff)),
       turns(e.model(), e.layout()) {
   const Layout& layout = equations.layout();
   const int n = layout.size();
@@ -322,7 +322,7 @@ int Ida::Sundials::jacobian(sunrealtype time, sunrealtype c, N_Vector unknowns, 
                             void* self, N_Vector, N_Vector, N_Vector) {
   Sundials& s = *static_cast<Sundials*>(self);
   return s.guarded([&] {
-    s.system.evaluate(time, s.y_of(unknowns), view(ydot), c, *s.inputs_now);
+    s.linear.evaluate(time, s.y_of(unknowns), view(ydot), c, *s.inputs_now);
     ++s.jacobians;
     s.fresh = true;
   });
@@ -330,12 +330,12 @@ int Ida::Sundials::jacobian(sunrealtype time, sunrealtype c, N_Vector unknowns, 
 
 // A singular matrix is a reason for a smaller step.
 int Ida::Sundials::factor(SUNLinearSolver solver, SUNMatrix) {
-  return static_cast<Sundials*>(solver->content)->system.factor() ? 0 : 1;
+  return static_cast<Sundials*>(solver->content)->linear.factor() ? 0 : 1;
 }
 
 int Ida::Sundials::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector r, sunrealtype) {
   writable(x) = view(r);
-  static_cast<Sundials*>(solver->content)->system.solve_whole(writable(x));
+  static_cast<Sundials*>(solver->content)->linear.solve_whole(writable(x));
   return 0;
 }
 
@@ -582,7 +582,7 @@ void Ida::forget() {
   ida_->state_last = {};
   ida_->forget_passage();
   ida_->equations.saddle().forget();
-  ida_->system.forget();
+  ida_->linear.forget();
 }
 
 void Ida::resume(const IntegratorStatistics& so_far) {

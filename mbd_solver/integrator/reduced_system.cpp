@@ -1,3 +1,5 @@
+// The right-hand side of the rows dq - N v passes through the positions on its way: first D^-1, then the stiffness.
+
 #include "mbd_solver/integrator/reduced_system.h"
 
 #include "mbd_solver/dynamics/kinematics.h"
