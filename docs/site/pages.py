@@ -50,6 +50,8 @@ def on_site(file):
     """Where a file of the checkout is on the site, or None."""
     if file == root / "README.md":
         return "index.md"
+    if file == root / "docs/README.md":
+        return "all_pages.md"
     if (root / "docs") in file.parents and file.is_file() and file.suffix in (".md", ".png"):
         return str(file.relative_to(root / "docs"))
     if (root / "examples") in file.parents or file.parent == root / "examples":
