@@ -468,6 +468,13 @@ const Eigen::SparseMatrix<double>& Equations::reduced_pattern() const { return w
 
 const Eigen::VectorXd& Equations::own_diagonal() const { return work_->own_diagonal; }
 
+double Equations::largest_stiffness(double c) const {
+  double largest = 0.0;
+  for (int i = 0; i < layout_.v_size; ++i)
+    largest = std::max(largest, work_->pattern.stiffness[work_->pattern.v_v[i]] / (c * work_->own_diagonal[i]));
+  return largest;
+}
+
 // Pairs of forces cancel in the sum of the rows of dr, so that Newton conserves linear momentum to round-off at every
 // iteration: these rows are complete. With redundant rows all are complete, because the mechanism may pass singular
 // positions, where the result depends on the order of pivots.

@@ -58,6 +58,8 @@ class Equations {
   // Per velocity, the contribution of its body alone to the diagonal of the last Jacobian, reduced at c: c M_ii, of a mode
   // c M_ii + C_i + K_i / c.
   const Eigen::VectorXd& own_diagonal() const;
+  // Largest stiffness of a velocity's own position over its inertia in the last Jacobian, K_ii / (c own_i): (gamma h)^2 K / M.
+  double largest_stiffness(double c) const;
   // Per velocity, the share of that below which Newton may neglect an entry of its row (ThinLu).
   Eigen::VectorXd negligible_shares() const;
   // Inner states of elements with many, each of which acts on few others: unknowns of the reduced Jacobian.

@@ -144,6 +144,7 @@ JacobianPattern::JacobianPattern(const Model& model, const Layout& layout, const
   lower = reduced = pattern.build();
   stiffness = Eigen::VectorXd::Zero(lower.nonZeros());
   visit_all(locate_in(lower));
+  v_v = diagonal_places(lower, 0, 0, layout.v_size);
   z_z = diagonal_places(lower, z0, z0, layout.z_size);
   lambda_lambda = diagonal_places(lower, lambda0, lambda0, layout.row_count);
 }

@@ -48,7 +48,7 @@ struct JacobianPattern {
   std::vector<SparseBlock> bodies;  // force rows by the body's own coordinates
   std::vector<PairPlaces> joints;
   std::vector<ElementPlaces> forces;
-  std::vector<int> z_z, lambda_lambda;
+  std::vector<int> v_v, z_z, lambda_lambda;  // diagonals
   std::vector<SignalPlaces> signals;
   Eigen::SparseMatrix<double> reduced;  // pattern of `lower`
 };

@@ -20,7 +20,6 @@ constexpr int kMostIterations = 10;
 constexpr double kForgetting = 0.8;
 // A stage that converges more slowly than this shows that the matrix belongs to another position: less error may remain then.
 constexpr double kSlowStage = 0.02, kStricter = 0.1;
-constexpr double kStiff = 10.0;  // (h gamma)^2 stiffness / mass from which it is that of a stiff force
 
 }  // namespace
 
@@ -57,9 +56,7 @@ bool StageNewton::refresh(double t, const Eigen::VectorXd& y, const Eigen::Vecto
   ++statistics_.factorizations;
   fresh_ = true;
   rate_ = slow;
-  stiffness_ = 0.0;
-  for (Eigen::Index i = 0; i < equations_.own_diagonal().size(); ++i)
-    stiffness_ = std::max(stiffness_, equations_.reduced_pattern().coeff(i, i) / equations_.own_diagonal()[i]);
+  stiffness_ = equations_.largest_stiffness(c);
   factored_c_ = system_.factor() ? c : 0.0;
   return factored_c_ != 0.0;
 }
@@ -103,7 +100,7 @@ bool StageNewton::solve(double t, double c, const Eigen::VectorXd& known, double
     last = size;
     // Remaining error: size rate / (1 - rate); the first iteration uses the slowest rate of earlier stages.
     if (i > 0) slowest_ = std::max(slowest_, rate_);
-    if (i > 0 && fresh_ && rate_ > kSlowStage && size > kNoise && stiffness_ > kStiff) turns_ = true;
+    if (i > 0 && fresh_ && rate_ > kSlowStage && size > kNoise && has_stiff_force()) turns_ = true;
     const double rate = std::min(i > 0 ? rate_ : std::max({rate_, slowest_, slowest_before_}), 0.9);
     if (done || size * rate / (1.0 - rate) <= tolerance) {
       solve_positions(layout, known.head(q), Y.segment(q, layout.v_size), c, Y.head(q));

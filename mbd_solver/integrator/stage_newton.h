@@ -33,8 +33,9 @@ class StageNewton {
     slowest_before_ = slowest_;
     slowest_ = 0.0;
   }
-  bool fresh() const { return fresh_; }  // the Jacobian belongs to this step
-  double rate() const { return rate_; }  // last convergence rate
+  bool fresh() const { return fresh_; }                         // the Jacobian belongs to this step
+  double rate() const { return rate_; }                         // last convergence rate
+  bool has_stiff_force() const { return stiffness_ > kStiff; }  // at the last Jacobian
   // A stiff force turned in this step: a stage converged slowly with a Jacobian of this step.
   bool turns() const { return turns_; }
   void drop_factors() { factored_c_ = 0.0; }  // the next stage requires a new Jacobian
@@ -59,8 +60,9 @@ class StageNewton {
   ReducedSystem system_;
   double factored_c_ = 0.0;  // c of the factors; 0: none
   bool fresh_ = false, stiff_ = false, turns_ = false;
-  double stiffness_ = 1.0;  // largest diagonal entry of a velocity over that of the body's own inertia
-  double rate_ = 1.0;       // last convergence rate
+  static constexpr double kStiff = 20.0;         // from which it is that of a stiff force
+  double stiffness_ = 0.0;                       // (gamma h)^2 stiffness / mass, the largest
+  double rate_ = 1.0;                            // last convergence rate
   double slowest_ = 0.0, slowest_before_ = 0.0;  // the largest rate of the stages of this step, and of the step before
   Eigen::VectorXd Ydot_, F_, change_, expected_;
 };
