@@ -77,6 +77,18 @@ Scene FlexibleOutput::scene;
 History FlexibleOutput::history;
 nlohmann::ordered_json FlexibleOutput::summary;
 
+// Rigid bodies on gas springs, dampers and an elastic plane: nothing that is stiff turns, and steps take the fifth order.
+TEST(Steps, OfARigidLanderAreFew) {
+  const TemporaryFolder place;
+  const Scene scene = read_scene(FOOTFALL_SOURCE_DIR "/tests/bench/simbody/scene.toml", {"solver.rtol=1e-6"});
+  RunOptions options;
+  options.out = place.folder_.string();
+  options.quiet = true;
+  const volatile std::sig_atomic_t never = 0;
+  ASSERT_EQ(run_scene(scene, options, nullptr, never), 0);
+  EXPECT_LT(read_summary(options.out + "/summary.json").at("steps").get<int>(), 250);  // 355 of the third order
+}
+
 TEST_F(FlexibleOutput, StrainEnergiesOfTheBodiesAddUpToThatOfTheScene) {
   const std::vector<double>& total = history.column("energy.strain");
   std::vector<double> sum(total.size(), 0.0);
