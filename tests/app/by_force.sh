@@ -12,6 +12,7 @@
 #   no_room                      limits that leave MPI no room for its files: a full folder, files, their size (likewise)
 #   launcher                     mpirun crashes when both programs have ended, which is no failure; or before them, which is one
 set -u
+export LC_ALL=C.UTF-8  # decimal points of awk
 self=$(realpath "$0") footfall=$(realpath "$1")
 source "$(dirname "$self")/coupled_run.sh"
 out=$2 what=$3

@@ -4,6 +4,7 @@
 # the same window makes; a run that is done leaves none.
 #   WINDOW   length of a window [s]; 0 without grains
 set -u
+export LC_ALL=C.UTF-8  # decimal points of awk
 source "$(dirname "$0")/coupled_run.sh"
 footfall=$1 out=$2 window=$3; shift 3
 # Of every column, over the largest value of its unit. Without grains to the end: the integrator's own tolerance (1e-6), as an impact spreads it. With grains in the first

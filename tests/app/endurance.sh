@@ -4,6 +4,7 @@
 #   checkpoints SECONDS SCENE ARGS...  what wall-clock checkpoints every so many seconds cost, as a share of the run's time: at most 0.5 % every 60 s
 #   plane SECONDS                      the lander stands so long on the rigid plane; the report of the run is then written within a minute
 set -u
+export LC_ALL=C.UTF-8  # decimal points of awk
 footfall=$(realpath "$1") inputs=$(cd "$(dirname "$0")/../../inputs" && pwd)
 source "$(dirname "$0")/coupled_run.sh"
 case=$3

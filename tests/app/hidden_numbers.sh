@@ -5,6 +5,7 @@
 #           fewer than 36 in one of twenty
 #   soil    inputs/calibrations/soil.toml: slopes and plates on beds that the calibration does not use. Runs in OUT are used again by the next repetition
 set -eu
+export LC_ALL=C.UTF-8  # decimal points of awk
 footfall=$1 kind=$3 repetitions=$4 least=$5 first=${6-1}
 inputs=$(cd "$(dirname "$0")/../../inputs/calibrations" && pwd)
 mkdir -p "$2" && cd "$2"

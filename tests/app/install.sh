@@ -2,6 +2,7 @@
 # install.sh BUILD SOURCE: installs the build beside it, then lives from that alone, as an ordinary user who cannot write to it: beds go into
 # the user's cache, results into the working folder. The C++ example and a program of the solver are built against it.
 set -euo pipefail
+export LC_ALL=C.UTF-8  # decimal points of awk
 build=$1 source=$2
 export CMAKE_GENERATOR=Ninja  # make may be missing
 work=$(mktemp -d)

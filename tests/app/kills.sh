@@ -4,6 +4,7 @@
 # A program whose parent has died ends by a signal, and may then write one more checkpoint. At a checkpoint LIGGGHTS sorts its grains anew, which shows in the last bits:
 # such a run must come to its end, and is resumed once more from the newest checkpoint that the undisturbed run makes as well.
 set -u
+export LC_ALL=C.UTF-8  # decimal points of awk
 source "$(dirname "$0")/coupled_run.sh"
 footfall=$1 count=$3
 RANDOM=${4:-1}

@@ -2,6 +2,7 @@
 # first_landing.sh RELEASE [WORDS...]: the first landing on a fresh machine, with the time of each stage: `./footfall run WORDS` in a minimal Debian RELEASE
 # (bookworm, trixie; packaging/clean_root.sh) with a clone of what is committed here.
 set -euo pipefail
+export LC_ALL=C.UTF-8  # decimal points of awk
 cd "$(dirname "$0")/../.."
 root=$(mktemp -d)/root
 trap 'packaging/clean_root.sh --remove "$root"' EXIT

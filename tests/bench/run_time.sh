@@ -3,6 +3,7 @@
 # than the load is even. Beds are made first.
 #   tests/bench/run_time.sh BUILD [SCENE...]       default: five scenes of inputs and examples
 set -eu
+export LC_ALL=C.UTF-8  # decimal points of awk
 (( $# )) || { sed -n '2,4p' "$0"; exit 2; }
 footfall=$(realpath "$1")/bin/footfall; shift
 root=$(cd "$(dirname "$0")/../.." && pwd)

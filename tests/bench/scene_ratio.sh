@@ -3,6 +3,7 @@
 # of its velocities over twenty parts of the run. A B A B ..., ratios pair by pair, their medians. The landing: stock_ratio.sh.
 #   tests/bench/scene_ratio.sh BUILD SCENE [-r RANKS] [-p PAIRS] [-t SECONDS] [-- extra words for footfall run]
 set -eu
+export LC_ALL=C.UTF-8  # decimal points of awk
 (( $# >= 2 )) || { sed -n '2,4p' "$0"; exit 2; }
 build=$(realpath "$1") scene=$2; shift 2
 ranks=2 pairs=3 seconds=0.2

@@ -6,6 +6,7 @@
 # share of all else, is told as well.
 #   tests/bench/size.sh BUILD [OUT]      OUT (default runs/size) gets size.csv, size.md and size.png. Needs valgrind and gnuplot.
 set -euo pipefail
+export LC_ALL=C.UTF-8  # decimal points of awk
 root=$(realpath "$(dirname "$0")/../..")
 solver=$(realpath "$1")/bin/mbd_solver out=${2:-runs/size}
 mkdir -p "$out"; out=$(realpath "$out")

@@ -11,6 +11,7 @@
 #     -s  a file that keeps the medians of every call; what changed since the last call of the same kind is told
 # BED.restart and BED.restart.grains are what `footfall run` keeps (its printed line names them).
 set -eu
+export LC_ALL=C.UTF-8  # decimal points of awk
 (( $# >= 2 )) || { sed -n '2,12p' "$0"; exit 2; }
 build=$(realpath "$1") bed=$(realpath "$2"); shift 2
 ranks=2 pairs=3 seconds=0.1 store= count= every=

@@ -3,6 +3,7 @@
 # and their ratios to the first curve.
 #   ./footfall accuracy inputs/accuracy/coupling_lattice.toml --out DIR && tests/bench/time_at_error.sh DIR/coupling_lattice.csv [ERROR [MEASURE]]
 set -eu
+export LC_ALL=C.UTF-8  # decimal points of awk
 csv=$1 error=${2:-0.01} measure=${3:-motion}
 awk -F, -v e="$error" -v measure="error.$measure" '
   function at(a, b, s) { return exp(log(a) + s * (log(b) - log(a))) }

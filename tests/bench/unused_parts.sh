@@ -3,6 +3,7 @@
 # joints, signals, events, expressions, laws of joint coordinates, box beds. Reading a scene that names none of them counts, too.
 #   tests/bench/unused_parts.sh BUILD [SECONDS [OPTION...]]    of inputs/landing_mr; default 0.02 s of simulated time; options of `footfall run`, e.g. for a small bed
 set -eu
+export LC_ALL=C.UTF-8  # decimal points of awk
 (($#)) || { sed -n '2,4p' "$0"; exit 2; }
 build=$(realpath "$1") seconds=${2:-0.02}
 shift; (($# == 0)) || shift

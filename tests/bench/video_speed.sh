@@ -3,6 +3,7 @@
 # says on a busy machine what an idle one would do. RUN: the folder of a run; its video has about PICTURES (150) pictures of 1280 x 720 pixels, 25 in a second.
 # Needs chromium, ffmpeg and python3.
 set -euo pipefail
+export LC_ALL=C.UTF-8  # decimal points of awk
 footfall=$(realpath "$1") run=$(realpath "$2") pictures=${3:-150}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

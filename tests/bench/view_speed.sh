@@ -4,6 +4,7 @@
 # and while the eye turns, and the processor time of a picture of full size, which says on a busy machine what an idle one would do. Needs chromium
 # and python3.
 set -euo pipefail
+export LC_ALL=C.UTF-8  # decimal points of awk
 set -m  # the browser and its processes are a group of their own
 footfall=$(realpath "$1") grains=${2:-50000} frames=${3:-100}
 here=$(cd "$(dirname "$0")" && pwd)

@@ -2,6 +2,7 @@
 # inputs/regolith/in.bed on stock LIGGGHTS: four patches or one bed, small grains under the pads and large ones elsewhere, about as many as it says.
 #   regolith_bed.sh LIGGGHTS SOURCE
 set -eu
+export LC_ALL=C.UTF-8  # decimal points of awk
 liggghts=$1 source=$2
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 cd "$work"
