@@ -26,7 +26,7 @@ auxiliary() {  # FORCE1 LENGTH1 FORCE2 LENGTH2: crush stages of both auxiliary s
 }
 
 mkdir -p "$folder"
-scene scene ../landing_mr "MR landing" <<TEXT
+scene scene legs.toml "MR landing" <<TEXT
 $(auxiliary "$(value aux_force 3000)" "$(value aux_length 0.10)" "$(value aux_force 6000)" "$(value aux_length 0.08)")
 [[struts]]
 name = "leg_{leg}_primary"
@@ -64,7 +64,7 @@ variables = { grain_poisson = $(value pad_poisson) }
 bed = { variables = { pour_friction = $(value pour_friction) } }
 TEXT
 }
-scene validation_drop ../validation_drop "Validation drop" <<TEXT
+scene validation_drop legs_drop.toml "Validation drop" <<TEXT
 $(auxiliary "$(value drop_aux 15e3)" 0.10 "$(value drop_aux 30e3)" 0.08)
 [[struts]]
 name = "leg_{leg}_primary"
@@ -72,6 +72,6 @@ honeycomb = { stages = [{ force = $(value drop_primary 35e3), length = 0.20 }, {
 
 $(pads)
 TEXT
-scene validation_drop_rigid ../validation_drop/rigid.toml "Validation drop, rigid lander" <<TEXT
+scene validation_drop_rigid legs_drop_rigid.toml "Validation drop, rigid lander" <<TEXT
 $(pads)
 TEXT
