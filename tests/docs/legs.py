@@ -36,6 +36,42 @@ kSoil = 0.8                  # horizontal over vertical force of a ploughing pad
 kStop = 5e-3                 # m that an end stop gives under the largest force
 kThin = 30                   # diameter over wall
 
+# Formula and source of every row of the tables; the page explains the letters and lists the sources.
+kReasons = {
+    "pads' radius from the axis": ("v^2 = 2 g r (1 - cos(a - s)) (k^2 + r^2) / h^2, r^2 = h^2 + b^2, tan a = b / h", "[4] mechanics"),
+    "height of the cabin": ("floor - stroke / cos - sinkage", "[7] own choice"),
+    "ankle": ("h = R / (4 x 0.8)", "mechanics"),
+    "gas piston": ("pi/4 d^2 P0 = N cos", "[1] statics"),
+    "stroke": ("m z'' = m g - 4 (F_gas + c z' cos) / cos", "[1] mechanics"),
+    "acceleration at touchdown": ("4 (F_gas + c v cos) / (m cos) - g", "[1]"),
+    "gas volume": ("V0 - A L", "[1]"),
+    "end stop": ("k = P / 5 mm", "own choice"),
+    "primary crush forces": ("F1 L1 + F2 (0.8 L - L1) = (m v^2 / 2 + m g 0.8 L / cos) / 4", "energy; [4] two stages"),
+    "second stage over first": ("9500 / 4500 lbf", "[4]"),
+    "first stage of the length": ("10 / 32 in", "[4]"),
+    "bore of the primary": ("D^2 = 4 F / (pi p)", "[6]"),
+    "auxiliary struts, first stage": ("F = P x / (cos e)", "statics"),
+    "auxiliary struts, second stage": ("F = P x / (cos e)", "statics"),
+    "length of the first stage": ("dz sin / L x e / 2", "kinematics"),
+    "length of both stages": ("overlap - D / 2", "own choice"),
+    "energy of two auxiliary struts": ("m v^2 / 2", "[4] energy"),
+    "bore of the auxiliary struts": ("D^2 = 4 F / (pi p)", "[6]"),
+    "inner tube of the auxiliary struts": ("", "fit"),
+    "buckling of the auxiliary struts": ("pi^2 E I / L^2 / F", "[9] Euler"),
+    "buckling of the primary": ("pi^2 E I / L^2 / P", "[9] Euler"),
+    "rod": ("Z = 1.4 N sin l / yield", "[5] [8] beam"),
+    "outer tube": ("Z = 1.4 M / yield", "[5] [8] beam"),
+    "bore of the outer tube": ("", "fit"),
+    "guide of the rod": ("2.75 D", "[10]"),
+    "room for the stroke": ("", "fit"),
+    "walls": ("D / t", "own choice"),
+    "pad radius": ("pi R^2 = max(N / (k 0.10), 3 N_rest / (k 0.02))", "[2] [3]"),
+    "pad thickness": ("t^2 = 6 x 1.4 M / yield; w = p R^4 (7 + 3 nu) / (64 D (1 + nu)) = t / 2", "[5] [8] [11] plate"),
+    "centring spring": ("k s = 0.3 N R / 4", "own choice"),
+    "its damper": ("d / (2 sqrt(k J))", "own choice"),
+    "mass of the legs": ("", "own choice"),
+}
+
 
 def merged(base, changes):
     """A scene and the scene it is based on, as the program reads them: lists by name, `without` takes keys away."""
@@ -157,7 +193,8 @@ class Rules:
         """least <= chosen <= most: bounds that are None do not hold."""
         good = (least is None or chosen >= least * (1 - 1e-9)) and (most is None or chosen <= most * (1 + 1e-9))
         bound = [f"{sign} {value:.{digits}g}" for sign, value in (("at least", least), ("at most", most)) if value is not None]
-        self.rows.append(f"| {what} | {rule} | {numbers} | {', '.join(bound)} {unit} | {chosen:.{digits}g} {unit} |".replace("  ", " "))
+        formula, source = kReasons[what]
+        self.rows.append(f"| {what} | {rule} | {formula} | {numbers} | {source} | {', '.join(bound)} {unit} | {chosen:.{digits}g} {unit} |".replace("  ", " "))
         if not good:
             self.broken.append(self.rows[-1])
 
@@ -261,11 +298,11 @@ def main():
     failed = False
     for folder in ("inputs/landing_mr", "inputs/validation_drop"):
         rules = rules_of(folder)
-        table = "\n".join(["| what | rule | numbers | bound | value |", "|---|---|---|---|---|"] + rules.rows)
+        table = "\n".join(["| what | rule | formula | numbers | source | bound | chosen |", "|---|---|---|---|---|---|---|"] + rules.rows)
         for broken in rules.broken:
             print(f"{folder}: a rule of docs/explanation/legs.md is broken: {broken}")
             failed = True
-        mark = re.compile(rf"(<!-- legs: {folder} -->\n).*?(\n<!-- end -->)", re.S)
+        mark = re.compile(rf"(<!-- legs: {folder} -->\n).*?(<!-- end -->)", re.S)
         if "--print" in sys.argv:
             print(table)
             continue
@@ -273,7 +310,7 @@ def main():
             print(f"{kPage}: no table of {folder}; expected <!-- legs: {folder} --> and <!-- end -->")
             failed = True
             continue
-        new = mark.sub(lambda m: m.group(1) + table + m.group(2), page)
+        new = mark.sub(lambda m: m.group(1) + table + "\n" + m.group(2), page)
         if new != page and "--write" not in sys.argv:
             print(f"{kPage}: the table of {folder} does not hold the numbers of the scene; write it by tests/docs/legs.py --write")
             failed = True
