@@ -2,15 +2,24 @@
 # Remakes docs/data/paper and the pictures of docs/paper.md: the studies of [Lin25]. Hours on two cores; finished runs are kept.
 #   docs/data/remake/paper.sh [RUNS]             RUNS: folder of the runs (default runs/paper)
 #   docs/data/remake/paper.sh RUNS identified    only the calibrated set, inputs/paper_identified
+#   docs/data/remake/paper.sh RUNS assumed       only the legs with which that set was calibrated, inputs/paper_identified/legs.toml
 #   docs/data/remake/paper.sh RUNS merge         only the tables and pictures of runs that are there
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 . docs/data/remake/parts.sh
 runs=${1:-runs/paper} what=${2-}
 data=docs/data/paper pictures=docs/pictures/paper
-sweeps=(validation_drop validation_sensitivity ground attitudes friction velocity control_fast explanations bed bed_grains)
+sweeps=(paper_on_soil validation_drop validation_sensitivity ground attitudes friction velocity control_fast explanations bed bed_grains)
 identified=(validation_drop ground attitudes friction velocity)   # run once more with the scenes of inputs/paper_identified
 
+# SWEEP: the same sweep with the legs of legs.toml; prints its file.
+assumed_sweep() {
+  local file=$runs/assumed/$1.toml scenes=$PWD/inputs/paper_identified
+  mkdir -p "$runs/assumed"
+  sed -e "s#\"\.\./landing_mr/scene.toml\"#\"$scenes/legs.toml\"#; s#\"\.\./validation_drop/scene.toml\"#\"$scenes/legs_drop.toml\"#" \
+    -e "s#\"\.\./validation_drop/rigid.toml\"#\"$scenes/legs_drop_rigid.toml\"#" "inputs/sweeps/$1.toml" >"$file"
+  echo "$file"
+}
 # SWEEP: the same sweep with the calibrated scenes; prints its file.
 identified_sweep() {
   local file=$runs/identified/$1.toml scenes=$PWD/inputs/paper_identified
@@ -47,6 +56,13 @@ pair() {
   keep_picture "$runs/identified/$1" "$pictures/$2_identified.png" "${3:-640}"
 }
 
+if [[ $what == assumed || $what == merge ]]; then
+  for name in "${sweeps[@]:1}"; do
+    sweep "$(assumed_sweep "$name")" "$runs/assumed/$name"
+    tables "$runs/assumed/$name" "$data/assumed/$name.txt"
+  done
+  [[ $what == merge ]] || exit 0
+fi
 if [[ $what != identified ]]; then
   landing inputs/landing_mr "$runs/landing"
   for name in "${sweeps[@]}"; do sweep "inputs/sweeps/$name.toml" "$runs/$name"; done
