@@ -279,7 +279,7 @@ void energies(const GrainsAudit& grains, const MechanismAudit& mechanism, std::v
   lost.quantity = "grains: energy returned by contacts";
   lost.note = "elastic energy of contacts, stored before or created";
   gap.quantity = "interface: work sent and received";
-  gap.note = "an error of the scheme; see coupling_energy_residual_relative in summary.json";
+  gap.note = "an error of the scheme; see coupling_energy_error_relative in summary.json";
   double sum = 0.0, most = 0.0, flow = 0.0, given = 0.0, work_flow = 0.0;
   const Vector3d* before = &grains.start_energy;
   double tags = grains.start_tags;

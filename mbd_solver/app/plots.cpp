@@ -92,7 +92,7 @@ std::vector<Curve> energy_curves(const History& history, const std::string& star
 
 std::vector<Curve> dissipation_curves(const History& history) {
   std::vector<Curve> curves = energy_curves(history, "dissipated.");
-  const bool grains = history.find("coupling.energy_residual") >= 0;
+  const bool grains = history.find("coupling.energy_error") >= 0;
   if (grains && largest(history, "work.contact") > 0.0) curves.push_back({"to the grains", of("work.contact", -1.0)});
   return curves;
 }

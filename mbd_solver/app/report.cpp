@@ -267,7 +267,7 @@ void show_summary(const Json& summary, HtmlPage& page) {
   add_metric(summary, "simulated time", "end_time_s", 1.0, "s", rows, "End time of the run.");
   add_metric(summary, "peak acceleration", "peak_acceleration_g", 1.0, "g (Earth's, 9.80665 m/s2)", rows, peak.c_str());
   add_metric(summary, "largest descent", "max_descent_m", 1.0, "m", rows, descent.c_str());
-  add_metric(summary, "largest sinkage below the initial surface", "max_penetration_m", 1.0, "m", rows,
+  add_metric(summary, "largest sinkage below the initial surface", "max_sinkage_m", 1.0, "m", rows,
              "Of the lowest point of a coupled surface.");
   add_metric(summary, "largest contact force on one body", "max_contact_force_N", 1.0, "N", rows,
              "Sum over all grains, mean over a window; on a plane at one instant.");
@@ -320,7 +320,7 @@ void show_quality(const Json& summary, HtmlPage& page) {
              rows);
   add_metric(summary, "drift of the joints, position", "drift_position", 1.0, "m, rad", rows);
   add_metric(summary, "drift of the joints, velocity", "drift_velocity", 1.0, "m/s, rad/s", rows);
-  add_metric(summary, "coupling energy error", "coupling_energy_residual_relative", 100.0, "% of the energy exchanged",
+  add_metric(summary, "coupling energy error", "coupling_energy_error_relative", 100.0, "% of the energy exchanged",
              rows);
   add_metric(summary, "largest overlap of a grain", "max_overlap_over_radius", 100.0, "% of its radius", rows);
   add_metric(summary, "time step of the grains", "dt_dem_s", 1.0, "s", rows);
@@ -461,7 +461,7 @@ std::string sweep_page(const fs::path& folder) {
                                                          : std::string("-");
     };
     rows.push_back({fs::relative(run, folder).string(), last.value("status", "unknown"),
-                    percent("energy_balance_relative"), percent("coupling_energy_residual_relative"),
+                    percent("energy_balance_relative"), percent("coupling_energy_error_relative"),
                     percent("max_overlap_over_radius"), short_text(last.value("wall_s", 0.0))});
   }
   if (runs.empty()) return page.text();

@@ -27,7 +27,7 @@ namespace footfall {
 namespace {
 
 const std::string kDissipated = "dissipated.";
-constexpr const char* kResidual = "coupling.energy_residual";
+constexpr const char* kResidual = "coupling.energy_error";
 const std::string kChanges = "coupling.grains_";  // energy that grains got otherwise than by forces
 constexpr double kUnknown = 1e299;                // more in a column of grains_energy.txt: not known
 constexpr double kSameTime = 1e-6;                // grains_energy.txt has six digits
@@ -276,11 +276,11 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
   row(summary, "peak acceleration", "peak_acceleration_g", 1.0, "%.4g g (Earth's, 9.80665 m/s2)");
   row_by_size(summary, "largest descent", "max_descent_m", "m");
   if (touches_ground(summary)) {
-    row_by_size(summary, "largest sinkage below the initial surface", "max_penetration_m", "m");
+    row_by_size(summary, "largest sinkage below the initial surface", "max_sinkage_m", "m");
     row_by_size(summary, "largest contact force on one body", "max_contact_force_N", "N");
   }
   row(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "%.4f %% of the energy exchanged");
-  row(summary, "coupling energy error", "coupling_energy_residual_relative", 100.0, "%.3f %% of the energy exchanged");
+  row(summary, "coupling energy error", "coupling_energy_error_relative", 100.0, "%.3f %% of the energy exchanged");
   if (summary.contains("ledger")) {
     row_by_size(summary.at("ledger"), "energy given to the grains", "energy_to_grains_J", "J");
     row_by_size(summary.at("ledger"), "dissipated by the grains", "grains_dissipated_J", "J");

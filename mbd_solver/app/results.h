@@ -6,7 +6,7 @@
 // The mechanism's part comes from history.csv. LIGGGHTS writes kinetic and gravity energy of the grains
 // (grains_energy.txt, by the stock commands of inputs/regolith/energy.lammps). Energy dissipated by the grains is the
 // rest of the work that they received:
-//   received = -work.contact - coupling.energy_residual
+//   received = -work.contact - coupling.energy_error
 //   dissipated = received + coupling.grains_* - change of kinetic and gravity energy
 // coupling.grains_*: energy that grains brought or took along, or got by commands and fixes that set their motion.
 // It includes the elastic energy of their contacts, of which LIGGGHTS has no sum, and may decrease by that much.

@@ -101,8 +101,8 @@ void show_key_numbers(const Json& summary, HtmlPage& page) {
   add("peak acceleration of " + body + ", g = 9.80665 m/s2 (Earth)", "peak_acceleration_g", "g",
       "peak_acceleration_time_s");
   add("largest descent of " + body, "max_descent_m", "m", "max_descent_time_s");
-  if (number_in(summary, "max_penetration_m").value_or(0.0) > 0.0)
-    add("largest sinkage below the initial surface", "max_penetration_m", "m", "max_penetration_time_s");
+  if (number_in(summary, "max_sinkage_m").value_or(0.0) > 0.0)
+    add("largest sinkage below the initial surface", "max_sinkage_m", "m", "max_sinkage_time_s");
   if (number_in(summary, "max_contact_force_N").value_or(0.0) > 0.0)
     add("largest contact force on one body", "max_contact_force_N", "N", "max_contact_force_time_s");
   add("stability distance, least", "stability_distance_m", "m", "stability_distance_time_s");
@@ -117,7 +117,7 @@ void show_key_numbers(const Json& summary, HtmlPage& page) {
   if (const std::optional<double> tipped = number_in(summary, "tipped"))
     rows.push_back({"tipped over", *tipped != 0.0 ? "yes" : "no", ""});
   add_share("error of the time integration", "energy_balance_relative", "of the energy exchanged");
-  add_share("coupling energy error", "coupling_energy_residual_relative", "of the energy exchanged");
+  add_share("coupling energy error", "coupling_energy_error_relative", "of the energy exchanged");
   page.subsection("Key numbers and their errors");
   page.table(rows);
 }

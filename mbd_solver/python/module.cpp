@@ -13,6 +13,7 @@
 #include "mbd_solver/embed/codes.h"
 #include "mbd_solver/embed/error_report.h"
 #include "mbd_solver/embed/session.h"
+#include "mbd_solver/run/output/former_names.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/scene/scene_schema.h"
 
@@ -180,5 +181,6 @@ PYBIND11_MODULE(_core, m) {
       .def_property_readonly("notes", &Simulation::notes)
       .def("summary", &Simulation::summary);
   m.def("history", &history_of);
+  m.def("present_name", &present_name, py::return_value_policy::copy);
   m.def("report", [](const std::string& message) { return tuple_of("error", report_of(message)); });
 }

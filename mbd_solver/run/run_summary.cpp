@@ -77,7 +77,7 @@ void add_landing(const LandingWatch& landing, const std::vector<LandingPointSpec
 
 void add_coupling(const CoupledRun& coupled, double energy_flow, Json& json) {
   const CouplingWatch& watch = coupled.watch();
-  json["coupling_energy_residual_relative"] = energy_flow > 0.0 ? watch.largest_energy_residual() / energy_flow : 0.0;
+  json["coupling_energy_error_relative"] = energy_flow > 0.0 ? watch.largest_energy_residual() / energy_flow : 0.0;
   const CouplingWatch::Peak peak = watch.peak();
   json["max_step_force_N"] = peak.force;
   json["max_step_force_time_s"] = peak.time;
@@ -175,8 +175,8 @@ Json run_summary(const Simulation& simulation, const MetricRecorder& recorder, c
   json["peak_acceleration_time_s"] = metrics.peak_acceleration.time;
   json["max_descent_m"] = metrics.max_descent.value;
   json["max_descent_time_s"] = metrics.max_descent.time;
-  json["max_penetration_m"] = metrics.max_penetration.value;
-  json["max_penetration_time_s"] = metrics.max_penetration.time;
+  json["max_sinkage_m"] = metrics.max_penetration.value;
+  json["max_sinkage_time_s"] = metrics.max_penetration.time;
   json["max_contact_force_N"] = metrics.max_contact_force.value;
   json["max_contact_force_time_s"] = metrics.max_contact_force.time;
   add_creep(simulation.scene(), json);

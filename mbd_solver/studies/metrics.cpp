@@ -13,6 +13,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/bed/bed_measures.h"
+#include "mbd_solver/run/output/former_names.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/peaks.h"
 #include "mbd_solver/run/output/summary.h"
@@ -150,7 +151,8 @@ std::vector<double> metrics_of_run(const std::vector<MetricSpec>& metrics, const
                                    const std::string& file) {
   const std::string summary_file = (fs::path(folder) / "summary.json").string();
   const nlohmann::ordered_json summary = read_summary(summary_file);
-  const auto of_summary = [&](const std::string& key) {
+  const auto of_summary = [&](const std::string& given) {
+    const std::string& key = present_name(given);
     if (!summary.contains(key) || !summary[key].is_number())
       throw InputError(code::kMetricMissing, file + ": figures: " + summary_file + " has no number \"" + key + "\"." +
                                                  known_names("numbers", key, numbers_in(summary)));

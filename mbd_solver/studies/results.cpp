@@ -254,7 +254,7 @@ double energy_gain(const History& h, double reference) {
   for (const std::string& name : h.names)
     if (name == "energy.total" || name.rfind("dissipated.", 0) == 0) add(name, 1.0);
   for (const std::string& name : h.names)
-    if (name == "work.contact" || name == "work.motion" || name == "coupling.energy_residual") add(name, -1.0);
+    if (name == "work.contact" || name == "work.motion" || name == "coupling.energy_error") add(name, -1.0);
   return std::max(0.0, *std::max_element(sums.begin(), sums.end())) / reference;
 }
 

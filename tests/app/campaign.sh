@@ -102,7 +102,7 @@ settings = ["initial.clearance={= a > 0 ? 0 : 1}"]
 runs = 20
 keep = 1
 parameters = [{ name = "a", distribution = "normal", mean = 0, deviation = 1 }]
-figures = [{ name = "ratio", key = "max_contact_force_N", over = "max_penetration_m" }]
+figures = [{ name = "ratio", key = "max_contact_force_N", over = "max_sinkage_m" }]
 outcomes = [{ name = "stiff", when = "ratio > 1" }]
 END
 "$footfall" sweep nan.toml --jobs 2 --out nan >nan.txt 2>&1

@@ -447,7 +447,7 @@ TEST(SmallScenes, OfGrainsBalance) {
       ++rows;
     }
   force /= rows;
-  const double depth = folder.summary("blade")["max_penetration_m"].get<double>();
+  const double depth = folder.summary("blade")["max_sinkage_m"].get<double>();
   const double passive = 0.5 * 3.4 * 2600 * 0.6 * g * depth * depth * 0.16;
   EXPECT_GT(force, passive);
   EXPECT_LT(force, 12.0 * passive);

@@ -55,8 +55,8 @@ TEST(Digging, OfAnImportedArmMovesWhatItsSpadeSweeps) {
 
   const nlohmann::json summary = nlohmann::json::parse(folder.read("run/summary.json"));
   EXPECT_EQ(summary["warnings"].size(), 0u) << summary["warnings"];
-  EXPECT_GT(summary["max_penetration_m"].get<double>(), 0.07);
-  EXPECT_LT(summary["max_penetration_m"].get<double>(), 0.1);
+  EXPECT_GT(summary["max_sinkage_m"].get<double>(), 0.07);
+  EXPECT_LT(summary["max_sinkage_m"].get<double>(), 0.1);
   // The sum of all parts of the energy stays, to the work that a coupling interval leaves unresolved.
   EXPECT_LT(std::abs(summary["ledger"]["closing_error_relative"].get<double>()), 1e-3);
 

@@ -160,6 +160,19 @@ def _html_of(what, folder):
     return f"<p>{html.escape(repr(what))}</p>" + "".join(f'<img src="data:image/svg+xml;base64,{picture}">' for picture in pictures)
 
 
+class _Summary(dict):
+    """summary.json, its keys also by names of earlier versions."""
+
+    def __init__(self, summary):
+        super().__init__((_core.present_name(key), value) for key, value in summary.items())
+
+    def __missing__(self, key):
+        present = _core.present_name(key)
+        if present == key:
+            raise KeyError(key)
+        return self[present]
+
+
 class History(Mapping):
     """Columns of history.csv by name: read-only numpy arrays (rows), SI.
 
@@ -175,7 +188,7 @@ class History(Mapping):
         return self._read
 
     def __getitem__(self, name):
-        columns = self._all()["columns"]
+        columns, name = self._all()["columns"], _core.present_name(name)
         if name not in columns:
             raise KeyError(f"{name}; known: {', '.join(columns)}")
         return columns[name]
@@ -222,7 +235,7 @@ class Run:
         path = os.path.join(self.folder, "summary.json")
         try:
             with open(path, encoding="utf-8") as file:
-                return json.load(file)
+                return _Summary(json.load(file))
         except FileNotFoundError:
             refuse("InputError", "E0433", "no-such-file", f"{path}: there is none; the run has not ended")
         except ValueError as error:

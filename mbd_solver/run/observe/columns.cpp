@@ -98,7 +98,7 @@ constexpr Entry<State> kWork[] = {{"work.contact", "J", [](const State& s) { ret
 constexpr Entry<double> kSupplied[] = {{"work.<source>", "J", itself}};
 
 constexpr Entry<CouplingSample> kCoupling[] = {
-    {"coupling.energy_residual", "J", [](const CouplingSample& c) { return c.energy_residual; }},
+    {"coupling.energy_error", "J", [](const CouplingSample& c) { return c.energy_residual; }},
     {"coupling.substeps", "-", [](const CouplingSample& c) { return static_cast<double>(c.substeps); }},
     {"coupling.grains_inserted", "J", [](const CouplingSample& c) { return c.changes.inserted; }},
     {"coupling.grains_left", "J", [](const CouplingSample& c) { return c.changes.left; }},

@@ -10,6 +10,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/run/codes.h"
+#include "mbd_solver/run/output/former_names.h"
 
 namespace footfall {
 namespace {
@@ -202,8 +203,8 @@ const std::vector<std::string>& summary_figures() {
                                                  "peak_acceleration_time_s",
                                                  "max_descent_m",
                                                  "max_descent_time_s",
-                                                 "max_penetration_m",
-                                                 "max_penetration_time_s",
+                                                 "max_sinkage_m",
+                                                 "max_sinkage_time_s",
                                                  "max_contact_force_N",
                                                  "max_contact_force_time_s",
                                                  "max_step_force_N",
@@ -227,7 +228,7 @@ const std::vector<std::string>& summary_figures() {
                                                  "drift_velocity",
                                                  "drift_removed_position",
                                                  "drift_removed_velocity",
-                                                 "coupling_energy_residual_relative",
+                                                 "coupling_energy_error_relative",
                                                  "max_overlap_over_radius",
                                                  "particles",
                                                  "grains_lost",
@@ -299,12 +300,13 @@ Requirements::Entry Requirements::entry_of(const RequirementSpec& spec, std::str
   Expression expression(spec.value, *values);
   Entry entry{std::move(values), std::move(expression), {}, {}, {}, {}};
   const auto column_of = [&](const std::string& name) -> std::optional<std::size_t> {
-    const auto found = std::find(names_.begin(), names_.end(), name);
+    const auto found = std::find(names_.begin(), names_.end(), present_name(name));
     if (found == names_.end()) return std::nullopt;
     return static_cast<std::size_t>(found - names_.begin());
   };
   const auto fault = [&](const std::string& what) { faults += (faults.empty() ? "" : "\n") + place + what; };
-  for (auto& [name, value] : *entry.values) {
+  for (auto& [given, value] : *entry.values) {
+    const std::string& name = present_name(given);
     const auto split = reduced_name(name);
     if (const auto constant = constant_of(name)) {
       value = *constant;

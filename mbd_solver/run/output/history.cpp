@@ -26,6 +26,7 @@
 #include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/output/checkpoint_folder.h"
+#include "mbd_solver/run/output/former_names.h"
 
 namespace footfall {
 namespace {
@@ -116,7 +117,8 @@ void HistoryWriter::resume_at(long position) {
     throw InputError(code::kFileNotWritten, path_ + ": cannot be written: " + reason_of(errno));
 }
 
-int History::find(const std::string& name) const {
+int History::find(const std::string& given) const {
+  const std::string& name = present_name(given);
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i] == name) return static_cast<int>(i);
   }
@@ -139,7 +141,7 @@ History read_history(const std::string& path) {
     throw InputError(code::kHistoryDamaged, path + ":1: expected \"" + kUnitsMark + "...\"");
   history.units = split(units.substr(kUnitsMark.size()), ',');
   if (!csv.next()) throw InputError(code::kHistoryDamaged, path + ": has no column names");
-  for (std::size_t i = 0; i < csv.cells().size(); ++i) history.names.push_back(csv.text(i));
+  for (std::size_t i = 0; i < csv.cells().size(); ++i) history.names.push_back(present_name(csv.text(i)));
   if (history.units.size() != history.names.size())
     csv.fail(code::kHistoryDamaged, "has " + std::to_string(history.names.size()) + " names for " +
                                         std::to_string(history.units.size()) + " units");

@@ -19,6 +19,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/run/codes.h"
+#include "mbd_solver/run/output/former_names.h"
 
 namespace footfall {
 
@@ -150,7 +151,9 @@ nlohmann::ordered_json read_summary(const std::string& path) {
     const nlohmann::ordered_json summary = nlohmann::ordered_json::parse(*text);
     if (!summary.is_object())
       throw InputError(code::kSummaryDamaged, path + ": is not the summary of a run: no object { ... }");
-    return summary;
+    nlohmann::ordered_json present = nlohmann::ordered_json::object();
+    for (const auto& [key, value] : summary.items()) present[present_name(key)] = value;
+    return present;
   } catch (const nlohmann::json::exception& e) {
     throw InputError(code::kSummaryDamaged, path + ": is not the summary of a run: " + json_fault(e.what()) +
                                                 "; it was cut off or edited, repeat the run");

@@ -428,7 +428,7 @@ History run(bool grains) {
   add("dissipated.damper", {0, 10, 20});
   add("work.contact", {0, -out, -2 * out});
   add("work.motion", {0, 0, 0});
-  if (grains) add("coupling.energy_residual", {0, 1, 2});
+  if (grains) add("coupling.energy_error", {0, 1, 2});
   return h;
 }
 
@@ -552,7 +552,7 @@ TEST(Figures, ShowWhatTheHistoryHoldsAndLeaveOutTheRest) {
 // The work of contacts on the mechanism is negative where it loses energy to grains.
 TEST(Figures, ShowTheEnergyThatGoesToTheGrains) {
   History h = plotted_history();
-  for (const auto& [name, end] : {std::pair("work.contact", -3000.0), std::pair("coupling.energy_residual", 0.0)}) {
+  for (const auto& [name, end] : {std::pair("work.contact", -3000.0), std::pair("coupling.energy_error", 0.0)}) {
     h.names.push_back(name);
     h.units.push_back("J");
     h.columns.push_back({0.0, end});

@@ -732,7 +732,7 @@ class LedgerOfRuns : public ::testing::Test, protected TemporaryFolder {
     spec.scenes.resize(2);
     spec.scenes[0].name = "one", spec.scenes[1].name = "two";
     spec.metrics.resize(2);
-    spec.metrics[0].name = "depth", spec.metrics[0].key = "max_penetration_m";
+    spec.metrics[0].name = "depth", spec.metrics[0].key = "max_sinkage_m";
     spec.metrics[1].name = "angle", spec.metrics[1].slope = {-0.2, -0.1};
     spec.targets.resize(2);
     spec.targets[0].metric = "depth", spec.targets[0].scene = "one", spec.targets[0].against = "two";

@@ -216,7 +216,7 @@ TEST_F(HistoryColumns, OfFixedWindowsHaveNoEstimate) {
 TEST_F(HistoryColumns, ShowTheCouplingsSample) {
   EXPECT_EQ(value("coupling.substeps"), 7.0);
   EXPECT_EQ(value("coupling.estimate"), 0.01);
-  EXPECT_EQ(value("coupling.energy_residual"), -0.5);
+  EXPECT_EQ(value("coupling.energy_error"), -0.5);
   EXPECT_EQ(value("coupling.omega_h.leg"), 0.3);
 }
 
