@@ -38,7 +38,7 @@ int on_finalize(MPI_Comm, int, void*, void*) {
 
 void abort_both_programs(int exit_code) {
   // Not MPI_Abort: when several ranks end at once, Open MPI's mpirun may crash or hang over its abort messages. A
-  // process that ends without MPI_Finalize makes mpirun end all others, and its exit code becomes that of the job.
+  // process that ends without MPI_Finalize makes mpirun end all others, and the job ends with its exit code.
   std::fflush(nullptr);
   if (exit_code == kExitFailed) note_failure();
   _exit(exit_code);

@@ -30,7 +30,7 @@ class Archive {
 
   bool restores() const { return restores_; }
   const std::string& text() const { return text_; }
-  // To be called after the last value. Throws InputError when the text that is restored goes on.
+  // To be called after the last value. Throws InputError when the restored text contains more.
   void finish() const;
 
   // Each throws InputError "file:line: ..." when the text has something else there.

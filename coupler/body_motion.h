@@ -62,7 +62,7 @@ struct TangentLoad {
   Vector6d v_mean = Vector6d::Zero();  // [dr; w] [m/s, rad/s]
 };
 
-// Impulse [N s] on a body in a window of H [s] beyond that of the grains, because the body moved otherwise than
+// Impulse [N s] on a body in a window of H [s] in addition to the grains' impulse, because the body moved otherwise than
 // predicted: the reaction of grains taken at rest, which grains that yielded did not exert. From the states at both
 // ends of the window.
 Eigen::Vector3d surplus_impulse(const TangentLoad& load, const BodyMotion& start, const BodyMotion& end, double H);

@@ -37,11 +37,11 @@ inline constexpr MessageCode kPartnerInterrupted{"E0413", "partner-interrupted"}
 inline constexpr MessageCode kPartnerGone{"E0414", "partner-gone"};
 // The partner sent nothing within the time limit. Raise coupling.timeout (or `patience`) if its work takes longer.
 inline constexpr MessageCode kPartnerSilent{"E0415", "partner-silent"};
-// The partner does not receive what was sent. It is stopped or hangs: look at its own output.
+// The partner does not receive messages. It is stopped or hangs: look at its own output.
 inline constexpr MessageCode kPartnerNotReceiving{"E0416", "partner-not-receiving"};
 // A signal stopped this program while it waited for its partner. Resume the run from its checkpoint.
 inline constexpr MessageCode kInterruptedWaiting{"E0417", "interrupted-waiting"};
-// The gravity of the LIGGGHTS script and that of the scene differ. Make them equal, or write `gravity script`.
+// The LIGGGHTS script and the scene have different gravity. Make them equal, or write `gravity script`.
 inline constexpr MessageCode kGravityDiffers{"E0418", "gravity-differs"};
 // The boundary of a body is inconsistent (nodes, triangles, segments or shapes). Correct the body's geometry.
 inline constexpr MessageCode kBoundaryInvalid{"E0419", "boundary-invalid"};

@@ -25,7 +25,7 @@ struct CoupleMbdArguments {
   bool gravity_of_scene = true;    // `gravity scene|script`: is the script's fix gravity compared with the scene's?
   bool end_of_scene = true;        // `end scene|script`: is it an error when the script ends before the scene does?
   double max_lost = 0.05;          // `lost SHARE`: the run stops when LIGGGHTS has lost more of all grains [-]
-  bool outflow = false;            // `outflow yes|no`: grains are meant to leave the box, however many
+  bool outflow = false;            // `outflow yes|no`: grains may leave the box, however many
   // `surface smooth|facets|round`: a grain touches each smooth piece of a mesh once; each facet, as in stock LIGGGHTS; or
   // once the round surface through the nodes of the mesh.
   enum class Surface { kSmooth, kFacets, kRound };

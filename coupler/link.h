@@ -11,7 +11,7 @@ namespace footfall {
 
 // Both sides hold one. Every receive() may meet the partner's Close instead of the expected message. It then throws
 // PartnerError with the partner's name and reason; ProtocolError when the partner met bad input; Interrupted when the
-// partner was asked to end. Both programs then end with the same exit code. Nothing here prints.
+// end of the partner was requested. Both programs then end with the same exit code. Nothing here prints.
 class Link {
  public:
   // patience [s]: how long receive() waits for the partner; 0: for ever. The transport must outlive the link.

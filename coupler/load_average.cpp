@@ -1,4 +1,4 @@
-// Time integrals of force, moment, modal force and work over the substeps, divided by the length of the window.
+// Time integrals of force, moment, modal force and work over the DEM steps, divided by the length of the window.
 
 #include "coupler/load_average.h"
 

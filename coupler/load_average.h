@@ -24,7 +24,7 @@ struct MeanLoad {
       Eigen::Vector3d::Zero();  // applied by velocity Verlet: half weights in every scheme [N s]
 };
 
-// The force at the start of a substep: that at the end of the substep before. F_W, T_B, Q_a as above.
+// The force at the start of a DEM step, equal to the force at the end of the step before. F_W, T_B, Q_a as above.
 struct OpeningForce {
   explicit OpeningForce(int modes = 0) : Q_a(Eigen::VectorXd::Zero(modes)) {}
 
@@ -36,20 +36,20 @@ struct OpeningForce {
 // A mean load on a body in this motion: F_W, T_W = R_WB T_B, Q_a.
 void apply(const MeanLoad& mean, const BodyMotion& motion, GeneralizedForce& out);
 
-// Averages the forces of the substeps. All results are linear in the forces: each MPI rank averages its own, and the
+// Averages the forces of the DEM steps. All results are linear in the forces: each MPI rank averages its own, and the
 // ranks' results are summed once per window. Every force acts at the path's pose() of its time.
 class LoadAverage {
  public:
   LoadAverage(const Scheme& scheme, int modes);
 
-  // The force at the start of the next substep, as evaluated in the set-up of a run; replaces that of the last substep.
+  // The force at the start of the next DEM step, as evaluated in the set-up of a run; replaces the previous force.
   void set_opening_force(const GeneralizedForce& Q, const BodyMotion& pose);
   void set_opening_force(const OpeningForce& force) { opening_ = force; }
   const OpeningForce& opening_force() const { return opening_; }
-  // Begins a window: `jump` and `pose` are those of the path after its begin_window. The opening force is unchanged.
+  // Begins a window: `jump` and `pose` come from the path after its begin_window. The opening force is unchanged.
   void begin_window(const BoundaryStep& jump, const BodyMotion& pose);
-  // After a substep of dt [s] that moved the boundary by `step` to `pose`, where the forces are Q. Returns the mean force of
-  // the substep [N].
+  // After a DEM step of dt [s] that moved the boundary by `step` to `pose`, where the forces are Q. Returns the mean
+  // force of the DEM step [N].
   Eigen::Vector3d add_step(const GeneralizedForce& Q, const BodyMotion& pose, const BoundaryStep& step, double dt);
   // Mean since begin_window. Precondition: at least one step.
   const MeanLoad& finish();

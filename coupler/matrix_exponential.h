@@ -1,5 +1,5 @@
 #pragma once
-// exp(A) of a square matrix, by Eigen. A file of its own, because it takes long to compile.
+// exp(A) of a square matrix, by Eigen. A separate file, because it takes long to compile.
 
 #include <Eigen/Dense>
 

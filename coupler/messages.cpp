@@ -265,7 +265,7 @@ Found search(const T& value) {
   }
 }
 
-constexpr double kSameGravity = 1e-6;  // relative to that of the scene
+constexpr double kSameGravity = 1e-6;  // relative to the gravity of the scene
 
 std::string gravity_text(const Eigen::Vector3d& v) {
   return "(" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + ") m/s2";

@@ -82,7 +82,7 @@ struct StaticWall {
 struct Start {
   static constexpr MessageKind kKind = MessageKind::kStart;
   double dt = 0.0;                  // DEM step [s]
-  std::int32_t n = 0;               // substeps per window; 0: each Motion gives the number ("every auto")
+  std::int32_t n = 0;               // DEM steps per window; 0: each Motion gives the number ("every auto")
   std::int64_t step = 0;            // LIGGGHTS' step number at the first window
   std::vector<std::string> bodies;  // names coupled by the script; fixes the order in Motion and Load
   // Gravity on the grains by the script's fix gravity; zero without one [m/s2]. Not known: it varies, nothing moves the
@@ -104,14 +104,14 @@ struct Accept {
   double patience = 0.0;   // how long each side waits for the other in a run [s]; 0: the receiver's own value
   std::vector<std::string> held_by_walls;  // bodies in contact with the script's planes and static meshes: [[contacts]]
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // of the scene [m/s2]
-  bool gravity_known = false;                         // false: it is not compared with that of the grains
-  bool outflow = false;                               // grains are meant to leave the box
+  bool gravity_known = false;                         // false: it is not compared with the gravity of the grains
+  bool outflow = false;                               // grains may leave the box
 };
 
 // Meaning of a body's BodyMotion here:
 //   r, L, a          the computed state at t_k
 //   dr, w, da        rates of the path in this window: the computed ones, except that scheme `tangent` sends the mean
-//                    rates that it predicts, and that every scheme reduces those of elastic modes that oscillate within
+//                    rates that it predicts, and that every scheme reduces the rates of elastic modes that oscillate within
 //                    the window
 //   ddr, dw, dda     the computed accelerations; zero for such modes in dda
 // So r, L, a are the state; dr, w, da and dda need not be.
@@ -119,15 +119,15 @@ struct Motion {
   static constexpr MessageKind kKind = MessageKind::kMotion;
   std::int64_t window = 0;  // k, counts from 0
   double time = 0.0;        // t_k [s]
-  std::int32_t n = 0;       // substeps of this window (the last one may be shorter)
+  std::int32_t n = 0;       // DEM steps of this window (the last one may be shorter)
   bool last_window = false;
   std::string checkpoint;    // folder into which the DEM side saves its state after this window; empty: it does not
   bool undisturbed = false;  // it saves only if the run then continues with unchanged bits
   // DEM steps in which the gap between the boundary and r, L, a closes, at least n: no fewer than those that made it.
   std::int32_t closing = 0;
   std::vector<BodyMotion> bodies;  // order of Start; see above
-  // Of every body the poses that it takes whatever the grains do; without columns: the path follows from its motion. Empty:
-  // of no body.
+  // For every body whose poses do not depend on the grains: these poses; without columns: the path follows from its
+  // motion. Empty: there is no such body.
   std::vector<KnownPath> paths;
   // 1/m of the mass that contacts of each body act on [1/kg], 0: fixed or driven. Empty unless the script requires them.
   std::vector<double> inverse_masses;
@@ -139,34 +139,34 @@ struct ContactTangent {
   Eigen::Matrix<double, 6, 6> C = Eigen::Matrix<double, 6, 6>::Zero();  // [N s/m, ...]
 };
 
-// The largest size of the mean force of a substep, in a window.
+// The largest size of the mean force of a DEM step, in a window.
 struct ForcePeak {
   double force = 0.0;      // [N]
-  std::int64_t step = 0;   // that substep, from 1; 0: none
-  std::int64_t steps = 0;  // substeps in a row, that one among them, with at least kOfPeak of that force
+  std::int64_t step = 0;   // that DEM step, from 1; 0: none
+  std::int64_t steps = 0;  // DEM steps in a row, that one among them, with at least kOfPeak of that force
 };
 inline constexpr double kOfPeak = 0.9;
 
 struct BodyLoad {
   MeanLoad mean;
-  std::int64_t contacts = 0;       // at the window's last substep
-  double mean_contacts = 0.0;      // over its substeps
+  std::int64_t contacts = 0;       // at the window's last DEM step
+  double mean_contacts = 0.0;      // over its DEM steps
   double contact_stiffness = 0.0;  // mean over the window of the sum of normal stiffnesses [N/m]; 0 when not estimated
   double max_overlap_over_radius = 0.0;  // largest in the window [-]
   // Radius of the contact patch, sqrt(2 R overlap), over the width of its facet; the largest in the window on curved
   // parts of a mesh [-]
   double max_patch_over_facet = 0.0;
-  // Of the grains in contact, each the largest in the window: m (v^2/2 + g R) + k overlap^2/2, v relative to the body [J];
+  // Largest values over the grains in contact in the window: m (v^2/2 + g R) + k overlap^2/2, v relative to the body [J];
   // mass [kg]; stiffness of a contact over the mass of its grain [1/s2]. 0 when not known
   double grain_energy = 0.0, grain_mass = 0.0, grain_omega2 = 0.0;
   ForcePeak peak;
   std::vector<ContactTangent> tangent;  // empty, or one
 };
 
-// Kinetic energy and m g . x that grains have brought, taken along or changed otherwise than by forces, since the start.
+// Kinetic energy and m g . x of grains that were inserted, left, or changed otherwise than by forces, since the start.
 struct GrainChanges {
   double inserted = 0.0;   // with grains that appeared [J]
-  double left = 0.0;       // minus that of grains that left the box or were deleted [J]
+  double left = 0.0;       // minus the energy of grains that left the box or were deleted [J]
   double changed = 0.0;    // of grains that a command or fix gave another velocity, place or size [J]
   double lost_mass = 0.0;  // of grains lost by LIGGGHTS [kg]
   // By a bed that follows a body: numbers of grains, and their mass [kg].
@@ -202,8 +202,8 @@ struct Close {
   std::string reason;           // empty when kOk
 };
 
-// For Hello and Geometry: throws ProtocolError, naming both values, unless protocol and version are those of this
-// program.
+// For Hello and Geometry: throws ProtocolError, naming both values, unless protocol and version are equal to this
+// program's.
 void check_partner(const std::string& partner, std::int32_t protocol, const std::string& version);
 
 // The bytes of any message, by the lists in message_fields.h. Packing a Motion or Load of unchanged shape into the same

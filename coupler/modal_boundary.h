@@ -56,7 +56,7 @@ class ModalBoundary {
   Eigen::Vector3d position(const BodyMotion& motion, const BoundaryPoint& point) const;  // in W [m]
   Eigen::Vector3d velocity(const BodyMotion& motion, const BoundaryPoint& point) const;  // in W [m/s]
 
-  // Of the material at the point: w + A Psi(c) da, in W [rad/s]. Without Psi the modal part is zero.
+  // Angular velocity of the material at the point: w + A Psi(c) da, in W [rad/s]. Without Psi the modal part is zero.
   Eigen::Vector3d angular_velocity(const BodyMotion& motion, const BoundaryPoint& point) const;
 
   // Adds the force f_W [N] at a boundary point: F += f, T += (c - r) x f, Q_a += (A Phi(c))^T f.

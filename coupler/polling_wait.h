@@ -13,7 +13,7 @@ namespace footfall {
 //
 // A pause may end half a millisecond after the message has come, twice in every window. A sender therefore also rings:
 // it sends a datagram of one byte to the receiver's local socket, whose name every process of the job knows. The byte
-// carries no data and may get lost: a process that is woken polls, and one that is not polls after its pause.
+// carries no data and may get lost: a process that is woken polls at once, any other process polls after its pause.
 class Doorbell {
  public:
   // job: the same for all processes of a job and unique on this machine; rank: of this process.

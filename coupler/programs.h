@@ -21,12 +21,12 @@ inline constexpr const char* kNoPrograms = "FOOTFALL_NO_PROGRAMS";
 bool programs_are_refused();
 
 // For both programs: the file by which a program marks that it failed by itself. mpirun's exit code cannot show this: it
-// is 1 as well when mpirun was asked to end.
+// is 1 as well when the end of mpirun was requested.
 inline constexpr const char* kFailureNote = "FOOTFALL_FAILURE_NOTE";
 // Creates that file; does nothing where the variable is not set.
 void note_failure();
 
-// For mbd_solver: the socket of a program that leads the run (mbd_solver/run/leader.h).
+// For mbd_solver: the socket of a program that controls the run (mbd_solver/run/leader.h).
 inline constexpr const char* kLeader = "FOOTFALL_LEADER";
 
 }  // namespace footfall

@@ -15,14 +15,14 @@ class Transport {
   virtual ~Transport() = default;
   // Does not wait until the partner receives. Throws PartnerError when the partner is known to be gone.
   virtual void send(MessageKind kind, const Bytes& bytes) = 0;
-  // Wakes a partner that waits for what was sent. Otherwise receive() does so; call it where this side has other work
+  // Wakes a partner that waits for the message sent. Otherwise receive() does so; call it where this side has other work
   // before it waits.
   virtual void wake_partner() {}
   // True when a message has come. Never blocks.
   virtual bool poll() = 0;
-  // Waits for the next message without keeping a core busy, and returns its kind. Throws PartnerError when the partner
-  // is gone or has sent nothing for `patience` [s] (0: no limit); Interrupted when this program was asked to end and
-  // the partner has not answered soon after.
+  // Waits for the next message without keeping a core busy, and returns its kind. Throws PartnerError when the
+  // partner is gone or has sent nothing for `patience` [s] (0: no limit); Interrupted when the end of this program
+  // was requested and the partner has not answered soon after.
   virtual MessageKind receive(Bytes& bytes, double patience) = 0;
   // Name of the other end for messages: "mbd_solver", "liggghts_mbd".
   virtual std::string partner() const = 0;

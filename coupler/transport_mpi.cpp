@@ -43,7 +43,7 @@ TransportMpi::~TransportMpi() {
     if (finish(request_, kCloseWait)) return;
   } catch (const PartnerError&) {  // the partner is gone
   }
-  // The partner never received it. MPI may still read the bytes: they stay allocated.
+  // The partner never received it. MPI may still read the bytes: they remain allocated.
   std::make_unique<Bytes>(std::move(sending_)).release();
   MPI_Request_free(&request_);
 }
@@ -158,7 +158,7 @@ MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
     if (message_waits(status)) break;
     if (patience > 0.0 && wall_clock() - start - wait.stopped() > patience)
       throw PartnerError(code::kPartnerSilent, partner_ + " has sent nothing for " + number_text(patience) + " s");
-    // The answer to Close has a time limit of its own (Link::fail).
+    // The answer to Close has its own time limit (Link::fail).
     if (!closing() && must_stop_waiting(wall_clock() - start))
       throw Interrupted(code::kInterruptedWaiting, "stopped by a signal while waiting for " + partner_);
     if (wall_clock() > next_check) {

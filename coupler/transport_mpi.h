@@ -31,12 +31,12 @@ class TransportMpi : public Transport {
   void stop_forwarding() { forwards_ = false; }
 
  private:
-  // What the root forwards: kind, size and the first bytes, which are all bytes of most messages; the rest follows. For
-  // a failure the bytes are its reason.
+  // The message that the root forwards: kind, size and the first bytes, which are all bytes of most messages; the
+  // rest follows. For a failure the bytes are its reason.
   struct Head {
     static constexpr int kFailure = 0, kInterrupt = -1;
     int kind = kFailure, size = 0;
-    std::array<std::uint8_t, 4000> bytes{};  // with them still below what Open MPI sends without asking
+    std::array<std::uint8_t, 4000> bytes{};  // small enough that Open MPI sends the whole without a handshake
   };
 
   bool finish(MPI_Request& request, double patience) const;
@@ -64,7 +64,7 @@ class TransportMpi : public Transport {
   double gone_since_ = 0.0;        // wall clock [s]; 0: the partner is there
   Bytes sending_;                  // kept until the send is complete
   MPI_Request request_ = MPI_REQUEST_NULL;
-  // The root continues before the other ranks have received what it forwards.
+  // The root continues before the other ranks have received the forwarded message.
   Head head_;
   MPI_Request forwarding_ = MPI_REQUEST_NULL;
 };

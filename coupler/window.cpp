@@ -184,7 +184,7 @@ void BoundaryPath::set_pose_at(double tau) {
   }
   shifted_.L = turned(start_.L, theta);
   scheme_.predict(shifted_, tau, pose_);
-  // The predicted rotation follows the one that closes the gap, and rotates its angular velocity.
+  // The predicted rotation follows the rotation that closes the gap, and rotates its angular velocity.
   pose_.dr += g_rate * gap_.r;
   pose_.da += g_rate * gap_.a;
   for (const Carried& one : carried_) {

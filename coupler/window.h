@@ -1,15 +1,15 @@
 #pragma once
-// The path of one body's boundary through the windows of a run: its position for the grains at every substep. theory 7.4.
+// The path of one body's boundary through the windows of a run: its position for the grains at every DEM step. theory 7.4.
 //
 // Jump. At the end of a window the prediction misses the computed state by a gap e of O(H^2). Moving a loaded boundary
 // by e at once creates energy. A continuous path starts at the boundary's current position and closes the gap within the
 // window:
 //   x(tau) = prediction(tau) + e g(u),  u = tau / H
 //   g(u) = 1 - 4 u + 3 u^2
-// g has zero mean: the mean position over the window remains that of the prediction, and with it the elastic load. For a
+// g has zero mean: closing the gap changes neither the mean position over the window nor the elastic load. For a
 // body on an elastic contact the amplification is then 1 up to omega H = 2. (Closing the gap by 1 - u shifts the mean by
-// e/2, and the amplitude grows at any H.) The mean velocity is that of the prediction - e / H, which is of second order
-// where the prediction alone is of first: contact damping keeps the order as well.
+// e/2, and the amplitude grows at any H.) The mean velocity is the predicted velocity - e / H, which is of second order
+// although the prediction alone is of first order: contact damping does not reduce the order.
 // Two-mass oscillator of theory 7.3 (H = 1 ms; linear prediction, trapezoid):
 //                     error at 0.2 s, order   energy after 5 s   order with 100 N s/m in the contact
 //   jump              3.1e-3, 2.0             1.008              1.0
@@ -18,11 +18,11 @@
 // Contact damping acts on the derivative of the path.
 //
 // Catching up. A gap that a long window has made closes over that length, even if the present window is shorter: within few
-// substeps the boundary would move much faster than the body ever did, and contact damping would do work that nobody
+// DEM steps the boundary would move much faster than the body ever did, and contact damping would do work that no part
 // supplies. Such gaps are carried from window to window, each closed by its own g.
 //
-// Known motion. Where the joints alone decide how a body moves (prescribed motions), its poses are known for every substep,
-// and the boundary follows them.
+// Known motion. Where the joints alone decide how a body moves (prescribed motions), its poses are known for every
+// DEM step, and the boundary follows them.
 
 #include <vector>
 
@@ -32,7 +32,7 @@
 
 namespace footfall {
 
-// Displacement of the boundary in one substep, in generalized coordinates; conjugate to GeneralizedForce.
+// Displacement of the boundary in one DEM step, in generalized coordinates; conjugate to GeneralizedForce.
 struct BoundaryStep {
   explicit BoundaryStep(int modes = 0) : a(Eigen::VectorXd::Zero(modes)) {}
   Eigen::Vector3d r = Eigen::Vector3d::Zero();        // [m]
@@ -40,7 +40,7 @@ struct BoundaryStep {
   Eigen::VectorXd a;                                  // s
 };
 
-// A known motion of a body in a window: after every substep r, L, dr, w (column by column). No columns: not known.
+// A known motion of a body in a window: after every DEM step r, L, dr, w (column by column). No columns: not known.
 using KnownPath = Eigen::Matrix<double, 13, Eigen::Dynamic>;
 
 // The path of one body. The DEM side moves nodes by it; the multibody side computes the mean predicted pose from it. Call
@@ -50,21 +50,21 @@ class BoundaryPath {
   // The boundary is at `initial` until the first window. The scheme must outlive the path.
   BoundaryPath(const Scheme& scheme, const BodyMotion& initial);
 
-  // Begins a window of n substeps of dt [s] from `start`: position at t_k and rates of the path. If the path jumps,
-  // pose() jumps here by jump(). closing: substeps in which the gap of the window before closes, at least n; 0: n.
+  // Begins a window of n DEM steps of dt [s] from `start`: position at t_k and rates of the path. If the path jumps,
+  // pose() jumps here by jump(). closing: DEM steps in which the gap of the window before closes, at least n; 0: n.
   // known: of this window; modes still follow the scheme.
   void begin_window(const BodyMotion& start, int n, double dt, int closing = 0, const KnownPath& known = KnownPath());
-  // Goes one substep further. Precondition: fewer than n calls since begin_window.
+  // Advances by one DEM step. Precondition: fewer than n calls since begin_window.
   void advance();
 
   const BodyMotion& pose() const { return pose_; }         // r, L, a, dr, w, da of the boundary now
   const BoundaryStep& last_step() const { return step_; }  // by the last advance()
   const BoundaryStep& jump() const { return jump_; }       // by the last begin_window(); zero for a continuous path
   // True when this window is a translation at constant velocity from the current position, to round-off. Nodes may then
-  // be moved by x += dr * dt per substep, exactly as LIGGGHTS' own `fix move/mesh linear` does; pose() is summed up in
+  // be moved by x += dr * dt per DEM step, exactly as LIGGGHTS' own `fix move/mesh linear` does; pose() is summed up in
   // the same way.
   bool steady_translation() const { return steady_; }
-  // What of carried gaps remains at the end of this window: path minus prediction.
+  // The part of carried gaps that remains at the end of this window: path minus prediction.
   const BoundaryStep& left_open() const { return left_open_; }
   bool is_known() const { return is_known_; }  // in this window, or the last one
   int substeps_left() const { return n_ - i_; }
@@ -87,7 +87,7 @@ class BoundaryPath {
   const Scheme& scheme_;
   BodyMotion start_;    // the motion sent: position at t_k, rates of the path
   BodyMotion pose_;     // the path now
-  BodyMotion before_;   // the path one substep ago
+  BodyMotion before_;   // the path one DEM step ago
   BodyMotion shifted_;  // start_ moved by the rest of the gap
   BoundaryStep step_;
   BoundaryStep jump_;
@@ -97,7 +97,7 @@ class BoundaryPath {
   KnownPath known_;
   double travelled_ = 0.0;  // largest |r| so far, the scale of round-off in r [m]
   double amplitude_ = 0.0;  // largest |a| so far, likewise
-  int n_ = 0;               // substeps of this window
+  int n_ = 0;               // DEM steps of this window
   int i_ = 0;               // of them done
   double dt_ = 0.0;         // [s]
   bool steady_ = false, is_known_ = false;

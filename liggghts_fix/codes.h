@@ -24,11 +24,11 @@ inline constexpr MessageCode kUnitsNotSi{"E0454", "units-not-si"};
 inline constexpr MessageCode kBodyNotInScene{"E0455", "body-not-in-scene"};
 // The script couples a further body after the first run. Couple it before the first run.
 inline constexpr MessageCode kBodyCoupledLate{"E0456", "body-coupled-late"};
-// The time step differs from that of the first coupled step. Use one fixed `timestep`.
+// The time step has changed since the first coupled step. Use one fixed `timestep`.
 inline constexpr MessageCode kTimeStepChanged{"E0457", "time-step-changed"};
 // The gravity of the script changed between two runs. Keep it constant.
 inline constexpr MessageCode kGravityChanged{"E0458", "gravity-changed"};
-// The script runs on after the end of the scene. Remove that `run`, or `unfix` the coupling before it.
+// The script continues after the end of the scene. Remove that `run`, or `unfix` the coupling before it.
 inline constexpr MessageCode kSceneHasEnded{"E0459", "scene-has-ended"};
 // mbd_solver sent a motion for another window, or of another shape, than expected. Build both programs anew.
 inline constexpr MessageCode kMotionUnexpected{"E0460", "motion-unexpected"};
@@ -130,7 +130,7 @@ inline constexpr MessageCode kNoSpaceForGrains{"W1461", "no-space-for-grains"};
 inline constexpr MessageCode kGrainsLost{"W1450", "grains-lost"};
 // The scene offers a surface or beam to grains, but the script does not couple it. Couple it, or ignore the warning.
 inline constexpr MessageCode kBoundaryNotCoupled{"W1451", "boundary-not-coupled"};
-// The script's gravity varies and is compared with the scene's at the start only. Nothing, if this is intended.
+// The script's gravity varies and is compared with the scene's at the start only. No action is required if this is intended.
 inline constexpr MessageCode kGravityVaries{"W1452", "gravity-varies"};
 // fix multisphere is defined before a wall, which its clumps miss in the first half step. Define it after all walls.
 inline constexpr MessageCode kClumpsBeforeWall{"W1453", "clumps-before-wall"};
@@ -142,7 +142,7 @@ inline constexpr MessageCode kLiquidOnlyApart{"W1455", "liquid-only-apart"};
 inline constexpr MessageCode kLiquidWallVelocity{"W1456", "liquid-wall-velocity"};
 // No grain has the radius that the run gives. Make bed and variable agree.
 inline constexpr MessageCode kRadiusDiffers{"W1457", "radius-differs"};
-// The script moves a mesh, and bodies pass through it unnoticed. Nothing, if this is intended.
+// The script moves a mesh, and bodies pass through it unnoticed. No action is required if this is intended.
 inline constexpr MessageCode kMeshMovedByScript{"W1458", "mesh-moved-by-script"};
 // A body has passed through a wall, which stops grains only. Add a contact in the scene if it should stop.
 inline constexpr MessageCode kBodyThroughWall{"W1459", "body-through-wall"};

@@ -1,5 +1,5 @@
-// liggghts_mbd: Debian's LIGGGHTS library, not rebuilt, with footfall's fix styles and with the functions replaced that
-// replaced/README.md lists. Options, output, exit codes and, without our fixes, all bits are those of liggghts. Coupled:
+// liggghts_mbd: Debian's LIGGGHTS library, not rebuilt, with footfall's fix styles, and with replacements of the functions that
+// replaced/README.md lists. Options, output, exit codes and, without our fixes, all bits are as in liggghts. Coupled:
 //   mpirun -np 2 liggghts_mbd -in in.script : -np 1 mbd_solver scene.toml
 
 #include <mpi.h>

@@ -113,7 +113,7 @@ class OpenWall : public FixWallGran {
   static LIGGGHTS::Walls::IGranularWall*& model(FixWallGran* wall) { return wall->*&OpenWall::impl; }
 };
 
-// --- What a LIGGGHTS learns.
+// --- Settings of an instance of LIGGGHTS.
 
 struct Style {
   std::string name;

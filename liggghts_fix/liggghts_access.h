@@ -24,14 +24,14 @@ namespace footfall {
 
 class DemLink;
 
-// --- What a LIGGGHTS learns from the launcher.
+// --- Settings that an instance of LIGGGHTS gets from the launcher.
 
 // Registers a fix style. The command `clear` creates LIGGGHTS' parts anew: restore_fix_styles registers all styles again.
 using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
 void register_fix_style(LAMMPS_NS::LAMMPS* lmp, const std::string& style, FixCreator creator);
 void restore_fix_styles(LAMMPS_NS::LAMMPS* lmp);
-// Registers creators of ours in front of those of every fix mesh/surface. In a resumed run a mesh comes from the restart
-// file, but LIGGGHTS requires a file named like the source of its triangles: ours names one that always exists.
+// Registers our creators in front of the creators of every fix mesh/surface. In a resumed run a mesh comes from the restart
+// file, but LIGGGHTS requires a file named like the source of its triangles: our creators name a file that always exists.
 void make_meshes_resumable(LAMMPS_NS::LAMMPS* lmp);
 
 // LIGGGHTS creates fixes by (lmp, narg, arg) alone. They find the coupling of their LIGGGHTS here.
@@ -39,7 +39,7 @@ void attach_dem_link(LAMMPS_NS::LAMMPS* lmp, DemLink& link);
 DemLink& dem_link_of(LAMMPS_NS::LAMMPS* lmp);
 DemLink* find_dem_link(LAMMPS_NS::LAMMPS* lmp);  // null without one
 
-// Ignores what the restart file holds for the fix of this id.
+// Ignores data of the fix with this id in the restart file.
 void forget_restart_data(LAMMPS_NS::Modify& modify, const char* id);
 
 // --- Meshes.
@@ -66,7 +66,7 @@ bool surface_velocity_varies(LAMMPS_NS::FixMeshSurface* fix);
 
 // The contact model of a wall, which the wall owns.
 LIGGGHTS::Walls::IGranularWall*& wall_model(LAMMPS_NS::FixWallGran* wall);
-// Of a fix gravity after its init(): no part of it is a variable.
+// For a fix gravity after its init(): no part of it is a variable.
 bool gravity_is_constant(LAMMPS_NS::FixGravity* fix);
 
 }  // namespace footfall

@@ -7,7 +7,7 @@ namespace footfall::code {
 
 // A pipe or a device is named where a file is read. Name a regular file.
 inline constexpr MessageCode kNotRegularFile{"E0424", "not-a-regular-file"};
-// A file is larger than any that can be meant. Name the right file.
+// A file is implausibly large. Name the right file.
 inline constexpr MessageCode kFileTooLarge{"E0425", "file-too-large"};
 // The current folder is gone or may not be entered. Change to another folder.
 inline constexpr MessageCode kCurrentFolder{"E0426", "current-folder"};
@@ -17,7 +17,7 @@ inline constexpr MessageCode kNotUtf8{"E0427", "not-utf8"};
 inline constexpr MessageCode kScriptWritesElsewhere{"E0428", "script-writes-elsewhere"};
 // The kernel does not confine a program to the files of its script. Read the script, and allow it with --trust-script.
 inline constexpr MessageCode kNotConfined{"E0429", "not-confined"};
-// A file or folder cannot be looked at, mostly for want of a permission. Check that it exists, and the permissions above it.
+// A file or folder cannot be inspected, mostly because a permission is missing. Check that it exists, and all permissions.
 inline constexpr MessageCode kFileSystem{"E0438", "file-system"};
 
 }  // namespace footfall::code

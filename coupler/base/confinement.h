@@ -1,6 +1,6 @@
 #pragma once
 // Rights that a process gives up for good, enforced by the kernel: Landlock (Linux 5.13) for what it writes and executes,
-// and seccomp, which every kernel has, for what it executes. What a foreign script says does not matter then.
+// and seccomp, which every kernel has, for what it executes. The contents of a foreign script then do not matter.
 
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ struct Confinement {
 // Does this kernel confine what a process writes? Without Landlock only execution is confined.
 bool kernel_confines_files();
 
-// From here on the calling thread, and all it starts, writes and executes nothing else; it reads what it could read.
+// From here on the calling thread, and all it starts, writes and executes nothing else; reading is not limited.
 // Returns an empty text, or why the kernel refused.
 std::string confine(const Confinement& confinement);
 

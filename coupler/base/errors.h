@@ -9,7 +9,7 @@
 namespace footfall {
 
 // A stable name of one kind of message. number: "E0123" (errors) or "W0123" (warnings); name: "unknown-body". Each
-// module lists its own in codes.h; a number is never given again.
+// module lists its own in codes.h; a number is never used again.
 struct MessageCode {
   const char* number;
   const char* name;
@@ -33,7 +33,7 @@ inline std::string with_addition(const std::string& text, const std::string& mor
   return has_code(text) ? text.substr(0, text.rfind(" [")) + more + text.substr(text.rfind(" [")) : text + more;
 }
 
-// What the errors below have in common: a text for users that ends with its code.
+// Common base of the errors below: a text for users that ends with its code.
 class CodedError : public std::runtime_error {
  public:
   CodedError(const MessageCode& code, const std::string& text) : std::runtime_error(with_code(code, text)) {}
@@ -41,7 +41,7 @@ class CodedError : public std::runtime_error {
   explicit CodedError(const std::string& text) : std::runtime_error(text) {}
 };
 
-// The user can correct it. Message: where + what is + what was expected + what to do. Exit code 2.
+// The user can correct it. Message: where, what is wrong, what was expected, what to do. Exit code 2.
 class InputError : public CodedError {
  public:
   using CodedError::CodedError;
@@ -66,7 +66,7 @@ class PartnerError : public CodedError {
   using CodedError::CodedError;
 };
 
-// This program or its partner was asked to end by a signal. Exit code 3.
+// A signal requested the end of this program or its partner. Exit code 3.
 class Interrupted : public PartnerError {
  public:
   using PartnerError::PartnerError;

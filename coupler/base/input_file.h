@@ -1,5 +1,5 @@
 #pragma once
-// Files to be read: regular ones of a size that can be meant. A pipe would wait for ever, a device has no end.
+// Files to be read: regular ones of a plausible size. A pipe would wait for ever, a device has no end.
 
 #include <cstdint>
 #include <string>

@@ -21,7 +21,7 @@ constexpr double kResponding = 7.0;  // a partner that responds
 constexpr double kSilent = 5.0;      // a silent one: it is stopped or hangs
 constexpr double kWarned = 4.5;      // either, when mpirun has warned and will kill
 constexpr double kUnwarned = 1.5;    // either, when the warning was taken for the end of a stop
-constexpr double kFromParent = 0.2;  // either, when mpirun asked without a warning
+constexpr double kFromParent = 0.2;  // either, when mpirun requested the end without a warning
 
 // One per process, as signals are. Handlers use only these and async-signal-safe functions.
 volatile std::sig_atomic_t g_interrupted = 0;
@@ -42,7 +42,7 @@ std::int64_t now_in_ns() {
   return static_cast<std::int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
 }
 
-// Does this SIGCONT end a stop, or come through mpirun soon after one that did?
+// Does this SIGCONT end a stop, or did mpirun send it soon after a SIGCONT that did?
 bool ends_stop(std::int64_t now) {
   constexpr std::int64_t kSoon = 10'000'000'000;  // [ns]
   if (g_promised_until != 0 && now > g_promised_until) g_resumed = now;

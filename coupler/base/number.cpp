@@ -1,5 +1,5 @@
-// Reading by strtod with a locale of its own, because from_chars reads neither signs nor what is beyond the range of a double; writing
-// by to_chars.
+// Reading by strtod with a locale of its own, because from_chars reads neither signs nor numbers beyond the range of
+// a double; writing by to_chars.
 
 #include "coupler/base/number.h"
 

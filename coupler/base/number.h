@@ -5,11 +5,11 @@
 
 namespace footfall {
 
-// What strtod does in the locale "C": leading blanks, signs, hexadecimal numbers, inf and nan. rest: behind the number; may be null.
+// As strtod in the locale "C": leading blanks, signs, hexadecimal numbers, inf and nan. rest: behind the number; may be null.
 double read_number(const char* text, char** rest);
 // All digits of a hexadecimal number, as printf's "%a" writes them in the locale "C".
 std::string hexadecimal(double value);
-// What std::to_string writes in the locale "C": six digits after the point.
+// As std::to_string in the locale "C": six digits after the point.
 std::string plain_text(double value);
 
 }  // namespace footfall

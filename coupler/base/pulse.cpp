@@ -1,4 +1,4 @@
-// futimens() on a file that was opened at the start: the time of a file can be changed whatever may be written.
+// futimens() on a file that was opened at the start: the time of a file can be changed without any right to write.
 
 #include "coupler/base/pulse.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// Folders of runs come from other people as well, with links in them. What is written, changed or removed below a guarded
-// folder is reached from the folder step by step, without following a link: nothing outside can be meant.
+// Folders of runs come from other people as well, with links in them. A file that is written, changed or removed below
+// a guarded folder is reached from the folder step by step, without following a link: no file outside can be meant.
 
 #include <sys/types.h>
 
@@ -24,7 +24,7 @@ class Place {
   int problem() const { return problem_; }
   // As open(). -1 and errno where that fails; ELOOP for a link.
   int open(int flags, mode_t mode = 0644) const;
-  // As mkdir(), unlink() or rmdir(), rename(). 0 or errno. A link itself is removed, not what it names.
+  // As mkdir(), unlink() or rmdir(), rename(). 0 or errno. Removes a link itself, not its target.
   int make_folder() const;
   int remove() const;
   int rename_to(const Place& target) const;
@@ -45,7 +45,7 @@ int create_folders(const std::string& folder);
 enum class FileStart { kNew, kEnd };
 bool open_file(std::ofstream& stream, const std::string& path, FileStart start);
 
-// Why a file cannot be written: strerror, and for links what to do.
+// Why a file cannot be written: strerror, and for links the remedy.
 std::string reason_of(int error);
 
 }  // namespace footfall

@@ -1,5 +1,5 @@
 #pragma once
-// What the programs need before they read anything.
+// Preparations that programs need before they read anything.
 
 #include <filesystem>
 
@@ -7,7 +7,7 @@
 
 namespace footfall {
 
-// What happens to the standard output or to a disk is an error of a write, and ends no program: SIGPIPE and SIGXFSZ are
+// A closed standard output or a full disk is an error of a write, and ends no program: SIGPIPE and SIGXFSZ are
 // ignored, and a standard stream that is closed is /dev/null, so that no other file gets its number. First in main().
 void keep_streams();
 // Whether the standard output is a pipe or socket that nobody reads any more.
@@ -20,7 +20,7 @@ void prepare_start(int argc, char** argv);
 // more than print help.
 void require_current_folder();
 
-// What the library says of a file or folder, as a message for users: without permission, on a disk that is gone.
+// The library's error for a file or folder, as a message for users: without permission, on a disk that is gone.
 InputError as_input_error(const std::filesystem::filesystem_error& error);
 
 // Whether mpirun (of Open MPI 4 or 5, or another with PMI) has started this process.

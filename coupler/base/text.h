@@ -1,5 +1,5 @@
 #pragma once
-// Texts of messages and tables: numbers, lists, and the nearest name for one that is unknown.
+// Texts of messages and tables: numbers, lists, and the nearest known name for an unknown name.
 
 #include <optional>
 #include <string>
@@ -9,16 +9,16 @@ namespace footfall {
 
 // --- Numbers to text.
 
-// Appends what printf's "%.*g" writes.
+// Appends the number as printf's "%.*g" does.
 void append_number(std::string& text, double value, int digits);
-// With so many significant digits and without trailing zeros: "1.5", "-900", "1e-06".
+// With this many significant digits and without trailing zeros: "1.5", "-900", "1e-06".
 std::string number_text(double value, int digits = 6);
-// With so many digits after the point: "0.50".
+// With this many digits after the point: "0.50".
 std::string fixed_text(double value, int decimals);
 // 0.0123 -> "1.2 %", 0.997 -> "100 %", -1.5 -> "-150 %".
 std::string share_text(double share);
 
-// --- Text to numbers: words of a LIGGGHTS command. The caller reports what is wrong.
+// --- Text to numbers: words of a LIGGGHTS command. The caller reports the fault.
 
 // Nothing unless the whole word is a whole number from `least` to `most`.
 std::optional<int> whole_number(const std::string& word, int least, int most);

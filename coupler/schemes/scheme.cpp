@@ -1,4 +1,4 @@
-// What several schemes use: gaps between predicted and computed motion, and the straight path.
+// Parts of several schemes: gaps between predicted and computed motion, and the straight path.
 
 #include "coupler/schemes/scheme.h"
 

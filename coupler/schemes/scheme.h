@@ -1,7 +1,7 @@
 #pragma once
 // A scheme of the staggered coupling: both halves of it. [Lin25 section 4.2, 35], theory 7.3.
 //
-// DEM side: the path of the boundary within a window, and the mean of the forces of its substeps.
+// DEM side: the path of the boundary within a window, and the mean of the forces of its DEM steps.
 // Multibody side: the rates that are sent for the path, and the load on the body once the grains' mean is known.
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace footfall {
 struct BodyLoad;  // messages.h
 struct MeanLoad;  // load_average.h
 
-// Weights of the forces at the start and at the end of a substep in its mean force; they sum to 1. {1/2, 1/2} gives the
+// Weights of the forces at the start and at the end of a DEM step in its mean force; they sum to 1. {1/2, 1/2} gives the
 // impulse that velocity Verlet applies; {0, 1} is the mean over steps 1..n as published.
 struct StepWeights {
   double opening = 0.5;
@@ -65,7 +65,7 @@ class Scheme {
   virtual bool requires_tangent() const = 0;
 
   // --- Multibody side.
-  // motion: the computed state at the start of a window of H [s]; its rates are replaced by those of the path.
+  // motion: the computed state at the start of a window of H [s]; the rates of the path replace its rates.
   // M: rigid inertia on (r, theta) in W [kg, kg m2]; last: the grains' load of the previous window (empty: none).
   virtual void set_path_rates(const Matrix6d& M, const BodyLoad& last, double H, BodyMotion& motion) const = 0;
   // The reaction of the load within the window, around the mean load of the grains; none: only the mean load acts.
@@ -76,11 +76,11 @@ class Scheme {
   virtual double pending_work(const AnsweredLoads& loads, const PredictedPath& path,
                               const BodyMotion& computed) const = 0;
 
-  // --- Stability: one window of n substeps of the model problem in window_map.h.
+  // --- Stability: one window of n DEM steps of the model problem in window_map.h.
   virtual MapState window_map(double omega_h, int n, const MapState& z) const = 0;
 
-  // Substeps of window k of a run with n substeps per window. The slopes of contacts that exist at the start are found
-  // in a first window of one substep.
+  // DEM steps of window k of a run with n DEM steps per window. The slopes of contacts that exist at the start are found
+  // in a first window of one DEM step.
   int substeps(int n, long k) const { return requires_tangent() && k == 0 ? 1 : n; }
 };
 

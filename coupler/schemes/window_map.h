@@ -27,7 +27,7 @@ double predicted_growth(const Scheme& scheme, double omega_h, int n);
 // gains no more than `gain` of its energy [-]: growth^(2 pi / omega H) <= 1 + gain.
 double largest_omega_h(const Scheme& scheme, int n, double gain, double most = 2.0);
 
-// The limit of omega H in windows of n DEM steps: that of the user, and below it that of energy, kContactGain.
+// The limit of omega H in windows of n DEM steps: the user's limit, or the lower limit that the energy gain kContactGain sets.
 class OmegaHLimit {
  public:
   static constexpr double kContactGain = 0.02;  // [-]

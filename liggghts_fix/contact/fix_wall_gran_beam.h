@@ -10,7 +10,7 @@
 // curvature yes: Hertz' contact on a cylinder, and on a sphere at the ends of a beam; otherwise as stiff as on a plane.
 // A grain has one contact and one history with each beam, which continues from segment to segment. Two beams are two
 // contacts.
-// This fix couples the bodies, before or after fix couple/mbd; the forces are added to those of the bodies' meshes. Beams
+// This fix couples the bodies, before or after fix couple/mbd; its forces are added to the forces on the bodies' meshes. Beams
 // may extend out of the box.
 // Output, of the last step: f_ID[1-3] force on all beams in W [N], f_ID[4-6] its moment about the origin of W [N m],
 // f_ID[7] contacts, f_ID[8] largest overlap over grain radius; f_ID[i][1-8] the same of the i-th beam, its moment about
@@ -61,7 +61,7 @@ class FixWallGranBeam : public FixWallGran {
     footfall::GrainPassages passages;    // through the axis
     footfall::BodyMotion at_list;        // motion at which the neighbour list was built
     FixPropertyAtom* history = nullptr;  // of each grain with this beam; null: the model has none
-    // Of this rank, in the last step.
+    // Values of this rank, in the last step.
     footfall::GeneralizedForce load;  // on the body
     int contacts = 0;
     double overlap = 0.0;  // largest over radius [-]

@@ -187,9 +187,9 @@ bool FixWallGranSmooth::counts(const Touch& touch, const SurfacePieces& pieces) 
   return true;
 }
 
-// LIGGGHTS stores a history for each facet that a grain touched in the previous step. A new contact continues one that
-// ends on the same piece, on a neighbouring facet if there are several. Along the border of a flat face LIGGGHTS starts
-// anew on each facet; so does a face that bends, in order to equal a rigid one while it is flat.
+// LIGGGHTS stores a history for each facet that a grain touched in the previous step. A new contact continues the history
+// of a contact that ends on the same piece, on a neighbouring facet if there are several. Along the border of a flat face
+// LIGGGHTS starts anew on each facet; so does a face that bends, in order to equal a rigid face while it is flat.
 double* FixWallGranSmooth::history_of(FixContactHistoryMesh& history, const Touch& touch, const SurfacePieces& pieces) {
   const int grain = touch.grain, facet = touch.nearest.facet, places = history.nneighs(grain);
   const double* past = nullptr;

@@ -55,7 +55,7 @@ class WallTorque final : public WallObserver {
   std::map<const FixMeshSurface*, const footfall::DemBody*> bodies_;
 };
 
-// Adds up what some of the meshes of a wall do to the grains; LIGGGHTS has one sum for all meshes.
+// Sums the effect of some of the meshes of a wall on the grains; LIGGGHTS has one sum for all meshes.
 class MeshLoad final : public WallObserver {
  public:
   using Wrench = Eigen::Matrix<long double, 6, 1>;  // on the grains of this rank, about the origin [N, N m]

@@ -136,7 +136,7 @@ std::vector<footfall::CornerNodes> match_over_ranks(TriMesh* mesh, const std::st
   } catch (const footfall::InputError& mismatch) {
     failure = mismatch.what();
   }
-  // A body beside a periodic box, as where a run resumes: LIGGGHTS has put its triangles into the box.
+  // A body outside a periodic box, for example after a resume: LIGGGHTS has put its triangles into the box.
   if (!failure.empty() && put_beside_body(domain, body.initial.r, mine)) {
     try {
       corners = footfall::match_mesh(mesh_id, body.boundary, body.initial, mine);
@@ -314,7 +314,7 @@ void CoupledMesh::begin_run(const char* style, const GrainTorque& torque_before,
   hold_in_box();
 }
 
-// Restart files hold the positions of the nodes only, but the forces before the first substep include damping.
+// Restart files hold the positions of the nodes only, but the forces before the first DEM step include damping.
 void CoupledMesh::set_velocities() {
   const footfall::DemBody& body = link_.window().body(body_);
   TriMesh* mesh = fix_->triMesh();

@@ -16,7 +16,7 @@ namespace LAMMPS_NS {
 class CoupledMesh : protected Pointers {
  public:
   // where: beginning of messages. Throws InputError when there is no such mesh, something else moves it, or its triangles
-  // are not those of the body. Collective, as every fix command.
+  // differ from the body's. Collective, as every fix command.
   CoupledMesh(LAMMPS* lmp, const std::string& where, const footfall::MeshOfBody& pair, footfall::DemLink& link);
 
   // Marks the mesh as moving and adds our contact module; detach() undoes both.
@@ -32,8 +32,8 @@ class CoupledMesh : protected Pointers {
   // it, or when it is outside of the box.
   void begin_run(const char* style, const GrainTorque& torque_before, const footfall::CoupleMbdArguments& arguments);
 
-  // Throws NumericalError when a node leaves the box. Of a body that is off the bed the mesh stays behind instead: no grain
-  // can touch it there.
+  // Throws NumericalError when a node leaves the box. If a body is off the bed, its mesh remains behind instead:
+  // no grain can touch it there.
   void check_inside_box();
   // To the present pose of the body's path.
   void move();
@@ -60,11 +60,11 @@ class CoupledMesh : protected Pointers {
   std::unique_ptr<ContactModule> module_;
   std::shared_ptr<SmoothMesh> smooth_;  // null: grains touch facets
   Eigen::Matrix3Xd x_W_, v_W_;          // nodes of the body's boundary [m], [m/s]
-  // Of a conveyor (surface_vel, surface_ang_vel), by element id: velocities of the corners relative to the body, in B
+  // For a conveyor (surface_vel, surface_ang_vel), by element id: velocities of the corners relative to the body, in B
   // [m/s]; otherwise empty.
   std::vector<Eigen::Matrix3d> belt_B_;
   bool made_velocities_ = false;  // the mesh had no velocities before attach()
-  std::vector<int> nodes_;        // nodes of the boundary in the mesh; those of beams alone may leave the box
+  std::vector<int> nodes_;        // nodes of the boundary in the mesh; nodes of beams alone may leave the box
   double reach_ = 0.0;            // largest distance of a node from Bo, undeformed [m]
   bool moved_ = false;            // in this run
   bool stays_behind_ = false;

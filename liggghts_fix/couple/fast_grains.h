@@ -14,7 +14,7 @@ class FastGrains : protected Pointers {
  public:
   FastGrains(LAMMPS* lmp_, footfall::DemLink& link) : Pointers(lmp_), link_(link) {}
 
-  // After a substep of the bodies. Reports a grain that will meet a body within the window, and moves farther than
+  // After a DEM step of the bodies. Reports a grain that will meet a body within the window, and moves farther than
   // kLongestWay relative to it in a time step.
   void check();
 

@@ -1,6 +1,6 @@
-// The end of a step decides from the pose of the body, the same on all ranks; the next step builds its neighbour lists anew
-// and the slab is changed before, when contact histories are with the grains. It is held at rest until the next one comes,
-// which then fits to it exactly: otherwise its end, free towards the rut behind, would slump.
+// The end of a step decides from the pose of the body, the same on all ranks; the next step builds its neighbour lists
+// anew and the slab is changed before them, while contact histories are with the grains. The new slab is held at rest
+// until the next slab comes, which then fits to it exactly: otherwise its end, free towards the rut behind, would slump.
 
 #include "liggghts_fix/couple/fix_bed_follow.h"
 
@@ -33,7 +33,7 @@ namespace code = footfall::code;
 
 constexpr int kSlabs = 10;             // of the box along each direction
 constexpr int kMostPeriods = 500;      // of the box: LIGGGHTS counts up to 511
-constexpr double kMoreOverlap = 0.05;  // than that of the bed at rest, over the radius [-]
+constexpr double kMoreOverlap = 0.05;  // more than in the bed at rest, over the radius [-]
 constexpr int kFixedNumbers = 11;      // of a grain, packed
 
 int period_of(int slab) { return static_cast<int>(std::floor(static_cast<double>(slab) / kSlabs)); }
@@ -110,7 +110,7 @@ double FixBedFollow::slab_width(int axis) const { return (domain->boxhi[axis] - 
 
 double FixBedFollow::limit(int axis, int slab) const { return domain->boxlo[axis] + slab * slab_width(axis); }
 
-// Of a place that may lie a little beside the box.
+// The slab of a place that may lie a little outside the box.
 int FixBedFollow::place_of(double x, int axis) const {
   return place_in_box(static_cast<int>(std::floor((x - domain->boxlo[axis]) / slab_width(axis))));
 }
@@ -202,7 +202,7 @@ void FixBedFollow::unpack(const double* numbers) {
     for (std::size_t k = 0; k < bed_.size(); ++k) places.emplace(bed_[k].tag, static_cast<int>(k));
     for (RestingGrain& grain : bed_) {
       for (int& partner : grain.partners) partner = places.at(partner);
-      for (int axis = 0; axis < 2; ++axis) {  // a grain beside the box is on the other side
+      for (int axis = 0; axis < 2; ++axis) {  // a grain outside the box is on the other side
         if (domain->periodicity[axis] == 0) continue;
         const double period = domain->boxhi[axis] - domain->boxlo[axis];
         grain.x[axis] -= period * std::floor((grain.x[axis] - domain->boxlo[axis]) / period);
@@ -428,7 +428,7 @@ bool FixBedFollow::is_held(int i) const {
   return false;
 }
 
-// A grain whose speed is exactly zero is one that has been put there: others move, be it little.
+// A grain whose speed is exactly zero is a new grain at rest: all others move, if only little.
 void FixBedFollow::post_force(int) {
   if (held_[0] == kNoSlab && held_[1] == kNoSlab) return;
   for (int i = 0; i < atom->nlocal; ++i) {
@@ -455,7 +455,7 @@ void FixBedFollow::add_contacts(std::size_t k, const std::vector<int>& tags, std
 // At rest, with the histories of contacts among the new grains, with those that are held, and with planes. Tags follow the
 // list, on any ranks.
 void FixBedFollow::insert(const Slab& slab, int last_tag, footfall::GrainChanges& changes) {
-  std::vector<int> coming(bed_.size(), 0), there(bed_.size(), 0);  // tags of new grains, and of those held beside them
+  std::vector<int> coming(bed_.size(), 0), there(bed_.size(), 0);  // tags of new grains and of held neighbours
   std::vector<double> held_tags;
   for (int i = 0; i < atom->nlocal; ++i)
     if (is_held(i)) held_tags.push_back(atom->tag[i]);

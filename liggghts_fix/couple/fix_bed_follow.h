@@ -1,13 +1,13 @@
 #pragma once
 // fix ID all bed/follow body BODY directions x|y|xy distance D
-// A bed that goes on: grains in a periodic box, whose sides follow a body of the scene. Grains stay where they are; what
-// moves is the window of W that the box stands for. It consists of kSlabs slabs along each direction. When the body comes
-// nearer than D to the last slab in front, the window moves on by a slab: the slab behind is taken away, and the
-// slab of the bed at rest, as it was at the start, is put in its place, which by the period is the place in front. Grains
-// of the bed behind that are in the way of the new ones come on top of it, so that as much mass is put in as is taken away.
+// An endless bed: grains in a periodic box, whose sides follow a body of the scene. Grains do not move with the box; only the
+// window of W that the box shows moves. It consists of kSlabs slabs along each direction. When the body comes closer
+// than D to the last slab in front, the window advances by a slab: the rearmost slab is removed, and the corresponding
+// slab of the bed at rest, as it was at the start, is inserted in its place, which by the period is the place in front. Grains
+// in the rear that overlap the new grains are put on top of the bed, so that the mass inserted equals the mass removed.
 //
-// Grains of unwrapped place (x + L image) are where the body meets them. As a vector: number and mass [kg] of the grains
-// added, and of those removed.
+// The body meets grains at their unwrapped places (x + L image). As a vector: number and mass [kg] of the grains
+// added, then of the grains removed.
 
 #include <Eigen/Dense>
 #include <array>
@@ -41,7 +41,7 @@ class FixBedFollow : public Fix {
   void restart(char* buffer) override;
 
  private:
-  // Of the bed at rest.
+  // A grain of the bed at rest.
   struct RestingGrain {
     int tag = 0;
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
@@ -83,12 +83,12 @@ class FixBedFollow : public Fix {
   std::array<bool, 2> follows_ = {true, true};
   double distance_ = 0.0;  // [m]
 
-  std::vector<RestingGrain> bed_;      // by their tags at the start
-  std::vector<int> tags_;              // of the last copy of each
-  double allowed_overlap_ = 0.0;       // of a grain that stays with one that comes, over the smaller radius [-]
-  int pair_values_ = 0;                // of a contact
-  std::array<int, 2> first_ = {0, 0};  // slab of W at the lower end of the bed
-  std::array<int, 2> held_ = {kNoSlab, kNoSlab};  // slab of W that is held at rest: the last one that came
+  std::vector<RestingGrain> bed_;                 // by their tags at the start
+  std::vector<int> tags_;                         // of the last copy of each
+  double allowed_overlap_ = 0.0;                  // of a remaining grain with a new grain, over the smaller radius [-]
+  int pair_values_ = 0;                           // of a contact
+  std::array<int, 2> first_ = {0, 0};             // slab of W at the lower end of the bed
+  std::array<int, 2> held_ = {kNoSlab, kNoSlab};  // slab of W that is held at rest: the newest slab
   footfall::GrainChanges sum_;                    // counts only
   int next_axis_ = -1, next_way_ = 0;             // how the window moves in the next step; -1: it does not
 };

@@ -1,5 +1,5 @@
 // The hooks of LIGGGHTS: init sends Start; a step moves the boundaries, before or after the pair forces; final_integrate
-// ends the substep and, with the last substep of a window, sends the load; end_of_step writes checkpoints.
+// ends the DEM step and, with the last DEM step of a window, sends the load; end_of_step writes checkpoints.
 
 #include "liggghts_fix/couple/fix_couple_mbd.h"
 
@@ -254,7 +254,7 @@ void FixCoupleMbd::continue_as_after_restart() {
     if (auto* mesh = dynamic_cast<FixMeshSurface*>(modify->fix[i])) {
       order_as_after_restart(mesh->triMesh());
       mesh->next_reneighbor =
-          -1;  // a mesh that has moved far asks for new lists in the next step, but setup makes them
+          -1;  // a mesh that has moved far requests new lists in the next step, but setup makes them
     }
   lmp->init();
   update->integrate->setup();

@@ -7,7 +7,7 @@
 //
 // Output: f_ID[1] windows done, [2] interface energy residual [J] (work of the grains on the boundaries minus the work
 // received by the multibody side, over all windows but the last), [3] work of the grains on the boundaries [J], [4]
-// largest overlap over grain radius, [5] contacts, [6] [7] [8] energy that grains have brought, taken along (negative) and got by
+// largest overlap over grain radius, [5] contacts, [6] [7] [8] energy of inserted and of lost grains (negative), and from
 // commands up to this step [J]. f_ID[i][1..6]: mean force [N] and mean moment about Bo [N m], both in
 // W, of the last window ON the i-th body that the `mesh` pairs name; then on the bodies that only have beams, in the
 // order of their fixes. f_ID[i][7..]: mean modal forces Q_a [J per unit of a] of a flexible body.
@@ -69,7 +69,7 @@ class FixCoupleMbd : public Fix, private footfall::DeferredBoundaryMotion, priva
   GrainChangeWatch grain_changes_;
   bool overlaps_ = false;           // pair forces overlap with the mechanism's step
   bool compares_gravity_ = false;   // gravity varies, and the first step has not begun
-  std::vector<int> output_rows_;    // body of each row of f_ID: those of meshes_, then the others
+  std::vector<int> output_rows_;    // body of each row of f_ID: bodies of meshes_, then the others
   std::vector<double> row_, rows_;  // of this rank, of all ranks
 };
 

@@ -73,7 +73,7 @@ FixInsertExact::FixInsertExact(LAMMPS* lmp_, int narg, char** arg)
 }
 
 void FixInsertExact::init() {
-  next_reneighbor = 0;  // that of the script is not checked
+  next_reneighbor = 0;  // the value of the script is not checked
   FixInsertRateRegion::init();
   // LIGGGHTS sets the other of its two rates in setup, where it refuses both.
   rate_ = by_mass_ ? massflowrate / fix_distribution->mass_expect() : nflowrate;

@@ -59,7 +59,7 @@ int FixRemoveRegion::setmask() { return FixConst::END_OF_STEP | FixConst::PRE_EX
 
 void FixRemoveRegion::init() { next_reneighbor = 0; }
 
-// A checkpoint sets LIGGGHTS up at the end of a step, and a resumed run begins there: both still remove what is in the region then.
+// At a checkpoint LIGGGHTS is set up at the end of a step, where a resumed run begins: both remove the grains in the region.
 void FixRemoveRegion::setup(int) {
   if (update->ntimestep > 0) end_of_step();
 }

@@ -89,7 +89,7 @@ void GrainAudit::find_integrators() {
   }
 }
 
-// Of a wall that has coupled and other meshes, the loads of the other meshes are observed at their contacts.
+// For a wall that has coupled and other meshes, the loads of the other meshes are observed at their contacts.
 void GrainAudit::observe_mixed_walls() {
   for (int i = 0; i < modify->nfix; ++i) {
     auto* wall = dynamic_cast<FixWallGran*>(modify->fix[i]);
@@ -256,7 +256,7 @@ void GrainAudit::write_state(long window) {
     gravity->get_gravity(g_now);
     g += wide(g_now);
   }
-  // P, L; |m v|, |x| |m v| + |I w|; kinetic energy; m g . x; how many; tags, which tell that others are there
+  // P, L; |m v|, |x| |m v| + |I w|; kinetic energy; m g . x; count; tags, which reveal an exchange of grains
   Eigen::Matrix<Real, 12, 1> sum = Eigen::Matrix<Real, 12, 1>::Zero();
   const auto add = [&](Real m, const Vector& x, const Vector& v, const Vector& spin, Real rotation) {
     sum.head<3>() += m * v;

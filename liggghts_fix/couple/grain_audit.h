@@ -1,6 +1,6 @@
 #pragma once
 // Balance of the grains' momentum by source, for audited runs. Exists only where the environment requires it
-// (coupler/programs.h: kAuditFolder); script, fixes and bits are those of the run that is not audited.
+// (coupler/programs.h: kAuditFolder); script, fixes and bits are the same as in a run without audit.
 //
 // LIGGGHTS integrates by velocity Verlet, for which these are identities, to round-off:
 //   P' - P = sum over steps of dt/2 (F_n + F_n+1),   F = sum of f,            P = sum of m v
@@ -10,7 +10,7 @@
 //   window,kind,name,jx,jy,jz,lx,ly,lz,force,moment
 // with the linear and angular impulse [N s, N m s], and the same without regard to sign, to which round-off and bounds are
 // relative: the time integrals of the sums of |f| and |x x f| + |tau| over the grains. Kinds:
-//   clock      j: end of the window [s], its length [s], 0; l: substeps, grains, periodic directions (x 1, y 2, z 4)
+//   clock      j: end of the window [s], its length [s], 0; l: DEM steps, grains, periodic directions (x 1, y 2, z 4)
 //   state      P, L at the window's end; force, moment: sums of |m v| and |x| |m v| + |I w|. Window -1: at the start
 //   energy     jx: kinetic energy at the window's end [J]; jy: m g . x, of the script's gravity [J]; jz: number of
 //              grains and clumps in these and in `state`: those that a fix integrates

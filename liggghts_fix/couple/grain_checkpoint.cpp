@@ -92,7 +92,7 @@ void write_grains(LAMMPS* lmp, std::string file) {
 bool write_grains_undisturbed(LAMMPS* lmp, std::string file) {
   if (!all_grains_in_box(lmp)) return false;
   // Contact histories are stored with the neighbour list. LIGGGHTS copies them to the grains, from which the file takes
-  // them, only when it builds a new list. Those of mesh walls are stored with the grains.
+  // them, only when it builds a new list. Contact histories of mesh walls are stored with the grains.
   for (int i = 0; i < lmp->modify->nfix; ++i) {
     Fix* fix = lmp->modify->fix[i];
     if (dynamic_cast<FixContactHistoryMesh*>(fix) != nullptr) continue;

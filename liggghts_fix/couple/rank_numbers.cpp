@@ -1,4 +1,4 @@
-// Ranks have different numbers of them.
+// The ranks may have different counts of numbers.
 
 #include "liggghts_fix/couple/rank_numbers.h"
 

@@ -191,7 +191,7 @@ void warn_of_spheres_at_rest(LAMMPS* lmp, footfall::Start& script) {
   if (clumps == nullptr) return;
   // Without any clump, LIGGGHTS' belongs_to is meaningless for grains that existed before the fix.
   const Atom& atom = *lmp->atom;
-  // Clumps; spheres that no other fix integrates; those of them without a clump.
+  // Clumps; spheres that no other fix integrates; such spheres without a clump.
   long sums[3] = {clumps->n_body(), 0, 0};
   for (int i = 0; i < atom.nlocal; ++i) {
     if ((atom.mask[i] & moved) != 0) continue;
@@ -227,7 +227,7 @@ void warn_of_liquid_on_walls(Modify& modify, footfall::Start& script) {
       as_atom = true;
       script.warnings.push_back(footfall::with_code(code::kLiquidWallVelocity,
                                                     name + " has cohesion easo/capillary/viscous: at a distance "
-                                                           "LIGGGHTS uses the velocity of some atom as that of the "
+                                                           "LIGGGHTS uses the velocity of some atom for the "
                                                            "wall, so that fluidViscosity has a wrong effect, and at "
                                                            "primitive walls the run may end with a segmentation "
                                                            "fault. Set fluidViscosity to 0 and use meshes, or beams "

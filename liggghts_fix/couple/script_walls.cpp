@@ -176,7 +176,7 @@ void WallCrossings::check(const std::string& wall_id, PrimitiveWall& wall, footf
 }
 
 // The floor ends a run: below it nothing can carry the body. LIGGGHTS' planes have no end, but the bed has: once a body has
-// left it sideways, the plane of the floor is beside the bed.
+// left it sideways, the body is next to the bed and may be below the plane of the floor.
 bool WallCrossings::report(const std::string& wall_id, const Eigen::Vector3d& to_wall, footfall::DemLink& link,
                            int body, double time) {
   const std::string what = "t = " + footfall::number_text(time) + " s: body \"" + link.bodies().name(body) +

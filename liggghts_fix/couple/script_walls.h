@@ -22,7 +22,7 @@ class PrimitiveWall;
 // nor the script moves, with their triangles from all ranks. A warning for meshes that the script moves. Collective.
 std::vector<footfall::StaticWall> static_walls(Modify& modify, MPI_Comm world, std::vector<std::string>& warnings);
 
-// Those of `walls` that are removed or moving now.
+// The walls among `walls` that are removed or moving now.
 std::vector<std::string> gone_walls(Modify& modify, const std::vector<footfall::StaticWall>& walls);
 
 // Finds bodies that pass through primitive walls, once per window. A node has crossed a wall when the vector d from it to

@@ -17,7 +17,7 @@ struct BeamChoice {
 };
 
 struct BeamArguments {
-  // Throws InputError for a missing or repeated keyword, or one that has no meaning for beams.
+  // Throws InputError for a keyword that is missing, repeated or without meaning for beams.
   BeamArguments(int narg, const char* const* arg);
 
   std::string fix;                // "fix ID wall/gran/beam", for messages

@@ -72,7 +72,7 @@ class BeamChain {
   double largest_radius_ = 0.0;
 };
 
-// --- What a body and contacts on its chain do to each other.
+// --- Forces between a body and contacts on its chain.
 
 // The motion of the chain with its body, and the load of contacts on the chain, which are conjugate in virtual work: the
 // contacts give the body the power
@@ -106,8 +106,8 @@ class BeamMotion {
   Eigen::Matrix3Xd m_;  // [N m]
 };
 
-// Contact force of a sphere of radius r [m] on a round beam of radius R [m], relative to that of Hertz' sphere on a plane
-// at the same overlap and of the same materials.
+// Contact force of a sphere of radius r [m] on a round beam of radius R [m], relative to Hertz' force of a sphere on
+// a plane at the same overlap and of the same materials.
 //   side, a cylinder: principal radii r along the beam, rho = r R / (r + R) across; the contact is an ellipse,
 //     F = 4/3 E* sqrt(R_e) (overlap / F2)^(3/2),  R_e = sqrt(r rho),  F2 = 1 - ((r/rho)^0.0684 - 1)^1.531  [Hale 1999]
 //   end, a sphere of radius R: F = 4/3 E* sqrt(rho) overlap^(3/2)

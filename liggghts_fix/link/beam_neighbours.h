@@ -45,8 +45,8 @@ class BeamNeighbours {
   // LIGGGHTS has renumbered or moved the grains and built new lists: the next update() builds this one.
   void grains_renumbered(const GrainExtent& grains);
   // Builds the list if the grains were renumbered or a node has moved further than skin/2 since; true if it did. Call
-  // after the nodes have moved, in every step except where clearance() allows to skip it; the grains must be those of
-  // the last grains_renumbered(), at their present positions.
+  // after the nodes have moved, in every step except where clearance() allows to skip it; the grains must be the
+  // grains of the last grains_renumbered(), at their present positions.
   bool update(const BeamChain& chain, const GrainView& grains);
 
   // As long as no node has moved this far since the list was built, no grain can touch the chain, and no update is needed

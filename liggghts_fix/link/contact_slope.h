@@ -37,7 +37,7 @@ struct WallContact {
 
   // Along the normal [N/m]; s in [m].
   double stiffness(double s) const { return linear > 0.0 ? linear : 2.0 * young * s; }
-  // Of a contact with force f_W [N] on a body, whose normal there is normal_W; mass of the grain in [kg].
+  // The slope of a contact with force f_W [N] on a body, whose normal there is normal_W; mass of the grain in [kg].
   ContactSlope slope(const Eigen::Vector3d& normal_W, const Eigen::Vector3d& f_W, double s, double mass) const;
 };
 

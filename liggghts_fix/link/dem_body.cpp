@@ -1,4 +1,4 @@
-// Projects contacts on the body, averages over the window, and samples contact slopes at a few substeps.
+// Projects contacts on the body, averages over the window, and samples contact slopes at a few DEM steps.
 
 #include "liggghts_fix/link/dem_body.h"
 
@@ -10,7 +10,7 @@
 namespace footfall {
 namespace {
 
-// Slopes change slowly compared with forces, and multiply only the error of the prediction: a mean over so many substeps
+// Slopes change slowly compared with forces, and multiply only the error of the prediction: a mean over so many DEM steps
 // is as good as one over all.
 constexpr int kSlopeSamples = 8;
 
@@ -180,7 +180,7 @@ void DemBody::finish_load() {
 }
 
 double DemBody::work_between(const BodyMotion& from, const BodyMotion& to) const {
-  // On a known path the body received what the grains gave.
+  // On a known path the body received the work that the grains gave.
   if (path_.is_known() && from.mode_count() == 0) return load_.mean.work;
   // T_B turns with the body: its work is T_B . theta_B, where theta has the same components in B at both ends.
   const Eigen::Vector3d theta_B = from.rotation().transpose() * rotation_vector(from.L, to.L);

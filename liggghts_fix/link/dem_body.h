@@ -43,13 +43,13 @@ class BedSides {
   bool off_bed_ = false;
 };
 
-// The mean slope of all contacts of a window, sampled at a few substeps.
+// The mean slope of all contacts of a window, sampled at a few DEM steps.
 class SlopeMean {
  public:
   explicit SlopeMean(bool required) : required_(required) {}
   void begin_window(int n);                  // DEM steps
   void begin_substep(int substep);           // in the window
-  bool samples() const { return samples_; }  // at this substep
+  bool samples() const { return samples_; }  // at this DEM step
   void add(const ContactSlope& slope, const Eigen::Vector3d& arm_W) { add_slope(slope, arm_W, now_); }
   void end_substep();
   void write(ContactTangent& mean) const;
@@ -60,7 +60,7 @@ class SlopeMean {
   ContactTangent now_, sum_;  // sum over contacts; sum over samples
 };
 
-// A window: begin_window; per substep advance, clear_contacts, add_contact for every contact of
+// A window: begin_window; per DEM step advance, clear_contacts, add_contact for every contact of
 // this rank, end_substep; then append_share, a gather over the ranks, clear_load, add_share for
 // every rank and finish_load.
 class DemBody {
@@ -85,7 +85,7 @@ class DemBody {
   // beam); overlap over grain radius [-]; normal stiffness [N/m] (0: unknown).
   void add_contact(const BoundaryPoint& point, const Eigen::Vector3d& f_W, const Eigen::Vector3d& m_W,
                    double overlap_over_radius, double stiffness, const TouchingGrain& grain = {});
-  // Of a contact on a curved part of a mesh: patch radius sqrt(2 R overlap) over the width of the
+  // A contact on a curved part of a mesh: patch radius sqrt(2 R overlap) over the width of the
   // facet [-].
   void count_patch(double over_facet);
   // The same in two parts, where many contacts are projected together (beams): their generalized
@@ -93,19 +93,19 @@ class DemBody {
   void add_load(const GeneralizedForce& Q);
   void count_contact(double overlap_over_radius, double stiffness, const BoundaryPoint& point,
                      const TouchingGrain& grain);
-  // Does the scheme use contact slopes, and is this one of the substeps at which they are sampled?
+  // Does the scheme use contact slopes, and is this one of the DEM steps at which they are sampled?
   // Then call add_slope for every contact: at arm_W [m] from a boundary point (on a periodic mesh
-  // the position in W would be that of an image), or at a point in W [m].
+  // an image may be far from the position in W), or at a point in W [m].
   bool samples_slopes() const { return slopes_.samples(); }
   void add_slope(const BoundaryPoint& point, const Eigen::Vector3d& arm_W, const ContactSlope& slope);
   void add_slope(const Eigen::Vector3d& point_W, const ContactSlope& slope);
-  // The forces just evaluated in the set-up of a run open the next substep.
+  // The forces just evaluated in the set-up of a run open the next DEM step.
   void use_as_opening_force();
   // The forces from before the set-up open it instead.
   void set_opening_force(const OpeningForce& force) { average_.set_opening_force(force); }
   const OpeningForce& opening_force() const { return average_.opening_force(); }  // of this rank
   void end_substep(double dt);
-  // Of the contacts on this rank since clear_contacts.
+  // Sum over the contacts on this rank since clear_contacts.
   const GeneralizedForce& contact_force() const { return now_; }
 
   // At the end of a window: appends the load of this rank's grains to its row (rank_shares.h).
@@ -145,7 +145,7 @@ class DemBody {
   double gravity_;   // [m/s2]
   BodyLoad share_;   // of this rank, in this window
   BodyLoad load_;    // of all ranks
-  // Mean force of every substep of the window: of this rank, and of all [N].
+  // Mean force of every DEM step of the window: of this rank, and of all [N].
   Eigen::Matrix3Xd step_forces_, all_step_forces_;
 };
 

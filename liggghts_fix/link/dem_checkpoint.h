@@ -24,7 +24,7 @@ class DemCheckpoint {
   using Poses = std::vector<std::pair<std::string, BodyMotion>>;
   static std::string text(Poses poses, std::int64_t step, const Visit& visit);
 
-  // The run resumes from this folder. Replaces the initial poses of the bodies by those of the checkpoint: meshes are
+  // The run resumes from this folder. Replaces the initial poses of the bodies by the poses of the checkpoint: meshes are
   // compared with them, and beams start there. Throws InputError when the file cannot be read.
   void open(const std::string& folder, std::vector<CoupledBody>& bodies);
   bool is_open() const { return archive_.has_value(); }

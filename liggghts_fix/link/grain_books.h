@@ -28,7 +28,7 @@ struct GrainFault {
 class GrainBooks {
  public:
   void set_max_lost(double share) { max_lost_ = share; }  // of all grains [-]; the run stops when more are lost
-  void expect_outflow() { outflow_ = true; }              // grains are meant to leave the box, however many
+  void expect_outflow() { outflow_ = true; }              // grains may leave the box, however many
 
   // Grains have changed ranks: numbers of this rank before and after. Their difference, summed over
   // the ranks, is lost.
@@ -41,7 +41,7 @@ class GrainBooks {
   // Until the end of the last window, of all ranks; since then, of this rank.
   const GrainChanges& changes() const { return changes_; }
   const GrainChanges& changes_here() const { return here_; }
-  // Of a grain of this rank; the first since the last row counts.
+  // A fault of a grain of this rank; the first fault since the last row counts.
   void fault(const GrainFault& fault) {
     if (fault_.kind == GrainFault::kNone) fault_ = fault;
   }
@@ -54,7 +54,7 @@ class GrainBooks {
   // Adds the numbers of a rank, in a window whose bodies have these names, until now [s], with time
   // steps of dt [s]. Throws NumericalError for its fault.
   void add_share(const double* row, const std::vector<std::string>& bodies, double dt);
-  // After those of all ranks: writes the totals into the load, with a warning at the first grain
+  // After the books of all ranks: writes the totals into the load, with a warning at the first grain
   // that is lost. Throws NumericalError when more are lost than allowed.
   void finish_window(double time, Load& load);
 
@@ -63,13 +63,13 @@ class GrainBooks {
  private:
   double max_lost_ = 1.0;  // of all grains [-]
   bool outflow_ = false;
-  // Of this rank since the last row.
+  // On this rank since the last row.
   double lost_here_ = 0.0;  // grains sent to other ranks minus received
   GrainChanges here_;
   GrainFault fault_;
   bool counts_changes_ = false;
   bool closed_ = false;
-  // Of all ranks: in this window, and since the start.
+  // Sums over all ranks: in this window, and since the start.
   double grains_now_ = 0.0, lost_now_ = 0.0;
   std::int64_t lost_ = 0;
   GrainChanges changes_;

@@ -48,7 +48,7 @@ void Handshake::require_same(const Start& script) const {
   if (script.gravity_known && script_.gravity_known && script.gravity != script_.gravity)
     throw InputError(code::kGravityChanged, "couple/mbd: the gravity of the grains changed from " +
                                                 vector_text(script_.gravity) + " to " + vector_text(script.gravity) +
-                                                " m/s2 between two runs; that of the scene is constant");
+                                                " m/s2 between two runs; the gravity of the scene is constant");
   FOOTFALL_DEMAND(script.n == script_.n);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What both sides have told each other before the first window: Start, which describes the script,
+// The messages of both sides before the first window: Start, which describes the script,
 // and Accept, which describes the run.
 
 #include <memory>
@@ -15,7 +15,7 @@ class Handshake {
  public:
   explicit Handshake(Link* link) : link_(link) {}
 
-  void set_patience(double seconds);  // how long the partner may be silent [s]; that of the scene no longer counts
+  void set_patience(double seconds);  // longest silence of the partner [s]; replaces the value of the scene
   // Sends Start, with the coupled bodies, and receives Accept.
   void exchange(Start script, CoupledBodies& bodies);
   bool is_done() const { return scheme_ != nullptr; }
@@ -26,8 +26,8 @@ class Handshake {
   double gravity() const;  // its magnitude [m/s2]
   // Throws InputError when another run has another time step or gravity.
   void require_same(const Start& script) const;
-  // For gravity that varies and was unknown before the start. Throws InputError unless it is that
-  // of the scene [m/s2].
+  // For gravity that varies and was unknown before the start. Throws InputError unless it equals
+  // the scene's gravity [m/s2].
   void require_scene_gravity(const Eigen::Vector3d& gravity) const;
   void forget_wall(const std::string& name);             // of the script: it is gone, or moves now
   bool is_held_by_walls(const std::string& body) const;  // the scene has contacts of this body with the script's walls

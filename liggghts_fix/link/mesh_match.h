@@ -28,9 +28,9 @@ std::vector<CornerNodes> match_mesh(const std::string& mesh, const ModalBoundary
                                     const std::vector<MeshTriangle>& triangles);
 
 // The order of a rank's elements of a mesh after a restart file is read. The file holds the elements of rank 0, then
-// those of rank 1, ... Each rank reads all of them and deletes those of other ranks, from the first on; the last element
-// takes the place of a deleted one. Returns for every place which of this rank's elements is there. before, after:
-// numbers of elements of lower and of higher ranks.
+// the elements of rank 1, ... Each rank reads all of them and deletes foreign elements, from the first on; the last
+// element takes the place of a deleted one. Returns for every place which of this rank's elements is there. before,
+// after: numbers of elements of lower and of higher ranks.
 std::vector<int> order_after_restart(int before, int own, int after);
 
 }  // namespace footfall

@@ -1,5 +1,5 @@
 #pragma once
-// Forces at the start of the next substep. The set-up of a run lets LIGGGHTS evaluate all forces; a
+// Forces at the start of the next DEM step. The set-up of a run lets LIGGGHTS evaluate all forces; a
 // checkpoint holds their sum over the ranks, and it is restored on one of them, since forces that
 // LIGGGHTS evaluates anew would differ.
 
@@ -15,7 +15,7 @@ class OpeningForces {
   using Bodies = std::vector<std::unique_ptr<DemBody>>;
   explicit OpeningForces(const Bodies& bodies) : bodies_(bodies) {}  // must outlive this
 
-  void expect_set_up();                      // contacts that follow open the next substep
+  void expect_set_up();                      // contacts that follow open the next DEM step
   void begin_substep();                      // which they open now
   std::vector<double> of_this_rank() const;  // all bodies in one row of numbers
   void store(std::vector<double> of_all_ranks) { stored_ = std::move(of_all_ranks); }
@@ -25,7 +25,7 @@ class OpeningForces {
 
  private:
   const Bodies& bodies_;
-  bool set_up_ = false;         // a set-up has evaluated forces that open the next substep
+  bool set_up_ = false;         // a set-up has evaluated forces that open the next DEM step
   std::vector<double> stored_;  // of a checkpoint
 };
 

@@ -10,7 +10,7 @@ namespace footfall {
 namespace {
 
 constexpr double kFlatPiece =
-    1e-8;                   // 1 - cosine between a facet's normal and that of its node: 1.4e-4 rad, round-off of nodes
+    1e-8;                   // 1 - cosine between the normals of a facet and of its node: 1.4e-4 rad, round-off of nodes
 constexpr int kSteps = 20;  // of Newton's method; four or five are used
 constexpr double kDone = 1e-13;
 

@@ -4,7 +4,7 @@
 //
 // After T. Nagata, Simple local interpolation of surfaces using normal vectors, CAGD 22, 327 (2005): each edge becomes a
 // parabola perpendicular to the normals at its ends, each facet a quadratic patch through its edges. On a sphere or
-// cylinder of radius R_s and with facets of width w the error is at most w^4 / (128 R_s^3), where that of flat facets is
+// cylinder of radius R_s and with facets of width w the error is at most w^4 / (128 R_s^3); the error of flat facets is
 // w^2 / (8 R_s).
 
 #include <Eigen/Dense>
@@ -47,10 +47,10 @@ class RoundSurface {
   void turn(const Eigen::Matrix3d& R_WB) { R_WB_ = R_WB; }
   void deform(const SurfacePieces& pieces, const Eigen::Matrix3Xd& nodes_W);
 
-  // All three normals are that of the flat facet.
+  // All three normals are equal to the normal of the flat facet.
   bool is_flat(int facet) const { return flat_[facet]; }
   RoundFacet facet(int facet, const Eigen::Matrix3d& corners_W) const { return {corners_W, R_WB_ * normals_[facet]}; }
-  // Of all facets of the undeformed body [m].
+  // The largest bulge of all facets of the undeformed body [m].
   double largest_bulge() const { return bulge_; }
 
  private:

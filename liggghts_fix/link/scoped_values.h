@@ -6,11 +6,11 @@
 
 namespace footfall {
 
-// The mass on which the damping of a contact acts. LIGGGHTS takes a wall as infinitely heavy: the effective mass is that
-// of the grain m. While this lives, the grain counts as
+// The mass on which the damping of a contact acts. LIGGGHTS takes a wall as infinitely heavy: the effective mass is the
+// mass m of the grain. While this object exists, the grain counts as
 //   m_eff = m M / (m + M)
-// with the mass M of the body's side: damping is then that of two bodies, and the coefficient of restitution that of the
-// script. inverse_mass: 1/M [1/kg]; 0, for a fixed or driven body, changes nothing.
+// with the mass M of the body's side: damping is then as for two bodies, and the coefficient of restitution as given
+// in the script. inverse_mass: 1/M [1/kg]; 0, for a fixed or driven body, changes nothing.
 class ScopedPairMass {
  public:
   ScopedPairMass(double& grain, double inverse_mass) : grain_(grain), own_(grain) {
@@ -51,9 +51,9 @@ class ScopedModuli {
   double young_before_, shear_before_;  // [Pa]
 };
 
-// Where a grain and a wall are apart, LIGGGHTS' cohesion easo/capillary/viscous reads the velocity of the wall as that of
-// an atom: atom->v[j] with j = -type, before the start of the array. While this lives, that element exists and holds the
-// velocity of the wall. Of the atoms only grain i is there, which the contact model computes.
+// Where a grain and a wall are apart, LIGGGHTS' cohesion easo/capillary/viscous reads the velocity of an atom instead
+// of the wall's: atom->v[j] with j = -type, before the start of the array. While this object exists, that element
+// exists and holds the velocity of the wall. Of the atoms only grain i is there, which the contact model computes.
 class ScopedWallAsAtom {
  public:
   // array: Atom::v; rows: memory reused from contact to contact; wall: 3 numbers [m/s].

@@ -1,5 +1,5 @@
 #pragma once
-// Runs of the script beyond the end of the scene. Loops of the script do not know that end: after a
+// Runs of the script beyond the end of the scene. Loops of the script continue beyond this end: after a
 // jump, runs beyond it are left out as long as the script couples.
 
 namespace footfall {
@@ -7,7 +7,7 @@ namespace footfall {
 class ScriptRuns {
  public:
   void script_jumps() { jumps_ = true; }  // after the first run
-  // The number of runs left out, with the one that begins now, when the scene has ended; 0: it is
+  // The number of runs left out, including the present run, when the scene has ended; 0: the present run is
   // executed.
   int left_out(bool couples) { return jumps_ && couples ? ++left_out_ : 0; }
   // A loop waits for steps that do not come.

@@ -48,7 +48,7 @@ Eigen::Vector3d inward(const Eigen::Matrix3Xd& rho0, const CornerNodes& corners,
   return (to_c - to_c.dot(along) * along).normalized();
 }
 
-// Cosine from which LIGGGHTS takes facets as coplanar by default, and that of the largest angle that is no edge.
+// Cosine from which LIGGGHTS takes facets as coplanar by default, and cosine of the largest angle that is no edge.
 const double kCoplanar = 1.0 - 1e-5, kEdge = std::cos(60.0 * M_PI / 180.0);
 
 }  // namespace

@@ -62,7 +62,7 @@ void WindowExchange::begin(CoupledBodies& bodies) {
 
 double WindowExchange::time() const { return motion_.time + agreed_.script().dt * (motion_.n - substeps_left_); }
 
-// --- A substep.
+// --- A DEM step.
 
 void WindowExchange::begin_substep(std::int64_t step) {
   if (step == step_) return;
@@ -71,7 +71,7 @@ void WindowExchange::begin_substep(std::int64_t step) {
   if (finished_)
     throw InputError(code::kSceneHasEnded,
                      "couple/mbd: the scene ended at t = " + ten_digits(agreed_.accept().t_end) +
-                         " s, but the script continues. Remove the `run` after the one that ends the scene, or `unfix` "
+                         " s, but the script continues. Remove every `run` after the end of the scene, or `unfix` "
                          "the coupling before it, if the grains shall continue alone");
   step_ = step;
   opening_.begin_substep();
@@ -121,16 +121,16 @@ void WindowExchange::require_expected(const Motion& motion) const {
   if (motion.window != windows_ || motion.bodies.size() != bodies_.size() || motion.n < 1 || (n > 0 && motion.n > n))
     throw ProtocolError(code::kMotionUnexpected, window + link_->partner() + " sent a Motion for window " +
                                                      std::to_string(motion.window) + " of " + std::to_string(motion.n) +
-                                                     " substeps with " + std::to_string(motion.bodies.size()) +
+                                                     " DEM steps with " + std::to_string(motion.bodies.size()) +
                                                      " bodies; expected at most " + std::to_string(n) +
-                                                     " substeps and " + std::to_string(bodies_.size()) + " bodies");
+                                                     " DEM steps and " + std::to_string(bodies_.size()) + " bodies");
   const auto fits = [&](const KnownPath& path) {
     return path.cols() == 0 || (path.cols() == motion.n && path.allFinite());
   };
   if (!motion.paths.empty() &&
       (motion.paths.size() != bodies_.size() || !std::all_of(motion.paths.begin(), motion.paths.end(), fits)))
     throw ProtocolError(code::kMotionUnexpected,
-                        window + link_->partner() + " sent known paths that do not fit its bodies and substeps");
+                        window + link_->partner() + " sent known paths that do not fit its bodies and DEM steps");
   const std::vector<double>& masses = motion.inverse_masses;
   if (agreed_.script().requires_masses &&
       (masses.size() != bodies_.size() ||

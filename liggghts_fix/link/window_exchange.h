@@ -1,6 +1,6 @@
 #pragma once
-// A coupling interval on the DEM side: Motion is received and moves the boundaries substep by
-// substep; the loads of all ranks are added and sent as Load.
+// A coupling interval on the DEM side: Motion is received and moves the boundaries DEM step by
+// DEM step; the loads of all ranks are added and sent as Load.
 
 #include <cstdint>
 #include <memory>
@@ -41,23 +41,23 @@ class WindowExchange {
   DemBody& body(int index) { return *bodies_[static_cast<std::size_t>(index)]; }
   OpeningForces& opening_forces() { return opening_; }
 
-  // --- A substep.
+  // --- A DEM step.
 
   // Before DEM step `step`: begins a window if none is open (receives Motion), moves every
   // boundary, and clears the contacts of the last step. Every fix that needs the new poses calls
   // it; only the first call of a step acts.
   void begin_substep(std::int64_t step);
   bool in_last_substep() const { return motion_.last_window && substeps_left_ == 1; }  // of the scene
-  bool window_begins() const { return substeps_left_ == motion_.n; }  // the present substep is its first
+  bool window_begins() const { return substeps_left_ == motion_.n; }  // the present DEM step is its first
   int substeps_left() const { return substeps_left_; }
-  double time() const;  // at the end of the substep [s]
+  double time() const;  // at the end of the DEM step [s]
   // After the forces. True when the window is complete: write_shares, a gather over the ranks, and
   // finish_window follow.
   bool end_substep();
-  // One row of numbers: whether this rank was asked to end, numbers of its grains (GrainBooks), and
+  // One row of numbers: whether this rank must end, numbers of its grains (GrainBooks), and
   // their loads on the bodies.
   void write_shares(std::int64_t grains, bool end_requested, std::vector<double>& row);
-  // rows: those of all ranks in order. Throws NumericalError for a load that is not finite, and as
+  // rows: the rows of all ranks in order. Throws NumericalError for a load that is not finite, and as
   // GrainBooks does.
   void finish_window(const std::vector<double>& rows, int ranks);
   void warn(const std::string& coded_text) { load_.warnings.push_back(coded_text); }  // with the next load
@@ -68,7 +68,7 @@ class WindowExchange {
   std::int64_t count() const { return windows_; }  // completed
   bool finished() const { return finished_; }      // the last window is done and both sides have closed
   bool end_early();  // the script ends before the scene, as it may; true: the partner knows
-  // A rank was asked to end by a signal. All ranks know after the same window and leave LIGGGHTS'
+  // A signal requested the end of a rank. All ranks know after the same window and leave LIGGGHTS'
   // loop at the same step; a signal may reach one rank only, and LIGGGHTS would wait for the others
   // for ever.
   bool end_requested() const { return load_.end_requested; }
@@ -105,7 +105,7 @@ class WindowExchange {
   BoundaryWork work_;
   double overlap_ = 0.0;  // largest over radius [-]
   // Wall-clock times [s]: of the last Load (0: none yet), of the wait for the Motion after it, of
-  // the last substep.
+  // the last DEM step.
   double sent_ = 0.0, waited_ = 0.0, stepped_ = 0.0;
 };
 

@@ -159,7 +159,7 @@ FeModel plate(const BodySpec& body, const FlexibleSpec& spec, const Material& ma
                      "body \"" + body.name + "\"");
 }
 
-// A model of another code has a mass of its own, which shows wrong units: those with which it would be right are named.
+// A model of another code has its own mass, which shows wrong units: those with which it would be right are named.
 void check_mass(const BodySpec& body, double mass, const std::string& file, UnitSystem units) {
   if (std::abs(mass - body.mass) <= kSameMass * body.mass) return;
   const bool spec_has_units = !body.flexible->stiffness_matrix.empty();
@@ -312,7 +312,7 @@ std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<
   return bodies;
 }
 
-// What of each body may touch the ground: triangles and beams, in the body's own frame, moving with its modes.
+// The parts of each body that may touch the ground: triangles and beams, in the body's own frame, moving with its modes.
 
 namespace {
 
@@ -366,7 +366,7 @@ ModalBoundary build(const Scene& scene, const BodySpec& body, const BoundarySpec
       for (Eigen::Index j = 0; j < flexible.modal->rho0.cols(); ++j) add_node(flexible.modal->rho0.col(j));
     } else {
       const TriangleMesh mesh = boundary_surface(scene, spec);
-      if (!spec.surface->file.empty()) add_notes(mesh, warnings);  // those of a shape are told with its mass
+      if (!spec.surface->file.empty()) add_notes(mesh, warnings);  // remarks on a shape are reported with its mass
       if (!mesh.decimation.empty()) warnings.push_back(with_code(code::kMeshDecimated, mesh.decimation));
       triangles = mesh.triangles;
       for (const Eigen::Vector3d& vertex : mesh.vertices) add_node(R_BD * (vertex - p_DBo));
@@ -494,8 +494,8 @@ double lowest_place(const BodyBoundary& entry, const Eigen::Vector3d& n_B, const
 
 namespace {
 
-// Of a body with circular edges also the nodes within its faces: uneven ground may touch there first. Nodes on the edges and
-// between them stay left out, so that the edges roll without facets.
+// For a body with circular edges also the nodes within its faces: uneven ground may touch there first. Nodes on the
+// edges and between them are omitted, so that the edges roll without facets.
 void add_face_places(const Body& body, BodyBoundary& entry) {
   constexpr double kWithin = 0.95;  // of the radius of the edge
   if (entry.rims.empty()) return;
@@ -550,7 +550,7 @@ double highest_under(const std::vector<GrainPlace>& grains, const Eigen::Vector3
   return highest;
 }
 
-// How far grains under a body stand out of the field of a terrain, at most; negative: they are below [m].
+// Largest height of grains under a body above the field of a terrain; negative: they are below [m].
 double highest_over(const std::vector<GrainPlace>& grains, Terrain& field, const Eigen::Vector3d& centre,
                     double reach) {
   double highest = -std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
 // Controllers of the scene with the struts that they drive, and its signals: blocks, their places among the inputs of a run,
-// and what the continuous ones measure.
+// and the measurements of continuous signals.
 
 #include <algorithm>
 #include <optional>
@@ -97,7 +97,7 @@ void add_controllers(const Scene& scene, Mechanism& mechanism) {
   }
 }
 
-// Signals and states of the scene: blocks, their places among the inputs of a run, and what the continuous ones measure.
+// Signals and states of the scene: blocks, their places among the inputs of a run, and measurements of continuous signals.
 
 namespace {
 
@@ -235,7 +235,7 @@ std::unique_ptr<Sensor> sensor_of(const Mechanism& mechanism, const std::string&
   const Model& model = mechanism.model;
   if (auto sensor = body_sensor(model, name)) return sensor;
   const std::string owner = owner_in(name);
-  const std::vector<CoordinateEntry>& coordinates = mechanism.coordinates;  // those of a joint one after the other
+  const std::vector<CoordinateEntry>& coordinates = mechanism.coordinates;  // of a joint one after the other
   std::size_t i = mechanism.coordinate_index.find(coordinates, owner).value_or(coordinates.size());
   for (; i < coordinates.size() && coordinates[i].name == owner; ++i) {
     const CoordinateEntry& entry = coordinates[i];

@@ -1,4 +1,4 @@
-// Struts, springs, forces and contacts of the scene. Parameters are those of the laws; what depends on the strut is added.
+// Struts, springs, forces and contacts of the scene. Parameters come from the laws; parts that depend on the strut are added.
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +92,7 @@ int voltage_place(const StrutSpec& spec, Mechanism& mechanism) {
 
 namespace {
 
-// That of bodies that [initial] places, or as drawn.
+// The placement of bodies that [initial] places, or the reference configuration.
 Placement placement_of(const Scene& scene, const Mechanism& mechanism, const std::array<std::string, 2>& bodies) {
   return stands_still(scene, bodies[0]) || stands_still(scene, bodies[1]) ? Placement() : mechanism.placement;
 }
@@ -128,7 +128,7 @@ double wrap_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to, cons
 struct CablePart {
   std::vector<CablePlace> places;
   std::vector<CableTouch> touches;
-  std::vector<double> wraps;  // of what is between the ends [rad]
+  std::vector<double> wraps;  // of the pulleys between the ends [rad]
   double length = 0.0;        // [m]
 };
 
@@ -312,10 +312,10 @@ constexpr std::size_t kSamples = 32;
 
 // Speed and time of friction that sticks follow the size L of the mechanism and gravity g, so that a mechanism and its model in
 // another scale move alike (theory 6.4): v_s = 4e-4 sqrt(g L), tau = 6.4e-3 sqrt(L / g). A lander of 4 m on the moon has 1 mm/s
-// and 10 ms. Without gravity the initial speed v stands for sqrt(g L); without both, 1 m/s.
+// and 10 ms. Without gravity the initial speed v replaces sqrt(g L); without both, 1 m/s.
 constexpr double kSlipSpeed = 4e-4, kStickTime = 6.4e-3;
 
-// The largest distance of the boundaries from the mass centre, all bodies as they are drawn [m].
+// The largest distance of the boundaries from the mass centre, all bodies in the reference configuration [m].
 double size_of(const Scene& scene, const Mechanism& mechanism) {
   const Eigen::Vector3d p_WC = mechanism.placement.point(mass_centre(scene));
   double size = 0.0;

@@ -18,8 +18,8 @@
 namespace footfall {
 namespace {
 
-// Displacements along x, y, z of the joint's frame (z = axis, x near axis2) and rotation about z; what is not given is
-// free.
+// Displacements along x, y, z of the joint's frame (z = axis, x near axis2) and rotation about z; coordinates without
+// a value are free.
 Joint prescribed(const JointSpec& spec, const Model& model, int a, int b, const Placement& placement) {
   const MotionSpec& motion = *spec.motion;
   PrescribedMotion prescribed;
@@ -116,7 +116,7 @@ void add_gears(const Scene& scene, Mechanism& mechanism) {
   }
 }
 
-// What acts on the coordinates of joints: stops, friction, springs, and the drives with their rotors.
+// Forces on the coordinates of joints: stops, friction, springs, and the drives with their rotors.
 
 namespace {
 

@@ -13,7 +13,7 @@ inline constexpr MessageCode kTooManyElements{"E0261", "too-many-elements"};
 inline constexpr MessageCode kAcrossWall{"E0262", "across-wall"};
 // A controller has another number of outputs than the scene names. Name as many.
 inline constexpr MessageCode kOutputCount{"E0264", "output-count"};
-// A continuous signal reads what is known at samples only. Give the signal a period.
+// A continuous signal reads a value that exists at samples only. Give the signal a period.
 inline constexpr MessageCode kNotContinuous{"E0265", "not-continuous"};
 // The file of grains does not exist or cannot be read. Make the bed again.
 inline constexpr MessageCode kNoGrainFile{"E0266", "no-grain-file"};
@@ -23,11 +23,11 @@ inline constexpr MessageCode kGrainFile{"E0267", "grain-file"};
 inline constexpr MessageCode kNoGroundHeight{"E0268", "no-ground-height"};
 // The model of another code has another mass centre or inertia than the scene states. Correct the scene, or the units of nodes.
 inline constexpr MessageCode kModelInertia{"E0269", "model-inertia"};
-// The folder of initial.from is not that of a run that has ended, or its bodies differ. Run that scene, or correct the folder.
+// The folder of initial.from has no run that has ended, or its bodies differ. Run that scene, or correct the folder.
 inline constexpr MessageCode kEndState{"E0263", "end-state"};
-// Code of the user (an FMU) failed, crashed, did not answer in time, or its output is not finite. Correct it, or what it is given.
+// Code of the user (an FMU) failed, crashed, did not answer in time, or its output is not finite. Correct the code or its inputs.
 inline constexpr MessageCode kForeignFailed{"E0350", "foreign-failed"};
-// Code of the user cannot say in which state it is. Run without checkpoints, or let it keep its state.
+// Code of the user cannot save its state. Run without checkpoints, or let the code save its state.
 inline constexpr MessageCode kForeignStateless{"E0351", "foreign-stateless"};
 // The state of code of the user in a checkpoint is damaged. Resume from another checkpoint.
 inline constexpr MessageCode kForeignState{"E0352", "foreign-state"};
@@ -39,7 +39,7 @@ inline constexpr MessageCode kVariesTooFast{"W1261", "varies-too-fast"};
 inline constexpr MessageCode kThrownAtStart{"W1265", "thrown-at-start"};
 // A flexible body bends by more than a tenth of its size under its own weight, where linear modes fail. Check its material.
 inline constexpr MessageCode kBendsUnderWeight{"W1266", "bends-under-weight"};
-// initial.from does not carry this over. Nothing, if this is intended.
+// initial.from does not carry this over. No action is required if this is intended.
 inline constexpr MessageCode kNotCarried{"W1267", "not-carried"};
 // A pulley with grip holds a cable that would leave it. Remove grip, or place the pulley so that the cable stays on it.
 inline constexpr MessageCode kGripWithoutWrap{"W1269", "grip-without-wrap"};

@@ -50,7 +50,7 @@ GivenSignals given_signals(const Scene& scene, const Mechanism& mechanism, const
     }
   for (const SignalNode& node : conditions)
     entries.push_back({"the condition of event \"" + node.name + "\"", "", node.block.get(), node.inputs, {}});
-  // What the leading program sets is constant until it is set again.
+  // A value set by the leading program is constant until it is set again.
   const auto is_host = [&](int place) {
     for (std::size_t i = 0; i < scene.signals.size(); ++i)
       if (mechanism.signals[i].place == place) return scene.signals[i].kind == SignalKind::kHost;

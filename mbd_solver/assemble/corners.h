@@ -1,5 +1,5 @@
 #pragma once
-// The times at which what a scene gives as a function of time has corners or jumps: tables of forces, commands and prescribed
+// The times at which functions of time in a scene have corners or jumps: tables of forces, commands and prescribed
 // motions, signals of time or of the time in a state, and conditions of events on them. Steps of the integrator end there: a
 // pulse that is shorter than a step is not passed over.
 
@@ -16,7 +16,7 @@ namespace footfall {
 
 class Corners {
  public:
-  // What the mechanism refers to must outlive this.
+  // Objects to which the mechanism refers must outlive this object.
   Corners(const Scene& scene, const Mechanism& mechanism);
 
   // The first corner after t [s] while the inputs of the run have these values; at infinity: none. Where a value jumps,

@@ -1,4 +1,4 @@
-// Numbers are written with all digits, so that a scene that starts from a run continues from its very state.
+// Numbers are written with all digits, so that a scene that starts from a run continues from exactly its state.
 
 #include "mbd_solver/assemble/end_state.h"
 

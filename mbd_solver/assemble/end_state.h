@@ -24,7 +24,7 @@ struct EndState {
 
 // Throws InputError when the file cannot be written.
 void write_end_state(const std::string& folder, const EndState& end);
-// Of initial.from. Throws InputError at that key.
+// Reads initial.from. Throws InputError at that key.
 EndState read_end_state(const Scene& scene);
 // Throws InputError at initial.from.
 [[noreturn]] void refuse_end_state(const Scene& scene, const std::string& what);

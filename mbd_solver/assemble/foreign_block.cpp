@@ -1,4 +1,4 @@
-// Questions to the program of a signal, and what its answers mean. Its state in a checkpoint is text: base64.
+// Requests to the program of a signal, and the meaning of its answers. Its state in a checkpoint is text: base64.
 
 #include "mbd_solver/assemble/foreign_block.h"
 

@@ -1,16 +1,16 @@
 #pragma once
-// Signals that code of the user computes, in a program of its own (base/helper_process.h): asked once per period.
+// Signals that code of the user computes, in a separate process (base/helper_process.h), once per period.
 //
-// A question is a letter, then numbers (double, in the machine's order of bytes) or bytes:
+// A request is a letter, then numbers (double, in the machine's order of bytes) or bytes:
 //   T  texts...          the task: words that a zero byte separates          answer V, without outputs
 //   I  t, u...           begins at the time t [s] with these inputs         answer V
 //   S  t, t_next, u...   from t to t_next [s] with these inputs             answer V
-//   G                    what the program must know to continue             answer B, or N where it cannot say
+//   G                    the data that the program needs to continue        answer B, or N if it has none to give
 //   R  t, u..., bytes    continues at t from these bytes, in a new program  answer V
 // and an answer likewise:
 //   V  y...   the outputs, in the order of the scene
 //   B  bytes
-//   N  text   why there is no state to be kept
+//   N  text   the reason why no state can be saved
 //   E  text   an error: it ends the run
 
 #include <memory>
@@ -25,7 +25,7 @@ namespace footfall {
 struct ForeignProgram {
   std::string label;                   // for messages: "signal \"engine\" (engine.fmu)"
   Command command{Rights::of_user()};  // the user trusts the scene that names it
-  std::vector<std::string> task;       // the words of question T, which a new program is asked first
+  std::vector<std::string> task;       // the words of request T, the first request to a new program
   double limit = 0.0;                  // for one answer, by the wall clock [s]
   int inputs = 0, outputs = 0;
   std::vector<std::string> output_names;  // for messages
@@ -61,8 +61,8 @@ class ForeignFunction {
   double time_ = 0.0;  // the end of its last step [s]
 };
 
-// The first output. Its inputs are those of the program and last the time. `direct`: the outputs at a sample are those of its
-// inputs; otherwise they are the end of the step from the sample before, and a loop of signals may contain the block.
+// The first output. Its inputs are the program's inputs and last the time. `direct`: the outputs at a sample follow from
+// its inputs; otherwise they are the end of the step from the sample before, and a loop of signals may contain the block.
 class ForeignBlock final : public SignalBlock {
  public:
   ForeignBlock(std::shared_ptr<ForeignFunction> function, bool direct)

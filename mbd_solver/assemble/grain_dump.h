@@ -11,7 +11,7 @@ struct GrainPlace {
   Eigen::Vector3d centre;  // in W [m]
   double radius;           // [m]
   int clump = 0;           // spheres with the same number are one rigid grain; 0: a single grain
-  double speed = -1.0;     // [m/s]; negative: the file does not say
+  double speed = -1.0;     // [m/s]; negative: not in the file
 };
 
 // Text dump of LIGGGHTS with columns x y z radius after a line "ITEM: ATOMS x y z radius"; the last of several frames. A fifth

@@ -1,5 +1,5 @@
 #pragma once
-// The mechanism of a scene, ready for a run: the model, what may touch the ground, and what controls which strut.
+// The mechanism of a scene, ready for a run: the model, the parts that may touch the ground, and the controllers of struts.
 
 #include <limits>
 #include <memory>
@@ -120,7 +120,7 @@ struct ControllerEntry {
 // A contact of a body with the ground, a plane or the script's walls, or with another body.
 struct ContactEntry {
   Handle<ContactElement> force;
-  // Of walls: their surface, empty until they are known; and the points of the body. Else null and none.
+  // For walls: their surface, empty until they are known; and the points of the body. Else null and none.
   std::shared_ptr<SurfaceSeen> walls;
   std::vector<ContactPoint> places;
 };
@@ -174,7 +174,7 @@ struct FlexibleBody {
 // One entry per body of the scene; `modal` is null for rigid bodies. Warnings are appended.
 std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<std::string>& warnings);
 
-// Adds a contact to the model and the list, behind those of its kind.
+// Adds a contact to the model and the list, behind the contacts of its kind.
 void add_contact(std::unique_ptr<ContactElement> element, Mechanism& mechanism,
                  std::shared_ptr<SurfaceSeen> walls = nullptr, std::vector<ContactPoint> places = {});
 
@@ -190,7 +190,7 @@ std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector
 std::shared_ptr<Terrain> build_terrain(const Scene& scene);
 // The field of a terrain that shapes a bed of [particles.box], without rocks; null: the bed has none.
 std::shared_ptr<Terrain> build_bed_surface(const Scene& scene);
-// The way along -z that a rigid body at r can fall before its boundary touches the ground, or rocks [m].
+// The distance along -z that a rigid body at r can fall before its boundary touches the ground, or rocks [m].
 double fall_to(Terrain& terrain, const BodyBoundary& entry, const Eigen::Vector3d& r, const Eigen::Matrix3d& R_WB);
 double fall_to_rocks(const std::vector<Terrain::Sphere>& rocks, const BodyBoundary& entry, const Eigen::Vector3d& r,
                      const Eigen::Matrix3d& R_WB);
@@ -213,8 +213,8 @@ void add_terrain_contacts(const ContactLaw& law, TerrainContact::Touches touches
 void add_soil_contacts(const Scene& scene, Mechanism& mechanism);
 void add_contacts(const Scene& scene, Mechanism& mechanism);
 void add_controllers(const Scene& scene, Mechanism& mechanism);
-void add_signal_places(const Scene& scene, Mechanism& mechanism);  // before what they command
-void add_signals(const Scene& scene, Mechanism& mechanism);        // after what they measure
+void add_signal_places(const Scene& scene, Mechanism& mechanism);  // before the forces that they command
+void add_signals(const Scene& scene, Mechanism& mechanism);        // after the parts that they measure
 
 // Contacts that throw bodies higher than they are large, because they overlap at the start.
 void warn_of_overlaps(const Scene& scene, Mechanism& mechanism);

@@ -34,7 +34,7 @@ std::vector<int> connected(const Scene& scene, const Model& model, int left_out)
   return roots;
 }
 
-// Of the bodies for which `counts` holds, about the axis e through p, or along it.
+// Mass or inertia of the bodies for which `counts` holds, about the axis e through p, or along it.
 template <class Counts>
 double sum_of(const Model& model, bool turns, const Eigen::Vector3d& p, const Eigen::Vector3d& e, Counts counts) {
   double sum = 0.0;
@@ -77,7 +77,7 @@ double moved_mass(const Scene& scene, const Mechanism& mechanism, int joint, Coo
   for (const DriveSpec& drive : scene.drives)
     if (scene.joint_index(drive.joint) == joint && scene.coordinate_of(drive) == coordinate)
       mass += drive.rotor_inertia * drive.motor.gear_ratio * drive.motor.gear_ratio;
-  // Of a gear f_1 q_1 + f_2 q_2 = 0 the other member moves by f_1 / f_2.
+  // For a gear f_1 q_1 + f_2 q_2 = 0 the other member moves by f_1 / f_2.
   for (const GearSpec& gear : scene.gears) {
     const auto is_this = [&](std::size_t i) {
       return scene.joint_index(gear.joints[i]) == joint && scene.coordinate_of(gear, i) == coordinate;

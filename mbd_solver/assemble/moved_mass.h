@@ -5,8 +5,8 @@
 
 namespace footfall {
 
-// In the reference configuration, all other joints locked: the smaller of both sides of the joint [kg or kg m2], with what
-// gears and rotors on the coordinate add. In a loop all bodies. > 0.
+// In the reference configuration, all other joints locked: the smaller of both sides of the joint [kg or kg m2],
+// including the contributions of gears and rotors on the coordinate. In a loop all bodies. > 0.
 double moved_mass(const Scene& scene, const Mechanism& mechanism, int joint, Coordinate coordinate);
 
 }  // namespace footfall

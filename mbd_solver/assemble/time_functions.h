@@ -14,10 +14,10 @@ namespace footfall {
 // The two columns of a table.
 std::pair<std::vector<double>, std::vector<double>> columns_of(const std::vector<Eigen::Vector2d>& rows);
 
-// Of a table in the command of a drive: a position needs a continuous rate.
+// The shape of a table in the command of a drive: a position needs a continuous rate.
 TableShape command_shape(MotorKind kind);
 
-// shape: of its table; what uses the function decides.
+// shape: of its table; the user of the function decides.
 TimeFunctionPtr time_function(const TimeFunctionSpec& spec, TableShape shape);
 // Null where none is given.
 TimeFunctionPtr time_function(const std::optional<TimeFunctionSpec>& spec, TableShape shape);

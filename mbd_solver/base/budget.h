@@ -1,6 +1,6 @@
 #pragma once
-// What readers of files may use. A file of a few kB can unpack to gigabytes, or name parts that name parts, 2^45 in all: a
-// reader counts what it takes while it goes on, throws at its limit, and trusts no size that a file announces. All that is counted
+// Limits of readers of files. A file of a few kB can unpack to gigabytes, or name parts that name parts, 2^45 in all: a
+// reader counts while it reads, throws at its limit, and trusts no size that a file announces. Everything that is counted
 // has its limit here; levels of files within files are known to their readers, whole files are bounded before they are opened
 // (coupler/base/input_file.h), and readers that may crash run in a process with limits of memory and time (scene/mesh_reader.h).
 // docs/reference/exit_codes_and_limits.md has all of them for users.
@@ -17,7 +17,7 @@ namespace footfall {
 struct ReadLimit {
   std::uint64_t most;
   const char* what;    // is counted, behind "has more than N"
-  const char* remedy;  // what the user can do
+  const char* remedy;  // advice to the user
   bool bytes = false;
 };
 
@@ -29,7 +29,7 @@ inline constexpr std::uint64_t kMegabyte = 1 << 20;
 inline constexpr ReadLimit kFmuDescription{64 * kMegabyte, "of modelDescription.xml, unpacked",
                                            "export the FMU with fewer variables", true};
 inline constexpr ReadLimit kFmuEntries{100000, "files in the archive", "export the FMU again"};
-// Of all its entries; besides at most kFmuRatio times the bytes of the archive, and what kFmuSmall allows in any case.
+// Sum of all entries; in addition at most kFmuRatio times the bytes of the archive, or kFmuSmall if that is more.
 inline constexpr ReadLimit kFmuUnpacked{8192 * kMegabyte, "in the archive, unpacked",
                                         "export the FMU with fewer resources", true};
 inline constexpr std::uint64_t kFmuRatio = 200, kFmuSmall = 256 * kMegabyte;
@@ -38,7 +38,7 @@ inline constexpr ReadLimit kFmuStart{1 << 20, "values in one start attribute", "
 
 // --- XML: counted before it is parsed, as "<" and "=" of the text, and of a robot with its included files.
 inline constexpr ReadLimit kXmlParts{2000000, "elements and attributes", "export a smaller model"};
-// Of elements within elements: what follows them recursively stays within its stack.
+// Elements within elements: recursive readers remain within their stack.
 inline constexpr ReadLimit kXmlDepth{200, "levels of elements within elements", "the file is damaged"};
 
 // --- Files that include others: MJCF, SDF, scripts of LIGGGHTS, input files of finite-element codes.
@@ -54,7 +54,7 @@ inline constexpr ReadLimit kMeshInstances{100000, "instances of nodes and geomet
                                           "export the mesh without instances"};
 inline constexpr ReadLimit kMeshNumbers{20000000, "numbers and elements in its instances", "export a coarser mesh"};
 inline constexpr ReadLimit kMeshTriangles{1000000, "triangles", "use a coarser mesh"};
-// Of one robot; a mesh that is used twice counts twice.
+// All meshes of one robot; a mesh that is used twice counts twice.
 inline constexpr ReadLimit kRobotMeshes{4096 * kMegabyte, "of meshes", "use coarser ones", true};
 
 // --- Meshes of finite-element codes: entries of sets, of sets that name sets, and numbers that a range passes over.
@@ -72,7 +72,7 @@ inline constexpr ReadLimit kFllLines{20000, "lines", "remove terms and rules"};
 
 class ReadBudget {
  public:
-  // `place`: "file" or "file:line", for the message. `most`: less than that of the limit, where the file allows less.
+  // `place`: "file" or "file:line", for the message. `most`: lower than the limit, where the file allows less.
   ReadBudget(const ReadLimit& limit, std::string place) : ReadBudget(limit, std::move(place), limit.most) {}
   ReadBudget(const ReadLimit& limit, std::string place, std::uint64_t most)
       : limit_(limit), place_(std::move(place)), most_(most) {}
@@ -81,7 +81,7 @@ class ReadBudget {
   void take(std::uint64_t amount = 1) {
     if (!takes(amount)) fail();
   }
-  // The same for readers with errors of their own: false, and excess() says what is wrong.
+  // The same for readers with errors of their own: false, and excess() describes the fault.
   bool takes(std::uint64_t amount = 1) {
     if (amount > most_ - taken_) return false;
     taken_ += amount;

@@ -1,4 +1,4 @@
-// What the new process needs is prepared before fork(): words, environment and files. In the child: process group, what happens
+// Words, environment and files of the new process are prepared before fork(). In the child: process group, its fate
 // when its parent dies, files, folder, signals, rights, exec.
 
 #include "mbd_solver/base/child_process.h"
@@ -63,8 +63,8 @@ void die_with_parent(Orphan orphan, pid_t parent) {
   if (getppid() != parent) _exit(kCannotStart);
 }
 
-// As in a new process: nothing blocked. exec() gives handlers their default; what this program ignores is given back here,
-// but not what its own parent ignores (nohup).
+// As in a new process: nothing blocked. exec() resets handlers to their default; signals that this program ignores
+// are reset here, but not signals that its own parent ignores (nohup).
 void reset_signals() {
   sigset_t none;
   sigemptyset(&none);

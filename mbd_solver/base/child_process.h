@@ -1,6 +1,6 @@
 #pragma once
 // The one place that starts programs and copies of this process (tests/structure/sources.py forbids fork and exec elsewhere).
-// Whoever starts a program says what it may do: a Command has no rights by default.
+// The caller that starts a program states its rights: a Command has no rights by default.
 
 #include <sys/types.h>
 
@@ -15,12 +15,12 @@
 
 namespace footfall {
 
-// What a program and all that it starts may do. The kernel enforces it before the program begins; it is not lifted again.
+// The rights of a program and all programs that it starts. The kernel enforces them before the program begins, for good.
 class Rights {
  public:
-  // Those of the user: for what the user trusts, and for programs of footfall that judge what they read by themselves.
+  // The user's rights: for programs that the user trusts, and for programs of footfall that judge their input by themselves.
   static Rights of_user() { return Rights(std::nullopt); }
-  // Starts only these programs (paths), itself among them; it writes what the user may.
+  // Starts only these programs (paths), itself among them; it writes with the user's rights.
   static Rights starting(const std::vector<std::string>& programs) {
     return Rights(Confinement{{}, absolute(programs), false});
   }
@@ -32,7 +32,7 @@ class Rights {
   void add(const std::string& program) {
     if (limits_) limits_->executable.push_back(absolute({program})[0]);
   }
-  // Empty: those of the user.
+  // Empty: the user's rights.
   const std::optional<Confinement>& limits() const { return limits_; }
 
  private:
@@ -51,7 +51,7 @@ struct Command {
   std::map<std::string, std::string> unshown = {};      // added to ours as well, but shell_line leaves it out
 };
 
-// Files of this process (pipes) that become those of the program. Standard input is empty where none is given.
+// Files of this process (pipes) that become files of the program. Standard input is empty where none is given.
 using Files = std::vector<std::pair<int, int>>;  // file here -> its number there
 
 // When this process dies, or the thread that has started it.
@@ -59,12 +59,12 @@ enum class Orphan { kIsKilled, kIsAsked, kEndsByItself };  // SIGKILL; SIGTERM; 
 
 constexpr int kCannotStart = 127;  // exit code of a process whose program cannot be started, as of a shell
 
-// Starts a command in a process group of its own (Ctrl-C in a terminal reaches this program alone, which ends the others in
+// Starts a command in its own process group (Ctrl-C in a terminal reaches this program alone, which ends the others in
 // order). Throws InputError when a word of it has a line end or another control character, or when no process can be created;
 // a program that does not exist, or cannot be confined, writes why to standard error and ends with kCannotStart.
 pid_t start_program(const Command& command, const Files& files = {}, Orphan orphan = Orphan::kIsAsked);
 
-// A copy of this process that does `work` and ends with the code that it returns, without destructors of what is alive here.
+// A copy of this process that does `work` and ends with the code that it returns, without destructors of existing objects.
 // -1 when no process can be created.
 pid_t start_copy(const std::function<int()>& work, Orphan orphan);
 

@@ -95,8 +95,8 @@ std::vector<pid_t> descendants(bool only_suspended = false) {
   return found;
 }
 
-// Wakes a launcher whose programs have all ended: mpirun, once it has asked them to end, looks only seconds later.
-// SIGCHLD wakes it and is harmless to other programs.
+// Wakes a launcher whose programs have all ended: after mpirun has requested their end, it looks again only seconds
+// later. SIGCHLD wakes it and is harmless to other programs.
 void wake_launcher_without_children(pid_t launcher) {
   const std::string folder = "/proc/" + std::to_string(launcher);
   std::ifstream children(folder + "/task/" + std::to_string(launcher) + "/children");
@@ -119,7 +119,7 @@ void send_all(const std::vector<pid_t>& pids, int signal) {
   for (pid_t pid : pids) kill(pid, signal);
 }
 
-// Asks for an orderly end; false when no descendant is `graceful`. Suspended ones are continued to take part in it.
+// Requests an orderly end; false when no descendant is `graceful`. Suspended descendants are continued, so that they can end.
 bool ask_gracefully(const std::string& graceful) {
   bool asked = false;
   send_all(descendants(true), SIGCONT);
@@ -192,7 +192,7 @@ ChildEnd run_child(const Command& command, const std::string& graceful, const st
       asked = Clock::now();
       if (ask_gracefully(graceful)) {
         deadline = asked + kGrace;
-        terminated = true;  // they have been asked; the next step is SIGKILL
+        terminated = true;  // the end was requested; the next step is SIGKILL
       } else {
         terminate();
       }

@@ -19,12 +19,12 @@ struct ChildEnd {
   int code = 0;              // exit code; 128 + signal when a signal ended it
   double cpu = 0.0;          // processor time of all its programs [s]
   bool crashed = false;      // ended by a fault of its own (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT)
-  bool interrupted = false;  // the user asked for the end (SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1)
+  bool interrupted = false;  // the user requested the end (SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1)
   std::string given_up;      // why run_child ended it, with a message code; empty: it did not
 };
 
 // Runs a command to its end. `tick` is called about five times per second; a text that it returns is the reason to end
-// the command now. A signal that asks for the end is forwarded as SIGINT to every descendant whose program is `graceful`
+// the command now. A signal that requests the end is forwarded as SIGINT to every descendant whose program is `graceful`
 // (it ends the others in order), or as SIGTERM to all when there is none. Descendants that remain some seconds later are
 // killed. Further signals are ignored (terminals and batch systems send several at once), except for a SIGINT typed
 // again later, which kills at once. Returns when no descendant is left, ten seconds after the first signal at the
@@ -47,13 +47,13 @@ class SuspendedWatch {
 // Memory of all descendants now [bytes], without shared files and libraries.
 double memory_of_descendants();
 
-// True for the exit code of a program that ended because it was asked to, by itself or by the signal.
+// True for the exit code of a program that ended on request, by itself or by the signal.
 bool was_asked_to_end(int exit_code);
 
 // The part of run_child and run_pool that receives signals one by one.
 
-// While one of these lives, SIGCHLD and the signals that ask for the end (SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1)
-// are received by wait() instead of interrupting this program. They may be nested.
+// While an object of this class exists, SIGCHLD and the signals that request the end (SIGINT, SIGTERM, SIGHUP,
+// SIGQUIT, SIGUSR1) are received by wait() instead of interrupting this program. They may be nested.
 class SignalsHeld {
  public:
   SignalsHeld();
@@ -62,7 +62,7 @@ class SignalsHeld {
   SignalsHeld& operator=(const SignalsHeld&) = delete;
 
   const sigset_t& held() const { return held_; }
-  // Waits for at most one tick (a fifth of a second). Returns the signal that asks for the end; 0: none.
+  // Waits for at most one tick (a fifth of a second). Returns the signal that requests the end; 0: none.
   int wait() const;
   // Ignores them from here on, including those that have come and were not received.
   void ignore() const;

@@ -17,9 +17,9 @@ inline constexpr MessageCode kNoSuchFile{"E0433", "no-such-file"};
 inline constexpr MessageCode kParameterOutOfRange{"E0434", "parameter-out-of-range"};
 // A file of an earlier run cannot be removed. Check the folder's permissions.
 inline constexpr MessageCode kFileNotRemoved{"E0435", "file-not-removed"};
-// A file that a run reads as it goes was changed. Leave it as it is until the run has ended.
+// A file that is read during a run has changed. Do not change it until the run has ended.
 inline constexpr MessageCode kFileChanged{"E0436", "file-changed"};
-// A file has more of something than its reader takes: unpacked bytes, parts within parts, included files. Make it smaller as the message says.
+// A file exceeds a limit of its reader: unpacked bytes, parts within parts, included files. Make it smaller as the message says.
 inline constexpr MessageCode kReadLimit{"E0437", "read-limit"};
 
 // A table cannot be opened. Check path and permissions.

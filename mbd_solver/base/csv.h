@@ -23,12 +23,12 @@ class CsvReader {
   // Goes to the next line that has cells; false at the end of the file. Throws InputError for a quote that is not closed, or
   // is followed by text.
   bool next();
-  // Of this line, without blanks around them; valid until the next line.
+  // The cells of this line, without blanks around them; valid until the next line.
   const std::vector<std::string_view>& cells() const { return cells_; }
   std::string text(std::size_t column) const { return std::string(cells_.at(column)); }
   // Throws InputError if the cell is not a finite number.
   double number(std::size_t column) const;
-  // Throws InputError unless the line has so many cells.
+  // Throws InputError unless the line has this many cells.
   void require_width(std::size_t cells) const;
 
   const std::string& path() const { return text_.name(); }

@@ -1,5 +1,5 @@
 #pragma once
-// What an FMU says of itself in its modelDescription.xml, and the lines in which its host tells that (mbd_solver/fmi).
+// The modelDescription.xml of an FMU, and the lines in which the host of FMUs (mbd_solver/fmi) reports it.
 
 #include <map>
 #include <string>
@@ -19,7 +19,7 @@ struct FmuVariable {
   std::string type;  // "Float64", "Int32", "Boolean", "Enumeration", "String", "Binary", "Clock" ...
   std::string causality, variability;
   std::string unit;
-  std::string start;  // one value, or those of an array with blanks between
+  std::string start;  // one value, or the values of an array with blanks between
   unsigned reference = 0;
   std::vector<Dimension> dimensions;  // none: no array
 
@@ -34,7 +34,7 @@ struct FmuDescription {
   std::string model;         // its name
   std::string identifier;    // of its library
   std::string token;         // instantiationToken or guid
-  bool keeps_state = false;  // its state can be told and given back as bytes
+  bool keeps_state = false;  // its state can be read and restored as bytes
   std::string obstacle;      // why it cannot run here: "platform ..." or "tool ..."; empty: it can
   std::vector<FmuVariable> variables;
 
@@ -48,14 +48,14 @@ struct FmuDescription {
 struct FmuElement {
   const FmuVariable* variable = nullptr;  // null: unknown
   long place = 0;                         // in the array, row by row
-  std::string problem;                    // what is wrong with the indices; empty: nothing
+  std::string problem;                    // the fault of the indices; empty: none
 };
 FmuElement find_element(const FmuDescription& description, const std::string& name, const FmuStarts& starts);
 
 std::string text_of(const FmuDescription& description);
 FmuDescription fmu_description_of(const std::string& text);
 
-// The program that reads and runs FMUs: beside this one, or in PATH; empty: not built.
+// The program that reads and runs FMUs: in the folder of this program, or in PATH; empty: not built.
 std::string fmu_host();
 
 }  // namespace footfall

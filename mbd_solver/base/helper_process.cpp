@@ -142,7 +142,7 @@ std::string HelperProcess::ask(const std::string& question, double limit) {
   if (to_ < 0) throw NoAnswer("has ended before");
   asked_ = wall_clock();
   patience_ = limit > 0.0 ? limit : limit_;
-  struct Ignored {  // a helper that is gone is told by its answer
+  struct Ignored {  // the missing answer shows that a helper is gone
     struct sigaction before;
     Ignored() {
       struct sigaction ignore = {};

@@ -1,8 +1,8 @@
 #pragma once
-// A program of its own that answers questions through a pair of pipes: code of the user that must not end this program.
+// A separate process that answers requests through a pair of pipes: code of the user that must not end this program.
 //
-// Each question and each answer is a frame on the helper's standard input and output: 8 bytes, the number of bytes that
-// follow (the machine's order of bytes), then these. Whatever else the helper has to say goes to its standard error. It
+// Each request and each answer is a frame on the helper's standard input and output: 8 bytes, the number of bytes that
+// follow (the machine's order of bytes), then these bytes. All other output of the helper goes to its standard error. It
 // should end when its input ends.
 
 #include <sys/types.h>
@@ -21,8 +21,8 @@ class ForeignError : public CodedError {
   using CodedError::CodedError;
 };
 
-// Why there is no answer, as the end of a sentence: "was ended by signal 11 (Segmentation fault)". What the helper wrote to
-// its standard error last is added.
+// Why there is no answer, as the end of a sentence: "was ended by signal 11 (Segmentation fault)". The last lines of the
+// helper's standard error are added.
 class NoAnswer : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -37,7 +37,7 @@ class HelperProcess {
   HelperProcess(const HelperProcess&) = delete;
   HelperProcess& operator=(const HelperProcess&) = delete;
 
-  // limit: for this answer [s]; 0: the one of all. Throws NoAnswer when the helper ends, does not answer within the limit, or
+  // limit: for this answer [s]; 0: the common limit. Throws NoAnswer when the helper ends, does not answer within the limit, or
   // sends something else; it is ended then.
   std::string ask(const std::string& question, double limit = 0.0);
   // For a helper that is written in C++.
@@ -49,14 +49,14 @@ class HelperProcess {
   std::string how_it_ended();
   bool has_ended_within(double time);  // [s]
   void end_group();
-  void take_errors();  // what stands in the pipe of its standard error
+  void take_errors();  // reads the pipe of its standard error
   void wait_for(int file, short events);
   void close_all();
 
   pid_t child_ = -1;
   int to_ = -1, from_ = -1, errors_ = -1;  // pipes
   double limit_;                           // for one answer [s]
-  double asked_ = 0.0, patience_ = 0.0;    // this answer: asked for at (wall clock), and its limit [s]
+  double asked_ = 0.0, patience_ = 0.0;    // this answer: time of the request (wall clock), and its limit [s]
   std::string last_words_;                 // of its standard error
 };
 

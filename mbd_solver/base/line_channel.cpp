@@ -1,4 +1,4 @@
-// Sockets are written to without SIGPIPE; what is not a socket is a pipe.
+// Sockets are written to without SIGPIPE; any other file is a pipe.
 
 #include "mbd_solver/base/line_channel.h"
 

@@ -17,7 +17,7 @@ class LineChannel {
   // ignores.
   bool send(const std::string& line);
   enum class Heard { kLine, kNothing, kGone };
-  // The next line, without its end; waits for at most so many milliseconds.
+  // The next line, without its end; waits for at most this many milliseconds.
   Heard receive(std::string& line, int patience);
 
  private:

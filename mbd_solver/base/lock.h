@@ -36,7 +36,7 @@ inline constexpr const char* kLockFile = ".footfall.lock";  // in a run's folder
 // the run itself is dead and only programs that it started are still ending.
 FileLock lock_folder(const std::string& folder);
 
-// Environment variable NAME=VALUE that tells a program that the `footfall` which started it holds this folder.
+// Environment variable NAME=VALUE: the `footfall` that started this program holds the lock of this folder.
 inline constexpr const char* kLockedFolder = "FOOTFALL_LOCKED_FOLDER";
 // The folder's full path, as the variable holds it.
 std::string locked_name(const std::string& folder);

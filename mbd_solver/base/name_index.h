@@ -1,6 +1,6 @@
 #pragma once
-// Finds entries of a list by name in constant time. The list may still change: what was found is verified, and the list is read
-// anew when a name is not where it was.
+// Finds entries of a list by name in constant time. The list may still change: every result is verified, and the list
+// is read anew when a name is no longer at its place.
 
 #include <cstddef>
 #include <optional>

@@ -36,7 +36,7 @@ bool is_decimal(char c) { return c >= '0' && c <= '9'; }
 bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == ',' || c == ';'; }
 
 #ifdef __SSE2__
-// Bit k tells of byte k.
+// Bit k is the test result for byte k.
 template <class Test>
 std::uint64_t mask_of(const char* bytes, Test test) {
   std::uint64_t mask = 0;
@@ -70,7 +70,7 @@ std::uint64_t mask_of(const char* bytes, char c) {
 std::uint64_t digits_of(const char* bytes) { return mask_of(bytes, is_decimal); }
 #endif
 
-// Of a block whose other bytes are known: mostly blanks and line ends.
+// The gaps in a block whose other bytes are known: mostly blanks and line ends.
 std::uint64_t gaps_of(const char* bytes, std::uint64_t others) {
   std::uint64_t gaps = mask_of(bytes, ' ') | mask_of(bytes, '\n');
   if ((gaps | others) != ~std::uint64_t{0})
@@ -188,7 +188,7 @@ bool NumberFile::judge(std::size_t begin, std::size_t count, double hole) {
   std::uint64_t words = 0;
   std::uint64_t gap = 1, minus = 0, digit = 0, lonely = 0, fraction = 0;  // of the byte before this block
   std::array<std::uint64_t, kMostWhole> whole{};                          // run, see below
-  // A chunk ends with one that is short, or empty: the line ends behind it end its last word.
+  // A short or empty chunk is the last one: the line ends behind it end its last word.
   for (std::size_t from = begin, left = kChunkBytes; left == kChunkBytes; from += kChunkBytes) {
     left = bytes_at(from, kChunkBytes, chunk.data());
     std::fill(chunk.begin() + static_cast<std::ptrdiff_t>(left), chunk.end(), '\n');

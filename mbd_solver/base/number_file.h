@@ -1,7 +1,7 @@
 #pragma once
-// A large file of numbers, such as a height map: judged once, in a few bytes per cycle, and read where it is needed.
-// Plain numbers are digits, at most 8 before at most one point, and a minus; gaps are blanks, line ends, commas and semicolons. All else is left
-// to a reader that can tell what is wrong.
+// A large file of numbers, such as a height map: validated once, in a few bytes per cycle, and read where it is needed.
+// Plain numbers are digits, at most 8 before at most one point, and a minus; gaps are blanks, line ends, commas and
+// semicolons. A reader with complete messages reads all other texts.
 
 #include <cstdint>
 #include <memory>

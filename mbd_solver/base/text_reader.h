@@ -40,12 +40,12 @@ class TextReader {
  public:
   enum class Ends { kAny, kNewline };  // lines end in CR, LF or both; in LF alone, as LIGGGHTS reads its scripts
 
-  // Throws InputError "PATH: cannot be read; expected EXPECTED". `code`: of this and of what `number`, `whole` and `fail` report.
+  // Throws InputError "PATH: cannot be read; expected EXPECTED". `code`: for this and for errors of `number`, `whole`, `fail`.
   TextReader(const std::string& path, const MessageCode& code, const std::string& expected,
              std::uint64_t largest = kLargestFile, Ends ends = Ends::kAny);
-  // A text that has been read; `name` stands for the path.
+  // A text that has been read; `name` replaces the path in messages.
   TextReader(std::string text, std::string name, const MessageCode& code);
-  // Without lines where there is no regular file; opened() tells.
+  // Without lines if there is no regular file; see opened().
   static TextReader if_there(const std::string& path, Ends ends = Ends::kAny);
   // The last line with text among the last few thousand bytes of a file, without blanks at its ends; "" if there is none.
   static std::string last_line_of(const std::string& path);
@@ -59,7 +59,7 @@ class TextReader {
   const std::string& line() const { return line_; }        // without its end
   const char* ending() const { return ending_; }           // "\n", "\r", "\r\n"; "" at the end of the file
   int number_of_line() const { return number_ - again_; }  // counted from 1
-  // Of a text that has been read, and of its next line [bytes].
+  // The size of a text that has been read, and the position of its next line [bytes].
   std::size_t bytes() const { return buffer_.size(); }
   std::size_t position() const { return at_; }
 

@@ -9,10 +9,10 @@
 
 namespace footfall {
 
-// The score x b of a logistic curve is log(level / (1 - level)) on the boundary. Terms of second degree are in it only where
+// The score x b of a logistic curve is log(level / (1 - level)) on the boundary. Terms of second degree are included only if
 // they lower the information criterion of Schwarz, -2 log L + terms log n: otherwise a fit to one boundary may bend back to
-// a second one. Nothing is said where there are no runs: outside their convex hull, and of curves whose two sides are not
-// borne out by runs near them.
+// a second one. No boundary is reported where there are no runs: outside their convex hull, and for curves that nearby runs
+// on both sides do not support.
 class Boundary {
  public:
   using Point = std::array<double, 2>;  // x, y; of one number y = 0
@@ -24,7 +24,7 @@ class Boundary {
     bool along_x = false;
   };
   std::vector<Crossing> crossings() const;
-  // Of the line through the median of x, else of y, else the nearest ones to them that have a crossing; of one number all.
+  // Crossings of the line through the median of x, else of y, else of the nearest lines that have a crossing; of one number all.
   std::vector<Crossing> middle() const;
   bool in_band(double x, double y) const;          // within the runs, and the score is 0 within its deviation
   double agreement() const { return agreement_; }  // share of the runs on the right side
@@ -37,8 +37,8 @@ class Boundary {
   Eigen::VectorXd terms(double x, double y) const;
   double score(double x, double y) const;  // 0 on the boundary
   bool sampled(double x, double y) const;  // within the convex hull of the runs
-  // Of the nearest runs that straight lines reach without another crossing, some on the one side have the outcome, and some
-  // on the other side lack it.
+  // True if, among the nearest runs that straight lines reach without another crossing, some on the one side have the
+  // outcome, and some on the other side lack it.
   bool borne_out(double x, double y) const;
   std::vector<Crossing> along(int axis, double other) const;
 

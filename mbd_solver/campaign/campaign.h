@@ -1,7 +1,7 @@
 #pragma once
 // A campaign: a sweep file with drawn runs. Every case has the same draws, so that cases differ by themselves alone. A row
 // is one run: number = draw * cases + case. Finished rows are lines of rows.journal; a campaign that was ended in any way
-// goes on from them, and repeats rows whose program was ended from outside.
+// continues from them, and repeats rows whose program was ended from outside.
 
 #include <map>
 #include <string>
@@ -23,14 +23,14 @@ struct CampaignRow {
   std::vector<int> outcomes;    // as SweepSpec::outcomes; -1: unknown
 
   bool is_done() const { return code >= 0; }
-  // Its program was ended by a signal, was asked to end, or gave no answer: no result of the run, which the same command repeats.
+  // Its program was ended by a signal or on request, or gave no answer: no result of the run, which the same command repeats.
   bool is_lost() const;
 };
 
 class Campaign {
  public:
   Campaign(const SweepSpec& spec, bool short_form);
-  // Of draws at these points, of rare events.
+  // A campaign with draws at these points, for rare events.
   Campaign(const SweepSpec& spec, bool short_form, std::vector<std::vector<double>> points);
 
   const SweepSpec& spec() const { return spec_; }
@@ -40,9 +40,9 @@ class Campaign {
   std::string case_name(std::size_t c) const;        // "all" for the only one
   std::size_t draw_of(std::size_t row) const { return row / cases(); }
   std::size_t case_of(std::size_t row) const { return row % cases(); }
-  // What the row runs, with more settings; throws InputError or NumericalError when formulas have no value.
+  // The run of a row, with more settings; throws InputError or NumericalError when formulas have no value.
   RunRequest request(std::size_t row, const std::vector<std::string>& more = {}) const;
-  // The first draw of a case whose scene can be read. Throws what is wrong with the first draw where none of the first fifty can.
+  // The first draw of a case whose scene can be read. If none of the first fifty can be read, throws the error of the first draw.
   std::pair<RunRequest, Scene> first_valid(std::size_t c) const;
   std::string name(std::size_t row) const;  // of its folder: row_000012
 
@@ -55,15 +55,15 @@ class Campaign {
   // The value of a drawn parameter in formulas and tables: a draw's; of a choice that is no number its place.
   double drawn_number(std::size_t draw, std::size_t place) const;
 
-  // Of an outcome over the rows that the results are of. Rows without result, or without a number that the outcome requires,
-  // do not tell.
+  // Counts of an outcome over the rows with results. Rows without result, or without a number that the outcome requires,
+  // are unknown.
   const Tally& tally(std::size_t which_case, std::size_t outcome) const { return tallies_[which_case][outcome]; }
 
-  // The draws that the results are of: all, or as many as until_width required. Rows before them are done.
+  // The draws of the results: all, or as many as until_width required. Rows before them are done.
   std::size_t used() const { return used_; }
   bool stopped_early() const { return stopped_; }
 
-  // Of the inputs of all rows: a journal with another one is of another campaign.
+  // Fingerprint of the inputs of all rows: a journal with another recipe belongs to another campaign.
   std::string recipe() const;
 
  private:
@@ -76,7 +76,7 @@ class Campaign {
   Draws draws_;
   std::vector<CampaignRow> rows_;
   std::size_t used_ = 0;                     // draws, from the first, all of whose rows are done
-  bool stopped_ = false;                     // the intervals are as narrow as asked for
+  bool stopped_ = false;                     // the intervals are as narrow as required
   std::vector<std::vector<Tally>> tallies_;  // of those, by case and outcome
 };
 
@@ -90,13 +90,13 @@ struct RepeatedRun {
 // With a metric and an outcome, "missed", for each of the [[requirements]] of the scenes.
 SweepSpec with_requirements(SweepSpec spec, bool short_form);
 
-// Rows that the results are of, and that have no result, or a figure that is no number.
+// Rows of the results without a result, or with a metric that is not a number.
 std::size_t rows_without_number(const Campaign& campaign);
 
 // Rows worth looking at, at most `most`: without result, with an outcome, or with the least or largest value of a metric.
 std::vector<RepeatedRun> rows_to_keep(const Campaign& campaign, std::size_t most);
 
-// Before any run: how many runs the statements of the file need, and what its runs can show. Returns the exit code.
+// Before any run: how many runs the statements of the file need, and what the runs can show. Returns the exit code.
 int check_campaign(const std::string& file);
 
 // Runs, and writes the results into the folder. As sweep_command.

@@ -128,7 +128,7 @@ std::set<std::size_t> read_journals(const std::string& folder, const std::string
   return lost;
 }
 
-// What the line of progress says: of the first outcome in the first cases.
+// The line of progress: the first outcome in the first cases.
 std::string progress_text(const Campaign& campaign, std::size_t done, std::size_t all, double started,
                           std::size_t before) {
   std::string text = std::to_string(done) + " of " + std::to_string(all) + " runs";
@@ -197,7 +197,7 @@ class CampaignRun {
     return whole;
   }
 
-  // Repeats rows with all their files; the metrics must be those of the table. False when interrupted.
+  // Repeats rows with all their files; the metrics must equal the table. False when interrupted.
   bool repeat(std::vector<RepeatedRun>& runs, const std::string& where) {
     RunStore store((fs::path(folder_) / where).string(), true);
     std::vector<std::size_t> numbers;
@@ -306,7 +306,7 @@ class CampaignRun {
       for (std::size_t k = 0; k < rows.size(); ++k) {
         const RunEnd end = store.end_of(numbers[k]);
         CampaignRow r{end.code, end.message, {}, {}};
-        // Its time limit kills a run that does not end when it is asked to.
+        // The time limit kills a run that does not end on request.
         if (r.code == 128 + SIGKILL && campaign_.spec().time_limit > 0) r.code = RunEnd::kHung;
         if (end.code == kExitDone)
           r.metrics = metrics_of_run(campaign_.spec().metrics, end.folder, campaign_.spec().file);
@@ -565,7 +565,7 @@ int campaign_command(const SweepArguments& a) {
   } else if (!run.run(0, campaign.size(), "", recipe)) {
     return study_interrupted();
   }
-  // The table first: what follows takes time, and repeats nothing when it is ended.
+  // The table first: the next steps take time, and need no repetition of runs when they are interrupted.
   write_whole_file(output.path("runs.csv"), campaign_table(campaign).csv());
   std::vector<RepeatedRun> kept = rows_to_keep(campaign, static_cast<std::size_t>(campaign.spec().keep));
   if (!kept.empty() && !run.repeat(kept, "kept")) return study_interrupted();

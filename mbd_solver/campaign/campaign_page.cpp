@@ -28,7 +28,7 @@ std::string interval_text(const std::string& value, const Probability& p) {
 
 std::string share_with_interval(const Probability& p) { return interval_text(number_text(100.0 * p.value, 3), p); }
 
-// Runs that do not tell leave a range instead of a number.
+// Unknown runs give a range instead of a number.
 std::string share_with_interval(const Tally& tally) {
   const std::string least = number_text(100.0 * tally.least(), 3), most = number_text(100.0 * tally.most(), 3);
   return interval_text(tally.unknown > 0 ? least + " to " + most : least, tally.probability());
@@ -150,7 +150,7 @@ std::string quantile_text(const std::vector<double>& sorted, std::size_t unknown
          bound(high) + ")";
 }
 
-// Runs that do not tell count as if the outcome had happened.
+// Unknown runs count as if the outcome had happened.
 double bound_of(const Tally& tally) {
   return upper_bound(static_cast<double>(tally.hits + tally.unknown), static_cast<double>(tally.runs()));
 }
@@ -310,7 +310,7 @@ std::vector<std::string> statements(const Campaign& campaign) {
       const std::string who = campaign.cases() == 1 ? "" : " of case \"" + campaign.case_name(c) + "\"";
       std::string text = "\"" + spec.outcomes[k].name + "\" happened in " + std::to_string(tally.hits) + " of " +
                          std::to_string(tally.runs()) + " runs" + who;
-      if (tally.unknown > 0) text += ", and " + std::to_string(tally.unknown) + " runs do not tell";
+      if (tally.unknown > 0) text += ", and " + std::to_string(tally.unknown) + " runs are unknown";
       text += ". With 95 % confidence its probability is at most " + number_text(100.0 * bound_of(tally), 3) + " %.";
       if (const std::optional<double>& claim = spec.outcomes[k].at_most)
         text += " The statement that it is below " + number_text(100.0 * *claim, 3) + " % is " +
@@ -505,7 +505,7 @@ Table better_model_table(const Campaign& campaign, const std::vector<BetterModel
   return table;
 }
 
-// How far the metrics of the rows are from those of the same rows in the check.
+// Differences between the metrics of the rows and of the same rows in the check.
 Table better_metrics_table(const Campaign& campaign, const std::vector<BetterModelResult>& checks) {
   const SweepSpec& spec = campaign.spec();
   Table table({"case", "quantity", "median before", "median in the check", "median of the deviations [%]",
@@ -619,7 +619,7 @@ StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>
     if (!spec.outcomes.empty()) page.table(pair_table(campaign));
     page.table(paired_figures_table(campaign));
     page.paragraph(
-        "Only pairs that differ tell the cases apart. McNemar p: the chance of counts as unlike as those of \"only "
+        "Only pairs that differ distinguish the cases. McNemar p: the chance of counts as unlike as \"only "
         "first\" "
         "and \"only second\" if the cases were alike.");
   }

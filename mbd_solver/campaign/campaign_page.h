@@ -1,5 +1,5 @@
 #pragma once
-// What a campaign reports: the table of all rows, the page, and pictures drawn by one gnuplot process.
+// The report of a campaign: the table of all rows, the page, and pictures drawn by one gnuplot process.
 
 #include <string>
 #include <vector>
@@ -25,7 +25,7 @@ struct BetterModelResult {
 // Places of the rows of a case that have a result.
 std::vector<std::size_t> rows_of_case(const Campaign& campaign, std::size_t which_case);
 
-// Of the runs of a case that tell whether the outcome happened.
+// The boundary from the runs of a case with a known outcome.
 Boundary boundary_of(const Campaign& campaign, const EnvelopeSpec& envelope, std::size_t which_case);
 
 // The chance of an outcome for each of the rows, by a logistic curve in all drawn numbers.
@@ -36,7 +36,7 @@ Table campaign_table(const Campaign& campaign);
 StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>& kept,
                         const std::vector<BetterModelResult>& checks, const std::string& command,
                         const std::vector<std::string>& pictures);
-// Of a rare event, with all runs of the search.
+// The page of a rare event, with all runs of the search.
 StudyPage rare_page(const Campaign& campaign, const SubsetSearch& search, const std::string& command);
 // Every statement of [[outcomes]] is shown, in every case.
 bool statements_shown(const Campaign& campaign);

@@ -1,4 +1,4 @@
-// Functions of std::vector as those of OpenTURNS.
+// OpenTURNS with functions of std::vector.
 #include "mbd_solver/campaign/optimum.h"
 
 #include <Eigen/Core>
@@ -124,7 +124,7 @@ class Continued {
   double outside_ = 0.0;  // slope of the residuals outside, per range
 };
 
-// Runs f; OpenTURNS and NLopt forget what was thrown.
+// Runs f; OpenTURNS and NLopt lose exceptions.
 template <class F>
 auto noting(std::exception_ptr& thrown, const F& f) {
   try {

@@ -19,8 +19,8 @@ struct OptimumTask {
 std::vector<double> minimum(const char* method, const OptimumTask& task,
                             const std::function<double(const std::vector<double>&)>& value);
 
-// The minimum of |r|^2 by the method of Levenberg and Marquardt (that of MINPACK, by Eigen), with derivatives by central differences whose
-// points are asked for together. Points without residuals (empty) count as very bad ones.
+// The minimum of |r|^2 by the method of Levenberg and Marquardt (as in MINPACK, by Eigen), with derivatives by
+// central differences whose points are requested together. Points without residuals (empty) count as very bad.
 using Residuals = std::function<std::vector<std::vector<double>>(const std::vector<std::vector<double>>& points)>;
 std::vector<double> least_squares(const OptimumTask& task, const Residuals& residuals);
 

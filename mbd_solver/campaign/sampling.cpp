@@ -217,7 +217,7 @@ Draws::Draws(const SweepSpec& spec, const std::vector<std::vector<double>>* poin
   draw_whole_rows(spec);
 }
 
-// The first parameter of a file says which row it is; the positions of all are those of their own values.
+// The first parameter of a file determines the row; the position of each parameter is the position of its own value.
 void Draws::draw_whole_rows(const SweepSpec& spec) {
   std::map<std::string, std::size_t> first;  // by file
   const std::vector<std::vector<double>> drawn = units_;
@@ -299,9 +299,9 @@ Chaos chaos_of(const OT::Sample& x, const OT::Sample& y) {
   return chaos;
 }
 
-// The terms are orthonormal: V = sum of c^2 over all terms but the constant; that of input k alone over the terms that have
-// no other, its total over those that have it [Sudret 2008]. OT::FunctionalChaosSobolIndices takes the first term for the
-// constant, which the selection leaves out where the mean is about 0.
+// The terms are orthonormal: V = sum of c^2 over all terms but the constant. For input k alone the sum is over terms
+// without other inputs, in total over all terms with k [Sudret 2008]. OT::FunctionalChaosSobolIndices takes the first
+// term for the constant, which the selection leaves out where the mean is about 0.
 void add_indices(const Chaos& chaos, std::size_t width, Sensitivity& s) {
   double variance = 0.0;
   s.first.assign(width, 0.0);
@@ -345,8 +345,8 @@ Eigen::MatrixXd terms_at(const Chaos& chaos, const std::vector<std::vector<doubl
   return a;
 }
 
-// S = sum of c_j^2 over the terms of an input, over that of all: dS/dc_j = 2 c_j ([j is of the input] - S) / V. The covariance
-// of the coefficients is that of White with residuals r / (1 - h) (HC3), h the leverage of a run.
+// S = sum of c_j^2 over the terms of an input / sum over all terms: dS/dc_j = 2 c_j ([j is of the input] - S) / V.
+// The covariance of the coefficients is White's with residuals r / (1 - h) (HC3), h the leverage of a run.
 void add_intervals(const Chaos& chaos, const std::vector<std::vector<double>>& x, const std::vector<double>& y,
                    Sensitivity& s) {
   const Eigen::MatrixXd a = terms_at(chaos, x);
@@ -357,7 +357,7 @@ void add_intervals(const Chaos& chaos, const std::vector<std::vector<double>>& x
   const Eigen::MatrixXd weighted = (a * inverse).array().colwise() * residual;
   const double variance = std::max(c.squaredNorm(), std::numeric_limits<double>::min());
   const double unknown = std::clamp(1.0 - s.explained, 0.0, 1.0);
-  // What the polynomial explains of its own runs and not of those held back is noise in its terms.
+  // Variance that the polynomial explains in its own runs but not in held-back runs is noise in its terms.
   const double own = 1.0 - (values - a * c).squaredNorm() / values.squaredNorm();
   const double noise = std::max(0.0, own - s.explained);
   const double deviations = two_sided_quantile(0.95, 0);
@@ -409,7 +409,7 @@ Sensitivity sobol_indices(const std::vector<std::vector<double>>& x, const std::
 Surface response_surface(const std::vector<std::vector<double>>& x, const std::vector<double>& y) {
   constexpr std::size_t kFew = 3;  // points
   constexpr double kSmoothness = 2.5, kLengths[] = {0.7, 3.0};
-  constexpr double kNoises[] = {1e-8, 1e-4, 1e-2, 1.0};  // variance, over that of the function
+  constexpr double kNoises[] = {1e-8, 1e-4, 1e-2, 1.0};  // variance, over the variance of the function
   const auto [least, most] = std::minmax_element(y.begin(), y.end());
   if (y.size() < kFew || x.front().empty() || !(*least < *most)) {
     const double mean = std::accumulate(y.begin(), y.end(), 0.0) / static_cast<double>(y.size());

@@ -1,5 +1,5 @@
 #pragma once
-// What OpenTURNS does for campaigns and calibrations: designs, distributions, quantiles, sensitivities, response surfaces.
+// OpenTURNS for campaigns and calibrations: designs, distributions, quantiles, sensitivities, response surfaces.
 // sampling.cpp includes it, and optimum.cpp for minima.
 
 #include <cstddef>
@@ -19,7 +19,7 @@ class Draws {
  public:
   // Throws InputError when the correlations contradict each other.
   explicit Draws(const SweepSpec& spec);
-  // Of these points of the unit cube, before correlations, instead of the design.
+  // Draws at these points of the unit cube, before correlations, instead of the design.
   Draws(const SweepSpec& spec, std::vector<std::vector<double>> points);
 
   std::size_t count() const { return values_.size(); }                                 // runs of a case
@@ -57,8 +57,8 @@ std::size_t tolerance_place(std::size_t count, double share);
 // Sobol' indices by polynomial chaos: share of the variance by each input alone, and with its interactions.
 struct Sensitivity {
   std::vector<double> first, total;
-  // Their 95 % intervals: of the coefficients by their scatter, with any share of the variance that the polynomial does not
-  // explain, or explains of its own runs only, as this may be anybody's.
+  // Their 95 % intervals: the scatter of the coefficients, plus the variance that the polynomial does not explain, or
+  // explains only in its own runs, because it may belong to any input.
   std::vector<std::pair<double, double>> first_interval, total_interval;
   double explained = 0.0;  // of the variance of a quarter of the runs that was held back (Q2); poor below 0.8
 };

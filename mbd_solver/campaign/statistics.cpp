@@ -267,7 +267,7 @@ TwoLevels two_levels(const std::vector<int>& cheap, const std::vector<GroupDraw>
   std::nth_element(factors.begin(), factors.begin() + static_cast<long>(factors.size() / 2), factors.end());
   const double middle = factors[factors.size() / 2];
   if (squares > members) variance += middle * middle;
-  // The scatter of the runs themselves is that of the better model: p (1 - p) / N.
+  // The better model determines the scatter of the runs themselves: p (1 - p) / N.
   const double p = std::clamp(share + result.correction, 0.0, 1.0);
   const double scatter = std::max(p * (1.0 - p), 0.25 / all) / all + variance;
   const double trials = std::max(p * (1.0 - p), 0.25 / all) / scatter;

@@ -8,8 +8,8 @@
 
 namespace footfall {
 
-// The value below which `share` of the values are; the mean of two where the share ends between them, as the median of an
-// even number does. 0 of none.
+// Sample quantile: `share` of the values are below it; the mean of two values where the share ends between them, as the
+// median of an even number. 0 if empty.
 double quantile(std::vector<double> values, double share);
 
 // A probability with its 95 % interval.
@@ -17,33 +17,33 @@ struct Probability {
   double value = 0.0, low = 0.0, high = 1.0;
   double width() const { return high - low; }
 };
-// Of independent trials; they may be an effective, broken number. Clopper and Pearson 1934: the bounds p with
-// P(X >= hits | low) = P(X <= hits | high) = 0.025, which hold in at least 95 % of all campaigns whatever p is.
+// The interval for independent trials; they may be an effective, fractional number. Clopper and Pearson 1934: the bounds
+// p with P(X >= hits | low) = P(X <= hits | high) = 0.025, which hold in at least 95 % of all campaigns whatever p is.
 Probability clopper_pearson(double hits, double trials);
 
 // With 95 % confidence the probability is at most this: P(X <= hits | bound) = 0.05.
 double upper_bound(double hits, double trials);
-// The fewest runs, with so many hits among them, whose upper bound is at most p; and the most hits that so many runs may
+// The fewest runs, with this many hits among them, whose upper bound is at most p; and the most hits that this many runs may
 // have, -1: too few runs. p: 0 to 1 without the ends.
 long runs_for(double p, long hits);
 long hits_allowed(double p, long runs);
 
 inline constexpr double kToleranceShare = 0.95;  // share of the runs within a tolerance limit
 
-// How often something happened in independent runs, some of which do not tell.
+// How often an outcome happened in independent runs, some of them unknown.
 struct Tally {
   long hits = 0, misses = 0, unknown = 0;
 
   void add(int outcome);  // 1, 0, or -1: unknown
   long runs() const { return hits + misses + unknown; }
-  // Shares of the runs if it happened in none, and in all, of those that do not tell; 0 and 1 without runs.
+  // Shares of the runs if it happened in none, and in all, of the unknown runs; 0 and 1 without runs.
   double least() const;
   double most() const;
-  // From the lower bound of the one to the upper bound of the other; value: the share of the runs that tell.
+  // From the lower bound of `least` to the upper bound of `most`; value: the share of the known runs.
   Probability probability() const;
 };
 
-// The interval of a share of the runs that tell, for all of them: `unknown` more may have any outcome.
+// The interval of a share of the known runs, extended to all runs: `unknown` more may have any outcome.
 Probability with_unknown(const Probability& p, long known, long unknown);
 
 // The same runs of two cases: where the outcome happened.
@@ -52,11 +52,11 @@ struct PairTally {
 
   void add(int first, int second);  // 1, 0, or -1: unknown
   long runs() const { return both + first_only + second_only + neither + unknown; }
-  // Probability of the second case less that of the first: (c - b) / n, with the interval of Bonett and Price (J. Educ. Behav.
-  // Stat. 37, 2012), that of the normal distribution with one more run in either of b and c. Pairs that do not tell count
+  // Probability of the second case minus probability of the first: (c - b) / n, with the interval of Bonett and Price
+  // (J. Educ. Behav. Stat. 37, 2012): the normal interval with one more run in either of b and c. Unknown pairs count
   // as c, and as b.
   Probability difference() const;
-  // McNemar's exact test, of the pairs that tell: the chance of counts as unlike as b and c if both were alike.
+  // McNemar's exact test, over the known pairs: the chance of counts as unlike as b and c if both were alike.
   double chance() const;
 };
 
@@ -73,12 +73,12 @@ struct Logistic {
 // A row of x for each y, which is 0 or 1; the first column of x is 1.
 Logistic fit_logistic(const Eigen::MatrixXd& x, const Eigen::VectorXd& y);
 
-// Of the distribution of an input.
+// Moments of the distribution of an input.
 struct Moments {
   double mean = 0.0, deviation = 1.0;
 };
-// How the mean of y moves with means and deviations of independent inputs: of all densities with another mean (or deviation)
-// of one input, and the same deviation (or mean), that with the least Kullback-Leibler distance from the present one is taken
+// Sensitivity of the mean of y to means and deviations of independent inputs. Among all densities with another mean (or
+// deviation) of one input, and the same deviation (or mean), the one nearest to the present one by Kullback-Leibler is used
 // [Lemaitre and others, J. Stat. Comput. Simul. 85, 2015]. For a small change the derivatives are coefficients of the linear
 // regression of y over z_k and z_k^2, z_k = (x_k - mean) / deviation: dE/dmean = b_k / deviation, dE/dlog(deviation) = 2 c_k.
 // No runs are added; intervals of 95 % by the covariance of White (HC3), for 40 events or more.
@@ -94,7 +94,7 @@ MomentSlopes moment_slopes(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, c
 // runs are dealt into as many groups, and one of each is drawn with a probability in proportion to its weight.
 struct GroupDraw {
   std::size_t run = 0;   // its place
-  double factor = 0.0;   // of its correction: weight of the group over that of the run, over all runs
+  double factor = 0.0;   // of its correction: weight of the group over weight of the run, over all runs
   double group = 0.0;    // share of the weights of its group
   double members = 0.0;  // of its group
 };
@@ -103,7 +103,7 @@ std::vector<GroupDraw> draw_by_groups(const std::vector<double>& weights, int co
 struct TwoLevels {
   Probability cheap, corrected;  // by the model of all runs; with the correction
   double correction = 0.0;
-  int missed = 0, false_alarms = 0;  // of the checked runs: the cheap model says no and the better one yes, and reverse
+  int missed = 0, false_alarms = 0;  // checked runs: outcome in the better model only; in the cheap model only
 };
 // cheap: 0 or 1 for every run; better: likewise for every checked run, or -1 where it is unknown. The interval holds in 95 %
 // of campaigns wherever the two models differ if every weight is at least BetterModelSpec::kFar of their mean.

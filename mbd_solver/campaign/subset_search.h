@@ -14,15 +14,15 @@ struct RareProbability {
   bool reached = false;                       // the threshold, with the runs that were allowed
 };
 
-// Runs above a level are continued by Markov chains in standard normal numbers, u' = r u + sqrt(1 - r^2) n, which are refused
-// where g is not above the level [Papaioannou and others, Prob. Eng. Mech. 41, 2015]. Ask for points, give their numbers,
-// and so on until there are none. The same seed and numbers give the same points.
+// Runs above a level are continued by Markov chains in standard normal numbers, u' = r u + sqrt(1 - r^2) n, which are
+// refused where g is not above the level [Papaioannou and others, Prob. Eng. Mech. 41, 2015]. Request points and give
+// their numbers and so on until there are none. The same seed and numbers give the same points.
 class SubsetSearch {
  public:
   // runs: at most, of at least 50.
   SubsetSearch(std::size_t inputs, int runs, double threshold, std::uint64_t seed);
 
-  // Of the unit cube. `values`: g at the points before; empty at first. No number counts as one above all levels.
+  // The next points of the unit cube. `values`: g at the points before; empty at first. NaN counts as above all levels.
   std::vector<std::vector<double>> next(const std::vector<double>& values);
 
   struct Level {

@@ -61,7 +61,7 @@ void WorkerPool::begin(Worker& worker) {
     ::close(to[0]), ::close(to[1]);
     throw InputError(code::kNoWorker, "no pipe can be made for a worker: too many open files");
   }
-  // The log is appended to, so that it can be emptied between runs. What a task may do is decided by its flag `trusted`.
+  // The log is appended to, so that it can be emptied between runs. The flag `trusted` of a task decides its rights.
   const Command command{Rights::of_user(), {program, "--serve"}, {}, log};
   worker.process = start_program(command, {{to[0], STDIN_FILENO}, {from[1], STDOUT_FILENO}}, Orphan::kIsKilled);
   ::close(to[0]), ::close(from[1]);
@@ -81,7 +81,7 @@ void WorkerPool::start(const WorkerTask& task) {
   const auto found = std::find_if(workers_.begin(), workers_.end(), [](const Worker& w) { return !w.works; });
   FOOTFALL_DEMAND(found != workers_.end());
   Worker& worker = *found;
-  // Files of the run before must not be taken for those of one that fails.
+  // If a run fails, files of the run before must not count as its results.
   for (const char* file : {"summary.json", "history.csv", "peaks.csv"}) ::unlink((worker.folder + "/" + file).c_str());
   if (::truncate((worker.folder + ".log").c_str(), 0) != 0) errno = 0;  // there is none yet
   if (worker.process < 0) begin(worker);
@@ -92,7 +92,7 @@ void WorkerPool::start(const WorkerTask& task) {
       {"out", worker.folder},
       {"trusted",
        task.trusted}}.dump();
-  worker.lines.send(line);  // it may be gone: wait() says so
+  worker.lines.send(line);  // it may be gone: wait() reports it
   worker.works = true;
   worker.run = task.run;
   worker.started = wall_clock();

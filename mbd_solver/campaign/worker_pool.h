@@ -42,7 +42,7 @@ class WorkerPool {
   void start(const WorkerTask& task);
   // Waits up to a fifth of a second for the end of a run.
   std::optional<WorkerAnswer> wait();
-  bool interrupted() const { return interrupted_; }  // a signal asks for the end
+  bool interrupted() const { return interrupted_; }  // a signal requests the end
 
  private:
   struct Worker {

@@ -107,7 +107,7 @@ double BodyWindow::pending_work(const BodyMotion& computed) const {
   return scheme_.pending_work({load_, before_, ratio}, predicted_.path(), computed);
 }
 
-// By the mean of this window and that of the window before, extrapolated to its end.
+// By the means of this window and of the window before, extrapolated to its end.
 double BodyWindow::pending_modal_work(const BodyMotion& computed) const {
   if (computed.mode_count() == 0) return 0.0;
   const double ratio = n_before_ > 0 ? static_cast<double>(n_) / n_before_ : 0.0, share = ratio / (1.0 + ratio);

@@ -17,12 +17,12 @@ namespace footfall {
 // A mode of angular frequency Omega turns by Omega H = theta within a window. On a straight path at its present rate da
 // its mean position is wrong by more than its amplitude, and the contacts' reaction creates energy, per window
 //   |lambda|^2 = 1 + kappa (1 - cos theta - theta/2 sin theta),  kappa = contact stiffness / stiffness of the mode.
-// A path whose MEAN is that of the free vibration about a_s, the equilibrium under the present loads,
+// A path whose MEAN equals the mean of the free vibration about a_s, the equilibrium under the present loads,
 //   a_s     = a + dda / Omega^2
 //   da_path = 2/H [(a_s - a)(1 - sin theta / theta) + da (1 - cos theta) / (Omega theta)]
 // does no work to first order in kappa for any theta. It replaces da with weight theta^4 / (1 + theta^4) and reduces
-// dda by the same weight: slow modes keep the path of their scheme. The least damping (0.001) exceeds what remains.
-// theory 7.5.
+// dda by the same weight: slow modes keep the path of their scheme. The least damping (0.001) exceeds the remaining
+// effect. theory 7.5.
 //
 // motion: the state at the window's start, its da and dda are replaced; before: the same before any other change;
 // stiffness: Omega^2 of each mode [1/s2]; H [s].
@@ -59,13 +59,13 @@ class BodyWindow {
   // before it, empty when a run starts.
   BodyWindow(const Scheme& scheme, const Body& body, const BodyMotion& initial, const BodyLoad& last = BodyLoad());
 
-  // A window of n DEM steps of dt [s] begins at the state `motion`; its rates become those of the path that is sent to
-  // the grains: of the scheme, then of fast modes. closing, known: of BoundaryPath::begin_window.
+  // A window of n DEM steps of dt [s] begins at the state `motion`; the rates of the path replace its rates, as they
+  // are sent to the grains: of the scheme, then of fast modes. closing, known: of BoundaryPath::begin_window.
   void begin(int n, double dt, BodyMotion& motion, int closing = 0, const KnownPath& known = KnownPath());
   // The grains' load of this window arrived: `applied` becomes the load on the body.
   void apply(const BodyLoad& load, ExternalLoad& applied);
 
-  // The work received [J] is that of the grains, because the motion was known to them: no work is left over.
+  // The work received [J] equals the work of the grains, because they knew the motion: no work is left over.
   bool is_known() const { return predicted_.is_known() && body_.mode_count() == 0; }
   double work() const { return load_.mean.work; }  // of the grains on the boundary [J]
 
@@ -73,7 +73,7 @@ class BodyWindow {
   double pending_work(const BodyMotion& computed) const;
   // The same of the modes, from the predicted to the computed modal coordinates.
   double pending_modal_work(const BodyMotion& computed) const;
-  // Impulse [N s] beyond that of the grains; none when the load does not react within the window.
+  // Impulse [N s] in addition to the grains' impulse; none when the load does not react within the window.
   std::optional<Eigen::Vector3d> surplus_impulse(const BodyMotion& computed) const;
 
   const PredictedPath& path() const { return predicted_.path(); }

@@ -239,7 +239,7 @@ void CoupledRun::choose_window() {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const Coupled& body = bodies_[k];
     const BodyLoad& load = partner_.load().bodies[k];
-    // Without carried gaps, which say nothing of this window.
+    // Without carried gaps, which belong to earlier windows.
     const Vector6d gap = body.window.path().gap(body.end) + body.window.path().left_open;
     WindowChoice::Body& measured = choice_bodies_[k];
     if (chooses_windows()) {

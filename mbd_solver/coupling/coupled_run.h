@@ -49,17 +49,17 @@ class CoupledRun {
              const Kinematics& start, double t_end, Transport& transport, const std::string& resume = "");
 
   // Sends the motion, waits for the load, writes it into inputs.loads (one per body of the model, sized by the caller).
-  // meanwhile: called after sending, before waiting for the load; it must not change inputs.loads.
-  // kinematics: with accelerations. stop: a known time at which something changes abruptly, where the window must end if
-  // it comes so far [s]. checkpoint_at: the checkpoint that is required at the window's end [s]. Returns the window's end [s]; the present time when the script has ended, as it may: script_has_ended(). Throws
-  // NumericalError for a load that is not finite, PartnerError.
+  // meanwhile: called after sending, before waiting for the load; must not change inputs.loads. kinematics: with accelerations.
+  // stop: a known time of an abrupt change, where the window must end if it comes so far [s]. checkpoint_at: the checkpoint
+  // required at the window's end [s]. Returns the window's end [s], or the present time when the script has ended
+  // (script_has_ended()). Throws NumericalError for a load that is not finite, PartnerError.
   double exchange(const State& state, const Kinematics& kinematics, double stop,
                   const std::function<CheckpointRequest(double t_end)>& checkpoint_at,
                   const std::function<void()>& meanwhile, Inputs& inputs);
   // Something has changed abruptly at the start of the next window: chosen windows begin with the shortest.
   void restart() { restarts_ = true; }
-  // An event has been found at the end of the last window; late: it was not foreseen. share: by which velocities change, of
-  // the largest, if it is that window late.
+  // An event has been found at the end of the last window; late: it was not foreseen. share: change of velocities over the
+  // largest velocity, if the event acts this window late.
   void tell_of_event(const std::string& event, double time, double share, bool late) {
     watch_->tell_of_event(event, {time, window_length(), motion_.n, motion_.last_window}, share, late);
   }
@@ -68,7 +68,7 @@ class CoupledRun {
   // The latest end of a window that starts at `time` [s].
   double longest_window_end(double time) const { return time + wanted_substeps() * agreement_.dt; }
   // The mechanism has reached the window's end in `state`. A body whose motion was known to the grains has received their
-  // work on its path; its prescribed motions have supplied the difference from that of the mean load.
+  // work on its path; its prescribed motions have supplied the difference from the work of the mean load.
   void settle_work(State& state) const;
   // The mechanism has reached the window's end. Throws NumericalError when the coupling creates energy or chatters
   // (CouplingWatch).

@@ -1,4 +1,4 @@
-// Keys of a box, or variables of the user's script that stand where the interval, the modulus and the time step are set.
+// Keys of a box, or variables of the user's script that set the interval, the modulus and the time step.
 
 #include "mbd_solver/coupling/coupling_advice.h"
 
@@ -18,7 +18,7 @@ struct ScriptNumber {
   double value = 0.0;
 };
 
-// That of the first command whose text matches; the pattern's first group is the name.
+// The number in the first command whose text matches; the pattern's first group is the name.
 ScriptNumber number_of(const ScriptText& script, const std::string& pattern) {
   const std::regex line(pattern);
   std::smatch match;

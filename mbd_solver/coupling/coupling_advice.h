@@ -1,5 +1,5 @@
 #pragma once
-// What the user of a scene can type against a coupling interval that is too long, or grains that are too soft.
+// Settings by which the user of a scene can correct a coupling interval that is too long, or grains that are too soft.
 
 #include <functional>
 #include <string>
@@ -16,7 +16,7 @@ struct CouplingAdvice {
   std::function<std::string(double f)> stiffer;
 };
 
-// scene: must outlive the advice, which reads the script only when it is asked.
+// scene: must outlive the advice, which reads the script only when advice is needed.
 CouplingAdvice coupling_advice(const Scene& scene, bool chooses_windows);
 
 }  // namespace footfall

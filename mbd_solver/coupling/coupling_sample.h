@@ -8,7 +8,7 @@
 
 namespace footfall {
 
-// What both programs agreed on before the first window: holds for the whole run.
+// Agreed between both programs before the first window: holds for the whole run.
 struct Agreement {
   double dt = 0.0;                 // DEM step [s]
   int substeps = 0;                // n of every window but the last; 0: `every auto`, chosen per window

@@ -1,6 +1,6 @@
-// Every window adds to the records of the bodies and of the interface. What ends or spoils a run is told at once; what the whole
-// run decides is told once for all bodies, with what to change. Ends the run where the coupling creates energy or chatters,
-// unless the scene allows it.
+// Every window adds to the records of the bodies and of the interface. Events that end or spoil a run are reported at
+// once; findings on the whole run are reported once for all bodies, with a remedy. Ends the run where the coupling
+// creates energy or chatters, unless the scene allows it.
 
 #include "mbd_solver/coupling/coupling_watch.h"
 
@@ -24,11 +24,11 @@ constexpr double kUnresolved = 0.1;     // of the impulse on a body
 constexpr double kWindowsPerTouch = 10.0;
 constexpr double kFloor = 1e-3;           // of the energy that a window's impulse can give
 constexpr double kUsualDensity = 2500.0;  // of a grain whose mass alone is known [kg/m3]
-constexpr double kFarAbove = 1.5;         // times the limit of omega H: told whatever the errors are
+constexpr double kFarAbove = 1.5;         // times the limit of omega H: reported whatever the errors are
 constexpr double kSeen = 0.01;            // error of energy or force that shows an interval as too long
 constexpr double kForceError = 0.05;      // of the largest force on a body
-// Of the DEM steps with kOfPeak of a peak: a window that shows it. Of a parabola with w such steps a mean over w / 2 leaves out
-// at most 3.3 %, wherever the window ends.
+// Share of the DEM steps with kOfPeak of a peak in a window that shows the peak. For a parabola with w such steps a
+// mean over w / 2 omits at most 3.3 %, wherever the window ends.
 constexpr double kOfPeakSteps = 0.5;
 constexpr double kOfPeaks = 0.2;            // of the window that hides a peak, by its neighbours: shows it
 constexpr double kForceThatMatters = 0.1;   // of the largest force on any body
@@ -220,13 +220,13 @@ void CouplingWatch::watch_energy(const Window& window, const Load& load, const s
   energy_.largest_kick = std::max(energy_.largest_kick, kick);
   const double scale = moved + kFloor * energy_.largest_kick;
   const double now = -(surplus + pending);
-  // What stands for two windows: of both the value nearer to zero.
+  // The part that persists over two windows: of both the value nearer to zero.
   const double gain = now * energy_.gain_before <= 0.0                ? 0.0
                       : std::abs(now) < std::abs(energy_.gain_before) ? now
                                                                       : energy_.gain_before;
   energy_.gain_before = now;
   if (scale > 0.0) energy_.error = std::max(energy_.error, std::abs(gain) / scale);
-  // Errors of energy are of second order or more in H; the advice aims at half of what is warned of.
+  // Errors of energy are of second order or more in H; the advice aims at half of the limit of the warning.
   const double share = std::clamp(
       std::sqrt(0.5 * kWarnGain * limits_.max_energy_residual * scale / std::max(std::abs(gain), 1e-300)), 0.1, 0.5);
   const auto energy = [&](double E) {
@@ -284,17 +284,17 @@ void CouplingWatch::add_surplus_impulse(std::size_t i, double time, const Eigen:
   record.surplus += surplus;
   record.given += given;
   largest_impulse_ = std::max(largest_impulse_, record.given);
-  // The beginning of a contact is not judged: one window of a landing says nothing about its sum.
+  // The beginning of a contact is not judged: one window of a landing does not determine its sum.
   if (warned_of_.surplus || ++surplus_windows_ < kSurplusWindows ||
       record.surplus.norm() <= kSurplus * largest_impulse_)
     return;
   warned_of_.surplus = true;
-  warn(with_code(code::kTangentImpulse,
-                 at(time) + "scheme tangent gave body " + record.name + " an impulse of " +
-                     number(record.surplus.norm()) + " N s beyond that of the grains, " +
-                     percent(record.surplus.norm() / largest_impulse_) +
-                     " of theirs: these grains yield; use coupling.scheme = \"css-trapezoid\" with a shorter coupling "
-                     "interval"));
+  warn(with_code(
+      code::kTangentImpulse,
+      at(time) + "scheme tangent gave body " + record.name + " an impulse of " + number(record.surplus.norm()) +
+          " N s in addition to the impulse of the grains, " + percent(record.surplus.norm() / largest_impulse_) +
+          " of the latter: these grains yield; use coupling.scheme = \"css-trapezoid\" with a shorter coupling "
+          "interval"));
 }
 
 void CouplingWatch::tell_of_event(const std::string& event, const Window& window, double share, bool late) {
@@ -339,14 +339,14 @@ void CouplingWatch::watch_grains(const Window& window, const Load& load, const s
                        " times the width of its facet, and with `surface facets` its contacts with several facets add "
                        "up: the force is about " +
                        number(0.9 + 0.4 * deepest_.patch) +
-                       " times that of one contact where the surface is curved in one direction, " +
+                       " times the force of one contact where the surface is curved in one direction, " +
                        number(1.4 + deepest_.patch * deepest_.patch / 3.0) +
                        " times where it is curved in both; remove `surface facets` from the script"));
   }
 }
 
-// What means over windows leave out of a peak of the force: of a parabola of curvature c, whose slope is s in the middle of
-// the window of the largest mean,
+// The part of a peak of the force that means over windows omit: of a parabola of curvature c, whose slope is s in the
+// middle of the window of the largest mean,
 //   c H^2 / 24 + s^2 / 2c,   |s| <= c H / 2
 // c is the smaller one of two estimates that overlap, so that a jump to a plateau is no peak: of the falls to both sides of
 // one window, or of the bends at two neighbours. sizes: of the last three windows, newest first; then one of `size`, H long.
@@ -400,7 +400,7 @@ void CouplingWatch::watch_peaks(Record& record, const Window& window, const Body
   const bool inner = load.peak.step > 1 && load.peak.step < window.n;
   if (peak.force > record.peak.force) record.peak = peak;
   if ((record.led || inner) && peak.force > record.inner_peak.force) record.inner_peak = peak;
-  const double error = std::min(body.force_error, record.error_before);  // that stands for two windows
+  const double error = std::min(body.force_error, record.error_before);  // the part that persists over two windows
   record.error_before = body.force_error;
   if (error > record.error) {
     record.error = error;
@@ -408,8 +408,8 @@ void CouplingWatch::watch_peaks(Record& record, const Window& window, const Body
   }
 }
 
-// Told where the errors of energy or force show it, and far above the limit in any case: a moderate omega H on contacts that are
-// damped, as grains are, costs nothing.
+// Reported if errors of energy or force confirm it, and far above the limit in any case: a moderate omega H on
+// contacts that are damped, as grains are, costs nothing.
 std::vector<CouplingWatch::Finding> CouplingWatch::long_intervals() const {
   OmegaHLimit limit = omega_h_limit_;
   std::vector<Finding> findings;
@@ -442,9 +442,9 @@ std::vector<CouplingWatch::Finding> CouplingWatch::unresolved_touches() const {
   return findings;
 }
 
-// The share of the largest force that means leave out, or that predictions miss. The path of a body that is led is known, and so
-// are its forces; on the predicted path of another they leave their mean towards the ends of a window, where only its neighbours
-// tell of a peak.
+// The share of the largest force that means omit, or that predictions miss. The path of a body that is led is known,
+// and so are its forces. On the predicted path of another body forces leave their mean towards the ends of a window,
+// where only neighbouring windows reveal a peak.
 std::vector<CouplingWatch::Finding> CouplingWatch::unresolved_forces() const {
   std::vector<Finding> findings;
   for (const Record& record : records_) {

@@ -16,12 +16,12 @@ namespace footfall {
 
 // The energy of the interface is compared with the energy that the contacts exchange, whatever the mechanism does:
 //   E = sum over bodies of the larger of
-//         range of (work received from the grains + work of gravity) so far: the energy exchanged, without what the
-//         weight of a body that swings on its contacts gives and takes back
+//         range of (work received from the grains + work of gravity) so far: the energy exchanged, without the work that the
+//         weight of a body that swings on its contacts does back and forth
 //         its largest 1/2 m0 v^2 so far: the energy available to contacts that begin
-//         + the largest energy of a grain at a contact: m (v^2/2 + g R) + k overlap^2/2, m reduced by that of the body
+//         + the largest energy of a grain at a contact: m (v^2/2 + g R) + k overlap^2/2, m reduced with the body's mass
 //     + kFloor J^2 / 2m, J = |F| H the largest impulse of a window: at rest everything else is round-off
-// The first step of a contact is not judged: a gain or loss counts when it stands at the ends of two windows in a row.
+// The first step of a contact is not judged: a gain or loss counts when it persists at the ends of two windows in a row.
 // m: the mass that the contacts meet (contact_mass.h). A body that is held or driven (m infinite) can neither receive
 // spurious energy nor chatter: it is left out, and omega H = 0.
 class CouplingWatch {
@@ -49,11 +49,11 @@ class CouplingWatch {
   CouplingWatch(const std::vector<std::string>& names, const CouplingSpec& limits, const Scheme& scheme,
                 CouplingAdvice advice);
 
-  // A window has ended: what the grains did (load) and the bodies received. Throws NumericalError, naming time and body,
-  // when the interface creates energy or a mean force chatters.
+  // A window has ended: the effect of the grains (load) and the loads of the bodies. Throws NumericalError, naming
+  // time and body, when the interface creates energy or a mean force chatters.
   void observe(const Window& window, const Load& load, const std::vector<Body>& bodies);
 
-  // Scheme `tangent`, per window: impulse that body i received beyond that of the grains, and the size of theirs [N s].
+  // Scheme `tangent`, per window: impulse that body i received in addition to the grains' impulse, and the latter's size [N s].
   void add_surplus_impulse(std::size_t i, double time, const Eigen::Vector3d& surplus, double given);
 
   // Loads of the window that ends have triggered an event in it, or at its end where it was foreseen (late = false). share: of
@@ -73,9 +73,9 @@ class CouplingWatch {
   double largest_omega_h(std::size_t i) const { return records_[i].largest_omega_h; }
   std::vector<double> omega_h() const;                                    // of the last window, per body [-]
   void warn(const std::string& text) { warnings_.push_back(text); }       // of the DEM side
-  const std::vector<std::string>& warnings() const { return warnings_; }  // told as they come
-  // What only the whole run so far can tell, one for each kind of trouble, with its worst body first: intervals that are too long
-  // for the contacts (omega H), rebounds and forces that they do not resolve, overlaps.
+  const std::vector<std::string>& warnings() const { return warnings_; }  // as they are reported
+  // Findings that depend on the whole run so far, one for each kind of trouble, with its worst body first: intervals
+  // that are too long for the contacts (omega H), rebounds and forces that they do not resolve, overlaps.
   std::vector<std::string> conclusions() const;
 
   // The largest force on one body, mean over a DEM step.
@@ -99,7 +99,7 @@ class CouplingWatch {
   };
   // Energy that the contacts of one body exchange.
   struct Work {
-    double sum = 0.0, largest = 0.0, smallest = 0.0;  // since the start, with that of gravity [J]
+    double sum = 0.0, largest = 0.0, smallest = 0.0;  // since the start, with gravity [J]
     double kinetic = 0.0;                             // largest [J]
     double surplus = 0.0;                             // work of the grains - work received, while it is not held [J]
     double grain = 0.0;                               // largest energy of a grain at a contact [J]
@@ -142,8 +142,8 @@ class CouplingWatch {
   void watch_chatter(Record& record, const Eigen::Vector3d& force, const Window& window, bool free);
   void watch_peaks(Record& record, const Window& window, const BodyLoad& load, const Body& body);
   double left_out_of_peak(const Eigen::Vector3d& sizes, double size, double H) const;  // [N]
-  // "use `every 3` or less": to windows of at most so many DEM steps, or to shorter DEM steps. Of several messages none advises
-  // longer windows than those before: advised.
+  // "use `every 3` or less": to windows of at most this many DEM steps, or to shorter DEM steps. No later message advises
+  // longer windows than an earlier one: advised.
   std::string shorter(double steps, int& advised) const;
   std::string shorter_than_now(double share) { return shorter(share * n_longest_, advised_); }
 

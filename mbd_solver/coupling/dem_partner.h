@@ -13,7 +13,7 @@
 
 namespace footfall {
 
-// What the scene requires of the LIGGGHTS script.
+// Requirements of the scene on the LIGGGHTS script.
 struct DemTerms {
   std::string scheme;                                 // a name that make_scheme knows
   double t_end = 0.0;                                 // [s]
@@ -23,7 +23,7 @@ struct DemTerms {
   int expected_n = 0;                                 // particles.variables.every; 0: not given
   int n_max = 1;                                      // longest window for `every auto`
   std::vector<std::string> held_by_walls;             // bodies that walls of the script stop ([[contacts]] with walls)
-  bool outflow = false;                               // grains are meant to leave the box
+  bool outflow = false;                               // grains may leave the box
   std::string resume;                                 // folder of the checkpoint to resume from; empty: a new run
 };
 
@@ -44,7 +44,7 @@ class DemPartner {
   // Planes and static meshes of the script at its first run.
   const std::vector<StaticWall>& walls() const { return start_.walls; }
 
-  // Of the script, for the user.
+  // Warnings of the script, for the user.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
   // One window: sends `motion` and returns the mean load of the grains. The reference is valid until the next call.
@@ -57,7 +57,7 @@ class DemPartner {
   // written without disturbing the run.
   bool wait_for_checkpoint(std::int64_t window);
 
-  // A request to end concerns the interrupted run only, not the one that resumes from its checkpoint.
+  // A request to end concerns the interrupted run only, not the run that resumes from its checkpoint.
   void visit(Archive& archive) {
     archive("load", load_);
     if (archive.restores()) load_.end_requested = false;

@@ -1,6 +1,6 @@
 #pragma once
-// Bodies whose motion the joints alone decide: prescribed motions, and what is fixed to them. Their path among the grains is
-// known before the grains move.
+// Bodies whose motion the joints alone decide: prescribed motions, and bodies fixed to them. Their path among the
+// grains is known before the grains move.
 
 #include <memory>
 #include <vector>
@@ -29,7 +29,7 @@ class KnownMotion {
   const Model& model_;
   std::vector<int> bodies_;
   std::unique_ptr<Equations>
-      equations_;            // of its own, so that those of the run keep their factors; null: nothing moves so
+      equations_;            // separate, so that the equations of the run retain their factors; null: no known motion
   std::vector<bool> known_;  // per body
   std::vector<KnownPath> paths_, none_;
 };

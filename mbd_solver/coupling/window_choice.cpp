@@ -95,7 +95,7 @@ void WindowChoice::observe(int n, const std::vector<Body>& bodies) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     force_scale_ = std::max(force_scale_, bodies[i].force.norm());
     history_[i].stiffness = std::max(bodies[i].stiffness, kForget * history_[i].stiffness);
-    // A body that has left the grains may meet them again as before; of one that is led nothing else tells how.
+    // A body that has left the grains may meet them again as before; for a body that is led no other value shows how.
     const double kept = bodies[i].stiffness > 0.0 && std::isfinite(bodies[i].mass) ? kForget : 1.0;
     history_[i].grain_omega2 = std::max(bodies[i].grain_omega2, kept * history_[i].grain_omega2);
     stiffest = std::max(stiffest, history_[i].stiffness);

@@ -36,11 +36,11 @@ double flight_time(const BodyMotion& motion, const ModalBoundary& boundary, cons
 //                       contacts, springs, motors, prescribed motions of other bodies;
 //                       omega H at most kAim of the limit that warnings have (OmegaHLimit), omega = sqrt(K / m);
 //                       omega_g H at most 0.8, omega_g = sqrt(k / m_g) of a contact with a grain of mass m_g: the mean
-//                       force of a window then shows the peak of that contact within 3 %. Between two contacts, and of
-//                       a body that is led, the largest counts on;
+//                       force of a window then shows the peak of that contact within 3 %. Between two contacts, and for
+//                       a body that is led, the largest value so far counts;
 //                       at most twice the last one, and at most max_substeps.
 // A body without contact: at most half of the time until its lowest point can meet a grain, so that windows shrink on
-// the way; among the grains, as for the stiffest contact that it has had, or, before its first, that any other has had;
+// the way; among the grains, as for the stiffest contact of this body so far, or, before its first, of any body;
 // single DEM steps before the first of all.
 
 class WindowChoice {

@@ -33,7 +33,7 @@ void add_joint(Joint joint, Model& out) {
 
 constexpr double kStartStep = 0.05;  // of a coordinate on its way to its start value [rad or m]
 
-// One more condition per given coordinate: from zero at t = 0 to its value at t = 1. Motions of the scene stand where they start.
+// One more condition per given coordinate: from zero at t = 0 to its value at t = 1. Motions of the scene remain at their start.
 Model model_on_the_way(const Model& model, const std::vector<StartCoordinate>& start) {
   Model out;
   for (int i = 0; i < model.body_count(); ++i) out.add_body(model.body(i), model.initial(i));
@@ -258,7 +258,7 @@ State initial_state(const Model& model, const Layout& layout) {
 // where its bodies start: dr += w x (r - r_drawn), without a change of its momentum.
 void move_velocities(const Model& model, const Layout& layout, const Eigen::VectorXd& drawn, State& state) {
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  // added [kg m/s]
-  double mass = 0.0;                                   // of what spins [kg]
+  double mass = 0.0;                                   // of the spinning parts [kg]
   const auto w = [&](std::size_t i) { return state.v.segment<3>(layout.body_v[i] + 3); };
   for (std::size_t i = 0; i < layout.body_q.size(); ++i) {
     if (w(i).isZero(0.0)) continue;

@@ -20,8 +20,8 @@ struct StartCoordinate {
   double value = 0.0;  // [rad or m]
 };
 
-// Moves the coordinates to their values in small steps, so that loops stay on their branch. The joints of `state` are closed
-// before and after. Throws InputError if they cannot be closed on the way.
+// Moves the coordinates to their values in small steps, so that loops remain on their branch. The joints of `state` are
+// closed before and after. Throws InputError if they cannot be closed.
 void move_to_start(const Model& model, const std::vector<StartCoordinate>& start, State& state);
 
 // The bodies and joints of a model, and of its forces the counters of turns.
@@ -66,7 +66,7 @@ struct AssemblyOptions {
   double speed_tolerance = 1e-6;  // largest change of a given velocity [m/s or rad/s] without a message
   double rank_tolerance = 1e-8;   // of the unit rows of Phi_v
   std::vector<StartCoordinate> start;
-  // Sets positions, velocities and inner states of the start that are known better than by the model; empty: nobody does.
+  // Sets positions, velocities and inner states of the start that the caller knows better than the model; empty: none.
   std::function<void(const Layout&, State&)> carry;
 };
 

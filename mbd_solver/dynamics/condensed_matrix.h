@@ -1,5 +1,5 @@
 #pragma once
-// A matrix without unknowns that act on each other within small blocks only, as the friction springs of many contact points:
+// A matrix without unknowns that act on each other within small blocks only, such as friction springs of contact points:
 //   [A B; C D] [x; z] = [f; g],   D = diag(D_1, D_2, ...)
 //   (A - sum_k B_k D_k^-1 C_k) x = f - sum_k B_k D_k^-1 g_k,   z_k = D_k^-1 (g_k - C_k x)
 // Points off the ground have B_k = C_k = 0 and cost no factorization. Without such blocks it is the matrix itself.
@@ -20,7 +20,7 @@ class CondensedMatrix {
  public:
   static constexpr int kLargestBlock = 3;
 
-  // `whole` must outlive this object; its pattern stays.
+  // `whole` must outlive this object; its pattern remains unchanged.
   CondensedMatrix(const Eigen::SparseMatrix<double>& whole, const std::vector<LocalUnknowns>& local);
   CondensedMatrix(const CondensedMatrix&) = delete;
   CondensedMatrix& operator=(const CondensedMatrix&) = delete;

@@ -31,8 +31,8 @@ int root(std::vector<int>& parent, int i) {
   return i;
 }
 
-// Solves R x = a column of R behind its first `rank` ones. Only the entries that are reached from those of the column are
-// visited, in the order of a back substitution.
+// Solves R x = a column of R behind its first `rank` columns. Visits only entries that are reached from the entries
+// of this column, in the order of a back substitution.
 class BackSubstitution {
  public:
   explicit BackSubstitution(const SparseMatrix& R) : R_(R), x_(Eigen::VectorXd::Zero(R.rows())) {}

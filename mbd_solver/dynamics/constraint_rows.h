@@ -48,7 +48,7 @@ class ConstraintRows {
  private:
   struct Factors;
   struct Combination;
-  // Of the current rows: computed once for each tolerance until the rows change.
+  // The factors of the current rows: computed once for each tolerance until the rows change.
   Factors& factors(double rank_tolerance);
   bool is_rotor(int row) const;
   std::vector<Combination> combinations(double rank_tolerance);
@@ -71,7 +71,7 @@ class ConstraintRows {
 // position: sum_i Y_ij phi''_i = 0. Multipliers along Y cause no motion, and contradictions between the rows (drift, round-off)
 // have no solution. Therefore k rows rest: their equation is
 //   F_lambda = phi'' - s^2 lambda           s^2: (Phi_v M^-1 Phi_v^T)_ii of the row, or the mean over its joint
-// instead of phi'' - eps lambda. They follow from the others, so that phi'' is their contradiction, and lambda that over s^2:
+// instead of phi'' - eps lambda. They follow from the others: phi'' is their contradiction, and lambda is phi'' over s^2:
 // round-off. The matrix does not grow. The choice of resting rows is a choice of basis and does not influence the motion as
 // long as the combinations in that basis, Y = 1 in their own row, are of moderate size. They are the solution of
 //   [M, Phi_v^T; Phi_v, -eps; -s^2 where a row rests] [x; y] = [0; -s^2 e]

@@ -17,7 +17,7 @@
 
 namespace footfall {
 
-// What Equations writes while it works: sized once, then reused.
+// Scratch data of Equations: sized once, then reused.
 struct Equations::Workspace {
   Workspace(const Model& model, const Layout& layout);
 
@@ -28,7 +28,7 @@ struct Equations::Workspace {
 
   Kinematics kinematics;
   ElementScratches scratch;
-  std::optional<ContinuousSignals> signals;  // a copy of those of the model
+  std::optional<ContinuousSignals> signals;  // a copy of the model's signals
   JacobianPattern pattern;
   Eigen::VectorXd own_diagonal;              // per velocity
   std::vector<InertiaScratch> inertia;       // per body
@@ -321,7 +321,7 @@ Vector6d Equations::joint_wrench(int index, double t, const Eigen::Ref<const Eig
 
 namespace {
 
-// Of a body's contribution to the diagonal: Newton takes one iteration in a hundred more.
+// Relative to a body's contribution to the diagonal: Newton takes one iteration in a hundred more.
 constexpr double kNegligible = 3e-3;
 
 void add_columns(const SparseBlock& block, double* values, const Eigen::Ref<const Eigen::MatrixXd>& X) {
@@ -535,7 +535,7 @@ namespace {
 constexpr double kDifference = 1e-6;  // step of differences, which only Newton's matrix uses [m, rad, m/s, rad/s, -]
 
 struct SignalValues {
-  std::vector<double> values, rates;  // of what an influence changes
+  std::vector<double> values, rates;  // of values that an influence changes
 };
 
 // The instant of a state, with one body changed.
@@ -630,9 +630,9 @@ void Equations::remember(const Inputs& inputs, State& state) {
   state.memory = Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
-// Central differences over each coordinate and velocity of the measured bodies, and over each state of the signals; only what
-// depends on it is evaluated. w.values and w.signal_rates are those of the loaded state, before and after. F_z contains minus
-// the rates, F_v minus the forces.
+// Central differences over each coordinate and velocity of the measured bodies, and over each state of the signals;
+// only values that depend on it are evaluated. w.values and w.signal_rates belong to the loaded state, before and
+// after. F_z contains minus the rates, F_v minus the forces.
 void Equations::add_signal_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y) {
   Workspace& w = *work_;
   ContinuousSignals& signals = *w.signals;

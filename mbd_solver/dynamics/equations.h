@@ -48,9 +48,9 @@ class Equations {
   // F(t, y, ydot).
   void residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& ydot,
                 const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> F);
-  // dF/dy + c dF/dydot with the rows F_q and the columns q eliminated by c dq = N dv + (dN v): square in [v; z; lambda],
-  // column-major, compressed, of constant pattern; values are rewritten in place. What it leaves of a right-hand side with
-  // F_q != 0 is in ReducedSystem.
+  // dF/dy + c dF/dydot with the rows F_q and the columns q eliminated by c dq = N dv + (dN v): square in [v; z;
+  // lambda], column-major, compressed, of constant pattern; values are rewritten in place. The remaining part of a
+  // right-hand side with F_q != 0 is in ReducedSystem.
   const Eigen::SparseMatrix<double>& reduced_jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                                       const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
                                                       const Inputs& inputs);
@@ -60,7 +60,7 @@ class Equations {
   const Eigen::VectorXd& own_diagonal() const;
   // Largest stiffness of a velocity's own position over its inertia in the last Jacobian, K_ii / (c own_i): (gamma h)^2 K / M.
   double largest_stiffness(double c) const;
-  // Per velocity, the share of that below which Newton may neglect an entry of its row (ThinLu).
+  // Per velocity, the share of own_diagonal() below which Newton may neglect an entry of its row (ThinLu).
   Eigen::VectorXd negligible_shares() const;
   // Inner states of elements with many, each of which acts on few others: unknowns of the reduced Jacobian.
   std::vector<LocalUnknowns> local_states() const;
@@ -101,7 +101,7 @@ class Equations {
   const BodyKinematics& motion(int body) const;
   // valid after load(), without continuous signals
   ElementInput element_input(int force, const State& state, const Inputs& inputs);
-  // What the force elements write while they are evaluated, and their memory since recall() or remember().
+  // Scratch data of force elements during an evaluation, and their memory since recall() or remember().
   ElementScratches& scratch();
   // Force and moment [N, N m] that joint `joint` exerts on its body 2, about the point of marker 2, in W.
   // After load().

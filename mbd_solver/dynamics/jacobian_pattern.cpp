@@ -41,7 +41,7 @@ std::array<Range, 2> velocities(const Layout& layout, const Kinematics& kinemati
   return {Range{first[0], kinematics.of(body_1).size()}, Range{first[1], kinematics.of(body_2).size()}};
 }
 
-// What depends on continuous signals: their influences, and the forces that read a place of each.
+// Entries that depend on continuous signals: their influences, and the forces that read a place of each.
 std::vector<SignalPlaces> signal_places(const Model& model) {
   std::vector<SignalPlaces> out;
   if (!model.signals()) return out;

@@ -24,8 +24,8 @@ struct ElementPlaces {
   std::vector<SparseBlock> extra_v, v_extra, extra_extra;
 };
 
-// Places of what depends on one body that continuous signals measure, or on the states of one of them: its columns in the
-// rates of states and in the forces that read signals.
+// Places of entries that depend on one body measured by continuous signals, or on the states of one signal: its
+// columns in the rates of states and in the forces that read signals.
 struct SignalPlaces {
   struct Driven {
     int force = 0;        // element of the model

@@ -54,7 +54,7 @@ class Kinematics {
   std::vector<double> turns_;           // per joint; empty without gears
 };
 
-// What a force element reads at this instant, with its scratch.
+// The quantities that a force element reads at this instant, with its scratch.
 inline ElementInput element_input(const ForceElement& element, const Kinematics& kinematics,
                                   const Eigen::Ref<const Eigen::VectorXd>& z,
                                   const Eigen::Ref<const Eigen::VectorXd>& inputs, double time,
@@ -66,7 +66,7 @@ inline ElementInput element_input(const ForceElement& element, const Kinematics&
   return in;
 }
 
-// What sensors of signals read of a state (measured_by()).
+// The quantities of a state that sensors of signals read (measured_by()).
 struct Instant {
   const Kinematics& kinematics;
   const Layout& layout;
@@ -75,7 +75,7 @@ struct Instant {
 
   const BodyKinematics& of(int body) const { return kinematics.of(body); }
   PairMotion pair(int body_1, int body_2) const { return kinematics.pair(body_1, body_2); }
-  // Of a force element of the model; none of -1.
+  // The states of a force element of the model; none for -1.
   Eigen::Ref<const Eigen::VectorXd> states(int force) const {
     return force < 0 ? z.head(0) : z.segment(layout.force_z[force], model.force(force).state_count());
   }

@@ -1,5 +1,5 @@
 // One sparse LU of [M, Phi_v^T; Phi_v, -eps] per position serves accelerations, responses, reactions and the projection of
-// drift. Redundant rows rest (constraint_rows.h), so that the matrix stays regular.
+// drift. Redundant rows rest (constraint_rows.h), so that the matrix remains regular.
 
 #include "mbd_solver/dynamics/saddle_system.h"
 
@@ -89,7 +89,7 @@ constexpr int kMostProjections = 4;
 // Drift below these remains: a tenth or less of the documented accuracy.
 constexpr double kNoDrift = 1e-10;      // [m or rad]
 constexpr double kNoSpeedDrift = 2e-9;  // [m/s or rad/s]
-// A joint that stays open by more than this after projection has failed.
+// A joint that remains open by more than this after projection has failed.
 constexpr double kOpen = 1e-6;  // [m or rad]
 // The same without projection (Baumgarte terms, or none).
 constexpr double kOpenWithoutProjection = 1e-3;  // [m or rad]; assembly closes as much silently

@@ -1,9 +1,9 @@
 #pragma once
 // Direct solves of the saddle system of the equations of motion,
 //   [M, Phi_v^T; Phi_v, -eps] [x; lambda] = [f; g]
-// for accelerations, responses to forces, reactions of joints and the projection of drift. eps is a regularisation for
-// singular positions (relative 1e-12 of the size of Phi_v M^-1 Phi_v^T; very light bodies count as heavier). Of rows that
-// depend on each other some rest: their eps is large (Redundancy).
+// for accelerations, responses to forces, reactions of joints and the projection of drift. eps is a regularisation
+// for singular positions (relative 1e-12 of the size of Phi_v M^-1 Phi_v^T; very light bodies count as heavier). Some
+// of the rows that depend on each other rest: their eps is large (Redundancy).
 
 #include <memory>
 #include <vector>
@@ -25,7 +25,7 @@ struct Drift {
   double velocity = 0.0;       // largest |phi'| before [m/s or rad/s]
   double position_left = 0.0;  // the same two after
   double velocity_left = 0.0;
-  int worst_row = 0;  // that of the largest |phi|
+  int worst_row = 0;  // row of the largest |phi|
 };
 
 // No function allocates, except where redundant rows are found anew.
@@ -38,8 +38,8 @@ class SaddleSystem {
   // dv and lambda of a state; also dq and dz: out is the complete dy/dt with the multipliers in the place of their rates.
   // Throws NumericalError naming time and body if not finite.
   void accelerations(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> ydot_and_lambda);
-  // The same for the steps of an integrator: redundant multipliers are those of multipliers_without_resting_rows(), not the
-  // smallest.
+  // The same for the steps of an integrator: redundant multipliers come from multipliers_without_resting_rows(), they
+  // are not the smallest.
   void stage_rates(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> ydot_and_lambda);
   // One Newton step of the same from approximate rates, with the factors of an earlier solve: out is corrected by `change`
   // (of dv and lambda; else 0). With old factors the convergence is linear. False: there are no factors, or rows are
@@ -53,10 +53,10 @@ class SaddleSystem {
   void respond(const State& state, Eigen::Ref<Eigen::VectorXd> f);
   void factor_at(const State& state);  // prepares respond() for this state
 
-  // Of all lambda with the same total reactions on the bodies, the one with the smallest sum (s_i lambda_i)^2 (Redundancy). No
-  // change without redundant rows.
+  // Among all lambda with the same total reactions on the bodies: the lambda with the smallest sum (s_i lambda_i)^2
+  // (Redundancy). No change without redundant rows.
   void smallest_multipliers(const State& state, Eigen::Ref<Eigen::VectorXd> lambda);
-  // Of all those, the one that is zero in resting rows: it is the same in all stages of a step, so that they can be combined.
+  // The same lambda, but zero in resting rows: equal in all stages of a step, so that stages can be combined.
   void multipliers_without_resting_rows(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
                                         Eigen::Ref<Eigen::VectorXd> lambda);
   // F_lambda += eps expected, where no row rests: eps then acts on the difference of lambda from `expected`. eps lambda itself
@@ -73,7 +73,7 @@ class SaddleSystem {
 
   // Removes the drift of Phi and Phi' by the Moore-Penrose inverse of Phi_v in the metric of the mass matrix:
   //   dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T)^+ Phi, repeated to round-off; the same for v.
-  // Quaternions are normalised. Throws NumericalError naming time and joint if a joint stays open by more than 1e-6 m or rad.
+  // Quaternions are normalised. Throws NumericalError naming time and joint if a joint remains open by more than 1e-6 m or rad.
   enum class Close {
     kToTolerance,    // drift below 1e-10 m and 2e-9 m/s remains
     kFully,          // to round-off
@@ -93,7 +93,7 @@ class SaddleSystem {
   enum class Rest { kGood, kBadRows, kLost };
   void set_row_sizes(const State& state);
   void set_regularisation();
-  // All at the loaded kinematics, which are those of the state:
+  // All at the loaded kinematics, which must belong to the state:
   bool factor_saddle(const State& state);
   void fill_saddle(double t, double mass, const Eigen::VectorXd& diagonal);  // [mass M, Phi_v^T; Phi_v, -diagonal]
   Rest judge_resting_rows();

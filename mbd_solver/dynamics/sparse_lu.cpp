@@ -1,4 +1,4 @@
-// KLU is refactored with old pivots while their condition estimate stays good; ThinLu copies the selected entries first.
+// KLU is refactored with old pivots while their condition estimate remains good; ThinLu copies the selected entries first.
 
 #include "mbd_solver/dynamics/sparse_lu.h"
 
@@ -11,7 +11,7 @@
 namespace footfall {
 namespace {
 
-// Pivots of an earlier factorization are reused while their condition estimate stays within this factor.
+// Pivots of an earlier factorization are reused while their condition estimate remains within this factor.
 constexpr double kPivotsAge = 1e-2;
 
 }  // namespace

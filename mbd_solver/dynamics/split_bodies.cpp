@@ -1,5 +1,5 @@
-// Joints of one part of the mechanism, as it falls apart without the bodies that are split, share copies: so closed loops
-// through such a body stay short.
+// Joints of one part of the mechanism, as it falls apart without the bodies that are split, share copies. Closed loops
+// through such a body therefore remain short.
 
 #include "mbd_solver/dynamics/split_bodies.h"
 

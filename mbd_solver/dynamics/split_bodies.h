@@ -22,7 +22,7 @@ class SplitBodies {
   bool any() const { return !copied_.empty(); }
   // The columns of `transposed`, one per row of a joint over [u of all bodies], on copies; then one column per link.
   Eigen::SparseMatrix<double> split(const Eigen::SparseMatrix<double>& transposed) const;
-  // u of all bodies from that of copies: their mean.
+  // u of all bodies from u of the copies: their mean.
   Eigen::VectorXd joined(const Eigen::VectorXd& u) const;
 
  private:

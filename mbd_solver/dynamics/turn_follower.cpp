@@ -10,7 +10,7 @@
 namespace footfall {
 namespace {
 
-constexpr double kSurprise = 0.5 * kPi;  // of an angle against what was expected: the turn is uncertain
+constexpr double kSurprise = 0.5 * kPi;  // difference of an angle from the expected angle: the turn is uncertain
 
 JointCoordinate angle_of(const Joint& joint, const Kinematics& kinematics) {
   return {Coordinate::kAngle, kinematics.pair(joint.m1.body, joint.m2.body), joint.m1, joint.m2};

@@ -1,6 +1,6 @@
 #pragma once
-// Angles of joints over any number of turns, State::angles, followed from one state of a motion to the next. The turn is that
-// nearest to the angle expected from rates at both ends (Hermite's rule):
+// Angles of joints over any number of turns, State::angles, followed from one state of a motion to the next. The turn
+// is chosen nearest to the angle expected from rates at both ends (Hermite's rule):
 //   q_1 ~ q_0 + h (q'_0 + q'_1) / 2 + h^2 (q''_0 - q''_1) / 12,   error O(h^5)
 // Within an integration step the error is far below half a turn, unless steps are taken without error control.
 
@@ -26,7 +26,7 @@ class TurnFollower {
   };
   // rates: [dq; dv; dz; lambda] at the state.
   void measure(const State& state, const Eigen::VectorXd& rates, Motion& out);
-  // state.angles are those at `from` before, and those of the state after. to: the motion there, or null.
+  // state.angles: before the call at `from`, after it at the end of the step. to: the motion there, or null.
   void follow(const Motion& from, const Eigen::VectorXd& rates, State& state, Motion* to = nullptr);
 
  private:

@@ -1,4 +1,4 @@
-// A message is "file:line: key: text [code name]"; each finding of a scene is a line of its own that ends with a code.
+// A message is "file:line: key: text [code name]"; each finding of a scene is a separate line that ends with a code.
 
 #include "mbd_solver/embed/error_report.h"
 

@@ -29,7 +29,7 @@ struct ErrorReport {
 
 // One for each finding of a scene, at least one.
 std::vector<ErrorReport> reports_of(const std::exception& error);
-// Of one line "file:line: key: text [E0123 name]", as warnings are.
+// The report of one line "file:line: key: text [E0123 name]", as warnings are.
 ErrorReport report_of(const std::string& message);
 
 // All that is wrong with a scene, or strange, as `footfall check` finds it, but without grains of a cached bed.

@@ -1,5 +1,5 @@
 // The run pauses at its samples; a step is over at the sample of its end, and save() at the checkpoint that it requests. A lock that nobody
-// waits for refuses calls of other threads; what is read is copied, so that no thread sees it change.
+// waits for refuses calls of other threads; values are copied when they are read, so that no thread sees them change.
 
 #include "mbd_solver/embed/session.h"
 
@@ -149,7 +149,7 @@ struct Session::Run {
   const volatile std::sig_atomic_t never = 0;  // no signal interrupts a step
   double target = 0.0;                         // of the step [s]
   bool failed = false;
-  double time = 0.0;  // [s], and what belongs to it
+  double time = 0.0;  // [s], and the data for this time
   Eigen::VectorXd q, v, z;
   std::vector<double> row;
   std::shared_mutex use;                 // shared by those who read, alone for one who changes
@@ -233,8 +233,8 @@ void Session::step_to(double until, const std::function<bool()>& asked) {
     throw InputError(code::kCannotGoOn,
                      now + "the end of the scene has been reached; set a later end_time and make a new simulation");
   if (!std::isfinite(until) || until < run.time)
-    throw InputError(code::kStepBackwards, now + "a step to " + number_text(until, 9) +
-                                               " s was asked for, expected a later time; restore() goes back");
+    throw InputError(code::kStepBackwards, now + "the requested step to " + number_text(until, 9) +
+                                               " s lies in the past, expected a later time; restore() goes back");
   if (until <= run.time + run.simulation.instructions().rows().tolerance()) return;
   run.target = std::min(until, run.scene.end_time);
   run.simulation.instructions().stop_at(run.target);
@@ -296,8 +296,7 @@ std::string Session::save() {
   Run& run = *run_;
   const Changing changing(run);
   if (run.failed)
-    throw InputError(code::kCannotGoOn,
-                     "a simulation that has failed has no state to save; restore one that was saved before");
+    throw InputError(code::kCannotGoOn, "a simulation that has failed has no state to save; restore an earlier state");
   if (run.has_ended()) return run.head() + run.archived();
   run.simulation.instructions().request_checkpoint();
   const Reached reached = run.continue_run();
@@ -338,7 +337,7 @@ double Session::summed_error() const {
 std::vector<std::string> Session::warnings() const {
   const Reading reading(*run_);
   const Run& run = *run_;
-  std::vector<std::string> all = run.simulation.mechanism().warnings;  // those of the scene included
+  std::vector<std::string> all = run.simulation.mechanism().warnings;  // including the warnings of the scene
   const auto add = [&](const std::vector<std::string>& more) { all.insert(all.end(), more.begin(), more.end()); };
   add(run.simulation.time_warnings());
   add(run.simulation.signal_warnings());

@@ -1,5 +1,5 @@
 #pragma once
-// A mechanism inside another program, which leads it:
+// A mechanism inside another program, which controls it:
 //   Session lander(read_scene("landing.toml", {"initial.velocity = [0, 0, -5]"}));
 //   while (!lander.finished()) {
 //     lander.set("thrust", 3000.0);
@@ -39,9 +39,9 @@ class Session {
   double end_time() const;  // of the scene [s]
   bool finished() const;    // the end of the scene has been reached
 
-  // To this time [s], or to the end of the scene if that is earlier. Throws NumericalError; time, columns and state remain those before
-  // the step then, but only restore() lets the simulation go on. Throws InputError for a time before the present one.
-  // asked: at most every tenth of a second by the wall clock; true ends the step early, at a time that it has reached.
+  // To this time [s], or to the end of the scene if that is earlier. Throws NumericalError; time, columns and state are then
+  // as before the step, but the simulation can continue only after restore(). Throws InputError for a time before the present
+  // one. asked: called at most every tenth of a second (wall clock); true ends the step early, at a time that it has reached.
   void step_to(double until, const std::function<bool()>& asked = {});
 
   // Columns of history.csv of this scene, as docs/reference/history.md lists them; the first is the time. SI units, "-" of plain numbers.
@@ -61,7 +61,7 @@ class Session {
   Eigen::VectorXd v() const;  // their velocities [m/s, rad/s]
   Eigen::VectorXd z() const;  // of struts, drives and signals
 
-  // The whole state as text. A simulation goes on from save() and from restore() in the same digits; they differ from those without
+  // The whole state as text. The continuations from save() and from restore() are bitwise identical; they differ from a run without
   // save() within the tolerances of the scene, because the memory of the integrator is not part of a state. restore() takes a state
   // of the same scene with the same settings, from any object or process of this version; throws InputError otherwise.
   std::string save();
@@ -70,7 +70,7 @@ class Session {
   // Relative error of the energy balance so far [-], as energy_balance_relative of summary.json without the estimates of integrals.
   double energy_balance() const;
   double summed_error() const;  // estimated, of all steps [tolerances of the scene]
-  // Of the scene, of the mechanism and of the motion so far, each with its code. Notes are warnings without a consequence.
+  // Warnings of the scene, the mechanism and the motion so far, each with its code. Notes are warnings without a consequence.
   std::vector<std::string> warnings() const;
   std::vector<std::string> notes() const;
   std::string summary() const;     // summary.json of the run so far; throws InputError unless options.record

@@ -1,5 +1,5 @@
 // Edges collapse in the order of their quadric errors [Garland and Heckbert 1997], each to the point that keeps the enclosed
-// volume [Lindstrom and Turk 1998]. What a collapse would break is asked before. Distances by a tree of boxes.
+// volume [Lindstrom and Turk 1998]. A collapse is tested before it is carried out. Distances by a tree of boxes.
 
 #include "mbd_solver/fe/decimation.h"
 
@@ -150,7 +150,7 @@ class Collapser {
     //   g . v = s,   g = sum n_i,   s = sum n_i . x_i   [Lindstrom and Turk 1998, 5]
     Vector3d g = Vector3d::Zero();
     double s = 0.0;
-    bool inside = true;  // no rim: what the surface encloses is defined
+    bool inside = true;  // no rim: the surface encloses a defined volume
     for (const int end : {a, b}) {
       inside = inside && !rim_[at(end)];
       for (const int t : around_[at(end)]) {
@@ -272,7 +272,7 @@ class Collapser {
   std::vector<Vector3i> triangles_;       // -1: collapsed
   std::vector<std::vector<int>> around_;  // triangles at each corner
   std::vector<Quadric> quadrics_;
-  std::vector<long> stamps_;  // how often what an offer rests on has changed
+  std::vector<long> stamps_;  // number of changes of the parts on which an offer depends
   std::vector<bool> fixed_;   // at an edge of more than two triangles
   std::vector<bool> rim_;
   std::priority_queue<Offer> queue_;

@@ -15,7 +15,7 @@ struct Decimation {
 };
 
 // At most `most` triangles, or as few as can be had without changing how triangles are connected, turning one over or making
-// a needle. A closed surface stays closed, a rim stays a rim; each collapse keeps the enclosed volume.
+// a needle. A closed surface remains closed, a rim remains a rim; each collapse keeps the enclosed volume.
 // The mesh is without the defects that check_mesh finds.
 Decimation decimated(const TriangleMesh& mesh, std::size_t most);
 

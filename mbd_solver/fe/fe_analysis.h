@@ -39,7 +39,7 @@ Eigen::VectorXd static_solution(const FeModel& model, const std::vector<int>& fi
 // The lowest natural frequencies on these supports [Hz]; a free body has six zeros first.
 Eigen::VectorXd natural_frequencies(const FeModel& model, const std::vector<int>& fixed, int count);
 
-// The six degrees of freedom of a node, or those of the given components (0..5).
+// The six degrees of freedom of a node, or only the given components (0..5).
 std::vector<int> node_dofs(int node, const std::vector<int>& components = {0, 1, 2, 3, 4, 5});
 
 }  // namespace footfall

@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostIncludes = 8;  // files within files
 
-// Files that are being read, the outermost first, and what they may be in all.
+// Files that are being read, the outermost first, and their limit in all.
 struct Includes {
   explicit Includes(const std::string& file)
       : open{std::filesystem::path(file).lexically_normal().string()},
@@ -69,7 +69,7 @@ struct InpState {
   std::map<std::string, std::vector<int>> element_sets;
   std::map<std::string, std::string> spellings;  // of names of sets: upper case -> the first one
   bool in_part = false, part_had_nodes = false;
-  // Abaqus and CalculiX tell names apart without their case.
+  // Abaqus and CalculiX ignore the case of names.
   const std::string& named(const std::string& set) { return spellings.try_emplace(upper_case(set), set).first->second; }
 };
 
@@ -123,7 +123,7 @@ void inp_elements(ModelText& text, const InpKeyword& keyword, InpState& state) {
       numbers.clear();
       return;
     }
-    if (numbers.size() <= static_cast<std::size_t>(nodes)) return;  // goes on in the next line
+    if (numbers.size() <= static_cast<std::size_t>(nodes)) return;  // continues in the next line
     if (numbers.size() != static_cast<std::size_t>(nodes) + 1)
       fail("an element of type " + type + " has " + std::to_string(numbers.size() - 1) + " nodes, expected " +
            std::to_string(nodes) + ".");
@@ -136,7 +136,7 @@ void inp_elements(ModelText& text, const InpKeyword& keyword, InpState& state) {
     fail("the last element of type " + type + " lacks nodes, expected " + std::to_string(nodes) + ".");
 }
 
-// Of the numbers first, first + step ... last those that exist, with their indices, in order. Counts what it passes over.
+// Those of the numbers first, first + step ... last that exist, with their indices, in order. Counts the others.
 std::vector<std::pair<long, int>> within(const std::unordered_map<long, int>& numbers, long first, long last, long step,
                                          ReadBudget& entries) {
   std::vector<std::pair<long, int>> found;
@@ -175,7 +175,7 @@ std::vector<int> inp_set(ModelText& text, const InpKeyword& keyword, const std::
       if (std::isdigit(static_cast<unsigned char>(cell[0])) == 0) {
         const auto spelling = spellings.find(upper_case(cell));
         const auto other = spelling == spellings.end() ? sets.end() : sets.find(spelling->second);
-        if (other == sets.end()) text.fail("unknown set \"" + cell + "\", expected one that is defined above.");
+        if (other == sets.end()) text.fail("unknown set \"" + cell + "\", expected a set defined above.");
         entries.take(other->second.size());
         found.insert(found.end(), other->second.begin(), other->second.end());
         continue;
@@ -233,7 +233,7 @@ void parse_inp(ModelText& text, InpState& state) {
       if (!keyword.value("ELSET").empty()) {
         const auto of = state.element_sets.find(state.named(keyword.value("ELSET")));
         if (of == state.element_sets.end())
-          fail("unknown set \"" + keyword.value("ELSET") + "\" of elements, expected one that is defined above.");
+          fail("unknown set \"" + keyword.value("ELSET") + "\" of elements, expected a set defined above.");
         for (const int e : of->second) state.mesh.add_element_to_set(name, e);
         continue;
       }
@@ -274,7 +274,7 @@ FeMesh inp_mesh(const std::string& bytes, const std::string& file) {
   InpState state(file);
   parse_inp(text, state);
   for (const auto& [name, elements] : state.element_sets) {
-    if (state.mesh.mesh().sets.count(name) > 0) continue;  // Abaqus writes both under one name: that of nodes is meant
+    if (state.mesh.mesh().sets.count(name) > 0) continue;  // of two sets with one name the nodes are meant
     for (const int e : elements) state.mesh.add_element_to_set(name, e);
   }
   return std::move(state.mesh.mesh());
@@ -325,8 +325,8 @@ std::vector<long> nastran_ids(const Cells& cells, std::size_t from, const Number
   return ids;
 }
 
-// Sets of the case control: `SET 5 = 1, 2, 7 THRU 20 EXCEPT 9, 10,` which goes on in the next line after a comma. Sets of other
-// things than numbers, such as frequencies, are none of nodes.
+// Sets of the case control: `SET 5 = 1, 2, 7 THRU 20 EXCEPT 9, 10,` which continues in the next line after a comma.
+// Sets that contain other things than numbers, such as frequencies, are not sets of nodes.
 void case_control_sets(const std::string& bytes, const std::string& file, BdfState& state) {
   ModelText text(bytes, file);
   while (text.next()) {
@@ -569,7 +569,7 @@ FeMesh parse_fe_mesh(const std::string& bytes, const std::string& file) {
                                         : node_list(bytes, file);
   if (mesh.ids.empty())
     throw InputError(code::kModelFile, file +
-                                           ": contains no nodes. Check that its name ends in that of its format: "
+                                           ": contains no nodes. Check the ending of its name: "
                                            ".msh (gmsh), .inp (Abaqus, CalculiX), .bdf (Nastran), .frd (CalculiX); "
                                            "any other is a list with \"x y z\" in each line.");
   return mesh;

@@ -241,7 +241,7 @@ namespace {
 
 constexpr double kSamePlace = 1e-6;  // of the size: nodes that are so near are at one place
 
-// Nodes of sets stand in front of those of the mesh: of two at one place the joint holds the set.
+// Nodes of sets precede the nodes of the mesh: of two nodes at one place the joint holds the set.
 int nearest(const Eigen::Matrix3Xd& nodes, const Vector3d& p) {
   FOOTFALL_DEMAND(nodes.cols() > 0);
   const Eigen::RowVectorXd distance = (nodes.colwise() - p).colwise().norm();
@@ -334,7 +334,7 @@ void check_mass_matrix(const FeModel& model, const std::string& who) {
                      who +
                          ": the mass matrix has no mass centre: a rotation of the whole body about it has momentum. "
                          "Expected rows in the order of the nodes, rotations in rad, and all nodes in the same unit.");
-  // Unit diagonal, a little larger: pivots of a positive matrix stay positive in spite of its round-off.
+  // Unit diagonal, a little larger: pivots of a positive matrix remain positive in spite of its round-off.
   VectorXd scale = M.diagonal();
   for (Index i = 0; i < scale.size(); ++i) {
     if (!(scale(i) >= 0.0))

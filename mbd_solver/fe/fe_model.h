@@ -37,7 +37,7 @@ struct FeModel {
   std::vector<Eigen::Vector3i> triangles;     // points 2 t (top), 2 t + 1 (bottom) belong to triangle t
   std::vector<Eigen::Vector2i> segments;      // points 8 e ... 8 e + 7 belong to segment e
   bool rotations = true;                      // false: a solid model of another code, without rotations
-  // Of models of other codes:
+  // For models of other codes:
   int extra = 0;  // coordinates of modes behind the 6N rows of K and M, which have no place
   std::vector<Spider> spiders;
   std::vector<bool> follows;       // rows that have no motion of their own (spider.h); empty: none
@@ -72,7 +72,7 @@ FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& 
 
 MassProperties mass_properties(const FeModel& model);
 
-// 6N x 6N: that of the model, or of its lumped masses and inertias (block-diagonal).
+// 6N x 6N: the mass matrix of the model, or its lumped masses and inertias (block-diagonal).
 Eigen::SparseMatrix<double> mass_matrix(const FeModel& model);
 
 // The model with masses scaled to the total `mass` [kg].
@@ -80,16 +80,16 @@ FeModel with_mass(FeModel model, double mass);
 
 // --- Nodes at points of the reference configuration.
 
-// Nodes with rotations of their own, or those of a rigid set.
+// Nodes with rotations, their own or from a rigid set.
 std::vector<bool> turning_nodes(const FeModel& model);
 
-// Index of the node nearest to the point: in D for a model, in B (relative to Bo) for a body. Of those at one place the lowest:
-// that of a set (spider.h), not one of the mesh.
+// Index of the node nearest to the point: in D for a model, in B (relative to Bo) for a body. Of several nodes at one
+// place the lowest: the node of a set (spider.h) precedes nodes of the mesh.
 int nearest_node(const FeModel& model, const Eigen::Vector3d& p_D);
 int nearest_node(const ModalBody& body, const Eigen::Vector3d& p_B);
 
-// The node to which a joint at this point attaches; of a rigid set, that of the set. Throws InputError, with the nearest node and its distance, if none is
-// within tolerance [m], or if the joint requires the rotation of a node that has none (solid models of other codes).
+// The node to which a joint at this point attaches; for a rigid set the node of the set. Throws InputError, with nearest node and
+// distance, if none is within tolerance [m], or if the joint requires the rotation of a node that has none (solid models of other codes).
 int joint_node(const FeModel& model, const Eigen::Vector3d& p_D, double tolerance, bool needs_rotation);
 int joint_node(const ModalBody& body, const Eigen::Vector3d& p_B, double tolerance, bool needs_rotation);
 

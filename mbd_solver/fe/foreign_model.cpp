@@ -244,7 +244,7 @@ void read_dmig(const std::string& bytes, char letter, ForeignMatrix& matrix) {
   const std::string what = letter == 'K' ? "stiffness (KAAX, K2GG, ...)" : "mass (MAAX, M2GG, ...)";
   if (names.empty())
     throw InputError(code::kModelFile, matrix.path + ": has no DMIG matrix whose name begins with " +
-                                           std::string(1, letter) + ", expected that of the " + what + ".");
+                                           std::string(1, letter) + ", expected the " + what + ".");
   std::string taken = names[0];
   if (names.size() > 1) {
     const std::string usual = std::string(1, letter) + "AAX";
@@ -346,7 +346,7 @@ std::vector<RowLabel> read_rows(const std::string& path) {
   return rows;
 }
 
-// The file of rows: given, or beside a .sti.
+// The file of rows: given, or in the folder of a .sti.
 std::string rows_file(const ForeignFiles& files) {
   if (!files.rows.empty()) return files.rows;
   const std::filesystem::path stiffness(files.stiffness);

@@ -1,17 +1,17 @@
 #pragma once
 // Full and reduced models of other finite-element codes: stiffness and mass matrices with their nodes.
 //
-// Matrices, told apart by their content; one or both triangles:
+// Matrices, distinguished by their content; one or both triangles:
 //   MatrixMarket        `%%MatrixMarket matrix coordinate real symmetric` (general, integer)
 //   CalculiX            .sti and .mas of *FREQUENCY, SOLVER=MATRIXSTORAGE; their rows are in .dof: `node.direction`
 //   Abaqus              .mtx of *MATRIX GENERATE (`node, dof, node, dof, value`, or `row column value`), and of
 //                       *SUBSTRUCTURE GENERATE (`*USER ELEMENT`, `*MATRIX, TYPE=STIFFNESS`), as CalculiX writes it, too
 //   Nastran             DMIG cards of a punch file: names that begin with K, and with M
 // Rows without numbers of nodes go node by node in the order of the nodes' file, six or three per node.
-// Rows of nodes that the nodes' file does not list are coordinates without a place: those of fixed-interface modes
+// Rows of nodes that the nodes' file does not list are coordinates without a place: of fixed-interface modes
 // (Craig-Bampton), or of modes within elements. They carry stiffness and mass, and do not move with the rigid body.
 //
-// Nothing is lumped here: mass, centre, inertia and modes are those of the matrices.
+// Nothing is lumped here: mass, centre, inertia and modes follow from the matrices.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -23,7 +23,7 @@
 
 namespace footfall {
 
-// Of lengths, masses and times in the files of a model.
+// Units of lengths, masses and times in the files of a model.
 enum class UnitSystem { kMetre, kMillimetreTonne, kMillimetreMillisecond, kInchPound };
 constexpr std::string_view name_of(UnitSystem units) {
   return name_in(units, "m-kg-s", "mm-t-s", "mm-kg-ms", "in-lbf-s");
@@ -32,7 +32,7 @@ constexpr std::string_view name_of(UnitSystem units) {
 double mass_unit(UnitSystem units);    // [kg]
 double length_unit(UnitSystem units);  // [m]
 
-// Where a joint acts on many nodes: an additional node, whose motion is that of the set.
+// A joint that acts on many nodes: an additional node, which moves with the set.
 struct InterfaceSpec {
   std::string node_set;                  // its name in the file of nodes
   SpiderKind kind = SpiderKind::kRigid;  // see fe_model.h
@@ -41,7 +41,7 @@ struct InterfaceSpec {
 
 struct ForeignFiles {
   std::string stiffness, mass, nodes;
-  std::string rows;    // .dof; empty: that beside a .sti
+  std::string rows;    // .dof; empty: the file next to a .sti
   std::string stress;  // .frd with modes and their stresses; may be empty
   UnitSystem units = UnitSystem::kMetre;
   std::vector<InterfaceSpec> interfaces;

@@ -1,5 +1,5 @@
 #pragma once
-// A mesh that grows by what a parser of finite-element files finds (fe_mesh.cpp, gmsh_mesh.cpp).
+// A mesh to which a parser of finite-element files adds its parts (fe_mesh.cpp, gmsh_mesh.cpp).
 
 #include <set>
 #include <string>
@@ -13,7 +13,7 @@ namespace footfall {
 
 constexpr long kLargestId = 2000000000;  // of nodes and elements
 
-// Corners of an element with so many nodes; 0: there is none.
+// Corners of an element with this many nodes; 0: there is none.
 inline int corners_of(int dimension, int nodes) {
   if (dimension == 1) return nodes == 2 || nodes == 3 ? 2 : 0;
   if (dimension == 2) return nodes == 3 || nodes == 6 ? 3 : nodes == 4 || nodes == 8 || nodes == 9 ? 4 : 0;
@@ -66,7 +66,7 @@ class MeshBuilder {
   template <class Fail>
   int node(long id, const Fail& fail) const {
     const auto found = mesh_.index.find(id);
-    if (found == mesh_.index.end()) fail("unknown node " + std::to_string(id) + ", expected one that the file lists.");
+    if (found == mesh_.index.end()) fail("unknown node " + std::to_string(id) + ", expected a node in the file.");
     return found->second;
   }
   void add_to_set(const std::string& name, int node) {

@@ -59,7 +59,7 @@ TriangleMesh ring_mesh(int rings, const std::function<Vector3d(double, double)>&
 }
 
 // Closed surface between a cap and its mirror image in z = 0. The last `around` vertices of the cap are its rim, a circle
-// at z = length / 2; its normals point outward. The first vertices are those of the cap.
+// at z = length / 2; its normals point outward. The vertices of the cap come first.
 TriangleMesh capped(const TriangleMesh& cap, int around, double length, double edge) {
   const int nodes = static_cast<int>(cap.vertices.size());
   const int layers = parts(length, edge);

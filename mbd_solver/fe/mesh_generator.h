@@ -10,7 +10,7 @@ namespace footfall {
 TriangleMesh disc_mesh(double radius, double edge);
 
 // Closed disc of the given thickness about the origin, normals outward: two faces as above at z = +- thickness/2, and
-// the rim between them. The first vertices are those of the upper face.
+// the rim between them. The vertices of the upper face come first.
 TriangleMesh thick_disc_mesh(double radius, double thickness, double edge);
 
 // Closed capsule about the origin, axis z, normals outward: a cylinder of the given length with half a ball at each

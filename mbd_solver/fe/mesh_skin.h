@@ -8,7 +8,7 @@
 
 namespace footfall {
 
-// The outer faces of solids, counter-clockwise seen from outside, else all faces of shells; of elements with nodes on edges
+// The outer faces of solids, counter-clockwise seen from outside, else all faces of shells; elements with nodes on edges are
 // cut there, so that all nodes of the surface are corners. Indices of points.
 std::vector<Eigen::Vector3i> skin_of(const FeMesh& mesh);
 

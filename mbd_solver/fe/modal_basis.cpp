@@ -175,7 +175,7 @@ void check_options(const BasisOptions& options, const std::string& name) {
                        name + ": damping ratio is " + plain_text(zeta) + ", expected 0 or more.");
 }
 
-// The model before its spiders: their nodes have no stiffness of their own, and are not asked for any.
+// The model before its spiders: nodes of spiders have no stiffness, and need none.
 FeModel without_spiders(FeModel model) {
   model.follows.assign(static_cast<std::size_t>(model.stiffness.rows()), false);
   for (const Spider& spider : model.spiders)
@@ -183,7 +183,7 @@ FeModel without_spiders(FeModel model) {
   return model;
 }
 
-constexpr double kSameShape = 1e-2;  // strain energy that known shapes do not have, of that of a mode; a word beyond it
+constexpr double kSameShape = 1e-2;  // strain energy outside the known shapes, over a mode's energy; beyond it a remark
 
 // Shapes whose coordinates without a place follow the nodes statically: modes within elements do, in all slow motions.
 MatrixXd with_extra(const FeModel& model, MatrixXd shapes) {
@@ -199,8 +199,8 @@ MatrixXd with_extra(const FeModel& model, MatrixXd shapes) {
   return shapes;
 }
 
-// Stresses at the nodes, 6N x s: those of the known shapes F (modes of another code), combined to the given shapes X with the
-// least strain energy of the rest, X - F C: C = (F^T K F)^-1 F^T K X. Shapes without strain have no part.
+// Stresses at the nodes, 6N x s: stresses of the known shapes F (modes of another code), combined to the given shapes
+// X with the least strain energy of the rest, X - F C: C = (F^T K F)^-1 F^T K X. Shapes without strain have no part.
 MatrixXd stresses_of(const FeModel& model, const MatrixXd& shapes, const std::string& name, std::string& word) {
   const MatrixXd F = with_extra(model, model.known_shapes);
   const double rigid = kRigidMode * elastic_scale(model);
@@ -338,7 +338,7 @@ using Eigen::Vector3d;
 constexpr double kRigidShape = 1e-6;  // a shape is a rigid motion if less than this fraction of its norm remains
 constexpr double kDependent = 1e-12;  // smallest eigenvalue of the Gram matrix of unit shapes
 
-// Rows 6 j + i of displacements and rotations, then those of Psi that have no place.
+// Rows 6 j + i of displacements and rotations, then rows of Psi that have no place.
 MatrixXd stacked(const MatrixXd& Phi, const MatrixXd& Psi) {
   MatrixXd U(Phi.rows() + Psi.rows(), Phi.cols());
   U.bottomRows(Psi.rows() - Phi.rows()) = Psi.bottomRows(Psi.rows() - Phi.rows());
@@ -412,7 +412,7 @@ void fix_signs(ModalBody& body) {
 // thickness over length in bending. Less than the first are cables and foils, more than the second has no material.
 constexpr double kSlowest = 0.3, kFastest = 1e4;
 // Mass over the volume of the box around the nodes [kg/m3]: air has 1.2, osmium 22600. Boxes thinner than this share of their length
-// may be those of shells, whose thickness is not in them.
+// may be shells, whose thickness is not in the box.
 constexpr double kLightest = 1e-3, kDensest = 23000.0, kThinnestBox = 0.01;
 
 double mass_of(const ModalBody& body) {

@@ -13,7 +13,7 @@
 // six-component interface node spends modes on local kinks that a pinned node does not have.
 //
 // Modes of equal frequency, such as the two bendings of a round rod: any combinations of them are modes as well, and round-off
-// would choose. Those are taken that move along one principal axis of the body each, if there are such. Then a rod has the
+// would choose. If there are modes that move along one principal axis of the body each, these are chosen. A rod then has the
 // same modes in every direction, a count that splits a pair always takes the same mode, and most sums over two modes are
 // zero (model/column_groups.h).
 
@@ -51,7 +51,7 @@ struct BasisOptions {
 
 struct ReducedBody {
   ModalBody body;
-  Eigen::Vector3d p_DBo = Eigen::Vector3d::Zero();  // centre of mass in the drawing frame D [m]; B has D's axes
+  Eigen::Vector3d p_DBo = Eigen::Vector3d::Zero();  // centre of mass in the reference frame D [m]; B has D's axes
   std::vector<std::string> warnings;                // e.g. frequencies that suggest wrong units, or static_error
 };
 

@@ -169,10 +169,10 @@ std::vector<Vector3d> samples(const std::array<Vector3d, 3>& t) {
 
 struct Misplaced {
   std::size_t sampled = 0;
-  std::vector<int> twice, inward;  // triangles beside which a point is within the solid twice, or less than not at all
+  std::vector<int> twice, inward;  // triangles next to points within the solid twice, or less than zero times
 };
 
-// Of the triangles of shell `own` that are near others.
+// The misplaced triangles of shell `own` among the triangles near other shells.
 Misplaced misplaced(const Solid& solid, const std::vector<Shell>& shells, std::size_t own) {
   const Shell& shell = shells[own];
   std::vector<const Shell*> others;

@@ -12,7 +12,7 @@ namespace footfall {
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;   // [m]
   std::vector<Eigen::Vector3i> triangles;  // indices into vertices, counter-clockwise seen from the normal's side
-  std::vector<std::string> notes;          // what the reader of its file has to say
+  std::vector<std::string> notes;          // remarks of the reader of its file
   std::string decimation;                  // how a decimated mesh differs from the given one; empty: not at all
 };
 
@@ -44,7 +44,7 @@ void check_mesh(const TriangleMesh& mesh, const MeshDemands& demands, const std:
 // common point o, with positions relative to o and V_k = a . (b x c) / 6,
 //   V = sum V_k,   V p = sum V_k (a + b + c) / 4,
 //   integral of x x^T = sum V_k / 20 (a a^T + b b^T + c c^T + s s^T),   s = a + b + c
-// density [kg/m3]. Shells within another one that face inward are cavities.
+// density [kg/m3]. A shell within another shell is a cavity if it faces inward.
 // Throws InputError beginning with `where`: defects of check_mesh, a surface that is not closed or not consistently
 // oriented, and shells that bound no solid (solid_shells.h).
 MassProperties polyhedron_properties(const TriangleMesh& mesh, double density, const std::string& where);

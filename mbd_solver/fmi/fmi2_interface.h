@@ -1,6 +1,6 @@
 #pragma once
 // The C interface of FMI 2.0 as far as co-simulation needs it, written from the definitions of the standard
-// (fmi-standard.org, version 2.0.4, sections 2.1 and 4.2). Its names are those of the standard.
+// (fmi-standard.org, version 2.0.4, sections 2.1 and 4.2). It uses the names of the standard.
 
 #include <cstddef>
 

@@ -1,6 +1,6 @@
 #pragma once
 // The C interface of FMI 3.0 as far as co-simulation needs it, written from the definitions of the standard
-// (fmi-standard.org, version 3.0, sections 2.2 and 4.2). Its names are those of the standard.
+// (fmi-standard.org, version 3.0, sections 2.2 and 4.2). It uses the names of the standard.
 
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +36,7 @@ using fmi3IntermediateUpdateCallback = void (*)(fmi3InstanceEnvironment, fmi3Flo
                                                 fmi3Boolean canReturnEarly, fmi3Boolean* earlyReturnRequested,
                                                 fmi3Float64* earlyReturnTime);
 
-// Types of the functions; the name of a function is that of its type without "TYPE".
+// Types of the functions; the name of a function is the name of its type without "TYPE".
 extern "C" {
 using fmi3GetVersionTYPE = const char*();
 using fmi3SetDebugLoggingTYPE = fmi3Status(fmi3Instance, fmi3Boolean, std::size_t, const fmi3String*);

@@ -1,5 +1,5 @@
 // libzip reads the archive. Entries are written below the given folder only; their number and unpacked sizes are counted while
-// they are read, as what the archive announces need not be true.
+// they are read, because the sizes that the archive announces need not be true.
 
 #include "mbd_solver/fmi/fmu_file.h"
 
@@ -76,7 +76,7 @@ void read_entry(zip_t* zip, zip_uint64_t index, ReadBudget& bytes_left,
   }
 }
 
-// Of the folders binaries/NAME/ that hold a library.
+// Names of the folders binaries/NAME/ that hold a library.
 std::set<std::string> platforms(zip_t* zip) {
   std::set<std::string> names;
   for (zip_int64_t i = 0; i < zip_get_num_entries(zip, 0); ++i) {
@@ -95,7 +95,7 @@ fs::path place_of(const std::string& name) {
   return inside;
 }
 
-// Reads the library whole, which compares its sum, and looks at its first bytes: those of an ELF file of this machine.
+// Reads the whole library, which compares its sum, and checks that its first bytes belong to an ELF file of this machine.
 void check_library(zip_t* zip, zip_uint64_t index, const std::string& name, ReadBudget bytes_left) {
   std::string head;
   read_entry(zip, index, bytes_left, [&](const char* bytes, std::size_t count) {

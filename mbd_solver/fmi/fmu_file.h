@@ -30,7 +30,7 @@ struct FmuEntry {
   bool program = false;  // may be executed
 };
 void write_fmu(const std::string& file, const std::vector<FmuEntry>& entries);
-// Of the library for this machine, within the FMU.
+// The path of the library for this machine, within the FMU.
 std::string library_path(const FmuDescription& description);
 
 }  // namespace footfall

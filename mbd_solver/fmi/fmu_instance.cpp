@@ -1,4 +1,4 @@
-// What both versions share: the library, messages, and numbers as integers.
+// The common part of both versions: the library, messages, and numbers as integers.
 
 #include "mbd_solver/fmi/fmu_instance.h"
 

@@ -11,7 +11,7 @@
 
 namespace footfall {
 
-// The FMU reported an error, or did what the standard does not allow.
+// The FMU reported an error, or violated the standard.
 struct FmuError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -60,7 +60,7 @@ class FmuLibrary {
 class FmuLog {
  public:
   void add(const std::string& text);
-  std::string last() const { return last_.empty() ? "" : "; it says: " + last_; }
+  std::string last() const { return last_.empty() ? "" : "; its message: " + last_; }
 
  private:
   std::string last_;
@@ -70,8 +70,8 @@ class FmuLog {
 template <class Value>
 Value value_as(const FmuVariable& variable, double number);
 
-// What is the same in both versions but for the names. Api has Status, Byte, kPrefix ("fmi3"), kState ("FMUState"), kDeserialize;
-// values of both Status are OK, Warning, Discard, Error, Fatal, Pending.
+// The part that differs in both versions only by names. Api has Status, Byte, kPrefix ("fmi3"), kState ("FMUState"),
+// kDeserialize; values of both Status are OK, Warning, Discard, Error, Fatal, Pending.
 template <class Api>
 class FmuInstanceOf : public FmuInstance {
  public:
@@ -102,7 +102,7 @@ class FmuInstanceOf : public FmuInstance {
   using Status = typename Api::Status;
   using Byte = typename Api::Byte;
 
-  // Calls the function, whose name goes on like this, for the instance. Throws FmuError unless the status is OK or Warning.
+  // Calls the function, whose name ends like this, for the instance. Throws FmuError unless the status is OK or Warning.
   template <class Function, class... Values>
   void call(const std::string& name, Values... values) {
     check(library_.template function<Function>(Api::kPrefix + name)(instance_, values...), Api::kPrefix + name);

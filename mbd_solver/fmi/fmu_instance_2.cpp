@@ -74,7 +74,7 @@ class Instance2 final : public FmuInstanceOf<Fmi2> {
       if (const auto ask = library_.find("fmi2GetBooleanStatus"))
         reinterpret_cast<fmi2GetBooleanStatusTYPE*>(ask)(instance_, fmi2Terminated, &terminated);
       if (terminated != 0)
-        throw FmuError("it asks for the end of the simulation at " + number_text(last, 9) + " s" + log_.last());
+        throw FmuError("it requests the end of the simulation at " + number_text(last, 9) + " s" + log_.last());
       throw FmuError("fmi2DoStep discarded the step from " + number_text(from, 9) + " s to " + number_text(to, 9) +
                      " s; it got to " + number_text(last, 9) + " s" + log_.last());
     }

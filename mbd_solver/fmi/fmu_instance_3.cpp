@@ -59,7 +59,7 @@ class Instance3 final : public FmuInstanceOf<Fmi3> {
                        " s" + log_.last());
       check(status, "fmi3DoStep");
       if (terminate)
-        throw FmuError("it asks for the end of the simulation at " + number_text(last, 9) + " s" + log_.last());
+        throw FmuError("it requests the end of the simulation at " + number_text(last, 9) + " s" + log_.last());
       if (!early) return;
       if (!(last > time) && returns > 0)
         throw FmuError("fmi3DoStep returned early at " + number_text(last, 9) + " s without having moved");

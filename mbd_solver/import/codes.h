@@ -21,7 +21,7 @@ inline constexpr MessageCode kRobotTree{"E0705", "robot-tree"};
 inline constexpr MessageCode kRobotMass{"E0706", "robot-mass"};
 // The library that reads this format refuses the file. Its message follows.
 inline constexpr MessageCode kRobotRefused{"E0707", "robot-refused"};
-// --strict was given, and something cannot be said in a scene. Remove it from the file, or import without --strict.
+// --strict was given, and a part cannot be represented in a scene. Remove it from the file, or import without --strict.
 inline constexpr MessageCode kRobotStrict{"E0708", "robot-strict"};
 // The folder for the scene cannot be used, or exists. Choose another one with --out.
 inline constexpr MessageCode kRobotFolder{"E0709", "robot-folder"};
@@ -33,7 +33,7 @@ inline constexpr MessageCode kRobotElement{"E0711", "robot-element"};
 inline constexpr MessageCode kRobotStill{"E0712", "robot-still"};
 // The file is SDF, and footfall was built without the library sdformat. Install libsdformat-dev and build again, or convert to URDF.
 inline constexpr MessageCode kRobotWithoutSdf{"E0713", "robot-without-sdf"};
-// Something of the file is not in the scene, or is there as an approximation. The message says what and where.
+// A part of the file is not in the scene, or only approximately. The message names the part and its place.
 inline constexpr MessageCode kRobotNotTaken{"W1700", "robot-not-taken"};
 
 }  // namespace footfall::code

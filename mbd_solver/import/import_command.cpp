@@ -1,5 +1,5 @@
-// Reads the file in a process of its own first, since its libraries may crash on a damaged one; then writes all files of the
-// scene, or none.
+// Reads the file in a separate process first, since its libraries may crash on a damaged one; then writes all files
+// of the scene, or none.
 #include "mbd_solver/import/import_command.h"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ void write_files(const fs::path& folder, const std::vector<SceneFile>& files) {
   }
 }
 
-// The bed that `check` proposes for the scene; nothing where it has none, or cannot be built: `check` says why.
+// The bed that `check` proposes for the scene; nothing if there is none, or it cannot be built: `check` reports why.
 std::optional<RobotBed> bed_of(const std::string& folder) {
   constexpr int kRounds = 5;  // grains become smaller with the bed, and narrow bodies need a bed of some grains
   Scene scene = read_scene(folder);

@@ -11,7 +11,7 @@ struct ImportArguments {
   std::string file;
   std::string out;      // empty: the name of the file, in the current folder
   bool strict = false;  // whatever is not taken is an error
-  bool quiet = false;   // the list of what is not taken is in the scene only
+  bool quiet = false;   // parts that are not converted are listed in the scene only
   ImportOptions options;
 };
 

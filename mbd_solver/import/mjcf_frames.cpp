@@ -1,5 +1,5 @@
-// From the innermost frame outwards: a child's placement in its frame becomes one in what holds the frame, also where it is that
-// of a class of defaults; a replicate holds several such frames, and what refers to its parts is there as often.
+// From the innermost frame outwards: a child's placement in its frame becomes a placement in the frame's parent, also if a
+// class of defaults gives it; a replicate holds several such frames, and references to its parts are replicated as often.
 #include "mbd_solver/import/mjcf_frames.h"
 
 #include <Eigen/Geometry>
@@ -100,7 +100,7 @@ class Frames {
       }
   }
 
-  // The class of an element, within the general one: its own, or that of the nearest body or frame around it.
+  // The class of an element, within the general class: its own, or the class of the nearest body or frame around it.
   pugi::xml_node class_of(const pugi::xml_node& node) const {
     std::string name = node.attribute("class").value();
     for (pugi::xml_node at = node.parent(); at && name.empty(); at = at.parent())
@@ -207,7 +207,7 @@ class Frames {
     set(node, attribute, {q.w(), q.x(), q.y(), q.z()});
   }
 
-  // What is placed in a frame at X of its parent, in this parent.
+  // The placement of a child of a frame at X of its parent, in this parent.
   void place(pugi::xml_node node, const Pose& X) const {
     const std::string kind = node.name();
     if (kind == "joint") {
@@ -273,7 +273,7 @@ class Frames {
   void place_in(const pugi::xml_node& child, const Pose& X, pugi::xml_node before, const std::string& suffix,
                 const std::string& childclass) {
     const std::string kind = child.name();
-    // A copy beside the original still finds the classes around it.
+    // A copy next to the original still finds the classes around it.
     pugi::xml_node copy = child.parent().insert_copy_after(child, child);
     tell(copy, child);
     place(copy, X);
@@ -346,7 +346,7 @@ class Frames {
     for (const pugi::xml_node& part : elements_of(node)) redirect(part, names, suffix);
   }
 
-  // Tendons come first: what refers to one that is there several times is there as often.
+  // Tendons come first: elements that refer to a replicated element are replicated as often.
   void replicate_references(pugi::xml_node section, NamesByKind& names, const std::vector<std::string>& suffixes) {
     for (const pugi::xml_node& node : elements_of(section)) {
       if (!refers(node, names)) continue;
@@ -371,7 +371,7 @@ class Frames {
   bool degrees_ = true;
   std::string sequence_ = "xyz";
   std::map<std::string, pugi::xml_node> classes_;
-  std::vector<pugi::xml_node> tops_;  // one class that all others are part of; the last one that gives a value counts
+  std::vector<pugi::xml_node> tops_;  // the class that contains all others; the last one with a value counts
   std::size_t made_ = 0;
 };
 

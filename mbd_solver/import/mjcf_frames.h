@@ -1,6 +1,6 @@
 #pragma once
-// The elements <frame> and <replicate> of MJCF, which later versions have than that of the library: what they hold is put into
-// their body, placed, named and of the class that they give. mujoco.readthedocs.io, XML Reference: frame, replicate.
+// The elements <frame> and <replicate> of later versions of MJCF than the library's: their contents are put into their
+// body, with the placement, names and classes that they define. mujoco.readthedocs.io, XML Reference: frame, replicate.
 
 #include <functional>
 
@@ -8,7 +8,7 @@
 
 namespace footfall {
 
-// mujoco: the root. origin: of an element; copied(copy, of): is told of every element that is made. Throws InputError.
+// mujoco: the root. origin: of an element; copied(copy, of): called for every new element. Throws InputError.
 void resolve_frames(pugi::xml_node mujoco, const std::function<Origin(const pugi::xml_node&)>& origin,
                     const std::function<void(const pugi::xml_node&, const pugi::xml_node&)>& copied);
 

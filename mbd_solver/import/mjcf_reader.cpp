@@ -1,6 +1,6 @@
-// MJCF, by the compiled model of MuJoCo: its defaults, classes, compiler flags and inertias of geoms are applied there. The
-// drawing is qpos0, with free joints where the first keyframe has them, or this keyframe where draw() says so. Equations:
-// mujoco.readthedocs.io, Computation.
+// MJCF, by the compiled model of MuJoCo: its defaults, classes, compiler flags and inertias of geoms are applied
+// there. The reference configuration is qpos0, with free joints where the first keyframe has them, or this keyframe
+// if draw() selects it. Equations: mujoco.readthedocs.io, Computation.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ Eigen::Matrix3d rotation(const mjtNum* q) {
 }
 void overhear(const char*) {}
 
-// Compiles the text; what only later versions know is taken out and listed.
+// Compiles the text; parts that only later versions know are removed and listed.
 Model compiled(MjcfSource& source) {
   mju_user_error = refuse;
   mju_user_warning = overhear;
@@ -86,7 +86,7 @@ class MjcfRobot {
     add_actuators();
     add_contact_pairs();
     for (const pugi::xml_node& tendon : source_.children_of("tendon"))
-      leave_out(tendon, "a scene has no tendons; a strut between two points, or a gear, may stand for it");
+      leave_out(tendon, "a scene has no tendons; a strut between two points, or a gear, may replace it");
     add_velocities();
   }
 
@@ -127,9 +127,9 @@ class MjcfRobot {
     return std::find(m_.jnt_type, m_.jnt_type + m_.njnt, static_cast<int>(type)) != m_.jnt_type + m_.njnt;
   }
 
-  // Drawn at the first keyframe is what would not come there by [initial.joints], from which all else follows by the smallest
-  // motion: what hangs on a ball joint, loops and couplings on the way of several coordinates, free bodies beside what the world
-  // holds. So are bodies that move, whose velocities are those of the drawing, and what is put on a ground, which is below it.
+  // The first keyframe is the reference configuration if [initial.joints] could not reach it, because all else follows by the
+  // smallest motion: with ball joints, loops, couplings across several coordinates, or free bodies next to bodies that the world
+  // holds. Likewise if bodies move, with velocities of the reference configuration, and for robots put on a ground below them.
   void draw() {
     robot_.drawn = "qpos0";
     place(*d_, m_.qpos0);
@@ -177,7 +177,7 @@ class MjcfRobot {
   }
   bool drawn_at_key() const { return robot_.drawn != "qpos0"; }
 
-  // Coordinate of a joint since qpos0, and that of one that is coupled to it.
+  // Coordinate of a joint since qpos0, and of a joint coupled to it.
   double moved(const mjData& d, int j) const { return d.qpos[m_.jnt_qposadr[j]] - m_.qpos0[m_.jnt_qposadr[j]]; }
   static double coupled(const mjtNum* a, double q) { return a[0] + q * (a[1] + q * (a[2] + q * (a[3] + q * a[4]))); }
 
@@ -258,7 +258,7 @@ class MjcfRobot {
     return joint;
   }
 
-  // What a joint of several degrees of freedom has, and a scene cannot give it.
+  // Properties of a joint of several degrees of freedom that a scene cannot represent.
   void list_lost(int j, int degrees, const char* kind) {
     const int v = m_.jnt_dofadr[j];
     std::vector<std::string> lost;
@@ -439,7 +439,7 @@ class MjcfRobot {
         if (!robot_.map) robot_.plane_friction = m_.geom_friction[3 * g];
       } else {
         leave_out(geom_node(g),
-                  "stands still in the world; the ground of a scene is one level plane, one map of heights along x "
+                  "is fixed in the world; the ground of a scene is one level plane, one map of heights along x "
                   "and y, or grains",
                   !collides);
       }
@@ -567,7 +567,7 @@ class MjcfRobot {
     robot_.gears.push_back(gear);
   }
 
-  // Force on the joint, g times that of the actuator: g (k c + b0 + b1 g q + b2 g v), c the control.
+  // Force on the joint, g times the actuator's force: g (k c + b0 + b1 g q + b2 g v), c the control.
   void add_actuators() {
     const std::vector<pugi::xml_node> nodes = source_.children_of("actuator");
     for (int i = 0; i < m_.nu; ++i) {
@@ -615,8 +615,8 @@ class MjcfRobot {
       } else {
         drive.command = g * (k * control + b0);
         if (largest > 0.0) drive.max_torque = largest;
-        drive.remark = number_text(g * k, 6) + " times the control" +
-                       (control != 0.0 ? ", which remains that of the keyframe" : "");
+        drive.remark =
+            number_text(g * k, 6) + " times the control" + (control != 0.0 ? ", which remains as in the keyframe" : "");
       }
       if (m_.actuator_forcelimited[i] != 0) {
         const double lo = m_.actuator_forcerange[2 * i], hi = m_.actuator_forcerange[2 * i + 1];
@@ -629,7 +629,7 @@ class MjcfRobot {
     }
   }
 
-  // Velocities of all bodies in the keyframe: those of free bodies, in qvel of the origin of their frame, and of joints.
+  // Velocities of all bodies in the keyframe: of free bodies, in qvel of the origin of their frame, and of joints.
   void add_velocities() {
     if (!moves_) return;
     const pugi::xml_node key = source_.children_of("keyframe").front();
@@ -653,7 +653,7 @@ class MjcfRobot {
     for (const auto& [link, beyond] : between_) add_velocity_before(link, beyond);
   }
 
-  // The link moves as the body beyond these joints would if they stood still: v - w_j x (p - p_j), w - w_j of each.
+  // The link moves as the body beyond these joints would if the joints did not move: v - w_j x (p - p_j), w - w_j of each.
   void add_velocity_before(int link, const std::vector<int>& joints) {
     const int body = body_of(joints.back());
     const RobotLink& whole = robot_.links[at(link_of(body))];
@@ -677,7 +677,7 @@ class MjcfRobot {
   const MjcfSource& source_;
   const mjModel& m_;
   const ImportOptions& options_;
-  Data d_;              // as drawn
+  Data d_;              // in the reference configuration
   bool starts_ = true;  // joints start in the first keyframe
   bool moves_ = false;  // it has velocities
   Robot& robot_;

@@ -84,7 +84,8 @@ void MjcfSource::add_children(pugi::xml_node into, const pugi::xml_node& of, con
     std::error_code error;
     if (name.empty() || !fs::is_regular_file(path, error))
       xml.fail(code::kRobotName, child,
-               "includes \"" + name.substr(0, 100) + "\", which is no file; expected a file beside this one");
+               "includes \"" + name.substr(0, 100) +
+                   "\", which is no file; expected a file relative to the folder of this file");
     if (depth >= kDeepestInclude)
       xml.fail(code::kRobotTree, child,
                "includes files more than " + std::to_string(kDeepestInclude) + " deep; they include each other");
@@ -170,7 +171,7 @@ void MjcfSource::take_what_is_for_looks() {
                            " is of later versions than MuJoCo 2.2.2, which reads the file; load it there, save it by "
                            "mj_saveLastXML, which resolves such elements, and import that file");
     } else if (name == "adhesion" && above == "actuator" && !node.attribute("ctrlrange")) {
-      node.append_attribute("ctrlrange") = "0 1";  // MuJoCo 2.2.2 wants it here, later ones take that of a class
+      node.append_attribute("ctrlrange") = "0 1";  // MuJoCo 2.2.2 requires it here, later versions use the class
     } else if (name == "plugin") {
       leave_out(node, "is code of MuJoCo");
       node.parent().remove_child(node);
@@ -183,7 +184,7 @@ void MjcfSource::take_what_is_for_looks() {
   }
 }
 
-// What of <option> changes the motion of a mechanism without contacts.
+// The part of <option> that changes the motion of a mechanism without contacts.
 void MjcfSource::take_option() {
   for (pugi::xml_node option : merged_.document_element().children("option")) {
     std::vector<std::string> gone;
@@ -215,7 +216,7 @@ void MjcfSource::name_assets() {
     strip = strip || std::string(one.attribute("strippath").value()) == "true";
     for (const char* name : {"assetdir", "meshdir", "texturedir", "strippath"}) one.remove_attribute(name);
   }
-  // A range alone is a limit, as in all later versions; earlier ones required `limited` beside it.
+  // A range alone is a limit, as in all later versions; earlier versions also required `limited`.
   pugi::xml_node compiler = mujoco.child("compiler");
   if (!compiler) compiler = mujoco.prepend_child("compiler");
   bool said = false;
@@ -314,7 +315,7 @@ void MjcfSource::without_meshes(const std::vector<std::string>& missing) {
       return;
     }
     leave_out(node, "its mesh \"" + mesh + "\" is not there");
-    // A geom without mass may go; where it gives the mass of its body, MuJoCo says what is missing.
+    // A geom without mass may be removed; if it gives the mass of its body, MuJoCo reports what is missing.
     if (std::string(node.name()) == "geom" || std::string(node.name()) == "site") node.parent().remove_child(node);
   });
 }
@@ -348,7 +349,7 @@ std::string MjcfSource::text() {
   return text.str();
 }
 
-// print() writes each element on a line of its own, and its end on another one if it has children.
+// print() writes each element on a separate line, and its end on another one if it has children.
 pugi::xml_node MjcfSource::at_printed_line(int line) const {
   int at = 0;
   pugi::xml_node found;

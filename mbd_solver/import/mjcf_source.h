@@ -1,6 +1,6 @@
 #pragma once
-// The XML of an MJCF file as MuJoCo gets it: files that it includes in their places, without what only later versions read, what
-// no scene has a use for, and meshes that are not there. Every element keeps the line that it comes from.
+// The XML of an MJCF file for MuJoCo: included files in their places, without parts that only later versions read,
+// parts that no scene can use, and missing meshes. Every element keeps the line that it comes from.
 
 #include <string>
 #include <unordered_map>
@@ -13,7 +13,7 @@ namespace footfall {
 
 class MjcfSource {
  public:
-  // What it leaves out goes to robot.not_taken. Throws InputError.
+  // Omitted parts go to robot.not_taken. Throws InputError.
   MjcfSource(const std::string& file, const ImportOptions& options, Robot& robot);
 
   // The text for the library.

@@ -1,7 +1,7 @@
 #pragma once
-// A robot as its file describes it, in one form for all formats: what the readers fill, tidy_robot() completes, and
-// write_robot_scene() writes. D is the frame of the drawing, in which the scene describes the mechanism; L that of a link;
-// G that of a geometry. The drawing shows the robot with each joint at RobotCoordinate::zero.
+// A robot in one form for all file formats: the readers fill it, tidy_robot() completes it, and write_robot_scene()
+// writes it. D is the reference configuration, in which the scene describes the mechanism; L the frame of a link; G
+// the frame of a geometry. In D the robot has each joint at RobotCoordinate::zero.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -12,18 +12,18 @@
 
 namespace footfall {
 
-// Where something stands in the files of the robot.
+// A place in the files of the robot.
 struct Origin {
   std::string file;  // as the user named it, or included by that
   int line = 0;
   std::string place() const { return file + ":" + std::to_string(line); }
 };
 
-// Something of the file that is not in the scene, or is there otherwise than in the file.
+// A part of the file that is not in the scene, or differs from the file.
 struct NotTaken {
   Origin origin;
   std::string what;    // "transmission \"t1\""
-  std::string why;     // what the scene has instead, or what to do
+  std::string why;     // the replacement in the scene, or the remedy
   bool looks = false;  // of pictures alone: does not change the motion
 };
 
@@ -47,11 +47,11 @@ struct RobotGeometry {
   double length = 0.0;                              // cylinder, capsule: along z of G, without round ends [m]
   std::string file;                                 // mesh: where it is on this machine
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();  // mesh: m per unit of the file [m]
-  TriangleMesh mesh;                                // mesh: in G; empty: that of the file
+  TriangleMesh mesh;                                // mesh: in G; empty: the mesh of the file
   RigidFrame X_LG;
 };
 
-// A shape without volume, as files have for what touches nothing.
+// A shape without volume, as files have for links that touch nothing.
 bool is_empty(const RobotGeometry& geometry);
 
 struct RobotLink {
@@ -60,12 +60,12 @@ struct RobotLink {
   double mass = 0.0;                                  // [kg]; 0: not given
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();   // mass centre in L [m]
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the mass centre, in axes of L [kg m2]
-  RigidFrame X_DL;                                    // in the drawing
+  RigidFrame X_DL;                                    // in the reference configuration D
   // At the start, of the origin of L; both or none. In axes of D [m/s, rad/s].
   std::optional<Eigen::Vector3d> velocity, angular_velocity;
   std::vector<RobotGeometry> collisions, visuals;
   std::optional<double> friction;  // of its surface [-]
-  std::string remark;              // for the scene: what was merged into it
+  std::string remark;              // for the scene: the links merged into it
 };
 
 enum class RobotJointKind { kFixed, kRevolute, kPrismatic, kCylindrical, kPlanar, kSpherical, kUniversal };
@@ -73,7 +73,7 @@ enum class RobotJointKind { kFixed, kRevolute, kPrismatic, kCylindrical, kPlanar
 // One coordinate of a joint: an angle [rad] or a displacement [m].
 struct RobotCoordinate {
   std::string name;                    // "angle", "displacement", "displacement_x", "displacement_y"
-  double zero = 0.0;                   // the file's coordinate in the drawing
+  double zero = 0.0;                   // the file's coordinate in the reference configuration
   std::optional<double> lower, upper;  // the file's coordinates
   double damping = 0.0;                // [N m s/rad]
   double friction = 0.0;               // [N m]
@@ -159,16 +159,16 @@ struct ImportOptions {
   bool merge_fixed = false;           // links with fixed joints become one body
   bool fix_base = false;              // the root is fixed to the ground
   bool hold = false;                  // joints without a motor are held where they start, by gains of this program
-  bool host = false;                  // a program that leads the run sets the commands of motors
+  bool host = false;                  // a program that controls the run sets the commands of motors
   bool bare = false;                  // without surfaces
   std::vector<std::string> packages;  // folders in which package:// and model:// are looked for
 };
 
-// Of an effort of 0, which many programs write where none is known.
+// The remark on an effort of 0, which many programs write if no effort is known.
 inline constexpr const char* kWithoutEffort =
     "effort is 0, which no motor has: the one of --hold has no largest torque or force";
 
-// --- Readers: one per format, and one door to each library. All throw InputError with file and line.
+// --- Readers: one per format; one file includes each library. All throw InputError with file and line.
 
 Robot read_urdf(const std::string& file, const ImportOptions& options);
 Robot read_sdf(const std::string& file, const ImportOptions& options);  // with FOOTFALL_SDFORMAT only
@@ -176,17 +176,17 @@ Robot read_mjcf(const std::string& file, const ImportOptions& options);
 // By the root element of the file.
 Robot read_robot(const std::string& file, const ImportOptions& options);
 
-// --- What all formats share.
+// --- Common parts of all formats.
 
-// Links without mass join their neighbours, inertias become those of real bodies, options are carried out; each change is
-// in not_taken.
+// Links without mass join their neighbours, inertias become possible for real bodies, options are carried out; each
+// change is in not_taken.
 void tidy_robot(Robot& robot, const ImportOptions& options);
 
-// Mass, centre and inertia of the link grow by those of a homogeneous solid, density [kg/m3]. Throws InputError where a mesh
-// encloses none.
+// Adds mass, centre and inertia of a homogeneous solid to the link, density [kg/m3]. Throws InputError if a mesh
+// encloses no volume.
 void add_solid(RobotLink& link, const RobotGeometry& solid, double density);
 
-// What the joints of a robot move, computed once.
+// The links that the joints of a robot move, computed once.
 class MovedInertias {
  public:
   explicit MovedInertias(const Robot& robot);
@@ -207,7 +207,7 @@ class MovedInertias {
   std::vector<Sum> beyond_;  // of each link with all that it carries
 };
 
-// The triangles of a geometry in G, cleaned of what no surface can have. Throws InputError.
+// The triangles of a geometry in G, without defects that a surface must not have. Throws InputError.
 TriangleMesh geometry_mesh(const RobotGeometry& geometry);
 
 // "package://NAME/PATH", "model://NAME/PATH", "file://PATH" or a path relative to the robot's file; empty where there is no such
@@ -231,8 +231,8 @@ struct RobotBed {
 std::vector<SceneFile> write_robot_scene(Robot& robot, const ImportOptions& options,
                                          const std::optional<RobotBed>& bed = std::nullopt);
 
-// What is not taken, in the order of the file; parts of one kind and with one reason are one line. `looks`: with what is of
-// pictures alone; `names_only`: files without their folders, and all lines of a group.
+// Parts that are not converted, in the order of the file; parts of one kind and with one reason are one line.
+// `looks`: including parts for pictures alone; `names_only`: files without their folders, and all lines of a group.
 std::vector<std::string> not_taken_lines(const Robot& robot, bool looks, bool names_only);
 
 }  // namespace footfall

@@ -1,5 +1,5 @@
-// Makes bodies of links: what has no mass joins its neighbour or gets a small mass, inertias become those of real bodies, names
-// become those of a scene. Inertias about a joint, for the stiffness of its stops.
+// Makes bodies of links: links without mass join a neighbour or get a small mass, inertias become possible for real
+// bodies, names become names of a scene. Inertias about a joint, for the stiffness of its stops.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cctype>
@@ -28,7 +28,7 @@ Eigen::Matrix3d steiner(double mass, const Eigen::Vector3d& d) {
   return mass * (d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose());
 }
 
-// Mass, centre and inertia of `from`, at rest relative to `into`, are added to those of `into`.
+// Adds mass, centre and inertia of `from`, at rest relative to `into`, to `into`.
 void add_mass(RobotLink& into, const RobotLink& from) {
   if (!(from.mass > 0.0)) return;
   const RigidFrame X = into.X_DL.inverse() * from.X_DL;
@@ -164,7 +164,7 @@ class Tidy {
     if (std::any_of(parts_[at(index)].begin(), parts_[at(index)].end(),
                     [&](int part) { return !link(part).collisions.empty(); }))
       robot_.leave_out(link(index).origin, "link \"" + link(index).name + "\": its surface",
-                       "it stands on the ground without mass; a scene has bodies with mass only");
+                       "it is fixed to the ground without mass; a scene has bodies with mass only");
     into_[at(index)] = kGround;
     const std::set<int> joints = joints_of_[at(index)];
     for (const int other : joints)
@@ -224,7 +224,7 @@ class Tidy {
     }
   }
 
-  // The links and joints that are left, and what refers to them.
+  // The remaining links and joints, and references to them.
   void renumber() {
     std::vector<RobotLink> links;
     std::vector<int> link_places(robot_.links.size(), kGround);
@@ -311,7 +311,7 @@ class Tidy {
     const std::string name = "link \"" + of.name + "\": its inertia";
     if (of.inertia.norm() < kNoRadius * kNoRadius * of.mass) {
       of.inertia = of.mass * kPointRadius * kPointRadius * Eigen::Matrix3d::Identity();
-      robot_.leave_out(of.origin, name, "is zero; it is that of a ball with 1 mm radius of gyration");
+      robot_.leave_out(of.origin, name, "is zero; the scene has the inertia of a ball with 1 mm radius of gyration");
       return;
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(of.inertia);
@@ -339,7 +339,7 @@ class Tidy {
 
   Robot& robot_;
   const ImportOptions& options_;
-  std::vector<int> into_;                        // of a link: itself, the one that it has joined, or kGround
+  std::vector<int> into_;                        // of a link: itself, the link that it has joined, or kGround
   std::vector<std::list<int>> parts_;            // links that a link consists of
   std::vector<std::list<std::string>> remarks_;  // pieces of the remark of a link
   std::vector<std::set<int>> joints_of_;         // at either end of a link

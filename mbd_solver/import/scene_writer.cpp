@@ -1,5 +1,5 @@
-// Writes a robot as a scene: one entry per link, joint, gear and motor, with the line it comes from; meshes beside it. Numbers
-// have as many digits as they need to be read back as they are.
+// Writes a robot as a scene: one entry per link, joint, gear and motor, with its line in the file; meshes in the same
+// folder. Numbers have as many digits as needed to be read back unchanged.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Stops are as stiff as makes what they hold swing at this frequency [Hz].
+// Stops are so stiff that the supported mass swings at this frequency [Hz].
 constexpr double kStopFrequency = 50.0;
 // A motor of --hold: its loop swings at this frequency [Hz] with this damping ratio.
 constexpr double kHoldFrequency = 5.0, kHoldDamping = 0.7;
@@ -30,7 +30,7 @@ constexpr double kGrains = 6000.0;        // of the bed of --ground, about
 constexpr double kDepthInRadii = 10.0;    // of this bed
 constexpr std::size_t kMostPairs = 1500;  // entries of bodies that do not touch each other
 constexpr std::size_t kManyTriangles = 20000;
-constexpr const char* kUnsetSignal = "W0667";  // the warning that nobody sets a signal of kind host
+constexpr const char* kUnsetSignal = "W0667";  // the warning that no program sets a signal of kind host
 constexpr std::size_t kMostLines = 6;          // of a group of the printed list
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
@@ -117,7 +117,7 @@ class Writer {
     add_drives();
     add_ground();
     add_start();
-    // Of each such signal a run from the command line would warn.
+    // A run from the command line would warn of each such signal.
     if (!signals_.empty())
       rest_ += "\n[accepted]\n" + std::string(kUnsetSignal) +
                " = \"a program that leads the run sets the commands of motors (--host)\"\n";
@@ -146,7 +146,7 @@ class Writer {
     return text.str();
   }
 
-  // --- Bodies, and what of them touches something.
+  // --- Bodies, and their parts that touch something.
 
   void add_body(int index) {
     const RobotLink& link = robot_.links[at(index)];
@@ -320,7 +320,7 @@ class Writer {
     return std::max(1e-9, moved_.beyond(joint, q.name != "angle") + q.armature);
   }
 
-  // Angles beyond one turn in degrees: a scene asks back whether so many radians are meant.
+  // Angles beyond one turn in degrees: a scene warns of so many radians.
   static std::string coordinate_entry(const std::string& key, const RobotCoordinate& q, double value) {
     const double x = value - q.zero;
     if (q.name != "angle" || std::abs(x) <= 2.0 * kPi) return key + " = " + number(x);
@@ -519,7 +519,7 @@ class Writer {
       const Eigen::Vector3d extent = box_.sizes();
       const double longer = std::max({extent[0], extent[1], 0.3 * extent[2]});
       const RobotBed bed = bed_.value_or(first_bed(longer));
-      // The simulation box holds all that the robot has beside the bed.
+      // The simulation box contains the parts of the robot outside the bed.
       double margin = 0.5 * longer;
       for (int axis = 0; axis < 2; ++axis) {
         const double farthest = std::max(box_.max()[axis] - bed.centre[axis], bed.centre[axis] - box_.min()[axis]);
@@ -541,7 +541,7 @@ class Writer {
     const bool held = std::any_of(robot_.joints.begin(), robot_.joints.end(), [](const RobotJoint& joint) {
       return joint.parent < 0 && joint.kind == RobotJointKind::kFixed;
     });
-    if (held)  // A base stays where it is while its joints start elsewhere. z = 0 is the ground.
+    if (held)  // A base remains where it is while its joints start elsewhere. z = 0 is the ground.
       initial_ += "position = [0, 0, " + number_text(gap - box_.min().z(), 4) +
                   "]             # m: the lowest point as drawn is above the ground\n";
     else
@@ -604,7 +604,7 @@ std::vector<std::string> not_taken_lines(const Robot& robot, bool looks, bool na
   const auto file_of = [&](const NotTaken& one) {
     return names_only ? fs::path(one.origin.file).filename().string() : one.origin.file;
   };
-  // Of the same kind: what differs in names and values alone, for the same reason.
+  // Two remarks are of the same kind if they differ in names and values alone, for the same reason.
   const auto kind_of = [](const NotTaken& one) {
     std::string kind;
     bool quoted = false;

@@ -1,5 +1,5 @@
-// URDF. The file is checked with its lines, what is not said in a scene is listed, and urdfdom reads the rest: links, joints,
-// their placements. The drawing shows all joints at zero, but those that mimic another one at their offset.
+// URDF. The file is checked with its lines, parts that no scene can represent are listed, and urdfdom reads links, joints and
+// placements. In the reference configuration all joints are zero, except that joints that mimic another have their offset.
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
@@ -15,7 +15,7 @@
 namespace footfall {
 namespace {
 
-// What is read (wiki.ros.org/urdf/XML)
+// Elements that are read (wiki.ros.org/urdf/XML)
 const std::map<std::string, KnownElement>& urdf_elements() {
   static const std::map<std::string, KnownElement> known = {
       {"robot", {{"name", "version"}, {"link", "joint"}, {"material"}}},
@@ -185,7 +185,7 @@ void check_tree(const XmlSource& xml, const NodesByName& links, const NodesByNam
     if (root.empty()) root = at;
     if (at != root)
       xml.fail(code::kRobotTree, links.at(at),
-               "is a second root beside \"" + root + "\"; add a joint that connects it");
+               "is a second root in addition to \"" + root + "\"; add a joint that connects it");
   }
 }
 
@@ -203,7 +203,7 @@ class Messages final : public console_bridge::OutputHandler {
   std::string texts;
 };
 
-// What urdfdom is given: without what it does not read, or refuses without need (colours, capsules, missing efforts).
+// The text for urdfdom: without elements that it does not read, or refuses without need (colours, capsules, missing efforts).
 std::string text_for_urdfdom(const XmlSource& xml) {
   pugi::xml_document copy;
   pugi::xml_node robot = copy.append_copy(xml.root());
@@ -327,7 +327,7 @@ class UrdfRobot {
     }
   }
 
-  // Coordinate in the drawing: those of joints that follow no other one are zero.
+  // Coordinate in the reference configuration: zero for joints that follow no other joint.
   double drawn(const urdf::Joint& joint) {
     double value = 0.0;
     std::vector<const urdf::Joint*> followers;
@@ -538,7 +538,7 @@ Robot read_urdf(const std::string& file, const ImportOptions& options) {
   if (!model || !model->getRoot())
     throw InputError(code::kRobotRefused, xml.origin(xml.root()).place() + ": urdfdom refuses the file: " +
                                               (messages.texts.empty() ? thrown : messages.texts) +
-                                              "; `check_urdf` of the Debian package liburdfdom-tools says more");
+                                              "; `check_urdf` of the Debian package liburdfdom-tools prints details");
   return UrdfRobot(xml, links, joints, options).made(*model);
 }
 

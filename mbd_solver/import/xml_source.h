@@ -1,6 +1,6 @@
 #pragma once
-// The XML of a robot's file: where each element stands, and which elements and attributes a reader does not know. The one
-// door to pugixml of this folder.
+// The XML of a robot's file: the place of each element, and elements and attributes that a reader does not know. The only
+// file of this folder that includes pugixml.
 
 #include <map>
 #include <memory>
@@ -38,11 +38,11 @@ class XmlSource {
   pugi::xml_document document_;
 };
 
-// What a reader knows of an element: its attributes, its children, and of the children those that are of pictures alone.
+// The parts of an element that a reader knows: its attributes, its children, and the children that serve pictures alone.
 struct KnownElement {
   std::vector<std::string> attributes, children, looks;
 };
-// Adds what is not known to robot.not_taken. `known`: by name, or by "parent/name" where names are used twice.
+// Adds unknown parts to robot.not_taken. `known`: by name, or by "parent/name" where names are used twice.
 void list_unread(const XmlSource& xml, const std::map<std::string, KnownElement>& known, Robot& robot);
 
 // "link "wheel"", or "link" without a name.

@@ -1,5 +1,5 @@
-// States follow from the stages with the weights of the extension, as the step's end does with
-// those of the method.
+// States follow from the stages with the weights of the extension, just as the step's end follows with
+// the weights of the method.
 
 #include "mbd_solver/integrator/dense_step.h"
 

@@ -1,5 +1,5 @@
-// The only file that includes SUNDIALS. IDA is called one step at a time; our own convergence test of Newton, projection of its
-// history and passage of singular positions by OneStep stand around it.
+// The only file that includes SUNDIALS. IDA is called one step at a time, with our own convergence test of Newton,
+// projection of its history, and passage of singular positions by OneStep.
 
 #include "mbd_solver/integrator/ida.h"
 
@@ -37,7 +37,7 @@
 namespace footfall {
 namespace {
 
-// What releases 6 and 7 call differently. SUNDIALS prints nothing itself: check() reports an error with the name of the body.
+// Functions with other names in releases 6 and 7. SUNDIALS prints nothing itself: check() reports an error with the body's name.
 #if SUNDIALS_VERSION_MAJOR >= 7
 const SUNComm kNoCommunicator = SUN_COMM_NULL;
 constexpr int kConverged = SUN_SUCCESS, kOtherFailure = SUN_ERR_EXT_FAIL;
@@ -289,7 +289,7 @@ void Ida::Sundials::give_up(const MessageCode& code, const std::string& what) {
         .cwiseProduct(view(scratch2).head(equations.layout().lambda0()))
         .cwiseAbs()
         .maxCoeff(&worst);
-  out << "the largest error is that of " << equations.entry_name(worst) << ".";
+  out << "the largest error is in " << equations.entry_name(worst) << ".";
   throw NumericalError(code, out.str());
 }
 
@@ -382,7 +382,7 @@ void Ida::Sundials::aim() {
   check(IDASetStopTime(memory, window.t_end), "IDASetStopTime");
 }
 
-// The newest y becomes that of `state`, to the last bit: differences of two numbers that are nearly equal are exact.
+// The newest y becomes y of `state`, to the last bit: differences of two numbers that are nearly equal are exact.
 bool Ida::Sundials::move_history(const State& state) {
   const Layout& layout = equations.layout();
   double newest = 0.0;
@@ -729,13 +729,13 @@ std::string sundials_version() {
   return version;
 }
 
-// --- Convergence of Newton's iteration in a step: by its remaining error relative to that of the step, and by multipliers.
+// --- Convergence of Newton's iteration in a step: by its remaining error relative to the error of the step, and by multipliers.
 
 namespace {
 
 constexpr double kIgnored = 1e-30;  // weight of multipliers, which have no error test
-// Multipliers must converge nevertheless: each step extrapolates those of earlier steps, which amplifies errors, and a small
-// step does not detect them in v. Relative to the largest multiplier.
+// Multipliers must converge nevertheless: each step extrapolates multipliers of earlier steps, which amplifies
+// errors, and a small step does not detect them in v. Relative to the largest multiplier.
 constexpr double kReactions = 100.0, kLeastReactions = 1e-9;  // [rtol]; [-], round-off
 constexpr double kNoReaction = 1e-3;                          // lower bound of the largest multiplier [N, N m]
 constexpr int kMostForReactions = 3;                          // iterations before multipliers require a new Jacobian

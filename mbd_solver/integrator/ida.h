@@ -1,11 +1,11 @@
 #pragma once
-// SUNDIALS IDA: variable-order BDF on the same residual and the same reduced Jacobian as OneStep. A window with other loads or
-// inputs (or a state changed from outside, projection included) is a new initial value problem: IDA restarts at first order;
-// otherwise it continues. When drift is projected, all values of its history move with the projection (E. Eich, SIAM J. Numer.
-// Anal. 30 (1993), 1467), so that order and step remain. Its error test is that of a single step, and errors of hundreds of
-// steps accumulate: the error of a step is limited to a tenth of the tolerances (below 1e-9 to a share that grows, a third at
-// 1e-10). Drift is projected as soon as it is a part of that, because conditions of singular positions amplify it. OneStep
-// replaces IDA over singular positions.
+// SUNDIALS IDA: variable-order BDF on the same residual and the same reduced Jacobian as OneStep. A window with other
+// loads or inputs (or a state changed from outside, projection included) is a new initial value problem: IDA restarts
+// at first order; otherwise it continues. When drift is projected, all values of its history move with the projection
+// (E. Eich, SIAM J. Numer. Anal. 30 (1993), 1467), so that order and step remain. Its error test judges single steps,
+// and errors of hundreds of steps accumulate: the error of a step is limited to a tenth of the tolerances (below 1e-9
+// to a share that grows, a third at 1e-10). Drift is projected as soon as it reaches a part of this limit, because
+// conditions of singular positions amplify it. OneStep replaces IDA over singular positions.
 
 #include <memory>
 #include <string>

@@ -11,7 +11,7 @@
 namespace footfall {
 
 struct IntegratorOptions {
-  // Tolerances have no default here: SolverSpec has those of scenes, tests state their own.
+  // Tolerances have no default here: SolverSpec has the defaults of scenes, tests state their own.
   double rtol = 0.0;           // relative tolerance of every coordinate > 0
   double atol = 0.0;           // absolute tolerance of q and z > 0 [m, -]
   double atol_velocity = 0.0;  // absolute tolerance of v > 0 [m/s, rad/s]
@@ -84,7 +84,7 @@ struct WindowStops {
 struct WindowStop {
   enum Kind { kRow, kStep, kEnd };
   Kind kind = kEnd;
-  // Of a row: the state, projected if the integrator projects, and its rates [dq; dv; dz; lambda].
+  // The data of a row: the state, projected if the integrator projects, and its rates [dq; dv; dz; lambda].
   const State* state = nullptr;
   const Eigen::VectorXd* rates = nullptr;
   StepView* step = nullptr;  // of a step
@@ -124,9 +124,9 @@ class Integrator {
 
 // Adds a share of the current powers to the time integrals of a State: integral += weight [s] x power [W].
 void add_work(const EnergySample& at, double weight, State& state);
-// The same for the errors of these integrals, weight: of the rule minus that of its embedded rule.
+// The same for the errors of these integrals, weight: of the rule minus the weight of its embedded rule.
 void add_work_error(const EnergySample& at, double weight, WorkError& error);
-// Adds the sizes of the errors of a step to those of a run.
+// Adds the sizes of the errors of a step to the errors of a run.
 void add_step_error(const WorkError& step, WorkError& sum);
 // The sum of the sizes of all powers [W].
 double size_of_powers(const EnergySample& at);

@@ -26,7 +26,7 @@ constexpr double kDivergence = 0.5, kSingularDivergence = 0.25, kAfterDivergence
 constexpr double kFirst = 0.01;     // relative change of y in the first step
 constexpr double kCrossing = 1e-7;  // smallest error limit of a step over a singular position, near round-off
 constexpr double kNear = 1e-9;      // of a step
-// Of the error of a step, beyond which that of work does not count: at rest work is round-off, and needs no short steps.
+// Limit over the error of a step for the error of work: at rest work is round-off, and needs no short steps.
 constexpr double kMostWorkError = 1e3;
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 constexpr double kStretch = 10.0;  // number of steps to its end from which a window is divided into equal ones
@@ -211,9 +211,9 @@ OneStep::Outcome OneStep::try_with_newer_jacobians(double t, double h, const Inp
     outcome = try_step(t, h, false, inputs);
   }
   if (outcome != Outcome::kNoConvergence || (!crossing_.careful() && !may_be_singular_)) return outcome;
-  // Beyond a singular position a vanishing condition has changed its sign: with the Jacobian of the step's start Newton
-  // diverges there for any length of the step, and steps would shrink towards the position. With those of the stages the step
-  // passes over it.
+  // Beyond a singular position a vanishing condition has changed its sign: with the Jacobian of the step's start
+  // Newton diverges there for any length of the step, and steps would shrink towards the position. With the stages'
+  // Jacobians the step passes over it.
   outcome = try_step(t, h, true, inputs);
   newton.drop_factors();
   return outcome;
@@ -279,7 +279,7 @@ void OneStep::reach_end() {
   State& end = dense_.at(window_.change);
   turns_.follow(turning_, dense_.rates(), end);
   state = end;
-  add_step_error(stages_.work_error_parts(), state.work_error);  // at most that of the whole step
+  add_step_error(stages_.work_error_parts(), state.work_error);  // at most the error of the whole step
 }
 
 void OneStep::leave_end() {

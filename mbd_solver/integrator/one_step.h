@@ -1,8 +1,8 @@
 #pragma once
 // Diagonally implicit Runge-Kutta methods with an explicit first stage (tableau.h): one step,
 // L-stable, stiffly accurate. The default, because a new window with another load costs neither
-// order nor additional steps. Stages and estimate are those of step_stages.h, rates at the start
-// those of start_rates.h, states within a step those of dense_step.h. Here is the control of steps:
+// order nor additional steps. Stages and estimate are in step_stages.h, rates at the start in
+// start_rates.h, states within a step in dense_step.h. This file controls the steps:
 // their length follows from the estimate, and passes over singular positions (singular_position.h).
 // Windows that one step does not fill may use a method of higher order
 // (IntegratorOptions::window_order, MethodChoice).
@@ -64,7 +64,7 @@ class OneStep : public Integrator {
     double row_time = 0.0;  // of the next row [s]
     bool switched = false;  // a mode changed at the end of the step
   };
-  // Of the step that has been accepted.
+  // The view of the accepted step.
   class View : public StepView {
    public:
     explicit View(OneStep& steps) : steps_(steps) {}
@@ -76,8 +76,8 @@ class OneStep : public Integrator {
     OneStep& steps_;
   };
 
-  // The step with the current Jacobian; if Newton fails, with one at its start, then with those of
-  // its stages.
+  // The step with the current Jacobian; if Newton fails, with the Jacobian at its start, then with the
+  // Jacobians of its stages.
   Outcome try_with_newer_jacobians(double t, double h, const Inputs& inputs);
   // From step_.y and K[0] to the last Y; sets errors_.last. at_stages: the Jacobian is renewed at
   // every stage.

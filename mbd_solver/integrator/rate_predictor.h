@@ -1,5 +1,5 @@
 #pragma once
-// Predicts the rates of a stage from those of earlier stages and of the step before.
+// Predicts the rates of a stage from the rates of earlier stages and of the step before.
 
 #include <Eigen/Dense>
 #include <vector>

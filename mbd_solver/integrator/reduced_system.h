@@ -24,7 +24,7 @@ class ReducedSystem {
   void solve(Eigen::Ref<Eigen::VectorXd> x) {
     matrix_.solve(x, [this](Eigen::Ref<Eigen::VectorXd> y) { lu_.solve(y); });
   }
-  // x = J^-1 x over [q; v; z; lambda]. The last Jacobian of the equations must be that of evaluate().
+  // x = J^-1 x over [q; v; z; lambda]. The last Jacobian of the equations must come from evaluate().
   void solve_whole(Eigen::Ref<Eigen::VectorXd> x);
   // The next factor() selects entries and pivots from the values alone.
   void forget() { lu_.forget(); }

@@ -1,7 +1,7 @@
 #pragma once
 // Singular positions of a mechanism (theory 2.4): when the next one comes, from the determinant of its saddle matrix at three
 // times, and steps that pass over it. Before such a position an error d in the position causes an error of the rates of d over
-// the square of the remaining time, however smooth the motion is: a step over it has to know where it is.
+// the square of the remaining time, however smooth the motion is: a step over it must be placed by its time.
 
 #include <array>
 #include <limits>
@@ -19,8 +19,8 @@ struct Nearness {
 // Time of the singular position [s]; infinity if none is expected within kAhead spans after the newest. Oldest first.
 double singular_time(const std::array<Nearness, 3>& seen);
 
-// What a one-step method knows about the next singular position: repeated failures start the search, and the step over the
-// position is a long one without a stage near it.
+// Knowledge of a one-step method about the next singular position: repeated failures start the search, and the step
+// over the position is long, without a stage near it.
 class SingularCrossing {
  public:
   void forget() { *this = {}; }

@@ -1,11 +1,11 @@
 #pragma once
 // Newton's method on the equations of one stage of a one-step method, with a Jacobian that serves many steps.
 //   Y = known + K / c,  F(t, Y, K) = 0
-// Positions follow from velocities in closed form, so that Newton iterates [v; z; lambda] alone, with the reduced Jacobian at
-// c. Multipliers have no rates. Newton stops when its remaining error is small relative to the error of the step. A stiff force
-// whose direction turns within a step makes later stages converge much more slowly than the one before: their first iteration
-// is judged by the slowest stage so far, and after such a step all of them more strictly, because what is left adds up over many
-// steps.
+// Positions follow from velocities in closed form, so that Newton iterates [v; z; lambda] alone, with the reduced
+// Jacobian at c. Multipliers have no rates. Newton stops when its remaining error is small relative to the error of
+// the step. A stiff force whose direction turns within a step makes later stages converge much more slowly than the
+// one before: their first iteration is judged by the slowest stage so far, and after such a step all of them more
+// strictly, because remaining errors add up over many steps.
 
 #include <string>
 
@@ -18,7 +18,7 @@ namespace footfall {
 // Why the last step failed.
 struct StepFailure {
   int worst = -1;      // entry of y
-  std::string reason;  // of a force law without a value, or a joint that stays open; ends with its code
+  std::string reason;  // of a force law without a value, or a joint that remains open; ends with its code
 };
 
 class StageNewton {
@@ -60,7 +60,7 @@ class StageNewton {
   ReducedSystem system_;
   double factored_c_ = 0.0;  // c of the factors; 0: none
   bool fresh_ = false, stiff_ = false, turns_ = false;
-  static constexpr double kStiff = 20.0;         // from which it is that of a stiff force
+  static constexpr double kStiff = 20.0;         // from which a force is stiff
   double stiffness_ = 0.0;                       // (gamma h)^2 stiffness / mass, the largest
   double rate_ = 1.0;                            // last convergence rate
   double slowest_ = 0.0, slowest_before_ = 0.0;  // the largest rate of the stages of this step, and of the step before

@@ -1,6 +1,6 @@
 #pragma once
-// Rates at the start of a step, K[0] with multipliers: those of the last step's end, unless the
-// window is another one. A window that continues the last one starts from its rates, corrected for
+// Rates at the start of a step, K[0] with multipliers: the rates at the end of the last step, unless the
+// window is another one. A window that continues the last window starts from its rates, corrected for
 // the change of loads with existing factors of the saddle matrix.
 
 #include <limits>
@@ -28,7 +28,7 @@ class StartRates {
   void forget() { left_time_ = -std::numeric_limits<double>::infinity(); }
 
  private:
-  bool follow(const Inputs& inputs, const State& state);  // K[0] from that of the previous window
+  bool follow(const Inputs& inputs, const State& state);  // K[0] from K[0] of the previous window
   void pack(const Inputs& inputs, const State& state);    // y and energy[0], with K[0]
 
   Equations& equations_;

@@ -11,7 +11,7 @@ namespace footfall {
 
 // Which of two methods is used in a step. Steps end with windows: if one step of few stages fills a window, more stages are
 // wasted; if it takes several, a step of a higher order with more stages is cheaper. Where a stiff force turns within the step each
-// stage amplifies what Newton left in those before it, by a_ij / gamma: few stages are then more accurate, and cheaper.
+// stage amplifies the errors that Newton left in earlier stages, by a_ij / gamma: few stages are then more accurate, and cheaper.
 class MethodChoice {
  public:
   bool high() const { return high_; }

@@ -1,5 +1,5 @@
 // Stages are predicted from earlier rates, then solved one after the other; a stage that converges
-// slowly gets a Jacobian of its own.
+// slowly gets its own Jacobian.
 
 #include "mbd_solver/integrator/step_stages.h"
 
@@ -16,8 +16,8 @@ namespace {
 // kLeastError, because of round-off.
 constexpr double kNewton = 0.03, kFirstError = 1e-2, kLeastError = 1e-4, kRoundOff = 1e-12;
 constexpr double kKineticShare = 0.01;  // of the kinetic energy, against which errors of work are small
-// Convergence rate of a stage from which the next stage has a Jacobian of its own: a stiff force
-// whose direction turns within the step makes the one of its start useless, and what Newton then
+// Convergence rate of a stage from which the next stage has its own Jacobian: a stiff force
+// whose direction turns within the step makes the Jacobian of its start useless, and the error that Newton then
 // leaves, small in every coordinate, adds up over many steps.
 constexpr double kStale = 0.1;
 
@@ -82,7 +82,7 @@ bool StepStages::solve_stage(std::size_t i, double t, double h, double tolerance
     if (!newton_.refresh(t, step_.y, step_.K[0], c, slow, inputs)) return false;
   }
   if (newton_.solve(t_stage, c, known_, tolerance, slow, inputs, Y, K)) return true;
-  // Once more with the Jacobian of this stage, if that of the start of this step is not enough.
+  // Once more with the Jacobian of this stage, if the Jacobian of the start of this step is not enough.
   if (own || !newton_.fresh()) return false;
   begin();
   return newton_.refresh(t_stage, Y, K, c, slow, inputs) &&

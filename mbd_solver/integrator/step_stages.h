@@ -14,7 +14,7 @@
 
 namespace footfall {
 
-// The step that is tried. Who moves to its end makes the last stage the first one.
+// The trial step. A caller that moves to its end makes the last stage the first stage.
 struct StepData {
   StepData(const Layout& layout, const Tableau& tableau, int most_stages);
 
@@ -47,7 +47,7 @@ class StepStages {
   // All stages of a step h from t [s]; false: no convergence.
   bool solve(double t, double h, const Treatment& treatment, const Inputs& inputs);
   double estimated_error(double t, double h);  // 1 = tolerance
-  // The same of its time integrals of powers, where work so far [J] is of this size.
+  // The same for its time integrals of powers, if work so far [J] has this size.
   double work_error(double t, double h, double work_scale, const Inputs& inputs);
   const WorkError& work_error_parts() const { return work_error_; }  // of the last work_error()
 

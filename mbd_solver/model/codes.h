@@ -8,7 +8,7 @@ namespace footfall::code {
 
 // --- Bodies, joints and elements.
 
-// Mass or inertia of a body is not that of a solid. Correct mass and inertia, or give dimensions and density.
+// Mass or inertia of a body is impossible for a solid. Correct mass and inertia, or give dimensions and density.
 inline constexpr MessageCode kMassProperties{"E0300", "mass-properties"};
 // Mode shapes move the centre of mass, or the nodes do not balance about it. Use mean axes (footfall converts files).
 inline constexpr MessageCode kModesMoveCentre{"E0301", "modes-move-centre"};
@@ -42,7 +42,7 @@ inline constexpr MessageCode kGasUsedUp{"E0311", "gas-used-up"};
 inline constexpr MessageCode kCableBodies{"E0334", "cable-bodies"};
 // Two guides of a cable meet: one is inside of the other. Stop the mechanism before, or correct radii and sense of the axes.
 inline constexpr MessageCode kCableInside{"E0335", "cable-inside"};
-// A drum has taken up the whole cable. Stop its drive before, or give the cable a longer way.
+// A drum has wound in the whole cable. Stop its drive earlier, or give the cable a longer path.
 inline constexpr MessageCode kCableTakenUp{"E0336", "cable-taken-up"};
 // The bodies of a bushing are nearly half a turn apart. Use a torsion spring about a joint axis.
 inline constexpr MessageCode kHalfTurn{"E0312", "half-turn"};

@@ -1,8 +1,8 @@
 #pragma once
 // A force element acts on one or two bodies (or a body and the ground), may own inner states z, and reports its energy and
-// power. Generalized forces and derivatives are local to its pair of bodies: velocities [v1; v2], increments [dx1; dx2] as
-// in kinematic_vector.h; the assembler scatters them. A cable acts on further bodies, whose coordinates follow those of the
-// pair. Gravity is a constant of the model and external loads are constants of a window; neither is a force element.
+// power. Generalized forces and derivatives are local to its pair of bodies: velocities [v1; v2], increments [dx1; dx2] as in
+// kinematic_vector.h; the assembler scatters them. A cable acts on further bodies, whose coordinates follow the coordinates
+// of the pair. Gravity is a constant of the model and external loads are constants of a window; neither is a force element.
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -22,15 +22,15 @@ class ForceElement;
 
 inline constexpr std::size_t kMostBodies = 8;  // on which one element acts
 
-// What an element writes while it is evaluated: buffers, and what it has found for the last state or step. Elements themselves
-// are constant, so that several evaluations may share a model, each with scratch of its own.
+// Scratch data of an element during evaluation: buffers, and results for the last state or step. Elements themselves
+// are constant, so that several evaluations may share a model, each with its own scratch.
 struct ElementScratch {
   explicit ElementScratch(const ForceElement& element) : owner(&element) {}
   virtual ~ElementScratch() = default;
   const ForceElement* owner;  // whose scratch this is
 };
 
-// What several elements hold together and an evaluation changes, such as tracks in a soil: one copy for each evaluation.
+// Data that several elements share and an evaluation changes, such as tracks in a soil: one copy for each evaluation.
 class SharedCopies {
  public:
   template <class T>
@@ -109,7 +109,7 @@ class ForceElement {
     FOOTFALL_DEMAND(scratch.owner == this);
     return static_cast<Scratch&>(scratch);
   }
-  // Of an element on any number of bodies, at most kMostBodies.
+  // For an element on any number of bodies, at most kMostBodies.
   void set_bodies(const std::vector<int>& bodies) {
     for (std::size_t i = 0; i < bodies.size(); ++i) (i < 2 ? bodies_[i] : further_.emplace_back()) = bodies[i];
   }
@@ -120,7 +120,7 @@ class ForceElement {
   std::vector<int> further_;
 };
 
-// Of an element with inner states that may be modes (StrutLaw::switches): they change between integration steps alone.
+// Interface of an element with inner states that may be modes (StrutLaw::switches): they change between integration steps alone.
 class Switching {
  public:
   virtual ~Switching() = default;
@@ -136,8 +136,8 @@ inline const Switching* switching(const ForceElement& element) {
   return found != nullptr && found->switches() ? found : nullptr;
 }
 
-// Of an element with a memory of the past that changes between integration steps alone. Forces must not jump there while the
-// state stays. The memory is part of the state (State::memory); the scratch holds it unpacked.
+// Interface of an element with a memory of the past that changes between integration steps alone. Forces must not
+// jump there while the state remains. The memory is part of the state (State::memory); the scratch holds it unpacked.
 class Remembering {
  public:
   virtual ~Remembering() = default;

@@ -15,7 +15,7 @@
 
 namespace footfall {
 
-// The two bodies an element acts on. Columns of body 1 start at 0, those of body 2 at body[0]->size().
+// The two bodies an element acts on. Columns of body 1 start at 0, columns of body 2 at body[0]->size().
 struct PairMotion {
   const BodyKinematics* body[2];
   int offset(int slot) const { return slot == 0 ? 0 : body[0]->size(); }

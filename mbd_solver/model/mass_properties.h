@@ -36,7 +36,7 @@ MassProperties operator+(const MassProperties& a, const MassProperties& b);
 // --- Nodes with a mass matrix.
 
 // 6N x 6: unit translations, then unit rotations about the origin, of nodes at x (3 x N) [1, m, rad]. Rows 6 j + i as in
-// ModalBody::mass; those of rotations are zero if the nodes have none.
+// ModalBody::mass; rows of rotations are zero if the nodes have none.
 Eigen::MatrixXd rigid_motions(const Eigen::Matrix3Xd& x, bool rotations = true);
 // R^T M R = [m 1, -m c~; m c~, J_o] of these motions R and a mass matrix M (6N x 6N), and c from its antisymmetric part.
 MassProperties mass_properties(const Eigen::Matrix3Xd& x, const Eigen::SparseMatrix<double>& M);

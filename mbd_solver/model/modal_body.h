@@ -12,7 +12,7 @@ namespace footfall {
 
 // Position of node j, in the body frame B:   rho_j = rho0_j + Phi_j a            [m]
 // Small rotation of node j, in B:            theta_j = Psi_j a                   [rad]
-// Kinetic energy: 1/2 sum_j m_j |dr_j|^2 + 1/2 sum_j (w_B + Psi_j da)^T J_j (w_B + Psi_j da), or that of a mass matrix.
+// Kinetic energy: 1/2 sum_j m_j |dr_j|^2 + 1/2 sum_j (w_B + Psi_j da)^T J_j (w_B + Psi_j da), or the energy of a mass matrix.
 // Strain energy: 1/2 a^T K a;  modal damping force: -C da.
 // Floating frame: MEAN AXES always. Origin Bo = centre of mass, undeformed; the modes have no rigid-body content:
 //   sum_j m_j Phi_j = 0 and sum_j (m_j rho0_j x Phi_j + J_j Psi_j) = 0 (to round-off), for every kind of basis.

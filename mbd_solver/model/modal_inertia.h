@@ -16,10 +16,10 @@ namespace footfall {
 //   M(a) dv + h(a, v) = applied generalized force: Lagrange's equations of
 //   T = 1/2 m |dr|^2 + dr . (w x S(a) + S1 da) + 1/2 w . J(a) w + w . C(a) da + 1/2 da^T Mff da
 // with elastic and damping forces in h. The rotary inertia J_j of a node turns with it, by t_j = Psi_j a: to second
-// order in a this is J_j + t~ J_j - J_j t~ + 1/2 (t~ t~ J_j + J_j t~ t~) - t~ J_j t~, with the node's angular velocity
-// w + Psi_j da + 1/2 t x Psi_j da. This includes gyroscopic and centrifugal moments of discs on a shaft. Of a mass matrix the
-// rows of each node turn with it in the same way (theory 1.2).
-// For s = 0: M = diag(m I, J), h = [m w x (w x c); w x J w] with c = 0.
+// order in a this is J_j + t~ J_j - J_j t~ + 1/2 (t~ t~ J_j + J_j t~ t~) - t~ J_j t~, with the node's angular
+// velocity w + Psi_j da + 1/2 t x Psi_j da. This includes gyroscopic and centrifugal moments of discs on a shaft. In
+// a mass matrix the rows of each node turn with it in the same way (theory 1.2). For s = 0: M = diag(m I, J), h = [m
+// w x (w x c); w x J w] with c = 0.
 class ModalInertia {
  public:
   // Rigid body: mass [kg], inertia about the centre of mass in B [kg m2].

@@ -1,5 +1,5 @@
 #pragma once
-// A map of heights as a cubic B-spline through its samples, with what a terrain asks of it: heights with derivatives, feet, bounds.
+// A map of heights as a cubic B-spline through its samples, as a terrain needs it: heights with derivatives, feet, bounds.
 
 #include "mbd_solver/model/terrain.h"
 
@@ -9,8 +9,8 @@ inline constexpr int kFootSteps = 30;          // of Newton's method to a foot, 
 inline constexpr double kLastFootStep = 1e-9;  // a step below this needs no further look at the field [m]
 inline constexpr double kAboveField = 1e-9;    // a place above this height does not touch, round-off included [m]
 
-// Coefficients are found tile by tile, where a body comes: most of a large map is never looked at. Copies share the tiles that
-// are there.
+// Coefficients are computed tile by tile, near bodies: most of a large map is never used. Copies share the tiles that
+// exist.
 class SplineGrid {
  public:
   explicit SplineGrid(std::shared_ptr<const HeightGrid> samples);
@@ -18,19 +18,19 @@ class SplineGrid {
 
   void add(const Eigen::Vector2d& place, Terrain::Height& out);
 
-  // Feet of points of W on the field origin.z + slope.(x, y) + map, x and y from the origin, with the field there if `at` is not null; bends
-  // of feet stay. only_below: kAbove of what is above the field. Where near is not kFoot the foot means nothing.
+  // Feet of points of W on the field origin.z + slope.(x, y) + map, x and y from the origin, with the field there if `at` is not null;
+  // bends of existing feet remain. only_below: kAbove for points above the field. Where near is not kFoot the foot means nothing.
   void find_feet(const Eigen::Vector3d* points, std::size_t count, const Eigen::Vector3d& origin,
                  const Eigen::Vector2d& slope, bool only_below, Terrain::Foot* feet, Terrain::Near* near,
                  Terrain::Height* at);
 
-  // Of all parts within the reach, or of the whole; the ground goes on beyond the edges.
+  // The largest bend of all parts within the reach, or of the whole; outside the map the ground is extrapolated.
   double largest_bend(const Eigen::Vector2d& place, double reach);
   double largest_bend();
   double highest(const Eigen::Vector2d& place, double reach);
   double highest();
-  // Within the reach of the place the map is below this height + slope.(x, y), x and y from the place; infinite at an edge, or where it
-  // would take long to find.
+  // Within the reach of the place the map is below this height + slope.(x, y), x and y from the place; infinite at an
+  // edge, or if the search would take long.
   double highest(const Eigen::Vector2d& place, double reach, const Eigen::Vector2d& slope);
 
   struct Tile;

@@ -56,7 +56,7 @@ struct State {
   // angle may be off by whole turns, because it turned too fast in one step.
   Eigen::VectorXd angles;
   int uncertain_angle = -1;
-  // Of force elements that remember (ForceElement::remembers); empty: that of the start.
+  // The history of force elements (ForceElement::remembers); empty: the history at the start.
   Eigen::VectorXd memory;
   // Next internal step to try [s]; 0: chosen by the integrator.
   double step = 0.0;
@@ -70,7 +70,7 @@ struct ExternalLoad {
   std::optional<TangentLoad> tangent;             // varies with the motion within the window
 };
 
-// What is constant during one window.
+// Constants of one window.
 struct Inputs {
   std::vector<ExternalLoad> loads;  // one per body, in the order of the model; empty means no loads at all
   // Outputs of controllers [-], then signals. Entries of continuous signals are unused.

@@ -1,12 +1,12 @@
 #pragma once
 // The surface of the ground: a height field h(x, y), and rocks, which are spheres. Theory 6.8.
 //   h = z_0 + slope.(x, y) + map + craters + waves,  in W, x and y from the origin of the terrain
-//   map      cubic B-spline through the samples (second derivatives are continuous; those along an edge vanish there, and
-//            beyond the edge the ground goes on along its tangent)
+//   map      cubic B-spline through the samples (second derivatives are continuous; along an edge they vanish there, and
+//            outside the map the surface is extrapolated linearly)
 //   crater   u = r / R:  within -depth + (depth + rim)(2 u^2 - u^4), slope zero at the crest; outside rim (1 - (u - 1)^2)^2 to
 //            u = 2
 //   wave     amplitude sin(k.(x, y) + phase)
-// Distance of a point p is that of its foot c, the nearest point of the surface, negative below:
+// Distance of a point p, from its foot c, the nearest point of the surface, negative below:
 //   p = c + phi n(c),  n = (-h_x, -h_y, 1) / sqrt(1 + h_x^2 + h_y^2),  dn/dp = S (I + phi S)^-1,  S = dn/dc
 // The foot is found by Newton's method, so the distance is exact to round-off while |phi| is below the radius of curvature.
 
@@ -24,7 +24,7 @@ struct HeightGrid {
   Eigen::Vector2d first = Eigen::Vector2d::Zero();  // place of the first sample [m]
   Eigen::Vector2d step = Eigen::Vector2d::Ones();   // > 0 [m]
   std::vector<double> heights;  // [m]; empty: (number - below) scale, of numbers whose first row is the last
-  // Numbers of a large map, which stay where they are: writes `count` of them from the number `first` on.
+  // Numbers of a large map, which remain where they are: writes `count` of them from the number `first` on.
   std::function<void(std::size_t first, std::size_t count, double* out)> numbers;
   double below = 0.0, scale = 1.0;
   // Heights of a row, from this column on [m].
@@ -63,8 +63,8 @@ struct TerrainParts {
   std::vector<Rock> rocks;
 };
 
-// Questions about the field complete its map where they are asked: who asks has a Terrain of its own. A copy shares all that is
-// known.
+// A query completes the map of the field at its place: every user therefore has its own Terrain. Copies share all
+// completed parts.
 class Terrain {
  public:
   struct Height {
@@ -90,7 +90,7 @@ class Terrain {
     double height = 0.0, bend = 0.0, top = 0.0;
     Eigen::Vector2d slope = Eigen::Vector2d::Zero();
     std::vector<int> rocks;  // that may be within the reach
-    // A ball is above the field; its centre is that of the lid.
+    // A ball is above the field; its centre is the centre of the lid.
     bool above(const Eigen::Vector3d& centre, double reach) const;
   };
 
@@ -101,13 +101,13 @@ class Terrain {
 
   Height at(double x, double y);   // of the field, x and y in W [m]
   double top(double x, double y);  // with rocks
-  // Heights of the field to be drawn, row after row, `counts` of them along x and y. Of a map with closer samples the nearest is taken.
+  // Heights of the field for pictures, row after row, `counts` of them along x and y. A map with closer samples gives the nearest.
   std::vector<double> sketch(const Eigen::Vector2d& first, const Eigen::Vector2d& step, const Eigen::Vector2i& counts);
-  // Of the field near p, from below or above.
+  // The foot on the field near p, from below or above.
   Foot foot(const Eigen::Vector3d& p);
   enum class With { kNormal, kBend };
   enum class Near { kAbove, kFoot, kElsewhere };  // kElsewhere: not in the cell of a map
-  // The feet of those of these points that are below the field, on demand without bend; kAbove of the others.
+  // The feet of the points that are below the field, on demand without bend; kAbove for the others.
   void below(const std::vector<Eigen::Vector3d>& points, With with, std::vector<Foot>& out, std::vector<Near>& near);
   bool may_touch(const Eigen::Vector3d& p, double radius);  // false: a ball of this radius > 0 is above the field
   Foot foot(const Eigen::Vector3d& p, int rock) const;
@@ -118,7 +118,7 @@ class Terrain {
   double distance(const Eigen::Vector3d& p);  // of the field and all rocks
 
   Lid lid(const Eigen::Vector3d& centre, double reach);
-  // Within the reach the field is below this height + slope.(x, y), x and y from the centre; infinite where only a lid tells [m].
+  // Within the reach the field is below this height + slope.(x, y), x and y from the centre; infinite if only a lid is known [m].
   double plane_above(const Eigen::Vector2d& centre, double reach, const Eigen::Vector2d& slope);
 
   const std::vector<Sphere>& rocks() const { return spheres_; }

@@ -1,6 +1,6 @@
-// footfall: the command line. It only arranges mbd_solver and liggghts_mbd, with the line that it prints. Commands that
-// start many runs are in footfall_studies and footfall_campaign, which it starts in its place; so are `import` and `fmu`
-// programs of their own.
+// footfall: the command line. It starts mbd_solver and liggghts_mbd by a command that it prints. Commands that start many
+// runs are in footfall_studies and footfall_campaign, by which it replaces itself; `import` and `fmu` are separate programs,
+// too.
 #include <algorithm>
 #include <cstdio>
 #include <exception>

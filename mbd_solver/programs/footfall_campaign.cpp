@@ -1,4 +1,4 @@
-// footfall_campaign: calibrations, fits of the ground, and sweep files with drawn runs. A program of its own, so that neither
+// footfall_campaign: calibrations, fits of the ground, and sweep files with drawn runs. A separate program, so that neither
 // other sweeps nor landings need OpenTURNS; footfall and, for sweeps, footfall_studies start it with the words of the user.
 #include <memory>
 #include <string>

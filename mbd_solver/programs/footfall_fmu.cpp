@@ -1,4 +1,4 @@
-// footfall_fmu: the command fmu of footfall. A program of its own, so that no run needs its libraries; footfall starts it for this command.
+// footfall_fmu: the command fmu of footfall, which starts this program. Separate, so that no run needs its libraries.
 #include <memory>
 
 #include "mbd_solver/app/command_line.h"

@@ -1,8 +1,8 @@
-// footfall_fmu_host: reads and runs one FMU for another program, which asks it through standard input and output
-// (base/helper_process.h, assemble/foreign_block.h). The code of the FMU runs in a process that this one watches: whatever
-// becomes of it, the folder with the unpacked FMU is removed.
-//   footfall_fmu_host describe      question D with the path of an FMU: what it says of itself
-//   footfall_fmu_host run           the questions of foreign_block.h; the task is FILE, then input NAME, output NAME, start NAME VALUE
+// footfall_fmu_host: reads and runs one FMU for another program, which sends requests through standard input and output
+// (base/helper_process.h, assemble/foreign_block.h). The code of the FMU runs in a process that this process watches: in
+// every case the folder with the unpacked FMU is removed.
+//   footfall_fmu_host describe      request D with the path of an FMU: its description
+//   footfall_fmu_host run           the requests of foreign_block.h; the task is FILE, then input NAME, output NAME, start NAME VALUE
 
 #include <signal.h>
 #include <sys/prctl.h>
@@ -79,7 +79,7 @@ class FmuRun {
     const char letter = question[0];
     std::vector<double> numbers;
     const auto take = [&](std::size_t count) {
-      if (question.size() < 1 + count * sizeof(double)) throw FmuError("its host was asked with too few numbers");
+      if (question.size() < 1 + count * sizeof(double)) throw FmuError("a request to its host has too few numbers");
       numbers.resize(count);
       std::memcpy(numbers.data(), question.data() + 1, count * sizeof(double));
     };
@@ -94,7 +94,7 @@ class FmuRun {
         instance_->step(numbers[0], numbers[1]);
         return outputs();
       case 'G': {
-        if (!description_.keeps_state) return "Nthe FMU cannot tell its state (canSerializeFMUState)";
+        if (!description_.keeps_state) return "Nthe FMU cannot save its state (canSerializeFMUState)";
         std::string start(reinterpret_cast<const char*>(&start_), sizeof start_);
         return "B" + start + instance_->state();
       }
@@ -107,7 +107,7 @@ class FmuRun {
         instance_->restore(bytes.substr(sizeof start_));
         return outputs();
       }
-      default: throw FmuError("its host was asked an unknown question");
+      default: throw FmuError("its host received an unknown request");
     }
   }
 
@@ -176,7 +176,7 @@ int serve(const std::function<std::string(const std::string&)>& answer) {
   while (HelperProcess::read_frame(STDIN_FILENO, question)) {
     std::string text;
     try {
-      if (question.empty()) throw FmuError("its host was asked nothing");
+      if (question.empty()) throw FmuError("its host received an empty request");
       text = answer(question);
     } catch (const std::exception& error) {
       text = std::string("E") + error.what();

@@ -1,4 +1,4 @@
-// footfall_fmu_model: the simulation of an exported FMU, in a process of its own (exported_model.h has the questions).
+// footfall_fmu_model: the simulation of an exported FMU, in a separate process (exported_model.h has the requests).
 //   footfall_fmu_model RESOURCES        the folder with variables.txt, scene/ and bin/
 #include <fcntl.h>
 #include <poll.h>
@@ -49,8 +49,8 @@ void watch_importer() {
   }).detach();
 }
 
-// A force that the importing program sets and that answers the motion of its body, as a spring there does. An explicit exchange feeds
-// such a motion like a damping ratio of -omega H / 4, omega = sqrt(k/m): what a master needs to be told.
+// A force that the importing program sets and that depends on the motion of its body, as a spring there does. An explicit
+// exchange acts on such a motion like a damping ratio of -omega H / 4, omega = sqrt(k/m): the master must be warned.
 class StiffInput {
  public:
   StiffInput(std::string input, std::string body, const Eigen::Vector3d& direction, double mass)
@@ -195,7 +195,7 @@ class Model {
     return values(s.step(until, numbers[1] != 0.0), until);
   }
 
-  // until: the time of a step [s], beyond which a pair goes by a part of a coupling interval; 0: that of the model.
+  // until: the time of a step [s], which a pair exceeds by a part of a coupling interval; 0: the model's time.
   std::string values(bool early, double until = 0.0) {
     SteppedModel& s = model();
     const double time = until > 0.0 ? std::min(s.time(), until) : s.time();

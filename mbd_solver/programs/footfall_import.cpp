@@ -1,4 +1,4 @@
-// footfall_import: the command import of footfall. A program of its own, so that no run needs its libraries (urdfdom,
+// footfall_import: the command import of footfall. A separate program, so that no run needs its libraries (urdfdom,
 // sdformat, MuJoCo); footfall starts it for this command.
 #include <memory>
 
@@ -12,7 +12,8 @@ Action import_robot(CLI::App& command) {
   const auto a = std::make_shared<ImportArguments>();
   command.add_option("FILE", a->file, "Robot: URDF (expanded xacro), SDF 1.4 to 1.11, or MJCF")->required();
   command.add_option("--out", a->out, "Folder to create (default: the name of the file)");
-  command.add_flag("--strict", a->strict, "Refuse a file with parts that a scene cannot say, instead of listing them");
+  command.add_flag("--strict", a->strict,
+                   "Refuse a file with parts that a scene cannot represent, instead of listing them");
   ImportOptions& o = a->options;
   command.add_option("--ground", o.ground,
                      "Put it on a ground: plane, grains, or a soil of inputs/soils, at its lowest point");

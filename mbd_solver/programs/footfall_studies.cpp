@@ -1,4 +1,4 @@
-// footfall_studies: the commands of footfall that start many runs, and the schema of files. A program of its own, so that a
+// footfall_studies: the commands of footfall that start many runs, and the schema of files. A separate program, so that a
 // first run does not wait for its compilation; footfall starts it for these commands.
 #include <cstdio>
 #include <memory>
@@ -56,8 +56,8 @@ Action rig(CLI::App& command) {
 
 Action schema(CLI::App& command) {
   const auto sweeps = std::make_shared<bool>(false), calibrations = std::make_shared<bool>(false);
-  CLI::Option* of_sweeps = command.add_flag("--sweeps,--experiments", *sweeps, "That of sweep files");
-  command.add_flag("--calibrations", *calibrations, "That of calibration files")->excludes(of_sweeps);
+  CLI::Option* of_sweeps = command.add_flag("--sweeps,--experiments", *sweeps, "Schema of sweep files");
+  command.add_flag("--calibrations", *calibrations, "Schema of calibration files")->excludes(of_sweeps);
   return [sweeps, calibrations] {
     const std::string text = *sweeps ? sweep_schema() : *calibrations ? calibration_schema() : scene_schema();
     std::printf("%s\n", text.c_str());

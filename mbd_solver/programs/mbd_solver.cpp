@@ -63,7 +63,7 @@ Arguments parse(CLI::App& app, int argc, char** argv) {
   CLI::Option* settings = app.add_option("--set", arguments.settings, "key=value: change one value of the scene");
   CLI::Option* of_scheme = app.add_option("--scheme", scheme, "Coupling scheme (coupling.scheme)");
   CLI::Option* of_integrator = app.add_option("--integrator", integrator, "Integrator (solver.integrator)");
-  // The checkpoint stores what a run was started with.
+  // The checkpoint stores the options with which a run was started.
   for (CLI::Option* option : {file, out, settings, of_scheme, of_integrator}) resume->excludes(option);
   app.add_option("--keep-every", arguments.run.keep_every,
                  "Wall-clock checkpoint interval without output.checkpoint_interval [s]; 0: none")

@@ -1,4 +1,4 @@
-// Keys are described as those of a scene (scene/field_visitor.h); a validator reports contradictions.
+// Keys are described as for a scene (scene/field_visitor.h); a validator reports contradictions.
 #include "mbd_solver/studies/calibration.h"
 
 #include <algorithm>
@@ -92,7 +92,7 @@ bool holds(const std::vector<std::string>& texts, const std::string& mark) {
                      [&](const std::string& text) { return text.find(mark) != std::string::npos; });
 }
 
-// Fills what follows from other keys, and finds contradictions.
+// Fills values that follow from other keys, and finds contradictions.
 class CalibrationValidator : StudyValidator<CalibrationSpec> {
  public:
   CalibrationValidator(CalibrationSpec& spec, Findings& findings) : StudyValidator(spec, findings) {}

@@ -79,8 +79,8 @@ struct StageSpec {
 // [[targets]]
 struct TargetSpec {
   std::string name, metric, scene, origin;
-  std::string against;          // the metric over that of this scene; empty: the metric itself
-  bool difference = false;      // the metric minus that of `against`, not over it
+  std::string against;          // the metric over the metric of this scene; empty: the metric itself
+  bool difference = false;      // the metric minus the metric of `against`, not over it
   std::optional<double> value;  // required value; otherwise the bounds of a band:
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
   std::string column, over = "time", file;  // a column over another one, against a CSV file of x and y
@@ -104,7 +104,7 @@ struct ConstraintSpec {
 struct CalibrationSpec {
   std::string file, folder;  // of the file
   std::string title, scene;
-  std::vector<std::string> settings;  // of every run; {= formula} stands for a formula of parameters, in all settings
+  std::vector<std::string> settings;  // of every run; in all settings the value replaces {= formula of parameters}
   double until = 0.0;                 // [s]; 0: the scene's end time
   int time_limit = 0;                 // of a run, wall-clock [s]; 0: none
   double step = 0.05;                 // of differences about the best set, over the range [-]

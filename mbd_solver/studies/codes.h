@@ -62,7 +62,7 @@ inline constexpr MessageCode kRunEndedFromOutside{"E0604", "run-ended-from-outsi
 inline constexpr MessageCode kUnknownRig{"E0610", "unknown-rig"};
 // The scene lacks something that the rig requires. Start from a copy of the rig's own scene.
 inline constexpr MessageCode kRigScene{"E0611", "rig-scene"};
-// The runs are not those of the rig. Start from a copy of the rig's own file.
+// The runs do not match the rig. Start from a copy of the rig's own file.
 inline constexpr MessageCode kRigRuns{"E0612", "rig-runs"};
 // The value of --gravity is not valid. Give earth, moon, mars or a number.
 inline constexpr MessageCode kRigGravity{"E0613", "rig-gravity"};
@@ -80,21 +80,21 @@ inline constexpr MessageCode kRowDiffers{"E0622", "row-differs"};
 // Rows of the table are not done yet. Carry out the remaining elements of the job array.
 inline constexpr MessageCode kRowsMissing{"E0623", "rows-missing"};
 
-// Rows of the table have no result, or a figure without a number. The page lists the causes; probabilities and percentiles are bounded as if
+// Rows of the table have no result, or a metric without a number. The page lists the causes; probabilities and percentiles are bounded as if
 // these rows had any value.
 inline constexpr MessageCode kRowsUnknown{"E0625", "rows-unknown"};
 
 // A statement of a campaign cannot be shown with so few runs, whatever happens in them. Raise runs to the number in the message.
 inline constexpr MessageCode kTooFewRuns{"E0626", "too-few-runs"};
 
-// The command does not carry out such a file. Use the one that the message names.
+// The command does not carry out such a file. Use the command that the message names.
 inline constexpr MessageCode kWrongSweep{"E0624", "wrong-sweep"};
 
 // --- Soils without grains.
 
 // The runs do not determine a soil. Give 5 to 20 runs of one pad that reach the bed.
 inline constexpr MessageCode kGroundFit{"E0628", "ground-fit"};
-// The fitted law meets the grains poorly. Try the other law, or fit the range that matters.
+// The fitted law does not describe the grains well. Try the other law, or fit the range that matters.
 inline constexpr MessageCode kPoorGroundFit{"W1628", "poor-ground-fit"};
 
 }  // namespace footfall::code

@@ -66,8 +66,8 @@ void visit_fields(FieldVisitor& v, MetricSpec& metric);  // its keys
 // All on which its number depends, without its unit and limits of errors.
 std::string metric_recipe(const MetricSpec& metric);
 
-// Of the finished run in `folder`; NaN when its history is empty, or for metrics that compare curves. Throws InputError,
-// beginning with `file`, when the run lacks a number or column.
+// The metrics of the finished run in `folder`; NaN when its history is empty, or for metrics that compare curves.
+// Throws InputError, beginning with `file`, when the run lacks a number or column.
 std::vector<double> metrics_of_run(const std::vector<MetricSpec>& metrics, const std::string& folder,
                                    const std::string& file);
 
@@ -84,7 +84,7 @@ int count_peaks(const std::vector<double>& values, double least);
 double history_error(const History& run, const History& reference, const std::vector<std::string>& columns, bool at_end,
                      double until = 0.0);
 
-// Errors of the metrics that compare curves, of the run in `folder` against that in `reference` [-]; NaN for others.
+// Errors of the metrics that compare curves, of the run in `folder` against the run in `reference` [-]; NaN for others.
 std::vector<double> curve_errors(const std::vector<MetricSpec>& metrics, const std::string& folder,
                                  const std::string& reference);
 

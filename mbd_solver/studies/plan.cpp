@@ -141,7 +141,7 @@ class Planner {
     return static_cast<int>(plan_.cases.size()) - 1;
   }
 
-  // The runs of all combinations; those that differ by more than the ensemble are cases of their own.
+  // The runs of all combinations; those that differ by more than the ensemble are separate cases.
   void add(const std::string& name, const PlannedCase& shape, const std::string& scene,
            const std::vector<std::string>& settings, double until) {
     const std::size_t first = plan_.cases.size();

@@ -37,7 +37,7 @@ struct Plan {
   std::size_t members = 1;         // of the ensemble
 };
 
-// short_form: that of --short. Throws InputError for too many runs, or runs with the same name.
+// short_form: of --short. Throws InputError for too many runs, or runs with the same name.
 Plan plan_of(const SweepSpec& spec, bool short_form);
 
 }  // namespace footfall

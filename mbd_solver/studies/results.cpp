@@ -270,7 +270,7 @@ std::string shortened(const SweepSpec& spec, std::string text) {
   return text.substr(0, end == std::string::npos || end < 40 ? most : end) + " ...";
 }
 
-// Of a finished run: its error and created energy.
+// Judges a finished run: its error and created energy.
 void judge_motion(const SweepSpec& spec, const MapSpec& map, const RunEnd& run, const RunEnd* reference, MapRow& row) {
   const History history = read_history(run.folder + "/history.csv");
   double error = 0.0;

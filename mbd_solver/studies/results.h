@@ -71,7 +71,7 @@ struct Recommendation {
   std::size_t excepted = kNoMetric;
   std::size_t worst = kNoMetric;  // the metric with the largest error, without that one
   bool resolved = true;           // standard errors are within the limit
-  // Processor time over that of the curve's default, otherwise of its reference; 0: unknown.
+  // Processor time relative to the curve's default, otherwise to its reference; 0: unknown.
   double time_ratio = 0.0;
 
   const SampledMetric& largest() const { return point->metrics[worst]; }
@@ -80,7 +80,7 @@ struct Recommendation {
 // One per curve.
 std::vector<Recommendation> recommendations_of(const SweepSpec& spec, const Results& results, double limit);
 
-// Of each curve with a default, at the default, the largest error first.
+// The errors of each curve with a default, at the default, the largest error first.
 std::vector<Recommendation> errors_of_defaults(const SweepSpec& spec, const Results& results);
 
 // A run of a stability map, stiff, extreme or unstable, and how it ended:

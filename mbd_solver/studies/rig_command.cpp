@@ -1,4 +1,4 @@
-// Turns a rig into a sweep whose runs get a value more, the check, and evaluates finished runs by check and sample.
+// Turns a rig into a sweep whose runs get an additional value, the check, and evaluates finished runs by check and sample.
 #include "mbd_solver/studies/rig_command.h"
 
 #include <algorithm>

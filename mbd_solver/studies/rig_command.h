@@ -28,7 +28,7 @@ RigStatistic statistic_of(const std::vector<RigSample>& samples, std::size_t ans
 void write_rig(const Rig& rig, const std::vector<RigVariant>& variants, const OutputFolder& output,
                const std::string& title);
 
-struct RigArguments : SweepArguments {  // file empty: inputs/rigs/NAME.toml; settings: before what the rig varies
+struct RigArguments : SweepArguments {  // file empty: inputs/rigs/NAME.toml; settings: before the settings of the rig
   RigArguments() { command = "rig", runs = "runs/rigs", resume = true; }
   std::string name, gravity;  // gravity empty: the scene's
   int samples = 0;            // of the bed; 0: as many as the file has

@@ -132,7 +132,7 @@ RigSample evaluate_cone(const std::vector<RigRun>& runs) {
     const double diameter = mesh_of(run.scene, "cone", "cone.stl").scale, area = 0.25 * kPi * diameter * diameter;
     const double length = 0.5 * diameter / std::tan(15.0 * kPi / 180.0);  // of the cone
     const History history = history_of(run);
-    // The column is that of the centre of mass; in the reference configuration the tip is at 0.
+    // The column is the height of the centre of mass; in the reference configuration the tip is at 0.
     const std::vector<double>& z = history.column("cone.z");
     const double clearance = run.scene.initial.clearance.value_or(0.0);
     std::vector<double> s = z;
@@ -456,13 +456,13 @@ RigSample evaluate_sphere(const std::vector<RigRun>& runs) {
 //   alpha_z = zeta sum_m,n [ A_mn cos 2 pi (m beta / pi + n gamma / (2 pi)) + B_mn sin 2 pi (m beta / pi + n gamma / (2 pi)) ]
 //   alpha_x = zeta sum_m,n [ C_mn cos(...) + D_mn sin(...) ]           m = -1, 0, 1, n = 0, 1
 //
-// with the nine coefficients of generic media in N/cm^3 and one scalar zeta for the medium: Li, Zhang and Goldman, Science
-// 339, 1408 (2013). beta is the angle of the plate to the horizontal, gamma that of its motion below the horizontal, both
-// in [-pi/2, pi/2]; a plate of positive beta leans against a motion to the side that alpha_x counts.
+// with the nine coefficients of generic media in N/cm^3 and one scalar zeta for the medium: Li, Zhang and Goldman,
+// Science 339, 1408 (2013). beta is the angle of the plate to the horizontal, gamma the angle of its motion below the
+// horizontal, both in [-pi/2, pi/2]; a plate of positive beta leans against a motion to the side that alpha_x counts.
 //
-// Of a run: alpha is the slope of F / A over the depth of the plate's middle, through zero at the bed's mean surface, from
-// one plate width on. zeta is fitted by least squares to all alpha_x and alpha_z of a sample; R^2 is
-// 1 - sum (measured - zeta theory)^2 / sum (measured - mean)^2.
+// In each run alpha is the slope of F / A over the depth of the plate's middle, through zero at the bed's mean
+// surface, from one plate width on. zeta is fitted by least squares to all alpha_x and alpha_z of a sample;
+// R^2 = 1 - sum (measured - zeta theory)^2 / sum (measured - mean)^2.
 //
 // 3D-RFT has xi = rho_c g (894 mu^3 - 386 mu^2 + 89 mu), Agarwal, Goldman and Kamrin, PNAS 120 (2023); reported is the mu
 // at which it equals the fitted scalar.

@@ -1,4 +1,4 @@
-// Each run is a `footfall run` of its own, several at once. Recipes are fingerprints of the scene as JSON and its files.
+// Each run is a separate `footfall run`, several at once. Recipes are fingerprints of the scene as JSON and its files.
 #include "mbd_solver/studies/run_store.h"
 
 #include <algorithm>
@@ -72,7 +72,7 @@ std::string text_in(const Json& json, const char* key) {
   return json.contains(key) && json.at(key).is_string() ? json.at(key).get<std::string>() : "";
 }
 
-// Of a summary, or of a record.
+// The cost in a summary, or in a record.
 RunCost cost_of(const Json& from) {
   RunCost cost;
   for (const auto& [key, time] : kTimes)
@@ -80,7 +80,7 @@ RunCost cost_of(const Json& from) {
   return cost;
 }
 
-// At the time limit a run is asked to end as by Ctrl-C, and killed later.
+// At the time limit a run must end as by Ctrl-C, and is killed later.
 std::vector<std::string> words_of(const RunRequest& request, const std::string& folder, bool resumes) {
   std::vector<std::string> words;
   if (request.time_limit > 0) words = {"timeout", "--foreground", "-k", "30", std::to_string(request.time_limit)};
@@ -265,7 +265,7 @@ bool RunStore::carry_out(const std::vector<std::size_t>& runs, int jobs,
     std::vector<std::size_t> again;
     const bool interrupted = run_pool(commands, jobs, [&](int task, int ended_with, double cpu) {
       const int code =
-          ended_with == kExitRequirements ? kExitDone : ended_with;  // the page of the sweep tells of those
+          ended_with == kExitRequirements ? kExitDone : ended_with;  // the page of the sweep reports requirements
       const std::size_t run = round[task];
       record_end(runs_[run], code, cpu, k == 1);
       if (code == kExitDone && k < runs_[run].request.repeats)

@@ -1,8 +1,8 @@
 #pragma once
-// The runs of a study and their results. FOLDER.done.json, next to the folder of a finished run, holds a fingerprint of its
-// inputs (its recipe) and its cost: the run is not repeated until its scene, a setting or a file that the scene names has
-// changed. So the same command resumes a study that was ended, and runs may be added meanwhile. An interrupted run resumes
-// from its checkpoint if its recipe is that of FOLDER.begun.json.
+// The runs of a study and their results. FOLDER.done.json, next to the folder of a finished run, holds a fingerprint
+// of its inputs (its recipe) and its cost: the run is not repeated until its scene, a setting or a file that the
+// scene names has changed. The same command therefore resumes a study that was ended, and runs may be added
+// meanwhile. An interrupted run resumes from its checkpoint if its recipe equals FOLDER.begun.json.
 
 #include <array>
 #include <functional>
@@ -59,7 +59,7 @@ class RunStore {
   std::size_t add(const RunRequest& request);
 
   const RunRequest& request(std::size_t run) const { return runs_[run].request; }
-  // Of its results: the folder of the first run with its recipe.
+  // The folder of its results: of the first run with its recipe.
   std::string folder(std::size_t run) const;
   // Fingerprint of its portable recipe; empty when its scene cannot be read.
   const std::string& portable_recipe(std::size_t run) const { return runs_[run].portable_recipe; }
@@ -74,7 +74,7 @@ class RunStore {
   void try_bed(std::size_t run);
   bool has_failed(std::size_t run) const { return runs_[runs_[run].home].code > 0; }  // during this process
 
-  // Those of `runs` that remain to be done, each recipe once. Their beds exist.
+  // The remaining runs among `runs`, each recipe once. Their beds exist.
   std::vector<std::size_t> left(const std::vector<std::size_t>& runs) const;
   // Carries out `runs`, at most `jobs` at once, and calls `ended` after each. False when interrupted.
   bool carry_out(const std::vector<std::size_t>& runs, int jobs, const std::function<void(std::size_t)>& ended);

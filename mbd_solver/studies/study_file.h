@@ -1,5 +1,5 @@
 #pragma once
-// What sweep and calibration files have in common: how they are read, and what is found wrong with them.
+// The common part of sweep and calibration files: how they are read, and faults in them.
 
 #include <filesystem>
 #include <string>

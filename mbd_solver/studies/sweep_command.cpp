@@ -135,7 +135,7 @@ std::vector<std::string> words_again(const SweepArguments& a, const std::string&
   return words;
 }
 
-// Makes the beds before the runs, several at once, each in a process of its own (--only RUN --beds). Throws the error of a
+// Makes the beds before the runs, several at once, each in a separate process (--only RUN --beds). Throws the error of a
 // process that fails; Interrupted at a signal.
 void make_beds(const RunStore& store, const SweepArguments& a, const std::string& out,
                const std::vector<std::size_t>& runs, int jobs) {

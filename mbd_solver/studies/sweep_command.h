@@ -44,7 +44,7 @@ struct SweepArguments {
 // interrupted. Throws InputError.
 int sweep_command(const SweepArguments& arguments);
 
-// Says that the same command resumes the study, and returns the exit code.
+// Prints that the same command resumes the study, and returns the exit code.
 int study_interrupted();
 
 struct OutputFolder {
@@ -63,7 +63,7 @@ struct JobArray {
   int tasks = 1;         // MPI processes of an element
   std::string options;   // more of them, of each element
   std::string notes;     // comments of the script; {command} is replaced
-  std::string contents;  // what the array holds, for the message
+  std::string contents;  // the contents of the array, for the message
 };
 // Writes sweep.sbatch into the folder and prints how it is submitted. Throws InputError.
 void write_job_array(const SweepArguments& arguments, const OutputFolder& output, const JobArray& array);

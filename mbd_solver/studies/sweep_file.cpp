@@ -1,4 +1,4 @@
-// Keys are described as those of a scene (scene/field_visitor.h); SweepValidator completes the spec and reports contradictions.
+// Keys are described as for a scene (scene/field_visitor.h); SweepValidator completes the spec and reports contradictions.
 #include "mbd_solver/studies/sweep_file.h"
 
 #include <algorithm>
@@ -175,7 +175,7 @@ bool is_in(const std::vector<std::string>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-// Fills what follows from other keys, and finds contradictions.
+// Fills values that follow from other keys, and finds contradictions.
 class SweepValidator : StudyValidator<SweepSpec> {
  public:
   SweepValidator(SweepSpec& spec, Findings& findings) : StudyValidator(spec, findings) {}
@@ -222,7 +222,7 @@ class SweepValidator : StudyValidator<SweepSpec> {
     if (p.short_choices.empty() && !p.choices.empty()) p.short_choices = {p.choices.front()};
   }
 
-  // Its keys are those of its kind; reads measured values.
+  // Its keys must belong to its kind; reads measured values.
   void complete_drawn(ParameterSpec& p) {
     DistributionSpec& d = p.distribution;
     const DistributionKind kind = *d.kind;
@@ -381,7 +381,7 @@ class SweepValidator : StudyValidator<SweepSpec> {
     if (spec_.better_model) find(spec_.better_model->scene);
   }
 
-  // What a campaign has and other sweeps do not, and the reverse.
+  // Sections of a campaign that other sweeps do not have, and the reverse.
   void validate_kind() {
     const auto only = [&](const char* key, bool given) {
       if (!given) return;

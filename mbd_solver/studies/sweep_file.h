@@ -42,8 +42,8 @@ constexpr std::string_view name_of(DistributionKind kind) {
   return "";
 }
 
-// Of a parameter that is drawn. A normal, lognormal or Weibull distribution with bounds is truncated there; the latter two
-// begin at `least`. Mean and deviation are those of the values, before they are truncated.
+// The distribution of a drawn parameter. A normal, lognormal or Weibull distribution with bounds is truncated there;
+// the latter two begin at `least`. Mean and deviation belong to the values before truncation.
 struct DistributionSpec {
   std::optional<DistributionKind> kind;                                      // none: the parameter is not drawn
   std::optional<double> mean, deviation, least, most, likely, shape, scale;  // units of the parameter, shape [-]
@@ -70,7 +70,7 @@ struct ParameterSpec {
   bool is_drawn() const { return distribution.kind.has_value(); }
 };
 
-// Of the runs of a stability map: see MapRow in results.h.
+// The runs of a stability map: see MapRow in results.h.
 struct MapSpec {
   std::string group;                 // heading in the table; empty: not a stability map
   std::vector<std::string> columns;  // of history.csv, compared with the reference; empty: judged by energy
@@ -139,7 +139,7 @@ struct FitFactor {
 // [[fits]]: a power law through all runs, metric = A factor_1^p_1 factor_2^p_2 ...
 struct FitSpec {
   std::string name, metric, label;           // label: of the metric in the law
-  std::string marks;                         // parameter whose values get symbols of their own in the picture
+  std::string marks;                         // parameter whose values get their own symbols in the picture
   std::map<std::string, std::string> where;  // only runs with these values of parameters
   std::vector<FitFactor> factors;
   Source source;
@@ -152,7 +152,7 @@ struct CorrelationSpec {
   Source source;
 };
 
-// [[outcomes]]: what may happen in a run.
+// [[outcomes]]: events that may happen in a run.
 struct OutcomeSpec {
   std::string name, when;         // when: a formula of metrics and drawn parameters; not 0: it has happened
   std::optional<double> at_most;  // probability that a statement with 95 % confidence claims it is below
@@ -173,11 +173,11 @@ struct EnvelopeSpec {
 struct BetterModelSpec {
   // Least share with which the interval holds wherever the models differ.
   static constexpr double kFar = 0.7;
-  std::string scene, outcome;         // empty: that of the run; the first
-  std::vector<std::string> settings;  // after those of the run
+  std::string scene, outcome;         // empty: as for the run; the first
+  std::vector<std::string> settings;  // after the settings of the run
   int runs = 20;                      // of each case
   double far = kFar;                  // share of the weights that all runs get, near the boundary or not [-]
-  double until = 0.0;                 // [s]; 0: that of the run
+  double until = 0.0;                 // [s]; 0: as for the run
   Source source;
 };
 
@@ -203,7 +203,7 @@ struct SweepSpec {
   std::optional<ReferenceSpec> reference;
   std::vector<MetricSpec> metrics;  // [[figures]]
   std::vector<LimitSpec> limits;
-  std::vector<CheckSpec> checks, expected;  // those of [[expect]] are in both
+  std::vector<CheckSpec> checks, expected;  // checks of [[expect]] are in both
   std::vector<PlotSpec> plots;
   std::vector<FitSpec> fits;
   // A campaign: drawn runs.

@@ -130,7 +130,7 @@ Table run_table(const SweepSpec& spec, const Plan& plan, const Results& results)
 
 namespace {
 
-// Is a case within the limits of the sweep file? Of what did not run nothing is claimed.
+// Is a case within the limits of the sweep file? No claim is made about runs that did not finish.
 std::string limits_text(const CaseResult& c) {
   if (c.done.empty()) return c.code == 0 ? "not run" : "failed";
   if (!c.within_limits) return "no";
@@ -254,7 +254,7 @@ std::string errors_with_defaults(const SweepSpec& spec, const Results& results) 
   for (const Recommendation& a : defaults)
     errors.push_back((errors.empty() ? "" : "\"" + curve_of(spec, *a.point) + "\": ") + error_text(a.largest()) +
                      " of " + spec.metrics[a.worst].name + " at " + a.point->plan.value);
-  return "\nWith the scene's own values the largest error is that of \"" + curve_of(spec, *defaults.front().point) +
+  return "\nWith the scene's own values the largest error occurs for \"" + curve_of(spec, *defaults.front().point) +
          "\": " + joined(errors, "; ") + ".\n";
 }
 
@@ -318,7 +318,7 @@ std::string recommendation_section(const SweepSpec& spec, const Results& results
   std::ostringstream out;
   out << "\n## Recommended settings\n\nThe cheapest value of each curve from which on all errors are within 1 % and "
          "within 5 %, with its largest error and its processor time over\n"
-         "that of the scene's own value, or of the reference if the curve has no such value.";
+         "the processor time of the scene's own value, or of the reference if the curve has no such value.";
   if (results.members > 1)
     out << " ± is the standard error of " << results.members
         << " samples;\nwhere it exceeds the limit, the value is not resolved.";

@@ -93,11 +93,11 @@ TEST(FmuHost, FailuresAreTold) {
       return failure(fmu, {"output", "y", "start", "fault", std::to_string(fault)}, limit);
     };
     EXPECT_EQ(fails(0), "nothing");
-    EXPECT_THAT(fails(1), HasSubstr("Error; it says: a first word"));
+    EXPECT_THAT(fails(1), HasSubstr("Error; its message: a first word"));
     EXPECT_THAT(fails(2), HasSubstr("discarded the step from 0.01 s to 0.02 s"));
     EXPECT_THAT(fails(4), HasSubstr("signal 11"));
     EXPECT_THAT(fails(5, 0.5), HasSubstr("time limit"));
-    EXPECT_THAT(fails(6), HasSubstr("asks for the end"));
+    EXPECT_THAT(fails(6), HasSubstr("requests the end"));
     EXPECT_THAT(fails(8), HasSubstr("signal 6"));
     EXPECT_THAT(fails(9), HasSubstr("exit code 3"));
   }

@@ -695,7 +695,7 @@ TEST_F(Robots, TheControlOfATorqueMotorIsATorque) {
   EXPECT_EQ(s.drives[0].command->polynomial, std::vector<double>{1.5});
   EXPECT_EQ(s.drives[1].command->polynomial, std::vector<double>{6.0});
   EXPECT_EQ(*s.drives[1].motor.largest_torque, 6.0);
-  EXPECT_TRUE(test::names(scene_text_, {"3 times the control, which remains that of the keyframe"}));
+  EXPECT_TRUE(test::names(scene_text_, {"3 times the control, which remains as in the keyframe"}));
 }
 
 // A loop that the keyframe closes to its digits is drawn there: on the way of single coordinates it would be open.

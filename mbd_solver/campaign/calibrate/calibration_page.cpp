@@ -22,7 +22,7 @@ std::string num(Number value, int digits = 6) {
   return number_text(static_cast<double>(value), digits);
 }
 
-// A set that has a column of its own in the tables.
+// A set that has its own column in the tables.
 struct NamedSet {
   std::string name;
   const Evaluation* set;
@@ -66,8 +66,8 @@ void show_intervals(StudyPage& page, const CalibrationSpec& spec, const Calibrat
                    ". The intervals are reliable only with more evaluations in the last stage.");
   if (o.confirmations > 1)
     page.paragraph("The set is the best of " + num(o.confirmations) +
-                   " that were run whole: that of the search, and sets near it that should meet more targets to first "
-                   "order. Differences are those about the set of the search.");
+                   " sets that were run completely: the set of the search, and sets near it that should meet more "
+                   "targets to first order. Differences are computed about the set of the search.");
 }
 
 void show_parameters(StudyPage& page, const CalibrationSpec& spec, const CalibrationOutcome& o,
@@ -91,7 +91,7 @@ void show_parameters(StudyPage& page, const CalibrationSpec& spec, const Calibra
   page.table(table);
 }
 
-// Distances and seeds are those of the last of `sets`.
+// Distances and seeds belong to the last of `sets`.
 void show_targets(StudyPage& page, const CalibrationSpec& spec, const std::vector<NamedSet>& sets,
                   const Sets& comparable) {
   page.section("The targets");
@@ -108,9 +108,9 @@ void show_targets(StudyPage& page, const CalibrationSpec& spec, const std::vecto
         " Their weights together: " + of_all([&](const Evaluation& e) { return num(weight_met(spec, e), 4); }) + ".";
   if (spec.cap > 0.0)
     text += " Distances above " + num(spec.cap) +
-            " tolerances count as that in the misfit; the best set is the one that meets most targets.";
+            " tolerances are cut to this value in the misfit; the best set meets the most targets.";
   if (sets.back().name == "confirmed")
-    text += " The best set is that of the last stage's runs; confirmed are whole runs over all seeds.";
+    text += " The best set comes from the runs of the last stage; confirmed: complete runs over all seeds.";
   page.paragraph(text + " Distances [tolerances] are of \"" + sets.back().name + "\", the least of all " +
                  num(comparable.size()) + " sets.");
   Row head = {"target", "required", "tolerance", "weight"};

@@ -9,8 +9,8 @@
 
 namespace footfall {
 
-// Before the end of the calibration (no CalibrationOutcome::best) of the sets known so far, without intervals. `command`: that
-// makes it. `pictures`: PNG files, of draw_calibration.
+// Before the end of the calibration (no CalibrationOutcome::best) for the sets known so far, without intervals. `command`
+// makes the page. `pictures`: PNG files, of draw_calibration.
 StudyPage calibration_page(const CalibrationSpec& spec, const CalibrationOutcome& outcome, const Sets& comparable,
                            const std::string& command, const std::vector<std::string>& pictures);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the targets determine about the parameters: to first order about the best set, and without linearity from the sets
+// How well the targets determine the parameters: to first order about the best set, and without linearity from the sets
 // that were run.
 //
 // With r the weighted residuals, J their derivatives by the positions in the ranges (central differences), m rows that depend
@@ -44,8 +44,8 @@ std::vector<UnitPoint> difference_sets(const CalibrationSpec& spec, const UnitPo
 // `around`: as difference_sets.
 Determination determination_of(const CalibrationSpec& spec, const Evaluation& best, const Sets& around);
 
-// The set near one that was run whole that should meet more targets, to first order; whole runs differ from the cheaper ones
-// of a search:
+// The set near the completely run set that should meet more targets, to first order; complete runs differ from the
+// cheaper runs of a search:
 //
 //   y_t(u) = y_t of the whole runs at u0 + S_t . (u - u0),   least  Phi(y(u)) + |u - u0|^2 / h^2,   |u_i - u0_i| <= h
 //
@@ -56,7 +56,7 @@ constexpr double kInsideBounds = 0.5;  // [tolerances]
 UnitPoint adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eigen::MatrixXd& sensitivity);
 
 double weight_met(const CalibrationSpec& spec, const Evaluation& set);  // sum of the weights of the targets it meets
-// The set with the largest; of equals that with the least misfit.
+// The set with the largest value; among equals the set with the least misfit.
 const Evaluation* most_met(const CalibrationSpec& spec, const Sets& sets);
 
 // Targets that no set meets, and pairs that some sets meet one by one, but none together.

@@ -128,7 +128,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What the targets require of the runs of a scene, as a fingerprint.
+// The requirements of the targets on the runs of a scene, as a fingerprint.
 std::string requirements_of(const CalibrationSpec& spec, const std::string& scene) {
   std::ostringstream text;
   text.precision(17);

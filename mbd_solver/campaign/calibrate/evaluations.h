@@ -55,7 +55,7 @@ double residual_of(const TargetSpec& target, double y, std::size_t row_of_curve 
 
 // Results of finished runs in one small file, a line of JSON for each run of a scene: a run in it is not repeated, here or
 // on another machine, and its folder is not needed. An entry is valid as long as the run's inputs (portable_recipe_of) and
-// what targets require are unchanged; others are kept.
+// the requirements of the targets are unchanged; other entries remain stored.
 class RunRecords {
  public:
   struct Entry {

@@ -20,14 +20,14 @@ struct SearchPath {
 
 struct SearchQueries {
   std::function<std::optional<double>(const UnitPoint&)> misfit;  // none: not known yet
-  // Of gauss_newton, whose misfit is their sum of squares; of known sets only. Empty: a run failed.
+  // Residuals for gauss_newton, whose misfit is their sum of squares; for known sets only. Empty: a run failed.
   std::function<std::vector<double>(const UnitPoint&)> residuals;
 };
 
-// Of all methods but surrogate. `start`: first set of a local search. `step`: of the differences of gauss_newton, whose sets
-// are requested together. Otherwise, where a misfit is not known yet, the search continues with that of the nearest known
-// set, and requests as many as `most_requested` at once: only the first of them is certain; those of a global search are
-// nearly always right, because its first sets do not depend on misfits.
+// For all methods but surrogate. `start`: first set of a local search. `step`: of the differences of gauss_newton,
+// whose sets are requested together. Otherwise, where a misfit is not known yet, the search continues with the misfit
+// of the nearest known set, and requests as many as `most_requested` at once: only the first set is certain; the sets
+// of a global search are nearly always right, because its first sets do not depend on misfits.
 SearchPath search_path(const StageSpec& stage, const UnitPoint& start, double step, const SearchQueries& queries,
                        std::size_t most_requested);
 
@@ -47,7 +47,7 @@ struct SurrogateQueries {
 //   Phi(u) = sum over numbers k of part_k(s_k(u)),
 //
 // with exact bounds and caps. The surfaces are renewed after every set. The next set is, in turn, the minimum of the model,
-// and of random sets, half of them about the best one, that with the least a Phi + (1 - a) (1 - d), a = 0.8 and 0.5, with Phi
+// or, among random sets, half of them about the best set, the set with the least a Phi + (1 - a) (1 - d), a = 0.8 and 0.5, with Phi
 // and the distance d to the nearest known set scaled to 0..1 [Regis, Shoemaker 2007]. After the first set, `start`, comes a
 // Latin hypercube of two sets more than parameters.
 SearchPath surrogate_path(const StageSpec& stage, const UnitPoint& start, const SurrogateQueries& queries);

@@ -1,4 +1,4 @@
-// The runs are those of a sweep; the fit moves the pad of each run through the law, row by row of its history.
+// The runs are a sweep; the fit moves the pad of each run through the law, row by row of its history.
 
 #include "mbd_solver/campaign/ground/ground_fit.h"
 
@@ -33,13 +33,13 @@ constexpr int kHeldBack = 5;    // every fifth run
 constexpr int kFitBins = 20;    // of time, from the first touch on
 constexpr int kRowsPerBin = 4;  // of a run that has more
 constexpr double kConfidenceOfFit = 0.95;
-constexpr double kPoorFit = 0.9;                             // R^2 below this is told
-constexpr int kMostFitTrials = 60, kMostTrialsWithout = 30;  // of the fit, and of those without one run
+constexpr double kPoorFit = 0.9;                             // R^2 below this is reported
+constexpr int kMostFitTrials = 60, kMostTrialsWithout = 30;  // of the fit, and of the fits without one run
 constexpr double kReboundOfRadius = 0.25;                    // of the smallest grains: the rebound, which is not fitted
 // The depth of the resistance to speed, two radii of the smallest grains, is not fitted; neither is inertia, 1 by theory.
 constexpr double kSpeedDepthOfRebound = 2.0 / kReboundOfRadius;
-constexpr double kWorkWeight = 3.0;              // of the work of a run, beside a bin of its force
-constexpr double kAssumedGrainDensity = 2600.0;  // of a bed from a script, which does not tell it [kg/m3]
+constexpr double kWorkWeight = 3.0;              // of the work of a run, relative to a bin of its force
+constexpr double kAssumedGrainDensity = 2600.0;  // of a bed from a script, which does not contain it [kg/m3]
 
 // A number that is fitted: its logarithm.
 struct Unknown {
@@ -132,7 +132,7 @@ std::vector<Eigen::Vector3d> forces_on(const PadRun& run, std::shared_ptr<const 
   return out;
 }
 
-// A run with fewer rows in the ground tells nothing.
+// A run with fewer rows in the ground is not used.
 constexpr std::size_t kLeastRows = 3;
 
 // The first row in which a facet is in the ground.
@@ -485,7 +485,7 @@ std::string toml_number(double value) {
   return text;
 }
 
-// Of all runs: the largest speed into the bed, and the largest depth of a facet.
+// Over all runs: the largest speed into the bed, and the largest depth of a facet.
 struct FittedRange {
   double speed = 0.0, depth = 0.0;  // [m/s], [m]
 };
@@ -585,7 +585,7 @@ bool write_fit(const GroundArguments& a, const SweepSpec& spec, const Plan& plan
     runs.push_back(std::move(run));
   }
   if (runs.empty())
-    throw InputError(code::kGroundFit, output.folder + ": no run is done that reaches the bed, nothing to fit");
+    throw InputError(code::kGroundFit, output.folder + ": no finished run reaches the bed, nothing to fit");
   const Scene scene = read_scene(plan.runs.front().scene, plan.runs.front().settings);
   const PadRun& first = runs.front();
   const Eigen::Vector3d& at = first.place.front();

@@ -2,11 +2,11 @@
 // footfall ground fit FILE: the numbers of a soil without grains (theory 6.7) from short runs of one pad on a bed of grains.
 //
 // FILE is a sweep file. Its runs move one pad as prescribed; from the places and speeds in a run's history the law predicts the
-// force on the pad, and its numbers are those with the least sum of squares of
+// force on the pad, and its numbers minimize the sum of squares of
 //   (predicted - measured) / (largest force of the run),   means over bins of time, along the three axes,
 //   with SpeedForm::kDepth also of the work on the way, over the measured work, which decides how deep a pad comes to rest,
-// by Levenberg and Marquardt on their logarithms. Every fifth run is held back. Intervals are those of the jackknife over runs
-// [Efron 1982]: the fit is repeated without each of them.
+// by Levenberg and Marquardt on their logarithms. Every fifth run is held back. Intervals are computed by the
+// jackknife over runs [Efron 1982]: the fit is repeated without each of them.
 
 #include <string>
 #include <vector>
@@ -33,8 +33,8 @@ struct FittedNumber {
   double value = 0.0, low = 0.0, high = 0.0;  // with its 95 % interval
 };
 
-// What grows with speed: with its square (inertia, with a factor that is fitted; the ground is the mean height of the grains), or with
-// speed times depth (speed_resistance, inertia 1; the ground is the highest grain under the pad, where it touches first).
+// The part of the force that grows with speed: with its square (inertia, with a fitted factor; the ground is the mean height
+// of the grains), or with speed times depth (speed_resistance, inertia 1; the ground is the highest grain under the pad).
 enum class SpeedForm { kSquare, kDepth };
 
 struct SoilForm {
@@ -46,7 +46,7 @@ struct GroundFit {
   SoilForm form;
   double rebound = 1e-3;  // of the law, not fitted [m]
   std::vector<FittedNumber> numbers;
-  // Of the fitted and of the held-back runs, over bins and axes: 1 - sum of squares of errors / that of forces about their mean.
+  // R^2 of fitted and held-back runs, over bins and axes: 1 - sum of squares of errors / sum of squares of (force - mean).
   double r_squared = 0.0, held_r_squared = 0.0;
   double error = 0.0, held_error = 0.0;  // root mean square, over the largest force of the run
   struct Residual {

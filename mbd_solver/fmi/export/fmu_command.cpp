@@ -37,7 +37,7 @@ using Kind = ExportedVariable::Kind;
 constexpr const char *kLibrary = "footfall_fmu.so", *kProgram = "footfall_fmu_model";
 constexpr std::size_t kLongestList = 64;  // numbers of a parameter
 
-// Every number and list of numbers of the scene, with its key of --set. What is written or exchanged only is left out.
+// Every number and list of numbers of the scene, with its key of --set. Values for output or exchange only are omitted.
 void add_parameters(const Json& json, bool grains, const std::string& key, std::vector<ExportedVariable>& found) {
   const auto inside = [&](const std::string& name) { return key.empty() ? name : key + "." + name; };
   if (json.is_number()) {
@@ -84,7 +84,7 @@ std::vector<ExportedVariable> variables_of(const SteppedModel& simulation, const
   return all;
 }
 
-// The scene, what it modifies, and every file that one of them or a script of grains names, relative to the folder that holds them all.
+// The scene, its base scenes, and every file that they or a script of grains name, relative to the folder that holds them all.
 class SceneFiles {
  public:
   explicit SceneFiles(const Scene& scene) : scene_(fs::weakly_canonical(scene.file)) {
@@ -140,7 +140,7 @@ class SceneFiles {
   std::vector<fs::path> files_;
 };
 
-// What the programs of the model read, as an installation has it.
+// The files that the programs of the model read, as in an installation.
 void add_shipped(std::vector<FmuEntry>& entries) {
   for (const char* folder : {"inputs/box", "inputs/soils", "inputs/grounds", "inputs/scripts"}) {
     const fs::path source = shipped_file(folder);
@@ -168,7 +168,7 @@ std::unique_ptr<SteppedModel> started(const Scene& scene, const FmuArguments& a)
   return std::make_unique<LedPair>(pair, [] { return interrupted() != 0; });
 }
 
-// Beside this program, or where an installation has it.
+// In the folder of this program, or in the place of an installation.
 std::string library_file() {
   const fs::path folder = fs::path(built_program(kProgram)).parent_path();
   for (const fs::path& path : {folder / kLibrary, folder / "../lib/footfall" / kLibrary}) {

@@ -1,4 +1,4 @@
-// modelDescription.xml of an exported FMU: units with their base units, variables, and what the outputs depend on.
+// modelDescription.xml of an exported FMU: units with their base units, variables, and the dependencies of outputs.
 
 #include <set>
 #include <sstream>

@@ -1,6 +1,6 @@
-// The library of an exported FMU: the functions of FMI 3.0 for co-simulation. It holds the values of the variables; the simulation is
-// a program of its own in the FMU's resources. So nothing of footfall is linked into the importing program, and no failure of a
-// simulation ends it. Whatever fails leaves values and state as they were.
+// The library of an exported FMU: the functions of FMI 3.0 for co-simulation. It holds the values of the variables;
+// the simulation is a separate program in the FMU's resources. So nothing of footfall is linked into the importing
+// program, and no failure of a simulation ends it. Whatever fails leaves values and state as they were.
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -313,7 +313,7 @@ class Instance {
   double duration_ = 0.0;  // of the importing program's simulation [s]; 0: unknown
   Phase phase_ = Phase::kInstantiated;
   bool made_ = false;    // the simulation has the present parameters and inputs
-  bool grains_ = false;  // the program leads a coupled pair
+  bool grains_ = false;  // the program controls a coupled pair
   std::unique_ptr<HelperProcess> process_;
 };
 
@@ -393,14 +393,14 @@ FMI3 fmi3Instance fmi3InstantiateCoSimulation(fmi3String, fmi3String token, fmi3
     return nullptr;
   };
   try {
-    if (!resources) return refuse("no path of the resources is given, expected that of the unpacked FMU");
+    if (!resources) return refuse("no path of the resources is given, expected the resources of the unpacked FMU");
     std::string path = resources;
     if (path.rfind("file://", 0) == 0) path = path.substr(7);
     if (events) return refuse("the event mode is not supported (hasEventMode is false)");
     const std::string own = text_in(path + "/token.txt");
     if (own.empty())
       return refuse(path + "/token.txt cannot be read: expected the path of the resources of the unpacked FMU");
-    if (!token || own != token) return refuse("the instantiation token is not that of this FMU");
+    if (!token || own != token) return refuse("the instantiation token does not belong to this FMU");
     return new Instance(path, early, environment, log);
   } catch (const std::exception& error) {
     return refuse(error.what());
@@ -473,7 +473,7 @@ FMI3 fmi3Status fmi3DeserializeFMUState(fmi3Instance i, const fmi3Byte* bytes, s
   });
 }
 
-// What this FMU has not: other types of variables, other modes, derivatives, clocks, model exchange, scheduled execution.
+// Parts that this FMU lacks: other types of variables, other modes, derivatives, clocks, model exchange, scheduled execution.
 #define NOT_SUPPORTED(name)                                                                                \
   FMI3 fmi3Status name(fmi3Instance instance, ...) {                                                       \
     return guarded_call(instance, [](Instance&) { throw std::runtime_error(#name " is not supported"); }); \

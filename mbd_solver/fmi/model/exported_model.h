@@ -1,8 +1,8 @@
 #pragma once
-// What an exported FMU knows of its variables: resources/variables.txt, which the command writes, and which the library of the FMU
+// The variables of an exported FMU: resources/variables.txt, which the command writes, and which the library of the FMU
 // and the program of the model read.
 //
-// The library starts the program and asks it (base/helper_process.h). A question is a letter and its content:
+// The library starts the program and sends it requests (base/helper_process.h). A request is a letter and its content:
 //   N  text: a line per setting "KEY=VALUE"    makes the simulation                                         answer V
 //   S  until, early, inputs...                 to this time [s]; early: may end at an event before          answer V
 //   G                                          its state                                                    answer B
@@ -22,7 +22,7 @@ struct ExportedVariable {
   unsigned reference = 0;     // place of its first number in the list of all numbers
   std::string name;           // signal, column, or key of --set
   std::string unit;           // empty: none
-  std::vector<double> start;  // one number, or those of a list
+  std::vector<double> start;  // one number, or the numbers of a list
 };
 
 inline const std::string kBalanceColumn = "balance.energy", kErrorColumn = "balance.integration";

@@ -1,5 +1,5 @@
-// `footfall run` with a socket on which mbd_solver asks what to do; what the programs print goes to a file, from which errors and
-// warnings are read.
+// `footfall run` with a socket through which mbd_solver requests instructions. The output of the programs goes to a
+// file, from which errors and warnings are read.
 
 #include "mbd_solver/fmi/model/led_pair.h"
 
@@ -151,7 +151,7 @@ bool LedPair::has_ended_within(double time) {
   return true;
 }
 
-// The socket closes: mbd_solver ends the run as after SIGINT. footfall ends what does not follow.
+// The socket closes: mbd_solver ends the run as after SIGINT. footfall ends programs that do not follow.
 void LedPair::end() {
   if (socket_ >= 0) {
     lines_.send("end");
@@ -180,7 +180,7 @@ void LedPair::fail() {
   }
   const std::string text = said();
   std::string message;
-  std::set<std::string> known;  // several programs may tell the same
+  std::set<std::string> known;  // several programs may report the same
   for (const std::string& line : split(text, '\n')) {
     const std::string each = without_program(line);
     if (!has_code(each) || each[each.rfind(" [") + 2] != 'E' || !known.insert(each).second) continue;
@@ -223,7 +223,7 @@ void LedPair::read_row() {
     std::vector<double> row;
     for (std::size_t k = 1; k < words.size(); ++k) row.push_back(exact_number(words[k]));
     if (row.size() != names_.size())
-      throw PartnerError(code::kPairGone, "the coupled pair sent another row than that of its columns");
+      throw PartnerError(code::kPairGone, "the coupled pair sent a row that does not match its columns");
     row_ = std::move(row);
     balance_ = balance;
     error_ = error;

@@ -1,6 +1,6 @@
 #pragma once
-// The coupled pair, led through a socket (run/leader.h): `footfall run`, which starts mbd_solver and LIGGGHTS, in a temporary folder
-// that goes with the object.
+// The coupled pair, controlled through a socket (run/leader.h): `footfall run`, which starts mbd_solver and LIGGGHTS, in a temporary
+// folder that is removed with the object.
 
 #include <sys/types.h>
 
@@ -19,7 +19,7 @@ struct PairToLead {
   std::string scene;                  // file
   std::vector<std::string> settings;  // key=value
   bool trusted = false;               // --trust-script
-  std::string carried;  // folder that is copied first, with the scene below it; empty: the scene stays where it is
+  std::string carried;  // folder that is copied first, with the scene below it; empty: the scene remains where it is
   std::string kept;     // folder in which the results remain; empty: nowhere
   std::string name;     // of the folder of results in `kept`
 };
@@ -27,14 +27,14 @@ struct PairToLead {
 class LedPair : public SteppedModel {
  public:
   // Makes the bed, starts the programs and waits for the first row. Throws InputError or PartnerError with the words of the programs.
-  // unwanted: asked while it waits; true ends the programs, and throws Interrupted.
+  // unwanted: called while it waits; true ends the programs, and throws Interrupted.
   LedPair(const PairToLead& pair, std::function<bool()> unwanted);
   // Ends the programs in order; some seconds later they are killed.
   ~LedPair() override;
   LedPair(const LedPair&) = delete;
   LedPair& operator=(const LedPair&) = delete;
 
-  // At most one coupling interval beyond the time that was asked for.
+  // At most one coupling interval beyond the requested time.
   double time() const override { return row_.empty() ? 0.0 : row_[0]; }
   bool finished() const override { return time() >= end_time_ * (1.0 - 1e-12); }
   const std::vector<std::string>& names() const override { return names_; }

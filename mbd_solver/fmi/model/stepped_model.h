@@ -1,5 +1,5 @@
 #pragma once
-// What an exported FMU leads step by step: the mechanism in this process, or the coupled pair with its grains (led_pair.h).
+// The model that an exported FMU controls: the mechanism in this process, or the coupled pair with its grains (led_pair.h).
 
 #include <string>
 #include <vector>

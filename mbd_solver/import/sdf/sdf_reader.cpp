@@ -1,5 +1,5 @@
 // SDF, by sdformat: it converts old versions, resolves frames (relative_to, expressed_in) and included models. Lines come from
-// the XML. The drawing shows all joints at zero.
+// the XML. All joints are zero in the reference configuration.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongestMessage = 300;  // of sdformat [bytes]
 constexpr double kNoLimit = 1e15;             // limits beyond it are none
 
-// What is read: sdformat.org/spec. Elements that a simulator of its own reads are not.
+// Elements that are read: sdformat.org/spec. Elements for special simulators are not.
 const std::map<std::string, KnownElement>& sdf_elements() {
   static const std::vector<std::string> pose = {"pose"};
   static const std::map<std::string, KnownElement> known = {
@@ -76,7 +76,7 @@ RigidFrame placement(const ignition::math::Pose3d& pose) {
   return {vector(pose.Pos()), Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).normalized().toRotationMatrix()};
 }
 
-// Silences what sdformat prints beside the errors that it returns.
+// Silences the output of sdformat in addition to the errors that it returns.
 class Hush {
  public:
   Hush() : kept_(dup(STDERR_FILENO)) {
@@ -123,7 +123,7 @@ class SdfRobot {
     }
     report(errors);
     std::vector<std::pair<const sdf::Model*, RigidFrame>> models;
-    if (root.Model() != nullptr) {  // its pose is that of its placement frame
+    if (root.Model() != nullptr) {  // the pose of its placement frame
       const sdf::Model& model = *root.Model();
       RigidFrame X = placement(model.RawPose());
       if (const std::string& frame = model.PlacementFrameName(); !frame.empty())
@@ -214,8 +214,8 @@ class SdfRobot {
       if (const std::string inner = find_model(uri, file.string(), options_); !inner.empty()) count_model(inner);
   }
 
-  // The text with blanks in the place of: a declaration behind a comment, which sdformat does not take; what it would judge and no
-  // scene has; includes of what is not there.
+  // The text with blanks in the place of: a declaration behind a comment, which sdformat refuses; elements that it
+  // would judge and no scene has; includes of missing files.
   std::string text_for_sdformat() {
     std::string text = xml_.text();
     const auto blank = [&](std::size_t from, std::size_t to) {
@@ -312,7 +312,7 @@ class SdfRobot {
     return found == link_places_.end() ? -1 : found->second;
   }
 
-  // Of a link, joint, frame or nested model, "inner::link" of one within.
+  // The frame of a link, joint, frame or nested model; "inner::link" for a part of a nested model.
   RigidFrame frame_in_model(const sdf::Model& model, const std::string& name) const {
     ignition::math::Pose3d pose;
     const std::size_t scope = name.find("::");
@@ -380,7 +380,7 @@ class SdfRobot {
           std::any_of(made.collisions.begin(), made.collisions.end(), [](const RobotGeometry&) { return true; });
       if (plane)
         robot_.leave_out(made.origin, "link \"" + made.name + "\" of a static model",
-                         "stands still; the ground of a scene is one level plane, or grains");
+                         "is fixed; the ground of a scene is one level plane, or grains");
       return;
     }
     if (const pugi::xml_node inertial = node.child("inertial"); inertial.attribute("auto").as_bool()) {
@@ -395,7 +395,7 @@ class SdfRobot {
     robot_.links.push_back(made);
   }
 
-  // <inertial auto="true"> of SDF 1.11, which the library does not read: that of the collisions, by their densities.
+  // <inertial auto="true"> of SDF 1.11, which the library does not read: inertia of the collisions, by their densities.
   void add_solids(RobotLink& made, const pugi::xml_node& link, const pugi::xml_node& inertial) {
     constexpr double kUsualDensity = 1000.0;  // of SDF [kg/m3]
     const auto density_of = [&](const pugi::xml_node& of, double otherwise) {

@@ -88,8 +88,8 @@ void ContinuousSignals::set_rates(std::size_t k, const Eigen::Ref<const Eigen::V
   }
 }
 
-// Breadth first. The value of a node that passes its inputs through changes with them, as do its rates; that of any other
-// changes with its own states alone.
+// Breadth first. The value of a node that passes its inputs through changes with them, as do its rates; the value of
+// any other node changes with its own states alone.
 void ContinuousSignals::complete(Influence& influence, std::vector<bool>& visited) const {
   std::vector<std::size_t> changed = influence.nodes;  // in value
   for (const std::size_t k : changed) visited[k] = true;

@@ -16,7 +16,7 @@
 
 namespace footfall {
 
-// --- Named numbers of one body's motion: columns of a history, and what signals measure.
+// --- Named numbers of one body's motion: columns of a history, and measurements of signals.
 
 // A column of every thing of one kind; `value` reads it from the thing's current state.
 template <class Thing>
@@ -55,7 +55,7 @@ inline constexpr Entry<CableSample> kCableEntries[] = {
     {"<cable>.slack", "m", [](const CableSample& s) { return s.stretch < 0.0 ? -s.stretch : 0.0; }},
     {"<cable>.unstretched", "m", [](const CableSample& s) { return s.unstretched; }}};
 
-// A measurement of a continuous signal within a step: positions, velocities and what follows from them alone, never
+// A measurement of a continuous signal within a step: positions, velocities and functions of them alone, never
 // accelerations, because signals belong to the right-hand side of the equations of motion. A sensor may have one inner state.
 class Sensor {
  public:
@@ -92,7 +92,7 @@ class BodySensor final : public Sensor {
   double (*reads_)(const BodyKinematics&);
 };
 
-// A coordinate of a joint. Angles count any number of turns, by the state, like those of a JointForce.
+// A coordinate of a joint. Angles count any number of turns, by the state, as in a JointForce.
 class CoordinateSensor final : public Sensor {
  public:
   CoordinateSensor(const Joint& joint, Coordinate coordinate) : m1_(joint.m1), m2_(joint.m2), coordinate_(coordinate) {}
@@ -167,8 +167,8 @@ struct SignalSource {
   std::size_t index = 0;
 };
 
-// The continuous signals of a model: evaluated at every stage of a step; their inner states are integrated with those of
-// the mechanism. Evaluation stores values: each evaluation of a model has a copy of its own.
+// The continuous signals of a model: evaluated at every stage of a step; their inner states are integrated with the
+// states of the mechanism. Evaluation stores values: each evaluation of a model has its own copy.
 class ContinuousSignals {
  public:
   // sources: one per name of the chain.
@@ -177,7 +177,7 @@ class ContinuousSignals {
   int state_count() const { return chain_.state_count() + sensor_states_; }
   const SignalChain& chain() const { return chain_; }
 
-  // What depends on the motion of one body, or on the states of one signal or sensor.
+  // The part that depends on the motion of one body, or on the states of one signal or sensor.
   struct Influence {
     int body = kGround;                      // whose motion; kGround: states
     int first_state = 0, state_count = 0;    // these states
@@ -186,7 +186,7 @@ class ContinuousSignals {
     std::vector<int> places;                 // of their values among the inputs
     std::vector<std::pair<int, int>> rates;  // first state and number of states of those that have states
   };
-  // Of all bodies that are measured, in rising order, then of all states.
+  // The influences of all measured bodies, in rising order, then of all states.
   std::vector<Influence> influences() const;
 
   // Writes the signals into their places among the input `values`, and the rates of the states into dz. instant: as of
@@ -199,7 +199,7 @@ class ContinuousSignals {
     for (std::size_t k = 0; k < chain_.size(); ++k) set_value(k, z, values);
     for (std::size_t k = 0; k < chain_.size(); ++k) set_rates(k, z, dz);
   }
-  // The same where only what has this influence differs from the last evaluation.
+  // The same if only parts under this influence differ from the last evaluation.
   template <class Instant>
   void evaluate(const Influence& changed, const Instant& instant, const Eigen::Ref<const Eigen::VectorXd>& z,
                 Eigen::Ref<Eigen::VectorXd> values, Eigen::Ref<Eigen::VectorXd> dz) {

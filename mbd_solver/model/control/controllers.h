@@ -1,5 +1,5 @@
 #pragma once
-// Sampled controllers: from the motion of one body, at their own period, to voltages in [0, 1]. They are never called inside
+// Sampled controllers: from the motion of one body, at their own period, to damper inputs in [0, 1]. They are never called inside
 // a residual; between two samples their outputs are constants of the model.
 
 #include <Eigen/Dense>
@@ -27,7 +27,7 @@ class Controller {
   virtual std::string_view kind() const = 0;  // "constant", "fuzzy", "skyhook", "pid"
   virtual int output_count() const = 0;
   virtual double period() const = 0;  // [s] > 0
-  // One sample. Writes output_count() voltages, each finite and in [0, 1], and updates the memory (filter, integral).
+  // One sample. Writes output_count() damper inputs, each finite and in [0, 1], and updates the memory (filter, integral).
   virtual void sample(const ControllerMeasurement& m, Eigen::Ref<Eigen::VectorXd> voltages) = 0;
   // The memory as numbers, for checkpoints.
   virtual Eigen::VectorXd memory() const = 0;
@@ -59,7 +59,7 @@ class AccelerationFilter {
   double filtered_ = 0.0, jerk_ = 0.0;
 };
 
-// Constant voltages: the passive strut of comparisons.
+// Constant damper inputs: the passive strut of comparisons.
 struct ConstantControllerParameters {
   Eigen::VectorXd voltages;                  // one per controlled strut, each in [0, 1] [-]; at least one
   double period = kDefaultControllerPeriod;  // > 0 [s]

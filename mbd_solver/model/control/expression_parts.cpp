@@ -32,7 +32,7 @@ class Parser {
   void skip_space() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
   }
-  // The first of these operators that stands here, which is then passed; empty: none.
+  // The first of these operators at this place, which is then passed; empty: none.
   std::string accept(std::initializer_list<const char*> operators) {
     skip_space();
     for (const std::string name : operators)

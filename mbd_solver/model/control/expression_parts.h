@@ -1,5 +1,5 @@
 #pragma once
-// The structure of an expression: what it is made of, for finding the times at which it has corners.
+// The structure of an expression, for finding the times at which it has corners.
 
 #include <optional>
 #include <string>

@@ -39,7 +39,7 @@ std::unique_ptr<fl::Engine> import(const std::string& text) {
   return std::unique_ptr<fl::Engine>(fl::FllImporter().fromString(text));
 }
 
-// FuzzyLite accepts any number of samples, and one that overflows becomes negative.
+// FuzzyLite accepts any number of samples; a number that overflows becomes negative.
 bool sample_count_is_valid(const fl::Engine& engine) {
   for (const fl::OutputVariable* v : engine.outputVariables())
     if (const auto* integral = dynamic_cast<const fl::IntegralDefuzzifier*>(v->getDefuzzifier()))
@@ -47,7 +47,7 @@ bool sample_count_is_valid(const fl::Engine& engine) {
   return true;
 }
 
-// Imports every line of a block alone, to find the one that FuzzyLite refuses. Rules require the engine: check_rule.
+// Imports every line of a block alone, to find the line that FuzzyLite refuses. Rules require the engine: check_rule.
 void check_lines(const std::string& file, const FllBlock& block) {
   if (block.head.key == "Engine") return;
   for (const FllLine& line : block.lines) {
@@ -311,7 +311,7 @@ struct FuzzyFunction::Parts {
   std::unique_ptr<fl::Engine> engine;
   fl::OutputVariable* output = nullptr;
   Eigen::VectorXd inputs;  // of the last evaluation, and
-  double value = 0.0;      // its result: a step asks several times
+  double value = 0.0;      // its result: a step evaluates several times
 };
 
 FuzzyFunction::FuzzyFunction(const FllText& text, std::size_t inputs, const std::string& output)

@@ -57,9 +57,9 @@ class FuzzySystem {
   int output_count() const;
   const FuzzyInput& lower() const;  // of the input ranges, units as FuzzyInput
   const FuzzyInput& upper() const;
-  // The ends of an input's range and the corners of its terms, rising: there the voltages have kinks.
+  // The ends of an input's range and the corners of its terms, rising: there the outputs have kinks.
   std::vector<double> breakpoints(int input) const;
-  // FuzzyLite's own evaluation: output_count() voltages in [0, 1].
+  // FuzzyLite's own evaluation: output_count() damper inputs in [0, 1].
   void evaluate(const FuzzyInput& input, Eigen::Ref<Eigen::VectorXd> voltages) const;
   // The same at all points of a grid, to round-off: [a][da][alpha][beta][output]. Fast for plain min/max/centroid systems
   // (fuzzy_table.h), point by point for all others.
@@ -77,7 +77,7 @@ class FuzzyFunction {
   // inputs: their number, in the order of the file's input variables. output: name of an output variable; empty: the only
   // one. Throws InputError "file:line: ...".
   FuzzyFunction(const FllText& text, std::size_t inputs, const std::string& output);
-  FuzzyFunction(const FuzzyFunction& other);  // with an engine of its own
+  FuzzyFunction(const FuzzyFunction& other);  // with its own engine
   FuzzyFunction& operator=(const FuzzyFunction&) = delete;
   ~FuzzyFunction();
 

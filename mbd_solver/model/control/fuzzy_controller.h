@@ -11,7 +11,7 @@
 
 namespace footfall {
 
-// A control surface: one voltage of a fuzzy system over two of its inputs, the other two held, as in [Lin25 Figure 4].
+// A control surface: one output of a fuzzy system over two of its inputs, the other two held, as in [Lin25 Figure 4].
 struct ControlSurface {
   Eigen::VectorXd first;    // values of the first input, in its unit (fuzzy.h)
   Eigen::VectorXd second;   // values of the second input

@@ -28,7 +28,7 @@ struct Sampled {
       count.push_back(last - first);
     }
   }
-  // Of the aggregated output y(x) = max over terms of min(level, membership(x)).
+  // The centroid of the aggregated output y(x) = max over terms of min(level, membership(x)).
   double centroid() {
     y.setZero();
     for (Eigen::Index t = 0; t < level.size(); ++t) {

@@ -1,5 +1,5 @@
 #pragma once
-// Fuzzy systems on a grid: the fast evaluation of plain Mamdani systems, and the table of voltages made with it.
+// Fuzzy systems on a grid: the fast evaluation of plain Mamdani systems, and the table of outputs made with it.
 
 #include <Eigen/Dense>
 #include <array>
@@ -9,9 +9,9 @@
 
 namespace footfall {
 
-// A plain Mamdani system (min for "and" and implication, max for aggregation, centroid). Its results equal those of the
-// general engine; memberships are computed once per node of an axis and once per sample of an output, which takes about
-// 1 us per point instead of 180.
+// A plain Mamdani system (min for "and" and implication, max for aggregation, centroid). Its results equal the
+// results of the general engine; memberships are computed once per node of an axis and once per sample of an output,
+// which takes about 1 us per point instead of 180.
 struct MamdaniRule {
   std::array<int, 4> term;                   // of each input; -1: the rule does not use this input
   double weight;                             // [-]
@@ -37,7 +37,7 @@ constexpr FuzzyGrid kDefaultFuzzyGrid = {49, 17, 33, 33};  // 907 137 points, 29
 
 // A fuzzy system computed once on a grid over its four inputs, then interpolated (multilinear): "computed offline, fast
 // real-time implementation" [Lin25 section 2.2.2].
-// Grid: the points of an axis are distributed over the intervals between the corners of the input's terms, where the voltages
+// Grid: the points of an axis are distributed over the intervals between the corners of the input's terms, where the outputs
 // have kinks, and are denser towards them (mean of even and cosine spacing). Intervals with the same, even number of points
 // are best, because kinks of min(., .) then pass through corners of cells. The default has 16 each for
 // inputs/controllers/lander.fll.

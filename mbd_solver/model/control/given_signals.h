@@ -1,5 +1,5 @@
 #pragma once
-// The times at which signals that are known beforehand have corners: what they read of time, of the state of the scene and its
+// The times at which signals that are known beforehand have corners: they read time, the state of the scene and its
 // beginning, but nothing of the motion.
 //
 // A switch is a part of an expression at which it can jump or bend: a comparison, abs, sign, rint, min, max, a condition, a
@@ -60,10 +60,10 @@ class GivenSignals {
   Corner next(double t, const Eigen::VectorXd& values);
   // The first time after t and before that corner at which a step must end for the integral of curved values [s]; at infinity:
   // none. Between such times the quadrature of Radau IIA with three stages (order 5) is exact to 1e-14 of the largest
-  // integral of the value over a block; that of one_step, which has larger constants, to some 1e-9 of a pulse.
-  // Not of fuzzy signals, which bend where nothing shows it.
+  // integral of the value over a block; the quadrature of one_step, which has larger constants, to some 1e-9 of a pulse.
+  // Not for fuzzy signals, which bend at unknown places.
   double next_split(double t, const Eigen::VectorXd& values);
-  // Signals that vary too fast for the grid, once each: their labels. Known as far as next() has looked.
+  // Signals that vary too fast for the grid, once each: their labels. Known up to the time that next() has reached.
   const std::vector<std::string>& too_fast() const;
 
  private:

@@ -40,11 +40,11 @@ class SignalBlock {
   // Blocks without memory whose value is a line in each of several pieces, in steps of the inputs: the piece at u.
   virtual bool has_pieces() const { return false; }
   virtual double piece(const BlockValues&) const { return 0.0; }
-  // A program of its own computes y, which only a run starts (assemble/foreign_block.h).
+  // A separate program computes y, which only a run starts (assemble/foreign_block.h).
   virtual bool runs_apart() const { return false; }
-  // For one evaluation, of a block that stores what it computes last; null: any number may share this one.
+  // Scratch data of one evaluation, of a block that stores its last result; null: any number of evaluations may share the block.
   virtual std::unique_ptr<SignalBlock> copy() const { return nullptr; }
-  // What it keeps besides z, in a checkpoint.
+  // Its data in a checkpoint besides z.
   virtual void visit(Archive&) {}
 };
 

@@ -53,7 +53,7 @@ std::unique_ptr<mu::Parser> parser_of(const std::string& text) {
 
 namespace {
 
-// Reads the text; its variables are where place(name) says.
+// Reads the text; place(name) is the place of a variable.
 template <typename Place>
 std::unique_ptr<mu::Parser> read_expression(const std::string& text, const Place& place) {
   try {
@@ -152,7 +152,7 @@ Sorted in_order(std::vector<SignalNode> nodes) {
   try {
     order = evaluation_order(names, reads);
   } catch (const InputError&) {
-    // A block without direct feedthrough depends on its states only: it may precede what it reads.
+    // A block without direct feedthrough depends on its states only: it may precede its inputs.
     for (std::size_t k = 0; k < nodes.size(); ++k)
       if (!nodes[k].block->passes_through()) reads[k].clear();
     order = evaluation_order(names, reads);

@@ -50,14 +50,14 @@ struct SignalNode {
   std::shared_ptr<SignalBlock> block;
   std::vector<std::string> inputs;  // expressions, one per input of the block
   std::vector<std::string> states;  // states of the scene in which it is active, else it is 0; empty: always
-  std::optional<double> initial;    // value of its inputs before the start; default those of the start
+  std::optional<double> initial;    // value of its inputs before the start; default: the inputs at the start
   double period = 0.0;              // [s]; 0: continuous
   int place = 0;                    // of its value among the inputs of a run
   // Places of the inputs, for messages: "scene.toml:40: signals.pitch.input: ". Empty: messages name the node.
   std::vector<std::string> written_at = {};
 };
 
-// A chain holds the values of its last evaluation. Each evaluation of a model has a copy of its own.
+// A chain holds the values of its last evaluation. Each evaluation of a model has its own copy.
 class SignalChain {
  public:
   // Throws InputError: an expression with a syntax error, or signals that depend on each other in a loop.
@@ -71,7 +71,7 @@ class SignalChain {
   int state_count() const { return states_; }
   int first_state(std::size_t k) const { return first_state_[k]; }
 
-  // What the inputs of node k read.
+  // The quantities that the inputs of node k read.
   struct Reads {
     std::vector<std::size_t> nodes, names;  // other signals; values from outside, indices of names()
   };

@@ -16,7 +16,7 @@
 namespace footfall {
 namespace {
 
-// Of the second derivatives: left m_{i-1} + 2 (left + right) m_i + right m_{i+1} = this.
+// Right side of the equations for second derivatives: left m_{i-1} + 2 (left + right) m_i + right m_{i+1} = this.
 double bend(double y_before, double y, double y_after, double left, double right) {
   return 6.0 * ((y_after - y) / right - (y - y_before) / left);
 }

@@ -48,7 +48,7 @@ class MonotoneCurve {
   MonotoneCurve(const std::string& name, std::vector<double> x, std::vector<double> y);
 
   double value(double x) const;
-  double slope(double x) const;  // dy/dx; at the table's two ends that of the inside, 0 beyond
+  double slope(double x) const;  // dy/dx; at the table's two ends the inner slope, 0 beyond
 
  private:
   std::vector<double> x_, y_, slope_;

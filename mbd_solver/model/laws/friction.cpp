@@ -15,7 +15,7 @@
 namespace footfall {
 namespace {
 
-// Slip ends when the force is this share below that of sliding, so that round-off does not end slip as soon as it begins.
+// Slip ends when the force is this share below the sliding force, so that round-off does not end slip as soon as it begins.
 constexpr double kHysteresis = 1e-4;
 
 double sign(double x) { return x < 0.0 ? -1.0 : 1.0; }

@@ -15,7 +15,7 @@ namespace footfall {
 //   stick  F = k z + d v + c v,  z' = v                     while |k z + d v| <= F_b
 //   slip   F = s g(v) + c v,     z' = (s g(v) - k z) / d    while s (k z + d v) >= g(v)
 //   g(v) = F_c + (F_b - F_c) exp(-(v / v_s)^2), or F_c;  k = F_c / delta,  d = 2 zeta sqrt(k m)
-// The damper d is so large that a load that is there at once does not overshoot (zeta of the mass at the start).
+// The damper d is so large that a sudden load does not overshoot (zeta of the mass at the start).
 // Stored: k z^2 / 2. Dissipated: stick d v^2, slip s g (v - z') + d z'^2, and c v^2; none is negative. theory 3.6.
 struct JointFrictionParameters {
   double coulomb = 0.0;                  // F_c: sliding friction > 0 [N]
@@ -72,7 +72,7 @@ class JointFriction final : public StrutLaw {
 //   F = U F_f(z, v),   U' = (c - U) / tau,   c = c(t) + StrutInput::command within [0, 1]
 // F_f slides at the largest torque of the brake, F_b = F_c, so that its mode follows from z and v. The bristle z returns to 0
 // with time constant tau while the brake is released (c = 0). U = 1 locks the joint up to the elastic stick displacement.
-// Stored: U k z^2 / 2. Dissipated: U times that of the friction, and U k z^2 / tau while released.
+// Stored: U k z^2 / 2. Dissipated: U times the power of the friction, and U k z^2 / tau while released.
 // Supplied by the actuator: U' k z^2 / 2. theory 3.7.
 struct BrakeParameters {
   TimeFunctionPtr command;             // c(t) [-]

@@ -42,7 +42,7 @@ void check(const HoneycombCartridge& data, const std::string& which) {
     if (data.stages[i].crush_force < last)
       throw InputError(code::kCurveNotRising,
                        who + ": " + stage + "crush_force " + number_text(data.stages[i].crush_force) +
-                           " N is below that of the previous stage, " + number_text(last) +
+                           " N is below the force of the previous stage, " + number_text(last) +
                            " N; expected rising forces. The softest stage crushes first: list it first.");
     last = data.stages[i].crush_force;
     shortest = std::min(shortest, data.stages[i].crush_length);

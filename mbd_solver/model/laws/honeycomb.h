@@ -15,11 +15,11 @@
 // that the energy sum F_i L_i is exact. Past the last stage comes the bottom-out: f rises with the slope
 // bottom_out_stiffness over the stroke. Compacted foil crushes as well: this work is dissipated, too.
 //
-// Energy: stored is that of the spring g; dissipated is f dc; their sum is force times rate exactly.
+// Energy: the spring g stores energy; f dc is dissipated; their sum is force times rate exactly.
 // Free play: after crushing, the strut is loose for -c_tension < x < c_compression; a crushed cartridge touches again
 // where it was left.
 // Valid for any stroke. f is C1 in stroke and state; dc is continuous, with a kink at rate 0 (derivative:
-// that of the loading side).
+// on the loading side).
 
 #include <optional>
 #include <vector>

@@ -4,7 +4,7 @@
 //   F = F_y(U) s(v) + c v,   s(v) = tanh(v / v_s)
 //
 // The yield force is F_y(U) = U yield_force, or a table over U (from geometry and fluid data, below). The gas spring is
-// a law of its own.
+// its own law.
 //
 // Voltage: U is clamped to [0, 1]. With coil_lag = 0 it acts at once, without a state. With coil_lag > 0 (coil and
 // driver, first order) the effective voltage is the inner state:
@@ -77,8 +77,8 @@ struct MrGeometry {
   std::vector<Eigen::Vector2d> tau_y;
 };
 
-// `law` gives what does not follow from geometry (v_s, coil lag, initial voltage); yield_table, yield_force (at U = 1)
-// and viscous_coefficient are replaced. Throws InputError for a value out of range.
+// `law` gives the values that do not follow from geometry (v_s, coil lag, initial voltage); yield_table, yield_force
+// (at U = 1) and viscous_coefficient are replaced. Throws InputError for a value out of range.
 MrDamperParameters mr_damper_from_geometry(const MrGeometry& geometry, MrDamperParameters law = {});
 
 }  // namespace footfall

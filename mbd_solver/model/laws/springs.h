@@ -14,7 +14,7 @@ namespace footfall {
 //            = k d^2 / (2 toe)          0 < d < toe
 //            = k (d - toe/2)            d >= toe
 // The toe replaces the kink of k max(0, d), so that the stiffness does not jump when a gap closes. Beyond the toe the
-// force is that of a spring which starts toe/2 later.
+// force equals the force of a spring which starts toe/2 later.
 struct OneSidedSpring {
   double stiffness;  // k > 0 [N/m]
   double toe;        // > 0 [m]

@@ -91,7 +91,7 @@ TableLaw::Split TableLaw::split(double stroke, double rate) const {
   Split s{};
   s.elastic_slope = (elastic_[i + 1] - elastic_[i]) / x.width;
   s.elastic = elastic_[i] + x.t * (elastic_[i + 1] - elastic_[i]);
-  // Outside the table D is that of its nearest point, without slope across the edge.
+  // Outside the table D is taken from its nearest point, without slope across the edge.
   const double tx = std::clamp(x.t, 0.0, 1.0), tv = std::clamp(v.t, 0.0, 1.0);
   const double low = (1.0 - tx) * dissipative_(i, j) + tx * dissipative_(i + 1, j);
   const double high = (1.0 - tx) * dissipative_(i, j + 1) + tx * dissipative_(i + 1, j + 1);

@@ -22,7 +22,7 @@ Corner first_after(const std::vector<double>& times, double t) {
   const auto next = std::upper_bound(times.begin(), times.end(), t);
   return next == times.end() ? Corner() : Corner(*next);
 }
-// Of a function whose first derivative jumps there.
+// The first corner of a function whose first derivative jumps at these times.
 Corner first_from(const std::vector<double>& times, double t) {
   const auto next = std::lower_bound(times.begin(), times.end(), t);
   return next == times.end() ? Corner() : Corner(*next, std::nextafter(*next, kInfinity));
@@ -90,7 +90,7 @@ class SplineTable : public TimeFunction {
   CubicSpline spline_;
 };
 
-// accel is reported as 0: that of a monotone curve jumps at its points.
+// accel is reported as 0: the acceleration of a monotone curve jumps at its points.
 class MonotoneTable : public TimeFunction {
  public:
   MonotoneTable(std::vector<double> times, std::vector<double> values)

@@ -131,7 +131,7 @@ class Pair:
         if self.finished:
             raise _refused("E0722", "cannot-go-on", "the end of the scene has been reached; set a later end_time")
         if not until >= self.time:
-            raise _refused("E0721", "step-backwards", f"t = {self.time:g} s: a step to {until:g} s was asked for, expected a later time")
+            raise _refused("E0721", "step-backwards", f"t = {self.time:g} s: the requested step to {until:g} s lies in the past, expected a later time")
         self._say(f"step {float(until)!r}")
         self._read_row()
 

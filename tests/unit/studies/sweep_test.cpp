@@ -800,7 +800,7 @@ TEST(Recommendation, LinesOfThePage) {
   EXPECT_THAT(page, ContainsRegex("\\| steps \\| none; [^|]*1e-4 \\| 3 ± 0.1 %, force \\| 0.80 "
                                   "\\| 2e-4 \\([^|]*\\) \\| 4 ± 1 %, depth \\| 0.60 \\|\n"));
   EXPECT_THAT(page, ContainsRegex("\\| rigid \\| none [^|]*\\|  \\|  \\| none [^|]*\\|  \\|  \\|\n"));
-  EXPECT_THAT(page, HasSubstr("the largest error is that of \"windows\": 2 ± 0.1 % of force at 5."));
+  EXPECT_THAT(page, HasSubstr("the largest error occurs for \"windows\": 2 ± 0.1 % of force at 5."));
   EXPECT_THAT(page, HasSubstr(" 5 % (force), 5 % (depth);\n"));
   EXPECT_THAT(page, HasSubstr(" 4 by 0.50 times that"));
 }
