@@ -6,6 +6,7 @@
 #include <map>
 
 #include "mbd_solver/assemble/mechanism.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/elements/soil_contact.h"
 #include "mbd_solver/model/rotation.h"
 
@@ -35,13 +36,14 @@ double six_volumes(const ModalBoundary& boundary) {
 }
 
 // Facets around a node whose normals differ by less than 20 degrees are one: a third of their area, at the node. A stress that
-// is linear over a triangle has its exact mean at the corners.
-std::vector<SoilFacet> facets_of(const BodyBoundary& entry, double side, const Model& model) {
+// is linear over a triangle has its exact mean at the corners. fades: they count by the share of their faces that is in the ground.
+std::vector<SoilFacet> facets_of(const BodyBoundary& entry, double side, bool fades, const Model& model) {
   const ModalBoundary& boundary = entry.boundary;
   const int modes = boundary.mode_count();
   struct Share {
     int node;
-    Eigen::Vector3d area;  // along the normal [m2]
+    Eigen::Vector3d area;      // along the normal [m2]
+    std::vector<int> corners;  // the others of its triangles
   };
   std::vector<std::vector<Share>> around(static_cast<std::size_t>(boundary.node_count()));
   for (const Eigen::Vector3i& t : boundary.triangles()) {
@@ -54,11 +56,11 @@ std::vector<SoilFacet> facets_of(const BodyBoundary& entry, double side, const M
       const auto alike = std::find_if(shares.begin(), shares.end(), [&](const Share& share) {
         return share.area.normalized().dot(third.normalized()) > kOneFacet;
       });
-      if (alike == shares.end()) {
-        shares.push_back({node, third});
-      } else {
-        alike->area += third;
-      }
+      Share& share = alike == shares.end() ? shares.emplace_back(Share{node, Eigen::Vector3d::Zero(), {}}) : *alike;
+      share.area += third;
+      for (const int other : {t[0], t[1], t[2]})
+        if (other != node && std::find(share.corners.begin(), share.corners.end(), other) == share.corners.end())
+          share.corners.push_back(other);
     }
   }
   std::vector<SoilFacet> facets;
@@ -74,10 +76,29 @@ std::vector<SoilFacet> facets_of(const BodyBoundary& entry, double side, const M
       facet.normal = share.area.normalized();
       facet.area = share.area.norm();
       facet.start = model.initial_position(facet.marker);
+      if (fades)
+        for (const int other : share.corners) facet.corners.push_back(corner(boundary, other) - facet.marker.s0);
       facets.push_back(std::move(facet));
     }
   }
   return facets;
+}
+
+// The faces of a disc or cylinder are polygons on its circle, smaller by (2 pi / corners)^2 / 6: their facets get the area of the
+// circle.
+void round_off(const BodySpec& body, const Eigen::Matrix3d& R_DB, std::vector<SoilFacet>& facets) {
+  constexpr double kPolygon = 1.3;  // of a circle's area over that of a polygon of six corners, at most: 1.21
+  if (!body.shape || (body.shape->kind != ShapeKind::kDisc && body.shape->kind != ShapeKind::kCylinder)) return;
+  for (const double side : {1.0, -1.0}) {
+    const Eigen::Vector3d out = side * R_DB.transpose() * body.shape->axis.normalized();
+    double area = 0.0;
+    for (const SoilFacet& facet : facets)
+      if (facet.normal.dot(out) > kOneFacet) area += facet.area;
+    const double factor = kPi * body.shape->radius * body.shape->radius / area;
+    if (!(factor > 1.0 && factor < kPolygon)) continue;  // none, or another mesh than that of the shape
+    for (SoilFacet& facet : facets)
+      if (facet.normal.dot(out) > kOneFacet) facet.area *= factor;
+  }
 }
 
 // The smaller side of a boundary seen along the axis in which it is thinnest.
@@ -130,9 +151,11 @@ void add_soil_contacts(const Scene& scene, Mechanism& mechanism) {
   for (const BodyBoundary& entry : mechanism.boundaries) {
     if (entry.points.empty() && entry.rims.empty()) continue;
     const bool closed = encloses(entry.boundary);
-    std::vector<SoilFacet> facets =
-        facets_of(entry, closed && six_volumes(entry.boundary) < 0.0 ? -1.0 : 1.0, mechanism.model);
+    std::vector<SoilFacet> facets = facets_of(entry, closed && six_volumes(entry.boundary) < 0.0 ? -1.0 : 1.0,
+                                              spec.kind == SoilLawKind::kRft, mechanism.model);
     if (facets.empty()) continue;
+    const Eigen::Matrix3d A = rotation_matrix(mechanism.model.initial(entry.body).L);
+    round_off(scene.bodies[static_cast<std::size_t>(entry.body)], mechanism.placement.R_WD.transpose() * A, facets);
     for (const SoilFacet& facet : facets) largest = std::max(largest, facet.area);
     touching.emplace_back(&entry, std::move(facets));
   }

@@ -77,6 +77,9 @@ struct SoilContact::Touch {
   MovingPoint p;
   SoilPoint at;
   SoilStress stress;
+  Covered covered;
+  Eigen::Vector3d whole =
+      Eigen::Vector3d::Zero();  // force on the body if all of the facet were in the ground, in W [N]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the body, in W [N]
   Frame frame;
 };
@@ -138,6 +141,28 @@ bool SoilContact::far(const BodyKinematics& body, const Scratch& scratch) const 
 
 double SoilContact::size_of(const SoilFacet& facet) const { return std::sqrt(facet.area); }
 
+SoilContact::Covered SoilContact::covered(const SoilFacet& facet, const BodyKinematics& body,
+                                          const Eigen::Vector3d& down, double depth) {
+  Covered out;
+  if (facet.corners.empty()) return out;
+  const Eigen::Vector3d up_B = -(body.A.transpose() * down);
+  double squares = 0.0, cubes = 0.0;
+  for (const Eigen::Vector3d& corner : facet.corners) {
+    const double h = std::max(0.0, up_B.dot(corner));
+    squares += h * h;
+    cubes += h * h * h;
+  }
+  if (!(depth * squares < cubes)) return out;
+  const double height = cubes / squares;
+  out.share = depth / height;
+  out.by_depth = 1.0 / height;
+  for (const Eigen::Vector3d& corner : facet.corners) {
+    const double h = std::max(0.0, up_B.dot(corner)), by_h = h * (3.0 * h - 2.0 * height) / squares;
+    out.by_turn += out.share / height * by_h * (body.A * corner).cross(down);  // -s/H dH, dh = (A c x up) dtheta
+  }
+  return out;
+}
+
 // A facet that has moved without touching is over another place of the ground: over the print that is there, or, where it has come
 // below the untouched ground beside its print, over ground that has given way to it.
 void SoilContact::look_below(std::size_t facet, const Eigen::Vector3d& place, Scratch& scratch) const {
@@ -196,7 +221,9 @@ void SoilContact::each_touch(const ElementInput& in, SoilLaw::With with, Use use
       if (!(touch.at.place.z() > memory.print)) continue;
       touch.facet = &facet;
       touch.stress = law_->stress(touch.at, memory, two_sided_, with);
-      touch.force = touch.frame.axes.transpose() * (facet.area * (touch.stress.traction + touch.stress.inertia));
+      touch.covered = covered(facet, body, touch.frame.axes.row(2), touch.at.place.z());
+      touch.whole = touch.frame.axes.transpose() * (facet.area * (touch.stress.traction + touch.stress.inertia));
+      touch.force = touch.covered.share * touch.whole;
       use(touch);
     }
     return;
@@ -216,7 +243,9 @@ void SoilContact::each_touch(const ElementInput& in, SoilLaw::With with, Use use
     touch.facet = &facet;
     touch.frame.axes = touch.frame.by_p = axes_;
     touch.stress = law_->stress(touch.at, memory, two_sided_, with);
-    touch.force = axes_.transpose() * (facet.area * (touch.stress.traction + touch.stress.inertia));
+    touch.covered = covered(facet, body, axes_.row(2), z);
+    touch.whole = axes_.transpose() * (facet.area * (touch.stress.traction + touch.stress.inertia));
+    touch.force = touch.covered.share * touch.whole;
     use(touch);
   }
 }
@@ -226,15 +255,17 @@ void SoilContact::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> 
 }
 
 bool SoilContact::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
-  // f = a R^T t(R p, R n, R p'):  df = a R^T (t_p R dp + t_n R (-n~) dtheta + t_v R dp')
+  // f = s a R^T t(R p, R n, R p'):  df = s a R^T (t_p R dp + t_n R (-n~) dtheta + t_v R dp') + f/s (s_z dz + s_theta dtheta)
   Eigen::Matrix3Xd &X = scratch_of<Scratch>(in).X, &by_x = scratch_of<Scratch>(in).by_x;
   bool any = false;
   const BodyKinematics& body = *in.pair.body[0];
   each_touch(in, SoilLaw::With::kSlope, [&](const Touch& touch) {
     any = true;
     const Eigen::Matrix3d& axes = touch.frame.axes;
-    const Eigen::Matrix3d turned = touch.facet->area * axes.transpose();
-    const Eigen::Matrix3d by_p = turned * touch.stress.slope.leftCols<3>() * touch.frame.by_p;
+    const Covered& covered = touch.covered;
+    const Eigen::Matrix3d turned = covered.share * touch.facet->area * axes.transpose();
+    Eigen::Matrix3d by_p = turned * touch.stress.slope.leftCols<3>() * touch.frame.by_p;
+    if (covered.by_depth > 0.0) by_p += covered.by_depth * touch.whole * touch.frame.by_p.row(2);
     const Eigen::Matrix3d by_n = turned * touch.stress.slope.middleCols<3>(3) * axes;
     const Eigen::Matrix3d by_v = turned * touch.stress.slope.rightCols<3>() * axes;
     X.setZero();
@@ -247,6 +278,7 @@ bool SoilContact::add_derivatives(const ElementInput& in, ElementDerivatives& ou
       by_x.col(j) = column;
     }
     by_x.block<3, 3>(0, 3) -= by_n * skew(body.A * touch.facet->normal);
+    if (covered.by_depth > 0.0) by_x.block<3, 3>(0, 3) += touch.whole * covered.by_turn.transpose();
     out.dQ_dx.noalias() += X.transpose().lazyProduct(by_x);
     by_x.noalias() = by_v.lazyProduct(X);  // df/dv
     out.dQ_dv.noalias() += X.transpose().lazyProduct(by_x);
@@ -259,7 +291,7 @@ bool SoilContact::add_derivatives(const ElementInput& in, ElementDerivatives& ou
 // the ground yields, as that of the rest would have, so that its integral is as accurate as the motion.
 void SoilContact::add_energy(const ElementInput& in, StoredEnergy&, Dissipated& power) const {
   each_touch(in, SoilLaw::With::kTraction, [&](const Touch& touch) {
-    const double area = touch.facet->area;
+    const double area = touch.covered.share * touch.facet->area;
     power[Dissipation::kSoil] -= area * touch.stress.traction.dot(touch.at.velocity);
     power[Dissipation::kSoilInertia] -= area * touch.stress.inertia.dot(touch.at.velocity);
   });

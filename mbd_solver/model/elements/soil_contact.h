@@ -5,6 +5,9 @@
 // On uneven ground the depth of a facet is its distance below the terrain along its normal, and x, y, down are axes at the foot
 // that the facet remembers: the way slid since then is counted along the tangent plane there. In a step that moves a facet by s
 // over ground of curvature kappa, directions err by kappa s. Prints are found by x and y of W.
+// A facet whose face reaches up to the height H above it counts by the share min(1, z / H) that is in the ground: exact for a stress
+// that grows with the depth, and less than H / 2 of a face short for one that does not. H is the mean of the heights h_c > 0 of the
+// other corners of its triangles, weighted by h_c^2.
 
 #include <memory>
 #include <unordered_map>
@@ -22,6 +25,8 @@ struct SoilFacet {
   double area = 0.0;                                  // [m2]
   Eigen::Vector3d start =
       Eigen::Vector3d::Zero();  // in W at the start [m]: in the ground it stands in its own print then
+  std::vector<Eigen::Vector3d>
+      corners;  // from it to the other corners of its triangles, in B [m]; none: it counts as a whole
 };
 
 // Prints that facets have left, in the axes of the ground.
@@ -81,6 +86,13 @@ class SoilContact : public ContactElement, public Remembering {
   struct Touch;
   bool far(const BodyKinematics& body, const Scratch& scratch) const;
   double size_of(const SoilFacet& facet) const;  // [m]
+  // What is in the ground of the face of a facet at this depth. down: unit vector in W.
+  struct Covered {
+    double share = 1.0;
+    double by_depth = 0.0;                              // [1/m]
+    Eigen::Vector3d by_turn = Eigen::Vector3d::Zero();  // by a small turn of the body, in W
+  };
+  static Covered covered(const SoilFacet& facet, const BodyKinematics& body, const Eigen::Vector3d& down, double depth);
   void look_below(std::size_t facet, const Eigen::Vector3d& place, Scratch& scratch) const;
   SoilPoint point_of(const ElementInput& in, const SoilFacet& facet, const MovingPoint& p) const;
   // Of the ground where a facet is; rows: x, y and down in W, and the derivatives of the place by p.

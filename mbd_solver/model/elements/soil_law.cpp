@@ -125,12 +125,26 @@ constexpr double kRecede = 0.1;
 // Of the shear length: a way within which shear depends on the place alone.
 constexpr double kSwing = 0.05;
 
-// The share of its strength that the ground bears where the displacement `share` bears at rest grows at `rate`: never more than all.
+// The share of its strength that the ground bears where the displacement `share` bears at rest grows, with x = `closing`: never more
+// than all.
+template <class T>
+T damped_share(const T& share, const T& closing) {
+  if (!(number(closing) > 0.0)) return share * exponential(closing * (T(1.0) + -share));
+  return share * (T(1.0) + closing) / (T(1.0) + closing * share);
+}
+
 template <class T>
 T borne_share(const SoilLaw::Common& c, const T& share, const T& rate) {
-  const T closing = rate * c.damping;
-  if (!(number(rate) > 0.0)) return share * exponential(closing * (T(1.0) + -share));
-  return share * (T(1.0) + closing) / (T(1.0) + closing * share);
+  return damped_share(share, T(rate * c.damping));
+}
+
+// Of resistive force theory: its losses do not vanish with speed.
+constexpr double kLikeAt = 1.0;   // swings lose at least as much as the damping does at this speed [m/s],
+constexpr double kSwings = 1e-2;  // above about this one [m/s]
+template <class T>
+T lossy_share(const SoilLaw::Common& c, const T& share, const T& rate) {
+  const T speed = number(rate) > 0.0 ? rate : -rate;
+  return damped_share(share, T((rate * c.damping) * (T(1.0) + T(kLikeAt) / (speed + kSwings))));
 }
 
 // A facet that swings sideways on elastic ground is damped, too, at the rate of its strength.
@@ -267,7 +281,7 @@ class RftLaw final : public SoilLaw {
     const T size = root(square);
     const Three<T> d = (T(1.0) / size) * Three<T>{h[0], h[1], q};
     const T advance = dot(n, d), lower = grown(advance + kRecede, kRecede), rest = grown(size, e);
-    const T share = seated * borne_share(p_, rest, dot(d, at.v)), strength = p_.resistance * at.p.z * share;
+    const T share = seated * lossy_share(p_, rest, dot(d, at.v)), strength = p_.resistance * at.p.z * share;
     const Three<T> alpha = generic_alpha(n, d);
     out.traction = (strength * lower) * of_side(alpha, n);
     if (two_sided && number(lower) < 1.0) {

@@ -5,6 +5,8 @@
 //   elastic   within `rebound` e of its print the ground is elastic: stiff while it unloads, and it never pulls. u is the elastic
 //             displacement, w_0 = 3 y^2 - 2 y^3, y = min(1, |u|/e), x = d |u|'. The share of its strength that it bears is
 //             w_0 (1 + x) / (1 + x w_0) closing, w_0 exp(x (1 - w_0)) opening: without a corner at its ends and where |u| turns round
+//             Of rft x = d |u|' (1 + v_1 / (abs(|u|') + v_2)), v_1 = 1 m/s, v_2 = 10 mm/s: sand gives back little at any speed. Its push
+//             along n grows with the way slid meanwhile, so that elastic ground would make a plate that is drawn slowly hop for ever
 //   sway      -d w_0 (1 - w_0) times its strength, times the velocity sideways
 //   inertia   -lambda rho (v.n)^2 n where the facet advances, v.n > 0
 //   speed     -c v.n z_s tanh(z / z_s) n likewise: grains that jam under a fast facet carry a share of the soil beside them, and

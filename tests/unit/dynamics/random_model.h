@@ -265,6 +265,10 @@ inline std::unique_ptr<SoilContact> soil_contact(Random& random, const Model& mo
   // Pressed in from a print a little higher and to the side: in elastic ground.
   for (SoilFacet& facet : facets)
     facet.start = model.initial_position(facet.marker) + 0.2 * place.normal.normalized() + 0.05 * random.vector();
+  // Faces that reach out of the ground, however the body is turned.
+  for (SoilFacet& facet : facets)
+    for (int k = 0; is_rft && k < 6; ++k)
+      facet.corners.push_back((k % 2 == 0 ? 8.0 : -8.0) * Eigen::Vector3d::Unit(k / 2));
   RftParameters rft;
   rft.density = 2.0;
   rft.resistance = 20.0;
