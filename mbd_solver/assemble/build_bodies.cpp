@@ -562,7 +562,8 @@ double highest_over(const std::vector<GrainPlace>& grains, Terrain& field, const
   return highest;
 }
 
-constexpr double kStray = 0.1;  // of the radius of a boundary's footprint
+constexpr double kTilted = 1e-9;  // gravity from an axis: more than round-off
+constexpr double kStray = 0.1;    // of the radius of a boundary's footprint
 
 }  // namespace
 
@@ -575,8 +576,8 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
   const Eigen::Vector3d centre = mass_centre(scene);
   placement.p_WD = centre - placement.R_WD * centre + initial.position;
 
-  const Eigen::Vector3d up = up_direction(scene.gravity);
-  const bool plane = scene.ground.is_flat();
+  const Eigen::Vector3d up = up_direction(scene.gravity), level = axis_towards(up);  // out of a bed of grains
+  const bool plane = scene.ground.is_flat(), tilted = (up - level).norm() > kTilted;
   std::vector<GrainPlace> grains;
   const bool particles = scene.touches_particles();
   if (particles && !scene.particles->grains.empty()) grains = read_grains(scene.particles->grains);
@@ -591,7 +592,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
 
   // Per boundary: how far its lowest point is above the ground under it.
   double smallest = std::numeric_limits<double>::infinity();
-  double highest_ground = -std::numeric_limits<double>::infinity();
+  double highest_ground = -std::numeric_limits<double>::infinity(), highest_bed = highest_ground;
   const Placement as_drawn;
   const std::shared_ptr<Terrain> field = build_bed_surface(scene);
   const std::optional<TerrainBed> bed = terrain_bed(scene);
@@ -619,7 +620,9 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
       take(gap / std::max(1e-6, normal.dot(up)));
       continue;
     }
-    double ground = placement.ground_height, out = 0.0;
+    double ground = placement.ground_height, bed_height = ground, out = 0.0;
+    if (grains.empty() && tilted && !field)  // of a level bed below Bo, along up
+      ground = up.dot(r) - (level.dot(r) - bed_height) / level.dot(up);
     if (!grains.empty()) {
       double reach = 0.0;
       for (const ContactPoint& point : entry.points) {
@@ -627,13 +630,16 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
         reach = std::max(reach, (offset - up * up.dot(offset)).norm() + point.radius);
       }
       ground = highest_under(grains, up, r, reach);
+      bed_height = tilted ? highest_under(grains, level, r, reach) : ground;
       if (field && !still) out = highest_over(grains, *field, r, reach);
       placement.sites.push_back({highest_under(grains, up, r, (1.0 + kStray) * reach), kStray * reach, r, R_WB});
     }
+    if (std::isfinite(bed_height) && !still) highest_bed = std::max(highest_bed, bed_height);
     if (!std::isfinite(ground) || still) continue;  // no grain under this boundary
     highest_ground = std::max(highest_ground, ground);
     if (!field) {
-      take(lowest_along(up) - ground);
+      const bool sloping = grains.empty() && tilted;  // as a plane
+      take(sloping ? (lowest_along(level) - bed_height) / level.dot(up) : lowest_along(up) - ground);
       continue;
     }
     // The body falls along -z, and is lifted along up.
@@ -641,6 +647,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
     take(std::min(way, fall_to_rocks(bed->rocks, entry, r, R_WB)) / std::max(0.1, up.z()));
   }
   if (particles && std::isfinite(highest_ground)) placement.ground_height = highest_ground;
+  placement.bed_height = tilted && std::isfinite(highest_bed) ? highest_bed : placement.ground_height;
 
   if (initial.clearance) {
     if (particles && grains.empty() && !scene.particles->surface_height)

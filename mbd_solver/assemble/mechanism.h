@@ -40,11 +40,19 @@ struct Placement {
   Eigen::Vector3d p_WD = Eigen::Vector3d::Zero();  // [m]
   bool ground_known = false;                       // the scene gives the height of the ground
   double ground_height = 0.0;                      // of plane or highest grain under the boundaries, along up [m]
+  double bed_height = 0.0;                         // of grains likewise, along the coordinate axis nearest to up [m]
   int lowest = -1;                                 // boundary with the smallest gap to the ground; -1: unknown
   std::vector<LandingSite> sites;                  // per boundary, where each grain is known; else empty
 
   Eigen::Vector3d point(const Eigen::Vector3d& p_D) const { return p_WD + R_WD * p_D; }
 };
+
+// The coordinate axis, with its sign, that is nearest to `up`: out of a bed of grains, which lies level in its box.
+inline Eigen::Vector3d axis_towards(const Eigen::Vector3d& up) {
+  Eigen::Index k = 0;
+  up.cwiseAbs().maxCoeff(&k);
+  return (up(k) < 0.0 ? -1.0 : 1.0) * Eigen::Vector3d::Unit(k);
+}
 
 // The boundary of one body. Without points and rims: ground.plane.bodies excludes it.
 struct BodyBoundary {

@@ -26,13 +26,6 @@ constexpr double kVertical = 1e-9;  // an edge or an area this small, over the s
   throw InputError(code::kLandingPads, place_of(scene.file, scene.landing->source, "pads") + what);
 }
 
-// The coordinate axis of D nearest to up.
-Eigen::Vector3d axis_towards(const Eigen::Vector3d& up) {
-  Eigen::Index k = 0;
-  up.cwiseAbs().maxCoeff(&k);
-  return std::copysign(1.0, up(k)) * Eigen::Vector3d::Unit(k);
-}
-
 // Twice the area of the triangle o a b, positive counter-clockwise.
 double turn(const Eigen::Vector2d& o, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return (a - o).x() * (b - o).y() - (a - o).y() * (b - o).x();
@@ -80,7 +73,7 @@ GroundLevel ground_level(const Subject& subject) {
     return {ground.normal(), ground.normal().dot(ground.point()),
             terrain ? std::make_shared<Terrain>(*terrain) : nullptr};
   }
-  return {up_direction(subject.scene.gravity), subject.mechanism.placement.ground_height, nullptr};
+  return {axis_towards(up_direction(subject.scene.gravity)), subject.mechanism.placement.bed_height, nullptr};
 }
 
 LandingWatch::LandingWatch(const Subject& subject)

@@ -6,6 +6,7 @@
 
 #include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/base/pi.h"
+#include "mbd_solver/model/elements/soil_contact.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/rotation.h"
 #include "tests/support/refused.h"
@@ -320,6 +321,33 @@ const std::string kOnPlane = kTwoBodies +
 const std::string kOnGrains = kTwoBodies + "[ground]\nkind = \"particles\"\n[particles]\nscript = \"in.grains\"\n";
 constexpr double kRoundOff = 1e-14;
 
+// Of 12 corners the face of a disc would lose 4.5 % of its area.
+TEST(SoilContacts, ADiscHasTheAreaOfItsCircle) {
+  const SceneText folder;
+  const std::string text = R"(end_time = 1
+[[bodies]]
+name = "pad"
+mass = 1.0
+shape = { kind = "disc", centre = [0, 0, 0.5], axis = "x", radius = 0.2, thickness = 0.02 }
+[[boundaries]]
+body = "pad"
+surface = { element_size = 0.1 }
+[ground]
+kind = "soil"
+soil = "dry-sand"
+[initial]
+yaw_deg = 20
+)";
+  for (const std::string faces : {"auto", "middle"}) {
+    const Mechanism mechanism = build_mechanism(folder.read(text, {"boundaries.pad.surface.faces=\"" + faces + "\""}));
+    const auto& soil = static_cast<const SoilContact&>(mechanism.contacts.front().force.of(mechanism.model));
+    double face = 0.0;
+    for (const SoilFacet& facet : soil.facets())
+      if (facet.normal.x() > 0.9) face += facet.area;
+    EXPECT_NEAR(face, kPi * 0.04, 1e-12) << faces;
+  }
+}
+
 class PlacementTest : public ::testing::Test {
  protected:
   PlacementTest() {
@@ -434,6 +462,17 @@ TEST_F(PlacementTest, TheLandingSiteSeesATenthFartherThanTheOutline) {
   EXPECT_NEAR(placement.sites[0].height, 0.51, kRoundOff);  // at 0.28 m, beyond 0.26 but not 0.285
   EXPECT_NEAR(placement.ground_height, 0.31, kRoundOff);
   EXPECT_LT((placement.sites[0].r - placement.point({1, 0, 1.5})).norm(), kRoundOff);
+}
+
+// A bed lies level in its box, however gravity is tilted: depths are counted from its surface, along z.
+TEST_F(PlacementTest, ABedIsLevelUnderTiltedGravity) {
+  const std::vector<std::string> tilted = {"gravity=[0.5,0,-1.5]"};
+  const double cosine = 1.5 / std::hypot(0.5, 1.5);
+  const Placement known = placed(kOnGrains, tilted + grains(kHead + "1.0 0 0.3 0.02\n").front());
+  EXPECT_NEAR(known.bed_height, 0.32, kRoundOff);
+  const Placement stated = placed(kOnGrains, tilted + "particles.surface_height=0.4" + "initial.clearance=0.1");
+  EXPECT_NEAR(stated.bed_height, 0.4, kRoundOff);
+  EXPECT_NEAR(stated.point({0.8, 0, 1.5}).z() - 0.05, 0.4 + 0.1 * cosine, kRoundOff) << "0.1 m along up";
 }
 
 TEST_F(PlacementTest, OfSeveralFramesTheLastCounts) {
