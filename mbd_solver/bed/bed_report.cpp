@@ -18,6 +18,8 @@
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/scene/box_bed.h"
+#include "mbd_solver/scene/grains/bed_parts.h"
+#include "mbd_solver/scene/grains/grain_sizes.h"
 #include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
@@ -55,7 +57,7 @@ std::vector<double> own_shares(const std::vector<GrainPlace>& spheres, const Box
   std::vector<double> shares;
   for (const GrainPlace& sphere : spheres) {
     double share = 1.0, nearest = std::numeric_limits<double>::infinity();
-    for (const double radius : box.radius)
+    for (const double radius : all_radii(box))
       for (const std::string& name : box.clumps) {
         const Clump clump = clump_of(clump_shape(name), radius);
         const double away = std::abs(clump.radius - sphere.radius);
@@ -151,6 +153,33 @@ std::string clumps_text(const Scene& scene) {
          "; a clump has the mass of a sphere of its radius; rolling friction: " + rolling + "\n";
 }
 
+// "0.006 and 0.008", "0.006, 0.008 and 0.01", "0.0042 to 0.012 (5 radii)".
+std::string sizes_text(const GrainSizesSpec& sizes) {
+  constexpr std::size_t kListed = 3;
+  const auto text = [](double radius) { return number_text(radius, 4); };
+  const std::size_t n = sizes.radius.size();
+  if (n > kListed) {
+    const auto [least, most] = std::minmax_element(sizes.radius.begin(), sizes.radius.end());
+    return text(*least) + " to " + text(*most) + " (" + std::to_string(n) + " radii)";
+  }
+  std::string list = n < 2 ? number_text(sizes.radius.front()) : "";
+  for (std::size_t i = 0; n > 1 && i < n; ++i)
+    list += (i == 0      ? ""
+             : i + 1 < n ? ", "
+                         : " and ") +
+            (n == 2 ? number_text(sizes.radius[i]) : text(sizes.radius[i]));
+  return list;
+}
+
+std::string zone_text(const Scene& scene, const GrainZoneSpec& zone) {
+  const std::size_t blocks = zone_places(scene, zone).size();
+  std::string where;
+  if (!zone.under.empty()) where = " under " + joined(zone.under);
+  return "  zone" + where + ": " + (blocks > 1 ? std::to_string(blocks) + " blocks of " : "") +
+         number_text(zone.size[0]) + " x " + number_text(zone.size[1]) + " m, " + number_text(zone.depth) +
+         " m deep, of radius " + sizes_text(zone) + " m\n";
+}
+
 // A mesh drawn in millimetres and read in metres is larger than any body on a box of grains.
 std::string in_millimetres(const Eigen::Matrix3Xd& x) {
   constexpr double kTooLarge = 20.0;  // [m]
@@ -171,11 +200,11 @@ std::string box_report(const Scene& scene) {
   const ParticlesSpec& particles = *scene.particles;
   const BoxSpec& box = *particles.box;
   const BoxNumbers n = box_numbers(scene);
-  std::string radii = number_text(box.radius.front());
-  if (box.radius.size() > 1) radii += " and " + number_text(box.radius.back());
   std::string text = "Bed: " + number_text(box.size[0]) + " x " + number_text(box.size[1]) + " m, " +
                      number_text(box.depth) + " m deep: floor at z = " + number_text(box_floor(scene)) + " m, " +
-                     surface_text(scene) + "; about " + round_count(n.grains) + " grains of radius " + radii + " m\n";
+                     surface_text(scene) + "; about " + round_count(n.grains) + " grains of radius " + sizes_text(box) +
+                     " m\n";
+  for (const GrainZoneSpec& zone : box.zones) text += zone_text(scene, zone);
   if (!box.clumps.empty()) text += clumps_text(scene);
   text += "  space for bodies: " + number_text(n.headroom) + " m above the surface, " +
           (box.periodic ? "periodic along x and y\n" : number_text(n.margin) + " m around the walls\n");
@@ -200,6 +229,8 @@ void require_inside_box(const Scene& scene, const Mechanism& mechanism) {
   const BoxSpec& box = *scene.particles->box;
   const BoxNumbers n = box_numbers(scene);
   constexpr double kTolerance = 1e-6;  // of the box
+  const std::optional<TerrainBed> terrain = terrain_bed(scene);
+  const double roof = n.headroom + (terrain ? terrain->high : 0.0);
   // What is moved to a clearance is moved as a whole: another body may be the lowest one.
   const int lowest = mechanism.placement.lowest;
   const std::string lowest_name = lowest < 0 ? "" : mechanism.boundaries[lowest].boundary.name();
@@ -241,11 +272,11 @@ void require_inside_box(const Scene& scene, const Mechanism& mechanism) {
                              " m: make the bed longer (particles.box.size), or follow a body in the middle");
     }
     const double top = x.row(2).maxCoeff();
-    if (top > n.headroom * (1.0 + kTolerance) && entry.boundary.segments().empty())
+    if (top > roof * (1.0 + kTolerance) && entry.boundary.segments().empty())
       throw InputError(code::kOutsideBox,
                        "body \"" + entry.boundary.name() + "\" reaches up to z = " + number_text(top, 4) +
-                           " m, the simulation box to " + number_text(n.headroom, 4) +
-                           " m; increase particles.box.headroom" + lifted(entry.boundary.name()) + in_millimetres(x));
+                           " m, the simulation box to " + number_text(roof, 4) + " m; increase particles.box.headroom" +
+                           lifted(entry.boundary.name()) + in_millimetres(x));
   }
 }
 

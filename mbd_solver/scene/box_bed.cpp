@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
-#include <numeric>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
@@ -13,6 +12,8 @@
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/grains/bed_parts.h"
+#include "mbd_solver/scene/grains/grain_sizes.h"
 #include "mbd_solver/scene/shipped_files.h"
 
 namespace footfall {
@@ -128,12 +129,14 @@ namespace {
 using Variables = std::map<std::string, std::string>;
 
 constexpr double kLooseFraction = 0.55, kDenseFraction = 0.61;  // solid fraction of settled beds [-]
+constexpr double kLooseFriction = 0.3;                          // from this friction on a bed is poured loose [-]
 constexpr double kBelowSurface = 1.3;                           // depth of the mean surface below z = 0, in radii
 constexpr double kPouredHeight = 2.4;                           // of the loose column, over the depth of the bed
 constexpr double kPouredClumps = 4.8;                           // the same of clumps, which need more space
-constexpr double kFilledByClumps = 0.14;                        // share of that column [-]
 constexpr double kPourFriction = 0.05;                          // packing = "dense"
 constexpr int kDigits = 12;
+constexpr double kLevelledRest = 0.1,
+                 kDampedRest = 0.25;  // times after the bed was levelled, over pour.settle_time [-]
 constexpr double kSourcePeriod = 0.01, kSinkPeriod = 1e-3;  // between insertions and looks for grains, at most [s]
 constexpr double kSourceFilling = 0.05;                     // of the region by one insertion, at most [-]
 
@@ -141,7 +144,7 @@ std::string number(double value) { return number_text(value, kDigits); }
 
 std::vector<Clump> clumps_of(const BoxSpec& box) {
   std::vector<Clump> clumps;
-  for (const double radius : box.radius)
+  for (const double radius : all_radii(box))
     for (const std::string& name : box.clumps) clumps.push_back(clump_of(clump_shape(name), radius));
   return clumps;
 }
@@ -149,7 +152,7 @@ std::vector<Clump> clumps_of(const BoxSpec& box) {
 // Of clumps: one of their spheres, which is lighter than the clump and has the shorter times.
 ElasticGrain smallest_grain(const BoxSpec& box) {
   const GrainMaterialSpec& m = box.material;
-  double radius = *std::min_element(box.radius.begin(), box.radius.end());
+  double radius = smallest_radius(box);
   for (const Clump& clump : clumps_of(box)) radius = std::min(radius, clump.radius);
   return {radius, m.density, m.young, m.poisson};
 }
@@ -171,10 +174,16 @@ double known_speed(const Scene& scene) {
 }
 
 // `fraction` of the Rayleigh time, half of it of the Hertz time.
-double step_for(const BoxSpec& box, double speed) {
+double step_for(const BoxSpec& box, double fraction, double speed) {
   const ElasticGrain grain = smallest_grain(box);
-  return rounded_down(
-      std::min(box.rayleigh_fraction * rayleigh_time(grain), 0.5 * box.rayleigh_fraction * hertz_time(grain, speed)));
+  return rounded_down(std::min(fraction * rayleigh_time(grain), 0.5 * fraction * hertz_time(grain, speed)));
+}
+
+// Expected of the settled bed of equal grains [-].
+double solid_fraction(const BoxSpec& box) {
+  if (!box.pour.friction) return box.packing == Packing::kDense ? kDenseFraction : kLooseFraction;
+  const double loose = (*box.pour.friction - kPourFriction) / (kLooseFriction - kPourFriction);
+  return kDenseFraction + (kLooseFraction - kDenseFraction) * std::clamp(loose, 0.0, 1.0);
 }
 
 std::string contact_model(const Scene& scene) {
@@ -188,40 +197,20 @@ std::string contact_model(const Scene& scene) {
   return model;
 }
 
-// Share of the k-th of `count` kinds; equal without `shares`.
-double share_of(const std::vector<double>& shares, std::size_t k, std::size_t count) {
-  if (shares.empty() || count < 2) return 1.0 / static_cast<double>(count);
-  return shares[k] / std::accumulate(shares.begin(), shares.end(), 0.0);
-}
-
-// The words of LIGGGHTS' templates, each in quotes, and of their distribution by mass. Mass and inertia are given; LIGGGHTS
-// estimates only the share of each sphere in the clump's volume (ntry), for its own statistics.
+// The templates of clumps, each in quotes, and their distribution by mass. Mass and inertia are given.
 void add_clumps(const BoxSpec& box, Variables& all) {
   const std::vector<Clump> clumps = clumps_of(box);
-  if (clumps.empty()) return;
-  const double density = box.material.density;
   double level = 0.0;
   std::string words, mix = std::to_string(clumps.size());
   for (std::size_t k = 0; k < clumps.size(); ++k) {
-    const Clump& clump = clumps[k];
     const std::size_t shapes = box.clumps.size();
-    words +=
-        std::string(k == 0 ? "" : " ") + "'nspheres " + std::to_string(clump.centres.cols()) + " ntry 1000000 spheres";
-    for (Eigen::Index i = 0; i < clump.centres.cols(); ++i) {
-      for (int c = 0; c < 3; ++c) words += " " + number(clump.centres(c, i));
-      words += " " + number(clump.radius);
-    }
-    words += " mass " + number(density * clump.volume) + " inertia_tensor";
-    for (const auto& [r, c] : {std::pair{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}})
-      words += " " + number(density * clump.inertia(r, c));
-    words += " use_density'";
+    words += std::string(k == 0 ? "" : " ") + "'" + clump_words(clumps[k], box.material.density) + "'";
     mix += " clump_" + std::to_string(k + 1) + " " +
            number(share_of(box.shares, k / shapes, box.radius.size()) * share_of(box.clump_shares, k % shapes, shapes));
-    level = std::max(level, clump.radius);
+    level = std::max(level, clumps[k].radius);
   }
   all["clump_words"] = words;
   all["clump_mix"] = mix;
-  all["filled"] = number(kFilledByClumps);
   all["level"] = number(-level);
 }
 
@@ -250,36 +239,39 @@ int prime_of(int seed) {
 
 // What the scripts of the bed and of the run have in common.
 Variables common_variables(const Scene& scene) {
+  constexpr double kSkin = 0.3;  // of the smallest radius
   const BoxSpec& box = *scene.particles->box;
   const GrainMaterialSpec& m = box.material;
   const Eigen::Vector3d down = scene.gravity.normalized();
-  return {{"clumps", box.clumps.empty() ? "0" : "1"},
-          {"length", number(box.size[0])},
-          {"width", number(box.size[1])},
-          {"depth", number(-box_floor(scene))},
-          {"x", number(box.centre[0])},
-          {"y", number(box.centre[1])},
-          {"periodic", box.periodic ? "1" : "0"},
-          {"radius_1", number(box.radius.front())},
-          {"radius_2", number(box.radius.back())},
-          {"g", number(scene.gravity.norm())},
-          {"gx", number(down.x())},
-          {"gy", number(down.y())},
-          {"gz", number(down.z())},
-          {"model", contact_model(scene)},
-          {"young", number(m.young)},
-          {"poisson", number(m.poisson)},
-          {"body_young", number(box.bodies.young)},
-          {"body_poisson", number(box.bodies.poisson)},
-          {"restitution", number(m.restitution)},
-          {"cohesion", number(m.cohesion)}};
+  Variables all = {{"clumps", box.clumps.empty() ? "0" : "1"},
+                   {"length", number(box.size[0])},
+                   {"width", number(box.size[1])},
+                   {"depth", number(-box_floor(scene))},
+                   {"x", number(box.centre[0])},
+                   {"y", number(box.centre[1])},
+                   {"periodic", box.periodic ? "1" : "0"},
+                   {"radius_1", number(has_parts(box) ? smallest_radius(box) : box.radius.front())},
+                   {"radius_2", number(has_parts(box) ? largest_radius(box) : box.radius.back())},
+                   {"g", number(scene.gravity.norm())},
+                   {"gx", number(down.x())},
+                   {"gy", number(down.y())},
+                   {"gz", number(down.z())},
+                   {"model", contact_model(scene)},
+                   {"young", number(m.young)},
+                   {"poisson", number(m.poisson)},
+                   {"body_young", number(box.bodies.young)},
+                   {"body_poisson", number(box.bodies.poisson)},
+                   {"restitution", number(m.restitution)},
+                   {"cohesion", number(m.cohesion)}};
+  if (has_parts(box)) all["skin"] = number(kSkin * smallest_radius(box));
+  return all;
 }
 
 Variables bed_variables(const Scene& scene) {
   const BoxSpec& box = *scene.particles->box;
   const BoxNumbers numbers = box_numbers(scene);
   const bool dense = box.packing == Packing::kDense;
-  const double share = box.radius.size() < 2 ? 0.0 : share_of(box.shares, 1, 2);
+  const double share = has_parts(box) || box.radius.size() < 2 ? 0.0 : share_of(box.shares, 1, 2);
   Variables all = common_variables(scene);
   all["margin"] = number(numbers.margin);
   all["headroom"] = number(numbers.headroom);
@@ -289,18 +281,31 @@ Variables bed_variables(const Scene& scene) {
   all["pit_depth"] = number(box.pit.empty() ? 0.0 : box.pit_depth);
   all["density"] = number(box.material.density);
   all["seed"] = std::to_string(prime_of(box.seed));
-  all["dt"] = number(step_for(box, pour_speed(scene)));
-  all["pour_friction"] = number(dense ? kPourFriction : box.material.friction);
-  all["pour_rolling"] = number(dense ? 0.0 : box.material.rolling_friction);
+  all["dt"] = number(step_for(box, box.pour.rayleigh_fraction.value_or(box.rayleigh_fraction), pour_speed(scene)));
+  all["pour_friction"] = number(box.pour.friction.value_or(dense ? kPourFriction : box.material.friction));
+  all["pour_rolling"] = number(box.pour.rolling_friction.value_or(dense ? 0.0 : box.material.rolling_friction));
   all["rest_friction"] = number(box.material.friction);
   all["rest_rolling"] = number(box.material.rolling_friction);
-  add_clumps(box, all);
+  if (has_parts(box)) {
+    add_parts(scene, all);
+  } else if (!box.clumps.empty()) {
+    add_clumps(box, all);
+    all["filled"] = number(poured_bed(scene).filled);
+  }
+  const double limit = poured_bed(scene).limit;
+  if (limit > 0.0) all["fall_limit"] = number(limit);
+  if (box.pour.settle_time || limit > 0.0) {
+    const double rest = box.pour.settle_time.value_or(2.0 * fall_time(scene));
+    all["settle"] = number(fall_time(scene) + rest);
+    all["rest"] = number(kLevelledRest * rest);
+    all["damped"] = number(kDampedRest * rest);
+  }
   const std::optional<TerrainBed> bed = terrain_bed(scene);
   if (!bed) return all;
   const auto add = [](std::string& words, double value) {
     words += (words.empty() ? "" : "\n") + number_text(value, 5);
   };
-  const double below = 0.5 * (box.radius.front() + box.radius.back());
+  const double below = has_parts(box) ? levelling_radius(box) : 0.5 * (box.radius.front() + box.radius.back());
   std::string level;
   const double floor = box_floor(scene);  // words of LIGGGHTS cannot begin with a minus sign
   for (const double height : bed->heights) add(level, height - below - floor);
@@ -311,12 +316,11 @@ Variables bed_variables(const Scene& scene) {
   all["column_level"] = level;
   if (bed->rocks.empty()) return all;
   std::string rock_x, rock_y, rock_z, rock_r;
-  const double grain = *std::max_element(box.radius.begin(), box.radius.end());
   for (const Terrain::Sphere& rock : bed->rocks) {
     add(rock_x, rock.centre.x() - box.centre[0] + 0.5 * box.size[0]);
     add(rock_y, rock.centre.y() - box.centre[1] + 0.5 * box.size[1]);
     add(rock_z, rock.centre.z() - floor);
-    add(rock_r, rock.radius + grain);
+    add(rock_r, rock.radius + largest_at(scene, rock.centre, rock.radius));
   }
   all["rocks"] = "1";
   all["rock_x"] = rock_x;
@@ -354,7 +358,7 @@ void add_sources_and_sinks(const Scene& scene, Variables& all) {
   std::string boxes, flows, times;
   for (const GrainSourceSpec& source : box.sources) {
     const double rate = source_rate(box, source);
-    const bool by_mass = source.rate && box.radius.size() == 2;  // of equal grains the number says the same
+    const bool by_mass = source.rate && box.radius.size() > 1;  // of equal grains the number says the same
     add_to_list(boxes, block_of(source));
     add_to_list(flows,
                 (by_mass ? "massrate " + number(*source.rate) : "particlerate " + number(rate)) + " insert_every " +
@@ -364,15 +368,19 @@ void add_sources_and_sinks(const Scene& scene, Variables& all) {
     add_to_list(times, times_of(source));
   }
   if (!box.sources.empty()) {
-    const bool two = box.radius.size() == 2;
+    std::string radii, mix = std::to_string(box.radius.size());
+    for (std::size_t i = 0; i < box.radius.size(); ++i) {
+      radii += (i == 0 ? "" : " ") + number(box.radius[i]);
+      mix += " source_grain_" + std::to_string(i + 1) + " " + number(share_of(box.shares, i, box.radius.size()));
+    }
+    if (box.radius.size() == 1) radii += " " + radii, mix = "1 source_grain_1 1.0";
+    all["source_radii"] = radii;
     all["source_count"] = std::to_string(box.sources.size());
     all["source_boxes"] = boxes;
     all["source_flows"] = flows;
     all["source_times"] = times;
     all["source_density"] = number(box.material.density);
-    all["source_mix"] = two ? "2 source_grain_1 " + number(share_of(box.shares, 0, 2)) + " source_grain_2 " +
-                                  number(share_of(box.shares, 1, 2))
-                            : "1 source_grain_1 1.0";
+    all["source_mix"] = mix;
   }
   boxes = times = "";
   const int every = std::max(1, static_cast<int>(std::lround(kSinkPeriod / dt)));
@@ -461,6 +469,18 @@ Variables run_variables(const Scene& scene) {
 
 }  // namespace
 
+std::string clump_words(const Clump& clump, double density) {
+  std::string words = "nspheres " + std::to_string(clump.centres.cols()) + " ntry 1000000 spheres";
+  for (Eigen::Index i = 0; i < clump.centres.cols(); ++i) {
+    for (int c = 0; c < 3; ++c) words += " " + number(clump.centres(c, i));
+    words += " " + number(clump.radius);
+  }
+  words += " mass " + number(density * clump.volume) + " inertia_tensor";
+  for (const auto& [r, c] : {std::pair{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}})
+    words += " " + number(density * clump.inertia(r, c));
+  return words + " use_density";
+}
+
 bool follows_along(const BoxSpec& box, int axis) {
   return !box.follow.empty() && box.follow_directions != (axis == 0 ? FollowDirections::kY : FollowDirections::kX);
 }
@@ -506,16 +526,20 @@ BoxNumbers box_numbers(const Scene& scene) {
   BoxNumbers n;
   n.rayleigh = rayleigh_time(grain);
   n.hertz = hertz_time(grain, known_speed(scene));
-  n.time_step = box.time_step.value_or(step_for(box, known_speed(scene)));
+  n.time_step = box.time_step.value_or(step_for(box, box.rayleigh_fraction, known_speed(scene)));
   if (!box.time_step && scene.particles->source.given("max_time_step"))
     n.time_step = std::min(n.time_step, scene.particles->max_time_step);
   n.headroom = box.headroom.value_or(largest);
   n.margin = box.periodic ? 0.0 : box.margin.value_or(0.25 * largest);
   const std::optional<TerrainBed> bed = terrain_bed(scene);
   const double deep = box.depth + (bed ? bed->mean - bed->low : 0.0);
+  const double fraction = solid_fraction(box);
+  if (has_parts(box)) {
+    n.grains = grains_of_parts(scene, deep, fraction);
+    return n;
+  }
   const double filled = deep - kBelowSurface * *std::max_element(box.radius.begin(), box.radius.end());
-  const double volume =
-      (box.packing == Packing::kDense ? kDenseFraction : kLooseFraction) * box.size[0] * box.size[1] * filled;
+  const double volume = fraction * box.size[0] * box.size[1] * filled;
   for (std::size_t i = 0; i < box.radius.size(); ++i) {
     const double share = share_of(box.shares, i, box.radius.size());
     n.grains += share * volume / (4.0 / 3.0 * kPi * std::pow(box.radius[i], 3));

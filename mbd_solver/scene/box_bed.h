@@ -37,6 +37,10 @@ struct Clump {
 // The clump whose volume is that of a sphere of this radius [m] > 0.
 Clump clump_of(ClumpShape shape, double equal_radius);
 
+// Its words of a template of LIGGGHTS: spheres, mass and inertia. LIGGGHTS estimates only the share of each sphere in the clump's
+// volume (ntry), for its own statistics.
+std::string clump_words(const Clump& clump, double density);
+
 // The shape of this name; throws InputError with what is known.
 ClumpShape clump_shape(const std::string& name);
 

@@ -63,11 +63,54 @@ struct GrainSourceSpec : GrainRegionSpec {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // of new grains [m/s]
 };
 
-struct BoxSpec {
-  std::vector<double> size;                 // along x and y [m]
-  double depth = 0.0;                       // of the levelled bed: floor at z = -depth, surface at z = 0 of W [m]
-  std::vector<double> radius;               // of the grains, one or two; of clumps: of the sphere of their volume [m]
-  std::vector<double> shares;               // of two radii in the mass; empty: equal [-]
+// How a size distribution is given; all by mass.
+enum class SizeDistributionKind {
+  kTable,      // the share of each diameter
+  kLognormal,  // ln(diameter) has a normal distribution
+  kSieve       // what passes each of some sieves
+};
+constexpr std::string_view name_of(SizeDistributionKind kind) { return name_in(kind, "table", "lognormal", "sieve"); }
+
+struct SizeDistributionSpec {
+  SizeDistributionKind kind = SizeDistributionKind::kTable;
+  std::vector<double> diameters;           // of the grains, or openings of the sieves, increasing [m]
+  std::vector<double> fractions;           // table: share of each diameter in the mass, sum 1 [-]
+  std::vector<double> passing;             // sieve: share of the mass that passes each opening [-]
+  double median = 0.0;                     // lognormal: half the mass is finer [m]
+  double deviation = 0.0;                  // lognormal: standard deviation of ln(diameter) [-]
+  std::optional<double> finest, coarsest;  // lognormal: what is beyond is left out; not given: 5 and 95 % pass [m]
+  int classes = 5;                         // lognormal: number of radii that represent it
+};
+
+// Radii of grains and their shares in the mass.
+struct GrainSizesSpec {
+  std::vector<double> radius;                             // of clumps: of the sphere of their volume [m]
+  std::vector<double> shares;                             // of the radii in the mass; empty: equal [-]
+  std::optional<SizeDistributionSpec> size_distribution;  // instead of both, which follow from it (grain_sizes.h)
+};
+
+// A part of the bed with other grains, mostly finer ones: below the surface, a block under each of some bodies, or at one
+// place. Of zones that overlap the first in the list has the place.
+struct GrainZoneSpec : GrainSizesSpec {
+  std::vector<std::string> under;  // bodies, in the reference configuration moved by initial.position and initial.yaw
+  std::vector<double> centre;      // of one block along x and y of W, instead [m]
+  std::vector<double> size;        // of a block along x and y [m]
+  double depth = 0.0;              // below the surface [m]
+};
+
+// How the bed is poured and comes to rest. Not given: by packing.
+struct PourSpec {
+  std::optional<double> friction;          // of the grains while they are poured [-]
+  std::optional<double> rolling_friction;  // likewise [-]
+  std::optional<double>
+      rayleigh_fraction;              // of the Rayleigh time: the time step of pouring; as rayleigh_fraction of the box
+  std::optional<double> settle_time;  // given to come to rest after the fall [s]; not given: twice the fall
+};
+
+struct BoxSpec : GrainSizesSpec {
+  std::vector<double> size;  // along x and y [m]
+  double depth = 0.0;        // of the levelled bed: floor at z = -depth, surface at z = 0 of W [m]
+  std::vector<GrainZoneSpec> zones;
   std::vector<std::string> clumps;          // shapes of the grains (box_bed.h); empty: spheres
   std::vector<double> clump_shares;         // of the shapes in the mass; empty: equal [-]
   std::vector<double> centre = {0.0, 0.0};  // of the bed along x and y of W [m]
@@ -80,6 +123,7 @@ struct BoxSpec {
       follow_distance;  // of the body to the ends of the bed [m]; not given: 0.3 of its shorter side there
   bool walls = true;    // floor and sides act in the run, too; else bodies of the scene replace them
   Packing packing = Packing::kLoose;
+  PourSpec pour;
   int seed = 1;                     // each number >= 1 gives another sample of the bed
   std::optional<double> headroom;   // of the simulation box above the surface [m]
   std::optional<double> margin;     // of the simulation box around the walls [m]

@@ -181,6 +181,11 @@ inline constexpr MessageCode kTerrain{"E0184", "terrain"};
 
 // ---- a bed by numbers ----
 
+// A size distribution is none: counts differ, sizes do not increase, or shares do not make a whole. Follow the message.
+inline constexpr MessageCode kSizeDistribution{"E0185", "size-distribution"};
+// A zone of other grains is no block in the bed, or too small for its grains. Correct its place or size.
+inline constexpr MessageCode kGrainZone{"E0186", "grain-zone"};
+
 // The bed is too small for its grains, or has too many of them. Change size or radius.
 inline constexpr MessageCode kBoxSize{"E0190", "box-size"};
 // The pit is not a part of the bed. Correct its ends and depth.

@@ -17,6 +17,7 @@
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/field_visitor.h"
+#include "mbd_solver/scene/grains/grain_sizes.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/particle_script.h"
 #include "mbd_solver/scene/resolve.h"
@@ -91,6 +92,7 @@ void resolve_scene(Scene& scene, Findings& findings) {
   resolve_segments(scene, findings);
   resolve_script_meshes(scene, findings);
   resolve_masses(scene, findings);
+  if (scene.particles && scene.particles->box) resolve_grain_sizes(scene, findings);
   resolve_terrain(scene, findings);
   resolve_box(scene, findings);
   scene.solver.atol = scene.solver.atol_position();

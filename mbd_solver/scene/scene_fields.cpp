@@ -511,10 +511,38 @@ static void visit_fields(FieldVisitor& v, GrainSourceSpec& s) {
   v.field("velocity", &s.velocity, {Unit::kVelocity});
 }
 
+static void visit_fields(FieldVisitor& v, SizeDistributionSpec& d) {
+  v.choice("kind", d.kind, required());
+  v.fields(positive(Unit::kLength),
+           {{"diameters", &d.diameters}, {"median", &d.median}, {"finest", &d.finest}, {"coarsest", &d.coarsest}});
+  v.fields(share, {{"fractions", &d.fractions}, {"passing", &d.passing}});
+  v.fields(positive(), {{"deviation", &d.deviation}, {"classes", &d.classes}});
+}
+
+static void visit_fields(FieldVisitor& v, GrainSizesSpec& g) {
+  v.field("radius", &g.radius, positive(Unit::kLength));
+  v.field("shares", &g.shares, positive());
+  v.section("size_distribution", g.size_distribution);
+}
+
+static void visit_fields(FieldVisitor& v, GrainZoneSpec& z) {
+  v.field("under", &z.under, name);
+  v.field("centre", &z.centre, {Unit::kLength});
+  v.fields(required(positive(Unit::kLength)), {{"size", &z.size}, {"depth", &z.depth}});
+  visit_fields(v, static_cast<GrainSizesSpec&>(z));
+}
+
+static void visit_fields(FieldVisitor& v, PourSpec& p) {
+  v.fields(not_negative(), {{"friction", &p.friction}, {"rolling_friction", &p.rolling_friction}});
+  v.field("rayleigh_fraction", &p.rayleigh_fraction, share);
+  v.field("settle_time", &p.settle_time, positive(Unit::kTime));
+}
+
 static void visit_fields(FieldVisitor& v, BoxSpec& b) {
   const Rule length = positive(Unit::kLength);
-  v.fields(required(length), {{"size", &b.size}, {"depth", &b.depth}, {"radius", &b.radius}});
-  v.field("shares", &b.shares, positive());
+  v.fields(required(length), {{"size", &b.size}, {"depth", &b.depth}});
+  visit_fields(v, static_cast<GrainSizesSpec&>(b));
+  v.list("zones", b.zones);
   v.field("clumps", &b.clumps, plain);
   v.field("clump_shares", &b.clump_shares, positive());
   v.fields({Unit::kLength}, {{"centre", &b.centre}, {"pit", &b.pit}});
@@ -524,6 +552,7 @@ static void visit_fields(FieldVisitor& v, BoxSpec& b) {
   v.choice("follow_directions", b.follow_directions);
   v.field("follow_distance", &b.follow_distance, length);
   v.choice("packing", b.packing);
+  v.section("pour", b.pour);
   v.field("seed", &b.seed, positive());
   v.fields(length, {{"headroom", &b.headroom}, {"margin", &b.margin}});
   v.field("time_step", &b.time_step, positive(Unit::kTime));

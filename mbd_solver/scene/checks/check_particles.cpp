@@ -12,6 +12,8 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/codes.h"
+#include "mbd_solver/scene/grains/bed_parts.h"
+#include "mbd_solver/scene/grains/grain_sizes.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/particle_script.h"
 #include "mbd_solver/scene/scene_check.h"
@@ -117,6 +119,14 @@ std::string gravity_text(const Eigen::Vector3d& v) {
   return "[" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + "] m/s2";
 }
 
+// How to set the size of the script's gravity, if only the size differs and a variable of its name is there.
+std::string gravity_variable(const ScriptText& script, const Scene& scene, const Eigen::Vector3d& g) {
+  const bool parallel = (g.normalized() - scene.gravity.normalized()).norm() < 1e-6;
+  if (!parallel || script.names().count("gravity") == 0) return "";
+  const std::string size = "variables.gravity=" + number_text(scene.gravity.norm());
+  return ": --set particles." + size + (scene.particles->bed ? " --set particles.bed." + size : "");
+}
+
 // The comparison of the handshake, made before a bed is poured: one fix gravity with plain numbers.
 void check_gravity(const ScriptText& script, const Scene& scene, const EntryFindings& at) {
   const ScriptCommand* only = nullptr;
@@ -157,9 +167,9 @@ void check_gravity(const ScriptText& script, const Scene& scene, const EntryFind
   const Eigen::Vector3d g = *size * direction.normalized();
   at.error_if((g - scene.gravity).norm() > 1e-6 * scene.gravity.norm(), kScriptGravity, "script",
               "the gravity of the grains is " + gravity_text(g) + " (" + only->place() + "), that of the scene " +
-                  gravity_text(scene.gravity) +
-                  "; make them agree, or declare that the grains have their own: fix ID all couple/mbd every N gravity "
-                  "script ...");
+                  gravity_text(scene.gravity) + "; make them agree" + gravity_variable(script, scene, g) +
+                  ". A bed by [particles.box] takes the gravity of the scene, of a slope as well. If the grains are "
+                  "meant to have another gravity, write  fix ID all couple/mbd every N gravity script ...");
 }
 
 // The words of the last `fix ID all gravity ...` and of the elastic constants, by their meaning. (Friction differs on
@@ -488,6 +498,7 @@ constexpr double kSteepest = 30.0;                     // of gravity against -z 
 constexpr double kLeastRestitution = 0.05;  // more than this
 constexpr double kSoft = 5e6;               // [Pa]; below it only with `soft_particles yes`, as in inputs/box
 constexpr double kSoftest = 1e4;            // [Pa]; a contact of softer grains is none
+constexpr double kMostPourStep = 0.2;       // of the Rayleigh time
 constexpr std::size_t kMostTemplates = 12;  // of clumps, in inputs/box/in.bed
 
 const char* const kNoOther = "; LIGGGHTS accepts no other";
@@ -520,15 +531,11 @@ void check_counts(const EntryFindings& at, const BoxSpec& box) {
   };
   check("box.size", box.size, 2, "[along x, along y] in m");
   check("box.centre", box.centre, 2, "[x, y] in m");
-  check("box.radius", box.radius, 1, "one radius or two, in m; a bed of more radii needs a script of its own");
-  at.error_if(!box.shares.empty() && (box.radius.size() != 2 || box.shares.size() != 2), kWrongCount, "box.shares",
-              has(box.shares.size()) + " and radius " + std::to_string(box.radius.size()) +
-                  ", expected two in each, or no shares");
   const std::vector<std::string> shapes = names_of<ClumpShape>();
   for (const std::string& name : box.clumps)
     if (!is_in(shapes, name))
       at.error(kUnknownClump, "box.clumps", "unknown clump \"" + name + "\"." + known_names("clumps", name, shapes));
-  at.error_if(box.clumps.size() * box.radius.size() > kMostTemplates, kTooLarge, "box.clumps",
+  at.error_if(!has_parts(box) && box.clumps.size() * box.radius.size() > kMostTemplates, kTooLarge, "box.clumps",
               has(box.clumps.size(), " shapes") + " and radius " + std::to_string(box.radius.size()) +
                   " numbers, expected at most twelve combinations");
   at.error_if(!box.clump_shares.empty() && box.clump_shares.size() != box.clumps.size(), kWrongCount,
@@ -657,6 +664,7 @@ void check_follow(const EntryFindings& at, const Scene& scene) {
   const auto excludes = [&](bool both, const std::string& key, const std::string& why) {
     at.error_if(both, kConflictingKeys, key, "excludes box.follow: " + why + "; remove one of the two");
   };
+  excludes(!box.zones.empty(), "box.zones", "the bed is the same after each of its lengths");
   excludes(!box.clumps.empty(), "box.clumps", "only beds of spheres can be put in front of a body");
   excludes(!box.pit.empty(), "box.pit", "the pit would come again with each length of the bed");
   excludes(!box.sources.empty(), "box.sources", "the bed in front is the bed at rest");
@@ -722,13 +730,22 @@ bool check_box(const Scene& scene, Findings& findings) {
               "= false excludes " + periodic + ": a periodic bed has no sides to remove");
   at.error_if(!(box.rayleigh_fraction > 0.0), kOutOfRange, "box.rayleigh_fraction",
               "is 0, expected more than 0, such as 0.1");
+  const double pour_step = box.pour.rayleigh_fraction.value_or(kMostPourStep);
+  at.error_if(!(pour_step > 0.0 && pour_step <= kMostPourStep), kOutOfRange, "box.pour.rayleigh_fraction",
+              "is " + number_text(pour_step) + ", expected more than 0 and at most " + number_text(kMostPourStep) +
+                  ": larger steps throw grains out of the bed");
   // Missing and refused numbers are reported already.
   const auto positive = [](const std::vector<double>& list) {
     return !list.empty() && std::all_of(list.begin(), list.end(), [](double x) { return x > 0.0; });
   };
-  const bool complete = positive(box.size) && positive(box.radius) && box.depth > 0.0;
+  const bool zones = std::all_of(box.zones.begin(), box.zones.end(), [&](const GrainZoneSpec& zone) {
+    return positive(zone.size) && positive(zone.radius) && zone.depth > 0.0;
+  });
+  const bool complete = positive(box.size) && positive(box.radius) && box.depth > 0.0 && zones;
   if (!complete || findings.error_count() > before) return false;
   check_against_grains(at, box);
+  check_zones(scene, at);
+  if (findings.error_count() > before) return false;
   check_pit(at, box);
   check_box_time_step(scene, at);
   check_sources_and_sinks(at, scene);
