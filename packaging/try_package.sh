@@ -99,8 +99,8 @@ inside sh -c 'dpkg -s footfall' | grep -E '^(Version|Installed-Size|Depends)'
 files > "$root.files_installed"
 touch "$root/trial/installed"
 
-bed='--set particles.bed.variables.width=1.1 --set particles.variables.width=1.1 --set particles.bed.variables.depth=0.12 --set particles.bed.variables.fine=0.4
-  --set particles.bed.variables.fine_depth=0.06 --set particles.bed.variables.rest=0.05 --ranks 1'
+bed='--set particles.box.size=[3.2,3.2] --set particles.box.depth=0.2 --set particles.box.zones.0.size=[0.4,0.4] --set particles.box.zones.0.depth=0.06
+  --set particles.box.pour.settle_time=0.05 --ranks 1'
 bed=$(tr '\n' ' ' <<< "$bed")
 echo "Landing as root"
 inside sh -c "cd && footfall run --until 0.01 $bed" > "$root.said" 2>&1 || { tail -n 20 "$root.said"; die "does not run as root"; }

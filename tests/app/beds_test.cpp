@@ -41,6 +41,13 @@ velocity = [0, 0, -1]
 plots = false
 )";
 
+// The landing on a bed that is poured in seconds.
+const std::string kSmallLanding = R"(depth = 0.2
+zones = [{ under = ["footpad_{leg}"], size = [0.4, 0.4], depth = 0.06, radius = 0.02 }]
+[particles.box.pour]
+settle_time = 0.05
+)";
+
 class Bed : public ::testing::Test {
  protected:
   const app::Folder folder{"bed"};
@@ -141,6 +148,76 @@ fix touch all wall/gran)" + model +
   scene = std::regex_replace(scene, std::regex("end_time = .*"), "end_time = 0.003");
   folder.write("mesh.toml", scene + std::regex_replace(by_hand, std::regex("hand.in"), "mesh.in"));
   folder.done("run mesh.toml --quiet --out mesh");
+}
+
+// The default landing by [particles.box] and by a script of LIGGGHTS, on one settled bed: the same bits.
+TEST_F(Bed, OfTheLandingHasTheSameBitsUnderAScript) {
+  const std::string options = " --quiet --until 0.006 --ranks 1 --set output.plots=false --out ";
+  folder.write("box.toml",
+               "base = \"" + app::kInputs + "/landing_mr\"\n[particles.box]\nsize = [3.2, 3.2]\n" + kSmallLanding);
+  folder.done("run box.toml" + options + "box", 600);
+  const std::string particles = folder.read("box/script/particles.toml");
+  folder.write("script.toml", "base = \"" + app::kInputs + "/landing_script\"\n[particles]\nwithout = [\"bed\"]\n" +
+                                  "surface_height = 0\nvariables = { floor = -0.2, centre = 0.8, width = 1.6 }\n" +
+                                  std::regex_replace(particles.substr(particles.find("[particles.bed]")),
+                                                     std::regex("\"script/"), "\"box/script/"));
+  folder.done("run script.toml" + options + "script", 600);
+  EXPECT_TRUE(history("script") == history("box"));
+  EXPECT_GT(folder.summary("box").at("max_contact_force_N").get<double>(), 100.0) << "the pads touch grains";
+}
+
+// Finer grains under a plate: as many as their share of the bed weighs, and where they lie after they have settled.
+TEST_F(Bed, HasFinerGrainsUnderABody) {
+  constexpr double kFine = 0.006, kCoarse = 0.016, kHalf = 0.1, kDeep = 0.06;  // [m]
+  folder.write("zone.toml",
+               std::regex_replace(kPlateAndTine, std::regex("end_time.*"), "end_time = 0.002") +
+                   "[particles]\nranks = 1\n[particles.box]\nsize = [0.6, 0.5]\ndepth = 0.15\nradius = 0.016\n" +
+                   "zones = [{ under = [\"plate\"], size = [0.2, 0.2], depth = 0.06, radius = 0.006 }]\n" +
+                   "pour = { friction = 0.05, rolling_friction = 0, settle_time = 0.3 }\n");
+  folder.done("run zone.toml --quiet --out zone", 600);
+  const std::string checked = folder.done("check zone.toml").text;
+  EXPECT_TRUE(holds(checked, "zone under plate: 0.2 x 0.2 m, 0.06 m deep, of radius 0.006 m")) << checked;
+  double fine = 0.0, all = 0.0, inside = 0.0, intruders = 0.0, core = 0.0, highest = -1.0;  // volumes [4/3 pi m3]
+  for (const GrainPlace& g : read_grains(bed_of(checked) + "/bed.restart.grains")) {
+    const double volume = std::pow(g.radius, 3), away = g.centre.head<2>().cwiseAbs().maxCoeff();
+    all += volume;
+    if (g.radius == kFine) {
+      fine += volume;
+      highest = std::max(highest, g.centre.z());
+      if (away < kHalf + 2.0 * kCoarse && g.centre.z() > -kDeep - 2.0 * kCoarse) inside += volume;
+    }
+    if (away > kHalf - 2.0 * kCoarse || g.centre.z() < -kDeep + kCoarse) continue;
+    core += volume;
+    if (g.radius == kCoarse) intruders += volume;
+  }
+  const double whole = 0.6 * 0.5 * 0.15, zone = 4.0 * kHalf * kHalf * kDeep;
+  EXPECT_NEAR(fine / all, zone / whole, 0.2 * zone / whole);
+  EXPECT_GT(inside / fine, 0.88);
+  EXPECT_LT(intruders / core, 0.1);
+  EXPECT_LE(highest, -kFine + 1e-3);
+}
+
+// The radii of a distribution have their shares in the mass of the settled bed.
+TEST_F(Bed, HasTheSharesOfASizeDistribution) {
+  folder.write("sizes.toml",
+               std::regex_replace(kPlateAndTine, std::regex("end_time.*"), "end_time = 0.002") +
+                   "[particles]\nranks = 1\n[particles.box]\nsize = [0.5, 0.4]\ndepth = "
+                   "0.15\n[particles.box.size_distribution]\n" +
+                   "kind = \"sieve\"\ndiameters = [0.014, 0.018, 0.024, 0.032]\npassing = [0.1, 0.4, 0.8, 1]\n");
+  folder.done("run sizes.toml --quiet --out sizes", 600);
+  const std::string checked = folder.done("check sizes.toml").text;
+  std::map<double, double> share;
+  double all = 0.0;
+  for (const GrainPlace& g : read_grains(bed_of(checked) + "/bed.restart.grains")) {
+    share[g.radius] += std::pow(g.radius, 3);
+    all += std::pow(g.radius, 3);
+  }
+  ASSERT_EQ(share.size(), 3u) << checked;
+  std::vector<double> shares;
+  for (const auto& [radius, volume] : share) shares.push_back(volume / all);
+  EXPECT_NEAR(shares[0], 0.3 / 0.9, 0.03);
+  EXPECT_NEAR(shares[1], 0.4 / 0.9, 0.03);
+  EXPECT_NEAR(shares[2], 0.2 / 0.9, 0.03);
 }
 
 // Beds of every kind come to rest and carry a plate.
@@ -373,7 +450,7 @@ TEST_F(Bed, DampsContactsWithTheMassOfTheBody) {
 // What check reports: time steps from the text of the scripts, and with --time the time of the run. Nothing of the trial remains.
 TEST_F(Bed, IsReportedByCheckWithTheTimeOfTheRun) {
   setenv("TMPDIR", folder.path().c_str(), 1);
-  const std::string landing = folder.done("check " + app::kInputs + "/landing_mr").text;
+  const std::string landing = folder.done("check " + app::kInputs + "/landing_script").text;
   for (const char* number :
        {" 0.02 to 0.05 m", " 0.0001 s", " 11 %", " 5.2 %", " 2 steps", "5 %: 0.0001 s", "1 %: 6.1e-05 s"})
     EXPECT_TRUE(holds(landing, number)) << number << "\n" << landing;
@@ -487,7 +564,7 @@ TEST_F(Bed, TellsWhatReachedItsWalls) {
 TEST_F(Bed, ObservingTheWallsOfTheLandingChangesNoBit) {
   for (const std::string width : {"0.5", "1.3"}) {
     const std::string command = "run " + app::kInputs +
-                                "/landing_mr --force --until 0.012 --ranks 1 --set output.plots=false" +
+                                "/landing_script --force --until 0.012 --ranks 1 --set output.plots=false" +
                                 " --set particles.variables.frames=0 --set particles.variables.width=" + width +
                                 " --set particles.bed.variables.width=" + width +
                                 " --set particles.bed.variables.depth=0.1 --set particles.bed.variables.settle=0.1" +

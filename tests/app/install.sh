@@ -48,9 +48,9 @@ chmod -R u+w "$prefix/share/footfall/inputs/box" && echo 'no LIGGGHTS script' > 
 as_user footfall run my_wheel --quiet --until 0.01 --out other --set particles.box.seed=7 > "$work/said" 2>&1 && die "a bed was made with another script than the installed one"
 cp "$work/box/in.bed" "$prefix/share/footfall/inputs/box/in.bed" && chmod -R a-w "$prefix" && touch "$work/before"
 # The landing itself, from the read-only folder, on a bed that is poured in seconds.
-as_user footfall run --until 0.01 --quiet --ranks 1 --out landing --set particles.bed.variables.width=1.1 --set particles.variables.width=1.1 \
-  --set particles.bed.variables.depth=0.12 --set particles.bed.variables.fine=0.4 --set particles.bed.variables.fine_depth=0.06 \
-  --set particles.bed.variables.rest=0.05 > "$work/said" 2>&1 || { cat "$work/said"; die "the landing does not run"; }
+as_user footfall run --until 0.01 --quiet --ranks 1 --out landing --set particles.box.size=[3.2,3.2] \
+  --set particles.box.depth=0.2 --set particles.box.zones.0.size=[0.4,0.4] --set particles.box.zones.0.depth=0.06 \
+  --set particles.box.pour.settle_time=0.05 > "$work/said" 2>&1 || { cat "$work/said"; die "the landing does not run"; }
 grep -q '"status": "done"' "$work/here/landing/summary.json" || die "the landing is not done"
 code=0; as_user footfall test > "$work/said" 2>&1 || code=$?
 [[ $code == 2 ]] && grep -q 'holds no tests' "$work/said" || die "footfall test of an installation: $code"

@@ -52,8 +52,8 @@ height=$(awk '($1 - 1.2374)^2 + ($2 - 1.2374)^2 < 0.04 && $3 + $4 > top { top = 
 cd "$work"
 for pair in $(seq "$pairs"); do
   rm -rf "$work/run"
-  ours=$(seconds_of $mpi $(counted ours.count) "$build/bin/liggghts_mbd" -in "$root/inputs/landing_mr/in.regolith" -var here "$root/inputs/landing_mr" -var bed "$bed" -var frames 0 ${every:+-var every "$every"} -log ours.log : \
-    -np 1 "$build/bin/mbd_solver" "$root/inputs/landing_mr" --quiet --until "$seconds" --set particles.grains="$bed.grains" ${every:+--set "particles.variables.every=$every"} --out "$work/run" "$@")
+  ours=$(seconds_of $mpi $(counted ours.count) "$build/bin/liggghts_mbd" -in "$root/inputs/landing_script/in.regolith" -var here "$root/inputs/landing_script" -var bed "$bed" -var frames 0 ${every:+-var every "$every"} -log ours.log : \
+    -np 1 "$build/bin/mbd_solver" "$root/inputs/landing_script" --quiet --until "$seconds" --set particles.grains="$bed.grains" ${every:+--set "particles.variables.every=$every"} --out "$work/run" "$@")
   # Slope changes at every second row of the history for 60 ms, then at every tenth.
   awk -F, -v dt=1e-4 '
     NR == 2 { for (c = 1; c <= NF; ++c) if (match($c, /^footpad_[1-4]\.v[xyz]$/)) name[c] = substr($c, 11) substr($c, 9, 1) }
@@ -70,7 +70,7 @@ for pair in $(seq "$pairs"); do
         printf "\n"
       }
     }' run/history.csv > motion.lammps
-  stock=$(seconds_of $mpi $(counted stock.count) liggghts -in "$root/tests/bench/in.stock_landing" -var here "$root/inputs/landing_mr" -var bed "$bed" -var pad pad.stl -var height "$height" -var steps "$steps" -log stock.log)
+  stock=$(seconds_of $mpi $(counted stock.count) liggghts -in "$root/tests/bench/in.stock_landing" -var here "$root/inputs/landing_script" -var bed "$bed" -var pad pad.stl -var height "$height" -var steps "$steps" -log stock.log)
   if [[ -n $count ]]; then
     read -r ours stock < <(sed -n 's/^summary: //p' ours.count stock.count | paste -sd' ')
     awk -v a="$ours" -v b="$stock" -v t="$seconds" 'BEGIN { printf "%g s, instructions of LIGGGHTS on one rank: coupled %.6g, stock %.6g, ratio %.4f\n", t, a, b, a / b }'

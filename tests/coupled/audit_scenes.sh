@@ -20,6 +20,8 @@ audit() {
     echo "$scene: $(tail -n 1 "$out/$name.txt")"
   fi
 }
+small_box=(--set particles.box.size=[3.2,3.2] --set particles.box.depth=0.2 --set particles.box.zones.0.size=[0.4,0.4] --set particles.box.zones.0.depth=0.06
+  --set particles.box.pour.settle_time=0.05)
 small_bed=(--set particles.bed.variables.depth=0.1 --set particles.bed.variables.settle=0.2)
 audit inputs/accuracy/scenes/loose.toml --windows 100
 audit inputs/accuracy/scenes/loose.toml --windows 100 --scheme tangent --ranks 2
@@ -31,10 +33,10 @@ audit inputs/accuracy/scenes/linear.toml --windows 100
 audit inputs/accuracy/scenes/bed.toml --until 0.01 "${small_bed[@]}"
 audit inputs/dropped_sphere --until 0.05 --set bodies.ball.shape.radius=0.07 --set particles.variables.width=0.42 \
   --set particles.bed.variables.width=0.42 --set particles.bed.variables.depth=0.2 --set particles.bed.variables.settle=0.5
-audit inputs/landing_mr --until 0.008 "${small_bed[@]}" --set particles.variables.width=0.5 --set particles.bed.variables.width=0.5 \
+audit inputs/landing_mr --until 0.008 "${small_box[@]}"
+audit inputs/landing_script --until 0.008 "${small_bed[@]}" --set particles.variables.width=0.5 --set particles.bed.variables.width=0.5 \
   --set particles.bed.variables.fine=0.5 --set particles.bed.variables.fine_depth=0.1
-audit inputs/landing_clumps --until 0.008 "${small_bed[@]}" --set particles.variables.width=0.5 --set particles.bed.variables.width=0.5 \
-  --set particles.bed.variables.fine=0.5 --set particles.bed.variables.fine_depth=0.1
+audit inputs/landing_clumps --until 0.008 "${small_box[@]}"
 audit examples/flexible_rake --until 0.08 --set particles.bed.variables.settle=0.2 --set particles.bed.variables.depth=0.03
 audit examples/01_pendulum --until 0.5
 audit examples/02_wheel --until 0.05

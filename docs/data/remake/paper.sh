@@ -24,7 +24,7 @@ assumed_sweep() {
 identified_sweep() {
   local file=$runs/identified/$1.toml scenes=$PWD/inputs/paper_identified
   mkdir -p "$runs/identified"
-  sed -e "s#\"\.\./landing_mr/scene.toml\"#\"$scenes/scene.toml\"#; s#\"\.\./validation_drop/scene.toml\"#\"$scenes/validation_drop.toml\"#" \
+  sed -e "s#\"\.\./landing_script/scene.toml\"#\"$scenes/scene.toml\"#; s#\"\.\./validation_drop/scene.toml\"#\"$scenes/validation_drop.toml\"#" \
     -e "s#\"\.\./validation_drop/rigid.toml\"#\"$scenes/validation_drop_rigid.toml\"#" \
     -e "s#^settings = \[\"initial.pitch_deg=4\"\]#scene = \"$scenes/two_two.toml\"#" \
     -e "s#^settings = \[\"initial.roll_deg=4\", \"initial.pitch_deg=4\"\]#scene = \"$scenes/one_two_one.toml\"#" "inputs/sweeps/$1.toml" >"$file"
@@ -64,7 +64,7 @@ if [[ $what == assumed || $what == merge ]]; then
   [[ $what == merge ]] || exit 0
 fi
 if [[ $what != identified ]]; then
-  landing inputs/landing_mr "$runs/landing"
+  landing inputs/landing_script "$runs/landing"
   for name in "${sweeps[@]}"; do sweep "inputs/sweeps/$name.toml" "$runs/$name"; done
 fi
 [[ ! -f $runs/landing/grains_0.vtp ]] || python3 docs/data/remake/moving_grains.py "$runs/landing" >"$data/figure10.txt"

@@ -39,7 +39,7 @@ part_bed() {
   echo '|---|---|---|---|---|---|---|'
   for seed in $(sed -n 's/^values = \[\([0-9, ]*\)\]$/\1/p' $sweep | tr -d ,); do
     for step in 1.0e-4 1.5e-4; do
-      "$build/bin/footfall" run inputs/landing_mr --until 1e-3 --force --out "$runs/bed_$step" --set output.plots=false --set particles.ranks=1 --set particles.variables.frames=0.001 \
+      "$build/bin/footfall" run inputs/landing_script --until 1e-3 --force --out "$runs/bed_$step" --set output.plots=false --set particles.ranks=1 --set particles.variables.frames=0.001 \
         --set particles.bed.variables.dt=$step --set particles.bed.variables.seed=$seed >/dev/null
     done
     at=$("$build/bin/footfall" compare "$runs/bed_1.0e-4" "$runs/bed_1.5e-4" | awk '$1 == "0" { print $4 " | " $5 " | " $6 " | " $7 }')
@@ -60,7 +60,7 @@ part_build() {
 part_time() { tests/bench/run_time.sh "$build"; echo; echo "$machine."; }
 part_stock() {
   local bed said=$runs/stock.log
-  bed=$("$build/bin/footfall" run inputs/landing_mr --until 1e-3 --force --set output.plots=false --out "$runs/bed" | sed -n 's/^Bed: //p')
+  bed=$("$build/bin/footfall" run inputs/landing_script --until 1e-3 --force --set output.plots=false --out "$runs/bed" | sed -n 's/^Bed: //p')
   tests/bench/stock_ratio.sh "$build" "$bed" -t 0.3 -p "${PAIRS:-10}" >"$said"
   tests/bench/stock_ratio.sh "$build" "$bed" -r 1 -t 0.1 -p "${PAIRS:-10}" >"$runs/stock_one_rank.log"
   tests/bench/stock_ratio.sh "$build" "$bed" -n 1 -t 0.1 -p "${PAIRS:-10}" >"$runs/stock_every_step.log"

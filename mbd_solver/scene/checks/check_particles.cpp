@@ -724,7 +724,8 @@ bool check_box(const Scene& scene, Findings& findings) {
   check_material(at, "box.material.", box.material.poisson, box.material.young, box.material.restitution);
   check_material(at, "box.bodies.", box.bodies.poisson, box.bodies.young, box.bodies.restitution.value_or(1.0));
   const std::string periodic = box.follow.empty() ? "periodic = true" : "follow, which makes the bed periodic";
-  at.error_if(box.periodic && box.margin, kConflictingKeys, "box.margin",
+  const bool margin = at.source().written_together(box.follow.empty() ? "box.periodic" : "box.follow", "box.margin");
+  at.error_if(box.periodic && margin, kConflictingKeys, "box.margin",
               "excludes " + periodic + ": there are no walls to leave space around");
   at.error_if(box.periodic && !box.walls, kConflictingKeys, "box.walls",
               "= false excludes " + periodic + ": a periodic bed has no sides to remove");

@@ -219,5 +219,14 @@ TEST(BedParts, FollowTheTerrain) {
   EXPECT_NEAR(parts[0].blocks[1].min().z(), -rise - half - 0.1, 1e-9);
 }
 
+TEST(BedParts, OfTheLandingAreUnderItsPads) {
+  const Scene scene = read_scene(FOOTFALL_SOURCE_DIR "/inputs/landing_mr");
+  const BoxSpec& box = *scene.particles->box;
+  for (const Eigen::Vector2d& place : zone_places(scene, box.zones[0])) EXPECT_NEAR(place.norm(), 1.75, 1e-6);
+  EXPECT_DOUBLE_EQ(box_numbers(scene).time_step, 1e-4);
+  EXPECT_EQ(scene.particles->bed->variables.at("dt"), "0.00015");
+  EXPECT_NEAR(box_numbers(scene).grains, 44000, 2500);  // 44 007 in the settled bed
+}
+
 }  // namespace
 }  // namespace footfall
