@@ -9,7 +9,7 @@ cd "$(dirname "$0")/../../.."
 . docs/data/remake/parts.sh
 runs=${1:-runs/paper} what=${2-}
 data=docs/data/paper pictures=docs/pictures/paper
-sweeps=(paper_on_soil validation_drop validation_sensitivity ground attitudes friction velocity control_fast explanations bed bed_grains)
+sweeps=(paper_on_soil paper_on_small_bed validation_drop validation_sensitivity ground attitudes friction velocity control_fast explanations bed bed_grains)
 identified=(validation_drop ground attitudes friction velocity)   # run once more with the scenes of inputs/paper_identified
 
 # SWEEP: the same sweep with the legs of legs.toml; prints its file.
@@ -50,14 +50,16 @@ tables() {
   mkdir -p "$(dirname "$2")"
   { cat "$1/cases.md"; [[ ! -f $1/statements.md ]] || { echo; cat "$1/statements.md"; }; } >"$2"
 }
-# FILE NAME WIDTH: a picture of both sets.
+# FILE NAME WIDTH: a picture of each set.
 pair() {
   keep_picture "$runs/$1" "$pictures/$2.png" "${3:-640}"
   keep_picture "$runs/identified/$1" "$pictures/$2_identified.png" "${3:-640}"
+  keep_picture "$runs/assumed/$1" "$pictures/$2_assumed.png" "${3:-640}"
 }
 
 if [[ $what == assumed || $what == merge ]]; then
-  for name in "${sweeps[@]:1}"; do
+  landing inputs/paper_identified/legs.toml "$runs/assumed/landing"
+  for name in "${sweeps[@]:2}"; do
     sweep "$(assumed_sweep "$name")" "$runs/assumed/$name"
     tables "$runs/assumed/$name" "$data/assumed/$name.txt"
   done
