@@ -307,12 +307,12 @@ def main():
             print(table)
             continue
         if not mark.search(page):
-            print(f"{kPage}: no table of {folder}; expected <!-- legs: {folder} --> and <!-- end -->")
+            print(f"{kPage.relative_to(kRoot)}: no table of {folder}; expected <!-- legs: {folder} --> and <!-- end -->")
             failed = True
             continue
         new = mark.sub(lambda m: m.group(1) + table + "\n" + m.group(2), page)
         if new != page and "--write" not in sys.argv:
-            print(f"{kPage}: the table of {folder} does not hold the numbers of the scene; write it by tests/docs/legs.py --write")
+            print(f"{kPage.relative_to(kRoot)}: the table of {folder} does not hold the numbers of the scene; write it by tests/docs/legs.py --write")
             failed = True
         page = new
     if "--write" in sys.argv:
