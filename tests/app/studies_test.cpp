@@ -222,7 +222,7 @@ until = 0.02
 step = 0.1
 [[figures]]
 name = "depth [m]"
-key = "max_penetration_m"
+key = "max_sinkage_m"
 [[targets]]
 figure = "depth [m]"
 value = 0.05

