@@ -271,7 +271,7 @@ static void visit_fields(FieldVisitor& v, LinearSpringSpec& s) {
   v.field("stiffness", &s.stiffness, not_negative(Unit::kStiffness));
   v.field("damping", &s.damping, not_negative(Unit::kDamping));
   v.field("preload", &s.preload, {Unit::kForce});
-  v.field("free_length", &s.free_length, positive(Unit::kLength));
+  v.field("free_length", &s.free_length, not_negative(Unit::kLength));
 }
 
 static void visit_fields(FieldVisitor& v, TableSpec& t) { v.field("file", &t.file, required(path)); }

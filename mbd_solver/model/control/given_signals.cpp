@@ -73,11 +73,14 @@ struct GivenSignals::Scan {
   struct Node {
     const SignalBlock* block;
     std::vector<Expression> inputs;
+    std::vector<std::string> texts;  // of the inputs
     std::vector<int> active_in;
     double* output;             // of its value among the names; null: not given, or read by none
     std::vector<Shape> shapes;  // of the inputs
     bool pieces = false;        // its block has several, and its inputs are given
     Eigen::VectorXd u;          // its inputs
+    std::string name;           // by which others read it
+    bool read = false;          // something that is scanned depends on it: it is evaluated at every place
   };
   struct Point {
     double t = 0.0;
@@ -100,6 +103,7 @@ struct GivenSignals::Scan {
   void collect_switches(const ExpressionPart& part, const std::string& owner, bool bends,
                         std::map<const ExpressionPart*, Shape>& shapes);
   void add_switch(const std::string& owner, const std::string& text, Classes classes, bool smooth);
+  void read_by(const std::string& text);  // marks the nodes that an expression reads, and those that these read
   void report_too_fast(const std::string& owner);
 
   double block_length() const { return curved ? t_end / kBlocks : t_end; }
@@ -225,11 +229,14 @@ void GivenSignals::Scan::add(const GivenEntry& entry, const std::function<GivenS
   Shape all;
   Node node{entry.block,
             {},
+            entry.inputs,
             entry.active_in,
             nullptr,
             {},
             false,
-            Eigen::VectorXd::Zero(static_cast<Eigen::Index>(entry.inputs.size()))};
+            Eigen::VectorXd::Zero(static_cast<Eigen::Index>(entry.inputs.size())),
+            "signal." + entry.name,
+            false};
   for (const std::string& input : entry.inputs) {
     node.inputs.emplace_back(input, names);
     const std::optional<ExpressionPart> part = parts_of(input);
@@ -250,12 +257,17 @@ void GivenSignals::Scan::add(const GivenEntry& entry, const std::function<GivenS
                                            : all.varies   ? 2
                                                           : 0,
                                            all.pieces || node.pieces, rough};
-    if (all.varies && !plain && !lines) {  // its own shape is not known
+    // Its own shape is not known. A fuzzy system costs much, bends where nothing shows it, and is left to the error test.
+    if (all.varies && !plain && !lines && node.pieces) {
       values.push_back({entry.label, Expression("signal." + entry.name, names), true, rough});
       curved = true;
     }
   }
-  if (node.output != nullptr || node.pieces) nodes.push_back(std::move(node));
+  if (node.output == nullptr && !node.pieces) return;
+  node.read = node.pieces;
+  if (node.read)
+    for (const std::string& input : entry.inputs) read_by(input);
+  nodes.push_back(std::move(node));
 }
 
 GivenSignals::Scan::Shape GivenSignals::Scan::shape(const ExpressionPart& part,
@@ -283,13 +295,24 @@ void GivenSignals::Scan::collect(const ExpressionPart& part, const std::string& 
   if (!shape.varies || part.kind == PartKind::kName) return;
   const bool bends = shape.degree == 2;
   values.push_back({owner, Expression(part.text, names), bends, shape.rough});
+  read_by(part.text);
   curved = curved || bends;
   collect_switches(part, owner, bends, shapes);
+}
+
+void GivenSignals::Scan::read_by(const std::string& text) {
+  const std::vector<std::string> read = Expression::names_in(text);
+  for (Node& node : nodes)
+    if (!node.read && std::find(read.begin(), read.end(), node.name) != read.end()) {
+      node.read = true;
+      for (const std::string& input : node.texts) read_by(input);
+    }
 }
 
 void GivenSignals::Scan::add_switch(const std::string& owner, const std::string& text, Classes classes, bool smooth) {
   if (!known_switches.insert({text, classes}).second) return;
   switches.push_back({owner, Expression(text, names), classes, smooth});
+  read_by(text);
   curved = curved || smooth;
 }
 
@@ -366,7 +389,8 @@ void GivenSignals::Scan::evaluate(double t, Point& point) {
       node.u[static_cast<Eigen::Index>(i)] = node.inputs[i].value_or_nan();
     const bool has_value = active && node.u.allFinite();
     if (node.pieces) pieces.push_back(has_value ? node.block->piece(node.u) : kNoClass);
-    if (node.output) *node.output = !active ? 0.0 : has_value ? node.block->value(node.u, none) : std::nan("");
+    if (node.output && node.read)
+      *node.output = !active ? 0.0 : has_value ? node.block->value(node.u, none) : std::nan("");
   }
   for (const Switch& s : switches) {
     point.argument.push_back(s.argument.value_or_nan());

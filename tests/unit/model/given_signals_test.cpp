@@ -218,5 +218,32 @@ TEST(GivenSignals, OfABlockThatBendsUnseenEndNoStepsForTheirIntegral) {
   EXPECT_GT(bends.splits(), 0);
 }
 
+// A fuzzy system takes a tenth of a millisecond; four of them over time kept a run of 0.2 s busy for minutes before its first steps.
+class CountedBends final : public SignalBlock {
+ public:
+  explicit CountedBends(long& count) : count_(count) {}
+  double value(const BlockValues& u, const BlockValues&) const override {
+    ++count_;
+    return bends_.value(u, u);
+  }
+
+ private:
+  long& count_;
+  ManyBends bends_;
+};
+
+TEST(GivenSignals, EvaluateABlockThatBendsUnseenOnlyForWhatIsFoundByIt) {
+  long count = 0;
+  Given bends;
+  bends.add("s", "time", std::make_unique<CountedBends>(count));
+  bends.add("t", "signal.s");
+  bends.add("other", "sin(20 * time)");
+  EXPECT_GT(bends.corners().size(), 0u);
+  EXPECT_EQ(count, 0);
+  bends.add("above", "signal.t > 0.25 ? 1 : 0");
+  EXPECT_GT(bends.corners().size(), 70u) << "two jumps of each of 40 bends";
+  EXPECT_GT(count, 0);
+}
+
 }  // namespace
 }  // namespace footfall
