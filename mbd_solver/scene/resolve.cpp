@@ -371,23 +371,47 @@ void for_each_text(const FieldRef& ref, const Action& action) {
   if (auto* pair = member<std::array<std::string, 2>>(ref)) std::for_each(pair->begin(), pair->end(), action);
 }
 
+// Which copies of an array an entry asks for: "{leg}" all, "{leg=2}" one, "{leg!2!3}" all others (toml_file.h).
+struct Copies {
+  bool any = false;
+  std::string mark;  // the second or third form; else empty
+  bool makes(int k) const {
+    if (mark.empty()) return any;
+    const std::string body = mark.substr(mark.find_first_of("=!"));
+    const bool named = body.find(body.front() + std::to_string(k) + "!") != std::string::npos ||
+                       body.find(body.front() + std::to_string(k) + "}") != std::string::npos;
+    return body.front() == '=' ? named : !named;
+  }
+};
+
 template <class T>
-bool mentions(T& entry, const std::string& mark) {
-  bool found = false;
+Copies copies_of(T& entry, const std::string& array) {
+  Copies out;
   FieldWalk walk([&](const std::string&, const FieldRef& ref, const Rule&, const FieldWalk&) {
-    for_each_text(ref, [&](const std::string& text) { found = found || text.find(mark) != std::string::npos; });
+    for_each_text(ref, [&](const std::string& text) {
+      for (std::size_t at = text.find("{" + array); at != std::string::npos; at = text.find("{" + array, at + 1)) {
+        const std::size_t end = at + 1 + array.size(), close = text.find('}', at);
+        if (close == std::string::npos || (text[end] != '}' && text[end] != '=' && text[end] != '!')) continue;
+        out.any = true;
+        if (text[end] != '}') out.mark = text.substr(at, close - at + 1);
+      }
+    });
   });
   visit_fields(walk, entry);
-  return found;
+  return out;
 }
 
 template <class T>
-void make_copy(T& entry, const std::string& mark, int index, const Eigen::Quaterniond& turn) {
+void make_copy(T& entry, const std::vector<std::string>& marks, int index, const Eigen::Quaterniond& turn) {
   const std::string number = std::to_string(index);
+  const auto name_it = [&](std::string& text) {
+    for (const std::string& mark : marks)
+      if (!mark.empty()) replace_all(text, mark, number);
+  };
   const auto turn_vector = [&](Eigen::Vector3d& v) { v = turn * v; };
   FieldWalk walk([&](const std::string&, const FieldRef& ref, const Rule& rule, const FieldWalk&) {
-    for_each_text(ref, [&](std::string& text) { replace_all(text, mark, number); });
-    if (Source* source = member<Source>(ref)) replace_all(source->path, mark, number);
+    for_each_text(ref, name_it);
+    if (Source* source = member<Source>(ref)) name_it(source->path);
     if (auto* orientation = member<Eigen::Quaterniond>(ref)) *orientation = (turn * *orientation).normalized();
     if (rule.meaning != Meaning::kPoint && rule.meaning != Meaning::kDirection && rule.meaning != Meaning::kFree)
       return;
@@ -400,16 +424,24 @@ void make_copy(T& entry, const std::string& mark, int index, const Eigen::Quater
   visit_fields(walk, entry);
 }
 
+// Copies that differ follow the entry of the others, and are put where they belong among them.
 template <class T>
 void copy_entries(std::vector<T>& entries, const ArraySpec& array) {
   const std::string mark = "{" + array.name + "}";
   std::vector<T> result;
+  std::vector<int> numbers;  // of the last entry's copies, which end the result
   for (T& entry : entries) {
-    const bool copied = mentions(entry, mark);
-    if (!copied) result.push_back(entry);
-    for (int k = 1; copied && k <= array.count; ++k) {
+    const Copies copies = copies_of(entry, array.name);
+    const bool joins = copies.mark.find('=') != std::string::npos;
+    if (!joins) numbers.clear();
+    if (!copies.any) result.push_back(entry);
+    for (int k = 1; copies.any && k <= array.count; ++k) {
+      if (!copies.makes(k)) continue;
       const Eigen::Quaterniond turn(Eigen::AngleAxisd(array.start + (k - 1) * array.step, array.axis));
-      make_copy(result.emplace_back(entry), mark, k, turn);
+      const auto place = std::lower_bound(numbers.begin(), numbers.end(), k);
+      const auto before = static_cast<std::ptrdiff_t>(numbers.end() - place);
+      numbers.insert(place, k);
+      make_copy(*result.insert(result.end() - before, entry), {mark, copies.mark}, k, turn);
     }
   }
   entries = std::move(result);

@@ -99,12 +99,22 @@ void require_flat_keys(const std::string& file, const std::string& text) {
 }
 
 // The entry `name` of a list of tables, by name or by index from 0; null after a finding.
-ConfigNode* list_entry(ConfigNode& list, const std::string& name, const std::string& path, Findings& findings) {
+ConfigNode* list_entry(ConfigNode& list, const std::string& name, const std::string& path, const ArrayCounts& arrays,
+                       Findings& findings) {
   std::vector<std::string> names;
   for (ConfigNode& item : list.list) {
     names.push_back(item.entry_name());
     if (names.back() == name) return &item;
+    for (const auto& [array, count] : arrays)  // a copy that another setting has named
+      for (int k = 1; k <= count; ++k) {
+        const std::string mark = "{" + array + "=" + std::to_string(k) + "}";
+        const std::size_t at = names.back().find(mark);
+        if (at == std::string::npos) continue;
+        names.back().replace(at, mark.size(), std::to_string(k));
+        if (names.back() == name) return &item;
+      }
   }
+  if (const int copy = own_copy(list, name, arrays); copy >= 0) return &list.list[static_cast<std::size_t>(copy)];
   if (!name.empty() && name.find_first_not_of("0123456789") == std::string::npos && name.size() < 6) {
     const std::size_t index = std::stoul(name);
     if (index < list.list.size()) return &list.list[index];
@@ -151,7 +161,7 @@ void apply_setting(ConfigNode& root, const std::string& setting, Findings& findi
   for (const std::string& part : split(path, '.')) {
     if (part.empty()) return refuse(kMalformedSetting, "has an empty part, expected names separated by single dots");
     if (node->kind == ConfigNode::Kind::kList) {
-      node = list_entry(*node, part, path, findings);
+      node = list_entry(*node, part, path, arrays_of(root), findings);
       if (!node) return;
       continue;
     }

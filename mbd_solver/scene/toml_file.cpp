@@ -46,6 +46,41 @@ std::string ConfigNode::description() const {
   return "a date or time";
 }
 
+ArrayCounts arrays_of(const ConfigNode& root) {
+  ArrayCounts out;
+  const ConfigNode* const arrays = root.find("arrays");
+  if (arrays == nullptr) return out;
+  for (const auto& [name, array] : arrays->table)
+    if (const ConfigNode* const count = array.find("count"); count != nullptr && count->is_number())
+      out.emplace_back(name, static_cast<int>(std::clamp(count->number, 0.0, 1000.0)));
+  return out;
+}
+
+int own_copy(ConfigNode& list, const std::string& name, const ArrayCounts& arrays) {
+  for (std::size_t i = 0; i < list.list.size(); ++i) {
+    const std::string pattern = list.list[i].entry_name();
+    for (const auto& [array, count] : arrays) {
+      const std::size_t begin = pattern.find("{" + array), mark = begin + 1 + array.size();
+      if (begin == std::string::npos || mark >= pattern.size() || (pattern[mark] != '}' && pattern[mark] != '!'))
+        continue;
+      const std::size_t end = pattern.find('}', mark);
+      if (end == std::string::npos) continue;
+      const std::string before = pattern.substr(0, begin), behind = pattern.substr(end + 1);
+      for (int k = 1; k <= count; ++k) {
+        const std::string number = std::to_string(k);
+        if (before + number + behind != name) continue;
+        ConfigNode copy = list.list[i];
+        const char* const key = copy.find("name") ? "name" : "body";
+        copy.find(key)->text = before + "{" + array + "=" + number + "}" + behind;
+        list.list[i].find(key)->text = pattern.substr(0, end) + "!" + number + pattern.substr(end);
+        list.list.insert(list.list.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(copy));
+        return static_cast<int>(i) + 1;
+      }
+    }
+  }
+  return -1;
+}
+
 // Reads a scene and its bases, the innermost base first, and merges each over the one before.
 using namespace code;
 namespace {
@@ -88,7 +123,7 @@ void leave_out(ConfigNode& base, const ConfigNode& without, const std::string& f
                    base.table.end());
 }
 
-void lay_over(ConfigNode& base, const ConfigNode& own, const std::string& file) {
+void lay_over(ConfigNode& base, const ConfigNode& own, const ArrayCounts& arrays, const std::string& file) {
   const bool tables = base.kind == ConfigNode::Kind::kTable && own.kind == ConfigNode::Kind::kTable;
   const auto named = [](const ConfigNode& list) {
     return list.kind == ConfigNode::Kind::kList && !list.list.empty() &&
@@ -106,19 +141,30 @@ void lay_over(ConfigNode& base, const ConfigNode& own, const std::string& file) 
       if (is_new) {
         base.table.emplace_back(key, value);
       } else {
-        lay_over(base.table[there->second].second, value, file);
+        lay_over(base.table[there->second].second, value, arrays, file);
       }
     }
   } else if (named(base) && named(own)) {
     base.line = own.line;
     std::unordered_map<std::string, std::size_t> places;  // of the first entry of each name
-    for (std::size_t i = 0; i < base.list.size(); ++i) places.emplace(base.list[i].entry_name(), i);
+    const auto find_places = [&] {
+      places.clear();
+      for (std::size_t i = 0; i < base.list.size(); ++i) places.emplace(base.list[i].entry_name(), i);
+    };
+    find_places();
     for (const ConfigNode& item : own.list) {
-      const auto [same, is_new] = places.emplace(item.entry_name(), base.list.size());
-      if (is_new) {
-        base.list.push_back(item);
+      const std::string name = item.entry_name();
+      if (const auto same = places.find(name); same != places.end()) {
+        lay_over(base.list[same->second], item, arrays, file);
+      } else if (const int copy = own_copy(base, name, arrays); copy >= 0) {
+        ConfigNode& entry = base.list[static_cast<std::size_t>(copy)];
+        const std::string pattern = entry.entry_name();
+        lay_over(entry, item, arrays, file);
+        entry.find(entry.find("name") ? "name" : "body")->text = pattern;
+        find_places();
       } else {
-        lay_over(base.list[same->second], item, file);
+        places.emplace(name, base.list.size());
+        base.list.push_back(item);
       }
     }
   } else {
@@ -210,7 +256,9 @@ ConfigNode with_base(ConfigNode own, const std::string& file, int depth) {
   move_to(base, fs::relative(base_folder, folder.empty() ? fs::path(".") : folder));
   own.table.erase(
       std::find_if(own.table.begin(), own.table.end(), [](const auto& entry) { return entry.first == "base"; }));
-  lay_over(base, own, file);
+  ArrayCounts arrays = arrays_of(own);
+  for (const auto& array : arrays_of(base)) arrays.push_back(array);
+  lay_over(base, own, arrays, file);
   return base;
 }
 

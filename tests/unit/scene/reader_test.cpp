@@ -223,6 +223,58 @@ bodies = ["leg_{leg}"]
               kValueRoundOff);
 }
 
+// One copy of an array, by its name: a leg that has failed.
+TEST(SceneArrays, OneCopyCanDiffer) {
+  const SceneText text;
+  const std::string legs = R"(end_time = 1
+[arrays.leg]
+count = 3
+step_deg = 120
+[[bodies]]
+name = "hub"
+mass = 1
+inertia = [1, 1, 1]
+position = [0, 0, 0]
+[[bodies]]
+name = "leg_{leg}"
+mass = 1
+inertia = [1, 1, 1]
+position = [1, 0, 0]
+[[joints]]
+name = "hip_{leg}"
+kind = "revolute"
+bodies = ["hub", "leg_{leg}"]
+point = [1, 0, 0]
+axis = [0, 1, 0]
+angle = { spring = { stiffness = 5 } }
+)";
+  const auto differs = [](const Scene& scene) {
+    ASSERT_EQ(scene.bodies.size(), 4u);
+    for (std::size_t k = 1; k <= 3; ++k) {
+      EXPECT_EQ(scene.bodies[k].name, "leg_" + std::to_string(k));
+      EXPECT_EQ(scene.bodies[k].mass, k == 1 ? 1.0 : k + 0.5);
+      EXPECT_EQ(scene.joints[k - 1].name, "hip_" + std::to_string(k));
+      EXPECT_EQ(scene.joints[k - 1].bodies[1], "leg_" + std::to_string(k));
+      EXPECT_EQ(scene.joints[k - 1].angle->spring->stiffness, k == 2 ? 0.1 : 5.0);
+    }
+    const double c = std::cos(2.0 * kPi / 3.0), s = std::sin(2.0 * kPi / 3.0);
+    EXPECT_NEAR((scene.bodies[2].position - Eigen::Vector3d(c, s, 0)).norm(), 0.0, kValueRoundOff);
+  };
+  differs(text.read(legs, {"bodies.leg_3.mass=3.5", "joints.hip_2.angle.spring.stiffness=9", "bodies.leg_2.mass=2.5",
+                           "joints.hip_2.angle.spring.stiffness=0.1"}));
+  text.write("legs.toml", legs);
+  differs(text.read(R"(base = "legs.toml"
+[[bodies]]
+name = "leg_2"
+mass = 2.5
+[[joints]]
+name = "hip_2"
+angle = { spring = { stiffness = 0.1 } }
+)",
+                    {"bodies.leg_3.mass=3.5"}));
+  EXPECT_THAT(text.findings(legs, {"bodies.leg_4.mass=3"}), HasSubstr("leg_4"));
+}
+
 TEST(SceneArrays, NameThatBelongsToNoArrayIsAFinding) {
   const SceneText text;
   EXPECT_THAT(text.findings(kPendulum + "[arrays.leg]\ncount = 2\n[[springs]]\nname = \"s_{lag}\"\nkind = "
