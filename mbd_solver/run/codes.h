@@ -44,6 +44,10 @@ inline constexpr MessageCode kWindowsTooShort{"E0674", "windows-too-short"};
 
 // Two surfaces overlap at the start; collisions between them are not detected. Move them apart if this is not intended.
 inline constexpr MessageCode kOverlapAtStart{"W1660", "overlap-at-start"};
+// A body reaches through the floor or a side of [particles.box] at the start. Raise or move it, or enlarge the bed.
+inline constexpr MessageCode kThroughBox{"W1670", "through-box"};
+// The surface file of a boundary lies away from its body. Give its place, scale and orientation in D.
+inline constexpr MessageCode kSurfaceAway{"W1671", "surface-away"};
 // The mechanism was settled into static equilibrium before the run. Check the distance that is reported.
 inline constexpr MessageCode kSettled{"W1661", "settled"};
 // The energy of the mechanism is not balanced to 1 %. Reduce solver.rtol and solver.atol, or solver.max_step.

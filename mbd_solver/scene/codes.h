@@ -261,6 +261,8 @@ inline constexpr MessageCode kUnusedVariable{"W1135", "unused-variable"};
 inline constexpr MessageCode kUnusedKey{"W1141", "unused-key"};
 // A material is lighter than foam, mostly by a wrong unit. Use the suffix _g_cm3 for grams per cubic centimetre.
 inline constexpr MessageCode kLightMaterial{"W1150", "light-material"};
+// A Python file has no function of the name that a signal calls. Correct the name, or define the function.
+inline constexpr MessageCode kNoFunction{"W1282", "no-function"};
 // Nothing holds or touches the body. Add a joint, or remove the body.
 inline constexpr MessageCode kLooseBody{"W1151", "loose-body"};
 // Gravity pulls the bodies off the ground. Change its sign.

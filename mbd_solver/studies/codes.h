@@ -9,6 +9,8 @@ namespace footfall::code {
 
 // The file is a scene, where a sweep file or a calibration file is expected. Run it, or name the other file.
 inline constexpr MessageCode kSceneGiven{"E0580", "scene-given"};
+// A sweep file is given to calibrate, or a calibration file to sweep. Run it by the command that the message names.
+inline constexpr MessageCode kOtherStudy{"E0589", "other-study"};
 // A metric is not one of [[figures]] of the file. Correct its name, or define it.
 inline constexpr MessageCode kUnknownMetric{"E0581", "unknown-metric"};
 // A parameter is not one of [[parameters]] of the file, or has no such value. Correct the name or the value.

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "coupler/base/errors.h"
@@ -16,6 +17,7 @@
 namespace footfall {
 
 // Reads the keys of a file, described by visit_fields(). `expected` names the kind of file in messages. Throws InputError.
+struct CalibrationSpec;
 template <class Spec>
 Spec read_study(const std::string& file, const std::string& expected, const std::string& examples, Findings& findings) {
   require_file(file, expected + " (TOML), as in " + examples);
@@ -24,6 +26,14 @@ Spec read_study(const std::string& file, const std::string& expected, const std:
     throw InputError(code::kSceneGiven, file + ": is a scene, expected " + expected +
                                             ", which names a scene and what to vary; see " + examples +
                                             ", or run the scene: footfall run " + file);
+  const bool calibrates = root.find("targets") || root.find("stages");
+  bool sweeps = false;
+  for (const char* key : {"curves", "outcomes", "runs", "statements", "plots", "limits", "expect", "repeats"})
+    sweeps = sweeps || root.find(key) != nullptr;
+  if (calibrates != sweeps && calibrates != std::is_same_v<Spec, CalibrationSpec>)
+    throw InputError(code::kOtherStudy, file + ": is a " + (calibrates ? "calibration" : "sweep") + " file, expected " +
+                                            expected + "; run it with: footfall " +
+                                            (calibrates ? "calibrate " : "sweep ") + file);
   Spec s;
   s.file = file;
   s.folder = std::filesystem::absolute(file).parent_path().string();

@@ -34,6 +34,7 @@ void check_by_building(Scene scene, bool judges, const std::function<void(const 
     if (!judges) return;
     std::vector<GrainPlace> grains;
     if (scene.touches_particles() && !scene.particles->grains.empty()) grains = read_grains(scene.particles->grains);
+    for (const std::string& warning : surfaces_away(scene)) warn(warning);
     for (const std::string& warning : overlaps_at_start(scene, mechanism, grains)) warn(warning);
     for (const std::string& warning : warnings_of_held_bodies(scene, mechanism)) warn(warning);
     const Layout layout(mechanism.model);

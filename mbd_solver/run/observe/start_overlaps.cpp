@@ -13,12 +13,16 @@
 #include "mbd_solver/model/elements/surface_model.h"
 #include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/observe/start_values.h"
+#include "mbd_solver/scene/findings.h"
+#include "mbd_solver/scene/mesh_reader.h"
+#include "mbd_solver/scene/shape_outline.h"
 
 namespace footfall {
 namespace {
 
 // Deeper than a grain at rest on the body would be [of the grain's radius].
 constexpr double kDeep = 0.3;
+constexpr double kAway = 0.5;  // of a surface from its body [sizes of both]
 
 struct Placed {
   const BodyBoundary* entry;
@@ -114,7 +118,77 @@ std::vector<std::string> overlaps_with(const std::vector<GrainPlace>& grains, co
   return warnings;
 }
 
+// Floor and sides of [particles.box], which act in the run.
+std::vector<std::string> through_box(const Scene& scene, const std::vector<Placed>& bodies) {
+  if (!scene.touches_particles() || !scene.particles->box || !scene.particles->box->walls) return {};
+  const BoxSpec& box = *scene.particles->box;
+  std::vector<std::string> warnings;
+  const auto warn = [&](const Placed& body, double by, const std::string& what, const std::string& remedy) {
+    warnings.push_back(with_code(code::kThroughBox, "body \"" + body.entry->boundary.name() + "\" reaches " +
+                                                        number_text(by, 3) + " m " + what + " at the start; " +
+                                                        remedy));
+  };
+  for (const Placed& body : bodies) {
+    double deepest = 0.0, left = 0.0;      // below the floor [m]
+    double out[4] = {0.0, 0.0, 0.0, 0.0};  // beyond -x, +x, -y, +y, of what is below the surface
+    bool within = false;
+    for (Eigen::Index k = 0; k < body.nodes.cols(); ++k) {
+      const Eigen::Vector3d p = body.nodes.col(k);
+      if (!(p.z() < 0.0)) continue;
+      bool inside = true;
+      for (int axis = 0; axis < 2; ++axis) {
+        const double x = p[axis] - box.centre[axis], half = 0.5 * box.size[axis];
+        out[2 * axis] = std::max(out[2 * axis], -x - half);
+        out[2 * axis + 1] = std::max(out[2 * axis + 1], x - half);
+        inside = inside && std::abs(x) <= half;
+      }
+      within = within || inside;
+      if (inside) deepest = std::max(deepest, -box.depth - p.z());
+    }
+    left = *std::max_element(out, out + 4);
+    if (!within) continue;
+    if (deepest > 0.0)
+      warn(body, deepest, "through the floor of the bed, z = " + number_text(-box.depth) + " m,",
+           "raise it (initial.clearance, initial.position), or increase particles.box.depth");
+    if (left > 0.0 && !box.periodic && box.follow.empty()) {
+      const char* const sides[4] = {"-x", "+x", "-y", "+y"};
+      warn(body, left,
+           std::string("through the side of the bed towards ") + sides[std::max_element(out, out + 4) - out] + ",",
+           "move it (initial.position, particles.box.centre), or increase particles.box.size");
+    }
+  }
+  return warnings;
+}
+
 }  // namespace
+
+std::vector<std::string> surfaces_away(const Scene& scene) {
+  std::vector<std::string> warnings;
+  for (const BoundarySpec& boundary : scene.boundaries) {
+    if (!boundary.surface || boundary.surface->file.empty()) continue;
+    Eigen::AlignedBox3d surface, body;
+    for (const Eigen::Vector3d& x : boundary_surface(scene, boundary).vertices) surface.extend(x);
+    const BodySpec& spec = *scene.body(boundary.body);
+    body.extend(spec.position);
+    for (const Eigen::Vector3d& x : shape_outline(spec)) body.extend(x);
+    const auto take = [&](const auto& entry, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+      if (entry.bodies[0] == spec.name) body.extend(a);
+      if (entry.bodies[1] == spec.name) body.extend(b);
+    };
+    for (const JointSpec& joint : scene.joints) take(joint, joint.point_a, joint.point_b);
+    for (const StrutSpec& strut : scene.struts) take(strut, strut.points[0], strut.points[1]);
+    const double gap = surface.exteriorDistance(body), size = surface.diagonal().norm() + body.diagonal().norm();
+    if (surface.isEmpty() || !(gap > kAway * size)) continue;
+    warnings.push_back(
+        with_code(code::kSurfaceAway,
+                  place_of(scene.file, boundary.source, "surface.file") + "the surface of \"" + spec.name + "\" is " +
+                      number_text(gap, 3) + " m away from the body, which has its mass centre at [" +
+                      number_text(spec.position.x(), 3) + ", " + number_text(spec.position.y(), 3) + ", " +
+                      number_text(spec.position.z(), 3) +
+                      "] m; place it in the reference configuration by surface.position, scale and orientation"));
+  }
+  return warnings;
+}
 
 std::vector<std::string> overlaps_at_start(const Scene& scene, const Mechanism& mechanism,
                                            const std::vector<GrainPlace>& grains) {
@@ -135,6 +209,7 @@ std::vector<std::string> overlaps_at_start(const Scene& scene, const Mechanism& 
     return {};
   }
   std::vector<std::string> warnings = overlaps_with(grains, bodies);
+  for (const std::string& warning : through_box(scene, bodies)) warnings.push_back(warning);
   for (std::size_t i = 0; i < bodies.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (!may_overlap(scene, mechanism, bodies[i], bodies[j]) && cross(bodies[i], bodies[j]))

@@ -1,5 +1,6 @@
 #pragma once
-// What overlaps where a run begins: bodies with each other, and with the grains of a settled bed.
+// What overlaps where a run begins: bodies with each other, with the grains of a settled bed, and with the box of one that is not
+// made yet; and surfaces that are not where their bodies are.
 
 #include <string>
 #include <vector>
@@ -14,5 +15,8 @@ namespace footfall {
 // empty: unknown.
 std::vector<std::string> overlaps_at_start(const Scene& scene, const Mechanism& mechanism,
                                            const std::vector<GrainPlace>& grains);
+
+// Of a boundary whose surface comes from a file: it is farther from its body than both are large. Throws InputError for files.
+std::vector<std::string> surfaces_away(const Scene& scene);
 
 }  // namespace footfall

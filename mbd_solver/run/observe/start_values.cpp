@@ -207,12 +207,11 @@ std::vector<std::string> unset_signals(const Scene& scene) {
   std::vector<std::string> warnings;
   for (const SignalSpec& signal : scene.signals)
     if (signal.kind == SignalKind::kHost)
-      warnings.push_back(
-          with_code(code::kUnsetSignal, place_of(scene.file, signal.source) +
-                                            "nobody sets this signal in a run from the command "
-                                            "line: it remains " +
-                                            number_text(signal.initial.value_or(0.0)) +
-                                            "; lead the scene from a program, or give the signal another kind"));
+      warnings.push_back(with_code(
+          code::kUnsetSignal, place_of(scene.file, signal.source) + "a signal of kind host keeps its initial value, " +
+                                  number_text(signal.initial.value_or(0.0)) +
+                                  ", in a run from the command line; lead the scene from a program (Python, an "
+                                  "FMU), or give the signal another kind"));
   return warnings;
 }
 

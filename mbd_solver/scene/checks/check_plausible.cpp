@@ -25,11 +25,15 @@ using Eigen::Vector3d;
 constexpr double kDensest = 23000.0;     // osmium has 22600 [kg/m3]
 constexpr double kOfItsSurface = 10.0;   // a shape may be the surface alone of what the body is [kDensest]
 constexpr double kLightest = 0.5;        // air has 1.2 [kg/m3]
-constexpr double kThinnest = 0.1;        // a thinner plate may stand for more than its volume [radius]
-constexpr double kMostGravity = 5000.0;  // of centrifuges [m/s2]
-constexpr double kUsualSound = 1000.0;   // where a body has no modulus [m/s]
-constexpr double kFarOutside = 10.0;     // radius of gyration of a shape [its reach]
-constexpr double kFarFromPoints = 30.0;  // the same where points alone are known [size of the mechanism]
+constexpr double kLightestGrain = 10.0;  // [kg/m3]; beads of foam have 15
+constexpr double kFastImpact = 100.0;  // [m/s]; a mechanism that meets a ground faster is mostly written in other units
+constexpr double kWeakestCrush = 0.01;    // of a honeycomb [weight of the mechanism]
+constexpr double kFarRequirement = 20.0;  // [size of the mechanism]
+constexpr double kThinnest = 0.1;         // a thinner plate may stand for more than its volume [radius]
+constexpr double kMostGravity = 5000.0;   // of centrifuges [m/s2]
+constexpr double kUsualSound = 1000.0;    // where a body has no modulus [m/s]
+constexpr double kFarOutside = 10.0;      // radius of gyration of a shape [its reach]
+constexpr double kFarFromPoints = 30.0;   // the same where points alone are known [size of the mechanism]
 constexpr double kFewPoints = 10.0;  // a body without shape may be larger than where it is held [size of the mechanism]
 constexpr double kTouching = 1e-6;   // [of the size of a body]
 constexpr double kThinnestBody = 1e-3;                          // [kg/m3] in the ball of its radius of gyration
@@ -131,6 +135,9 @@ class Plausibility {
     check_gravity();
     for (const MaterialSpec& material : scene_.materials) check_density(material);
     if (scene_.particles && scene_.particles->box) check_box(*scene_.particles->box);
+    if (scene_.ground.kind == GroundKind::kSoil && scene_.ground.law)
+      check_ground_density(scene_.ground.source, "law.density", scene_.ground.law->density,
+                           "it is that of the soil with its pores, in kg/m3");
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
       check_mass(scene_.bodies[i]);
       check_inertia(scene_.bodies[i], outlines_[i]);
@@ -143,6 +150,8 @@ class Plausibility {
     check_map();
     check_ratios();
     check_gas();
+    check_honeycombs();
+    check_requirement_lengths();
     check_points();
     if (starts_as_drawn()) {
       check_stops();
@@ -168,13 +177,17 @@ class Plausibility {
                             number_text(kDensest) + " kg/m3; write kg/m3, or use the suffix _g_cm3");
   }
 
+  void check_ground_density(const Source& source, const std::string& key, double density, const std::string& what) {
+    if (density <= kDensest && density >= kLightestGrain) return;
+    findings_.warning(kImplausibleMass, source, key,
+                      "is " + number_text(density) + " kg/m3, " +
+                          (density < kLightestGrain ? "lighter than any grains" : "more than that of any solid") +
+                          "; " + what + ", or use the suffix _g_cm3");
+  }
+
   void check_box(const BoxSpec& box) {
-    const double density = box.material.density;
-    if (density > kDensest || density < kLightest)
-      findings_.warning(kImplausibleMass, scene_.particles->source, "box.material.density",
-                        "is " + number_text(density) + " kg/m3, " +
-                            (density < kLightest ? "lighter than air" : "more than that of any solid") +
-                            "; it is that of a grain, not of the bed, in kg/m3");
+    check_ground_density(scene_.particles->source, "box.material.density", box.material.density,
+                         "it is that of a grain, not of the bed, in kg/m3");
     const double interval = box.every.value_or(0) * box_numbers(scene_).time_step;
     if (interval > scene_.end_time)
       findings_.error(
@@ -186,22 +199,26 @@ class Plausibility {
   }
 
   void check_mass(const BodySpec& body) {
-    if (!body.source.given("mass") || body.mass_is_remainder) return;
+    if (!body.source.given("mass")) return;
     const double volume = body.shape ? volume_within(*body.shape) : 0.0;
+    const std::string of_total = body.mass_is_remainder ? ", the remainder of total_mass," : "";
     if (volume == 0.0) {
       const double most = kDensest * std::pow(kFewPoints * size_, 3);
       if (most > 0.0 && body.mass > most)
         findings_.warning(kImplausibleMass, body.source, "mass",
-                          "is " + number_text(body.mass) + " kg in a mechanism of " + number_text(size_, 3) +
-                              " m; check the unit (_g, _t), and that lengths are in m");
+                          "is " + number_text(body.mass) + " kg" + of_total + " in a mechanism of " +
+                              number_text(size_, 3) + " m; check the unit (_g, _t), and that lengths are in m");
       return;
     }
     const double density = body.mass / volume;
     if (density >= kLightest && density <= kOfItsSurface * kDensest) return;
-    findings_.warning(kImplausibleMass, body.source, "mass",
-                      "is " + number_text(body.mass) + " kg for a shape of " + number_text(volume, 3) +
-                          " m3, which is " + (density < kLightest ? "lighter than air" : "far denser than any solid") +
-                          " (" + number_text(density, 3) + " kg/m3); check the units of mass (_g, _t) and shape (_mm)");
+    findings_.warning(
+        kImplausibleMass, body.source, "mass",
+        "is " + number_text(body.mass) + " kg" + of_total + " for a shape of " + number_text(volume, 3) +
+            " m3, which is " + (density < kLightest ? "lighter than air" : "far denser than any solid") + " (" +
+            number_text(density, 3) + " kg/m3); check " +
+            (body.mass_is_remainder ? "total_mass and the masses of the other bodies" : "the units of mass (_g, _t)") +
+            " and shape (_mm)");
   }
 
   void check_inertia(const BodySpec& body, const std::vector<Vector3d>& points) {
@@ -243,6 +260,13 @@ class Plausibility {
   }
 
   void check_angles() {
+    const InitialSpec& initial = scene_.initial;
+    for (const auto& [key, angle] : {std::pair("roll", initial.roll), {"pitch", initial.pitch}, {"yaw", initial.yaw}})
+      if (std::abs(angle) > kPi * (1.0 + 1e-9) && initial.source.in_other_units.count(key) == 0)
+        findings_.warning(kAngleInDegrees, initial.source, key,
+                          "is " + number_text(angle) + " rad, " + number_text(angle * 180.0 / kPi, 3) +
+                              " degrees: more than half a turn; if degrees are meant, write " + std::string(key) +
+                              "_deg");
     for (const JointSpec& joint : scene_.joints)
       if (joint.motion && joint.motion->rotation && joint.source.in_other_units.count("motion.rotation.table") == 0 &&
           joint.motion->rotation->amplitude == 0.0)  // the reader tells of that
@@ -282,7 +306,12 @@ class Plausibility {
     double slowest = HUGE_VAL;
     for (const BodySpec& body : scene_.bodies) slowest = std::min(slowest, sound_in(body));
     const InitialSpec& initial = scene_.initial;
-    check_speed(initial.source, "velocity", initial.velocity.norm(), slowest, in_mm);
+    const double fall = initial.velocity.norm();
+    check_speed(initial.source, "velocity", fall, slowest, in_mm);
+    if (scene_.ground.kind != GroundKind::kNone && !scene_.boundaries.empty() && fall > kFastImpact && fall <= slowest)
+      findings_.warning(kImplausibleSpeed, initial.source, "velocity",
+                        "is " + number_text(fall, 3) + " m/s, " + number_text(3.6 * fall, 3) +
+                            " km/h: laws of contact hold for some tens of m/s; if it is in mm/s, write velocity_mm_s");
     check_speed(initial.source, "angular_velocity", initial.angular_velocity.norm() * 0.5 * size_, slowest, in_rpm);
     for (const BodyVelocitySpec& own : initial.bodies) {
       const BodySpec* body = scene_.body(own.body);
@@ -592,6 +621,38 @@ class Plausibility {
                           "is " + number_text(body.shape->thickness) + " m for a disc of radius " +
                               number_text(body.shape->radius) +
                               " m; write it in m, or use the suffix _mm; a long one is a \"cylinder\"");
+  }
+
+  // The softest stage is crushed by a hundredth of the weight.
+  void check_honeycombs() {
+    double mass = 0.0;
+    for (const BodySpec& body : scene_.bodies) mass += body.mass;
+    const double weight = mass * scene_.gravity.norm();
+    for (const StrutSpec& strut : scene_.struts) {
+      if (!strut.honeycomb || strut.honeycomb->stages.empty()) continue;
+      const double force = strut.honeycomb->stages.front().crush_force;
+      if (force < kWeakestCrush * weight)
+        findings_.warning(kImplausibleNumber, strut.source, "honeycomb.stages",
+                          "begins to crush at " + number_text(force) + " N, " + share_text(force / weight) +
+                              " of the weight of the mechanism, " + number_text(weight, 3) +
+                              " N: it bears nothing; write force in N");
+    }
+  }
+
+  // A bound in m that no body of this mechanism can come near.
+  void check_requirement_lengths() {
+    if (scene_.ground.kind == GroundKind::kNone || size_ == 0.0) return;
+    const double t = scene_.end_time;
+    const double reach =
+        kFarRequirement * size_ + scene_.initial.velocity.norm() * t + 0.5 * scene_.gravity.norm() * t * t;
+    for (const RequirementSpec& r : scene_.requirements) {
+      const bool metres = r.unit.empty() && r.value.size() > 2 && r.value.substr(r.value.size() - 2) == "_m";
+      for (const auto& [key, bound] : {std::pair("least", r.least), {"most", r.most}})
+        if ((r.unit == "m" || metres) && bound && std::abs(*bound) > reach)
+          findings_.warning(kImplausibleNumber, r.source, key,
+                            "is " + number_text(*bound) + " m, in a mechanism of " + number_text(size_, 3) +
+                                " m: nothing comes near it; write it in m (1 mm = 0.001 m)");
+    }
   }
 
   // A point of a body that is hundreds of times farther from it than the body reaches.

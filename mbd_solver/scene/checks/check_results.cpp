@@ -69,9 +69,9 @@ void check_landing(const Scene& scene, Findings& findings) {
     at.error_if(!seen.insert(pad).second, kListedTwice, "pads", "names \"" + pad + "\" twice; name each pad once");
   }
   at.error_if(scene.ground.kind == GroundKind::kNone, kNeedsOtherKey, "",
-              "tells of heights above a ground, which this scene does not have; add [ground], or remove [landing]");
+              "needs a ground, above which heights are measured; add [ground], or remove [landing]");
   at.error_if(scene.gravity.isZero(0.0), kNeedsOtherKey, "",
-              "tells of tipping over, which needs gravity; give gravity, or remove [landing]");
+              "needs gravity, against which a lander tips over; give gravity, or remove [landing]");
 }
 
 void check_requirements(const Scene& scene, Findings& findings) {

@@ -51,17 +51,28 @@ void check_pair(const Scene& scene, const EntryFindings& at, const std::array<st
 
 namespace {
 
+std::vector<std::string> missing_of(const std::vector<std::pair<std::string, std::string>>& keys) {
+  std::vector<std::string> missing;
+  for (const auto& [key, value] : keys)
+    if (value.empty()) missing.push_back(key);
+  return missing;
+}
+
 // The elastic model of a flexible body: exactly one, complete, with the material that it needs.
 void check_flexible(const Scene& scene, const BodySpec& body, const EntryFindings& at) {
   const FlexibleSpec& f = *body.flexible;
   const int matrices = !f.stiffness_matrix.empty() + !f.mass_matrix.empty() + !f.node_file.empty();
-  at.error_if(matrices == 1 || matrices == 2, kNeedsOtherKey, "flexible",
-              "has only a part of stiffness_matrix, mass_matrix and node_file; a model in matrices needs all three");
+  at.error_if(
+      matrices == 1 || matrices == 2, kNeedsOtherKey, "flexible",
+      "needs all of stiffness_matrix, mass_matrix and node_file; add " +
+          joined(missing_of(
+              {{"stiffness_matrix", f.stiffness_matrix}, {"mass_matrix", f.mass_matrix}, {"node_file", f.node_file}})));
   const bool of_matrices =
       !f.dof_file.empty() || !f.stress_file.empty() || !f.interfaces.empty() || f.units != UnitSystem::kMetre;
-  at.error_if(of_matrices && matrices == 0, kNeedsOtherKey, "flexible",
-              "has keys of a model in matrices (dof_file, stress_file, interfaces, units), which has stiffness_matrix, "
-              "mass_matrix and node_file");
+  at.error_if(
+      of_matrices && matrices == 0, kNeedsOtherKey, "flexible",
+      "has keys of a model in matrices (dof_file, stress_file, interfaces, units), which needs stiffness_matrix, "
+      "mass_matrix and node_file; add these three, or remove the others");
   const int models = !f.file.empty() + !f.mesh.empty() + !f.nodes.empty() + (matrices > 0);
   at.error_if(models > 1, kElasticModel, "flexible", "has more than one of file, mesh, nodes and matrices; keep one");
   if (models == 0 && !(body.shape && !body.source.good("shape.kind"))) {
@@ -591,7 +602,8 @@ void check_member(const Scene& scene, const GearSpec& gear, std::size_t i, const
 void check_cam(const Scene& scene, const GearSpec& gear, const EntryFindings& at) {
   const std::vector<Eigen::Vector2d>& curve = gear.curve;
   if (curve.empty()) {
-    at.error_if(at.given("closed"), kNeedsOtherKey, "closed", "describes a curve; give `curve` as well");
+    at.error_if(at.given("closed"), kNeedsOtherKey, "closed",
+                "needs a curve, which it closes; add curve, or remove closed");
     return;
   }
   if (gear.closed && curve.size() < 3) {

@@ -152,6 +152,22 @@ FmuDescription describe_fmu(const std::string& file) {
   throw InputError(code_of_problem(answer.substr(1, tab - 1)), file + ": " + answer.substr(tab + 1));
 }
 
+// Whether a Python file may define a name; a file that imports all names of another may.
+static bool may_define(const std::string& text, const std::string& name) {
+  if (text.find("import *") != std::string::npos || text.find("globals()") != std::string::npos) return true;
+  const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  for (std::size_t i = text.find(name); i != std::string::npos; i = text.find(name, i + 1)) {
+    const std::size_t end = i + name.size();
+    if (i > 0 && is_part(text[i - 1])) continue;
+    if (end < text.size() && is_part(text[end])) continue;
+    std::size_t line = text.find_last_of('\n', i);
+    line = line == std::string::npos ? 0 : line + 1;
+    const std::size_t comment = text.find('#', line);
+    if (comment == std::string::npos || comment > i) return true;
+  }
+  return false;
+}
+
 void check_foreign(const Scene& scene, const SignalSpec& s, const EntryFindings& at) {
   const auto refused = [&](const char* key) { return s.source.refused.count(key) > 0; };
   if (s.kind == SignalKind::kPython) {
@@ -161,6 +177,11 @@ void check_foreign(const Scene& scene, const SignalSpec& s, const EntryFindings&
                   "name the function of the file, f(time, *inputs)");
     at.missing_if(s.period == 0.0 && !refused("period"), "period", "it is sampled, for example period_ms = 1");
     at.error_if(!s.input_names.empty(), kWrongType, "inputs", "is a table, expected a list of expressions");
+    if (s.file.empty() || s.function.empty()) return;
+    if (const std::optional<std::string> text = read_whole_file(s.file); text && !may_define(*text, s.function))
+      at.warning(kNoFunction, "function",
+                 "is \"" + s.function + "\", which " + s.file + " does not define; write  def " + s.function +
+                     "(time, ...)  there, or name a function of the file");
     return;
   }
   at.missing_if(s.file.empty() && !refused("file"), "file", "an fmu signal is computed by an .fmu file");

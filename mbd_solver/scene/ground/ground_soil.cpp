@@ -109,7 +109,8 @@ void check_soil(const Scene& scene, Findings& findings) {
                     number_text(kMostFriction) +
                     ": the resistance follows from it by a formula for this range; give law.resistance [Pa/m] instead");
     at.error_if(law.gravity && !law.resistance, kNeedsOtherKey, "law.gravity",
-                "is that at which law.resistance was measured; give law.resistance, or remove it");
+                "needs law.resistance [Pa/m], the resistance that was measured at this gravity; give it, or remove "
+                "law.gravity");
     at.error_if(used && scene.gravity.isZero() && (!law.resistance || law.gravity), kGroundIncomplete, "law.resistance",
                 "follows from the weight of the soil, but gravity is 0; give it [Pa/m] without law.gravity");
   } else {

@@ -216,6 +216,57 @@ TEST(Plausible, NumbersFarOutsideOfWhatIsBuilt) {
       ElementsAre(says(code::kImplausibleInertia, "bodies.free.inertia")));
 }
 
+const std::string kOnSand =
+    kBall + "[ground]\nkind = \"soil\"\nsoil = \"dry-sand\"\n[[boundaries]]\nbody = \"bob\"\nsurface = {}\n";
+
+// Each of them was taken without a word.
+TEST(Plausible, NumbersInOtherUnitsAtTheGround) {
+  EXPECT_THAT(warnings(kOnSand), IsEmpty());
+  EXPECT_THAT(warnings(kOnSand, {"ground.law.density=1.6"}),
+              ElementsAre(says(code::kImplausibleMass, "ground.law.density")));
+  EXPECT_THAT(warnings(kOnSand, {"ground.law.density_g_cm3=1.6"}), IsEmpty());
+  EXPECT_THAT(warnings(kOnSand, {"initial.velocity=[0,0,-200]"}),
+              ElementsAre(says(code::kImplausibleSpeed, "initial.velocity")));
+  EXPECT_THAT(warnings(kOnSand, {"initial.velocity=[0,0,-40]"}), IsEmpty());
+  EXPECT_THAT(warnings(kPendulum, {"initial.pitch=4"}), ElementsAre(says(code::kAngleInDegrees, "initial.pitch")));
+  EXPECT_THAT(warnings(kPendulum, {"initial.pitch=3.1"}), IsEmpty());
+  EXPECT_THAT(warnings(kPendulum, {"initial.pitch_deg=230"}), IsEmpty());
+}
+
+TEST(Plausible, RemainderOfTheMass) {
+  EXPECT_THAT(warnings("total_mass = 2.0\n" + kBall, {"bodies.bob.mass=\"remainder\""}), IsEmpty());
+  EXPECT_THAT(warnings("total_mass = 2000.0\n" + kBall, {"bodies.bob.mass=\"remainder\""}),
+              ElementsAre(AllOf(says(code::kImplausibleMass, "bodies.bob.mass"), HasSubstr("total_mass"))));
+}
+
+TEST(Plausible, RequirementInMillimetres) {
+  const std::string bounded = "[[requirements]]\nname = \"sinkage\"\nvalue = \"max_penetration_m\"\nmost = ";
+  EXPECT_THAT(warnings(kOnSand + bounded + "180\n"), ElementsAre(says(code::kImplausibleNumber, "most")));
+  EXPECT_THAT(warnings(kOnSand + bounded + "0.18\n"), IsEmpty());
+}
+
+TEST(Plausible, HoneycombThatTheWeightCrushes) {
+  const auto strut = [](const char* force) {
+    return kPendulum +
+           "[[struts]]\nname = \"s\"\nbodies = [\"ground\", \"bob\"]\npoints = [[0, 0, 1], [1, 0, "
+           "0]]\nhoneycomb = { stages = [{ force = " +
+           force + ", length = 0.1 }] }\n";
+  };
+  EXPECT_THAT(warnings(strut("0.1")), ElementsAre(says(code::kImplausibleNumber, "honeycomb.stages")));
+  EXPECT_THAT(warnings(strut("100")), IsEmpty());
+}
+
+TEST(Plausible, PythonFunctionThatItsFileDoesNotDefine) {
+  const SceneText files;
+  const std::string file = files.write("thrust.py", "# def thrust(t): not yet\ndef push(time):\n    return 1.0\n");
+  const auto signal = [&](const char* function) {
+    return kPendulum + "[[signals]]\nname = \"f\"\nkind = \"python\"\nfile = \"" + file + "\"\nfunction = \"" +
+           function + "\"\nperiod_ms = 10\n";
+  };
+  EXPECT_THAT(warnings(signal("push")), IsEmpty());
+  EXPECT_THAT(warnings(signal("thrust")), ElementsAre(says(code::kNoFunction, "def thrust")));
+}
+
 // x = 0.1 sin(30 degrees) at the start, with the bodies drawn at 0.
 TEST(Plausible, MotionsThatDoNotBeginAsDrawn) {
   const std::string led =
