@@ -23,6 +23,7 @@
 #include "mbd_solver/app/paraview_files.h"
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/app/results.h"
+#include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/bed/bed_report.h"
@@ -99,6 +100,16 @@ void correct_summary(const std::string& out, const std::string& status, int code
   write_summary(file, summary);
 }
 
+// Of a run that was interrupted and has results.
+void tell_how_to_resume(const std::string& out) {
+  try {
+    newest_checkpoint(out);
+    std::fprintf(stderr, "footfall: interrupted; resume with: footfall run --resume %s\n", shell_word(out).c_str());
+  } catch (const InputError&) {
+    std::fprintf(stderr, "footfall: interrupted before the first checkpoint; run it again from its start\n");
+  }
+}
+
 // The exit code of a run that is done; names the requirements that are not met.
 int judge_requirements(const std::string& out) {
   const nlohmann::ordered_json summary =
@@ -173,8 +184,10 @@ int run_command(const RunArguments& arguments) {
   if (!status.empty()) attempt([&] { write_ledger(out); });
   if (!status.empty()) attempt([&] { write_grain_series(out); });
   if (!status.empty()) attempt([&] { write_paraview_script(out); });
-  if (!status.empty() && scene.output.plots) pictures = make_pictures(out);
+  const bool interrupted = code == kExitInterrupted;  // the user waits
+  if (!status.empty() && scene.output.plots && !interrupted) pictures = make_pictures(out);
   if (!status.empty() && !arguments.quiet) print_results(out, pictures);
+  if (interrupted && !status.empty()) tell_how_to_resume(out);
   signals.ignore();
   if (code != kExitDone) return code;
   return judge_requirements(out);

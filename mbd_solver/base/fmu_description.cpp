@@ -2,6 +2,7 @@
 
 #include "mbd_solver/base/fmu_description.h"
 
+#include <dlfcn.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -148,6 +149,13 @@ std::string fmu_host() {
   };
   const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / kHost;
   if (runs(beside)) return beside.string();
+  // In another program, such as Python: in bin of the build or the installation of the library that has this function.
+  Dl_info here;
+  if (dladdr(reinterpret_cast<const void*>(&fmu_host), &here) != 0 && here.dli_fname != nullptr) {
+    fs::path folder = fs::absolute(here.dli_fname, error).parent_path();
+    for (int i = 0; i < 5 && folder.has_relative_path(); ++i, folder = folder.parent_path())
+      if (const fs::path program = folder / "bin" / kHost; runs(program)) return program.string();
+  }
   const char* const path = std::getenv("PATH");
   for (const std::string& folder : split(path ? path : "", ':'))
     if (const fs::path program = fs::path(folder.empty() ? "." : folder) / kHost; runs(program))
