@@ -52,7 +52,7 @@ def on_site(file):
         return "index.md"
     if file == root / "docs/README.md":
         return "all_pages.md"
-    if (root / "docs") in file.parents and file.is_file() and file.suffix in (".md", ".png"):
+    if (root / "docs") in file.parents and file.is_file() and file.suffix in (".md", ".png", ".gif"):
         return str(file.relative_to(root / "docs"))
     if (root / "examples") in file.parents or file.parent == root / "examples":
         if file.is_dir() and (file / "README.md").is_file():
@@ -69,7 +69,7 @@ def copy_pages():
         target = docs / on_site(file)
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(moved_links(file.read_text(), file))
-    for file in [*(root / "docs").rglob("*.png"), *(root / "examples").glob("*/*.png")]:
+    for file in [*(root / "docs").rglob("*.png"), *(root / "docs").rglob("*.gif"), *(root / "examples").glob("*/*.png")]:
         target = docs / on_site(file)
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_bytes(file.read_bytes())
