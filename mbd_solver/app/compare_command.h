@@ -50,8 +50,15 @@ struct Comparison {
   std::string table;    // for people
   // largest relative difference of the impulse on one body in the first 0.1 s of contact [-]
   double worst_impulse = 0.0;
-  bool has_beds = false;  // both runs dumped their grains
+  bool has_beds = false;          // both runs dumped their grains
+  bool touches_at_start = false;  // a body, in its first window
+  double first_apart = -1.0;      // when the first grain differs by a tenth of its radius [s]; below 0: none does
+  double smallest_radius = 0.0;   // of the grains [m]; 0 without dumps
 };
+
+// "equal", "within scatter" or "differs", and why: one line. bend: the largest distance of a mesh from the rigid motion that was
+// replayed [m]; 0 for two runs of footfall.
+std::string verdict_of(const Comparison& comparison, double bend);
 
 Comparison compare_beds(const ComparedRun& a, const ComparedRun& b, const std::vector<SurfacePath>& surfaces,
                         double dt);
