@@ -87,6 +87,8 @@ inline constexpr MessageCode kProgramMissing{"E0540", "program-missing"};
 inline constexpr MessageCode kPageFailed{"E0541", "page-failed"};
 // ffmpeg wrote no video. The message has its words.
 inline constexpr MessageCode kVideoFailed{"E0542", "video-failed"};
+// The page of a run in progress cannot be served on 127.0.0.1. Run without --view; `footfall view DIR` plays the run afterwards.
+inline constexpr MessageCode kNoServer{"E0543", "no-server"};
 // Energies, plots, or files for ParaView could not be made. The results of the run itself are complete.
 inline constexpr MessageCode kNoExtraFiles{"W1501", "no-extra-files"};
 

@@ -10,6 +10,7 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/command_line.h"
 #include "mbd_solver/app/compare_command.h"
+#include "mbd_solver/app/difference/difference_page.h"
 #include "mbd_solver/app/film/film.h"
 #include "mbd_solver/app/follow.h"
 #include "mbd_solver/app/grain_pictures.h"
@@ -80,6 +81,7 @@ Action run(CLI::App& command) {
       ->check(not_negative())
       ->capture_default_str();
   command.add_flag("--quiet", a->quiet, "Print errors only");
+  command.add_flag("--view", a->view, "Show the run in the browser while it goes on, in 3D");
   const auto folder = std::make_shared<std::string>();
   CLI::Option* resume =
       command
@@ -193,6 +195,8 @@ Action view(CLI::App& command) {
   };
   const auto a = std::make_shared<Arguments>();
   add_run(command, a->page.run);
+  command.add_option("OTHER", a->page.other,
+                     "Folder of a second run: a ghost in the picture, dashed in the plots, with the difference");
   command.add_option("--frames", a->page.frames, "Dumps of grains in the page, at most (default: about 100 MB)")
       ->check(within(2, 100000));
   CLI::Option* draw =
@@ -254,12 +258,13 @@ Action view(CLI::App& command) {
       ->check(within(100, 20000))
       ->capture_default_str()
       ->needs(draw);
-  CLI::Option* follow = command.add_flag("--follow", a->watch, "Follow a run in progress instead, in the terminal")
+  CLI::Option* follow = command
+                            .add_flag("--follow", a->watch,
+                                      "Follow a run in progress instead, in the terminal and as a page in the browser")
                             ->excludes(draw)
                             ->excludes(png)
                             ->excludes(video);
   FollowArguments& f = a->follow;
-  command.add_flag("--page", f.page, "Also update DIR/watch.html, a page that reloads itself")->needs(follow);
   command.add_flag("--once", f.once, "Print the progress once, and stop")->needs(follow);
   command.add_option("--interval", f.interval, "Time between two updates [s]")
       ->check(positive())
@@ -267,6 +272,10 @@ Action view(CLI::App& command) {
       ->needs(follow);
   return [a] {
     a->pictures.run = a->follow.run = a->film.run = a->page.run;
+    a->film.other = a->page.other;
+    if (!a->page.other.empty() && (a->draw || a->watch))
+      throw InputError(code::kWrongOption, "two folders belong to the page, --png and --video; name one for " +
+                                               std::string(a->draw ? "--pictures" : "--follow"));
     const bool films = !a->png.empty() || !a->video.empty();
     require_camera(a->pictures.camera, films, a->draw);
     if (!films && (!a->film.size.empty() || !a->film.show.empty()))
@@ -285,10 +294,12 @@ Action view(CLI::App& command) {
 }
 
 Action report(CLI::App& command) {
-  const auto folder = std::make_shared<std::string>();
+  const auto folder = std::make_shared<std::string>(), other = std::make_shared<std::string>();
   command.add_option("DIR", *folder, "Folder of a run or of a sweep")->required();
-  return [folder] {
-    std::printf("%s\n", short_path(write_report(*folder)).c_str());
+  command.add_option("OTHER", *other, "Folder of a second run: report in what the two differ, in DIR/difference.html");
+  return [folder, other] {
+    const std::string file = other->empty() ? write_report(*folder) : write_difference(*folder, *other);
+    std::printf("%s\n", short_path(file).c_str());
     return kExitDone;
   };
 }
@@ -298,7 +309,8 @@ Action plot(CLI::App& command) {
   add_run(command, a->run);
   command
       .add_option("COLUMN", a->columns,
-                  "Columns of history.csv: cabin.az; patterns: 'leg_*_primary.stroke', 'struts.*.force'; cabin.v: all "
+                  "First, for two runs over each other: the folder of the second. Columns of history.csv: cabin.az; "
+                  "patterns: 'leg_*_primary.stroke', 'struts.*.force'; cabin.v: all "
                   "three axes. None: list them")
       ->expected(0, -1);
   command.add_option("--out", a->out, "File of the picture, .png, .svg or .pdf (default: PNG and SVG, in DIR/plots)")
@@ -329,6 +341,16 @@ Action plot(CLI::App& command) {
       ->excludes(srs)
       ->excludes(psd);
   return [=] {
+    const auto is_run = [](const std::string& word) { return fs::exists(fs::path(word) / "history.csv"); };
+    if (!a->columns.empty() && is_run(a->columns.front())) {
+      a->other = a->columns.front();
+      a->columns.erase(a->columns.begin());
+      if (a->columns.empty())
+        throw InputError(code::kWrongOption,
+                         "footfall plot: a column is missing, expected: footfall plot DIR OTHER COLUMN");
+      if (srs->count() + psd->count() > 0 || a->cfc > 0)
+        throw InputError(code::kWrongOption, "--srs, --psd and --cfc belong to one run; name one folder");
+    }
     for (const PlotStyle known : every<PlotStyle>())
       if (*style == name_of(known)) a->style = known;
     if (srs->count() > 0) a->srs = *quality > 0.0 ? *quality : kQuality;

@@ -6,21 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/files.h"
 #include "coupler/base/start.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
-#include "mbd_solver/app/plot_script.h"
-#include "mbd_solver/app/plots.h"
-#include "mbd_solver/app/report.h"
 #include "mbd_solver/base/child_watch.h"
-#include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/live_line.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/bed/liggghts_log.h"
@@ -59,28 +53,12 @@ double largest_contact(const LastRow& row) {
 
 }  // namespace
 
-LastRow last_row(const std::string& history) {
-  LastRow row;
-  const std::optional<std::string> text = read_whole_file(history);
-  if (!text) return row;
-  const std::size_t units = text->find('\n');
-  const std::size_t names = units == std::string::npos ? units : text->find('\n', units + 1);
-  const std::size_t end = text->rfind('\n');
-  if (names == std::string::npos) return row;
-  row.names = split(text->substr(units + 1, names - units - 1), ',');
-  row.rows = std::count(text->begin() + static_cast<long>(names) + 1, text->begin() + static_cast<long>(end) + 1, '\n');
-  if (row.rows == 0) return row;
-  const std::size_t start = text->rfind('\n', end - 1) + 1;
-  for (const std::string& cell : split(text->substr(start, end - start), ','))
-    if (!read_number(cell, row.values.emplace_back()))
-      throw InputError(code::kRunDamaged, history + ": \"" + cell + "\" in the last row, expected a number");
-  if (row.values.size() != row.names.size())
-    throw InputError(code::kRunDamaged, history + ": its last row has " + std::to_string(row.values.size()) +
-                                            " values, expected " + std::to_string(row.names.size()));
-  return row;
+RunProgress progress_of_run(const std::string& run) {
+  HistoryTail history((fs::path(run) / "history.csv").string());
+  return progress_of_run(run, history);
 }
 
-RunProgress progress_of_run(const std::string& run) {
+RunProgress progress_of_run(const std::string& run, HistoryTail& history) {
   const fs::path folder(run);
   const bool ended = fs::exists(folder / "summary.json");
   if (!ended && !fs::exists(folder / kLockFile) && !fs::exists(folder / "history.csv"))
@@ -91,7 +69,8 @@ RunProgress progress_of_run(const std::string& run) {
     progress.title = note.title;
     progress.end_time = note.end_time;
   }
-  const LastRow row = last_row((folder / "history.csv").string());
+  history.read();
+  const LastRow row = history.last();
   progress.rows = row.rows;
   if (row.rows > 0) {
     progress.state = RunProgress::State::kRunning;
@@ -112,8 +91,6 @@ RunProgress progress_of_run(const std::string& run) {
 }
 
 namespace {
-
-constexpr double kPageInterval = 5.0;  // least time between two pages, as gnuplot takes time from the run [s]
 
 bool is_over(const RunProgress& progress) {
   return progress.state != RunProgress::State::kSettingUp && progress.state != RunProgress::State::kRunning;
@@ -160,57 +137,6 @@ std::string sentence(const RunProgress& progress, const Pace& pace) {
   return is_over(progress) ? text + " | " + how_it_ended(progress) : text;
 }
 
-// Plots of the rows so far. gnuplot works in a temporary folder, so that nothing of the run is touched.
-class Page {
- public:
-  explicit Page(std::string run)
-      : run_(std::move(run)), work_(fs::temp_directory_path() / ("footfall_watch_" + std::to_string(getpid()))) {
-    fs::create_directories(work_ / "plots");
-  }
-  ~Page() {
-    std::error_code ignored;
-    fs::remove_all(work_, ignored);
-  }
-  Page(const Page&) = delete;
-  Page& operator=(const Page&) = delete;
-
-  void write(const RunProgress& progress, const Pace& pace, double interval) {
-    const std::string title =
-        progress.title.empty() ? fs::absolute(run_).lexically_normal().filename().string() : progress.title;
-    HtmlPage page(title);
-    page.paragraph(sentence(progress, pace));
-    if (!is_over(progress)) page.refresh(static_cast<int>(interval + 0.5));
-    if (progress.rows > 1) {
-      page.section("Plots");
-      for (const std::string& picture : pictures()) page.picture(picture);
-    }
-    if (is_over(progress)) {
-      page.section("Results");
-      for (const char* name : {"report.html", "view.html", "history.csv", "summary.json"})
-        if (fs::exists(fs::path(run_) / name)) page.link(name, name, "of this run");
-    }
-    write_whole_file((fs::path(run_) / "watch.html").string(), page.text(), "is the disk full?");
-  }
-
- private:
-  std::vector<std::string> pictures() const {
-    // Complete rows only: the last one may be in writing.
-    const std::string text = read_whole_file((fs::path(run_) / "history.csv").string()).value_or("");
-    const fs::path copy = work_ / "history.csv";
-    write_whole_file(copy.string(), text.substr(0, text.rfind('\n') + 1), "is the disk full?");
-    const History history = read_history(copy.string());
-    std::vector<Figure> figures = standard_figures(history, "");
-    const std::string plots = (work_ / "plots").string();
-    thin_figures(figures, history, plots, "curves");
-    std::vector<std::string> scripts = write_plot_scripts(plots, figures, "");
-    if (!scripts.empty()) scripts.pop_back();  // the overview of all, which are on this page already
-    return run_gnuplot(plots, scripts);
-  }
-
-  std::string run_;
-  fs::path work_;
-};
-
 // False when a signal asks for the end.
 bool wait_for(double seconds) {
   const SignalsHeld signals;
@@ -219,30 +145,50 @@ bool wait_for(double seconds) {
   return true;
 }
 
+// The run itself; of a sweep the newest of its runs in progress.
+std::string run_to_follow(const std::string& folder) {
+  const fs::path path(folder);
+  std::string newest;
+  fs::file_time_type when = fs::file_time_type::min();
+  std::error_code error;
+  if (fs::exists(path / kRunNote, error) || fs::exists(path / kLockFile, error) ||
+      fs::exists(path / "history.csv", error))
+    return folder;
+  fs::recursive_directory_iterator it(path, fs::directory_options::skip_permission_denied, error), end;
+  for (; !error && it != end; it.increment(error)) {
+    if (it->path().filename() != kLockFile || !is_in_progress(it->path().parent_path())) continue;
+    std::error_code gone;
+    const fs::file_time_type changed = fs::last_write_time(it->path(), gone);
+    if (gone || changed <= when) continue;
+    when = changed;
+    newest = it->path().parent_path().string();
+  }
+  return newest.empty() ? folder : newest;
+}
+
 }  // namespace
 
 int follow_run(const FollowArguments& arguments) {
-  RunProgress progress = progress_of_run(arguments.run);
+  const std::string run = run_to_follow(arguments.run);
+  HistoryTail history((fs::path(run) / "history.csv").string());
+  RunProgress progress = progress_of_run(run, history);
   const double began = wall_clock(), first = share_of(progress);
   LiveLine line(false, isatty(STDOUT_FILENO) == 1);
-  std::optional<Page> page;
-  if (arguments.page) page.emplace(arguments.run);
-  const double interval = std::max(arguments.interval, kPageInterval);
-  double next_page = 0.0;
-  for (bool first_time = true;; progress = progress_of_run(arguments.run)) {
+  std::optional<LivePage> page;
+  if (run != arguments.run) std::printf("%s\n", short_path(run).c_str());
+  if (!arguments.once && !is_over(progress)) {
+    page.emplace(run);
+    std::printf("%s\n", page->announcement().c_str());
+    std::fflush(stdout);
+  }
+  for (bool first_time = true;; progress = progress_of_run(run, history)) {
     const Pace pace{share_of(progress), share_of(progress) - first, wall_clock() - began};
     const bool last = is_over(progress) || arguments.once;
-    if (line.due(pace.share) || first_time || last) line.show(sentence(progress, pace));
-    if (page && (last || wall_clock() >= next_page)) {
-      page->write(progress, pace, interval);
-      if (first_time) {
-        line.finish();
-        std::printf("%s\n", short_path(arguments.run + "/watch.html").c_str());
-      }
-      next_page = wall_clock() + interval;
-    }
+    const std::string text = sentence(progress, pace);
+    if (line.due(pace.share) || first_time || last) line.show(text);
+    if (page) is_over(progress) ? page->finish(text) : page->tell(text, pace.share);
     first_time = false;
-    if (last || (!page && output_is_unread())) break;
+    if (last || output_is_unread()) break;
     if (!wait_for(arguments.interval)) {
       line.finish();
       return kExitInterrupted;
@@ -250,6 +196,30 @@ int follow_run(const FollowArguments& arguments) {
   }
   line.finish();
   return exit_code(progress);
+}
+
+FollowedRun::FollowedRun(const std::string& run)
+    : run_(run), history_((fs::path(run) / "history.csv").string()), page_(run), began_(wall_clock()), next_(began_) {
+  std::printf("%s\n", page_.announcement().c_str());
+  std::fflush(stdout);
+}
+
+void FollowedRun::tell() {
+  if (wall_clock() < next_ || !page_.is_open()) return;
+  next_ = wall_clock() + 1.0;
+  const RunProgress progress = progress_of_run(run_, history_);
+  const double share = share_of(progress);
+  page_.tell(sentence(progress, {share, share, wall_clock() - began_}), share);
+}
+
+void FollowedRun::finish() {
+  std::string text = "the run has ended";
+  try {
+    const RunProgress progress = progress_of_run(run_, history_);
+    text = sentence(progress, {share_of(progress), 0.0, 0.0});
+  } catch (const InputError&) {  // it ended before it wrote anything
+  }
+  page_.finish(text);
 }
 
 }  // namespace footfall

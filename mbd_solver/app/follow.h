@@ -1,14 +1,15 @@
 #pragma once
-// footfall view --follow: the progress of a run, from another terminal or as a page that reloads itself.
+// footfall view --follow: the progress of a run, in another terminal and as a page in 3D (live/live_page.h).
 
 #include <string>
-#include <vector>
+
+#include "mbd_solver/app/live/history_tail.h"
+#include "mbd_solver/app/live/live_page.h"
 
 namespace footfall {
 
 struct FollowArguments {
-  std::string run;        // folder of a run
-  bool page = false;      // also write DIR/watch.html
+  std::string run;        // folder of a run, or of a sweep: of that the newest run in progress
   bool once = false;      // print the progress once
   double interval = 1.0;  // between two updates [s]
 };
@@ -29,13 +30,24 @@ struct RunProgress {
 };
 // Of the run in this folder, in progress or ended. Throws InputError for a folder without a run.
 RunProgress progress_of_run(const std::string& run);
+// The same, reading only what the history has got since the last call.
+RunProgress progress_of_run(const std::string& run, HistoryTail& history);
 
-// Names and last complete row of a history.csv, which may be in writing; empty without a row.
-struct LastRow {
-  std::vector<std::string> names;
-  std::vector<double> values;
-  long rows = 0;
+// The page of the run that this program has started (run --view).
+class FollowedRun {
+ public:
+  // Serves the page, opens a browser where there is a screen, and prints the address. Throws InputError.
+  explicit FollowedRun(const std::string& run);
+  // About every second, while the run goes on.
+  void tell();
+  // The programs of the run have ended: the page gets the last frames and how it ended.
+  void finish();
+
+ private:
+  std::string run_;
+  HistoryTail history_;
+  LivePage page_;
+  double began_, next_;  // wall clock [s]
 };
-LastRow last_row(const std::string& history);
 
 }  // namespace footfall

@@ -171,7 +171,8 @@ std::string style_of(PlotStyle style) {
   const std::string ink = std::string("rgb \"") + paper.ink + "\"", grid = std::string("rgb \"") + paper.grid + "\"";
   return "set datafile separator \",\"\nset datafile columnheaders\nset encoding utf8\nset border 3 lw 1 lc " + ink +
          "\nset tics nomirror out tc " + ink + "\nset grid lw 1 lc " + grid + "\nset title tc " + ink +
-         "\nset xlabel tc " + ink + "\nset ylabel tc " + ink + "\nset key tc " + ink + "\n" + line_types(style);
+         "\nset xlabel offset 0,0.4 tc " + ink + "\nset ylabel tc " + ink + "\nset key tc " + ink + "\n" +
+         line_types(style);
 }
 
 constexpr std::size_t kBlockCurves = 13;  // per data block: `using` takes 14 columns, and the first is the time
@@ -209,14 +210,8 @@ std::string bands(const Figure& figure) {
   return text;
 }
 
-// Equal margins align the panels, whatever their legends.
-std::string aligned(const std::vector<Figure>& figures) {
-  std::size_t longest = 0;
-  for (const Figure& figure : figures)
-    for (const Curve& curve : figure.curves)
-      if (figure.curves.size() > 1) longest = std::max(longest, curve.title.size());
-  return "set lmargin 11\nset rmargin " + std::to_string(longest > 0 ? longest + 7 : 3) + "\n";
-}
+// Equal margins align the panels; legends stand below them.
+constexpr const char* kAligned = "set lmargin 11\nset rmargin 3\n";
 
 int series_of(const Figure& figure, std::size_t i) {
   constexpr int kBlack = 6;
@@ -234,7 +229,8 @@ std::string lines(const Figure& figure) {
     text += (i ? ", \\\n     " : "") + curve(figure, i) + " with lines " +
             (colour.empty() ? "lt " + std::to_string(series_of(figure, i) % kSeriesColours + 1)
                             : "lc rgb " + gnuplot_text(colour)) +
-            " lw " + number_text(width, 3) + " title " + gnuplot_text(figure.curves[i].title);
+            (figure.curves[i].dashed ? " dt 2" : "") + " lw " + number_text(width, 3) + " title " +
+            gnuplot_text(figure.curves[i].title);
   }
   return text;
 }
@@ -270,7 +266,7 @@ std::string plot_command(const Figure& figure, PlotStyle style) {
   std::ostringstream text;
   text << "set title " << gnuplot_text(figure.title) << " noenhanced\nset xlabel " << gnuplot_text(figure.x_axis)
        << " noenhanced\nset ylabel " << gnuplot_text(figure.axis) << " noenhanced\n";
-  text << (figure.curves.size() == 1 ? "unset key\n" : "set key outside right center samplen 1.5 noenhanced\n");
+  text << (figure.curves.size() == 1 ? "unset key\n" : "set key below samplen 1.5 noenhanced\n");
   if (figure.logarithmic) text << "set logscale xy\nset format xy \"%g\"\nset grid mxtics mytics\n";
   const bool fixed = figure.high > figure.low;
   if (figure.stacked) text << "set yrange [0:]\n";
@@ -328,7 +324,7 @@ std::vector<std::string> write_plot_scripts(const std::string& folder, const std
   const int height = std::min(380 * rows, std::max(kPageHeight, 240 * rows));
   const std::string layout = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) +
                              " title " + gnuplot_text(title) + " noenhanced tc rgb " +
-                             gnuplot_text(paper_of(style).ink) + "\n" + aligned(figures);
+                             gnuplot_text(paper_of(style).ink) + "\n" + kAligned;
   names.push_back(write_drawing(folder, "overview", {1500, height}, style_of(style) + data_blocks(figures),
                                 layout + page + "unset multiplot\n", style, true));
   return names;
@@ -337,7 +333,7 @@ std::vector<std::string> write_plot_scripts(const std::string& folder, const std
 std::string write_page_script(const std::string& folder, const PlotPage& page) {
   make_folder(folder);
   const int count = static_cast<int>(page.figures.size()), rows = (count + page.columns - 1) / page.columns;
-  std::string drawing = aligned(page.figures);
+  std::string drawing = kAligned;
   for (const Figure& figure : page.figures) drawing += plot_command(figure, page.style);
   if (count > 1)
     drawing = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(page.columns) + " title " +

@@ -63,6 +63,7 @@ struct Curve {
   Formula formula;
   std::string colour = "";  // #rrggbb; empty: that of the series
   int series = -1;          // 0 ... kSeriesColours - 1; -1: its place among the curves
+  bool dashed = false;      // of a second run
 };
 
 // A value at a time, as "touchdown" or the peak of a curve.

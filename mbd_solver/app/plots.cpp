@@ -15,6 +15,7 @@
 #include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
+#include "mbd_solver/app/difference/pair_plots.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/run/output/spectra.h"
@@ -159,12 +160,36 @@ void fit_unit(const History& history, const std::string& words, const std::strin
 
 }  // namespace
 
+namespace {
+
+// Leaves out curves that stay where they are, and all where what is drawn is round-off. The total of energies may be constant.
+void keep_what_moves(const History& history, std::vector<Curve>& curves) {
+  constexpr double kVisible = 1e-6;   // of the largest value
+  constexpr double kRoundOff = 1e-9;  // in SI units
+  std::vector<double> ranges;
+  double size = 0.0;
+  for (const Curve& curve : curves) {
+    const std::vector<double> values = curve.formula.values(history);
+    if (values.empty()) return;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    ranges.push_back(*high - *low);
+    size = std::max({size, std::abs(*low), std::abs(*high)});
+  }
+  std::vector<Curve> moving;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    if (size > kRoundOff && (ranges[i] > kVisible * size || curves[i].title == "total")) moving.push_back(curves[i]);
+  curves = std::move(moving);
+}
+
+}  // namespace
+
 std::vector<Figure> standard_figures(const History& history, const std::string& observed) {
   const bool known = !observed.empty() && history.find(observed + ".az") >= 0;
   const std::string body = known ? observed : first_accelerated(history);
   std::vector<Figure> figures;
   const auto add = [&](const std::string& name, const std::string& title, const std::string& words,
                        const std::string& unit, std::vector<Curve> curves) {
+    keep_what_moves(history, curves);
     if (curves.empty()) return;
     Figure figure{name, title, "", std::move(curves)};
     fit_unit(history, words, unit, figure);
@@ -205,6 +230,20 @@ std::optional<double> touchdown_of(const History& history, const Json& summary) 
   if (first == 0 || first == history.columns.front().size()) return std::nullopt;
   return history.column("time")[first];
 }
+
+}  // namespace
+
+bool touches_nothing(const History& history) {
+  bool has_contacts = false;
+  for (const std::string& name : history.names) {
+    if (name.find(".contact.f") == std::string::npos) continue;
+    has_contacts = true;
+    if (largest(history, name) > 0.0) return false;
+  }
+  return has_contacts;
+}
+
+namespace {
 
 struct ColumnLimit {
   std::string column, text;
@@ -766,7 +805,16 @@ std::vector<std::string> plot_columns(const ColumnPlot& plot) {
   const std::string title = plot.title.empty() ? scene.value("title", "") : plot.title;
   std::string name = file_name(plot.columns);
   PlotPage page;
-  if (plot.srs > 0.0 || plot.psd >= 0.0) {
+  if (!plot.other.empty()) {
+    const RunPair pair(plot.run, plot.other);
+    PairPlots pairs = plots_of_columns(pair, columns);
+    name = file_name({name, "with", pair.b.name});
+    make_folder(plots.string());
+    write_history((plots / (name + ".csv")).string(), pairs.history);
+    page = page_of(name, pair.a.name + " and " + pair.b.name, std::move(pairs.panels));
+    for (Figure& figure : page.figures) figure.file = name + ".csv";
+    if (is_long(pairs.history)) thin_figures(page.figures, pairs.history, plots.string(), page.name + "_drawn");
+  } else if (plot.srs > 0.0 || plot.psd >= 0.0) {
     name += plot.srs > 0.0 ? "_srs" : "_psd";
     Panels panels;
     panels.figures = {spectrum_figure(plot, history, columns, file, plots.string(), name)};

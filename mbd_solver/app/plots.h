@@ -19,6 +19,9 @@ std::vector<Figure> standard_figures(const History& history, const std::string& 
 // of the run; may be empty.
 void mark_figures(const History& history, const nlohmann::ordered_json& summary, std::vector<Figure>& figures);
 
+// The history has contact forces of bodies, and all are zero.
+bool touches_nothing(const History& history);
+
 // The energy balance by part, as bands whose sum is constant; parts too small to be seen are left out. `ledger`: as
 // energy_ledger returns it.
 Figure ledger_figure(const History& ledger);
@@ -51,6 +54,7 @@ DrawnUnit drawn_unit(const std::string& unit, double largest);
 
 struct ColumnPlot {
   std::string run;                   // folder of a run
+  std::string other;                 // of a second one, over the first; empty: none
   std::vector<std::string> columns;  // words for chosen_columns; none: list the columns
   std::string out;                   // .png, .svg or .pdf; empty: the first two, in DIR/plots, named by the words
   std::string title;                 // empty: that of the scene

@@ -1,9 +1,12 @@
 // HTML pages by concatenation: style, tables, pictures (base64) and the scripts of the interactive plots are in the page.
 #include "mbd_solver/app/report.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -33,16 +36,27 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr const char* kSheet =
-    "body{font:15px/1.5 sans-serif;color:#222;max-width:1000px;margin:2em auto;padding:0 1em}"
-    "h1{font-size:1.7em}h2{margin-top:2em;border-bottom:1px solid #ccc}table{border-collapse:collapse;margin:1em 0}"
-    "td,th{padding:.2em .8em;border-bottom:1px solid "
-    "#e4e4e4;text-align:left}.n{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}"
-    "pre{background:#f6f6f4;padding:.8em;overflow-x:auto;font-size:12.5px;line-height:1.4}mark{background:#ffe9a8}"
-    "figure{margin:1.2em 0}figure img{max-width:100%}figcaption{color:#666}.warning{background:#fff0e0;border-left:4px "
-    "solid #d55e00;padding:.4em .8em}"
-    "nav a{margin-right:1em}summary{cursor:pointer}h3{margin:1.4em 0 .2em}"
-    "tr.missed td{background:#fbdcd8;color:#8c1209;font-weight:600}tr.open td{background:#fff0e0}"
-    "tr.met td:last-child{color:#136b2b}"
+    ":root{color-scheme:light dark;--page:#fff;--ink:#222;--soft:#666;--line:#e4e4e4;--rule:#ccc;--field:#f6f6f4;"
+    "--warn:#fff0e0;--mark:#ffe9a8;--missed:#fbdcd8;--missed-ink:#8c1209;--met:#136b2b}"
+    "@media "
+    "(prefers-color-scheme:dark){:root{--page:#16191d;--ink:#e4e6e8;--soft:#a3a9b0;--line:#333a42;--rule:#4a525c;"
+    "--field:#21262c;--warn:#3a2a17;--mark:#5c4a10;--missed:#4a1d1a;--missed-ink:#ffb4ab;--met:#7bd88f}"
+    "a{color:#8ab4f8}figure img{background:#fff}}"
+    "body{font:15px/1.5 sans-serif;color:var(--ink);background:var(--page);max-width:1000px;margin:2em auto;padding:0 "
+    "1em}"
+    "h1{font-size:1.7em}h2{margin-top:2em;border-bottom:1px solid var(--rule)}.t{overflow-x:auto;margin:1em 0}"
+    "table{border-collapse:collapse}td,th{padding:.2em .8em;border-bottom:1px solid var(--line);text-align:left}"
+    "td:first-child,th:first-child{padding-left:0}"
+    ".n{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}p,h1{overflow-wrap:anywhere}"
+    "pre{background:var(--field);padding:.8em;overflow-x:auto;font-size:12.5px;line-height:1.4}mark{background:var(--"
+    "mark);"
+    "color:inherit}figure{margin:1.2em 0}figure img{max-width:100%}figcaption,.about{color:var(--soft)}"
+    ".warning{background:var(--warn);border-left:4px solid #d55e00;padding:.4em .8em}"
+    "nav a{margin-right:1em;display:inline-block}summary{cursor:pointer}h3{margin:1.4em 0 .2em}"
+    "tr.missed td{background:var(--missed);color:var(--missed-ink);font-weight:600}tr.open td{background:var(--warn)}"
+    "tr.met td:last-child{color:var(--met)}"
+    "@media (max-width:600px){body{margin:1em auto;font-size:14px}h1{font-size:1.3em}td,th{padding:.2em "
+    ".5em}.n{white-space:normal}}"
     "@media print{body{max-width:none;margin:0;font-size:10pt}nav,details{display:none}h2,h3{break-after:avoid}"
     "table,figure,.warning{break-inside:avoid}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}}";
 
@@ -76,7 +90,7 @@ void HtmlPage::plots(const std::string& elements) { body_ += "<div id=\"footfall
 
 void HtmlPage::table(const std::vector<std::vector<std::string>>& rows, bool head,
                      const std::vector<std::string>& classes) {
-  body_ += "<table>\n";
+  body_ += "<div class=\"t\"><table>\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string cell = head && i == 0 ? "th" : "td";
     body_ += i < classes.size() && !classes[i].empty() ? "<tr class=\"" + classes[i] + "\">" : "<tr>";
@@ -88,7 +102,7 @@ void HtmlPage::table(const std::vector<std::vector<std::string>>& rows, bool hea
     }
     body_ += "</tr>\n";
   }
-  body_ += "</table>\n";
+  body_ += "</table></div>\n";
 }
 
 void HtmlPage::preformatted(const std::string& text) { body_ += "<pre>" + html_text(text) + "</pre>\n"; }
@@ -121,7 +135,7 @@ std::string HtmlPage::text() const {
          "style-src "
          "'unsafe-inline'; img-src data:\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width\"/>\n" +
-         (refresh_ > 0 ? "<meta http-equiv=\"refresh\" content=\"" + std::to_string(refresh_) + "\"/>\n" : "") +
+         (address_.empty() ? "" : "<meta http-equiv=\"refresh\" content=\"0;url=" + html_text(address_) + "\"/>\n") +
          "<title>" + html_text(title_) + "</title>\n<style>" + kSheet + "</style>\n</head>\n<body>\n<h1>" +
          html_text(title_) + "</h1>\n<nav>" + contents_ + "</nav>\n" + body_ + "</body>\n</html>\n";
 }
@@ -243,7 +257,10 @@ void show_versions(const Json& summary, HtmlPage& page) {
 void add_metric(const Json& summary, const char* label, const char* key, double factor, const char* unit, Rows& rows,
                 const char* meaning = nullptr) {
   if (!summary.contains(key) || !summary[key].is_number()) return;
-  rows.push_back({label, short_text(factor * summary[key].get<double>()), unit});
+  const double value = factor * summary[key].get<double>();
+  const std::string in = unit;
+  const bool by_size = in == "N" || in == "m" || in == "J";
+  rows.push_back({label, by_size ? readable(value, in) : short_text(value) + (in.empty() ? "" : " " + in)});
   if (meaning != nullptr) rows.back().emplace_back(meaning);
 }
 
@@ -258,19 +275,9 @@ void show_warnings(const Json& summary, HtmlPage& page) {
 }
 
 void show_summary(const Json& summary, HtmlPage& page) {
-  page.section("Summary");
-  const std::string body = summary.value("observed_body", "");
-  const std::string monitored = "of the monitored body" + (body.empty() ? "" : ", " + body);
-  const std::string peak = "Largest acceleration " + monitored + ", which its payload has to withstand.",
-                    descent = "Largest distance below its start, " + monitored + ".";
-  Rows rows = {{"metric", "value", "unit", "meaning"}};
+  page.section("Run and cost");
+  Rows rows = {{"metric", "value", "meaning"}};
   add_metric(summary, "simulated time", "end_time_s", 1.0, "s", rows, "End time of the run.");
-  add_metric(summary, "peak acceleration", "peak_acceleration_g", 1.0, "g (Earth's, 9.80665 m/s2)", rows, peak.c_str());
-  add_metric(summary, "largest descent", "max_descent_m", 1.0, "m", rows, descent.c_str());
-  add_metric(summary, "largest sinkage below the initial surface", "max_sinkage_m", 1.0, "m", rows,
-             "Of the lowest point of a coupled surface.");
-  add_metric(summary, "largest contact force on one body", "max_contact_force_N", 1.0, "N", rows,
-             "Sum over all grains, mean over a window; on a plane at one instant.");
   add_metric(summary, "grains", "particles", 1.0, "", rows, "In the bed at the end.");
   add_metric(summary, "steps of the mechanism", "steps", 1.0, "", rows, "Accepted steps of the time integration.");
   add_metric(summary, "wall time", "wall_s", 1.0, "s", rows, "From the first window to the last.");
@@ -291,7 +298,7 @@ void show_summary(const Json& summary, HtmlPage& page) {
 void show_view(const fs::path& folder, HtmlPage& page) {
   if (!has_frames(folder.string()) || !fs::exists(folder / "history.csv")) return;
   try {
-    write_view({folder.string(), 0});
+    write_view({folder.string()});
     page.link("view.html", "Play the run in 3D", "view.html, next to this page.");
   } catch (const InputError& error) {
     page.warning(std::string("The run cannot be played in 3D: ") + error.what());
@@ -315,7 +322,7 @@ void show_history(const fs::path& folder, const Json& summary, HtmlPage& page) {
 
 void show_quality(const Json& summary, HtmlPage& page) {
   page.section("Quality of the results");
-  Rows rows = {{"measure", "value", "unit"}};
+  Rows rows = {{"measure", "value"}};
   add_metric(summary, "energy balance of the mechanism", "energy_balance_relative", 100.0, "% of the energy exchanged",
              rows);
   add_metric(summary, "drift of the joints, position", "drift_position", 1.0, "m, rad", rows);
@@ -385,6 +392,31 @@ void draw_picture(const fs::path& folder, const Json& summary) {
   }
 }
 
+// "Run landing_mr of 2026-11-30 01:42 UTC, by footfall 0.2.0."
+std::string about(const fs::path& folder, const Json& summary) {
+  struct stat file = {};
+  std::string text = "Run " + folder.filename().string();
+  std::tm when = {};
+  char date[64];
+  if (stat((folder / "summary.json").c_str(), &file) == 0 && gmtime_r(&file.st_mtime, &when) != nullptr &&
+      std::strftime(date, sizeof date, "%Y-%m-%d %H:%M UTC", &when) > 0)
+    text += " of " + std::string(date);
+  const std::string version = summary.value("versions", Json::object()).value("footfall", "");
+  return text + (version.empty() ? "" : ", by footfall " + version) + ".";
+}
+
+// A page that is passed on names no folders of this machine: those of the run and of its scene are left out.
+std::string without_folders(std::string text, const fs::path& folder, const Json& summary) {
+  const fs::path scene = summary.value("scene_file", "");
+  for (const fs::path& path : {folder, scene.parent_path().parent_path(), scene.parent_path()}) {
+    const std::string name = html_text(path.string()) + "/";
+    if (name.size() < 3) continue;
+    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at))
+      text.erase(at, name.size());
+  }
+  return text;
+}
+
 std::string run_page(const std::string& run) {
   const fs::path folder(run);
   // A run that footfall did not start, or without plots, has none yet.
@@ -393,8 +425,9 @@ std::string run_page(const std::string& run) {
   const Json summary = read_summary((folder / "summary.json").string());
   const std::string title = summary.contains("scene") ? summary.at("scene").value("title", "") : "";
   HtmlPage page(title.empty() ? folder.filename().string() : title);
-  page.paragraph("Run " + folder.string());
+  page.paragraph(about(folder, summary));
   draw_picture(folder, summary);
+  show_requirements(summary, page);
   show_sheet(run, summary, page);
   show_warnings(summary, page);
   show_view(folder, page);
@@ -412,7 +445,7 @@ std::string run_page(const std::string& run) {
   }
   show_scene(summary, page);
   show_versions(summary, page);
-  return page.text();
+  return without_folders(page.text(), folder, summary);
 }
 
 // As Table::csv() of studies writes it: names of cases hold commas, as in gravity=[0,0,-3.71].
@@ -425,7 +458,6 @@ Rows csv_rows(const fs::path& file) {
 
 std::string sweep_page(const fs::path& folder) {
   HtmlPage page("Sweep " + folder.filename().string());
-  page.paragraph("Sweep " + folder.string());
   NamedSummaries judged;
   std::vector<fs::path> runs;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))

@@ -30,14 +30,13 @@ class HtmlPage {
   void folded(const std::string& label, const std::string& text, const std::vector<std::string>& marks = {});
   // A PNG or SVG file; the caption is its name without ending unless given. Throws InputError.
   void picture(const std::string& path, const std::string& caption = "");
-  // The browser reloads the page after so long [s].
-  void refresh(int seconds) { refresh_ = seconds; }
+  // The browser goes on to this address.
+  void forward_to(const std::string& address) { address_ = address; }
 
   std::string text() const;
 
  private:
-  std::string title_, contents_, body_;
-  int refresh_ = 0;
+  std::string title_, contents_, body_, address_;
   int sections_ = 0;
 };
 
@@ -51,6 +50,16 @@ std::vector<std::string> requirement_lines(const nlohmann::ordered_json& summary
 
 // A number with its unit, of a size that can be read: 1234.5, "N" -> "1.234 kN".
 std::string readable(double value, const std::string& unit);
+
+// A section of them, first on the page of a run; none without any.
+void show_requirements(const nlohmann::ordered_json& summary, HtmlPage& page);
+
+// The key numbers of a run with their errors: name, value, and the time [s] of a peak; below zero: of none.
+struct KeyNumber {
+  std::string name, value;
+  double time = -1.0;
+};
+std::vector<KeyNumber> key_numbers(const nlohmann::ordered_json& summary);
 
 // The sections of the sheet for the run in `folder`.
 void show_sheet(const std::string& folder, const nlohmann::ordered_json& summary, HtmlPage& page);

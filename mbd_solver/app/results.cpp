@@ -358,8 +358,9 @@ std::vector<std::string> make_pictures(const std::string& out) {
   const fs::path plots = fs::path(out) / "plots";
   try {
     const Json summary = read_summary((fs::path(out) / "summary.json").string());
-    const std::string title = summary.contains("scene") ? summary.at("scene").value("title", "") : "";
+    std::string title = summary.contains("scene") ? summary.at("scene").value("title", "") : "";
     const History history = read_history((fs::path(out) / "history.csv").string());
+    if (touches_nothing(history)) title += (title.empty() ? "" : ": ") + std::string("no body touches anything");
     std::vector<Figure> figures = standard_figures(history, summary.value("observed_body", ""));
     mark_figures(history, summary, figures);
     thin_figures(figures, history, plots.string(), "curves");

@@ -58,21 +58,6 @@ std::optional<double> number_in(const Json& json, const char* key) {
 
 // ---- one run ----
 
-void show_requirements(const Json& summary, HtmlPage& page) {
-  const Json& list = list_in(summary, "requirements");
-  if (list.empty()) return;
-  page.subsection("Requirements");
-  Cells rows = {{"requirement", "result", "limit", "margin", "verdict"}};
-  std::vector<std::string> classes = {""};
-  for (const Json& r : list) {
-    const bool known = r.contains("value");
-    rows.push_back({r.value("name", ""), known ? with_unit(r.at("value"), r.value("unit", "")) : "-", limits_of(r),
-                    known ? margin_of(r) : r.value("why", ""), r.value("verdict", "")});
-    classes.push_back(is_met(r) ? "met" : known ? "missed" : "open");
-  }
-  page.table(rows, true, classes);
-}
-
 // The picture nearest to the middle of the run: pictures are named by their times.
 std::string picture_of(const std::filesystem::path& folder) {
   std::vector<std::string> pictures;
@@ -89,35 +74,8 @@ std::string picture_of(const std::filesystem::path& folder) {
 
 void show_key_numbers(const Json& summary, HtmlPage& page) {
   Cells rows = {{"key number", "value", "at"}};
-  const auto add = [&](const std::string& label, const char* key, const std::string& unit, const char* time) {
-    const std::optional<double> value = number_in(summary, key), at = number_in(summary, time);
-    if (value) rows.push_back({label, readable(*value, unit), at ? number_text(*at, kDigits) + " s" : ""});
-  };
-  const auto add_share = [&](const std::string& label, const char* key, const char* of) {
-    if (const std::optional<double> value = number_in(summary, key))
-      rows.push_back({label, number_text(100.0 * *value, 3) + " % " + of, ""});
-  };
-  const std::string body = summary.value("observed_body", "");
-  add("peak acceleration of " + body + ", g = 9.80665 m/s2 (Earth)", "peak_acceleration_g", "g",
-      "peak_acceleration_time_s");
-  add("largest descent of " + body, "max_descent_m", "m", "max_descent_time_s");
-  if (number_in(summary, "max_sinkage_m").value_or(0.0) > 0.0)
-    add("largest sinkage below the initial surface", "max_sinkage_m", "m", "max_sinkage_time_s");
-  if (number_in(summary, "max_contact_force_N").value_or(0.0) > 0.0)
-    add("largest contact force on one body", "max_contact_force_N", "N", "max_contact_force_time_s");
-  add("stability distance, least", "stability_distance_m", "m", "stability_distance_time_s");
-  add("energy margin to tip-over, least", "tip_energy_margin_J", "J", "tip_energy_margin_time_s");
-  for (const auto& [label, key] :
-       {std::pair{"tilt, largest", "max_tilt_rad"}, std::pair{"tilt, final", "final_tilt_rad"}})
-    if (const std::optional<double> tilt = number_in(summary, key)) {
-      const double hundredths = std::round(1e4 * *tilt * 180.0 / kPi) / 1e4;  // of a hundredth of a degree
-      rows.push_back({label, number_text(hundredths, kDigits) + " deg", ""});
-    }
-  add("slid distance", "slid_distance_m", "m", "");
-  if (const std::optional<double> tipped = number_in(summary, "tipped"))
-    rows.push_back({"tipped over", *tipped != 0.0 ? "yes" : "no", ""});
-  add_share("error of the time integration", "energy_balance_relative", "of the energy exchanged");
-  add_share("coupling energy error", "coupling_energy_error_relative", "of the energy exchanged");
+  for (const KeyNumber& one : key_numbers(summary))
+    rows.push_back({one.name, one.value, one.time >= 0.0 ? number_text(one.time, kDigits) + " s" : ""});
   page.subsection("Key numbers and their errors");
   page.table(rows);
 }
@@ -264,6 +222,57 @@ void show_energies(const std::filesystem::path& folder, HtmlPage& page) {
 
 }  // namespace
 
+void show_requirements(const Json& summary, HtmlPage& page) {
+  const Json& list = list_in(summary, "requirements");
+  if (list.empty()) return;
+  page.section("Requirements");
+  Cells rows = {{"requirement", "result", "limit", "margin", "verdict"}};
+  std::vector<std::string> classes = {""};
+  for (const Json& r : list) {
+    const bool known = r.contains("value");
+    rows.push_back({r.value("name", ""), known ? with_unit(r.at("value"), r.value("unit", "")) : "-", limits_of(r),
+                    known ? margin_of(r) : r.value("why", ""), r.value("verdict", "")});
+    classes.push_back(is_met(r) ? "met" : known ? "missed" : "open");
+  }
+  page.table(rows, true, classes);
+}
+
+std::vector<KeyNumber> key_numbers(const Json& summary) {
+  std::vector<KeyNumber> all;
+  const auto add = [&](const std::string& label, const char* key, const std::string& unit, const char* time) {
+    const std::optional<double> value = number_in(summary, key), at = number_in(summary, time);
+    if (value) all.push_back({label, readable(*value, unit), at.value_or(-1.0)});
+  };
+  const auto add_share = [&](const std::string& label, const char* key, const char* of) {
+    if (const std::optional<double> value = number_in(summary, key))
+      all.push_back({label, number_text(100.0 * *value, 3) + " % " + of, -1.0});
+  };
+  const std::string body = summary.value("observed_body", "");
+  add("peak acceleration of " + body + ", g = 9.80665 m/s2 (Earth)", "peak_acceleration_g", "g",
+      "peak_acceleration_time_s");
+  add("largest descent of " + body, "max_descent_m", "m", "max_descent_time_s");
+  if (number_in(summary, "max_penetration_m").value_or(0.0) > 0.0)
+    add("largest sinkage below the initial surface", "max_penetration_m", "m", "max_penetration_time_s");
+  if (number_in(summary, "max_contact_force_N").value_or(0.0) > 0.0)
+    add("largest contact force on one body", "max_contact_force_N", "N", "max_contact_force_time_s");
+  else if (summary.contains("max_contact_force_N"))
+    all.push_back({"contact", "no body touched the ground or the grains", -1.0});
+  add("stability distance, least", "stability_distance_m", "m", "stability_distance_time_s");
+  add("energy margin to tip-over, least", "tip_energy_margin_J", "J", "tip_energy_margin_time_s");
+  for (const auto& [label, key] :
+       {std::pair{"tilt, largest", "max_tilt_rad"}, std::pair{"tilt, final", "final_tilt_rad"}})
+    if (const std::optional<double> tilt = number_in(summary, key)) {
+      const double hundredths = std::round(1e4 * *tilt * 180.0 / kPi) / 1e4;  // of a hundredth of a degree
+      all.push_back({label, number_text(hundredths, kDigits) + " deg", -1.0});
+    }
+  add("slid distance", "slid_distance_m", "m", "");
+  if (const std::optional<double> tipped = number_in(summary, "tipped"))
+    all.push_back({"tipped over", *tipped != 0.0 ? "yes" : "no", -1.0});
+  add_share("error of the time integration", "energy_balance_relative", "of the energy exchanged");
+  add_share("coupling energy error", "coupling_energy_residual_relative", "of the energy exchanged");
+  return all;
+}
+
 bool requirements_met(const Json& summary) {
   const Json& list = list_in(summary, "requirements");
   return std::all_of(list.begin(), list.end(), is_met);
@@ -294,7 +303,6 @@ void show_sheet(const std::string& run, const Json& summary, HtmlPage& page) {
   page.section("Sheet");
   if (const std::string picture = picture_of(folder); !picture.empty()) page.picture(picture);
   show_key_numbers(summary, page);
-  show_requirements(summary, page);
   const std::vector<ColumnPeaks> peaks = read_peaks((folder / "peaks.csv").string());
   const Json scene = summary.value("scene", Json::object());
   show_landing(summary, page);

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -20,6 +21,7 @@
 #include "coupler/programs.h"
 #include "mbd_solver/app/check_command.h"
 #include "mbd_solver/app/codes.h"
+#include "mbd_solver/app/follow.h"
 #include "mbd_solver/app/paraview_files.h"
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/app/results.h"
@@ -150,10 +152,13 @@ int run_command(const RunArguments& arguments) {
   BedMaterialCheck material(plan.bed_log, log);
   leave_time_to_end(command);
   const SignalsHeld signals;  // the folder is put in order first
+  std::optional<FollowedRun> followed;
+  if (arguments.view) followed.emplace(out);
   SettlingLine settling(log, begun, arguments.quiet);
   const ChildEnd end = run_child(command, kMbdProgram, [&] {
     material();
     settling();
+    if (followed) followed->tell();
     std::string stuck = reading();
     if (stuck.empty()) stuck = suspended();
     return stuck.empty() && scene.touches_particles() ? progress() : stuck;
@@ -161,6 +166,7 @@ int run_command(const RunArguments& arguments) {
   material();
   remove_unfinished_checkpoints(out);
   if (arguments.resume) join_rows(out);
+  if (followed) followed->finish();
   if (!liggghts_errors(log).empty()) {
     const ParticlesSpec& particles = *scene.particles;
     print_error(code::kLiggghtsStopped,

@@ -21,6 +21,7 @@ struct RunArguments {
   bool force = false;                 // replace the run in the folder
   bool trust_script = false;          // the script may run programs and write anywhere
   bool quiet = false;
+  bool view = false;                     // its page is served while it runs
   bool audit = false;                    // both programs record what they exchange, in DIR/audit
   double keep_every = kCheckpointEvery;  // wall-clock checkpoint interval where the scene sets none [s]; 0: none
   bool resume = false;                   // resume the run in `out`; empty: the run in runs with the newest checkpoint

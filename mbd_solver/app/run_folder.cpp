@@ -14,6 +14,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/base/codes.h"
+#include "mbd_solver/bed/liggghts_log.h"
 #include "mbd_solver/run/observe/terrain_patch.h"
 #include "mbd_solver/run/output/summary.h"
 
@@ -52,7 +53,7 @@ bool is_picture_in(const std::string& folder, const std::string& name) {
 bool is_of_run(const std::string& name) {
   for (const char* file :
        {"history.csv", "peaks.csv", "ledger.csv", kTerrainFile, "end_state.json", "run.json", "summary.json", "failed",
-        "audit.txt", "paraview.py", "view.html", "report.html", "watch.html"})
+        "audit.txt", "paraview.py", "view.html", "view_pair.html", "report.html", "difference.html", "watch.html"})
     if (name == file) return true;
   for (const char* folder : kFolders)
     if (begins(name, std::string(folder) + "/")) return true;
@@ -148,11 +149,27 @@ RunFolder::RunFolder(const std::string& folder) {
                        (fs::path(folder) / name).string() + ": cannot be written: " + reason_of(ELOOP));
 }
 
+namespace {
+
+// What LIGGGHTS has complained of, if it has.
+std::string reason_in_log(const fs::path& folder) {
+  const std::string errors = liggghts_errors((folder / "liggghts.log").string());
+  return errors.empty() ? "" : ". LIGGGHTS stopped: " + errors.substr(0, errors.find('\n'));
+}
+
+}  // namespace
+
 std::string without_summary(const std::string& folder, const std::string& expected) {
-  if (fs::exists(fs::path(folder) / "run.json") && !fs::exists(fs::path(folder) / "summary.json"))
-    return folder +
-           ": the run has not ended, or was killed, and has no summary.json yet; follow it with `footfall view " +
-           folder + " --follow`, resume it with `footfall run --resume " + folder + "`, or repeat it";
+  const fs::path path(folder);
+  if (fs::exists(path / "run.json") && !fs::exists(path / "summary.json")) {
+    if (is_alive(owner_of((path / kLockFile).string())))
+      return folder + ": the run has not ended and has no summary.json yet; follow it with `footfall view " + folder +
+             " --follow`";
+    if (!fs::exists(path / "history.csv"))
+      return folder + ": the run failed at its start and has no results; `footfall run` says why" + reason_in_log(path);
+    return folder + ": the run was killed before it wrote summary.json; resume it with `footfall run --resume " +
+           folder + "`, or repeat it";
+  }
   return folder + ": " + expected;
 }
 

@@ -11,9 +11,12 @@
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
+#include "mbd_solver/app/difference/pair_page.h"
 #include "mbd_solver/app/packed_series.h"
 #include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/report.h"
 #include "mbd_solver/app/run_folder.h"
+#include "mbd_solver/app/scenery/scenery.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/run/observe/terrain_patch.h"
@@ -373,8 +376,12 @@ void add_grains(const std::string& run, double dt, FrameLimits& limits, PagePart
   parts.run["grains"] = nullptr;
   const std::map<long, std::string> dumps = find_bed_frames(run);
   if (dumps.empty()) return;
-  const int count =
-      std::max(read_bed_frame(dumps.begin()->second).count(), read_bed_frame(dumps.rbegin()->second).count());
+  add_dumps(dumps,
+            std::max(read_bed_frame(dumps.begin()->second).count(), read_bed_frame(dumps.rbegin()->second).count()), dt,
+            limits, parts);
+}
+
+void add_dumps(const std::map<long, std::string>& dumps, int count, double dt, FrameLimits& limits, PageParts& parts) {
   const std::size_t most = most_frames(limits, static_cast<std::size_t>(count));
   const FrameBed bed = read_bed(thinned(dumps, most), dt);
   const std::size_t n = bed.ids.size();
@@ -408,6 +415,8 @@ void add_grains(const std::string& run, double dt, FrameLimits& limits, PagePart
     grains["numbers"].push_back(
         {{"name", bed.numbers[j].name}, {"unit", bed.numbers[j].unit}, {"largest", largest[j]}, {"shown", shown[j]}});
   parts.chunks.emplace_back("grains-radius", packed_numbers(radius));
+  if (limits.with_ids)
+    parts.chunks.emplace_back("grains-ids", packed_numbers(std::vector<std::uint32_t>(bed.ids.begin(), bed.ids.end())));
   PackedSeries series(n * (3 + bed.numbers.size()));
   for (std::size_t k = 0; k < bed.frames.size(); ++k) {
     const LeanFrame& frame = bed.frames[k];
@@ -426,9 +435,12 @@ void add_grains(const std::string& run, double dt, FrameLimits& limits, PagePart
 
 namespace {
 
-// The page may load nothing, whatever it contains.
-constexpr const char* kPolicy =
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
+// The page may load nothing, whatever it contains; that of a run in progress may read the events of its server.
+std::string policy_of(const PageParts& parts) {
+  const std::string alone =
+      "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
+  return parts.run.contains("live") ? alone + "; connect-src 'self'" : alone;
+}
 
 bool touches_grains(const Json& scene) {
   return scene.contains("ground") && scene.at("ground").value("kind", "") == "particles";
@@ -483,7 +495,7 @@ std::string page_text(const std::string& title, const std::string& place, const 
   for (const std::string& note : notes) missing += "<p>" + html_text(note) + "</p>";
   return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
          "charset=\"utf-8\"/>\n<meta http-equiv=\"Content-Security-Policy\" content=\"" +
-         std::string(kPolicy) + "\"/>\n<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>" +
+         policy_of(parts) + "\"/>\n<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>" +
          html_text(title) + "</title>\n<link rel=\"icon\" href=\"data:,\"/>\n</head>\n<body>\n<header><h1>" +
          html_text(title) + "</h1><span>" + html_text(place) + "</span>" + head +
          "</header>\n<div id=\"footfall-stage\"><div id=\"footfall-panel\"></div><div "
@@ -497,6 +509,17 @@ std::string page_text(const std::string& title, const std::string& place, const 
 
 namespace {
 
+// run.requirements: name, result, limits and verdict of each; run.peaks: name, value and time [s] (or null) of key numbers.
+void add_judgement(const Json& summary, PageParts& parts) {
+  parts.run["requirements"] = parts.run["peaks"] = Json::array();
+  const std::vector<std::string> lines = requirement_lines(summary);
+  const Json list = summary.value("requirements", Json::array());
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    parts.run["requirements"].push_back({lines[i], list.at(i).value("verdict", "")});
+  for (const KeyNumber& one : key_numbers(summary))
+    parts.run["peaks"].push_back({one.name, one.value, one.time >= 0.0 ? Json(one.time) : Json()});
+}
+
 std::string view_of(const ViewArguments& a, const fs::path& folder) {
   const Json summary = read_summary((folder / "summary.json").string());
   PageParts parts;
@@ -508,7 +531,10 @@ std::string view_of(const ViewArguments& a, const fs::path& folder) {
   add_bodies(folder.string(), summary, limits, parts);
   if (const auto terrain = read_whole_file((folder / kTerrainFile).string()); terrain && parts.run["grains"].is_null())
     parts.run["terrain"] = Json::parse(*terrain);
-  add_surroundings(summary.value("scene", Json::object()), parts);
+  const Json scene = summary.value("scene", Json::object());
+  add_surroundings(scene, parts);
+  add_static_meshes(scene, parts, limits.notes);
+  if (parts.run["grains"].is_null() && touches_grains(scene)) add_bed_block(scene, parts);
   const History history = read_history((folder / "history.csv").string());
   if (history.column("time").empty())
     throw InputError(code::kNoRun, (folder / "history.csv").string() + ": no rows; the run ended before the first one");
@@ -517,8 +543,14 @@ std::string view_of(const ViewArguments& a, const fs::path& folder) {
   notes.insert(notes.end(), limits.notes.begin(), limits.notes.end());
   for (const std::string& note : notes) std::fprintf(stderr, "footfall: %s\n", note.c_str());
   const std::string given = summary.value("scene", Json::object()).value("title", "");
-  const std::string shown = given.empty() ? folder.filename().string() : given;
+  std::string shown = given.empty() ? folder.filename().string() : given;
+  if (!a.other.empty()) {
+    const RunPair pair(a.run, a.other);
+    add_second_run(pair, true, parts);
+    shown = pair.a.name + " and " + pair.b.name;
+  }
   parts.run["title"] = shown;
+  add_judgement(summary, parts);
   return page_text(shown, folder.filename().string(), summary, notes, parts);
 }
 
@@ -528,9 +560,9 @@ std::string how_to_dump(const Json& scene) {
   if (!touches_grains(scene)) return "It has no grains.";
   return scene.value("particles", Json::object()).contains("box")
              ? "Run it with --set particles.box.frame_interval=0.01."
-             : "Run it with --set particles.variables.frames=0.01 if its script has this variable; otherwise add a "
-               "dump of "
-               "id x y z vx vy vz radius to the script.";
+             : "Run it with --set particles.variables.frames=0.01 if its script has this variable; otherwise add to "
+               "the "
+               "script: dump grains all custom 500 ${out}/grains_*.txt id type x y z vx vy vz fx fy fz radius.";
 }
 
 std::string write_view(const ViewArguments& arguments) {
@@ -539,7 +571,9 @@ std::string write_view(const ViewArguments& arguments) {
     throw InputError(code::kNoRun,
                      without_summary(arguments.run, "no summary.json and history.csv; expected the folder of a run"));
   const std::string text = with_summary_of(arguments.run, [&] { return view_of(arguments, folder); });
-  const std::string file = arguments.file.empty() ? (folder / "view.html").string() : arguments.file;
+  const std::string file = arguments.file.empty()
+                               ? (folder / (arguments.other.empty() ? "view.html" : "view_pair.html")).string()
+                               : arguments.file;
   write_whole_file(file, text, "is the disk full?");
   return file;
 }

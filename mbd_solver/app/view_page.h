@@ -41,11 +41,15 @@ struct FrameLimits {
   double most_grains = 1.5e7;      // grains times frames: about 100 MB of page at most
   std::size_t moments = 201;       // of recorded surfaces
   std::vector<std::string> notes;  // parts that were left out
+  bool with_ids = false;           // also a chunk grains-ids
 };
 
 // The dumps of grains in `run`, evenly thinned to the limits: run.grains (count, times, box, view, numbers) and chunks
 // grains-radius, grains-K; run.grains is null without dumps. dt: DEM time step [s]. Throws InputError for damaged files.
 void add_grains(const std::string& run, double dt, FrameLimits& limits, PageParts& parts);
+
+// The same for these dumps, by step, of grains of at most `count` a dump.
+void add_dumps(const std::map<long, std::string>& dumps, int count, double dt, FrameLimits& limits, PageParts& parts);
 
 // The mechanism (MechanismShapes): run.bodies (points, cells, times, box, view, stress) and run.bodyNames, and chunks
 // bodies-triangles, -lines, -cells, -radius, bodies-K; run.marks (times, list, box, view) and the chunk marks. Each is null where
@@ -64,9 +68,10 @@ std::string page_text(const std::string& title, const std::string& place, const 
                       const std::vector<std::string>& notes, const PageParts& parts);
 
 struct ViewArguments {
-  std::string run;        // folder of a run
-  int frames = 0;         // dumps of grains, at most; 0: as many as fit into about 100 MB
-  std::string file = "";  // of the page; empty: DIR/view.html
+  std::string run;         // folder of a run
+  std::string other = "";  // of a second one, as a ghost; empty: none
+  int frames = 0;          // dumps of grains, at most; 0: as many as fit into about 100 MB
+  std::string file = "";   // of the page; empty: DIR/view.html, of two runs DIR/view_pair.html
 };
 
 // Writes the page and returns its path. Throws InputError for a folder without a run, or damaged files.

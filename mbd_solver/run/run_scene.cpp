@@ -13,11 +13,13 @@
 #include "mbd_solver/run/leader.h"
 #include "mbd_solver/run/observe/carry_over.h"
 #include "mbd_solver/run/observe/start_values.h"
+#include "mbd_solver/run/output/live_note.h"
 #include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/run/run_files.h"
 #include "mbd_solver/run/run_summary.h"
 #include "mbd_solver/scene/foreign/foreign_code.h"
+#include "mbd_solver/scene/scene_schema.h"
 
 namespace footfall {
 namespace {
@@ -117,6 +119,8 @@ class RunSession {
     as_file_error([&] {
       const std::string file = std::filesystem::absolute(scene.file).lexically_normal().string();
       write_run_note(options.out, {scene.title, file, end_time(scene, options)});
+      add_live_note(options.out,
+                    {coupled_ != nullptr ? coupled_->agreement().dt : 0.0, Json::parse(scene_json(scene))});
     });
   }
 

@@ -46,6 +46,8 @@ class Background {
   ~Background();
   // Ends the program, or all that it started as well, with a signal, and waits until it is gone.
   void end(int signal, bool all);
+  // Waits for its end.
+  void wait() { end(0, false); }
 
  private:
   int pid_ = 0;

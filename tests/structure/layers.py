@@ -49,6 +49,7 @@ ONLY_IN = {
     r"openturns/": "mbd_solver/campaign/sampling.cpp mbd_solver/campaign/optimum.cpp",
     r"muParser": "mbd_solver/model/control/signal_chain.cpp",
     r"pugixml": "mbd_solver/run/output/vtk_writer.cpp mbd_solver/import/xml_source.h mbd_solver/fmi/model_description.cpp",
+    r"httplib\.h": "mbd_solver/app/live/page_server.cpp",
     r"zip\.h": "mbd_solver/fmi/fmu_file.cpp",
     r"(urdf_parser|console_bridge)/": "mbd_solver/import/urdf_reader.cpp",
     r"mujoco/": "mbd_solver/import/mjcf_reader.cpp",

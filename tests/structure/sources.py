@@ -20,6 +20,7 @@ CHILD_PROCESS = "mbd_solver/base/child_process.cpp"
 OWN_READERS = {
     "mbd_solver/base/text_reader.h": "the reader",
     "coupler/base/files.cpp": "whole files",
+    "mbd_solver/app/live/history_tail.cpp": "the end of a file that grows",
     "mbd_solver/base/child_watch.cpp": "/proc",
     "mbd_solver/base/lock.cpp": "/proc, and a number in the lock file",
     "mbd_solver/campaign/calibrate/evaluations.cpp": "lines of a text in memory, the last of which may be incomplete",

@@ -21,6 +21,7 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/grain_pictures.h"
 #include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/scenery/scenery.h"
 #include "mbd_solver/app/view_page.h"
 #include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/base/child_process.h"
@@ -138,6 +139,7 @@ struct RunPage : FilmPage {
   explicit RunPage(const FilmArguments& a) {
     ViewArguments view;
     view.run = a.run;
+    view.other = a.other;
     view.frames = a.frames;
     view.file = file;
     write_view(view);
@@ -376,8 +378,12 @@ std::string reference_page(const Scene& scene) {
   add_shapes({0.0}, {reference.shape}, parts);
   if (const std::string terrain = terrain_text(scene, build_mechanism(scene)); !terrain.empty())
     parts.run["terrain"] = nlohmann::ordered_json::parse(terrain);
-  add_surroundings(nlohmann::ordered_json::parse(scene_json(scene)), parts);
-  return page_text(title_of(scene), scene.file, {{"status", "done"}}, {}, parts);
+  const nlohmann::ordered_json json = nlohmann::ordered_json::parse(scene_json(scene));
+  std::vector<std::string> notes;
+  add_surroundings(json, parts);
+  add_static_meshes(json, parts, notes);
+  add_bed_block(json, parts);
+  return page_text(title_of(scene), scene.file, {{"status", "done"}}, notes, parts);
 }
 
 // Bodies, struts and joints with their axes in parallel projection, by the renderer of `view --pictures` and gnuplot.

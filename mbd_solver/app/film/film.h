@@ -12,6 +12,7 @@ namespace footfall {
 
 struct FilmArguments {
   std::string run;               // folder of a run
+  std::string other;             // of a second one, as a ghost; empty: none
   std::string file;              // .png; .mp4 or .webm
   int frames = 0;                // dumps of grains in the page, at most; 0: as many as fit into about 100 MB
   std::vector<int> size;         // width, height [pixels]; empty: 1280, 720

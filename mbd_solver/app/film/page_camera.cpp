@@ -110,7 +110,7 @@ void PageCamera::start(const std::string& program, PageSize size) {
                                     "--no-first-run",
                                     "--disable-extensions",
                                     "--disable-dev-shm-usage",
-                                    "--host-resolver-rules=MAP * ~NOTFOUND",
+                                    "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
                                     "--user-data-dir=" + folder_.path() + "/profile",
                                     "--window-size=" + std::to_string(size.width) + "," + std::to_string(size.height)};
   if (geteuid() == 0) words.push_back("--no-sandbox");  // Chromium refuses to start for root otherwise
@@ -134,10 +134,10 @@ void PageCamera::open(const std::string& page, const std::string& link, PageSize
   call("Runtime.enable");
   call("Emulation.setDeviceMetricsOverride",
        {{"width", size.width}, {"height", size.height}, {"deviceScaleFactor", 1}, {"mobile", false}});
-  call("Page.navigate", {{"url", address_of(page) + "#" + link}});
+  call("Page.navigate", {{"url", (page.rfind("http:", 0) == 0 ? page : address_of(page)) + "#" + link}});
   for (const double limit = wall_clock() + kReady;;) {
     const Json state = evaluate("document.body ? document.body.dataset.state ?? '' : ''");
-    if (state == "ready") break;
+    if (state == "ready" || state == "live") break;
     if (state == "failed") fail(evaluate("document.getElementById('footfall-fault').textContent").get<std::string>());
     if (wall_clock() > limit) fail("the page was not ready after " + number_text(kReady) + " s");
     usleep(20000);

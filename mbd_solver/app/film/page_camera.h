@@ -33,7 +33,8 @@ class ScratchFolder {
 
 class PageCamera {
  public:
-  // Opens a page of `footfall view` (a file) with what follows the # of its address, and waits until it has read all frames.
+  // Opens a page of `footfall view` (a file, or the address of a live one) with what follows the # of its address, and waits until
+  // it has read all frames; a live page until it shows some.
   // Throws InputError without a browser, PartnerError when the page does not get ready or complains.
   PageCamera(const std::string& page, const std::string& link, PageSize size);
   ~PageCamera();

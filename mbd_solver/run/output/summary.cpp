@@ -20,6 +20,7 @@
 #include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/output/former_names.h"
+#include "mbd_solver/run/output/live_note.h"
 
 namespace footfall {
 
@@ -71,6 +72,19 @@ void write_run_note(const std::string& folder, const RunNote& note) {
                      {"scene_file", note.scene_file},
                      {"end_time_s", note.end_time}};
   write_summary(folder + "/" + kRunNote, json);
+}
+
+void add_live_note(const std::string& folder, const LiveNote& note) {
+  const std::string file = folder + "/" + kRunNote;
+  Json json = read_summary(file);
+  if (note.dt_dem > 0.0) json["dt_dem_s"] = note.dt_dem;
+  json["scene"] = note.scene;
+  write_summary(file, json);
+}
+
+LiveNote read_live_note(const std::string& folder) {
+  const Json json = read_summary(folder + "/" + kRunNote);
+  return with_summary_of(folder, [&] { return LiveNote{json.value("dt_dem_s", 0.0), json.value("scene", Json())}; });
 }
 
 RunNote read_run_note(const std::string& folder) {

@@ -15,20 +15,29 @@ export class Arrows {
     this.solids = new Solids({ above: true });
     this.object = new three.Group().add(this.solids.object);
     this.entries = [];
-    let largest = 0;
+    this.rows = 0;  // of the history, that `largest` knows
     names.forEach((name, body) => {
       const columns = (list) => list.map((c) => history.columns.get(`${name}.${c}`)?.values), mark = marks?.index("body", name) ?? -1;
       const force = columns(["contact.fx", "contact.fy", "contact.fz"]), moment = columns(["contact.mx", "contact.my", "contact.mz"]);
-      if (force.every(Boolean)) {
-        for (let k = 0; k < history.time.length; ++k) largest = Math.max(largest, Math.hypot(force[0][k], force[1][k], force[2][k]));
-      } else if (mark >= 0) {
-        for (let k = 0; k < marks.times.length; ++k) largest = Math.max(largest, length(marks.vector(mark, 2, { k, next: k, mix: 0 })));
-      } else return;
+      if (!force.every(Boolean) && mark < 0) return;
       this.entries.push({ body, mark, force, moment, place: columns(["x", "y", "z"]) });
     });
-    this.largest = largest;
+    this.largest = 0;
+    this.grow();
     this.longest = kLength * size;
     this.width = 0.017 * size;
+  }
+
+  // The largest force, with rows and frames that have come.
+  grow() {
+    const { history, marks } = this, first = this.rows;
+    this.rows = history.time.length;
+    for (const { force, mark } of this.entries)
+      if (force.every(Boolean)) {
+        for (let k = first; k < this.rows; ++k) this.largest = Math.max(this.largest, Math.hypot(force[0][k], force[1][k], force[2][k]));
+      } else {
+        for (let k = 0; k < marks.times.length; ++k) this.largest = Math.max(this.largest, length(marks.vector(mark, 2, { k, next: k, mix: 0 })));
+      }
   }
 
   // `centre(body)`: where a body is whose place nothing else holds.

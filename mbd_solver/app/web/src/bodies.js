@@ -43,10 +43,11 @@ const kFragment = /* glsl */ `
 ${kLight}
 varying vec3 vColour, vEye;
 varying float vBehind;
+uniform float uOpaque;
 void main() {
   if (vBehind > 0.0) discard;
   vec3 n = normalize(cross(dFdx(vEye), dFdy(vEye)));
-  gl_FragColor = vec4(vColour * lightOn(n.z < 0.0 ? -n : n), 1.0);
+  gl_FragColor = vec4(vColour * lightOn(n.z < 0.0 ? -n : n), uOpaque);
 }`;
 
 // The unit tube: points around its ends and in their middles, and three corners of each triangle of its side and of its two ends. Every line
@@ -76,6 +77,22 @@ const kStresses = Array.from({ length: 256 }, (_, i) => {
   return stops[k].map((c, rgb) => (stops[k - 1][rgb] + m * (c - stops[k - 1][rgb])) / 255);
 });
 
+const kGhost = "#8338ec", kMark = 0.62;  // of the second run; how dark marks of turning are
+
+// Eigenvectors of a symmetric 3 x 3 matrix by Jacobi's rotations, with their values.
+function eigen(m) {
+  const a = m.map((r) => [...r]), v = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  for (let sweep = 0; sweep < 12; ++sweep)
+    for (const [p, q] of [[0, 1], [0, 2], [1, 2]]) {
+      if (Math.abs(a[p][q]) < 1e-300) continue;
+      const angle = 0.5 * Math.atan2(2 * a[p][q], a[q][q] - a[p][p]), c = Math.cos(angle), s = Math.sin(angle);
+      for (let k = 0; k < 3; ++k) [a[k][p], a[k][q]] = [c * a[k][p] - s * a[k][q], s * a[k][p] + c * a[k][q]];
+      for (let k = 0; k < 3; ++k) [a[p][k], a[q][k]] = [c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]];
+      for (let k = 0; k < 3; ++k) [v[k][p], v[k][q]] = [c * v[k][p] - s * v[k][q], s * v[k][p] + c * v[k][q]];
+    }
+  return [0, 1, 2].map((k) => ({ value: a[k][k], axis: v.map((r) => r[k]) }));
+}
+
 // Weights of the corners of a triangle, or of the ends of a line, at the point that is nearest to p (Ericson, Real-Time Collision Detection 5.1.5).
 function weightsOfNearest(corners, p) {
   const from = (a, b) => b.map((x, k) => x - a[k]), dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -97,9 +114,12 @@ function weightsOfNearest(corners, p) {
 }
 
 export class Bodies {
-  constructor(spec, names) {
+  // ghost: of a second run, whose chunks begin with "other-"; it has one colour, and what is behind it is seen through it.
+  constructor(spec, names, ghost = false) {
     this.spec = spec;
-    this.colours = bodyColours(names);
+    this.ghost = ghost;
+    this.prefix = ghost ? "other-" : "";
+    this.colours = ghost ? names.map(() => kGhost) : bodyColours(names);
     this.times = spec.times;
     this.frames = [];
     this.uniforms = {
@@ -107,29 +127,35 @@ export class Bodies {
       ...boxUniforms(spec.box),
       uClip: { value: new three.Vector4() },
       uStress: { value: false },
+      uOpaque: { value: ghost ? 0.35 : 1 },
     };
     this.object = new three.Group();
     this.shown = [-1, -1];
   }
 
   material(vertexShader) {
-    return new three.ShaderMaterial({ vertexShader, fragmentShader: kFragment, uniforms: this.uniforms, side: three.DoubleSide });
+    return new three.ShaderMaterial({ vertexShader, fragmentShader: kFragment, uniforms: this.uniforms, side: three.DoubleSide,
+      ...(this.ghost ? { transparent: true, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 } : {}) });
   }
 
   async loadFirst() {
     this.radius = null;
-    const static32 = async (name, Kind) => joinPlanes(await takeChunk(`bodies-${name}`), Kind);
+    const static32 = async (name, Kind) => joinPlanes(await takeChunk(`${this.prefix}bodies-${name}`), Kind);
     this.triangles = await static32("triangles", Uint32Array);  // three points each
     this.lines = await static32("lines", Uint32Array);          // two points each
     this.cellBody = await static32("cells", Uint32Array);       // body of each triangle, then of each line
     const radius = (this.radius = await static32("radius", Float32Array));
     this.decoder = new SeriesDecoder(3 * this.spec.points + (this.spec.stress > 0 ? this.spec.cells : 0));
     const triangles = this.triangles.length / 3, lines = this.lines.length / 2;
+    const first = await takeChunk(`${this.prefix}bodies-0`);
+    this.frames.push(first instanceof Uint16Array ? first : this.decoder.next(first));
+    this.marked = this.turningMarks();
     const tints = (cells, times) => {
       const colour = new three.Color(), all = new Float32Array(4 * times * cells.length);
       cells.forEach((cell, i) => {
         const body = this.cellBody[cell];
         colour.set(this.colours[body % this.colours.length] ?? "#8fa6bd").convertLinearToSRGB();
+        if (this.marked.has(cell)) colour.multiplyScalar(kMark);
         for (let k = 0; k < times; ++k) all.set([colour.r, colour.g, colour.b, this.spec.stressed.includes(body) ? 1 : 0], 4 * (times * i + k));
       });
       return all;
@@ -158,15 +184,42 @@ export class Bodies {
       mesh.frustumCulled = false;
       this.object.add(mesh);
     }
-    await this.loadNext();
     this.show(this.times[0], true);
+  }
+  // Triangles of wheels and balls in two opposite eighths of a turn, which are darker so that a rotation is seen: of bodies of which two
+  // of three principal moments of the points are equal, and whose rim has points all around.
+  turningMarks() {
+    const marked = new Set(), count = this.triangles.length / 3, cells = new Map();
+    for (let cell = 0; cell < count; ++cell) cells.has(this.cellBody[cell]) ? cells.get(this.cellBody[cell]).push(cell) : cells.set(this.cellBody[cell], [cell]);
+    for (const own of cells.values()) {
+      if (own.length < 24) continue;
+      const points = [...new Set(own.flatMap((cell) => this.cornersOf(cell)))].map((p) => this.pointOf(this.frames[0], p)), n = points.length;
+      const centre = [0, 1, 2].map((k) => points.reduce((sum, p) => sum + p[k], 0) / n), m = [0, 1, 2].map((i) => [0, 1, 2].map((j) => points.reduce((sum, p) => sum + (p[i] - centre[i]) * (p[j] - centre[j]), 0) / n));
+      const [low, middle, high] = eigen(m).sort((x, y) => x.value - y.value), near = (x, y) => Math.abs(x.value - y.value) < 0.03 * high.value;
+      if (!near(low, middle) && !near(middle, high)) continue;
+      const alone = near(middle, high) ? low : high, u = near(middle, high) ? middle.axis : low.axis, v = [alone.axis[1] * u[2] - alone.axis[2] * u[1], alone.axis[2] * u[0] - alone.axis[0] * u[2], alone.axis[0] * u[1] - alone.axis[1] * u[0]];
+      const spots = points.map((p) => p.map((x, k) => x - centre[k])).map((x) => [x[0] * u[0] + x[1] * u[1] + x[2] * u[2], x[0] * v[0] + x[1] * v[1] + x[2] * v[2]]);
+      const rim = Math.max(...spots.map(([x, y]) => Math.hypot(x, y))), around = new Set(spots.filter(([x, y]) => Math.hypot(x, y) > 0.9 * rim).map(([x, y]) => Math.floor((Math.atan2(y, x) + Math.PI) * (6 / Math.PI)) % 12));
+      if (around.size < 10) continue;
+      for (const cell of own) {
+        const corners = this.cornersOf(cell).map((p) => this.pointOf(this.frames[0], p)), x = [0, 1, 2].map((k) => corners.reduce((sum, p) => sum + p[k], 0) / 3 - centre[k]);
+        const along = (axis) => axis[0] * x[0] + axis[1] * x[1] + axis[2] * x[2], turn = (Math.atan2(along(v), along(u)) + 2 * Math.PI) % Math.PI;
+        if (turn < Math.PI / 4) marked.add(cell);
+      }
+    }
+    return marked;
   }
 
   async loadNext() {
     const k = this.frames.length;
     if (k === this.times.length) return false;
-    this.frames.push(this.decoder.next(await takeChunk(`bodies-${k}`)));
+    const chunk = await takeChunk(`${this.prefix}bodies-${k}`);
+    this.add(chunk instanceof Uint16Array ? chunk : this.decoder.next(chunk));
     return true;
+  }
+  // One more frame: x, y, z of every point in the box, then the stress of every cell.
+  add(values) {
+    this.frames.push(values);
   }
 
   // An end where another line goes on is not closed: nobody sees it.
@@ -234,7 +287,10 @@ export class Bodies {
     const stress = this.uniforms.uStress.value && this.spec.stress > 0, known = this.colours.map((_, body) => this.spec.stressed.includes(body));
     const tint = (cell) => {
       const body = this.cellBody[cell];
-      if (!stress || !known[body]) return tintOf(this.colours[body % this.colours.length] ?? "#8fa6bd");
+      if (!stress || !known[body]) {
+        const tint = tintOf(this.colours[body % this.colours.length] ?? "#8fa6bd");
+        return this.marked.has(cell) ? tint.map((c) => c * kMark) : tint;
+      }
       return kStresses[Math.round(((from[3 * n + cell] + mix * (to[3 * n + cell] - from[3 * n + cell])) / 65535) * (kStresses.length - 1))];
     };
     const corners = [0, 1, 2].map(() => [0, 0, 0]);

@@ -37,8 +37,11 @@ function choice(label, options, picked, change) {
   return { select, row: make("label", {}, make("span", {}, label), select) };
 }
 
+const forcesText = (largest) => `ground forces, length ~ sqrt(F), max ${withUnit(largest, "N")}`;
+
 export class Controls {
-  constructor(run, stage, player) {
+  // signal: ends what listens to the document.
+  constructor(run, stage, player, signal) {
     Object.assign(this, { run, stage, player });
     this.frames = 0;
     this.bar();
@@ -49,7 +52,27 @@ export class Controls {
       this.button.setAttribute("aria-label", on ? "pause" : "play");
       stage.suitRate(0, on);
     };
-    document.addEventListener("keydown", (event) => this.key(event));
+    document.addEventListener("keydown", (event) => this.key(event), { signal });
+  }
+  end() {
+    for (const id of ["panel", "bar", "caption"]) document.getElementById(`footfall-${id}`).replaceChildren();
+    this.keys.remove();
+  }
+  // Of a run in progress: back to its end.
+  addLive() {
+    const { player } = this;
+    this.live?.remove();
+    if (!player.follows) return;
+    this.live = make("button", { class: "live", onclick: () => player.setLive(true), title: "stay at the end of the run" }, "\u25cf live");
+    document.getElementById("footfall-bar").append(this.live);
+    player.onLive = (on) => this.live.classList.toggle("on", on);
+    player.onLive(player.live);
+  }
+  tellForces() {
+    const largest = this.stage.arrows?.largest > 0 ? this.stage.arrows.largest : 0;
+    if (!this.forces || !(largest > 0)) return;
+    this.forces.hidden = false;
+    this.forces.querySelector("span").textContent = forcesText(largest);
   }
 
   bar() {
@@ -100,10 +123,18 @@ export class Controls {
     this.clipMore = make("div", { class: "clip", hidden: "" }, this.clipPlace, this.clipText,
       this.check("other side", false, (on) => this.setClip({ flip: on })), this.check("bodies too", false, (on) => this.setClip({ bodies: on })));
     rows.push(clip.row, this.clipMore);
-    if (stage.arrows?.largest > 0)
-      rows.push((this.forces = this.check(`forces of the ground, as their roots, to ${withUnit(stage.arrows.largest, "N")}`, true, (on) => {
+    if (stage.arrows?.largest > 0 || (run.live && stage.arrows)) {
+      this.forces = this.check(forcesText(stage.arrows.largest), true, (on) => {
         stage.arrows.object.visible = on;
         stage.setTime(stage.time);
+      });
+      this.forces.hidden = !(stage.arrows.largest > 0);
+      rows.push(this.forces);
+    }
+    if (stage.other)
+      rows.push((this.ghost = this.check(`ghost: ${run.other.name}`, true, (on) => {
+        stage.other.object.visible = on;
+        stage.wish();
       })));
     if (stage.symbols) this.symbolRows(rows);
     rows.push((this.smooth = this.check("smooth between frames", true, (on) => {
@@ -115,7 +146,7 @@ export class Controls {
     if (stage.mechanism) this.views.push(make("button", { onclick: () => stage.lookAtMechanism(-65, 18) }, "mechanism"));
     const notes = [`grid: squares of ${short(stage.square)} m`];
     if (stage.slope > 1e-3) notes.push(`slope: ${short((stage.slope * 180) / Math.PI, 3)}\u00b0`);
-    if (stage.grains) notes.push(`grains at rest: layers of ${short(stage.grains.layer)} m`);
+    if (stage.grains) notes.push(`bands: initial depth, ${short(stage.grains.layer)} m each`);
     this.notes = notes;
     rows.push(make("div", { class: "views" }, ...this.views, make("button", { onclick: () => this.writeLink(), title: "this moment and camera into the address of the page" }, "link")), this.legend,
       ...notes.map((text) => make("div", { class: "note" }, text)));
@@ -151,6 +182,9 @@ export class Controls {
 
   // ---- links: what the page shows, as its address
   writeLink() {
+    history.replaceState(null, "", linkOf(this.entries()));
+  }
+  entries() {
     const { stage, player } = this, entries = { t: Number(player.time.toPrecision(6)) };
     if (stage.scene) {
       const eye = stage.eye(), text = (x) => String(Number(x.toFixed(3)));
@@ -165,7 +199,7 @@ export class Controls {
       entries.names = stage.overlay.named ? "1" : "";
       if (stage.clip.axis) entries.clip = [stage.clip.axis, Number(stage.clip.share.toFixed(3))].join(",");
     }
-    history.replaceState(null, "", linkOf(entries));
+    return entries;
   }
   follow(link) {
     const { stage, player } = this;
@@ -251,7 +285,7 @@ export class Controls {
     const { run } = this, place = document.getElementById("footfall-caption");
     if (!place) return;
     const words = [run.title, run.history ? `t = ${t.toFixed(run.digits ?? 3)} s` : "reference configuration", slow > 1.01 ? `slowed ${short(slow, 3)} times` : slow > 0 && slow < 0.99 ? `${short(1 / slow, 3)} times as fast` : ""];
-    const arrows = this.stage.arrows?.largest > 0 && this.stage.arrows.object.visible ? [`forces of the ground, as their roots, to ${withUnit(this.stage.arrows.largest, "N")}`] : [];
+    const arrows = this.stage.arrows?.largest > 0 && this.stage.arrows.object.visible ? [forcesText(this.stage.arrows.largest)] : [];
     place.replaceChildren(make("div", {}, words.filter(Boolean).join("   ")), ...[...(this.notes ?? []), ...arrows].map((text) => make("div", { class: "note" }, text)));
     if (this.legend && this.legend.parentElement !== place.parentElement) place.parentElement.append(this.legend);
   }

@@ -69,7 +69,7 @@ export class Grains {
   }
 
   async loadFirst() {
-    const radius = joinPlanes(await takeChunk("grains-radius"), Float32Array);
+    const chunk = await takeChunk("grains-radius"), radius = chunk instanceof Float32Array ? chunk : joinPlanes(chunk, Float32Array);
     this.geometry.setAttribute("radius", new three.BufferAttribute(radius, 1));
     this.radius = radius;
     this.decoder = new SeriesDecoder(this.spec.count * (3 + this.spec.numbers.length));
@@ -94,7 +94,12 @@ export class Grains {
   async loadNext() {
     const k = this.frames.length;
     if (k === this.times.length) return false;
-    const values = this.decoder.next(await takeChunk(`grains-${k}`));
+    const chunk = await takeChunk(`grains-${k}`);
+    this.add(chunk instanceof Uint16Array ? chunk : this.decoder.next(chunk));
+    return true;
+  }
+  // One more frame: x, y, z in the box of all, then each number, of every grain.
+  add(values) {
     const n = this.spec.count;
     const packed = new Uint16Array(4 * n);
     for (let i = 0; i < n; ++i) {
@@ -104,8 +109,7 @@ export class Grains {
     }
     const numbers = this.spec.numbers.map((_, j) => values.slice((3 + j) * n, (4 + j) * n));
     this.frames.push({ positions: new three.BufferAttribute(packed, 4, true), numbers });
-    if (k > 0) this.fill(this.frames[k]);
-    return true;
+    if (this.frames.length > 1) this.fill(this.frames.at(-1));
   }
 
   // The number that colours the grains goes to the fourth place of each position: 8 bits, of the root of its share.

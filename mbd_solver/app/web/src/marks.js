@@ -1,5 +1,5 @@
 // Places of bodies, joints and forces as the run recorded them: four vectors per mark and frame (run/observe/marks.h of the solver).
-import { indexBefore, takeNumbers } from "./page.js";
+import { given, indexBefore, takeNumbers } from "./page.js";
 
 const kNumbers = 12;  // of a mark
 
@@ -10,7 +10,18 @@ export class Marks {
     this.byName = new Map(spec.list.map((mark, i) => [`${mark.kind}:${mark.name}`, i]));
   }
   async load() {
-    this.numbers = await takeNumbers("marks", Float32Array);
+    this.numbers = given.get("marks") ?? (await takeNumbers("marks", Float32Array));
+  }
+  // One more frame of a run in progress.
+  add(t, numbers) {
+    const used = this.times.length * numbers.length;
+    if (used + numbers.length > this.numbers.length) {
+      const longer = new Float32Array(2 * (used + numbers.length));
+      longer.set(this.numbers.subarray(0, used));
+      this.numbers = longer;
+    }
+    this.numbers.set(numbers, used);
+    this.times.push(t);
   }
 
   // The frames around t, and the share between them.

@@ -1,5 +1,6 @@
 // What lies over the picture as text and lines: axes and gravity in its corner, names of parts.
 import * as three from "three";
+import { inks } from "./colours.js";
 import { dot } from "./solids.js";
 import { short } from "./units.js";
 
@@ -20,6 +21,11 @@ export class Overlay {
     this.told = -Infinity;  // the corner, last [ms]
   }
 
+  end() {
+    this.labels.remove();
+    this.corner.remove();
+  }
+
   show() {
     this.showCorner();
     this.showNames();
@@ -30,7 +36,7 @@ export class Overlay {
     const seen = (v) => [m[0] * v[0] + m[4] * v[1] + m[8] * v[2], -(m[1] * v[0] + m[5] * v[1] + m[9] * v[2])];
     const arrows = [["x", [1, 0, 0], "#b3261e", kArm], ["y", [0, 1, 0], "#1f7a3d", kArm], ["z", [0, 0, 1], "#1d5fae", kArm]];
     const g = run.gravity ?? [0, 0, 0], size = Math.sqrt(dot(g, g));
-    if (size > 0) arrows.push([`g ${short(size, 3)} m/s\u00b2`, g.map((v) => v / size), "#222", 1.3 * kArm]);
+    if (size > 0) arrows.push([`g ${short(size, 3)} m/s\u00b2`, g.map((v) => v / size), inks().ink, 1.3 * kArm]);
     const now = performance.now();
     if (this.stage.playing && this.stage.inSoftware && now - this.told < kTold) return;
     const key = arrows.map(([, v]) => seen(v).map((x) => x.toFixed(3))).join();

@@ -16,8 +16,12 @@ async function wholeElement(id) {
   }
 }
 
+// Of a run in progress: chunks that came as events, by name, already unpacked.
+export const given = new Map();
+
 // The chunk is taken out of the page: it is needed once.
 export async function takeChunk(name) {
+  if (given.has(name)) return given.get(name);
   const element = await wholeElement(`footfall-${name}`);
   if (!element) throw new Error(`the page lacks its part "${name}"; was the file cut off?`);
   const text = element.textContent;
@@ -30,12 +34,19 @@ export async function takeNumbers(name, Kind) {
 }
 
 // The history as plain columns: time is exact, the others have single precision.
-export async function takeHistory(run) {
+// prefix: of the chunk, for a second run.
+export async function takeHistory(run, prefix = "") {
   const { names, units, rows } = run.history;
-  const values = await takeNumbers("history", Float32Array);
+  const values = await takeNumbers(`${prefix}history`, Float32Array);
   const columns = new Map();
   names.forEach((name, i) => columns.set(name, { name, unit: units[i], values: values.subarray(i * rows, (i + 1) * rows) }));
   return { time: Float64Array.from(run.history.time), columns };
+}
+
+// The second run of a page: its history, and the names of both; null without one.
+export async function secondOf(run) {
+  if (!run.other) return null;
+  return { history: await takeHistory(run.other, "other-"), names: [run.name, run.other.name] };
 }
 
 // The last index k with times[k] <= t, at least 0.

@@ -8,6 +8,9 @@ export class Player {
     this.seconds = 8;  // of the viewer, for the whole run at speed 1
     this.speed = 1;
     this.playing = false;
+    this.live = false;   // stays at the end of a run in progress
+    this.follows = false;  // it is one
+    this.onLive = () => {};
     this.onTime = () => {};
     this.onPlaying = () => {};
     this.onStopped = () => {};
@@ -18,6 +21,17 @@ export class Player {
     this.time = Math.min(this.end, Math.max(this.start, t));
     this.onTime(this.time);
   }
+  // The run has come to this time.
+  grow(end) {
+    this.end = Math.max(this.end, end);
+    this.live && !this.playing ? this.seek(this.end) : this.onTime(this.time);
+  }
+  setLive(on) {
+    if (this.live === on) return;
+    this.live = on;
+    this.onLive(on);
+    if (on) this.seek(this.end);
+  }
   step(count) {
     this.play(false);
     const marks = this.marks, tiny = 1e-9 * (this.end - this.start);
@@ -25,6 +39,7 @@ export class Player {
     else this.seek([...marks].reverse().find((t) => t < this.time - tiny) ?? this.start);
   }
   play(on = !this.playing) {
+    this.setLive(false);
     if (on === this.playing) return;
     this.playing = on;
     if (on && this.time >= this.end) this.seek(this.start);
@@ -40,7 +55,10 @@ export class Player {
       const rate = ((this.end - this.start) / this.seconds) * this.speed;
       const next = this.time + (rate * (now - this.last)) / 1000;
       this.seek(next);
-      if (next >= this.end) return this.play(false);
+      if (next >= this.end) {
+        this.play(false);
+        return this.follows && this.setLive(true);
+      }
       this.drawn.push(now);
       if (this.drawn.length > 30) this.drawn.shift();
     }

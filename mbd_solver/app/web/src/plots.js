@@ -1,15 +1,27 @@
 // Plots of the history: any column, at most eight at once, one plot for each unit; zoom by dragging, back by a double
 // click, values under the pointer.
 import uPlot from "uplot";
-import { kSeries } from "./colours.js";
+import { inks, kSeries, seriesColour } from "./colours.js";
+import { valueAt } from "./page.js";
 import { scaleFor, short } from "./units.js";
 
 const kMost = kSeries.length;
 
+// The history, with the times beyond its end at which a second one has rows; its columns hold their last value there.
+function withTimesOf(history, second) {
+  const end = history.time.at(-1), more = Array.from(second.time).filter((t) => t > end);
+  const longer = (values) => Float32Array.from([...values.subarray(0, history.time.length), ...more.map(() => values[history.time.length - 1])]);
+  const columns = new Map([...history.columns].map(([name, column]) => [name, { ...column, values: longer(column.values) }]));
+  return { time: Float64Array.from([...history.time, ...more]), columns, end };
+}
+
 export class Plots {
   // Builds itself into `place`. seek(t): the user has clicked a time; null where there is nothing to move.
-  constructor(place, history, chosen, seek) {
-    this.history = history;
+  // signal: ends what listens to the document. second: a second run (secondOf), or none: its curves are dashed, and their difference gets a
+  // plot of its own.
+  constructor(place, history, chosen, seek, signal, second = null) {
+    this.history = second ? withTimesOf(history, second.history) : history;
+    this.second = second;
     this.seek = seek;
     this.chosen = chosen.filter((name) => history.columns.has(name)).slice(0, kMost);
     this.plots = [];
@@ -36,9 +48,47 @@ export class Plots {
     });
     document.addEventListener("pointerdown", (event) => {
       if (!place.querySelector(".chooser").contains(event.target)) this.found.hidden = true;
-    });
+    }, { signal });
     new ResizeObserver(() => this.resize()).observe(this.drawn);
     this.draw();
+  }
+
+  // Rows were added to the history.
+  grow() {
+    if (this.plots.some(({ names, scale }) => scaleFor(this.history.columns.get(names[0]).unit, this.largestOf(names)).unit !== scale.unit)) return this.draw();
+    for (const { plot, names, scale } of this.plots) plot.setData(this.dataOf(names, scale.factor));
+    this.showTime(this.time);
+  }
+  largestOf(names) {
+    let largest = 0;
+    for (const name of names) for (const value of this.history.columns.get(name).values) largest = Math.max(largest, Math.abs(value));
+    return largest;
+  }
+  largestDifference(names) {
+    let largest = 0;
+    for (const name of names) for (const v of this.difference(name)) if (v !== null) largest = Math.max(largest, Math.abs(v));
+    return largest;
+  }
+  // A column of the second run at the times of the first one; null outside of it.
+  ofSecond(name) {
+    const { history } = this.second, column = history.columns.get(name), [first, last] = [history.time[0], history.time.at(-1)];
+    this.seconds ??= new Map();
+    if (!this.seconds.has(name)) this.seconds.set(name, Array.from(this.history.time, (t) => (column && t >= first && t <= last ? valueAt(history, column.values, t) : null)));
+    return this.seconds.get(name);
+  }
+  ofFirst(name) {
+    const { time, columns, end } = this.history, { values } = columns.get(name);
+    return Array.from(time, (t, k) => (t <= end ? values[k] : null));
+  }
+  difference(name) {
+    const first = this.ofFirst(name);
+    return this.ofSecond(name).map((v, k) => (v === null || first[k] === null ? null : v - first[k]));
+  }
+  dataOf(names, factor, differs = false) {
+    const n = this.history.time.length, scaled = (values) => values.map((v) => (v === null ? null : v * factor));
+    if (this.second && differs) return [this.history.time, ...names.map((name) => scaled(this.difference(name)))];
+    if (this.second) return [this.history.time, ...names.map((name) => scaled(this.ofFirst(name))), ...names.map((name) => scaled(this.ofSecond(name)))];
+    return [this.history.time, ...names.map((name) => this.history.columns.get(name).values.subarray(0, n).map((v) => v * factor))];
   }
 
   offer() {
@@ -70,7 +120,7 @@ export class Plots {
   }
 
   colour(name) {
-    return kSeries[this.chosen.indexOf(name)];
+    return seriesColour(this.chosen.indexOf(name));
   }
 
   draw() {
@@ -90,17 +140,16 @@ export class Plots {
     }
     const units = [...new Set(this.chosen.map((name) => this.history.columns.get(name).unit))];
     this.plots = units.map((unit) => this.plotOf(unit));
+    if (this.second) this.plots.push(...units.map((unit) => this.plotOf(unit, true)));
     this.resize();
     this.showTime(this.time);
   }
 
-  plotOf(unit) {
+  // differs: of the second run minus the first.
+  plotOf(unit, differs = false) {
     const names = this.chosen.filter((name) => this.history.columns.get(name).unit === unit);
-    const columns = names.map((name) => this.history.columns.get(name).values);
-    let largest = 0;
-    for (const column of columns) for (const value of column) largest = Math.max(largest, Math.abs(value));
-    const scale = scaleFor(unit, largest);
-    const font = "12px sans-serif";
+    const scale = scaleFor(unit, differs ? this.largestDifference(names) : this.largestOf(names));
+    const font = "12px sans-serif", { ink, grid } = inks();
     const options = {
       width: 320,
       height: 200,
@@ -108,20 +157,25 @@ export class Plots {
       cursor: { sync: { key: "footfall" }, drag: { x: true, y: false, setScale: true }, points: { size: 6 } },
       scales: { x: { time: false } },
       axes: [
-        { font, labelFont: font, size: 34, stroke: "#333", grid: { stroke: "#e4e4e4", width: 1 }, values: (_, ticks) => ticks.map((v) => short(v)) },
-        { font, labelFont: font, size: 58, stroke: "#333", grid: { stroke: "#e4e4e4", width: 1 }, values: (_, ticks) => ticks.map((v) => short(v)) },
+        { font, labelFont: font, size: 34, stroke: ink, grid: { stroke: grid, width: 1 }, values: (_, ticks) => ticks.map((v) => short(v)) },
+        { font, labelFont: font, size: 58, stroke: ink, grid: { stroke: grid, width: 1 }, values: (_, ticks) => ticks.map((v) => short(v)) },
       ],
-      series: [{}, ...names.map((name) => ({ label: name, stroke: this.colour(name), width: 1.6, points: { show: false } }))],
+      series: [
+        {},
+        ...names.map((name) => ({ label: name, stroke: this.colour(name), width: 1.6, points: { show: false } })),
+        ...(this.second && !differs ? names.map((name) => ({ label: name, stroke: this.colour(name), width: 1.4, dash: [6, 4], points: { show: false } })) : []),
+      ],
       hooks: { setCursor: [(plot) => this.showValues(plot.cursor.idx)], setScale: [() => this.showTime(this.time)] },
     };
     const box = document.createElement("div");
     box.className = "plot";
     const heading = document.createElement("div");
     heading.className = "unit";
-    heading.textContent = scale.unit ? `[${scale.unit}] over time [s]` : "[-] over time [s]";
+    const what = !this.second ? "" : differs ? `${this.second.names[1]} \u2212 ${this.second.names[0]} ` : `${this.second.names[0]} \u2014, ${this.second.names[1]} - - `;
+    heading.textContent = `${what}[${scale.unit || "-"}] over time [s]`;
     box.append(heading);
     this.drawn.append(box);
-    const plot = new uPlot(options, [this.history.time, ...columns.map((c) => c.map((v) => v * scale.factor))], box);
+    const plot = new uPlot(options, this.dataOf(names, scale.factor, differs), box);
     const line = document.createElement("div");
     line.className = "now";
     plot.over.append(line);
@@ -131,7 +185,7 @@ export class Plots {
       const still = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 4;
       if (still && this.seek) this.seek(plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x"));
     });
-    return { plot, line, box, names, scale };
+    return { plot, line, box, names, scale, differs };
   }
 
   // The line of the picture's time; the values there, unless the pointer asks for others.
@@ -160,10 +214,12 @@ export class Plots {
     return low + 1 < time.length && time[low + 1] - t < t - time[low] ? low + 1 : low;
   }
   writeValues(row) {
-    for (const { names, scale } of this.plots)
+    for (const { names, scale, differs } of this.plots)
       for (const name of names) {
-        const value = this.history.columns.get(name).values[row] * scale.factor;
-        this.list.children[this.chosen.indexOf(name)].querySelector("output").textContent = `${short(value)} ${scale.unit}`;
+        if (differs) continue;
+        const word = (v) => (v === null ? "\u2013" : short(v * scale.factor)), value = this.history.columns.get(name).values[row];
+        const text = this.second ? `${word(this.ofFirst(name)[row])} | ${word(this.ofSecond(name)[row])}` : word(value);
+        this.list.children[this.chosen.indexOf(name)].querySelector("output").textContent = `${text} ${scale.unit}`;
       }
   }
 

@@ -1,7 +1,7 @@
 // The plots of report.html.
 import plotStyle from "uplot/dist/uPlot.min.css";
 import ownStyle from "./plots.css";
-import { runOfPage, takeHistory } from "./page.js";
+import { runOfPage, secondOf, takeHistory } from "./page.js";
 import { Plots } from "./plots.js";
 
 async function start() {
@@ -11,7 +11,7 @@ async function start() {
     style.textContent = plotStyle + ownStyle;
     document.head.append(style);
     const run = runOfPage();
-    new Plots(place, await takeHistory(run), run.shown, null);
+    new Plots(place, await takeHistory(run), run.shown, null, undefined, await secondOf(run));
     document.body.dataset.state = "ready";
   } catch (error) {
     place.textContent = `The plots cannot be shown: ${error.message}. They need a browser of 2023 or later.`;

@@ -3,6 +3,7 @@ import * as three from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Arrows } from "./arrows.js";
 import { Bodies } from "./bodies.js";
+import { inks } from "./colours.js";
 import { Facets } from "./facets.js";
 import { Grains } from "./grains.js";
 import { Marks } from "./marks.js";
@@ -18,19 +19,16 @@ const kTried = 1.1;     // times the size that played last, when it plays again
 const kPaintedAtMost = 3e5;  // grains: of more, to place and sort them takes longer than to draw them
 
 export class Stage {
-  constructor(place, run) {
+  // renderer: of a stage before this one, or none. scenery: loaded, or none.
+  constructor(place, run, renderer, scenery) {
     this.place = place;
     this.run = run;
     this.smooth = true;
     this.time = 0;
     this.controls = null;
-    if (!run.grains && !run.bodies && !run.marks) return;
-    // Opaque, which three.js never asks for: the browser then lays nothing under the picture and blends nothing, which
-    // costs much where it draws in software.
-    const canvas = document.createElement("canvas");
-    const context = canvas.getContext("webgl2", { alpha: false, antialias: false, powerPreference: "high-performance" });
-    this.renderer = new three.WebGLRenderer({ canvas, context });
-    this.renderer.setClearColor(0xeef1f4);
+    if (!run.grains && !run.bodies && !run.marks && !run.meshes?.length && !run.bed) return;
+    this.renderer = renderer ?? Stage.newRenderer();
+    this.renderer.setClearColor(inks().stage);
     this.ratio = Math.min(window.devicePixelRatio || 1, 2);
     place.append(this.renderer.domElement);
     this.inSoftware = this.drawsInSoftware();
@@ -43,10 +41,14 @@ export class Stage {
     this.scene.add(new three.AmbientLight(0xffffff, 1));
     if (run.grains) this.grains = new Grains(run.grains);
     if (run.bodies) this.bodies = new Bodies(run.bodies, run.bodyNames);
+    if (run.other?.bodies) this.other = new Bodies(run.other.bodies, run.other.bodyNames, true);
     if (run.marks) this.marks = new Marks(run.marks);
     for (const part of this.parts()) this.scene.add(part.object);
+    this.scenery = scenery;
     this.box = new three.Box3();
-    for (const spec of [run.grains, run.bodies, run.marks]) {
+    if (scenery && !scenery.box.isEmpty()) this.box.union(scenery.box);
+    if (scenery) this.scene.add(scenery.build());
+    for (const spec of [run.grains, run.bodies, run.marks, run.other?.bodies]) {
       if (!spec) continue;
       this.box.expandByPoint(new three.Vector3(...spec.view.low));
       this.box.expandByPoint(new three.Vector3(...spec.view.high));
@@ -59,8 +61,28 @@ export class Stage {
     this.look(-65, 24);
     this.overlay.show();
     this.clip = { axis: "", share: 0.5, flip: false };
-    new ResizeObserver(() => this.resize()).observe(place);
+    this.observer = new ResizeObserver(() => this.resize());
+    this.observer.observe(place);
     this.resize();
+  }
+  // Opaque, which three.js never asks for: the browser then lays nothing under the picture and blends nothing, which costs much where it
+  // draws in software.
+  static newRenderer() {
+    const canvas = document.createElement("canvas");
+    const context = canvas.getContext("webgl2", { alpha: false, antialias: false, powerPreference: "high-performance" });
+    return new three.WebGLRenderer({ canvas, context });
+  }
+  // Leaves the place and the renderer to another stage.
+  end() {
+    if (!this.scene) return;
+    this.observer.disconnect();
+    this.orbit.dispose();
+    this.overlay.end();
+    this.scene.traverse((object) => {
+      object.geometry?.dispose();
+      object.material?.dispose();
+    });
+    this.scene = null;
   }
 
   drawsInSoftware() {
@@ -71,7 +93,7 @@ export class Stage {
   }
 
   parts() {
-    return [this.grains, this.bodies].filter(Boolean);
+    return [this.grains, this.bodies, this.other].filter(Boolean);
   }
 
   async loadFirst() {
@@ -110,7 +132,7 @@ export class Stage {
     const cells = 2 * Math.ceil(this.size / this.square / 2);
     const centre = this.box.getCenter(new three.Vector3());
     const snap = (v) => Math.round(v / this.square) * this.square;
-    const grid = (lines = 0xc5ccd3) => new three.GridHelper(cells * this.square, cells, 0x8896a3, lines).rotateX(Math.PI / 2);
+    const grid = (lines = inks().lines) => new three.GridHelper(cells * this.square, cells, inks().axes, lines).rotateX(Math.PI / 2);
     const planes = this.run.planes ?? [];
     this.slope = 0;
     if (this.run.terrain) this.addTerrain(this.run.terrain);
@@ -236,7 +258,7 @@ export class Stage {
     const n = (kAxes[axis] ?? [0, 0, 0]).map((v) => v * sign);
     const at = axis ? this.box.min[axis] + share * (this.box.max[axis] - this.box.min[axis]) : 0;
     this.grains?.material.uniforms.uClip.value.set(...n, axis ? sign * at : 1);
-    this.bodies?.uniforms.uClip.value.set(...n, axis && this.clip.bodies ? sign * at : 1e30);
+    for (const bodies of [this.bodies, this.other]) bodies?.uniforms.uClip.value.set(...n, axis && this.clip.bodies ? sign * at : 1e30);
     this.clipAt = at;
     this.wish();
   }
@@ -246,6 +268,7 @@ export class Stage {
     if (!this.scene) return;
     this.grainFrame = this.grains?.show(t, this.smooth);
     this.bodies?.show(t, this.smooth);
+    this.other?.show(t, this.smooth);
     this.symbols?.show(t, this.smooth);
     this.arrows?.show(t, (body) => this.bodies?.centre(body) ?? null, this.smooth);
     this.wish();

@@ -47,6 +47,17 @@ export class Symbols {
     return largest;
   }
 
+  // The scales of arrows, of one more frame.
+  grow() {
+    const k = this.marks.times.length - 1, moment = { k, next: k, mix: 0 };
+    this.marks.list.forEach((mark, i) => {
+      const most = (name, v) => (this.largest[name] = Math.max(this.largest[name], length(this.marks.vector(i, v, moment))));
+      if (mark.kind === "force") most("force", 2), most("torque", 3);
+      if (mark.kind === "drive") most("drive", 2);
+    });
+    if (this.track) this.setTrack(this.track);
+  }
+
   // From each end of a mark to its body where the drawing of the body does not reach it: to the nearest point of its surface, or to its
   // mass centre where it has no drawing.
   findBrackets(first) {

@@ -1,0 +1,19 @@
+#pragma once
+// A second run in the page of a first one: as a ghost in the picture, dashed in the plots, and as a difference.
+
+#include <string>
+#include <vector>
+
+#include "mbd_solver/app/difference/run_pair.h"
+#include "mbd_solver/app/view_page.h"
+
+namespace footfall {
+
+// run.name of the first run; run.other of the second: name, history, and with `shapes` its bodies, whose chunks begin with "other-";
+// and run.differences: [key, value, value] of both scenes.
+void add_second_run(const RunPair& pair, bool shapes, PageParts& parts);
+
+// Plots of both runs for a report: the histories, and these columns at first.
+PageParts plots_of_pair(const RunPair& pair, const std::vector<std::string>& shown);
+
+}  // namespace footfall

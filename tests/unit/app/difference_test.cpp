@@ -1,0 +1,232 @@
+// Two runs next to each other, mbd_solver/app/difference; the feed of a run in progress, mbd_solver/app/live; verdicts of compare;
+// meshes of scripts, mbd_solver/app/scenery.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "coupler/base/errors.h"
+#include "mbd_solver/app/compare_command.h"
+#include "mbd_solver/app/difference/difference_page.h"
+#include "mbd_solver/app/difference/pair_plots.h"
+#include "mbd_solver/app/difference/run_pair.h"
+#include "mbd_solver/app/live/run_feed.h"
+#include "mbd_solver/app/run_folder.h"
+#include "mbd_solver/app/scenery/scenery.h"
+#include "mbd_solver/run/output/live_note.h"
+#include "mbd_solver/run/output/summary.h"
+#include "tests/support/temporary_folder.h"
+
+namespace footfall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(SceneDifferences, AreNamedAsSetNamesThem) {
+  const Json a = Json::parse(R"({"end_time": 1.0, "bodies": [{"name": "cabin", "mass": 5}, {"name": "leg", "mass": 1}],
+                                 "gravity": [0, 0, -9.81]})"),
+             b = Json::parse(R"({"end_time": 1.0, "bodies": [{"name": "leg", "mass": 1.5}, {"name": "pad"},
+                                 {"name": "cabin", "mass": 5}], "gravity": [0, 0, -1.62], "title": "Moon"})");
+  const std::vector<KeyDifference> found = scene_differences(a, b);
+  std::string all;
+  for (const KeyDifference& one : found) all += one.key + ": " + one.a + ", " + one.b + "\n";
+  EXPECT_EQ(all, "bodies.leg.mass: 1, 1.5\nbodies.pad: -, there\ngravity: [0,0,-9.81], [0,0,-1.62]\ntitle: -, Moon\n");
+  EXPECT_TRUE(scene_differences(a, a).empty());
+}
+
+TEST(FigureDifferences, LeaveOutCostsAndEqualNumbers) {
+  const Json a = {{"peak_acceleration_g", 3.0},
+                  {"max_descent_m", 0.1},
+                  {"wall_s", 10.0},
+                  {"steps", 5},
+                  {"status", "done"}},
+             b = {{"peak_acceleration_g", 3.3}, {"max_descent_m", 0.1}, {"wall_s", 20.0}, {"steps", 7}};
+  const std::vector<FigureDifference> found = figure_differences(a, b);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].name, "peak acceleration");
+  EXPECT_EQ(found[0].unit, "g");
+  EXPECT_EQ(found[0].b, 3.3);
+}
+
+// x = t, and x = t + 0.1 sin(2 pi t) at other times and for longer; y is the same in both.
+class Pair : public ::testing::Test, protected TemporaryFolder {
+ protected:
+  void write_run(const std::string& name, double step, double end, double size, double mass) const {
+    std::string rows = "# units: s,m,N\ntime,cabin.x,leg.force\n";
+    for (int k = 0; k * step <= end + 1e-9; ++k) {
+      const double t = k * step;
+      rows += std::to_string(t) + "," + std::to_string(t + size * std::sin(2.0 * M_PI * t)) + ",7\n";
+    }
+    write(name + "/history.csv", rows);
+    write(name + "/summary.json",
+          Json{{"status", "done"}, {"max_descent_m", 0.1 + size}, {"scene", {{"mass", mass}}}}.dump());
+  }
+  void SetUp() override {
+    write_run("one", 0.01, 1.0, 0.0, 5.0);
+    write_run("two", 0.015, 1.2, 0.1, 6.0);
+  }
+};
+
+TEST_F(Pair, HasCurvesThatDiffer) {
+  const RunPair pair(file("one"), file("two"));
+  const std::vector<CurveDifference> found = curve_differences(pair.a.history, pair.b.history);
+  ASSERT_EQ(found.size(), 1u);  // not the force
+  EXPECT_EQ(found[0].name, "cabin.x");
+  EXPECT_NEAR(found[0].largest, 0.1, 1e-3);                 // at a quarter of the period
+  EXPECT_NEAR(found[0].share, 0.1 / std::sqrt(2.0), 1e-2);  // of a range of 1 m
+  const History both = on_one_clock(pair, {"cabin.x"});
+  EXPECT_EQ(both.names, (std::vector<std::string>{"time", "cabin.x (first)", "cabin.x (second)"}));
+  EXPECT_NEAR(both.columns[0].back(), 1.0, 1e-9) << "the time that both cover";
+  EXPECT_NEAR(both.columns[2][25], 0.35, 1e-3);
+  EXPECT_TRUE(std::isnan(value_at(pair.a.history, pair.a.history.columns[1], 1.1)));
+  EXPECT_NEAR(value_at(pair.a.history, pair.a.history.columns[1], 0.123), 0.123, 1e-9);
+}
+
+TEST_F(Pair, IsPlottedWithItsDifference) {
+  const PairPlots plots = plots_of_columns(RunPair(file("one"), file("two")), {"cabin.x"});
+  ASSERT_EQ(plots.panels.figures.size(), 2u);
+  const Figure &curves = plots.panels.figures[0], &difference = plots.panels.figures[1];
+  ASSERT_EQ(curves.curves.size(), 2u);
+  EXPECT_FALSE(curves.curves[0].dashed);
+  EXPECT_TRUE(curves.curves[1].dashed);
+  EXPECT_EQ(difference.title, "two minus one");
+  double most = 0.0;
+  for (const double value : difference.curves.at(0).formula.values(plots.history))
+    most = std::max(most, std::abs(value));
+  EXPECT_NEAR(most, 100.0, 1.0);  // [mm]
+  EXPECT_THROW(plots_of_columns(RunPair(file("one"), file("two")), {"cabin.y"}), InputError);
+}
+
+TEST_F(Pair, HasAPageOfItsDifferences) {
+  const std::string page =
+      text(std::filesystem::path(write_difference(file("one"), file("two"))).lexically_relative(folder_));
+  for (const char* part : {"<td>mass</td>", "max descent", "cabin.x", "columns differ"})
+    EXPECT_TRUE(contains(page, part)) << part;
+  EXPECT_FALSE(contains(page, folder_.string())) << "no folders of this machine";
+  EXPECT_TRUE(contains(page, "id=\"footfall-other-history\""));
+  EXPECT_THROW(write_difference(file("one"), file("none")), InputError);
+}
+
+// ---- a run in progress
+
+class Feed : public ::testing::Test, protected TemporaryFolder {
+ protected:
+  const std::string run = folder_.string();
+};
+
+TEST_F(Feed, GivesEachRowOnceAndKeepsPeaks) {
+  write_run_note(run, {"A landing", "/scene.toml", 1.0});
+  add_live_note(run, {0.0, Json{{"gravity", {0, 0, -1}}}});
+  RunFeed feed(run);
+  EXPECT_TRUE(feed.look(false).empty());
+  // A thousand rows in a span of 0.5 ms: two of them are given, which hold its least and largest value.
+  std::string rows = "# units: s,m\ntime,a.az\n";
+  for (int k = 0; k < 1000; ++k)
+    rows += std::to_string(4e-7 * k) + "," + (k == 500 ? "9" : k == 700 ? "-4" : "0") + "\n";
+  write("history.csv", rows + "0.0006,1\n0.0011,");
+  std::vector<LiveEvent> events = feed.look(false);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].kind, "columns");
+  EXPECT_EQ(Json::parse(events[0].data).at("names"), Json({"a.az"}));
+  EXPECT_EQ(events[1].kind, "rows");
+  EXPECT_EQ(Json::parse(events[1].data).at("time").size(), 2u);
+  EXPECT_TRUE(feed.look(false).empty()) << "nothing is given twice";
+  events = feed.look(true);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(Json::parse(events[0].data).at("time"), Json({0.0006})) << "the last one is given at the end";
+}
+
+TEST_F(Feed, ReadsADumpOnceItIsComplete) {
+  write_run_note(run, {"A landing", "/scene.toml", 1.0});
+  add_live_note(run, {1e-5, Json::object()});
+  RunFeed feed(run);
+  const std::string head = "ITEM: TIMESTEP\n100\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS id x y z radius\n";
+  write("grains_100.txt", head + "1 0 0 0 0.01\n");
+  EXPECT_TRUE(feed.look(false).empty()) << "seen for the first time";
+  write("grains_100.txt", head + "1 0 0 0 0.01\n2 1 0 0 0.01\n");
+  EXPECT_TRUE(feed.look(false).empty()) << "it has grown";
+  const std::vector<LiveEvent> events = feed.look(false);
+  ASSERT_EQ(events.size(), 1u);
+  const Json data = Json::parse(events[0].data);
+  EXPECT_EQ(data.at("run").at("grains").at("count"), 2);
+  EXPECT_NEAR(data.at("run").at("grains").at("times").at(0).get<double>(), 1e-3, 1e-12);
+  EXPECT_TRUE(data.at("chunks").contains("grains-ids"));
+}
+
+TEST_F(Feed, TailBeginsAgainWhereTheFileDoes) {
+  write("history.csv", "# units: s,m\ntime,a\n0,1\n1,2\n2,3\n");
+  HistoryTail tail(file("history.csv"));
+  EXPECT_EQ(tail.read(), "0,1\n1,2\n2,3\n");
+  EXPECT_EQ(tail.read(), "");
+  EXPECT_EQ(tail.last().values, (std::vector<double>{2, 3}));
+  write("history.csv", "# units: s,m\ntime,a\n0,5\n");
+  EXPECT_EQ(tail.read(), "0,5\n");
+  EXPECT_EQ(tail.rows(), 1);
+}
+
+// ---- verdicts
+
+TEST(CompareVerdict, NamesSizeAndCause) {
+  Comparison equal;
+  equal.worst_impulse = 1e-4;
+  equal.smallest_radius = 0.01;
+  EXPECT_EQ(verdict_of(equal, 0.0).substr(0, 6), "equal:");
+  Comparison scatter = equal;
+  scatter.first_apart = 0.2;
+  scatter.worst_impulse = 0.02;
+  EXPECT_TRUE(contains(verdict_of(scatter, 0.0), "within scatter:") && contains(verdict_of(scatter, 0.0), "chaos"));
+  Comparison bent = equal;
+  bent.worst_impulse = 0.2;
+  EXPECT_TRUE(contains(verdict_of(bent, 1e-3), "differs:") && contains(verdict_of(bent, 1e-3), "facets"));
+  bent.touches_at_start = true;
+  EXPECT_TRUE(contains(verdict_of(bent, 0.0), "overlap at the start"));
+}
+
+// ---- scenery
+
+class Meshes : public ::testing::Test, protected TemporaryFolder {};
+
+TEST_F(Meshes, OfAScriptAreShownWhereLiggghtsPutsThem) {
+  const std::string mesh = write("hopper.stl",
+                                 "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                                 "endloop\nendfacet\nendsolid a\n");
+  const std::string script = write("in.hopper", "variable high index 2\nfix hopper all mesh/surface file " + mesh +
+                                                    " type 1 scale 0.5 move 0 0 ${high} rotate axis 0 0 1 angle 90\n"
+                                                    "fix gate all mesh/surface file " +
+                                                    mesh + " type 1\nfix move all move/mesh mesh gate linear 0 0 1\n");
+  PageParts parts;
+  std::vector<std::string> notes;
+  add_static_meshes({{"particles", {{"script", script}, {"variables", Json::object()}}}}, parts, notes);
+  EXPECT_TRUE(notes.empty()) << notes.front();
+  EXPECT_EQ(parts.run.at("meshes"), Json({"hopper"})) << "not the gate, which moves";
+  ASSERT_EQ(parts.chunks.size(), 1u);
+  EXPECT_EQ(parts.chunks[0].first, "mesh-0");
+}
+
+TEST_F(Meshes, OfABoxIsItsBlock) {
+  PageParts parts;
+  add_bed_block({{"particles", {{"box", {{"size", {2.0, 1.0}}, {"depth", 0.3}, {"centre", {1.0, 0.0}}}}}}}, parts);
+  EXPECT_EQ(parts.run.at("bed").at("low"), Json({0.0, -0.5, -0.3}));
+  EXPECT_EQ(parts.run.at("bed").at("high"), Json({2.0, 0.5, 0.0}));
+}
+
+// ---- a run that failed at its start
+
+class FailedStart : public ::testing::Test, protected TemporaryFolder {};
+
+TEST_F(FailedStart, IsNamedAsOne) {
+  write("run.json", "{}");
+  EXPECT_TRUE(contains(without_summary(folder_.string(), "x"), "failed at its start"));
+  write("liggghts.log", "run 10\nERROR: Invalid fix style (input.cpp:1)\n");
+  EXPECT_TRUE(contains(without_summary(folder_.string(), "x"), "Invalid fix style"));
+  write("history.csv", "# units: s\ntime\n0\n");
+  EXPECT_TRUE(contains(without_summary(folder_.string(), "x"), "was killed"));
+  write(".footfall.lock", std::to_string(getpid()) + "\n");
+  EXPECT_TRUE(contains(without_summary(folder_.string(), "x"), "has not ended"));
+}
+
+}  // namespace
+}  // namespace footfall
