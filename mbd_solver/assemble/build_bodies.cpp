@@ -458,9 +458,9 @@ const BoundarySpec& spec_of(const Scene& scene, const BodyBoundary& entry) {
 
 }  // namespace
 
-void add_plane_places(const Scene& scene, const Body& body, BodyBoundary& entry) {
-  const BodySpec& spec = scene.bodies[entry.body];
-  const bool round = body.modal() == nullptr && add_round_shape(spec, spec_of(scene, entry), entry);
+void add_plane_places(const Scene& scene, const Body& body, BodyBoundary& entry, const BoundarySpec* spec) {
+  const bool round = body.modal() == nullptr &&
+                     add_round_shape(scene.bodies[entry.body], spec != nullptr ? *spec : spec_of(scene, entry), entry);
   for (ContactPoint& point : contact_points(entry.body, body, entry.boundary))
     if (!round || point.radius > 0.0) entry.points.push_back(std::move(point));  // of beams
 }
@@ -511,26 +511,29 @@ void add_face_places(const Body& body, BodyBoundary& entry) {
 
 }  // namespace
 
+BodyBoundary build_boundary(const Scene& scene, const BoundarySpec& spec, const FlexibleBody& flexible,
+                            std::vector<std::string>& warnings) {
+  const int index = scene.body_index(spec.body);
+  const BodySpec& body = scene.bodies[static_cast<std::size_t>(index)];
+  BodyBoundary entry{index, build(scene, body, spec, flexible, warnings), {}, {}};
+  const std::unordered_set<std::string> touching = bodies_on_the_plane(scene.ground);
+  if (!touching.empty() && touching.count(body.name) == 0) return entry;
+  const Body carrier = flexible.modal ? Body(body.name, flexible.modal) : Body(body.name, body.mass, body.inertia);
+  if (scene.ground.is_flat()) {
+    add_plane_places(scene, carrier, entry, &spec);
+    if (scene.ground.is_uneven()) add_face_places(carrier, entry);
+  } else {
+    entry.points = contact_points(index, carrier, entry.boundary);
+  }
+  return entry;
+}
+
 std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector<FlexibleBody>& flexible,
                                            std::vector<std::string>& warnings) {
   std::vector<BodyBoundary> boundaries;
-  const std::unordered_set<std::string> touching = bodies_on_the_plane(scene.ground);
-  for (const BoundarySpec& spec : scene.boundaries) {
-    const int index = scene.body_index(spec.body);
-    const auto i = static_cast<std::size_t>(index);
-    const BodySpec& body = scene.bodies[i];
-    boundaries.push_back({index, build(scene, body, spec, flexible[i], warnings), {}, {}});
-    if (!touching.empty() && touching.count(body.name) == 0) continue;
-    const Body carrier =
-        flexible[i].modal ? Body(body.name, flexible[i].modal) : Body(body.name, body.mass, body.inertia);
-    BodyBoundary& entry = boundaries.back();
-    if (scene.ground.is_flat()) {
-      add_plane_places(scene, carrier, entry);
-      if (scene.ground.is_uneven()) add_face_places(carrier, entry);
-    } else {
-      entry.points = contact_points(index, carrier, entry.boundary);
-    }
-  }
+  for (const BoundarySpec& spec : scene.boundaries)
+    boundaries.push_back(
+        build_boundary(scene, spec, flexible[static_cast<std::size_t>(scene.body_index(spec.body))], warnings));
   return boundaries;
 }
 

@@ -460,19 +460,31 @@ void add_walls(const Scene& scene, const ContactSpec& spec, Mechanism& mechanism
 
 }  // namespace
 
-void add_plane(const Scene& scene, Mechanism& mechanism) {
-  const bool rocks = scene.ground.kind == GroundKind::kSoil && mechanism.terrain && !mechanism.terrain->rocks().empty();
+void add_plane_contact(const Scene& scene, const BodyBoundary& entry, const std::string& prefix, double below,
+                       std::shared_ptr<const Terrain> terrain, Mechanism& mechanism) {
+  const bool rocks = scene.ground.kind == GroundKind::kSoil && terrain && !terrain->rocks().empty();
   if (scene.ground.kind != GroundKind::kPlane && !rocks) return;
+  if (entry.points.empty() && entry.rims.empty()) return;
   const PlaneSpec& spec = *scene.ground.plane;
-  if (mechanism.terrain)
-    return add_terrain_contacts(contact_law(spec, scene, mechanism),
-                                rocks ? TerrainContact::Touches::kRocks : TerrainContact::Touches::kAll, mechanism);
-  const RigidPlane::Parameters p = plane_parameters(contact_law(spec, scene, mechanism), spec.point, spec.normal);
-  for (const BodyBoundary& entry : mechanism.boundaries) {
-    if (entry.points.empty() && entry.rims.empty()) continue;
-    add_contact(std::make_unique<RigidPlane>("ground/" + entry.boundary.name(), entry.points, p, entry.rims),
+  ContactLaw law = contact_law(spec, scene, mechanism);
+  if (below > 0.0) law.stick_time = 0.0;
+  const std::string& name = entry.boundary.name();
+  if (terrain) {
+    const auto touches = rocks ? TerrainContact::Touches::kRocks : TerrainContact::Touches::kAll;
+    add_contact(std::make_unique<TerrainContact>((rocks ? "rocks/" : prefix) + name, entry.points, law,
+                                                 std::move(terrain), entry.rims, touches),
                 mechanism);
+    return;
   }
+  add_contact(
+      std::make_unique<RigidPlane>(prefix + name, entry.points,
+                                   plane_parameters(law, spec.point - below * spec.normal, spec.normal), entry.rims),
+      mechanism);
+}
+
+void add_plane(const Scene& scene, Mechanism& mechanism) {
+  for (const BodyBoundary& entry : mechanism.boundaries)
+    add_plane_contact(scene, entry, "ground/", 0.0, mechanism.terrain, mechanism);
 }
 
 void add_contacts(const Scene& scene, Mechanism& mechanism) {

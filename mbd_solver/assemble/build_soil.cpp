@@ -142,13 +142,15 @@ std::shared_ptr<const SoilLaw> soil_law(const Scene& scene, const ModalBoundary&
 
 }  // namespace
 
-void add_soil_contacts(const Scene& scene, Mechanism& mechanism) {
+void add_soil_contacts(const Scene& scene, const std::vector<SoilSurface>& surfaces, const std::string& prefix,
+                       Mechanism& mechanism) {
   if (scene.ground.kind != GroundKind::kSoil) return;
   const SoilSpec& spec = *scene.ground.law;
   std::shared_ptr<const SoilGround> ground;
-  std::vector<std::pair<const BodyBoundary*, std::vector<SoilFacet>>> touching;
+  std::vector<std::pair<const SoilSurface*, std::vector<SoilFacet>>> touching;
   double largest = 0.0;  // area of a facet [m2]
-  for (const BodyBoundary& entry : mechanism.boundaries) {
+  for (const SoilSurface& surface : surfaces) {
+    const BodyBoundary& entry = *surface.entry;
     if (entry.points.empty() && entry.rims.empty()) continue;
     const bool closed = encloses(entry.boundary);
     std::vector<SoilFacet> facets = facets_of(entry, closed && six_volumes(entry.boundary) < 0.0 ? -1.0 : 1.0,
@@ -157,17 +159,24 @@ void add_soil_contacts(const Scene& scene, Mechanism& mechanism) {
     const Eigen::Matrix3d A = rotation_matrix(mechanism.model.initial(entry.body).L);
     round_off(scene.bodies[static_cast<std::size_t>(entry.body)], mechanism.placement.R_WD.transpose() * A, facets);
     for (const SoilFacet& facet : facets) largest = std::max(largest, facet.area);
-    touching.emplace_back(&entry, std::move(facets));
+    touching.emplace_back(&surface, std::move(facets));
   }
-  for (auto& [entry, facets] : touching) {
+  for (auto& [surface, facets] : touching) {
     const bool first = ground == nullptr;
     if (first) ground = std::make_shared<const SoilGround>(std::sqrt(largest));
-    add_contact(
-        std::make_unique<SoilContact>("ground/" + entry->boundary.name(), std::move(facets), !encloses(entry->boundary),
-                                      SoilContact::Place{spec.point, spec.normal, mechanism.terrain},
-                                      soil_law(scene, entry->boundary), ground, first),
-        mechanism);
+    const ModalBoundary& boundary = surface->entry->boundary;
+    add_contact(std::make_unique<SoilContact>(
+                    prefix + boundary.name(), std::move(facets), !encloses(boundary),
+                    SoilContact::Place{spec.point - surface->below * spec.normal, spec.normal, surface->terrain},
+                    soil_law(scene, boundary), ground, first),
+                mechanism);
   }
+}
+
+void add_soil_contacts(const Scene& scene, Mechanism& mechanism) {
+  std::vector<SoilSurface> surfaces;
+  for (const BodyBoundary& entry : mechanism.boundaries) surfaces.push_back({&entry, 0.0, mechanism.terrain});
+  add_soil_contacts(scene, surfaces, "ground/", mechanism);
 }
 
 }  // namespace footfall

@@ -93,14 +93,4 @@ double fall_to_rocks(const std::vector<Terrain::Sphere>& rocks, const BodyBounda
   });
 }
 
-void add_terrain_contacts(const ContactLaw& law, TerrainContact::Touches touches, Mechanism& mechanism) {
-  for (const BodyBoundary& entry : mechanism.boundaries) {
-    if (entry.points.empty() && entry.rims.empty()) continue;
-    add_contact(std::make_unique<TerrainContact>(
-                    (touches == TerrainContact::Touches::kRocks ? "rocks/" : "ground/") + entry.boundary.name(),
-                    entry.points, law, mechanism.terrain, entry.rims, touches),
-                mechanism);
-  }
-}
-
 }  // namespace footfall

@@ -85,6 +85,7 @@ Mechanism build_mechanism(const Scene& scene) {
   add_forces(scene, mechanism);
   add_plane(scene, mechanism);
   add_soil_contacts(scene, mechanism);
+  add_hulls(scene, flexible, mechanism);
   add_contacts(scene, mechanism);
   add_signals(scene, mechanism);
   warn_of_overlaps(scene, mechanism);

@@ -63,8 +63,8 @@ struct BodyBoundary {
                                  // nodes (a sphere: its centre is the point)
 };
 
-// Fills points and rims, with which the body touches a plane.
-void add_plane_places(const Scene& scene, const Body& body, BodyBoundary& entry);
+// Fills points and rims, with which the body touches a plane. spec: its entry; else that of the scene.
+void add_plane_places(const Scene& scene, const Body& body, BodyBoundary& entry, const BoundarySpec* spec = nullptr);
 // The sphere or capsule of a rigid boundary; null where its nodes are the surface.
 const ShapeSpec* round_shape(const Scene& scene, const BodyBoundary& entry);
 // The points with which a body touches meshes and other bodies: one for a sphere, two for a capsule, else the nodes.
@@ -133,6 +133,19 @@ struct ContactEntry {
   std::vector<ContactPoint> places;
 };
 
+// A body without boundary that the ground holds where it goes `below` its surface (build_hulls.cpp).
+struct HullEntry {
+  int body = 0;
+  double below = 0.0;  // [m]
+};
+inline constexpr double kHullDepth = 0.05;  // of the size of a body: less deep is no touch
+
+// Of a body that has a shape, but no boundary, on a plane or soil.
+struct UnheldShape {
+  double size = 0.0;                     // largest distance of a point from the mass centre [m]
+  std::vector<Eigen::Vector3d> outline;  // in the axes of the body, from its mass centre [m]
+};
+
 // A signal or a state of the scene, and the place of its value among the inputs of a run.
 struct PlaceEntry {
   std::string name;
@@ -150,7 +163,8 @@ struct Mechanism {
   std::vector<GripEntry> grips;
   std::vector<Handle<AppliedForce>> forces;  // one per force of the scene
   std::vector<ContactEntry> contacts;        // all, by kind; a body may have several of one kind
-  std::shared_ptr<const Terrain> terrain;    // null: the ground is a plane, grains, or none
+  std::vector<HullEntry> hulls;
+  std::shared_ptr<const Terrain> terrain;  // null: the ground is a plane, grains, or none
   std::vector<ControllerEntry> controllers;
   std::vector<CoordinateEntry> coordinates;
   std::vector<DriveEntry> drives;
@@ -194,6 +208,10 @@ void set_walls(const std::vector<StaticWall>& walls, Mechanism& mechanism);
 std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector<FlexibleBody>& flexible,
                                            std::vector<std::string>& warnings);
 
+// The boundary of one entry, with its places on plane and uneven ground.
+BodyBoundary build_boundary(const Scene& scene, const BoundarySpec& spec, const FlexibleBody& flexible,
+                            std::vector<std::string>& warnings);
+
 // The surface of uneven ground; null: it is a plane, or the scene has none.
 std::shared_ptr<Terrain> build_terrain(const Scene& scene);
 // The field of a terrain that shapes a bed of [particles.box], without rocks; null: the bed has none.
@@ -216,9 +234,21 @@ void add_cables(const Scene& scene, Mechanism& mechanism);
 void add_springs(const Scene& scene, Mechanism& mechanism);
 void add_forces(const Scene& scene, Mechanism& mechanism);
 void add_plane(const Scene& scene, Mechanism& mechanism);
-// Uneven rigid ground, or the rocks in a soil.
-void add_terrain_contacts(const ContactLaw& law, TerrainContact::Touches touches, Mechanism& mechanism);
+// One boundary on the rigid plane, uneven rigid ground (terrain) or the rocks in a soil, as the scene has it; nothing on a soil
+// without rocks. below: how much lower than the scene's the plane lies [m]; a hull then has no springs of stick.
+void add_plane_contact(const Scene& scene, const BodyBoundary& entry, const std::string& prefix, double below,
+                       std::shared_ptr<const Terrain> terrain, Mechanism& mechanism);
+// A boundary on a soil that lies lower by `below` [m], on this terrain; null: a plane.
+struct SoilSurface {
+  const BodyBoundary* entry = nullptr;
+  double below = 0.0;
+  std::shared_ptr<const Terrain> terrain;
+};
 void add_soil_contacts(const Scene& scene, Mechanism& mechanism);
+void add_soil_contacts(const Scene& scene, const std::vector<SoilSurface>& surfaces, const std::string& prefix,
+                       Mechanism& mechanism);
+std::optional<UnheldShape> unheld_shape(const Scene& scene, const BodySpec& spec);  // none: it is held, or has no shape
+void add_hulls(const Scene& scene, const std::vector<FlexibleBody>& flexible, Mechanism& mechanism);
 void add_contacts(const Scene& scene, Mechanism& mechanism);
 void add_controllers(const Scene& scene, Mechanism& mechanism);
 void add_signal_places(const Scene& scene, Mechanism& mechanism);  // before the forces that they command

@@ -44,6 +44,7 @@ void warn_of_overlaps(const Scene& scene, Mechanism& mechanism) {
   for (const ContactEntry& entry : mechanism.contacts) {
     const ContactElement& contact = entry.force.of(model);
     const std::array<int, 2>& bodies = contact.bodies();
+    if (sizes.find(bodies[0]) == sizes.end()) continue;  // a hull, which is above the ground at the start
     const BodyKinematics motion[2] = {at_rest(model, bodies[0]), at_rest(model, bodies[1])};
     StoredEnergy stored;
     Dissipated power;

@@ -52,7 +52,7 @@ inline constexpr MessageCode kSurfaceAway{"W1671", "surface-away"};
 inline constexpr MessageCode kSettled{"W1661", "settled"};
 // The energy of the mechanism is not balanced to 1 %. Reduce solver.rtol and solver.atol, or solver.max_step.
 inline constexpr MessageCode kEnergyBalance{"W0662", "energy-balance"};
-// A body without a boundary went through the ground, which does not hold it. Give it a boundary.
+// A body without a boundary went through the ground, which holds it coarsely or not at all. Give it a boundary.
 inline constexpr MessageCode kThroughGround{"W0676", "through-ground"};
 // A body met the soil faster, or went deeper, than the numbers of the soil were fitted for. Fit them again for this range.
 inline constexpr MessageCode kBeyondSoil{"W0675", "beyond-soil"};

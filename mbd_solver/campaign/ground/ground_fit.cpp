@@ -432,12 +432,18 @@ double width_of(const PadRun& run) {
   return reach;
 }
 
+bool has_boundary(const Mechanism& mechanism, int body) {
+  return std::any_of(mechanism.boundaries.begin(), mechanism.boundaries.end(),
+                     [&](const BodyBoundary& entry) { return entry.body == body; });
+}
+
 PadRun pad_run(const RunRequest& request, const std::string& folder, SpeedForm speed) {
   const Scene scene = on_the_soil(request);
   const Mechanism mechanism = build_mechanism(scene);
   std::vector<const SoilContact*> soils;
   for (const ContactEntry& entry : mechanism.contacts)
-    if (const auto* soil = dynamic_cast<const SoilContact*>(&entry.force.of(mechanism.model))) soils.push_back(soil);
+    if (const auto* soil = dynamic_cast<const SoilContact*>(&entry.force.of(mechanism.model)))
+      if (has_boundary(mechanism, soil->bodies()[0])) soils.push_back(soil);
   if (soils.size() != 1)
     throw InputError(code::kGroundFit, scene.file + ": has " + std::to_string(soils.size()) +
                                            " boundaries on the bed; a fit requires one pad with a surface");

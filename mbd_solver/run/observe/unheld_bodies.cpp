@@ -6,13 +6,10 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/run/codes.h"
-#include "mbd_solver/scene/resolve.h"
-#include "mbd_solver/scene/shape_outline.h"
 
 namespace footfall {
 namespace {
 
-constexpr double kThrough = 0.05;      // of the size of a body: deeper is no touch
 constexpr std::size_t kMostNamed = 6;  // bodies
 
 }  // namespace
@@ -28,13 +25,13 @@ UnheldBodies::UnheldBodies(const Subject& subject) {
   if (!scene.ground.is_flat()) return;
   ground_ = ground_level(subject);
   for (const BodySpec& spec : scene.bodies) {
-    if (scene.boundary_of(spec.name) != nullptr || stands_still(scene, spec.name)) continue;
-    Watched watched{scene.body_index(spec.name), spec.name, 0.0, shape_outline(spec)};
-    for (Eigen::Vector3d& p : watched.outline) {
-      p = spec.orientation.conjugate() * (p - spec.position);
-      watched.size = std::max(watched.size, p.norm());
-    }
-    if (!watched.outline.empty()) watched_.push_back(std::move(watched));
+    std::optional<UnheldShape> shape = unheld_shape(scene, spec);
+    if (!shape) continue;
+    Watched watched{scene.body_index(spec.name), spec.name, shape->size, std::move(shape->outline)};
+    const std::vector<HullEntry>& hulls = subject.mechanism.hulls;
+    watched.held =
+        std::any_of(hulls.begin(), hulls.end(), [&](const HullEntry& hull) { return hull.body == watched.body; });
+    watched_.push_back(std::move(watched));
   }
   depths_.resize(watched_.size());
 }
@@ -59,7 +56,7 @@ void UnheldBodies::update(const Sample& sample) {
 std::string UnheldBodies::warning() const {
   std::vector<std::size_t> through;
   for (std::size_t k = 0; k < watched_.size(); ++k)
-    if (depths_[k].largest - std::max(0.0, depths_[k].start) > kThrough * watched_[k].size) through.push_back(k);
+    if (depths_[k].largest - std::max(0.0, depths_[k].start) > kHullDepth * watched_[k].size) through.push_back(k);
   if (through.empty()) return "";
   std::stable_sort(through.begin(), through.end(),
                    [&](std::size_t a, std::size_t b) { return depths_[a].largest > depths_[b].largest; });
@@ -68,13 +65,15 @@ std::string UnheldBodies::warning() const {
   const std::size_t more = through.size() > kMostNamed ? through.size() - kMostNamed : 0;
   const Depth& depth = depths_[through[0]];
   const std::string& name = watched_[through[0]].name;
+  const bool held = watched_[through[0]].held;
   return with_code(code::kThroughGround,
                    "body " + name + " went " + number_text(depth.largest, 3) +
                        " m below the surface of the ground, at t = " + number_text(depth.time, 3) + " s" +
                        (others.empty() ? "" : " (others: " + joined(others)) +
                        (more > 0 ? " and " + std::to_string(more) + " more" : "") + (others.empty() ? "" : ")") +
-                       ": it has no boundary, so the ground does not hold it; add  [[boundaries]] body = \"" + name +
-                       "\", surface = {}  or judge the run until then only");
+                       ": it has no boundary, so the ground " +
+                       (held ? "holds only a coarse surface of its shape, 5 % of its size lower" : "does not hold it") +
+                       "; add  [[boundaries]] body = \"" + name + "\", surface = {}  or judge the run until then only");
 }
 
 }  // namespace footfall

@@ -1,5 +1,5 @@
 #pragma once
-// Bodies that the ground does not hold: they have a shape, but no boundary, and nothing stops them when they go through its surface.
+// Bodies that the ground does not hold, or only coarsely (assemble/build_hulls.cpp): they have a shape, but no boundary.
 
 #include <optional>
 #include <string>
@@ -25,6 +25,7 @@ class UnheldBodies {
     std::string name;
     double size = 0.0;                     // largest distance of a point from the mass centre [m]
     std::vector<Eigen::Vector3d> outline;  // of its shape, in the axes of the body [m]
+    bool held = false;                     // by a coarse surface
   };
   struct Depth {
     double start = -1.0, largest = 0.0, time = 0.0;  // below the surface [m], [s]; start < 0: above it, or not seen yet
