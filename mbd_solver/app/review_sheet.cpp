@@ -251,8 +251,8 @@ std::vector<KeyNumber> key_numbers(const Json& summary) {
   add("peak acceleration of " + body + ", g = 9.80665 m/s2 (Earth)", "peak_acceleration_g", "g",
       "peak_acceleration_time_s");
   add("largest descent of " + body, "max_descent_m", "m", "max_descent_time_s");
-  if (number_in(summary, "max_penetration_m").value_or(0.0) > 0.0)
-    add("largest sinkage below the initial surface", "max_penetration_m", "m", "max_penetration_time_s");
+  if (number_in(summary, "max_sinkage_m").value_or(0.0) > 0.0)
+    add("largest sinkage below the initial surface", "max_sinkage_m", "m", "max_sinkage_time_s");
   if (number_in(summary, "max_contact_force_N").value_or(0.0) > 0.0)
     add("largest contact force on one body", "max_contact_force_N", "N", "max_contact_force_time_s");
   else if (summary.contains("max_contact_force_N"))
@@ -269,7 +269,7 @@ std::vector<KeyNumber> key_numbers(const Json& summary) {
   if (const std::optional<double> tipped = number_in(summary, "tipped"))
     all.push_back({"tipped over", *tipped != 0.0 ? "yes" : "no", -1.0});
   add_share("error of the time integration", "energy_balance_relative", "of the energy exchanged");
-  add_share("coupling energy error", "coupling_energy_residual_relative", "of the energy exchanged");
+  add_share("coupling energy error", "coupling_energy_error_relative", "of the energy exchanged");
   return all;
 }
 

@@ -78,7 +78,6 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, const Ass
                        const Kinematics& start, double t_end, Transport& transport, const std::string& resume)
     : mechanism_(mechanism),
       equations_(equations),
-      t_end_(t_end),
       gravity_(scene.gravity),
       up_(up_direction(scene.gravity)),
       scheme_(make_scheme(scene.coupling.scheme)),
@@ -146,11 +145,11 @@ int CoupledRun::wanted_substeps() const {
   return restarts_ ? 1 : choice_->substeps();
 }
 
-double CoupledRun::exchange(const State& state, const Kinematics& kinematics, double stop,
+double CoupledRun::exchange(const State& state, const Kinematics& kinematics, double stop, double last,
                             const std::function<CheckpointRequest(double t_end)>& checkpoint_at,
                             const std::function<void()>& meanwhile, Inputs& inputs) {
   const double dt = agreement_.dt;
-  const double left = std::round((t_end_ - state.time) / dt);  // DEM steps, possibly more than an integer holds
+  const double left = std::round((last - state.time) / dt);  // DEM steps, possibly more than an integer holds
   motion_.time = state.time;
   const int most = scheme_->substeps(wanted_substeps(), motion_.window), before = motion_.n;
   restarts_ = false;
@@ -160,7 +159,7 @@ double CoupledRun::exchange(const State& state, const Kinematics& kinematics, do
   // In the last window the boundary comes to the prediction: work that is pending then will never be done. Not so in a much shorter
   // one, where it would catch up so fast that the damping of contacts gives a spike.
   motion_.closing = motion_.last_window && 2 * motion_.n >= before ? motion_.n : std::max(motion_.n, before);
-  const double t_end = motion_.last_window ? t_end_ : state.time + motion_.n * dt;
+  const double t_end = motion_.last_window ? last : state.time + motion_.n * dt;
   const CheckpointRequest request = checkpoint_at(t_end);
   motion_.checkpoint = request.folder;
   motion_.undisturbed = request.undisturbed;

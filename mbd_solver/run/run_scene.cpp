@@ -155,8 +155,7 @@ class RunSession {
       if (coupled_) coupled_->fail(reason, Status::kInterrupted);
       return kExitInterrupted;
     }
-    const bool early = coupled_ && coupled_->script_has_ended();
-    summarize("done", early ? "the LIGGGHTS script ended the run, which `end script` allows" : "");
+    summarize("done", reason_of_end());
     if (safety_.active() && !scene_.output.keep_grains) checkpoints_.clear();
     if (leader_) leader_->done();
     return kExitDone;
@@ -199,6 +198,8 @@ class RunSession {
     time_warnings_.print(simulation_.time_warnings());
     signal_warnings_.print(simulation_.signal_warnings());
     if (leader_) leader_->observe(sample, metrics_.metrics().energy_balance_relative());
+    const LandingEnd* const landing = files_.observation().landing_end();
+    if (landing != nullptr && landing->is_over() && !leader_) simulation_.instructions().request_end();
     trial_.observe(simulation_, sample.state.time);
     if (trial_.over() || interrupted_ != 0) trial_ends_ = 1;
   }
@@ -224,6 +225,13 @@ class RunSession {
     };
     writer.overdue = [this] { return safety_.overdue(); };
     return writer;
+  }
+
+  // Of a run that is done before its end time; else empty.
+  std::string reason_of_end() const {
+    if (coupled_ && coupled_->script_has_ended()) return "the LIGGGHTS script ended the run, which `end script` allows";
+    const LandingEnd* const landing = files_.observation().landing_end();
+    return landing != nullptr && simulation_.instructions().end_requested() ? landing->reason() : "";
   }
 
   void finish_files() {

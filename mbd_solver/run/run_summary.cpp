@@ -182,6 +182,7 @@ Json run_summary(const Simulation& simulation, const MetricRecorder& recorder, c
   add_creep(simulation.scene(), json);
   if (const LandingWatch* const landing = observation.landing())
     add_landing(*landing, simulation.scene().landing->points, json);
+  if (const LandingEnd* const end = observation.landing_end()) json["landing"]["ended"] = end->name();
   json["reference_energy_J"] = metrics.reference_energy;
   json["energy_flow_J"] = metrics.energy_flow;
   const std::vector<WorkEstimate> estimates =

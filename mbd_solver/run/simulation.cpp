@@ -87,6 +87,8 @@ void Simulation::visit(Archive& archive) {
   parts_->foresight.visit(archive);
   archive("times", moving.times());
   parts_->checkpoints.visit(archive);
+  if (const auto& landing = scene().landing; landing && (landing->end_at_rest || landing->end_when_tipped))
+    parts_->instructions.visit_end(archive);
   archive("control", parts_->inputs.control());
   IntegratorStatistics statistics = moving.integrator().statistics();
   archive("statistics", statistics);

@@ -47,6 +47,7 @@ class Simulation {
 
   // Of a program that leads the run, from within `observe`.
   Instructions& instructions() { return parts_->instructions; }
+  const Instructions& instructions() const { return parts_->instructions; }
 
   // State of the run at a checkpoint. Restoring it makes this the run that was saved; run() then continues it.
   void visit(Archive& archive);

@@ -154,6 +154,10 @@ struct LandingSpec {
   std::optional<Eigen::Vector3d>
       axis;  // of the base, upwards, in D; not given: the coordinate axis nearest to the vertical
   std::vector<LandingPointSpec> points;
+  // The run ends before end_time (run/observe/landing_end.h).
+  bool end_at_rest = false, end_when_tipped = false;
+  double rest_speed = 0.02;  // [m/s] > 0
+  double rest_time = 0.3;    // [s] > 0
 };
 
 // How a requirement gets one number from an expression that has a value at each instant.

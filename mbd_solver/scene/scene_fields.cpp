@@ -702,6 +702,9 @@ static void visit_fields(FieldVisitor& v, LandingSpec& l) {
   v.fields(name, {{"base", &l.base}, {"pads", &l.pads}});
   v.field("axis", &l.axis, direction);
   v.list("points", l.points);
+  v.fields(plain, {{"end_at_rest", &l.end_at_rest}, {"end_when_tipped", &l.end_when_tipped}});
+  v.field("rest_speed", &l.rest_speed, positive(Unit::kVelocity));
+  v.field("rest_time", &l.rest_time, positive(Unit::kTime));
 }
 
 static void visit_fields(FieldVisitor& v, RequirementSpec& r) {

@@ -31,6 +31,7 @@ Reached AloneLoop::next() {
         break;
       case Phase::kBetweenWindows:
         phase_ = Phase::kBeforeWindow;
+        heed_end();
         if (moving_.finished()) {
           phase_ = Phase::kEnded;
         } else if (saves_checkpoint()) {
@@ -128,9 +129,16 @@ bool AloneLoop::read_row(const State& state, const Eigen::VectorXd& rates) {
 void AloneLoop::leave_row() {
   if (run_.checkpoints.overdue()) save_here(true);
   last_row_ = moving_.state().time;
+  heed_end();
   const bool led = run_.instructions.waiting();
   if (!led) run_.inputs.sample_due();
-  if (interrupted() || run_.inputs.change() || led || given_) advance_.end_window();
+  if (interrupted() || run_.inputs.change() || led || given_ || moving_.finished()) advance_.end_window();
+}
+
+void AloneLoop::heed_end() {
+  const Instructions& instructions = run_.instructions;
+  if (!instructions.end_requested()) return;
+  moving_.end_at(std::min(moving_.t_end(), instructions.rows().after(moving_.state().time)));
 }
 
 void AloneLoop::read_step(StepView& step) {

@@ -33,6 +33,7 @@ class AloneLoop : private RunLoop {
   bool read_row(const State& state, const Eigen::VectorXd& rates);  // false: it ends the window
   void read_step(StepView& step);
   void leave_row();
+  void heed_end();            // the run is over at the next row, if that is instructed
   bool apply_instructions();  // false: there were none
   void cross_jump();          // from the last time before a jump of a given function to the first time after it
   void save_here(bool undisturbed);

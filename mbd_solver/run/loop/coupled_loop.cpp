@@ -76,14 +76,16 @@ double CoupledLoop::exchange(double corner) {
     run_.inputs.sample_due();
     moving_.times().overlapped += wall_clock() - started;
   };
+  if (run_.instructions.end_requested())
+    moving_.end_at(std::min(moving_.t_end(), coupled_.longest_window_end(moving_.state().time)));
   try {
     const double known =
         std::min({run_.inputs.next_sample(), corner, run_.instructions.stop_after(moving_.state().time)});
     const double stop = std::min(known, run_.foresight.find(known));
     run_.foresight.begin_window();
     return coupled_.exchange(
-        moving_.state(), moving_.sample().kinematics, stop, [&](double time) { return checkpoint_at(time); }, meanwhile,
-        moving_.inputs());
+        moving_.state(), moving_.sample().kinematics, stop, moving_.t_end(),
+        [&](double time) { return checkpoint_at(time); }, meanwhile, moving_.inputs());
   } catch (...) {
     observe_once();  // the last row of a run whose partner is gone
     throw;

@@ -9,6 +9,8 @@
 
 #include <Eigen/Dense>
 
+#include "coupler/archive.h"
+
 namespace footfall {
 
 // Output rows of a run: multiples of an interval.
@@ -51,6 +53,10 @@ class Instructions {
   bool waiting() const { return !given_.empty() || checkpoint_requested_; }  // before the run may continue
   bool checkpoint_requested() const { return checkpoint_requested_; }
   void checkpoint_answered() { checkpoint_requested_ = false; }
+  // The run is over at the next row; with grains at the end of the window after the one that has begun.
+  void request_end() { end_requested_ = true; }
+  bool end_requested() const { return end_requested_; }
+  void visit_end(Archive& archive) { archive("end_requested", end_requested_); }
   // Writes what set_input() gave; false: nothing.
   bool apply_inputs(Eigen::VectorXd& values) {
     if (given_.empty()) return false;
@@ -71,6 +77,7 @@ class Instructions {
   double stop_ = kNoStop;     // [s]
   std::vector<Given> given_;  // since the last sample
   bool checkpoint_requested_ = false;
+  bool end_requested_ = false;
 };
 
 }  // namespace footfall

@@ -27,7 +27,8 @@ class MovingMechanism {
   void couple(Transport& partner, const std::string& resume);
 
   const Scene& scene() { return scene_; }
-  double t_end() { return t_end_; }  // [s]
+  double t_end() { return t_end_; }            // [s]
+  void end_at(double time) { t_end_ = time; }  // earlier than so far [s]
   Mechanism& mechanism() { return mechanism_; }
   Assembly& assembly() { return assembly_; }
   Equations& equations() { return equations_; }

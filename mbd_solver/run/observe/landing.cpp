@@ -240,6 +240,7 @@ void LandingWatch::measure_edges(const Sample& sample) {
   for (const int i : lander_.bodies) c += model.body(i).mass() / lander_.mass * sample.kinematics.of(i).r;
   const double weight = lander_.mass * subject_.scene.gravity.norm();
   now_.stability_distance = now_.tip_energy_margin = std::numeric_limits<double>::infinity();
+  now_.fallen = false;
   for (std::size_t k = 0; k < edges_.size(); ++k) {
     const Eigen::Vector3d &p = pad_places_[edges_[k]], &next = pad_places_[edges_[(k + 1) % edges_.size()]];
     const Eigen::Vector3d e = next - p, side = up_.cross(e);
@@ -260,6 +261,7 @@ void LandingWatch::measure_edges(const Sample& sample) {
     const double margin = d >= 0.0 ? lift - (L > 0.0 ? turning : 0.0) : -lift + (L > 0.0 ? -turning : turning);
     now_.stability_distance = std::min(now_.stability_distance, d);
     now_.tip_energy_margin = std::min(now_.tip_energy_margin, margin);
+    now_.fallen = now_.fallen || (d < 0.0 && margin < 0.0);
   }
   if (std::isfinite(now_.stability_distance)) return;
   now_.stability_distance = now_.tip_energy_margin = 0.0;

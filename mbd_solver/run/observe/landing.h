@@ -40,6 +40,7 @@ struct LandingValues {
   double tilt = 0.0;                // of the base's axis from the vertical [rad]
   double slid = 0.0;                // largest way of a pad along the ground from where it first touched [m]
   int pads_touching = 0;
+  bool fallen = false;      // beyond an edge, where the first part of E is negative, and E of this edge is, too
   int struts_at_stops = 0;  // beyond an end stop on which they did not rest at the start, or with a crushed honeycomb
   std::vector<double> clearance;  // of each point above the ground [m]
 };
@@ -54,6 +55,8 @@ class LandingWatch {
 
   const LandingValues& now() const { return now_; }
   const std::string& base() const;
+  int base_body() const { return lander_.base; }
+  const std::vector<int>& bodies() const { return lander_.bodies; }  // of the model
   const std::vector<std::string>& pads() const { return pad_names_; }
 
   // Since the first contact of a pad; before any, since the start.

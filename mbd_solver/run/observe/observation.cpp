@@ -94,7 +94,10 @@ Observation::Observation(const Subject& subject)
       landing_(landing_of(subject)),
       grips_(subject),
       columns_(history_columns(subject, flexible_, joints_, pointer_to(landing_))),
-      row_(columns_.size()) {}
+      row_(columns_.size()) {
+  if (landing_ && (subject.scene.landing->end_at_rest || subject.scene.landing->end_when_tipped))
+    landing_end_.emplace(subject, *landing_);
+}
 
 std::vector<std::string> Observation::names() const {
   std::vector<std::string> names;
@@ -119,6 +122,7 @@ const std::vector<double>& Observation::row(const Sample& sample) {
 void Observation::watch(const Sample& sample) {
   grips_.update(sample);
   if (landing_) landing_->update(sample);
+  if (landing_end_) landing_end_->update(sample, *landing_);
 }
 
 }  // namespace footfall

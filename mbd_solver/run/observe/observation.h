@@ -7,6 +7,7 @@
 
 #include "coupler/archive.h"
 #include "mbd_solver/run/observe/columns.h"
+#include "mbd_solver/run/observe/landing_end.h"
 #include "mbd_solver/run/observe/metrics.h"
 #include "mbd_solver/run/observe/sampler.h"
 
@@ -66,15 +67,19 @@ class Observation {
     archive("joints", joints_);
     if (landing_) archive("landing", *landing_);
     if (!grips_.empty()) archive("grips", grips_);
+    if (landing_end_) archive("landing_end", *landing_end_);
   }
   const JointObserver& joints() const { return joints_; }
   const GripWatch& grips() const { return grips_; }
   const LandingWatch* landing() const { return landing_ ? &*landing_ : nullptr; }  // null where the scene has none
+  // Null where [landing] lets the run go to its end time.
+  const LandingEnd* landing_end() const { return landing_end_ ? &*landing_end_ : nullptr; }
 
  private:
   FlexibleBodies flexible_;
   JointObserver joints_;
   std::optional<LandingWatch> landing_;
+  std::optional<LandingEnd> landing_end_;
   GripWatch grips_;
   std::vector<Column> columns_;
   std::vector<double> row_;

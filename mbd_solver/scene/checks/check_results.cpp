@@ -58,6 +58,10 @@ void check_landing(const Scene& scene, Findings& findings) {
   for (const LandingPointSpec& point : landing.points)
     check_body_name(scene, {findings, point.source}, "body", point.body);
   check_body_name(scene, at, "base", landing.base);
+  at.error_if(at.given("rest_speed") && !landing.end_at_rest, kKeyWithoutEffect, "rest_speed",
+              "has no effect without end_at_rest = true; add that, or remove it");
+  at.error_if(at.given("rest_time") && !landing.end_at_rest && !landing.end_when_tipped, kKeyWithoutEffect, "rest_time",
+              "has no effect without end_at_rest = true or end_when_tipped = true; add one of them, or remove it");
   const std::vector<std::string> points = names_in(landing.points), bodies = boundary_names(scene);
   std::vector<std::string> known = points;
   known.insert(known.end(), bodies.begin(), bodies.end());

@@ -1,6 +1,7 @@
 // What is told of a landing, against closed forms of a box on four feet.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -338,6 +339,140 @@ TEST(Landing, MistakesAreTold) {
     Mechanism mechanism = build_mechanism(scene);
     const std::string told = test::refusal([&] { require_values_at_start(scene, true, mechanism); });
     EXPECT_TRUE(test::names(told, {"landing.pads", "E0671"})) << pads;
+  }
+}
+
+// ---- runs that end with their landing ----
+
+nlohmann::ordered_json summary_of(const std::string& scene, const std::vector<std::string>& settings) {
+  const SceneText folder;
+  return read_summary(test::run_into_folder(folder.read(scene, settings)) + "/summary.json");
+}
+
+const std::vector<std::string> kFigures = {"peak_acceleration_g", "max_contact_force_N",  "max_descent_m",
+                                           "max_penetration_m",   "stability_distance_m", "tip_energy_margin_J",
+                                           "max_tilt_rad",        "pads_touched",         "slid_distance_m"};
+
+std::vector<std::string> with(std::vector<std::string> settings, const std::vector<std::string>& more) {
+  settings.insert(settings.end(), more.begin(), more.end());
+  return settings;
+}
+
+// What comes after rest changes no figure by more than settling does, 1e-5 of it.
+TEST(LandingEnd, ARunThatEndsAtRestHasTheFiguresOfTheWholeOne) {
+  const std::vector<std::string> settings = {"initial.velocity=[0.3,0,-0.2]", "end_time=8", "output.vtk=false",
+                                             "initial.clearance=0.05"};
+  const SceneText folder, other;
+  const std::string whole_run = test::run_into_folder(folder.read(box_on_balls(), settings));
+  const std::string run =
+      test::run_into_folder(other.read(box_on_balls(), with(settings, {"landing.end_at_rest=true"})));
+  const auto whole = read_summary(whole_run + "/summary.json"), early = read_summary(run + "/summary.json");
+  EXPECT_EQ(early["status"], "done");
+  EXPECT_EQ(early["landing"]["ended"], "rest");
+  EXPECT_NE(early["reason"].get<std::string>().find("at rest"), std::string::npos);
+  EXPECT_LT(early["end_time_s"].get<double>(), 6.0);
+  EXPECT_FALSE(whole["landing"].contains("ended"));
+  for (const std::string& key : kFigures) {
+    const double exact = whole[key].get<double>();
+    EXPECT_NEAR(early[key].get<double>(), exact, 1e-5 * std::abs(exact) + 1e-7) << key;
+  }
+  const History all = read_history(whole_run + "/history.csv"), some = read_history(run + "/history.csv");
+  const std::vector<double> times = some.column("time"), height = some.column("box.z");
+  EXPECT_DOUBLE_EQ(times.back(), early["end_time_s"].get<double>());
+  for (std::size_t row = 0; row < times.size(); ++row) ASSERT_EQ(height[row], all.column("box.z")[row]) << row;
+}
+
+TEST(LandingEnd, ARunThatDoesNotComeToRestGoesToItsEndTime) {
+  const auto summary = summary_of(
+      box_on_balls(), {"end_time=0.2", "output.vtk=false", "landing.end_at_rest=true", "landing.end_when_tipped=true"});
+  EXPECT_EQ(summary["landing"]["ended"], "end_time");
+  EXPECT_FALSE(summary.contains("reason"));
+}
+
+// A box that rolls over two of its balls at more than the speed of tripping; at the top of a slower one, where it stops on two
+// balls, it is neither at rest nor tipped.
+TEST(LandingEnd, ARunEndsWhenTheLanderHasTipped) {
+  const std::vector<std::string> settings = {"ground.plane.friction=5", "output.vtk=false", "landing.end_at_rest=true",
+                                             "landing.end_when_tipped=true", "end_time=10"};
+  const auto tipped = summary_of(box_on_balls(), with(settings, {"initial.velocity=[3,0,0]"}));
+  EXPECT_EQ(tipped["landing"]["ended"], "tipped");
+  EXPECT_EQ(tipped["tipped"], 1);
+  EXPECT_LT(tipped["end_time_s"].get<double>(), 6.0);
+  const auto slower = summary_of(box_on_balls(), with(settings, {"initial.velocity=[1.5,0,0]"}));
+  EXPECT_EQ(slower["tipped"], 0);
+  EXPECT_NE(slower["landing"]["ended"], "tipped");
+  EXPECT_LT(slower["final_tilt_rad"].get<double>(), 0.01);
+}
+
+// The end of a window after the one in which it is found; both programs stop there.
+TEST(LandingEnd, ARunWithGrainsEndsAfterWholeWindows) {
+  const std::string landing = R"(
+[landing]
+pads = ["a", "b", "c"]
+points = [{ name = "a", body = "ball", point = [1, 1, 0] }, { name = "b", body = "ball", point = [1, -1, 0] },
+          { name = "c", body = "ball", point = [2, 0, 0] }]
+end_when_tipped = true
+rest_time = 0.003
+)";
+  const test::GrainScene on({}, test::kThrownBall + test::kOnGrains + landing);
+  test::LoopbackGrains grains(test::start_of_ball(), test::pushes({0.0, 0.0, 0.0}));
+  const auto summary = read_summary(test::run_into_folder(on.scene, &grains.transport()) + "/summary.json");
+  EXPECT_EQ(grains.join(), "");
+  EXPECT_EQ(summary["landing"]["ended"], "tipped");
+  EXPECT_NEAR(summary["end_time_s"].get<double>(), 0.003 + 2 * test::kSubsteps * test::kDt,
+              1.5 * test::kSubsteps * test::kDt);
+  EXPECT_TRUE(grains.motions().back().last_window);
+  EXPECT_NEAR(grains.motions().back().time + grains.motions().back().n * test::kDt, summary["end_time_s"].get<double>(),
+              1e-12);
+}
+
+TEST(LandingEnd, KeysWithoutEffectAreTold) {
+  const SceneText text;
+  EXPECT_TRUE(test::names(text.findings(kBox, {"landing.rest_speed=0.1"}), {"landing.rest_speed", "end_at_rest"}));
+  EXPECT_TRUE(test::names(text.findings(kBox, {"landing.rest_time=0.1"}), {"landing.rest_time", "end_at_rest"}));
+  EXPECT_TRUE(test::names(text.findings(kBox, {"landing.rest_time=0", "landing.end_at_rest=true"}), {"rest_time"}));
+}
+
+// ---- bodies without boundary on the ground ----
+
+// The box has a shape now, and only the balls a boundary.
+std::string solid_box_on_balls() {
+  std::string text = box_on_balls();
+  const std::string before = "inertia = [1200, 1200, 1200]\nposition = [0, 0, 1.5]\n";
+  text.replace(text.find(before), before.size(),
+               before + "shape = { kind = \"box\", size = [2, 2, 2], centre = [0, 0, 1.5] }\n");
+  return text;
+}
+const std::string kOnlyBalls = "ground.plane.bodies=[\"ball_1\",\"ball_2\",\"ball_3\",\"ball_4\"]";
+
+TEST(Unheld, ALanderThatTipsOverLiesOnTheGround) {
+  const std::vector<std::string> settings = {"ground.plane.friction=5", "output.vtk=false", "end_time=12",
+                                             "initial.velocity=[3,0,0]"};
+  const SceneText folder, other;
+  const std::string held = test::run_into_folder(folder.read(solid_box_on_balls(), settings));
+  const std::string falls = test::run_into_folder(other.read(solid_box_on_balls(), with(settings, {kOnlyBalls})));
+  const auto lowest = [](const std::string& run) {
+    const std::vector<double> heights = read_history(run + "/history.csv").column("box.z");
+    return *std::min_element(heights.begin(), heights.end());
+  };
+  EXPECT_GT(lowest(held), 0.7);  // half its edge, less 5 % of its size and what the contact yields
+  EXPECT_LT(lowest(falls), 0.0);
+  EXPECT_EQ(read_summary(held + "/summary.json")["tipped"], 1);
+  EXPECT_TRUE(test::names(read_summary(held + "/summary.json")["warnings"].dump(), {"W0676", "coarse"}));
+}
+
+TEST(Unheld, ALanderThatStandsHasTheSameHistoryToTheLastDigit) {
+  const std::vector<std::string> settings = {"output.vtk=false", "end_time=2", "initial.velocity=[0.5,0.1,-0.5]"};
+  const std::string soil = "ground.kind=\"soil\"", law = "ground.soil=\"dry-sand\"";
+  for (const bool on_soil : {false, true}) {
+    const std::vector<std::string> all = on_soil ? with(settings, {soil, law}) : settings;
+    const std::string only = on_soil ? "ground.law.bodies=[\"ball_1\",\"ball_2\",\"ball_3\",\"ball_4\"]" : kOnlyBalls;
+    const SceneText folder, other;
+    const std::string held = test::run_into_folder(folder.read(solid_box_on_balls(), all));
+    const std::string alone = test::run_into_folder(other.read(solid_box_on_balls(), with(all, {only})));
+    const History a = read_history(held + "/history.csv"), b = read_history(alone + "/history.csv");
+    for (const char* column : {"time", "box.z", "box.x", "ball_1.contact.fz", "energy.total"})
+      EXPECT_EQ(a.column(column), b.column(column)) << column << (on_soil ? " on soil" : " on the plane");
   }
 }
 

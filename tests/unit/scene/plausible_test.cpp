@@ -240,7 +240,7 @@ TEST(Plausible, RemainderOfTheMass) {
 }
 
 TEST(Plausible, RequirementInMillimetres) {
-  const std::string bounded = "[[requirements]]\nname = \"sinkage\"\nvalue = \"max_penetration_m\"\nmost = ";
+  const std::string bounded = "[[requirements]]\nname = \"sinkage\"\nvalue = \"max_sinkage_m\"\nmost = ";
   EXPECT_THAT(warnings(kOnSand + bounded + "180\n"), ElementsAre(says(code::kImplausibleNumber, "most")));
   EXPECT_THAT(warnings(kOnSand + bounded + "0.18\n"), IsEmpty());
 }
