@@ -350,7 +350,7 @@ nlohmann::ordered_json summary_of(const std::string& scene, const std::vector<st
 }
 
 const std::vector<std::string> kFigures = {"peak_acceleration_g", "max_contact_force_N",  "max_descent_m",
-                                           "max_penetration_m",   "stability_distance_m", "tip_energy_margin_J",
+                                           "max_sinkage_m",   "stability_distance_m", "tip_energy_margin_J",
                                            "max_tilt_rad",        "pads_touched",         "slid_distance_m"};
 
 std::vector<std::string> with(std::vector<std::string> settings, const std::vector<std::string>& more) {
