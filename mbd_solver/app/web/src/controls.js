@@ -10,7 +10,7 @@ const kKeys = [
   ["+ \u2212", "faster, slower"],
   ["c", "clip plane across x, y, z, none"],
   ["[ ]", "move the clip plane"],
-  ["f", "forces of the ground"],
+  ["f", "ground forces"],
   ["j", "symbols of joints, struts, drives, forces"],
   ["n", "names"],
   ["l", "this moment and camera into the address of the page"],
