@@ -283,14 +283,12 @@ std::string proposal_text(const Scene& scene, const BedProposal& bed) {
   with.particles->box->depth = bed.depth;
   const double grains = box_numbers(with).grains;
   const double digit = std::pow(10.0, std::floor(std::log10(grains)) - 1.0);  // the second
-  return "  for these bodies, up to " + two(bed.width) + " m wide and about " + two(bed.sinkage) +
-         " m deep in a loose bed, start with " + std::to_string(std::lround(digit * std::round(grains / digit))) +
-         " grains" +
-         (bed.further || !scene.drives.empty() ? " (and more for the way that drives or speeds at the start make)"
-                                               : "") +
-         ": --set particles.box.size=[" + two(bed.size[0]) + "," + two(bed.size[1]) + "] --set particles.box.centre=[" +
-         two(place(0)) + "," + two(place(1)) + "] --set particles.box.depth=" + two(bed.depth) +
-         " (docs/how-to/size_a_bed.md)\n";
+  return "  Suggested bed (" + std::to_string(std::lround(digit * std::round(grains / digit))) + " grains" +
+         (bed.further || !scene.drives.empty() ? "; longer if the body travels" : "") + "), for bodies up to " +
+         two(bed.width) + " m wide and about " + two(bed.sinkage) +
+         " m deep in a loose bed: --set particles.box.size=[" + two(bed.size[0]) + "," + two(bed.size[1]) +
+         "] --set particles.box.centre=[" + two(place(0)) + "," + two(place(1)) +
+         "] --set particles.box.depth=" + two(bed.depth) + " (docs/how-to/size_a_bed.md)\n";
 }
 
 }  // namespace footfall

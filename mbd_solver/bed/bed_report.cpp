@@ -93,8 +93,8 @@ constexpr double kStepForFivePercent = 0.11, kStepForOnePercent = 0.065;
 // `hertz`: infinite where no speed is known [s].
 std::string step_proposal(double rayleigh, double hertz) {
   const double whole = std::min(rayleigh, 0.5 * hertz);
-  return "; largest for errors of means below 5 %: " + number_text(rounded_down(kStepForFivePercent * whole)) +
-         " s, below 1 %: " + number_text(rounded_down(kStepForOnePercent * whole)) + " s";
+  return "; DEM step for 5 % error: " + number_text(rounded_down(kStepForFivePercent * whole)) +
+         " s, for 1 %: " + number_text(rounded_down(kStepForOnePercent * whole)) + " s";
 }
 
 // ", mean speed 3e-05 m/s", where the file of the bed has speeds.
