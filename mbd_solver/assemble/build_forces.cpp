@@ -434,8 +434,8 @@ void add_pair(const Scene& scene, const ContactSpec& spec, Mechanism& mechanism)
   std::vector<SurfaceContact::Side> sides;
   // A ball touches a surface exactly: then the points of the other body need not be tested against the ball.
   const bool a_is_ball = is_ball(scene, A), b_is_ball = is_ball(scene, B);
-  const bool b_bends = B.boundary.mode_count() > 0;
-  if (a_is_ball || !b_is_ball) add_side(scene, mechanism, A, B, 0, sides);
+  const bool a_bends = A.boundary.mode_count() > 0, b_bends = B.boundary.mode_count() > 0;  // without surface
+  if (a_is_ball || !b_is_ball || a_bends) add_side(scene, mechanism, A, B, 0, sides);
   if (!a_is_ball || b_bends) add_side(scene, mechanism, B, A, 1, sides);
   add_contact(std::make_unique<SurfaceContact>("contact/" + spec.between[0] + "/" + spec.between[1], A.body, B.body,
                                                std::move(sides), contact_law(spec, scene, mechanism)),

@@ -38,11 +38,10 @@ class SizesCheck {
   void set_sizes(GrainSizesSpec& sizes) const {
     if (sizes.size_distribution && (given("radius") || given("shares"))) choose(sizes);
     if (sizes.size_distribution) {
-      const int before = at_.all().error_count();
-      check(*sizes.size_distribution);
-      if (at_.all().error_count() > before) return;
       sizes.radius.clear();
       sizes.shares.clear();
+      const int before = at_.all().error_count();
+      if (!check(*sizes.size_distribution) || at_.all().error_count() > before) return;
       for (const GrainClass& one : classes_of(*sizes.size_distribution)) {
         sizes.radius.push_back(one.radius);
         sizes.shares.push_back(one.share);
@@ -114,42 +113,45 @@ class SizesCheck {
     return all;
   }
 
-  void check(const SizeDistributionSpec& d) const {
+  // Whether all that its kind needs is there and was accepted by the reader.
+  bool check(const SizeDistributionSpec& d) const {
     if (!at_.source().good(prefix_ + "size_distribution.kind")) {
       at_.missing_if(!given("size_distribution.kind") && !at_.all().has_errors(), prefix_ + "size_distribution.kind",
                      "give \"table\", \"lognormal\" or \"sieve\"");
-      return;
+      return false;
     }
     switch (d.kind) {
       case SizeDistributionKind::kTable: return check_table(d);
       case SizeDistributionKind::kLognormal: return check_lognormal(d);
       case SizeDistributionKind::kSieve: return check_sieve(d);
     }
+    return false;
   }
 
-  void check_table(const SizeDistributionSpec& d) const {
-    if (!has_keys("table", {"diameters", "fractions"}, {}) || !check_diameters(d, 1, kMostSizes)) return;
+  bool check_table(const SizeDistributionSpec& d) const {
+    if (!has_keys("table", {"diameters", "fractions"}, {}) || !check_diameters(d, 1, kMostSizes)) return false;
     const std::string key = prefix_ + "size_distribution.fractions";
     if (d.fractions.size() != d.diameters.size()) {
       at_.error(kSizeDistribution, key,
                 count_text(d.fractions.size()) + " for " + std::to_string(d.diameters.size()) +
                     " diameters, expected one for each");
-      return;
+      return false;
     }
     double sum = 0.0;
     for (const double fraction : d.fractions) sum += fraction;
     at_.error_if(std::abs(sum - 1.0) > kWhole, kSizeDistribution, key,
                  "sum up to " + number_text(sum, 4) + ", expected 1: the shares of the diameters in the mass");
+    return true;
   }
 
-  void check_sieve(const SizeDistributionSpec& d) const {
-    if (!has_keys("sieve", {"diameters", "passing"}, {}) || !check_diameters(d, 2, kMostSizes + 1)) return;
+  bool check_sieve(const SizeDistributionSpec& d) const {
+    if (!has_keys("sieve", {"diameters", "passing"}, {}) || !check_diameters(d, 2, kMostSizes + 1)) return false;
     const std::string key = prefix_ + "size_distribution.passing";
     if (d.passing.size() != d.diameters.size()) {
       at_.error(kSizeDistribution, key,
                 count_text(d.passing.size()) + " for " + std::to_string(d.diameters.size()) +
                     " sieves, expected one for each");
-      return;
+      return false;
     }
     for (std::size_t k = 0; k + 1 < d.passing.size(); ++k)
       if (d.passing[k + 1] < d.passing[k]) {
@@ -157,16 +159,17 @@ class SizesCheck {
             kSizeDistribution, key,
             "has " + number_text(d.passing[k + 1]) + " after " + number_text(d.passing[k]) +
                 ", expected the share of the mass that passes each sieve, which does not fall from fine to coarse");
-        return;
+        return false;
       }
     at_.error_if(!(d.passing.back() > d.passing.front()), kSizeDistribution, key,
                  "is " + number_text(d.passing.front()) +
                      " for all sieves, so no grain lies between them; expected a "
                      "curve that rises");
+    return true;
   }
 
-  void check_lognormal(const SizeDistributionSpec& d) const {
-    if (!has_keys("lognormal", {"median", "deviation"}, {"finest", "coarsest", "classes"})) return;
+  bool check_lognormal(const SizeDistributionSpec& d) const {
+    if (!has_keys("lognormal", {"median", "deviation"}, {"finest", "coarsest", "classes"})) return false;
     const std::string of = prefix_ + "size_distribution.";
     at_.error_if(
         d.deviation > kWidestDeviation, kSizeDistribution, of + "deviation",
@@ -180,6 +183,7 @@ class SizesCheck {
                  "is " + number_text(finest) + " m, expected less than the median, " + number_text(d.median) + " m");
     at_.error_if(coarsest <= d.median, kSizeDistribution, of + "coarsest",
                  "is " + number_text(coarsest) + " m, expected more than the median, " + number_text(d.median) + " m");
+    return true;
   }
 
   const EntryFindings& at_;

@@ -230,6 +230,37 @@ plane = { )" + law + " }\n");
   EXPECT_EQ(pair.bodies(), (std::array<int, 2>{0, 1}));
 }
 
+// A flexible body has points and no surface, a ball has a surface: they touch in either order.
+TEST(Contacts, OfAFlexibleBodyAndABallHavePoints) {
+  for (const std::string pair : {"\"plate\", \"ball\"", "\"ball\", \"plate\""}) {
+    const Mechanism mechanism = build(R"(end_time = 1.0
+[materials.steel]
+density = 7850
+young = 2e11
+poisson = 0.3
+[[bodies]]
+name = "plate"
+material = "steel"
+shape = { kind = "disc", centre = [0, 0, 0.2], radius = 0.1, thickness = 0.01 }
+flexible = { modes = 3, mesh_size = 0.05 }
+[[bodies]]
+name = "ball"
+mass = 1
+shape = { kind = "sphere", centre = [0, 0, 0.05], radius = 0.05 }
+[[boundaries]]
+body = "plate"
+surface = { element_size = 0.05 }
+[[boundaries]]
+body = "ball"
+surface = { element_size = 0.05 }
+[[contacts]]
+stiffness = 1e6
+damping = 1
+between = [)" + pair + "]\n");
+    EXPECT_EQ(mechanism.contacts.size(), 1u) << pair;
+  }
+}
+
 // The law of a strut is called by its section alone: two sections must not build the same law.
 TEST(StrutLaws, EachSectionBuildsALawOfItsOwn) {
   std::vector<std::string> kinds;
