@@ -28,7 +28,7 @@ half() {
     { gsub(/"\.\.\//, "\"" inputs "/"); if (/^alone = /) $0 = "alone = 0"; if (/^title = /) sub(/"$/, ", " half " half\""); text = text $0 "\n" }
     END { flush() }' "inputs/calibrations/$file.toml" >"$runs/$1.toml"
   "$footfall" calibrate "$runs/$1.toml" --out "$runs/$1" >&2
-  sed -E '/^!\[/d' "$runs/$1/$1.md"
+  sed -E -e '/^!\[/d' -e "s#\`./footfall calibrate [^\`]*\`#\`docs/data/remake/foretold.sh RUNS $1\`#" "$runs/$1/$1.md"
 }
 for name in "${all[@]}"; do eval "part_$name() { half $name; }"; done
 parts=("${@:2}")
