@@ -1,6 +1,7 @@
 // The page of a run in progress: run --view and view --follow. A client reads its events; Chromium, where it is installed, shows it.
 #include <gtest/gtest.h>
 #include <httplib.h>
+#undef _res  // a macro of resolv.h, and a name in Eigen
 #include <signal.h>
 
 #include <chrono>

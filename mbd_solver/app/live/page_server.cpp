@@ -3,6 +3,7 @@
 #include "mbd_solver/app/live/page_server.h"
 
 #include <httplib.h>
+#undef _res  // a macro of resolv.h, and a name in Eigen
 #include <sys/random.h>
 
 #include <algorithm>
