@@ -16,7 +16,7 @@ identified=(validation_drop ground attitudes friction velocity)   # run once mor
 assumed_sweep() {
   local file=$runs/assumed/$1.toml scenes=$PWD/inputs/paper_identified
   mkdir -p "$runs/assumed"
-  sed -e "s#\"\.\./landing_mr/scene.toml\"#\"$scenes/legs.toml\"#; s#\"\.\./validation_drop/scene.toml\"#\"$scenes/legs_drop.toml\"#" \
+  sed -e "s#\"\.\./landing_script/scene.toml\"#\"$scenes/legs.toml\"#; s#\"\.\./validation_drop/scene.toml\"#\"$scenes/legs_drop.toml\"#" \
     -e "s#\"\.\./validation_drop/rigid.toml\"#\"$scenes/legs_drop_rigid.toml\"#" "inputs/sweeps/$1.toml" >"$file"
   echo "$file"
 }
