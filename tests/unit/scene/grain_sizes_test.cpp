@@ -228,5 +228,15 @@ TEST(BedParts, OfTheLandingAreUnderItsPads) {
   EXPECT_NEAR(box_numbers(scene).grains, 44000, 2500);  // 44 007 in the settled bed
 }
 
+// A script with a gravity of its own: how to make it that of the scene. A slope is none of size.
+TEST(ScriptGravity, IsSetByTheVariableOfTheScript) {
+  const auto refusal = [](const std::string& gravity) {
+    return test::refusal([&] { read_scene(FOOTFALL_SOURCE_DIR "/inputs/landing_script", {"gravity=" + gravity}); });
+  };
+  const std::string size = "--set particles.variables.gravity=3.71 --set particles.bed.variables.gravity=3.71";
+  EXPECT_THAT(refusal("[0,0,-3.71]"), HasSubstr("make them agree: " + size));
+  EXPECT_THAT(refusal("[0.3,0,-1.6]"), HasSubstr("make them agree. A bed by [particles.box]"));
+}
+
 }  // namespace
 }  // namespace footfall
