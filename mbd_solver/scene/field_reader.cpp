@@ -159,11 +159,16 @@ namespace {
 
 using Kind = ConfigNode::Kind;
 
-// Names of arrays stand in braces until their entries are copied: "leg_{leg}".
-std::string without_braces(std::string text) {
-  for (char& c : text)
-    if (c == '{' || c == '}') c = '_';
-  return text;
+// Names of arrays stand in braces until their entries are copied: "leg_{leg}", and with the copies that are meant: "leg_{leg!2}".
+std::string without_braces(const std::string& text) {
+  std::string plain;
+  bool within = false, copies = false;
+  for (const char c : text) {
+    within = c == '{' || (within && c != '}');
+    copies = within && (copies || c == '=' || c == '!');
+    if (!copies) plain += c == '{' || c == '}' ? '_' : c;
+  }
+  return plain;
 }
 
 }  // namespace

@@ -120,7 +120,8 @@ std::vector<std::string> overlaps_with(const std::vector<GrainPlace>& grains, co
 
 // Floor and sides of [particles.box], which act in the run.
 std::vector<std::string> through_box(const Scene& scene, const std::vector<Placed>& bodies) {
-  if (!scene.touches_particles() || !scene.particles->box || !scene.particles->box->walls) return {};
+  if (!scene.touches_particles() || !scene.particles->box || !scene.particles->box->walls || scene.ground.terrain)
+    return {};
   const BoxSpec& box = *scene.particles->box;
   std::vector<std::string> warnings;
   const auto warn = [&](const Placed& body, double by, const std::string& what, const std::string& remedy) {

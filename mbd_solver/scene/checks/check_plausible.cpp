@@ -262,7 +262,8 @@ class Plausibility {
   void check_angles() {
     const InitialSpec& initial = scene_.initial;
     for (const auto& [key, angle] : {std::pair("roll", initial.roll), {"pitch", initial.pitch}, {"yaw", initial.yaw}})
-      if (std::abs(angle) > kPi * (1.0 + 1e-9) && initial.source.in_other_units.count(key) == 0)
+      if (std::abs(angle) > kPi * (1.0 + 1e-9) && std::abs(angle) <= 2.0 * kPi &&  // the reader warns of more
+          initial.source.in_other_units.count(key) == 0)
         findings_.warning(kAngleInDegrees, initial.source, key,
                           "is " + number_text(angle) + " rad, " + number_text(angle * 180.0 / kPi, 3) +
                               " degrees: more than half a turn; if degrees are meant, write " + std::string(key) +

@@ -54,6 +54,32 @@ TEST(OverlapsAtStart, OfBodiesAndGrainsAreNamed) {
   EXPECT_THAT(overlaps({}, {inside}), ElementsAre(HasSubstr("W0656")));
 }
 
+// Balls that stand in the floor or in a side of a bed that is not made yet.
+TEST(OverlapsAtStart, OfFloorAndSidesOfABoxAreNamed) {
+  EXPECT_THAT(overlaps({"bodies.right.shape.centre=[0.15,0,-0.04]"}, {}), IsEmpty());
+  EXPECT_THAT(
+      overlaps({"bodies.right.shape.centre=[0.15,0,-0.08]"}, {}),
+      ElementsAre(testing::AllOf(HasSubstr("W1670"), HasSubstr("right"), HasSubstr("through the floor"))));
+  EXPECT_THAT(overlaps({"bodies.right.shape.centre=[0.28,0,-0.04]"}, {}),
+              ElementsAre(testing::AllOf(HasSubstr("W1670"), HasSubstr("side of the bed towards +x"))));
+  EXPECT_THAT(overlaps({"bodies.right.shape.centre=[0.28,0,-0.04]", "particles.box.periodic=true"}, {}), IsEmpty());
+  EXPECT_THAT(overlaps({"bodies.right.shape.centre=[0.28,0,0.06]"}, {}), IsEmpty()) << "above the bed";
+}
+
+// A tetrahedron of 0.1 m drawn about the origin of its file, for a body elsewhere.
+TEST(SurfacesAway, AreNamedWithTheirDistance) {
+  const SceneText text;
+  const std::string file =
+      text.write("foot.obj", "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  const auto away = [&](const std::string& position) {
+    return surfaces_away(text.read(
+        kBalls, {"boundaries.right.surface.file=\"" + file + "\"", "boundaries.right.surface.position=" + position}));
+  };
+  EXPECT_THAT(away("[0.1,-0.05,0.05]"), IsEmpty());
+  EXPECT_THAT(away("[0.15,0,-0.2]"), IsEmpty());
+  EXPECT_THAT(away("[0.15,0,-1.2]"), ElementsAre(testing::AllOf(HasSubstr("W1671"), HasSubstr("surface.position"))));
+}
+
 std::vector<std::string> leaving(const std::string& more, const std::vector<std::string>& settings) {
   const SceneText text;
   const Scene scene = text.read(kBalls + more, settings);

@@ -224,7 +224,7 @@ TEST(Plausible, NumbersInOtherUnitsAtTheGround) {
   EXPECT_THAT(warnings(kOnSand), IsEmpty());
   EXPECT_THAT(warnings(kOnSand, {"ground.law.density=1.6"}),
               ElementsAre(says(code::kImplausibleMass, "ground.law.density")));
-  EXPECT_THAT(warnings(kOnSand, {"ground.law.density_g_cm3=1.6"}), IsEmpty());
+  EXPECT_THAT(warnings(kOnSand, {"ground.law.density=1600"}), IsEmpty());
   EXPECT_THAT(warnings(kOnSand, {"initial.velocity=[0,0,-200]"}),
               ElementsAre(says(code::kImplausibleSpeed, "initial.velocity")));
   EXPECT_THAT(warnings(kOnSand, {"initial.velocity=[0,0,-40]"}), IsEmpty());
