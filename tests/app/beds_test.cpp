@@ -452,7 +452,7 @@ TEST_F(Bed, IsReportedByCheckWithTheTimeOfTheRun) {
   setenv("TMPDIR", folder.path().c_str(), 1);
   const std::string landing = folder.done("check " + app::kInputs + "/landing_script").text;
   for (const char* number :
-       {" 0.02 to 0.05 m", " 0.0001 s", " 11 %", " 5.2 %", " 2 steps", "5 %: 0.0001 s", "1 %: 6.1e-05 s"})
+       {" 0.02 to 0.05 m", " 0.0001 s", " 11 %", " 5.2 %", " 2 steps", "5 % error: 0.0001 s", "1 %: 6.1e-05 s"})
     EXPECT_TRUE(holds(landing, number)) << number << "\n" << landing;
   const std::regex estimate("about [0-9.]+ (s|min|h) \\([0-9.]+ .* to [0-9.]+ .*\\)");
   const std::string plane = folder.done("check " + app::kInputs + "/rigid_plane --set flexible=false --time 0.5").text;

@@ -94,7 +94,7 @@ std::string block_words(const AlignedBox3d& block) {
 
 void add_word(std::string& list, const std::string& words) { list += (list.empty() ? "'" : " '") + words + "'"; }
 
-// The words of a template after its id, of each size and shape; their number of spheres and shares in the mass of their part.
+// The words of a template after its style, of each size and shape; their number of spheres and shares in the mass of their part.
 struct GrainKind {
   std::string words;
   double share;
@@ -105,9 +105,7 @@ std::vector<GrainKind> kinds_of(const BoxSpec& box, const GrainSizesSpec& sizes,
   for (std::size_t i = 0; i < sizes.radius.size(); ++i) {
     const double share = share_of(sizes.shares, i, sizes.radius.size());
     for (std::size_t c = 0; c < std::max<std::size_t>(1, box.clumps.size()); ++c) {
-      const std::string style = box.clumps.empty() ? "sphere" : "multisphere";
-      std::string words = "particletemplate/" + style + " " + std::to_string(kPrimes[first + kinds.size()]) +
-                          " atom_type 1 density constant " + density;
+      std::string words = std::to_string(kPrimes[first + kinds.size()]) + " atom_type 1 density constant " + density;
       if (box.clumps.empty()) {
         words += " radius constant " + in_digits(sizes.radius[i]);
         kinds.push_back({words, share});

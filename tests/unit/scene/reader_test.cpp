@@ -37,7 +37,9 @@ std::set<std::string> difference(const std::set<std::string>& a, const std::set<
 
 // Keys that contradict another key of the same entry and so cannot stand in one good scene with it, or need a file that only
 // another code makes.
-const std::set<std::string> kAlternatives = {"ground.plane.point",
+const std::set<std::string> kAlternatives = {"landing.rest_speed",  // of runs that end at rest
+                                             "landing.rest_time",
+                                             "ground.plane.point",
                                              "ground.plane.normal",
                                              "ground.plane.stiffness",
                                              "ground.plane.damping",
