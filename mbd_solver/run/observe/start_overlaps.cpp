@@ -154,7 +154,7 @@ std::vector<std::string> through_box(const Scene& scene, const std::vector<Place
     if (left > 0.0 && !box.periodic && box.follow.empty()) {
       const char* const sides[4] = {"-x", "+x", "-y", "+y"};
       warn(body, left,
-           std::string("through the side of the bed towards ") + sides[std::max_element(out, out + 4) - out] + ",",
+           std::string("through the side of the bed towards ") + sides[std::max_element(out, out + 4) - out],
            "move it (initial.position, particles.box.centre), or increase particles.box.size");
     }
   }
