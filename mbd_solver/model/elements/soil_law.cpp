@@ -138,7 +138,7 @@ T borne_share(const SoilLaw::Common& c, const T& share, const T& rate) {
   return damped_share(share, T(rate * c.damping));
 }
 
-// The losses of resistive forces do not vanish with speed.
+// Of rft: losses do not vanish with speed.
 constexpr double kLikeAt = 1.0;   // swings lose at least as much as the damping does at this speed [m/s],
 constexpr double kSwings = 1e-2;  // above about this one [m/s]
 template <class T>
