@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/assemble/mechanism.h"
@@ -34,6 +35,18 @@ class LoweredGround {
   bool uneven_;
   std::map<double, std::shared_ptr<Terrain>> made_;
 };
+
+// A leg on its pad: a joint connects it to one body with a boundary, and it is not the heaviest body. It goes into the soil with
+// its pad, which touches for both.
+bool stands_on_another(const Scene& scene, const BodySpec& spec) {
+  std::set<std::string> feet;
+  for (const JointSpec& joint : scene.joints)
+    for (const int side : {0, 1})
+      if (joint.bodies[side] == spec.name && scene.boundary_of(joint.bodies[1 - side]) != nullptr)
+        feet.insert(joint.bodies[1 - side]);
+  return feet.size() == 1 && std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                         [&](const BodySpec& other) { return other.mass > spec.mass; });
+}
 
 // The deepest place of a shape below the ground at the start [m]; negative: above it.
 double depth_at_start(const Scene& scene, const Mechanism& mechanism, int body, const UnheldShape& shape) {
@@ -71,6 +84,7 @@ void add_hulls(const Scene& scene, const std::vector<FlexibleBody>& flexible, Me
     const std::optional<UnheldShape> shape = unheld_shape(scene, spec);
     const int body = scene.body_index(spec.name);
     if (!shape || spec.shape->kind == ShapeKind::kPoints || flexible[static_cast<std::size_t>(body)].modal) continue;
+    if (stands_on_another(scene, spec)) continue;
     if (depth_at_start(scene, mechanism, body, *shape) > 0.0) continue;  // it is meant to be there
     BoundarySpec boundary;
     boundary.body = spec.name;

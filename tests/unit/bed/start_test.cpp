@@ -57,9 +57,8 @@ TEST(OverlapsAtStart, OfBodiesAndGrainsAreNamed) {
 // Balls that stand in the floor or in a side of a bed that is not made yet.
 TEST(OverlapsAtStart, OfFloorAndSidesOfABoxAreNamed) {
   EXPECT_THAT(overlaps({"bodies.right.shape.centre=[0.15,0,-0.04]"}, {}), IsEmpty());
-  EXPECT_THAT(
-      overlaps({"bodies.right.shape.centre=[0.15,0,-0.08]"}, {}),
-      ElementsAre(testing::AllOf(HasSubstr("W1670"), HasSubstr("right"), HasSubstr("through the floor"))));
+  EXPECT_THAT(overlaps({"bodies.right.shape.centre=[0.15,0,-0.08]"}, {}),
+              ElementsAre(testing::AllOf(HasSubstr("W1670"), HasSubstr("right"), HasSubstr("through the floor"))));
   EXPECT_THAT(overlaps({"bodies.right.shape.centre=[0.28,0,-0.04]"}, {}),
               ElementsAre(testing::AllOf(HasSubstr("W1670"), HasSubstr("side of the bed towards +x"))));
   EXPECT_THAT(overlaps({"bodies.right.shape.centre=[0.28,0,-0.04]", "particles.box.periodic=true"}, {}), IsEmpty());

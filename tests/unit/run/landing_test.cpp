@@ -350,7 +350,7 @@ nlohmann::ordered_json summary_of(const std::string& scene, const std::vector<st
 }
 
 const std::vector<std::string> kFigures = {"peak_acceleration_g", "max_contact_force_N",  "max_descent_m",
-                                           "max_sinkage_m",   "stability_distance_m", "tip_energy_margin_J",
+                                           "max_sinkage_m",       "stability_distance_m", "tip_energy_margin_J",
                                            "max_tilt_rad",        "pads_touched",         "slid_distance_m"};
 
 std::vector<std::string> with(std::vector<std::string> settings, const std::vector<std::string>& more) {
@@ -459,6 +459,14 @@ TEST(Unheld, ALanderThatTipsOverLiesOnTheGround) {
   EXPECT_LT(lowest(falls), 0.0);
   EXPECT_EQ(read_summary(held + "/summary.json")["tipped"], 1);
   EXPECT_TRUE(test::names(read_summary(held + "/summary.json")["warnings"].dump(), {"W0676", "coarse"}));
+}
+
+// They go into the soil with their pads, in landings that stand.
+TEST(Unheld, LegsTouchWithTheirPads) {
+  const Scene scene = read_scene(FOOTFALL_SOURCE_DIR "/inputs/public_lander", {"ground.kind=soil"});
+  const Mechanism mechanism = build_mechanism(scene);
+  ASSERT_EQ(mechanism.hulls.size(), 1U);
+  EXPECT_EQ(mechanism.model.body(mechanism.hulls[0].body).name(), "body");
 }
 
 TEST(Unheld, ALanderThatStandsHasTheSameHistoryToTheLastDigit) {
