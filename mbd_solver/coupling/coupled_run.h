@@ -50,9 +50,10 @@ class CoupledRun {
 
   // Sends the motion, waits for the load, writes it into inputs.loads (one per body of the model, sized by the caller).
   // meanwhile: called after sending, before waiting for the load; must not change inputs.loads. kinematics: with accelerations.
-  // stop: a known time of an abrupt change, where the window must end if it comes so far [s]. last: the end of
-  // the run, after whole DEM steps, at most the agreed one [s]. checkpoint_at: the checkpoint required at the window's end [s]. Returns the window's end [s], or the present time when the script has ended
-  // (script_has_ended()). Throws NumericalError for a load that is not finite, PartnerError.
+  // stop: a known time of an abrupt change, where the window must end if it comes so far [s]. last: the end of the run, after
+  // whole DEM steps, at most the agreed one [s]. checkpoint_at: the checkpoint required at the window's end [s]. Returns the
+  // window's end [s], or the present time when the script has ended (script_has_ended()). Throws NumericalError for a load that is
+  // not finite, PartnerError.
   double exchange(const State& state, const Kinematics& kinematics, double stop, double last,
                   const std::function<CheckpointRequest(double t_end)>& checkpoint_at,
                   const std::function<void()>& meanwhile, Inputs& inputs);
