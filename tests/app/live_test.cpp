@@ -151,26 +151,31 @@ TEST_F(Live, ARunThatProceedsIsFollowedAndLeavingItEndsNothing) {
   EXPECT_FALSE(folder.has("run/watch.html"));
 }
 
+// The run lasts until the browser has shown it: a browser may take long to start.
 TEST_F(Live, ABrowserShowsIt) {
   if (chromium_program().empty()) GTEST_SKIP() << "Chromium is not installed";
-  const app::Background run(folder, test::RunFolder::program("footfall") + landing + " --view", "run/history.csv");
+  app::Background run(folder,
+                      test::RunFolder::program("footfall") + " run " + app::kInputs +
+                          "/rigid_plane --set flexible=false --set output.plots=false --set end_time=600"
+                          " --set output.vtk_interval=0.1 --out run --view",
+                      "run/history.csv");
   find_page();
   PageCamera camera(address(), "", {800, 600});
   const auto number = [&](const std::string& what) { return camera.evaluate(what).get<double>(); };
   EXPECT_TRUE(comes_true([&] { return number("footfallLive.bodies.length") > 3; }));
-  EXPECT_EQ(number("footfall.stage.bodies.frames.length"), number("footfallLive.bodies.length"));
+  EXPECT_EQ(number("footfall.stage.bodies.frames.length - footfallLive.bodies.length"), 0.0);
   const double before = number("footfall.player.end");
-  EXPECT_TRUE(
-      comes_true([&] { return number("footfall.player.end") > before || number("footfallLive.over ? 1 : 0") > 0; }));
-  EXPECT_EQ(number("footfall.player.time"), number("footfall.player.end")) << "it stays at the end of the run";
-  camera.evaluate("void footfall.player.step(-1)");
-  const double held = number("footfall.player.time");
-  EXPECT_TRUE(comes_true([&] { return camera.evaluate("document.body.dataset.state") == "ready"; }));
-  EXPECT_EQ(number("footfall.player.time"), held) << "unless the user has gone back";
-  EXPECT_NEAR(number("footfall.player.end"), 0.4, 1e-9);
-  EXPECT_TRUE(holds(camera.evaluate("document.querySelector('.progress').textContent").get<std::string>(), "100 %"));
+  EXPECT_TRUE(comes_true([&] { return number("footfall.player.end") > before; }));
+  EXPECT_EQ(number("footfall.player.end - footfall.player.time"), 0.0) << "it stays at the end of the run";
   const std::string picture = camera.picture("png");
   EXPECT_GT(picture.size(), 20000u) << "mechanism and plots";
+  camera.evaluate("void footfall.player.step(-1)");
+  const double held = number("footfall.player.time");
+  run.end(SIGINT, false);
+  EXPECT_TRUE(comes_true([&] { return camera.evaluate("document.body.dataset.state") == "ready"; }));
+  EXPECT_EQ(number("footfall.player.time"), held) << "unless the user has gone back";
+  EXPECT_TRUE(
+      holds(camera.evaluate("document.querySelector('.progress').textContent").get<std::string>(), "interrupted"));
 }
 
 }  // namespace
