@@ -316,6 +316,7 @@ class Stub(unittest.TestCase):
     def test_names_what_the_package_has(self):
         tree = ast.parse((ROOT / "mbd_solver/python/footfall/__init__.pyi").read_text())
         named = [node.name for node in tree.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))]
+        named += [node.target.id for node in tree.body if isinstance(node, ast.AnnAssign)]
         self.assertEqual(sorted(named), sorted(ff.__all__))
         for node in tree.body:
             if not isinstance(node, ast.ClassDef) or issubclass(getattr(ff, node.name), Exception):
