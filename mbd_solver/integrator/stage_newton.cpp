@@ -29,7 +29,8 @@ StageNewton::StageNewton(Equations& equations, const ErrorNorm& norm, Integrator
       norm_(norm),
       statistics_(statistics),
       failure_(failure),
-      system_(equations, equations.negligible_shares()) {
+      system_(equations, equations.negligible_shares()),
+      stiff_from_(equations.saddle().has_redundant_rows() ? kStiffIfSingular : kStiff) {
   Ydot_ = F_ = change_ = Eigen::VectorXd::Zero(equations.layout().size());
 }
 

@@ -33,9 +33,9 @@ class StageNewton {
     slowest_before_ = slowest_;
     slowest_ = 0.0;
   }
-  bool fresh() const { return fresh_; }                         // the Jacobian belongs to this step
-  double rate() const { return rate_; }                         // last convergence rate
-  bool has_stiff_force() const { return stiffness_ > kStiff; }  // at the last Jacobian
+  bool fresh() const { return fresh_; }                              // the Jacobian belongs to this step
+  double rate() const { return rate_; }                              // last convergence rate
+  bool has_stiff_force() const { return stiffness_ > stiff_from_; }  // at the last Jacobian
   // A stiff force turned in this step: a stage converged slowly with a Jacobian of this step.
   bool turns() const { return turns_; }
   void drop_factors() { factored_c_ = 0.0; }  // the next stage requires a new Jacobian
@@ -60,7 +60,9 @@ class StageNewton {
   ReducedSystem system_;
   double factored_c_ = 0.0;  // c of the factors; 0: none
   bool fresh_ = false, stiff_ = false, turns_ = false;
-  static constexpr double kStiff = 20.0;         // from which a force is stiff
+  // (gamma h)^2 K / M from which it is that of a stiff force; lower where multipliers may be large, near singular positions.
+  static constexpr double kStiff = 20.0, kStiffIfSingular = 9.0;
+  const double stiff_from_;
   double stiffness_ = 0.0;                       // (gamma h)^2 stiffness / mass, the largest
   double rate_ = 1.0;                            // last convergence rate
   double slowest_ = 0.0, slowest_before_ = 0.0;  // the largest rate of the stages of this step, and of the step before

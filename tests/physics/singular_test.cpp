@@ -112,7 +112,7 @@ TEST_P(Redundant, PeaucelliersLinkagePassesItsSingularPositionAtEveryTolerance) 
       EXPECT_LT(std::abs(run.imbalance()), 2e-6 * std::pow(rtol / 1e-10, 0.7))
           << "rtol " << rtol << ", start " << start[0];
       EXPECT_LT((run.state.q - reference.state.q).lpNorm<Eigen::Infinity>(),
-                2.2e-6 * std::pow(std::max(rtol, 1e-8) / 1e-8, 0.75))
+                2e-6 * std::pow(std::max(rtol, 1e-8) / 1e-8, 0.75))
           << "rtol " << rtol << ", start " << start[0];
     }
   }

@@ -279,8 +279,7 @@ TEST_P(JacobianOfRandomModel, EqualsDifferencesOfTheResidual) {
     for (int q : layout.body_q) y.segment<4>(q + 3) *= random.number(0.8, 1.2);
     const Eigen::VectorXd ydot = random.vector_x(layout.size(), 3.0);
     std::string where;
-    EXPECT_LT(test::jacobian_error(equations, y, ydot, 7.0, inputs, &where), 1e-8)
-        << where;  // error of the differences: corners of faces lie 8 m away
+    EXPECT_LT(test::jacobian_error(equations, y, ydot, 7.0, inputs, &where), 2e-9) << where;
   }
 }
 
