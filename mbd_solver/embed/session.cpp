@@ -102,6 +102,28 @@ struct Session::Run {
     }
   }
 
+  // The present state as that of a checkpoint, with which an integrator begins anew.
+  void pause() {
+    simulation.instructions().request_checkpoint();
+    const Reached reached = continue_run();
+    FOOTFALL_DEMAND(reached == Reached::kCheckpoint);
+  }
+
+  void require_state(const Eigen::VectorXd& new_q, const Eigen::VectorXd& new_v) const {
+    const std::string here = scene.file + ": the state that is set ";
+    if (new_q.size() != q.size() || new_v.size() != v.size())
+      throw InputError(code::kWrongArgument,
+                       here + "has " + std::to_string(new_q.size()) + " positions and " + std::to_string(new_v.size()) +
+                           " velocities, expected " + std::to_string(q.size()) + " and " + std::to_string(v.size()));
+    if (!new_q.allFinite() || !new_v.allFinite())
+      throw InputError(code::kGivenNotFinite, here + "has a number that is not finite; correct it");
+    for (const int body_q : simulation.subject().layout.body_q)
+      if (!(new_q.segment<4>(body_q + 3).norm() > 0.5))
+        throw InputError(code::kWrongArgument, here + "has the quaternion of a body at place " +
+                                                   std::to_string(body_q + 3) +
+                                                   " with a length below 0.5, expected 1");
+  }
+
   void take(const Sample& sample) {
     time = sample.state.time;
     q = sample.state.q;
@@ -292,15 +314,28 @@ double Session::signal(const std::string& name) const {
                                             known_names("such signals", name, signals()));
 }
 
+void Session::place(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  Run& run = *run_;
+  const Changing changing(run);
+  if (run.failed || run.has_ended())
+    throw InputError(code::kCannotGoOn, "a simulation that has " + std::string(run.failed ? "failed" : "ended") +
+                                            " has no state to set; restore an earlier state, or make a new simulation");
+  run.require_state(q, v);
+  run.pause();
+  const double before = run.simulation.sample().energy.stored.total();
+  run.simulation.place(q, v);
+  run.metrics.count_jump(run.simulation.sample().energy.stored.total() - before);
+  run.take(run.simulation.sample());
+  run.begin();
+}
+
 std::string Session::save() {
   Run& run = *run_;
   const Changing changing(run);
   if (run.failed)
     throw InputError(code::kCannotGoOn, "a simulation that has failed has no state to save; restore an earlier state");
   if (run.has_ended()) return run.head() + run.archived();
-  run.simulation.instructions().request_checkpoint();
-  const Reached reached = run.continue_run();
-  FOOTFALL_DEMAND(reached == Reached::kCheckpoint);
+  run.pause();
   return run.head() + run.archived();
 }
 

@@ -61,6 +61,12 @@ class Session {
   Eigen::VectorXd v() const;  // their velocities [m/s, rad/s]
   Eigen::VectorXd z() const;  // of struts, drives and signals
 
+  // Sets q and v; inner states and what contacts remember stay. Quaternions are normalized, and joints are closed by the
+  // smallest change of both, so q() and v() may differ from what was given. The energy that this gives or takes
+  // counts as stored from the start. Throws InputError for another size, numbers that are not finite or a
+  // quaternion of length zero, NumericalError if the joints cannot be closed; nothing has changed then.
+  void place(const Eigen::VectorXd& q, const Eigen::VectorXd& v);
+
   // The whole state as text. The continuations from save() and from restore() are bitwise identical; they differ from a run without
   // save() within the tolerances of the scene, because the memory of the integrator is not part of a state. restore() takes a state
   // of the same scene with the same settings, from any object or process of this version; throws InputError otherwise.

@@ -26,8 +26,6 @@ constexpr double kDivergence = 0.5, kSingularDivergence = 0.25, kAfterDivergence
 constexpr double kFirst = 0.01;     // relative change of y in the first step
 constexpr double kCrossing = 1e-7;  // smallest error limit of a step over a singular position, near round-off
 constexpr double kNear = 1e-9;      // of a step
-// Limit over the error of a step for the error of work: at rest work is round-off, and needs no short steps.
-constexpr double kMostWorkError = 1e3;
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 constexpr double kStretch = 10.0;  // number of steps to its end from which a window is divided into equal ones
 // Drift [in absolute tolerances] that remains within a window; reported states have none.
@@ -227,8 +225,7 @@ OneStep::Outcome OneStep::try_step(double t, double h, bool at_stages, const Inp
   if (!std::isfinite(errors_.last)) return Outcome::kNoConvergence;
   errors_.of_state = errors_.last;
   if (errors_.last <= errors_.limit || !options_.error_control)
-    errors_.last = std::max(errors_.last, std::min(stages_.work_error(t, h, window_.state->work_error.scale, inputs),
-                                                   kMostWorkError * errors_.last));
+    errors_.last = std::max(errors_.last, stages_.work_error(t, h, window_.state->work_error.scale, inputs));
   if ((errors_.last <= errors_.limit || !options_.error_control) && !close_end(t + h)) return Outcome::kTooInaccurate;
   return errors_.last <= errors_.limit || !options_.error_control ? Outcome::kAccepted : Outcome::kTooInaccurate;
 }

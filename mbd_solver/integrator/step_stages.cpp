@@ -15,7 +15,7 @@ namespace {
 // in the sum over many steps. The error of a first step is estimated; none counts as less than
 // kLeastError, because of round-off.
 constexpr double kNewton = 0.03, kFirstError = 1e-2, kLeastError = 1e-4, kRoundOff = 1e-12;
-constexpr double kKineticShare = 0.01;  // of the kinetic energy, against which errors of work are small
+constexpr double kEnergyShare = 0.01;  // of the energy of motion and deformation, against which errors of work are small
 // Convergence rate of a stage from which the next stage has its own Jacobian: a stiff force
 // whose direction turns within the step makes the Jacobian of its start useless, and the error that Newton then
 // leaves, small in every coordinate, adds up over many steps.
@@ -111,7 +111,7 @@ double StepStages::estimated_error(double t, double h) {
 
 // Integrals of powers are further unknowns, W' = P, without influence on the others: their error is
 // h sum (b - b^) P. It is compared with the energies that all powers have transferred, and with a
-// share of the kinetic energy.
+// share of the energy of motion and deformation: at rest powers are round-off, which needs no short steps.
 double StepStages::work_error(double t, double h, double work_scale, const Inputs& inputs) {
   const std::size_t last = step_.last();
   std::vector<EnergySample>& energy = step_.energy;
@@ -129,7 +129,10 @@ double StepStages::work_error(double t, double h, double work_scale, const Input
   work_error_.scale = 0.5 * h * (size_of_powers(energy[0]) + size_of_powers(energy[last]));
   const double error = work_error_.total();
   if (error == 0.0) return 0.0;
-  const double scale = work_scale + work_error_.scale + kKineticShare * energy[last].stored[Stored::kKinetic];
+  const StoredEnergy& stored = energy[last].stored;
+  double held = -std::abs(stored[Stored::kGravity]);
+  for (const double part : stored.by_kind) held += std::abs(part);
+  const double scale = work_scale + work_error_.scale + kEnergyShare * held;
   return error / (options_.rtol * scale);
 }
 

@@ -1,5 +1,6 @@
 // footfall._core: Session, checks and histories as Python sees them. Everything that needs no C++ is in footfall/*.py.
 
+#include <pybind11/eigen.h>
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -173,6 +174,7 @@ PYBIND11_MODULE(_core, m) {
       .def_property_readonly("q", [](const Simulation& s) { return array_of(s.q()); })
       .def_property_readonly("v", [](const Simulation& s) { return array_of(s.v()); })
       .def_property_readonly("z", [](const Simulation& s) { return array_of(s.z()); })
+      .def("place", [](Simulation& s, const Eigen::VectorXd& q, const Eigen::VectorXd& v) { s.place(q, v); })
       .def("save", [](Simulation& s) { return py::bytes(s.save()); })
       .def("restore", [](Simulation& s, const py::bytes& state) { s.restore(state); })
       .def_property_readonly("energy_balance", &Simulation::energy_balance)

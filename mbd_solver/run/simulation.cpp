@@ -3,7 +3,12 @@
 
 #include "mbd_solver/run/simulation.h"
 
+#include <cmath>
+
+#include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/base/pi.h"
+#include "mbd_solver/dynamics/turn_follower.h"
 #include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/loop/coupled_loop.h"
 #include "mbd_solver/run/loop/solver_options.h"
@@ -76,6 +81,30 @@ void Simulation::run(const std::function<void(const Sample&)>& observe, const vo
 void Simulation::begin(const volatile std::sig_atomic_t& interrupted, const CheckpointWriter& checkpoints) {
   parts_->checkpoints.begin(checkpoints);
   loop_ = std::make_unique<AloneLoop>(*parts_, interrupted);
+}
+
+void Simulation::place(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  MovingMechanism& moving = parts_->moving;
+  const Layout& layout = moving.equations().layout();
+  FOOTFALL_DEMAND(!coupled() && q.size() == layout.q_size && v.size() == layout.v_size);
+  State placed = moving.state();
+  placed.q = q;
+  placed.v = v;
+  for (const int body_q : layout.body_q) placed.q.segment<4>(body_q + 3).normalize();
+  moving.equations().saddle().project(placed, SaddleSystem::Close::kFully);
+  // Angles that count turns stay within half a turn of what they were.
+  Kinematics kinematics(mechanism().model);
+  kinematics.load(layout, placed.q, placed.v, Eigen::VectorXd());
+  const Eigen::VectorXd before = placed.angles;
+  start_angles(mechanism().model, layout, kinematics, placed);
+  for (Eigen::Index i = 0; i < before.size(); ++i)
+    placed.angles[i] += 2.0 * kPi * std::round((before[i] - placed.angles[i]) / (2.0 * kPi));
+  placed.step = 0.0;
+  moving.state() = placed;
+  moving.equations().switch_modes(moving.inputs(), moving.state());
+  moving.renew();
+  parts_->events.apply();
+  parts_->resumed = true;  // the present sample is that of the caller
 }
 
 // The integrator's history is dropped at a checkpoint, in the run that continues and in the resumed

@@ -49,6 +49,11 @@ class Simulation {
   Instructions& instructions() { return parts_->instructions; }
   const Instructions& instructions() const { return parts_->instructions; }
 
+  // Without grains, at a checkpoint: other positions and velocities (State::q, v), unit quaternions made so and both
+  // closed by the smallest change; inner states, memory and integrals of power stay. begin() then continues from there.
+  // Throws NumericalError if joints cannot be closed; the state is then as before.
+  void place(const Eigen::VectorXd& q, const Eigen::VectorXd& v);
+
   // State of the run at a checkpoint. Restoring it makes this the run that was saved; run() then continues it.
   void visit(Archive& archive);
 

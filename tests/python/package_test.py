@@ -104,6 +104,27 @@ class Simulations(unittest.TestCase):
         self.assertEqual(sim.units["b.vx"], "m/s")
         self.assertEqual((sim.state.q.shape, sim.state.v.shape, sim.state.time), ((7,), (6,), 0.2))
 
+    def test_positions_and_velocities_are_set(self):
+        # A pendulum m = 2 kg, l = 1 m, I = 0.1 kg m2 is raised to 30 degrees above the horizontal, 0.2 mm off its hinge, and
+        # passes the lowest place with w^2 = 2 m g l (1 + sin 30) / (m l^2 + I).
+        sim = ff.Simulation(TEXT.replace("end_time = 0.2", "end_time = 1.5"))
+        sim.step(0.05)
+        up, q = numpy.pi / 6, numpy.zeros(7)
+        q[:3] = 1.0002 * numpy.cos(up), 0, 1.0002 * numpy.sin(up)
+        q[3:] = numpy.cos(up / 2), 0, -numpy.sin(up / 2), 0
+        sim.set_state(q, numpy.zeros(6))
+        numpy.testing.assert_allclose(sim[["bob.x", "bob.z"]], [numpy.cos(up), numpy.sin(up)], atol=1e-4)
+        self.assertLess(abs(numpy.hypot(sim["bob.x"], sim["bob.z"]) - 1), 1e-9)
+        rows = sim.sample(1.2, 0.0005, ["bob.z", "bob.vx"])
+        fastest = 2 * 2 * 9.81 * (1 + numpy.sin(up)) / 2.1
+        self.assertAlmostEqual(abs(rows["bob.vx"][rows["bob.z"].argmin()]), fastest**0.5, delta=1e-3)
+        self.assertLess(sim.energy_balance, 1e-4)
+        state = sim.state
+        for given in ({"q": q[:6]}, {"v": [0, 0, 0, 0, 0, numpy.nan]}, {"q": numpy.zeros(7)}, {"v": "fast"}):
+            with self.assertRaises(ff.InputError):
+                sim.set_state(**given)
+        numpy.testing.assert_array_equal(sim.state.q, state.q)
+
     def test_states_are_saved_and_restored_in_the_same_digits(self):
         sim, other = ff.Simulation(TEXT), ff.Simulation(TEXT)
         sim.step(0.05)

@@ -21,6 +21,16 @@ class State(NamedTuple):
     z: numpy.ndarray  # inner states of struts, drives and continuous signals
 
 
+def _vector_of(name, given):
+    try:
+        vector = numpy.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        vector = numpy.empty((0, 0))
+    if vector.ndim != 1:
+        wrong_argument(name, given, "one row of numbers, as state has it")
+    return vector
+
+
 class Simulation:
     """One scene, led step by step.
 
@@ -147,6 +157,18 @@ class Simulation:
         if not isinstance(name, str):
             wrong_argument("name", name, "the name of a signal")
         self._led().set_signal(name, number_of(f'value of signal "{name}"', value))
+
+    def set_state(self, q=None, v=None):
+        """Other positions and velocities from now on, arrays as in `state`; None: as they are. Inner states stay. Quaternions are
+        normalized, and joints are closed by the smallest change of both: read `state` for the result. The energy that this gives or
+        takes is no error of energy_balance. Raises InputError for another size or numbers that are not finite, NumericalError if
+        joints cannot be closed; nothing has changed then. Not with grains, which would be pushed."""
+        if self.scene.has_grains:
+            refuse("InputError", "E0728", "wrong-argument", "the state cannot be set in a scene with grains, which would be pushed; "
+                   "give it as the start of a new simulation: initial.joints, initial.position, initial.velocity")
+        core = self._led()
+        core.place(*(now if given is None else _vector_of(name, given)
+                     for name, given, now in (("q", q, core.q), ("v", v, core.v))))
 
     # ---- saved states ----
 

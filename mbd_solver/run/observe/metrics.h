@@ -163,6 +163,8 @@ class MetricRecorder {
   void update(const Sample& sample);        // at the ends of windows and in rows
   void update_peaks(const Sample& sample);  // between them; update() includes it
   const Metrics& metrics() const { return metrics_; }
+  // The state was set from outside: its stored energy grew by this [J], which is no error of the balance.
+  void count_jump(double energy) { start_energy_ += energy; }
   // The warning when the energy balance has an error above kGoodBalance and energy_noise; otherwise empty.
   std::string balance_warning() const;
   // The warning when bodies have left the speeds or depths for which the numbers of the soil were fitted; otherwise empty.

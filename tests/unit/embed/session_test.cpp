@@ -94,6 +94,26 @@ TEST_P(EveryScene, GoesOnFromASavedStateInTheSameDigits) {
 std::string name_of_case(const testing::TestParamInfo<Case>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Of, EveryScene, testing::ValuesIn(cases()), name_of_case);
 
+TEST(Session, GoesOnFromPositionsAndVelocitiesThatWereSet) {
+  const SceneText folder;
+  Session led(folder.read(kPendulum, {"initial.joints.hinge=0.5"}));
+  Session other(folder.read(kPendulum, {"initial.joints.hinge=1.0"}));
+  led.step_to(0.02);
+  led.place(other.q(), other.v());
+  EXPECT_LT((led.q() - other.q()).norm(), 1e-9);
+  led.step_to(0.06);
+  other.step_to(0.04);
+  EXPECT_LT((led.q() - other.q()).norm(), 1e-6);
+  EXPECT_LT((led.v() - other.v()).norm(), 1e-5);
+  EXPECT_LT(led.energy_balance(), 1e-5);
+  const Eigen::VectorXd q = led.q(), v = led.v();
+  EXPECT_THROW(led.place(q.head(3), v), InputError);
+  EXPECT_THROW(led.place(Eigen::VectorXd::Zero(q.size()), v), InputError);
+  EXPECT_THROW(led.place(q, v * std::numeric_limits<double>::infinity()), InputError);
+  EXPECT_EQ(led.q(), q);
+  led.step_to(0.07);
+}
+
 // Whole steps of 30 ms are not cut into thirty.
 TEST(Session, TakesNoMoreStepsThanARun) {
   const SceneText folder;
