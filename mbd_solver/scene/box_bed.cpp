@@ -150,11 +150,11 @@ std::vector<Clump> clumps_of(const BoxSpec& box) {
 }
 
 // Of clumps: one of their spheres, which is lighter than the clump and has the shorter times.
-ElasticGrain smallest_grain(const BoxSpec& box) {
+ElasticGrain smallest_grain(const BoxSpec& box, double young) {
   const GrainMaterialSpec& m = box.material;
   double radius = smallest_radius(box);
   for (const Clump& clump : clumps_of(box)) radius = std::min(radius, clump.radius);
-  return {radius, m.density, m.young, m.poisson};
+  return {radius, m.density, young, m.poisson};
 }
 
 // Impact speed of the uppermost poured grain [m/s].
@@ -173,9 +173,9 @@ double known_speed(const Scene& scene) {
   return speed;
 }
 
-// `fraction` of the Rayleigh time, half of it of the Hertz time.
-double step_for(const BoxSpec& box, double fraction, double speed) {
-  const ElasticGrain grain = smallest_grain(box);
+// `fraction` of the Rayleigh time of grains with this modulus [Pa], half of it of their Hertz time.
+double step_for(const BoxSpec& box, double young, double fraction, double speed) {
+  const ElasticGrain grain = smallest_grain(box, young);
   return rounded_down(std::min(fraction * rayleigh_time(grain), 0.5 * fraction * hertz_time(grain, speed)));
 }
 
@@ -281,7 +281,13 @@ Variables bed_variables(const Scene& scene) {
   all["pit_depth"] = number(box.pit.empty() ? 0.0 : box.pit_depth);
   all["density"] = number(box.material.density);
   all["seed"] = std::to_string(prime_of(box.seed));
-  all["dt"] = number(step_for(box, box.pour.rayleigh_fraction.value_or(box.rayleigh_fraction), pour_speed(scene)));
+  const double share_of_time = box.pour.rayleigh_fraction.value_or(box.rayleigh_fraction), young = box.material.young;
+  all["dt"] = number(step_for(box, box.pour.young.value_or(young), share_of_time, pour_speed(scene)));
+  if (box.pour.young) {
+    all["young"] = number(*box.pour.young);
+    all["rest_young"] = number(young);
+    all["rest_dt"] = number(step_for(box, young, share_of_time, pour_speed(scene)));
+  }
   all["pour_friction"] = number(box.pour.friction.value_or(dense ? kPourFriction : box.material.friction));
   all["pour_rolling"] = number(box.pour.rolling_friction.value_or(dense ? 0.0 : box.material.rolling_friction));
   all["rest_friction"] = number(box.material.friction);
@@ -521,12 +527,13 @@ RollingModel rolling_model_of(const Scene& scene) {
 
 BoxNumbers box_numbers(const Scene& scene) {
   const BoxSpec& box = *scene.particles->box;
-  const ElasticGrain grain = smallest_grain(box);
+  const ElasticGrain grain = smallest_grain(box, box.material.young);
   const double largest = *std::max_element(box.size.begin(), box.size.end());
   BoxNumbers n;
   n.rayleigh = rayleigh_time(grain);
   n.hertz = hertz_time(grain, known_speed(scene));
-  n.time_step = box.time_step.value_or(step_for(box, box.rayleigh_fraction, known_speed(scene)));
+  n.time_step =
+      box.time_step.value_or(step_for(box, box.material.young, box.rayleigh_fraction, known_speed(scene)));
   if (!box.time_step && scene.particles->source.given("max_time_step"))
     n.time_step = std::min(n.time_step, scene.particles->max_time_step);
   n.headroom = box.headroom.value_or(largest);

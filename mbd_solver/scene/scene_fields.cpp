@@ -535,6 +535,7 @@ static void visit_fields(FieldVisitor& v, GrainZoneSpec& z) {
 static void visit_fields(FieldVisitor& v, PourSpec& p) {
   v.fields(not_negative(), {{"friction", &p.friction}, {"rolling_friction", &p.rolling_friction}});
   v.field("rayleigh_fraction", &p.rayleigh_fraction, share);
+  v.field("young", &p.young, positive(Unit::kPressure));
   v.field("settle_time", &p.settle_time, positive(Unit::kTime));
 }
 

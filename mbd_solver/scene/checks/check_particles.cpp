@@ -735,6 +735,12 @@ bool check_box(const Scene& scene, Findings& findings) {
   at.error_if(!(pour_step > 0.0 && pour_step <= kMostPourStep), kOutOfRange, "box.pour.rayleigh_fraction",
               "is " + number_text(pour_step) + ", expected more than 0 and at most " + number_text(kMostPourStep) +
                   ": larger steps throw grains out of the bed");
+  const double pour_young = box.pour.young.value_or(box.material.young);
+  at.error_if(!(pour_young >= kSoftest && pour_young <= box.material.young), kOutOfRange, "box.pour.young",
+              "is " + number_text(pour_young) + " Pa, expected at least " + number_text(kSoftest) +
+                  " Pa and at most box.material.young, " + number_text(box.material.young) + " Pa");
+  at.error_if(box.pour.young && !box.clumps.empty(), kConflictingKeys, "box.pour.young",
+              "excludes clumps, which are poured with their own modulus; remove one of the two");
   // Missing and refused numbers are reported already.
   const auto positive = [](const std::vector<double>& list) {
     return !list.empty() && std::all_of(list.begin(), list.end(), [](double x) { return x > 0.0; });
