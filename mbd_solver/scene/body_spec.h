@@ -78,7 +78,7 @@ struct FlexibleSpec {
   double mesh_size = 0.0;                 // disc, dish: edge length of triangles [m]; 0: radius / 4
   std::string mesh;                       // triangle mesh of a plate, instead of the shape (STL, OBJ, PLY)
   double mesh_scale = 1.0;                // metres per unit of the mesh file [-]
-  double thickness = 0.0;                 // of a plate on a mesh [m]; 0: that of the shape
+  double thickness = 0.0;                 // of a plate on a mesh [m]; 0: the shape's thickness
   std::string file;  // reduced model of another code (modal_body_file.h), instead of shape and mesh
   // Full or reduced model of another code (foreign_model.h): K, M, their nodes in D, and the order of their rows
   std::string stiffness_matrix, mass_matrix, node_file, dof_file;

@@ -4,7 +4,7 @@
 // Clumps are grains with corners: equal spheres that LIGGGHTS moves as one rigid body (fix multisphere).
 //
 // The spheres of a clump are sqrt(3) radii apart. That is as near as three spheres can be without sharing a point, so
-// volume and moments of their union are those of the spheres less those of the lenses in which two overlap, in closed
+// volume and moments of their union are the sums over spheres minus the sums over lenses where two overlap, in closed
 // form:
 //   V = n 4/3 pi s^3 - m V_lens        S = sum of int x x^T dV over spheres - the same over lenses        I / density = tr(S) 1 - S
 // What overlaps counts once. The centre of mass is the mean of the centres, because each shape is symmetric.
@@ -34,7 +34,7 @@ struct Clump {
   Eigen::Matrix3d inertia;   // about the centre of mass, over the density [m5]
 };
 
-// The clump whose volume is that of a sphere of this radius [m] > 0.
+// The clump with the volume of a sphere of this radius [m] > 0.
 Clump clump_of(ClumpShape shape, double equal_radius);
 
 // Its words of a template of LIGGGHTS: spheres, mass and inertia. LIGGGHTS estimates only the share of each sphere in the clump's
@@ -94,11 +94,11 @@ std::optional<TerrainBed> terrain_bed(const Scene& scene);  // none: the surface
 double box_floor(const Scene& scene);                       // z of the floor [m]
 double steepest_of_bed(const Scene& scene);                 // under a terrain, against the level of gravity [rad]
 std::string rock_name(std::size_t k);                       // of the body of TerrainBed::rocks[k]
-std::string rock_joint_name(std::size_t k);                 // of the one that holds it
+std::string rock_joint_name(std::size_t k);                 // of the joint that holds it
 // Refuses slopes on which grains do not stand, and adds the rocks as bodies that stand still.
 void resolve_terrain_bed(Scene& scene, Findings& findings);
 
-// Sets both scripts, their variables (those of the scene take precedence), surface_height and max_time_step. Errors become
+// Sets both scripts, their variables (the scene's own take precedence), surface_height and max_time_step. Errors become
 // findings. Does nothing without a box.
 void resolve_box(Scene& scene, Findings& findings);
 
@@ -123,7 +123,7 @@ void add_soil(ConfigNode& scene, Findings& findings);
 // The names of inputs/soils, sorted.
 std::vector<std::string> known_soils();
 
-// Adds keys that are not there yet; their line is that of the key that named them.
+// Adds keys that are not there yet; their line is the line of the key that named the soil.
 void fill_missing(ConfigNode& own, const ConfigNode& soil, int line);
 
 // The same for ground.soil, a file in `folder` or a name in inputs/grounds (ground_soil.cpp): its table [law] goes under

@@ -60,7 +60,7 @@ inline constexpr MessageCode kMoreWarnings{"W1172", "more-warnings"};
 inline constexpr MessageCode kDuplicateName{"E0120", "duplicate-name"};
 // The name has a meaning of its own. Choose another one.
 inline constexpr MessageCode kReservedName{"E0121", "reserved-name"};
-// A name in braces is that of no array. Define it in [arrays], or correct the name.
+// A name in braces belongs to no array. Define it in [arrays], or correct the name.
 inline constexpr MessageCode kUnknownArray{"E0122", "unknown-array"};
 // An entry names a body that the scene does not define. Correct the name, or add the body.
 inline constexpr MessageCode kUnknownBody{"E0123", "unknown-body"};
@@ -82,7 +82,7 @@ inline constexpr MessageCode kUnknownBoundary{"E0130", "unknown-boundary"};
 inline constexpr MessageCode kUnknownSoil{"E0131", "unknown-soil"};
 // No clump of this name exists. Use one of the names that the message lists.
 inline constexpr MessageCode kUnknownClump{"E0132", "unknown-clump"};
-// The joint has no such coordinate. Use one that the message lists, or another type of joint.
+// The joint has no such coordinate. Use a coordinate that the message lists, or another type of joint.
 inline constexpr MessageCode kUnknownCoordinate{"E0133", "unknown-coordinate"};
 // The joint has several coordinates and none is chosen. Name one of them.
 inline constexpr MessageCode kAmbiguousCoordinate{"E0134", "ambiguous-coordinate"};
@@ -97,7 +97,7 @@ inline constexpr MessageCode kUnknownMesh{"E0136", "unknown-mesh"};
 inline constexpr MessageCode kConflictingKeys{"E0140", "conflicting-keys"};
 // The key has no effect on this kind of entry. Remove it.
 inline constexpr MessageCode kKeyWithoutEffect{"E0141", "key-without-effect"};
-// The key needs another one that is not given. Add that one, or remove this one.
+// The key needs a second key, which is not given. Add the second key, or remove the first.
 inline constexpr MessageCode kNeedsOtherKey{"E0142", "needs-other-key"};
 // The entry does nothing as it is. Add at least one of the keys that the message lists.
 inline constexpr MessageCode kEmptyEntry{"E0143", "empty-entry"};
@@ -109,7 +109,7 @@ inline constexpr MessageCode kTooManyCopies{"E0145", "too-many-copies"};
 inline constexpr MessageCode kTooLarge{"E0146", "too-large"};
 // The relative tolerance is so large that results would be meaningless. Use for example 1e-6.
 inline constexpr MessageCode kTolerance{"E0147", "tolerance"};
-// The file that ground.soil names describes no soil. Name one that `footfall ground fit` has written.
+// The file that ground.soil names describes no soil. Name a file that `footfall ground fit` has written.
 inline constexpr MessageCode kSoilFile{"E0148", "soil-file"};
 
 // ---- bodies ----
@@ -271,9 +271,9 @@ inline constexpr MessageCode kGravityUpwards{"W1152", "gravity-upwards"};
 inline constexpr MessageCode kImplausibleMass{"W1153", "implausible-mass"};
 // The mass of the body would be far outside of the body. Check the unit of the inertia, kg m2.
 inline constexpr MessageCode kImplausibleInertia{"W1154", "implausible-inertia"};
-// Gravity is beyond that of any planet or centrifuge. Write m/s2.
+// Gravity exceeds any planet or centrifuge. Write m/s2.
 inline constexpr MessageCode kImplausibleGravity{"W1155", "implausible-gravity"};
-// A body is inside another one that nothing connects to it. Move it, or connect the two.
+// A body is inside a second body to which nothing connects it. Move it, or connect the two.
 inline constexpr MessageCode kBodyInside{"W1156", "body-inside"};
 // The spline through a table leaves the range of its values. Give more points where the motion begins and ends.
 inline constexpr MessageCode kSplineOvershoot{"W1160", "spline-overshoot"};
@@ -316,13 +316,13 @@ inline constexpr MessageCode kStartBeyondStop{"W1165", "start-beyond-stop"};
 inline constexpr MessageCode kClearance{"W1166", "clearance"};
 // An angle in rad exceeds a turn, mostly meant in degrees. Use the suffix _deg.
 inline constexpr MessageCode kAngleInDegrees{"W1167", "angle-in-degrees"};
-// The speed exceeds that of sound in the body, where contact laws do not hold. Check its unit.
+// The speed exceeds the speed of sound in the body, where contact laws do not hold. Check its unit.
 inline constexpr MessageCode kImplausibleSpeed{"W1168", "implausible-speed"};
 // A number is far outside of what is built, mostly by a wrong unit, or in percent or degrees. Check its unit.
 inline constexpr MessageCode kImplausibleNumber{"W0157", "implausible-number"};
 // Springs yield by more than the size of the mechanism under the weight that they carry. Check the unit of their stiffness.
 inline constexpr MessageCode kSoftSpring{"W1170", "soft-spring"};
-// A key is written in a second spelling, which is read as well. Write the one that the message names.
+// A key is written in a second spelling, which is read as well. Write the spelling that the message names.
 inline constexpr MessageCode kSecondSpelling{"W0171", "second-spelling"};
 // The script has no fix gravity, so its grains have no weight. Add the line that the message gives.
 inline constexpr MessageCode kNoGrainGravity{"W1207", "no-grain-gravity"};
@@ -330,7 +330,7 @@ inline constexpr MessageCode kNoGrainGravity{"W1207", "no-grain-gravity"};
 inline constexpr MessageCode kMeshLargerThanBox{"W1210", "mesh-larger-than-box"};
 // The mesh is far from the origin of its file, and its coordinates have few digits. Export it nearer, or as text.
 inline constexpr MessageCode kMeshFewDigits{"W1220", "mesh-few-digits"};
-// The mesh has been decimated as asked: how far its surface is from that of the file. Give more triangles if that is too far.
+// The mesh was decimated as required: the distance from the surface in the file. Give more triangles if it is too large.
 inline constexpr MessageCode kMeshDecimated{"W1221", "mesh-decimated"};
 // The bed is made under other conditions than the run has. Make them agree unless this is intended.
 inline constexpr MessageCode kBedDiffers{"W0211", "bed-differs"};

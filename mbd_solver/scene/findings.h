@@ -32,7 +32,7 @@ struct Source {
 };
 
 // All errors and warnings about a file, collected, so that the user sees them at once. Every finding ends with its code.
-// "scene.toml:40: signals.s.input: " or "--set signals.s.input: ". Line and path are those of `source`; `key` may be
+// "scene.toml:40: signals.s.input: " or "--set signals.s.input: ". Line and path come from `source`; `key` may be
 // empty.
 std::string place_of(const std::string& file, const Source& source, const std::string& key = "");
 // line: kFromSet means "--set"; 0: unknown.
@@ -48,7 +48,7 @@ class Findings {
   void error(const MessageCode& code, const Source& source, const std::string& key, const std::string& what);
   void error(const MessageCode& code, int line, const std::string& path, const std::string& what);
   void warning(const MessageCode& code, const Source& source, const std::string& key, const std::string& what);
-  // The text ends with a code already: that of an error caught here.
+  // The text ends with a code already, from an error caught here.
   void coded_error(const Source& source, const std::string& key, const std::string& what);
   void coded_error(int line, const std::string& path, const std::string& what);
 

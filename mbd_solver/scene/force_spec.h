@@ -1,6 +1,6 @@
 #pragma once
-// Force elements of a scene: forces as functions of time, struts (a sum of laws along a line), springs, drives. Parameters are
-// those of the laws themselves, with their defaults.
+// Force elements of a scene: forces as functions of time, struts (a sum of laws along a line), springs, drives. Parameters and
+// their defaults belong to the laws themselves.
 
 #include <Eigen/Dense>
 #include <array>
@@ -41,7 +41,7 @@ struct ForceSpec {
 };
 
 // Force elements of a scene: struts (force along the line of two points, a sum of laws) and springs (torsion, centring,
-// bushing). Stroke x = undeformed length - present length: compression positive. The parameters are those of the laws
+// bushing). Stroke x = undeformed length - present length: compression positive. The parameters belong to the laws
 // themselves, with their defaults.
 // The law with its voltage U. A scene states the forces itself: the law's own values are not defaults here.
 struct MrSpec : MrDamperParameters {
@@ -56,7 +56,7 @@ struct MrSpec : MrDamperParameters {
 struct HoneycombSpec : HoneycombCartridge {
   HoneycombSpec() { stages.clear(); }
   bool compression = true;  // has a cartridge that crushes when pushed
-  bool tension = true;      // has one that crushes when pulled
+  bool tension = true;      // has a cartridge that crushes when pulled
 };
 
 struct LinearSpringSpec : LinearSpringDamperParameters {
@@ -237,7 +237,7 @@ struct ContactSpec : ContactLawSpec {
 enum class SoilLawKind { kRft, kPressureSinkage };
 constexpr std::string_view name_of(SoilLawKind kind) { return name_in(kind, "rft", "pressure_sinkage"); }
 
-// A soil without grains (theory 6.7). Numbers that are not given are those of ground.soil.
+// A soil without grains (theory 6.7). Numbers that are not given come from ground.soil.
 struct SoilSpec {
   SoilLawKind kind = SoilLawKind::kRft;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    // of the undisturbed ground, in W [m]
@@ -254,8 +254,8 @@ struct SoilSpec {
   double rebound = 1e-3;                             // way of unloading [m] > 0
   double damping = 3.0;                              // of the elastic ground [s/m] >= 0
   std::optional<double> resistance;                  // rft: not given: from density, friction and gravity [Pa/m] > 0
-  std::optional<double> gravity;  // rft: at which resistance was measured; not given: that of the scene [m/s2] > 0
-  double cohesive_modulus = 0.0;  // pressure_sinkage: k_c [Pa/m^(n-1)] >= 0
+  std::optional<double> gravity;             // rft: at which resistance was measured; not given: the scene's [m/s2] > 0
+  double cohesive_modulus = 0.0;             // pressure_sinkage: k_c [Pa/m^(n-1)] >= 0
   std::optional<double> frictional_modulus;  // pressure_sinkage: k_phi [Pa/m^n] >= 0
   double exponent = 1.0;                     // pressure_sinkage: n > 0
   std::optional<double> width;               // pressure_sinkage: b; not given: the smaller side of the boundary [m] > 0
@@ -292,7 +292,7 @@ struct ParticlesSpec {
   int ranks = 2;                                 // LIGGGHTS processes
   std::string soil;                              // numbers of the box from inputs/soils/NAME.toml
   std::optional<BedSpec> bed;                    // none: the script makes or reads its own particles
-  std::optional<BoxSpec> box;                    // instead of both scripts, which are then those of inputs/box
+  std::optional<BoxSpec> box;                    // instead of both scripts, which are then taken from inputs/box
   std::string
       grains;  // text dump (x y z radius) of the grains at the start, set by `footfall run`: clearance counts from
                // the highest grain under the boundaries

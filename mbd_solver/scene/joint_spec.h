@@ -69,7 +69,7 @@ constexpr JointTraits traits_of(JointType type) {
 }
 constexpr std::string_view name_of(JointType type) { return traits_of(type).name; }
 
-// f(t) = sum_k c_k t^k + amplitude sin(2 pi frequency t + phase) + table(t) + signal. The unit is that of its key ([m], [rad],
+// f(t) = sum_k c_k t^k + amplitude sin(2 pi frequency t + phase) + table(t) + signal. The unit belongs to its key ([m], [rad],
 // [N] ...).
 struct TimeFunctionSpec {
   std::vector<double> polynomial;      // c_0, c_1, ... [unit / s^k]
@@ -88,8 +88,8 @@ struct MotionSpec {
   bool hold_other_rotations = false;         // keeps z of both bodies parallel
 };
 
-// The coordinates that a type of joint leaves free: body b relative to body a, zero in the reference configuration. x is that of
-// the joint's frame, which turns with a: axis2, made perpendicular to the axis.
+// The coordinates that a type of joint leaves free: body b relative to body a, zero in the reference configuration. x is the
+// x axis of the joint's frame, which turns with a: axis2, made perpendicular to the axis.
 std::vector<Coordinate> coordinates_of(JointType type);
 bool has_coordinate(JointType type, Coordinate coordinate);
 // For messages: "angle", "displacement_x" or "displacement_y"
@@ -119,7 +119,7 @@ struct JointSpec {
   // universal: axis fixed in b, perpendicular to `axis`; constant_velocity: axis of the shaft b (not given: `axis`);
   // prescribed, planar: x axis; rolling: axis of a disc, fixed in b (not given: a sphere)
   Eigen::Vector3d axis2 = Eigen::Vector3d::UnitX();
-  std::optional<double> length;      // distance [m]; not given: that of the points
+  std::optional<double> length;      // distance [m]; not given: between the points
   std::optional<double> radius;      // rolling [m] > 0
   std::optional<MotionSpec> motion;  // prescribed
   // Force laws on its coordinates, where it has them.
@@ -128,7 +128,7 @@ struct JointSpec {
 };
 
 // Motors and brakes of a scene: each acts on one coordinate of a joint, by a limited torque or force. Torque and speed are
-// those of the motor; at the joint they are gear_ratio times larger and smaller. On a displacement the joint has a force
+// measured at the motor; at the joint they are gear_ratio times larger and smaller. On a displacement the joint has a force
 // instead of a torque, and the gear ratio the unit rad/m.
 struct DriveSpec {
   Source source;

@@ -105,7 +105,7 @@ class Digits {
   static constexpr double kFar = 1000.0;
   static constexpr std::ptrdiff_t kFew = 7;
   static constexpr double kNone = std::numeric_limits<double>::max();
-  std::array<double, 3> last_{kNone, kNone, kNone};  // what the last digit stands for, the smallest of the axis
+  std::array<double, 3> last_{kNone, kNone, kNone};  // unit of the last digit, the smallest of the axis
   std::ptrdiff_t most_ = 0;
   bool single_ = true;
 };

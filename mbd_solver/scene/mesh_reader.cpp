@@ -47,7 +47,7 @@ constexpr double kWeldTolerance = 1e-6;
 constexpr double kCoarse = 1e-5, kLost = 1e-2;
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
 constexpr std::size_t kMostTriangles = 100000;  // of a mesh that is used as it is
-constexpr std::size_t kMostRead = 1000000;      // of one that is decimated, or only gives a mass
+constexpr std::size_t kMostRead = 1000000;      // of a mesh that is decimated, or only gives a mass
 
 void check_format(const std::string& file) {
   if (!is_mesh_name(file))

@@ -20,7 +20,7 @@ namespace {
 
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// The path of the script's folder is one word, whatever is in it, and so is that of a file: LIGGGHTS gets them from the
+// The path of the script's folder is one word, whatever is in it, and so is the path of a file: LIGGGHTS gets them from the
 // current folder, and `run` refuses what would be split there. Until the words of a line are known, control characters
 // stand for those that split.
 constexpr std::string_view kSplitting = " \t\r\n\"'#";

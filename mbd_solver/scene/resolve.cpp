@@ -242,7 +242,7 @@ bool resolve_by_model(BodySpec& body, Findings& findings) {
   return true;
 }
 
-// The body's numbers; where the mass is not known yet, those of mass 1. False: unknown, which is reported.
+// The body's numbers; where the mass is not known yet, for mass 1. False: unknown, which is reported.
 bool resolve_body(const Scene& scene, BodySpec& body, Findings& findings) {
   const EntryFindings at(findings, body.source);
   const bool mass_given = at.given("mass"), inertia_given = at.given("inertia");
@@ -298,7 +298,7 @@ void resolve_remainder(Scene& scene, Findings& findings) {
       others += body.mass;
     } else if (rest) {
       findings.error(kTotalMass, body.source, "mass",
-                     "is the remainder, as is that of \"" + rest->name + "\"; only one body can have it");
+                     "is the remainder, as for \"" + rest->name + "\"; only one body can have it");
     } else {
       rest = &body;
     }

@@ -31,7 +31,7 @@ double expected_rocks(const RockFieldSpec& field);
 // Mass, mass centre and inertia of every body: from numbers, or from shape and material; "remainder" last.
 void resolve_masses(Scene& scene, Findings& findings);
 
-// The body is one that [initial] does not place or move (InitialGroupsSpec); not "ground".
+// True for a body that [initial] does not place or move (InitialGroupsSpec); not for "ground".
 bool stands_still(const Scene& scene, const std::string& body);
 
 // Mass centre in D of all bodies that [initial] moves [m]; total mass of all [kg].

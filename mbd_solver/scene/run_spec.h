@@ -17,8 +17,8 @@
 
 namespace footfall {
 
-// Velocity of one body instead of that of the mechanism. The first projection of the solver reports one that contradicts the
-// joints.
+// Velocity of one body that differs from the mechanism's. The first projection of the solver reports a velocity that
+// contradicts the joints.
 struct BodyVelocitySpec {
   Source source;
   std::string body;
@@ -135,7 +135,7 @@ struct OutputSpec {
   double vtk_interval = 0.0;         // [s]; 0: a hundredth of the scene's time
   bool plots = true;                 // gnuplot pictures at the end of `footfall run`
   double checkpoint_interval = 0.0;  // [s]; 0: only when interrupted
-  bool keep_grains = false;          // of the end of the run, for another one that starts from it
+  bool keep_grains = false;          // of the end of the run, for a later run that starts from it
 };
 
 // A point whose clearance is told, and that may be a pad.
@@ -196,14 +196,14 @@ constexpr std::string_view name_of(SignalKind kind) {
 }
 
 // Inherited: period [s] of every kind (0: continuous); min, max of pid and saturation; the rest of pid, whose error e is the
-// input. Units are those of what an expression reads; none is converted.
+// input. Units are those that an expression reads; none is converted.
 struct SignalSpec : PidBlockParameters {
   Source source;
   std::string name;
   SignalKind kind = SignalKind::kExpression;
   std::string input;                // expression of history columns, "signal.NAME", "state.NAME", "time"
   std::vector<std::string> states;  // outside of these it is 0, and it restarts when one begins; empty: always active
-  // filters, rate limit: input before the start; not given: that of the start. host: value until it is set; not given: 0
+  // filters, rate limit: input before the start; not given: at the start. host: value until it is set; not given: 0
   std::optional<double> initial;
   std::string rate;                     // pid: expression for e'; not given: e is filtered and differentiated
   double frequency = 0.0;               // of a filter [Hz] > 0

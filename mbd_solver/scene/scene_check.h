@@ -101,7 +101,7 @@ void check_unique_names(const std::vector<Entry>& entries, const std::string& wh
     if (!is_new && !entry.name.empty())
       findings.error(
           code::kDuplicateName, entry.source, "name",
-          "is already that of another " + what + " (line " + std::to_string(same->second) + "); names must differ");
+          "is already the name of another " + what + " (line " + std::to_string(same->second) + "); names must differ");
   }
 }
 

@@ -214,7 +214,7 @@ void visit_fields(FieldVisitor& v, DriveSpec& d) {
   v.field("rotor_inertia", &d.rotor_inertia, not_negative(Unit::kInertia));
 }
 
-// The keys of struts, springs and forces. The members of laws are those of mbd_solver/model/laws.
+// The keys of struts, springs and forces. The members of laws come from mbd_solver/model/laws.
 
 static void visit_fields(FieldVisitor& v, GasSpringParameters& g) {
   v.field("piston_diameter", &g.piston_diameter, required(positive(Unit::kLength)));

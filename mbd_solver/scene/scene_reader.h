@@ -23,7 +23,7 @@ Scene read_scene_text(const std::string& text, const std::string& folder = "",
 // The scene file of such an argument. Throws InputError if there is none.
 std::string scene_file(const std::string& argument);
 
-// large.toml beside it: the same scene on more and finer grains. Throws InputError if there is none.
+// large.toml in its folder: the same scene on more and finer grains. Throws InputError if there is none.
 std::string large_scene_file(const std::string& argument);
 
 // knee = 0.3 in [initial.joints]: the one coordinate of a joint, short for [initial.joints.knee] angle = 0.3.

@@ -30,16 +30,16 @@ struct ConfigNode {
 
 class Findings;
 
-// [arrays.NAME] of a scene, with their counts. In texts "{leg}" stands for the number of each copy, "{leg=2}" in the name of an entry
-// for that of one copy alone, "{leg!2!3}" for those of all others.
+// [arrays.NAME] of a scene, with their counts. In texts "{leg}" becomes the number of each copy, "{leg=2}" in the name of an entry
+// for the number of one copy alone, "{leg!2!3}" for the numbers of all others.
 using ArrayCounts = std::vector<std::pair<std::string, int>>;
 ArrayCounts arrays_of(const ConfigNode& root);
 // The place in a list of tables of one copy of an array by its name, "leg_2" of "leg_{leg}", which becomes an entry of its own behind
-// the others; -1: no array makes it. Its points are those of the drawing, before the copy is turned to its place.
+// the others; -1: no array makes it. Its points are taken from the drawing, before the copy is turned to its place.
 int own_copy(ConfigNode& list, const std::string& name, const ArrayCounts& arrays);
 
 // Gives keys of a scene that have a second spelling their own: `type` for `kind`, `every` and `frames` of [particles.box]. Where
-// both are given, that of --set counts; otherwise the second one remains and is an unknown key.
+// both are given, the one from --set counts; otherwise the second one remains and is an unknown key.
 void rename_second_spellings(ConfigNode& root);
 
 // Throws InputError "file:line: ..." if the file cannot be read or is no TOML.

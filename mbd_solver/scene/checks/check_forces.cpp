@@ -170,7 +170,7 @@ void check_cables(const Scene& scene, Findings& findings) {
                 cable.tension ? "tension" : "slack", "follows from another of length, slack and tension; keep one");
     if (cable.path.size() < 2) continue;
     at.error_if(cable.length && cable.ends().size() > 2, kConflictingKeys, "length",
-                "is that of one cable, but a pulley with grip = true divides it; give slack or tension");
+                "belongs to a single cable, but a pulley with grip = true divides it; give slack or tension");
     bool known = true, moves = false;
     for (const CableGuideSpec& guide : cable.path) {
       if (guide.body != "ground") check_body_name(scene, at, "path", guide.body);
@@ -368,7 +368,7 @@ void check_contacts(const Scene& scene, Findings& findings) {
       at.error_if(!contact.between.empty(), kConflictingKeys, "walls", "excludes between; give each of them an entry");
       at.error_if(contact.ignore, kConflictingKeys, "ignore", "is for two bodies, not for walls");
       at.error_if(!scene.touches_particles(), kGroundIncomplete, "walls",
-                  "are those of a LIGGGHTS script, but ground.kind is not \"particles\"");
+                  "belong to a LIGGGHTS script, but ground.kind is not \"particles\"");
       at.error_if(scene.boundaries.empty(), kGroundIncomplete, "walls", "touch [[boundaries]], but the scene has none");
       for (const std::string& name : contact.bodies) check_has_boundary(scene, at, "bodies", name);
     } else {
@@ -538,7 +538,7 @@ void check_states(const Scene& scene, Findings& findings) {
                      "\"since\" is the time in the present state; choose another name");
   if (scene.states.size() == 1)
     findings.error(kWrongCount, scene.states[0].source, "",
-                   "is the only state, expected another one that an event changes to");
+                   "is the only state, expected a second state to which an event changes");
   for (const EventSpec& event : scene.events) {
     const EntryFindings at(findings, event.source);
     check_expression(scene, at, "when", event.when);

@@ -90,7 +90,7 @@ void check_values(const std::map<std::string, std::string>& variables, const std
   }
 }
 
-// A variable that the script does not read has no effect. One that resembles another is misspelt; any other may come from
+// A variable that the script does not read has no effect. A name similar to a known one is misspelt; others may come from
 // the scene's base, for another script.
 void check_variables(const ScriptText& script, const std::map<std::string, std::string>& variables,
                      const std::string& key, const EntryFindings& at) {
@@ -166,8 +166,9 @@ void check_gravity(const ScriptText& script, const Scene& scene, const EntryFind
   if (!size || direction.isZero(0.0)) return;
   const Eigen::Vector3d g = *size * direction.normalized();
   at.error_if((g - scene.gravity).norm() > 1e-6 * scene.gravity.norm(), kScriptGravity, "script",
-              "the gravity of the grains is " + gravity_text(g) + " (" + only->place() + "), that of the scene " +
-                  gravity_text(scene.gravity) + "; make them agree" + gravity_variable(script, scene, g) +
+              "the gravity of the grains is " + gravity_text(g) + " (" + only->place() +
+                  "), the gravity of the scene " + gravity_text(scene.gravity) + "; make them agree" +
+                  gravity_variable(script, scene, g) +
                   ". A bed by [particles.box] takes the gravity of the scene, of a slope as well. If the grains are "
                   "meant to have another gravity, write  fix ID all couple/mbd every N gravity script ...");
 }

@@ -137,7 +137,7 @@ class Plausibility {
     if (scene_.particles && scene_.particles->box) check_box(*scene_.particles->box);
     if (scene_.ground.kind == GroundKind::kSoil && scene_.ground.law)
       check_ground_density(scene_.ground.source, "law.density", scene_.ground.law->density,
-                           "it is that of the soil with its pores, in kg/m3");
+                           "expected the density of the soil with its pores, in kg/m3");
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
       check_mass(scene_.bodies[i]);
       check_inertia(scene_.bodies[i], outlines_[i]);
@@ -167,13 +167,13 @@ class Plausibility {
     if (g > kMostGravity)
       findings_.warning(kImplausibleGravity, scene_.source, "gravity",
                         "is " + number_text(g) + " m/s2, " + number_text(g / 9.81, 3) +
-                            " times that of the Earth; if it is in mm/s2, divide it by 1000");
+                            " times Earth's gravity; if it is in mm/s2, divide it by 1000");
   }
 
   void check_density(const MaterialSpec& material) {
     if (material.density > kDensest)
       findings_.warning(kImplausibleMass, material.source, "density",
-                        "is " + number_text(material.density) + " kg/m3, more than that of any solid, " +
+                        "is " + number_text(material.density) + " kg/m3, denser than any solid, " +
                             number_text(kDensest) + " kg/m3; write kg/m3, or use the suffix _g_cm3");
   }
 
@@ -181,13 +181,13 @@ class Plausibility {
     if (density <= kDensest && density >= kLightestGrain) return;
     findings_.warning(kImplausibleMass, source, key,
                       "is " + number_text(density) + " kg/m3, " +
-                          (density < kLightestGrain ? "lighter than any grains" : "more than that of any solid") +
-                          "; " + what + ", or use the suffix _g_cm3");
+                          (density < kLightestGrain ? "lighter than any grains" : "denser than any solid") + "; " +
+                          what + ", or use the suffix _g_cm3");
   }
 
   void check_box(const BoxSpec& box) {
     check_ground_density(scene_.particles->source, "box.material.density", box.material.density,
-                         "it is that of a grain, not of the bed, in kg/m3");
+                         "expected the density of a grain, not of the bed, in kg/m3");
     const double interval = box.every.value_or(0) * box_numbers(scene_).time_step;
     if (interval > scene_.end_time)
       findings_.error(
@@ -764,7 +764,7 @@ class Plausibility {
     });
   }
 
-  // A body whose outline is inside of another one that nothing connects to it.
+  // A body whose outline is inside a second body to which nothing connects it.
   void check_inside() {
     std::set<std::pair<std::size_t, std::size_t>> connected;
     const auto connect = [&](const std::string& a, const std::string& b) {

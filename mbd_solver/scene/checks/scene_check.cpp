@@ -213,7 +213,7 @@ void check_from(const Scene& scene, Findings& findings) {
     at.error_if(at.given(key), kConflictingKeys, key,
                 "excludes from: the scene starts from the end of that run, placed as it was; remove one of the two");
   at.error_if(!scene.initial.joints.empty(), kConflictingKeys, "joints",
-              "exclude from: the coordinates of the joints are those of the end of that run");
+              "exclude from: the joints start at their coordinates at the end of that run");
 }
 
 // Sizes and counts that would need memory or time beyond reason: mostly mistakes in a unit, reported before they cost it.
@@ -634,7 +634,7 @@ void check_gears(const Scene& scene, Findings& findings) {
     };
     if (const JointSpec* joint = scene.joint(gear.name); joint != nullptr && !gear.name.empty())
       at.error(kDuplicateName, "name",
-               "is also that of a joint (line " + std::to_string(joint->source.line) + "); names must differ");
+               "is also the name of a joint (line " + std::to_string(joint->source.line) + "); names must differ");
     if (at.given("joints")) {
       at.error_if(joints < 2, kWrongCount, "joints",
                   "contains " + std::to_string(joints) + " names, expected two or more");
@@ -740,7 +740,7 @@ const JointSpec* find_joint(const Scene& scene, const EntryFindings& at, const s
 
 void check_min_below_max(const EntryFindings& at, const std::string& within, double min, double max, Unit unit) {
   if (min < max) return;
-  // The finding is about the one that --set gave.
+  // The finding is about the value from --set.
   const Source& source = at.source();
   const bool of_min = source.line_of(within + "min") == Source::kFromSet && source.line_of(within + "max") > 0;
   const double mine = of_min ? min : max, other = of_min ? max : min;

@@ -59,7 +59,7 @@ void add_ground_soil(ConfigNode& scene, const std::string& folder, Findings& fin
   if (!numbers || numbers->kind != ConfigNode::Kind::kTable) {
     findings.error(kSoilFile, line, "ground.soil",
                    "the file " + path +
-                       " has no table [law]; expected a file of `footfall ground fit`, or one like those of "
+                       " has no table [law]; expected a file of `footfall ground fit`, or a file like the ones in "
                        "inputs/grounds");
     return;
   }
@@ -93,8 +93,7 @@ void check_soil(const Scene& scene, Findings& findings) {
   const bool rft = law.kind == SoilLawKind::kRft;
   at.error_if(used && ground.plane && !at.given("law.normal") &&
                   ground.plane->normal.normalized().dot(law.normal.normalized()) < 1.0 - 1e-9,
-              kKeyWithoutEffect, "plane.normal",
-              "tilts the plane, not the soil; write ground.law.normal for that of the soil");
+              kKeyWithoutEffect, "plane.normal", "tilts the plane, not the soil; ground.law.normal tilts the soil");
   for (const std::string& name : law.bodies)
     at.error_if(
         scene.boundary_of(name) == nullptr, kUnknownBoundary, "law.bodies",

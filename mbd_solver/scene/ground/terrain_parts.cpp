@@ -33,8 +33,8 @@ class Draws {
   std::uint64_t state_;
 };
 
-// Bands of equal ratio; the mean square of each is in proportion to the integral of k^-2(H + 1) k over it, that of all over a
-// period is height^2.
+// Bands of equal ratio; the mean square of each is in proportion to the integral of k^-2(H + 1) k over it; the sum
+// of all over a period is height^2.
 void add_roughness(const RoughnessSpec& r, std::vector<GroundWave>& waves) {
   if (r.height == 0.0) return;
   Draws draws(r.seed);
@@ -47,7 +47,7 @@ void add_roughness(const RoughnessSpec& r, std::vector<GroundWave>& waves) {
     square[i] = H < 1e-9 ? std::log(b / a) : std::pow(a / low, -2.0 * H) - std::pow(b / low, -2.0 * H);
     sum += square[i];
   }
-  // All waves fit into a square of this side, which goes on periodically: one of amplitude 0 tells Terrain.
+  // All waves fit into a square of this side, which is periodic: a wave of amplitude 0 gives it to Terrain.
   const double quantum = low / kPeriods;
   waves.push_back({{quantum, 0.0}, 0.0, 0.0});
   for (int i = 0; i < kRoughWaves; ++i) {
