@@ -25,7 +25,7 @@ struct AuditWindow {
   double end = 0.0, length = 0.0;  // [s]
   double substeps = 0.0;
   int periodic = 0;                                  // directions: 1 x, 2 y, 4 z
-  double tags = 0.0;                                 // sum of those of all grains
+  double tags = 0.0;                                 // summed over all grains
   AuditSource state;                                 // at its end
   Eigen::Vector3d energy = Eigen::Vector3d::Zero();  // kinetic, m g . x [J], number of grains; at its end
   std::vector<AuditSource> sources;
@@ -92,7 +92,7 @@ inline constexpr double kAuditBound = 1e-10;
 // Of the momentum of the mechanism, which includes errors of time integration.
 inline constexpr double kMechanismBound = 1e-6;
 
-// folder: that of the audit (grains.csv, mechanism.csv). Throws InputError when a file is missing or no such file.
+// folder: of the audit (grains.csv, mechanism.csv). Throws InputError when a file is missing or no such file.
 std::vector<AuditLine> audit_lines(const std::string& folder);
 std::vector<AuditLine> audit_lines(const GrainsAudit& grains, const MechanismAudit& mechanism);
 
@@ -101,7 +101,7 @@ std::string audit_table(const std::vector<AuditLine>& lines);
 bool audit_holds(const std::vector<AuditLine>& lines);
 
 // Runs the scene with recording for so many windows, or until run.until, and prints the table. Returns the exit code: 0 when
-// every quantity holds, 1 when one does not; otherwise that of the run. Throws InputError.
+// every quantity holds, 1 when one does not; otherwise the code of the run. Throws InputError.
 int audit_command(const RunArguments& run, int windows);
 
 }  // namespace footfall

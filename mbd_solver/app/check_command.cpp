@@ -51,7 +51,7 @@ std::string grains_of_bed(const Scene& scene) {
   return bed_is_made(folder) && std::filesystem::exists(grains, error) ? grains : "";
 }
 
-// Faults that only building the mechanism finds; grains are those of the bed in the cache. Returns what it proposes.
+// Faults that only building the mechanism finds; grains are taken from the bed in the cache. Returns what it proposes.
 std::string check(Scene scene, bool judges) {
   std::string proposal;
   if (judges && scene.touches_particles() && scene.particles->grains.empty())
@@ -90,7 +90,7 @@ void require_rest(const Scene& scene, const std::string& argument, const std::ve
   throw InputError(text.substr(begin, text.find_last_not_of('\n') + 1 - begin));
 }
 
-// What the last run of the scene in runs/ says of its walls; empty without one that has watched them.
+// What the last run of the scene in runs/ says of its walls; empty if no run has watched them.
 std::string walls_of_last_run(const Scene& scene) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -131,7 +131,7 @@ void check_foreign_code(const Scene& scene) {
 
 Scene checked_scene(const std::string& argument, const std::vector<std::string>& settings) {
   const Scene scene = read_scene(argument, settings);
-  check(scene, false);  // its warnings include those of the scene
+  check(scene, false);  // its warnings include the scene's
   return scene;
 }
 

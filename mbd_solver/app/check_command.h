@@ -28,7 +28,7 @@ struct RunTime {
 // With marks 0, 1, 2 of the trial (its start, middle and end), rates of the second half, and R = t_end - t_2 to come:
 //   T = t_wall,2 + R (grains + mechanism),   grains = (dem_2 - dem_1) / (t_2 - t_1)
 // Every DEM step is taken to cost as much as in the second half of the trial. A mechanism takes short steps after an
-// impact; later as few as its windows require, but at least a quarter of those of the trial:
+// impact; later as few as its windows require, but at least a quarter of the trial's steps:
 //   most = its pace in the second half,   least = most max(windows / steps, 1/4)
 // The estimate takes sqrt(least most) when its steps grew from the first half of the trial to the second, otherwise most.
 // The range also covers the slower and the faster half of the grains.

@@ -26,7 +26,7 @@ struct Subcommand {
 // section for each.
 std::vector<Subcommand> commands_with(const std::vector<std::pair<std::string, Prepare>>& own);
 
-// Those of the program footfall.
+// The commands of the program footfall.
 const std::vector<Subcommand>& subcommands();
 
 // Reads the line and carries it out. Errors are printed on standard error.

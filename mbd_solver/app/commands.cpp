@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// inputs/landing_mr of the current folder, otherwise that of this program.
+// inputs/landing_mr of the current folder, otherwise the copy of this program.
 std::string default_scene() {
   const std::string name = "inputs/landing_mr";
   std::error_code unknown;  // where the current folder may not be entered
@@ -81,7 +81,7 @@ Action run(CLI::App& command) {
       ->check(not_negative())
       ->capture_default_str();
   command.add_flag("--quiet", a->quiet, "Print errors only");
-  command.add_flag("--view", a->view, "Show the run in the browser while it goes on, in 3D");
+  command.add_flag("--view", a->view, "Show the run in the browser while it proceeds, in 3D");
   const auto folder = std::make_shared<std::string>();
   CLI::Option* resume =
       command
@@ -226,7 +226,7 @@ Action view(CLI::App& command) {
       ->check(not_negative())
       ->capture_default_str()
       ->needs(video);
-  command.add_option("--to", v.to, "End of the video [s] (default: that of the run)")->check(positive())->needs(video);
+  command.add_option("--to", v.to, "End of the video [s] (default: end of the run)")->check(positive())->needs(video);
   command.add_option("--fps", v.rate, "Pictures in a second of the video")
       ->check(within(1, 120))
       ->capture_default_str()

@@ -97,7 +97,7 @@ std::string with_all(std::string line, const Variables& variables) {
 
 // Writes out loops over meshes,
 //   variable NAME index VALUES / label L / lines / next NAME / jump SELF L
-// and replaces variables in lines that couple. variables: of the run's command line; those of the script are added.
+// and replaces variables in lines that couple. variables: of the run's command line; the script's are added.
 std::vector<std::string> written_out(const std::vector<std::string>& lines, Variables& variables) {
   std::vector<std::string> out;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -691,8 +691,8 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
   } else {
     const Json theirs = coupled_summary(other);
     if (theirs.at("dt_dem_s") != summary.at("dt_dem_s"))
-      throw InputError(code::kNotComparable, other + ": DEM time step " + theirs.at("dt_dem_s").dump() +
-                                                 " s, but that of " + run + " is " + summary.at("dt_dem_s").dump() +
+      throw InputError(code::kNotComparable, other + ": DEM time step " + theirs.at("dt_dem_s").dump() + " s, but " +
+                                                 run + " has " + summary.at("dt_dem_s").dump() +
                                                  " s; the runs have no common steps");
     for (const std::string& body : recorded_bodies((fs::path(run) / "motion").string()))
       if (fs::exists(fs::path(other) / "motion" / (body + ".csv"))) bodies.push_back(body);

@@ -1,6 +1,6 @@
 #pragma once
-// footfall compare: two beds of grains at the same times, and the forces on the bodies. The second bed is that of another
-// run, or that of stock LIGGGHTS, which replays the run's own script with its coupled meshes moved by `fix move/mesh` as
+// footfall compare: two beds of grains at the same times, and the forces on the bodies. The second bed comes from
+// another run, or from stock LIGGGHTS, which replays the run's own script with its coupled meshes moved by `fix move/mesh` as
 // recorded (DIR/motion).
 
 #include <Eigen/Dense>
@@ -18,7 +18,7 @@ struct Replay {
   int steps = 0, every = 1;         // of the whole run; between two changes of velocity
 };
 
-// `script`: that of the coupled run. `motion`: its DIR/motion. `out`: folder of the replay. dt: DEM time step [s].
+// `script`: of the coupled run. `motion`: its DIR/motion. `out`: folder of the replay. dt: DEM time step [s].
 // variables: of the run's LIGGGHTS command line. Throws InputError when the script has no coupling, or none of its meshes
 // was recorded.
 Replay stock_replay(const std::string& script, const std::string& motion, const std::string& out, double dt,

@@ -38,7 +38,7 @@ class FollowedRun {
  public:
   // Serves the page, opens a browser where there is a screen, and prints the address. Throws InputError.
   explicit FollowedRun(const std::string& run);
-  // About every second, while the run goes on.
+  // About every second, while the run proceeds.
   void tell();
   // The programs of the run have ended: the page gets the last frames and how it ended.
   void finish();

@@ -78,7 +78,7 @@ class Copy {
  public:
   Copy(fs::path source, fs::path target) : source_(std::move(source)), target_(std::move(target)) {}
 
-  // `shown`: the source folder in the scene's own comments, which is replaced by that of the copy.
+  // `shown`: the source folder in the scene's own comments, which is replaced by the folder of the copy.
   void copy(const std::string& shown, const std::string& command) {
     for (const fs::directory_entry& entry : fs::directory_iterator(source_)) {
       if (!entry.is_regular_file() || is_left_out(entry.path())) continue;

@@ -89,7 +89,7 @@ std::string grain_polydata(const BedFrame& frame) {
 
 namespace {
 
-// A dump in VTK's text format with no columns but those of its .vtp, which takes a third of the room. Text dumps stay: scripts of
+// A dump in VTK's text format with no columns besides the columns of its .vtp, which takes a third of the room. Text dumps stay: scripts of
 // users read them.
 bool holds_all_of(const std::string& dump) {
   if (fs::path(dump).extension() != ".vtk") return false;

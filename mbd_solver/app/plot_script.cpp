@@ -235,7 +235,7 @@ std::string lines(const Figure& figure) {
   return text;
 }
 
-// Vertical lines with their word at the top, horizontal ones with their word above them, points with theirs beside them.
+// Vertical lines with their word at the top, horizontal ones with their word above them, points with theirs next to them.
 std::string marks(const Figure& figure, PlotStyle style) {
   const std::string ink = std::string(" tc rgb \"") + paper_of(style).ink + "\"",
                     red = style == PlotStyle::kDark ? "#ff6b6b" : "#b91c1c";

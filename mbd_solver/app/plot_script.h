@@ -1,5 +1,5 @@
 #pragma once
-// Scripts for gnuplot, and running it: curves over time and surfaces. Each script stands in DIR/plots, reads ../history.csv
+// Scripts for gnuplot, and running it: curves over time and surfaces. Each script is stored in DIR/plots, reads ../history.csv
 // or ../ledger.csv, and draws itself as PNG and SVG; users can edit and rerun it.
 
 #include <Eigen/Dense>
@@ -61,7 +61,7 @@ std::string series_colour(int series, PlotStyle style = PlotStyle::kLight);  // 
 struct Curve {
   std::string title;
   Formula formula;
-  std::string colour = "";  // #rrggbb; empty: that of the series
+  std::string colour = "";  // #rrggbb; empty: the colour of the series
   int series = -1;          // 0 ... kSeriesColours - 1; -1: its place among the curves
   bool dashed = false;      // of a second run
 };

@@ -341,7 +341,7 @@ std::optional<std::pair<double, double>> free_place(const Mark& peak, const std:
   double least = std::numeric_limits<double>::infinity();
   for (int j = 0; j <= kPlaces; ++j) {
     const double y = low + 0.5 * up + (high - low - up) * j / kPlaces, below = y - 0.5 * up, above = y + 0.5 * up;
-    // The word of a limit stands above its line.
+    // The word of a limit is above its line.
     if (std::any_of(limits.begin(), limits.end(),
                     [&](const Mark& m) { return m.value < above && m.value + up > below; }))
       continue;

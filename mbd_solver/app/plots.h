@@ -57,7 +57,7 @@ struct ColumnPlot {
   std::string other;                 // of a second one, over the first; empty: none
   std::vector<std::string> columns;  // words for chosen_columns; none: list the columns
   std::string out;                   // .png, .svg or .pdf; empty: the first two, in DIR/plots, named by the words
-  std::string title;                 // empty: that of the scene
+  std::string title;                 // empty: the scene's title
   double srs = 0.0;                  // quality Q: shock response spectra instead; 0: none
   double psd = -1.0;                 // window [s]: power densities instead; 0: an eighth of the run; below: none
   int cfc = 0;                       // channel frequency class: filtered columns as well; 0: none

@@ -95,7 +95,7 @@ void HtmlPage::table(const std::vector<std::vector<std::string>>& rows, bool hea
     const std::string cell = head && i == 0 ? "th" : "td";
     body_ += i < classes.size() && !classes[i].empty() ? "<tr class=\"" + classes[i] + "\">" : "<tr>";
     for (std::size_t k = 0; k < rows[i].size(); ++k) {
-      // A heading stands as the first number under it.
+      // A heading is aligned as the first number under it.
       const std::size_t judged = head && i == 0 ? 1 : i;
       const bool number = judged < rows.size() && k < rows[judged].size() && is_number(rows[judged][k]);
       body_ += "<" + cell + (number ? " class=\"n\"" : "") + ">" + html_text(rows[i][k]) + "</" + cell + ">";
@@ -405,7 +405,7 @@ std::string about(const fs::path& folder, const Json& summary) {
   return text + (version.empty() ? "" : ", by footfall " + version) + ".";
 }
 
-// A page that is passed on names no folders of this machine: those of the run and of its scene are left out.
+// A page that is passed on names no folders of this machine: the folders of the run and of its scene are left out.
 std::string without_folders(std::string text, const fs::path& folder, const Json& summary) {
   const fs::path scene = summary.value("scene_file", "");
   for (const fs::path& path : {folder, scene.parent_path().parent_path(), scene.parent_path()}) {
@@ -500,7 +500,7 @@ std::string sweep_page(const fs::path& folder) {
   page.section("Quality of the results");
   page.table(rows);
   show_scene(last, page);
-  page.paragraph("The scene is that of the run " + runs.back().filename().string() + ".");
+  page.paragraph("The scene is taken from the run " + runs.back().filename().string() + ".");
   show_versions(last, page);
   return page.text();
 }

@@ -30,7 +30,7 @@ class HtmlPage {
   void folded(const std::string& label, const std::string& text, const std::vector<std::string>& marks = {});
   // A PNG or SVG file; the caption is its name without ending unless given. Throws InputError.
   void picture(const std::string& path, const std::string& caption = "");
-  // The browser goes on to this address.
+  // The browser continues to this address.
   void forward_to(const std::string& address) { address_ = address; }
 
   std::string text() const;

@@ -105,7 +105,7 @@ GrainEnergies read_grain_energies(const std::string& path) {
     if (row.size() < 5) {
       const InputError fault(code::kRunDamaged, text.place() + ": \"" + line +
                                                     "\": expected five numbers: step time kinetic rotation gravity");
-      if (!text.next()) break;  // a run in progress, or one that was killed
+      if (!text.next()) break;  // a run in progress, or a killed one
       throw fault;
     }
     if (!grains.time.empty() && row[1] <= grains.time.back())

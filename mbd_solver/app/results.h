@@ -39,7 +39,7 @@ GrainEnergies read_grain_energies(const std::string& path);
 //                          the first three from `grains` if it has them, else from `run`, which has them at ends of windows
 //   sum                    mechanism + dissipated - work.motion + work.to_grains
 //   closing_error          change of the sum over reference_energy
-// Rows at the times of `grains`, with the mechanism's values interpolated linearly; without grains at those of `run`.
+// Rows at the times of `grains`, with the mechanism's values interpolated linearly; without grains at the times of `run`.
 // Throws InputError when `run` has no energies.
 History energy_ledger(const History& run, const GrainEnergies& grains);
 

@@ -58,7 +58,7 @@ void print_error(const MessageCode& code, const std::string& text) {
   std::fprintf(stderr, "footfall: %s\n", with_code(code, text).c_str());
 }
 
-// The exit code of the run, from that of its command; reports what no program of the run can report itself. An mpirun
+// The exit code of the run, from the code of its command; reports what no program of the run can report itself. An mpirun
 // that was asked to end also gives the code of a failure: then both programs had begun, and neither has noted a failure.
 int exit_code(const ChildEnd& end, const std::string& status, bool begun, bool noted) {
   const bool asked = was_asked_to_end(end.code) || (end.code == kExitFailed && begun && !noted);
@@ -231,7 +231,7 @@ void require_resumable(const ParticlesSpec& particles) {
         code::kNotResumable,
         particles.script +
             ": a run with this script cannot be resumed: it must read its grains by `read_restart ${bed}`, "
-            "so that -var bed can name those of the checkpoint");
+            "so that -var bed can name the grains of the checkpoint");
 }
 
 // Options that a resumed run takes anew.

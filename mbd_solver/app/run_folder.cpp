@@ -37,7 +37,7 @@ bool is_numbered(std::string name) {
   return dot > 0 && digits != std::string::npos && digits + 1 < dot && name[digits] == '_';
 }
 
-// Folders that belong to a run with all they hold, and those of which only pictures do.
+// Folders that belong to a run with all they hold, and folders of which only pictures do.
 constexpr const char* kFolders[] = {"audit", "checkpoint", "compare", "motion", "script"};
 constexpr const char* kOfPictures[] = {"pictures", "plots"};
 

@@ -20,7 +20,7 @@ class RunFolder {
   FileLock lock_;
 };
 
-// The files in the folder that runs and the commands on them write, by their names; those of the user have others.
+// The files in the folder that runs and the commands on them write, by their names; the user's files have others.
 std::vector<std::string> files_of_run(const std::string& folder);
 
 // "FOLDER: " and why it cannot be read: a run that has not ended, or what was expected.

@@ -125,7 +125,7 @@ std::vector<double> moments_of(const MechanismShapes& shapes, std::size_t most) 
   return chosen;
 }
 
-// The bodies whose stress is known; others are drawn in their own colour, not in that of zero stress.
+// The bodies whose stress is known; others are drawn in their own colour, not in the colour of zero stress.
 std::set<int> stressed_bodies(const std::vector<MechanismShape>& frames) {
   std::set<int> stressed;
   for (const MechanismShape& shape : frames) {
@@ -435,7 +435,7 @@ void add_dumps(const std::map<long, std::string>& dumps, int count, double dt, F
 
 namespace {
 
-// The page may load nothing, whatever it contains; that of a run in progress may read the events of its server.
+// The page may load nothing, whatever it contains; the page of a run in progress may read the events of its server.
 std::string policy_of(const PageParts& parts) {
   const std::string alone =
       "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";

@@ -62,7 +62,7 @@ void add_shapes(const std::vector<double>& times, const std::vector<MechanismSha
 // run.gravity [m/s2], and run.planes: {point [m], normal} of the ground and of contacts with planes. scene: as in summary.json.
 void add_surroundings(const nlohmann::ordered_json& scene, PageParts& parts);
 
-// The page of these parts. place: the folder or file that it shows. notes: what it lacks. Status and warnings are those of the
+// The page of these parts. place: the folder or file that it shows. notes: what it lacks. Status and warnings come from the
 // summary.
 std::string page_text(const std::string& title, const std::string& place, const nlohmann::ordered_json& summary,
                       const std::vector<std::string>& notes, const PageParts& parts);

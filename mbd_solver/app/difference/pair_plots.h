@@ -11,7 +11,7 @@ namespace footfall {
 
 struct PairPlots {
   History history;  // on_one_clock; the figures name its columns
-  Panels panels;    // per unit: the curves, those of the second run dashed; then second minus first
+  Panels panels;    // per unit: the curves, dashed for the second run; then second minus first
 };
 // Throws InputError for a column that the second run does not have.
 PairPlots plots_of_columns(const RunPair& pair, const std::vector<std::string>& columns);

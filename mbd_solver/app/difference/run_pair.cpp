@@ -198,7 +198,7 @@ History on_one_clock(const RunPair& pair, const std::vector<std::string>& column
   for (const double t : a.columns.front())
     if (t >= theirs.front() && t <= theirs.back()) both.columns.front().push_back(t);
   if (both.columns.front().size() < 2)
-    throw InputError(code::kNotComparable, pair.b.folder + ": its rows and those of " + pair.a.folder +
+    throw InputError(code::kNotComparable, pair.b.folder + ": its rows and the rows of " + pair.a.folder +
                                                " have no time in common; compare runs of the same span");
   const std::vector<double> time = both.columns.front();
   for (const std::string& name : columns)

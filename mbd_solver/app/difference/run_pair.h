@@ -48,8 +48,8 @@ std::vector<CurveDifference> curve_differences(const History& a, const History& 
 // The column of a history at time t [s], straight between rows; nan outside.
 double value_at(const History& history, const std::vector<double>& column, double t);
 
-// Both histories on one clock, of these columns: NAME (first), NAME (second). Rows are those of the first
-// run in the time that both cover. Throws InputError where there are fewer than two.
+// Both histories on one clock, of these columns: NAME (first), NAME (second). Rows are the first run's
+// in the time that both cover. Throws InputError where there are fewer than two.
 inline constexpr const char *kFirstRun = " (first)", *kSecondRun = " (second)";
 History on_one_clock(const RunPair& pair, const std::vector<std::string>& columns);
 

@@ -54,7 +54,7 @@ std::optional<Eigen::Affine3d> placement_of(const ScriptCommand& command) {
   return place;
 }
 
-// The meshes that move: those that are coupled, and those of fix move/mesh.
+// The meshes that move: coupled meshes, and meshes of fix move/mesh.
 std::set<std::string> moving_meshes(const ScriptText& script) {
   std::set<std::string> moving;
   for (const ScriptCommand& command : script.commands()) {

@@ -1,5 +1,5 @@
 #pragma once
-// What stands around a mechanism on its page: meshes of the script that no body moves, and the block of a bed.
+// The surroundings of a mechanism on its page: meshes of the script that no body moves, and the block of a bed.
 
 #include <nlohmann/json.hpp>
 
