@@ -68,7 +68,7 @@ class SafetyClock {
 // until [s], ranks: as in RunStart. visit: describes the state.
 void write_checkpoint(const std::string& folder, const Scene& scene, double until, int ranks,
                       const std::function<void(Archive&)>& visit);
-// Throws InputError when `scene` differs from that of the checkpoint, naming the first difference, and when the state
+// Throws InputError when `scene` differs from the checkpoint's, naming the first difference, and when the state
 // does not fit.
 void restore_checkpoint(const std::string& folder, const Scene& scene, const std::function<void(Archive&)>& visit);
 

@@ -66,7 +66,7 @@ inline constexpr MessageCode kTurnsNotCounted{"W1665", "turns-not-counted"};
 // Joints change the damping ratio of a flexible body's lowest mode. Give the damping that the message computes, if that is meant.
 inline constexpr MessageCode kAttachedDamping{"W1666", "attached-damping"};
 
-// A requirement states another unit than that of the number that it reads; nothing is converted. Convert the value, or state its unit.
+// A requirement states another unit than the number that it reads has; nothing is converted. Convert the value, or state its unit.
 inline constexpr MessageCode kRequirementUnit{"W1669", "requirement-unit"};
 
 // A signal of another program (FMU, Python file) answers motion like a stiff spring: its period is too long. Shorten it, or use a spring of the scene.

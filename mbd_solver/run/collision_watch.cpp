@@ -20,7 +20,7 @@ namespace {
 constexpr double kShortest = 1e-9;
 // A long motion between two samples, for bodies with a contact [of the smaller radius].
 constexpr double kLongMotion = 0.1;
-// From this distance on that of the spheres suffices [of the smaller radius].
+// From here on the distance of the spheres suffices [of the smaller radius].
 constexpr double kFarApart = 0.1;
 
 using Bodies = std::array<int, 2>;

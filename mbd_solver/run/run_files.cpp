@@ -76,7 +76,7 @@ const std::vector<double>& RunFiles::see_row(const Sample& sample) {
   return row;
 }
 
-// With grains, stresses within windows would delay the grains; those of their ends are computed while the grains move.
+// With grains, stresses within windows would delay the grains; stresses at their ends are computed while the grains move.
 void RunFiles::observe(const Sample& sample) {
   if (sample.coupling == nullptr || observation_.flexible().count() == 0) {
     see_row(sample);

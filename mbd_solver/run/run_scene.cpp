@@ -274,7 +274,7 @@ class RunSession {
   Trial trial_;
   volatile std::sig_atomic_t trial_ends_ = 0;
   CheckpointFolder checkpoints_;
-  std::string checkpoint_;  // folder of the one that is being written
+  std::string checkpoint_;  // folder of the checkpoint in progress
   SafetyClock safety_;
   bool stateless_;  // a program of the user cannot tell its state: no checkpoints
 };

@@ -50,7 +50,7 @@ void for_each_friction(Scene& scene, const Visit& visit) {
         visit("joint/" + joint.name + "/" + std::string(name_of(kind)), *(*coordinate)->friction);
 }
 
-// The scene with constant loads, those of the start, and without velocities. Friction at rest is that of the scene in
+// The scene with the constant loads of the start, and without velocities. Friction at rest is as in the scene in
 // coordinates whose load exceeds it; in others it bears what a load takes up that is there at once.
 Scene frozen(Scene scene, const std::vector<std::string>& sliding) {
   scene.initial.velocity.setZero();

@@ -31,7 +31,7 @@ class SignalLoop {
     bool sampled = false;  // it has a period: its instant is the sample itself
   };
   Trigger triggered(const Sample& sample, const Eigen::VectorXd& values);
-  // Between two samples at which no condition holds, that of an event without a period may hold if several of its comparisons
+  // Between two samples at which no condition holds, an event without a period may hold if several of its comparisons
   // change. remember(): the first sample; changed(): comparisons that differ at another, of which may_have_held() asks.
   void remember(const Sample& sample, const Eigen::VectorXd& values);
   std::vector<std::size_t> changed(const Sample& sample, const Eigen::VectorXd& values);
@@ -81,7 +81,7 @@ class SignalLoop {
   bool unsampled_events_ = false;
   std::vector<Condition> compared_;        // of two comparisons or more
   SignalChain margins_;                    // one node per comparison
-  std::vector<std::size_t> margin_names_;  // of its names in those of conditions_
+  std::vector<std::size_t> margin_names_;  // of its names among the names of conditions_
   std::vector<double> margin_, remembered_;
 };
 

@@ -18,7 +18,7 @@ class Advance {
   // From a state to this time [s]. instructions: where a corner is one of their stops it is a row,
   // too, and the way ends there only if they wait; null: corners are no rows.
   void begin(const State& from, double time, const WindowStops& stops = {}, const Instructions* instructions = nullptr);
-  // kEnd: state and rates of the mechanism are those of the end, its sample is not. Throws
+  // kEnd: state and rates of the mechanism belong to the end, its sample does not. Throws
   // NumericalError.
   WindowStop next();
   void end_window();  // at the row or step that next() has returned

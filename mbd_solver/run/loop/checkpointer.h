@@ -19,7 +19,7 @@ struct CheckpointWriter {
   // Creates the folder of the checkpoint after so many windows and returns its path; both sides
   // then write into it.
   std::function<std::string(long windows)> begin;
-  std::function<void()> finish;  // writes the files of this side, when those of the DEM side are complete
+  std::function<void()> finish;  // writes the files of this side, when the DEM side's are complete
   std::function<void()> cancel;  // the DEM side could not write its own
   // Whether the last checkpoint is too long ago on the wall clock; empty: never. A checkpoint
   // written for this reason does not change the run; a run resumed from it agrees with the original

@@ -20,7 +20,7 @@ class EventFinder {
   EventFinder(MovingMechanism& moving, SignalLoop* signals, EventForesight& foresight)
       : moving_(moving), signals_(signals), foresight_(foresight) {}
 
-  // The present sample is that of the start, or of a checkpoint.
+  // The present sample belongs to the start, or to a checkpoint.
   void begin() { stand_without_event(); }
   bool has_unsampled() const { return signals_ && signals_->has_unsampled_events(); }
   // An event is due now, or perhaps between now and the last state without one. False: this is that
@@ -62,7 +62,7 @@ class EventFinder {
 // The time in (begin, end) at which a condition holds, between two samples at which none does;
 // signals remember the first, and the second is the present one. The comparisons of conditions
 // change at instants that bisection finds to this precision, each by itself; between two of them
-// the condition is tried. Nothing: it holds nowhere, and the sample is that of the end. All times
+// the condition is tried. Nothing: it holds nowhere, and the sample belongs to the end. All times
 // in [s].
 std::optional<double> holds_between(SignalLoop& signals, MovingMechanism& moving, double begin, double end,
                                     double precision, const std::function<bool(double)>& holds_at);

@@ -114,7 +114,7 @@ double EventForesight::find_under_present_loads(double end, double precision) {
   try {
     integrator_->forget();  // the result depends on the state alone
     integrator_->advance(state, end, inputs, rows);
-  } catch (const NumericalError&) {  // these loads need not be those of the window
+  } catch (const NumericalError&) {  // the window's loads may be different
   }
   return event;
 }

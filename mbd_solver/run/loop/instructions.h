@@ -53,7 +53,7 @@ class Instructions {
   bool waiting() const { return !given_.empty() || checkpoint_requested_; }  // before the run may continue
   bool checkpoint_requested() const { return checkpoint_requested_; }
   void checkpoint_answered() { checkpoint_requested_ = false; }
-  // The run is over at the next row; with grains at the end of the window after the one that has begun.
+  // The run is over at the next row; with grains at the end of the window after the present one.
   void request_end() { end_requested_ = true; }
   bool end_requested() const { return end_requested_; }
   void visit_end(Archive& archive) { archive("end_requested", end_requested_); }

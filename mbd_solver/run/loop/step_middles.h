@@ -1,5 +1,5 @@
 #pragma once
-// The middles of steps without grains, where a peak may exceed those of the ends: a rate that comes
+// The middles of steps without grains, where a peak may exceed the values at the ends: a rate that comes
 // near its largest so far is beyond both of its ends, by more than kBeyond of it.
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #pragma once
-// Surfaces that must not meet during a run: those of bodies and the static walls of the script,
+// Surfaces that must not meet during a run: of bodies, and the static walls of the script,
 // without walls that it has removed.
 
 #include <memory>
@@ -15,7 +15,7 @@ class SurfaceWatch {
  public:
   explicit SurfaceWatch(MovingMechanism& moving) : moving_(moving) {}
   // reference: the mechanism as assembled. The walls of the script act on the mechanism from now
-  // on. Adds its notes to those of the assembly.
+  // on. Adds its notes to the assembly's.
   void start(const Kinematics& reference);
   void begin();  // at the present sample, in which a run begins or resumes
   void check();  // the present sample; throws NumericalError

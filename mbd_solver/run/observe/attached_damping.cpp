@@ -166,7 +166,7 @@ std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanis
 
 namespace {
 
-// One warning for all bodies of equal numbers, as three digits show them: those of an array differ by round-off.
+// One warning for all bodies of equal numbers, as three digits show them: bodies of an array differ by round-off.
 std::vector<std::string> warnings_of(const std::vector<AttachedDamping>& found, const Mechanism& mechanism) {
   std::vector<std::pair<std::string, std::vector<std::string>>> texts;
   for (const AttachedDamping& at : found) {

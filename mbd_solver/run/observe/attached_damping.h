@@ -1,5 +1,5 @@
 #pragma once
-// The damping ratio that a flexible body has as its joints hold it. The scene gives that of the body's own, free modes: where
+// The damping ratio that a flexible body has as its joints hold it. The scene gives the ratio of the body's free modes: where
 // joints hold a body, its lowest mode is mostly a combination of stiffer free modes, which damp slow motion little.
 
 #include <string>
@@ -13,7 +13,7 @@ struct AttachedDamping {
   int body = 0;            // in the model
   double frequency = 0.0;  // of the lowest mode with at least half of its strain energy in this body [Hz]
   double given = 0.0;      // damping ratio of the scene
-  double ratio = 0.0;      // that of this mode
+  double ratio = 0.0;      // of this mode
 };
 
 // One per flexible body with damping whose ratio differs from the given one by more than a fifth; at the start, joints closed,
@@ -25,7 +25,7 @@ std::vector<AttachedDamping> attached_damping(const Scene& scene, const Mechanis
 
 // The warnings of `check`, also of bodies that bend too far under the weight that their joints hold.
 std::vector<std::string> warnings_of_held_bodies(const Scene& scene, const Mechanism& mechanism);
-// Those of a run: of few velocities, and of damping that is not the default.
+// The warnings of a run: of few velocities, and of damping that is not the default.
 std::vector<std::string> damping_warnings_of_run(const Scene& scene, const Mechanism& mechanism);
 
 }  // namespace footfall

@@ -114,7 +114,7 @@ void LandingWatch::choose_base() {
     if (model.body(i).mass() > model.body(lander_.base).mass()) lander_.base = i;
 }
 
-// The bodies of the model are those of the scene.
+// The model has the bodies of the scene.
 void LandingWatch::choose_bodies() {
   const Scene& scene = subject_.scene;
   std::vector<bool> found(scene.bodies.size(), false);
@@ -143,7 +143,7 @@ void LandingWatch::choose_bodies() {
   }
 }
 
-// By default those of the lander's bodies but the base that have a boundary.
+// By default the lander's bodies that have a boundary, without the base.
 void LandingWatch::choose_pads() {
   const Scene& scene = subject_.scene;
   const std::vector<BodyBoundary>& boundaries = subject_.mechanism.boundaries;
@@ -175,10 +175,9 @@ void LandingWatch::choose_edges() {
   const Scene& scene = subject_.scene;
   const Placement& placement = subject_.mechanism.placement;
   if (pads_.size() < 3)
-    throw_pads(scene,
-               "the lander has " + std::to_string(pads_.size()) + (pads_.size() == 1 ? " pad" : " pads") +
-                   ", expected at least three, between which it stands: name bodies with a boundary, or points of "
-                   "[[landing.points]]");
+    throw_pads(scene, "the lander has " + std::to_string(pads_.size()) + (pads_.size() == 1 ? " pad" : " pads") +
+                          ", expected at least three on which it stands: name bodies with a boundary, or points of "
+                          "[[landing.points]]");
   const Eigen::Vector3d axis_D = scene.landing->axis ? *scene.landing->axis : axis_towards(up_);
   const Eigen::Matrix3d axes = axes_with_z(axis_D);
   std::vector<Eigen::Vector2d> plan;
@@ -267,7 +266,7 @@ void LandingWatch::measure_edges(const Sample& sample) {
   now_.stability_distance = now_.tip_energy_margin = 0.0;
 }
 
-// Times of a step's middle come after those of its end.
+// Times of a step's middle come after times of its end.
 void LandingWatch::see_pads(const Sample& sample) {
   const double time = sample.state.time;
   now_.pads_touching = 0;

@@ -1,7 +1,7 @@
 #pragma once
 // What [landing] of a scene asks for: how far a lander is from tipping over, how far it slid, what came near the ground.
 //
-// Pads p_i are bodies with a boundary, or named points; neighbours are those of their convex hull in the reference
+// Pads p_i are bodies with a boundary, or named points; neighbours are adjacent on their convex hull in the reference
 // configuration, seen along the axis of the base. Vertical is gravity's direction, c the mass centre of all bodies that
 // joints, struts and springs connect to the base, m their mass.
 //   stability distance   d = min_i n_i . (c - p_i), n_i = up x e_i / |up x e_i|, e_i = p_i+1 - p_i: of the mass centre from

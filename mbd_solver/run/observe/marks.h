@@ -9,7 +9,7 @@
 //   spring  points on a and b [m], its axis, its second axis
 //   force   point, point [m], force and moment about the point [N, N m]
 //   drive   points on a and b [m], axis of its coordinate times its torque or force [N m or N], that axis
-//   gear    one mark per joint: its point, that of the next joint [m], axis of the coordinate, (factor, 1 for an angle, 0)
+//   gear    one mark per joint: its point, the next joint's point [m], axis of the coordinate, (factor, 1 for an angle, 0)
 
 #include <variant>
 

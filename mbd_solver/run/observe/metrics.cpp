@@ -173,7 +173,7 @@ namespace {
 
 constexpr double kSmallPart = 0.05;  // of the flow: smaller integrals are judged by the flow
 // A power is a product of a force and a velocity, each with the relative error of the state, the root mean square over all
-// coordinates: that of one of them is larger. An embedded rule sees what its own nodes show.
+// coordinates: the error of a single coordinate is larger. An embedded rule sees what its own nodes show.
 constexpr double kPowerOfState = 6.0, kRule = 3.0;
 
 // The largest size of each so far.

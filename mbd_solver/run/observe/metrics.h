@@ -144,16 +144,16 @@ struct Metrics {
   double energy_balance_relative() const { return energy_flow > 0.0 ? energy_balance / energy_flow : 0.0; }
 };
 
-// Of an integral of power: the largest error that its rule of integration leaves, and with that of the state in it.
+// Of an integral of power: the largest error that its rule of integration leaves, alone and with the error of the state.
 struct WorkEstimate {
   std::string column;    // of the history
   double rule = 0.0;     // [J]
-  double error = 0.0;    // at most, with that of the state [J]
+  double error = 0.0;    // at most, with the state's error [J]
   double largest = 0.0;  // of the integral [J]
 };
 // state_error: relative error of the state, IntegratorStatistics::summed_error times the relative tolerance. Of those in use.
 std::vector<WorkEstimate> work_estimates(const Metrics& metrics, double state_error);
-// The error of the balance over the flow, or that of the rule of an integral over itself if that is larger.
+// The error of the balance over the flow, or if larger the error of an integral's rule over the integral.
 double energy_balance_relative(const Metrics& metrics, const std::vector<WorkEstimate>& estimates);
 
 class MetricRecorder {

@@ -34,7 +34,7 @@ class Readings {
  private:
   struct Reading {
     std::optional<SignalSource> source;  // otherwise a column
-    bool continuous = false;             // a continuous signal: that of the sample
+    bool continuous = false;             // a continuous signal: its value in the sample
     std::function<double(const Sample&)> column;
   };
 

@@ -108,7 +108,7 @@ double value_with_ledger(const std::string& text, std::optional<Reduce> reduce, 
     if (const auto constant = constant_of(name)) {
       value = *constant;
     } else if (reduce) {
-      if (!of_ledger(name)) throw NumericalError("reads \"" + name + "\" beside columns of the ledger");
+      if (!of_ledger(name)) throw NumericalError("reads \"" + name + "\" together with columns of the ledger");
       rows.emplace_back(&value, &column_of(name));
     } else if (const auto figure = figure_of(summary, name)) {
       value = *figure;

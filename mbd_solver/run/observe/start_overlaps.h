@@ -1,5 +1,5 @@
 #pragma once
-// What overlaps where a run begins: bodies with each other, with the grains of a settled bed, and with the box of one that is not
+// What overlaps where a run begins: bodies with each other, with the grains of a settled bed, and with the box of a bed that is not
 // made yet; and surfaces that are not where their bodies are.
 
 #include <string>

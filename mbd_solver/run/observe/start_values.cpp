@@ -92,7 +92,7 @@ class StartValues {
     }
   }
 
-  // Conditions in the first state. One that is true, or unknown, may change the state at once.
+  // Conditions in the first state. A condition that is true, or unknown, may change the state at once.
   void evaluate_conditions(SignalChain& conditions, const Measured& measured) {
     set_names(conditions, measured);
     for (const EventSpec& event : scene_.events) {

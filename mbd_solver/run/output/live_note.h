@@ -11,7 +11,7 @@ struct LiveNote {
   nlohmann::ordered_json scene;  // with all defaults, as in summary.json; null: not known yet
 };
 
-// In the folder of the run, beside what write_run_note (summary.h) has written. Throw InputError as it does.
+// In the folder of the run, next to what write_run_note (summary.h) has written. Throw InputError as it does.
 void add_live_note(const std::string& folder, const LiveNote& note);
 LiveNote read_live_note(const std::string& folder);
 

@@ -17,7 +17,7 @@ struct ColumnPeaks {
 
 class Peaks {
  public:
-  // Those of history.csv; the first column is time.
+  // Names and units of history.csv; the first column is time.
   Peaks(const std::vector<std::string>& names, const std::vector<std::string>& units);
 
   void see(const std::vector<double>& row);

@@ -145,7 +145,8 @@ std::vector<std::pair<double, std::string>> read_vtk_series(const std::string& p
     frames.emplace_back(entry.attribute("timestep").as_double(), entry.attribute("file").as_string());
   for (const auto& [time, file] : frames)
     if (file.find('/') != std::string::npos)
-      throw InputError(code::kPictureDamaged, pvd + ": lists \"" + file + "\", expected a file beside the list");
+      throw InputError(code::kPictureDamaged,
+                       pvd + ": lists \"" + file + "\", expected a file in the folder of the list");
   return frames;
 }
 
