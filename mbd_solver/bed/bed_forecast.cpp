@@ -177,7 +177,7 @@ std::vector<std::string> leaving_bodies(const Scene& scene, const Mechanism& mec
       const auto c = static_cast<std::size_t>(axis);
       return std::abs(start.r[axis] + s[axis] - box.centre[c]) > 0.5 * box.size[c];
     };
-    if (path.empty() || beyond(path.front(), 0) || beyond(path.front(), 1)) continue;  // it starts beside the bed
+    if (path.empty() || beyond(path.front(), 0) || beyond(path.front(), 1)) continue;  // it starts outside the bed
     const auto first =
         std::find_if(path.begin(), path.end(), [&](const Eigen::Vector3d& s) { return beyond(s, 0) || beyond(s, 1); });
     if (first == path.end()) continue;
@@ -201,7 +201,7 @@ BedProposal proposed_bed(const Scene& scene, const Mechanism& mechanism) {
   constexpr double kMoves = 0.5;         // ways above this share of the width [-]
   constexpr double kTilt = 0.36;         // of a free mechanism about its first contact, at most: 20 degrees
   constexpr double kThinnest = 0.5;      // share of the depth on level ground that the lowest place has at least [-]
-  constexpr double kFewestGrains = 5.0;  // below and beside a narrow body
+  constexpr double kFewestGrains = 5.0;  // below a narrow body and on each side of it
   const BoxSpec& box = *scene.particles->box;
   BedProposal bed;
   if (!box.walls) return bed;  // bodies hold it

@@ -13,11 +13,11 @@ namespace footfall {
 // A warning for each body whose middle may pass a side wall of [particles.box] before the end of the scene, with the time.
 //   prescribed relative to the ground: its displacement
 //   free (nothing joins it to the ground, directly or through other bodies): flight to the surface under gravity, then
-//   sliding under gravity along the surface, that of a terrain too, with half of the friction, because a bed on a slope gives way
+//   sliding under gravity along the surface, also of a terrain, with half of the friction, because a bed on a slope gives way
 std::vector<std::string> leaving_bodies(const Scene& scene, const Mechanism& mechanism);
 
 // A bed as small as the bodies allow, by the table of docs/how-to/size_a_bed.md: one width of the widest body that touches the
-// bed below it and beside its way, two beside a way that is long, and at least five grains. On a terrain the floor is that deep below the
+// bed below it and on each side of its path, two if the path is long, and at least five grains. On a terrain the floor is that deep below the
 // lowest body. Rocks of the terrain are part of it. No proposal where bodies are the walls of the bed.
 struct BedProposal {
   Eigen::Vector2d size = Eigen::Vector2d::Zero(), centre = Eigen::Vector2d::Zero();  // along x and y [m]

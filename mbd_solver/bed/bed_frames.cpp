@@ -79,7 +79,7 @@ Columns read_vtk(TextReader& text) {
     long components = 0, n = 0;
     if (words.empty()) continue;
     const std::string name(words[0]);
-    if (name == "BINARY") text.fail("is a binary VTK file, expected the ASCII one that dump custom/vtk writes");
+    if (name == "BINARY") text.fail("is a binary VTK file, expected the ASCII file that dump custom/vtk writes");
     if (name == "POINTS" && words.size() > 1 && read_whole(words[1], n)) {
       columns.without_grains = n == 0;
       numbers({"x", "y", "z"}, n);

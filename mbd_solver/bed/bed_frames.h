@@ -40,7 +40,7 @@ void move_rows_aside(const std::string& run, long step);
 // The gravity energy from which the rows count, as the script wrote it to grains_energy_start.txt; empty without the
 // file.
 std::string energy_at_start(const std::string& run);
-// Joins both files: the rows moved aside, then those of later steps.
+// Joins both files: the rows moved aside, then the rows of later steps.
 void join_rows(const std::string& run);
 
 }  // namespace footfall

@@ -51,7 +51,7 @@ struct BedSlope {
 
 BedSlope bed_slope(const BedFrame& bed, const SlopeBounds& bounds);
 
-// Of the last dump of grains in a folder; left, right and radius are those of its grains. Throws InputError when there is
+// Of the last dump of grains in a folder; left, right and radius are taken from its grains. Throws InputError when there is
 // no dump.
 BedSlope last_slope(const std::string& folder, double low, double high);
 

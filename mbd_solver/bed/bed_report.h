@@ -1,5 +1,5 @@
 #pragma once
-// What `footfall check` reports about grains: the bed that [particles.box] stands for, or what the text of a LIGGGHTS
+// What `footfall check` reports about grains: the bed that [particles.box] describes, or what the text of a LIGGGHTS
 // script and a bed in the cache show; and the scripts of the box, stored with the results of a run.
 
 #include <string>

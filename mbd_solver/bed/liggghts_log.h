@@ -10,7 +10,7 @@
 
 namespace footfall {
 
-// The lines of a log, and after its command `log FILE` those of that file.
+// The lines of a log, and after its command `log FILE` the lines of that file.
 std::vector<std::string> log_lines(const std::string& log);
 
 // The lines that begin with ERROR; empty when there are none.

@@ -12,7 +12,7 @@ class ProgressWatch {
  public:
   // limit [s]: how long the programs may be silent. pulse: the file or folder whose time shows that they are not; a
   // folder: the latest of its files. begun: once this file exists the programs watch each other; empty: they never do.
-  // log: that of LIGGGHTS, whose last line says where it is.
+  // log: of LIGGGHTS; its last line names the present step.
   ProgressWatch(double limit, std::string pulse, std::string begun, std::string log);
   std::string operator()();
 
@@ -39,7 +39,7 @@ class TimeLimit {
   double limit_, started_;  // [s]; wall clock [s]
 };
 
-// Processes below this one that have not ended.
+// Descendants of this process that have not ended.
 int count_descendants(bool only_suspended);
 
 }  // namespace footfall

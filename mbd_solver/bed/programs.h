@@ -21,7 +21,7 @@ bool in_batch_job();
 std::string called_as();
 
 // mpirun with permission for root, more processes than cores, and without binding ranks to cores. It and what it starts may
-// start the programs of MPI and those of add_program only: the scripts and variables of a scene are not the user's.
+// start the programs of MPI and of add_program only: the scripts and variables of a scene are not the user's.
 Command mpirun();
 // Adds "-np RANKS PROGRAM ARGUMENTS" to the line of mpirun, behind ":" where there is a program before.
 void add_program(Command& mpirun, int ranks, const std::string& program, const std::vector<std::string>& arguments);

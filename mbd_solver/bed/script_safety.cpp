@@ -1,5 +1,5 @@
 // Looks at every command of a script for what it runs and which files it writes; commands inside `if`, `run every` and
-// `partition` count as well. Certain is only what stands in the text: known commands and styles, and files whose names
+// `partition` count as well. Only the text itself is certain: known commands and styles, and files whose names
 // hold no variables but numbers.
 #include "mbd_solver/bed/script_safety.h"
 

@@ -11,7 +11,7 @@ namespace footfall {
 
 // Checks the script and all files it includes. It may write to ${out}/... and to files whose names begin with ${bed}.
 // Throws InputError with every line that runs a program or writes elsewhere; where the kernel does not confine it, also
-// with every line of which that is not certain. given: those of out, bed and here that the command line gives.
+// with every line of which that is not certain. given: the variables out, bed and here that the command line gives.
 void require_safe_script(const std::string& script, const std::map<std::string, std::string>& variables,
                          const std::set<std::string>& given);
 
