@@ -87,7 +87,7 @@ std::vector<SoilFacet> facets_of(const BodyBoundary& entry, double side, bool fa
 // The faces of a disc or cylinder are polygons on its circle, smaller by (2 pi / corners)^2 / 6: their facets get the area of the
 // circle.
 void round_off(const BodySpec& body, const Eigen::Matrix3d& R_DB, std::vector<SoilFacet>& facets) {
-  constexpr double kPolygon = 1.3;  // of a circle's area over that of a polygon of six corners, at most: 1.21
+  constexpr double kPolygon = 1.3;  // of the areas of a circle and a polygon of six corners, at most: 1.21
   if (!body.shape || (body.shape->kind != ShapeKind::kDisc && body.shape->kind != ShapeKind::kCylinder)) return;
   for (const double side : {1.0, -1.0}) {
     const Eigen::Vector3d out = side * R_DB.transpose() * body.shape->axis.normalized();
@@ -95,7 +95,7 @@ void round_off(const BodySpec& body, const Eigen::Matrix3d& R_DB, std::vector<So
     for (const SoilFacet& facet : facets)
       if (facet.normal.dot(out) > kOneFacet) area += facet.area;
     const double factor = kPi * body.shape->radius * body.shape->radius / area;
-    if (!(factor > 1.0 && factor < kPolygon)) continue;  // none, or another mesh than that of the shape
+    if (!(factor > 1.0 && factor < kPolygon)) continue;  // none, or not the mesh of the shape
     for (SoilFacet& facet : facets)
       if (facet.normal.dot(out) > kOneFacet) facet.area *= factor;
   }

@@ -63,7 +63,7 @@ struct BodyBoundary {
                                  // nodes (a sphere: its centre is the point)
 };
 
-// Fills points and rims, with which the body touches a plane. spec: its entry; else that of the scene.
+// Fills points and rims, with which the body touches a plane. spec: its entry; null: the entry in the scene.
 void add_plane_places(const Scene& scene, const Body& body, BodyBoundary& entry, const BoundarySpec* spec = nullptr);
 // The sphere or capsule of a rigid boundary; null where its nodes are the surface.
 const ShapeSpec* round_shape(const Scene& scene, const BodyBoundary& entry);

@@ -136,7 +136,7 @@ void inp_elements(ModelText& text, const InpKeyword& keyword, InpState& state) {
     fail("the last element of type " + type + " lacks nodes, expected " + std::to_string(nodes) + ".");
 }
 
-// Those of the numbers first, first + step ... last that exist, with their indices, in order. Counts the others.
+// The existing numbers among first, first + step ... last, with their indices, in order. Counts the others.
 std::vector<std::pair<long, int>> within(const std::unordered_map<long, int>& numbers, long first, long last, long step,
                                          ReadBudget& entries) {
   std::vector<std::pair<long, int>> found;

@@ -60,7 +60,7 @@ class StageNewton {
   ReducedSystem system_;
   double factored_c_ = 0.0;  // c of the factors; 0: none
   bool fresh_ = false, stiff_ = false, turns_ = false;
-  // (gamma h)^2 K / M from which it is that of a stiff force; lower where multipliers may be large, near singular positions.
+  // A force is stiff from this (gamma h)^2 K / M on; lower where multipliers may be large, near singular positions.
   static constexpr double kStiff = 20.0, kStiffIfSingular = 9.0;
   const double stiff_from_;
   double stiffness_ = 0.0;                       // (gamma h)^2 stiffness / mass, the largest

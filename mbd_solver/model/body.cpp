@@ -1,4 +1,4 @@
-// Bodies are checked here: mass and inertia must be those of a solid, and modes must not move the mass centre.
+// Bodies are checked here: mass and inertia must belong to a solid, and modes must not move the mass centre.
 
 #include "mbd_solver/model/body.h"
 
@@ -36,7 +36,7 @@ const ModalBody& present(const std::string& name, const std::shared_ptr<const Mo
   return *modal;
 }
 
-// sum_j J_j - m_j rho0_j~ rho0_j~, or that of the mass matrix
+// sum_j J_j - m_j rho0_j~ rho0_j~, or from the mass matrix
 Eigen::Matrix3d nodal_inertia(const ModalBody& body) {
   if (body.mass.size() > 0) return mass_properties(body.rho0, body.mass).inertia;
   Eigen::Matrix3d J = Eigen::Matrix3d::Zero();

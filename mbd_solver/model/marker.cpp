@@ -1,4 +1,4 @@
-// On a flexible body a marker moves with one node; the modes of that node become those of the marker.
+// On a flexible body a marker moves with one node; the modes of that node become the marker's modes.
 
 #include "mbd_solver/model/marker.h"
 

@@ -192,7 +192,7 @@ void ModalInertia::sum_over_mass_matrix(const ModalBody& body) {
     J1_.col(k) = twice_symmetric(P.transpose() * MRw);
     for (Index l = 0; l < s; ++l) {
       Vector3d slope = P.transpose() * MU.col(l);  // dC_l/da_k
-      Matrix3d half = Matrix3d::Zero();            // of J2_lk, which is that of J2_kl
+      Matrix3d half = Matrix3d::Zero();            // of J2_lk, the same as of J2_kl
       for (Index j = 0; j < nodes; ++j) {
         const NodeShape of_k(U, j, k), of_l(U, j, l);
         const Matrix3d MRw_u = MRw.middleRows<3>(6 * j), MRw_t = MRw.middleRows<3>(6 * j + 3);

@@ -1,4 +1,4 @@
-// Four places are computed at once, each in its cell, where the field is a polynomial. Coefficients are those of whole tiles.
+// Four places are computed at once, each in its cell, where the field is a polynomial. Coefficients are stored for whole tiles.
 
 #include "mbd_solver/model/spline_grid.h"
 

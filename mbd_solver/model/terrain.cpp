@@ -324,7 +324,7 @@ bool Terrain::descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, He
   return minimum;
 }
 
-// Of a map alone, beside a slope, in its cells.
+// Of a map alone, without the slope, in its cells.
 void Terrain::find_feet(const Eigen::Vector3d* points, std::size_t count, bool only_below, With with, Foot* out,
                         Near* near) {
   if (!in_cells_) {
@@ -421,7 +421,7 @@ bool Terrain::stationary(const Eigen::Vector3d& p, const Eigen::Vector2d& start,
   return false;
 }
 
-// In cells about p, those of a map: a cell may hold such a place if neither part of r (see above) is farther from zero at its corners than
+// In cells about p, the cells of a map: a cell may hold such a place if neither part of r (see above) is farther from zero at its corners than
 // its derivatives there let it come; then its quarters may, and so on. In a cell of a map second derivatives are largest at its corners.
 void Terrain::find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) {
   Eigen::Vector2d cell = Eigen::Vector2d::Constant(radius / 12.0), first = p.head<2>();

@@ -42,7 +42,7 @@ const char* name_of(ErrorReport::Kind kind) {
   return "InternalError";
 }
 
-// Text whose bytes may be no UTF-8, such as those of a damaged file.
+// Text whose bytes may be no UTF-8, for example from a damaged file.
 py::str text_of(const std::string& bytes) {
   return py::reinterpret_steal<py::str>(
       PyUnicode_DecodeUTF8(bytes.data(), static_cast<Py_ssize_t>(bytes.size()), "replace"));

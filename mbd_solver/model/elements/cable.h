@@ -11,7 +11,7 @@
 //   V = 1/2 k e^2, or 1/2 EA e^2 / s, where e > 0;  F = max(0, dV/de + c e' min(1, e / toe))
 //   Q = -F de/dx - (dV/ds) ds/dx
 // Forces are derivatives of V whatever the angle at which a span leaves the plane of its round. A pulley whose wrap
-// theta_out - theta_in falls below zero is not touched. Inner states count the turns, as those of torsional springs.
+// theta_out - theta_in falls below zero is not touched. Inner states count the turns, as in torsional springs.
 
 #include <utility>
 #include <vector>

@@ -62,7 +62,7 @@ struct NearTriangle {
   double distance = 0.0;  // of the point [m] >= 0
 };
 
-// The side that counts as outside, for each piece of a ContactSurface: +1 that of the normals, -1 the other. (Closed
+// The side that counts as outside, for each piece of a ContactSurface: +1 along the normals, -1 opposite. (Closed
 // triangle surfaces have an outside; the sides of an open surface are equivalent.)
 using SurfaceSides = std::vector<double>;
 

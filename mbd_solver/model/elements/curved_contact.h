@@ -21,7 +21,7 @@ struct CurvedContact {
   ContactLaw::Normal normal;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the body of the place [N]
 
-  // held and all below it, from what stands above.
+  // held and all below it, from the values above.
   void apply(const ContactLaw& law);
   // rate: of P xi at the present normal [m/s].
   void add_energy(const ContactLaw& law, const Eigen::Vector3d& rate, StoredEnergy& stored, Dissipated& power) const;

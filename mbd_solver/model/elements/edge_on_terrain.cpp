@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kCoarsestCell = 1.0 / 6.0;  // of the radius
 constexpr int kMostColumns = 400;            // of cells across the circle
-constexpr int kMostRows = 400;               // of cells beside its plane
+constexpr int kMostRows = 400;               // of cells along its plane
 constexpr int kDeepest = 8;                  // halves of a cell, at which two places may be as one
 constexpr double kMargin = 1.5;              // on what derivatives may be between the corners of a cell
 constexpr double kOnePlace = 0.9;            // relative variation of the derivatives below which there is one place
@@ -128,7 +128,7 @@ class EdgeSearch {
     for (double j = last_row + 1.0; on_last && j < last_row + kMostRows; j += 1.0) on_last = search(cell_of(j), 0);
   }
 
-  // false: the cell is above the circle, or beside all that it may touch.
+  // false: the cell is above the circle, or away from all that it may touch.
   bool search(const Corners& at_corners, int level) const {
     const Eigen::Array2d size = (at_corners[3].place - at_corners[0].place).array();
     const FacingPair& one = at_corners[0];
@@ -223,7 +223,7 @@ class EdgeSearch {
   Eigen::Vector3d u_, v_;
   Eigen::Vector2d cell_, first_ = Eigen::Vector2d::Zero();
   int along_ = 0;
-  double top_ = 0.0;  // of the field above the centre, at most that of the circle [m]
+  double top_ = 0.0;  // of the field above the centre, at most of the circle [m]
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 // All such places count, by the sign of the determinant of the derivatives of w and a.(d x N) by x and y (-1: the greatest distance
 // between two least): they appear and end in pairs of opposite sign and the same depth, so that the energy has no jump however sharp
 // the ground is. The overlap is s inside, the distance along n where the ground is a plane, and the stiffness k (|a_h| / s)^2.5, a_h
-// the level part of a: the energy 0.4 k (|a_h| inside)^2.5 does not know n, and is that of a plane on a level.
+// the level part of a: the energy 0.4 k (|a_h| inside)^2.5 does not know n, and equals the energy of a plane on a level.
 
 #include <Eigen/Dense>
 #include <vector>

@@ -32,7 +32,7 @@ struct ContactPoint {
 };
 
 struct ContactRim {
-  Marker marker;        // centre; its z axis is that of the circle. On a rigid body
+  Marker marker;        // centre; its z axis is the circle's. On a rigid body
   double radius = 0.0;  // [m] > 0
 };
 

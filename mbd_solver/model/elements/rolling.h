@@ -1,6 +1,6 @@
 #pragma once
 // Rolling without slip of a sphere, or of a thin disc on its edge, on a plane. Marker 1: point p1 and axes x1, y1 of the
-// plane, n = z1. Marker 2: centre p2 and axes of the wheel, a = z2 that of the disc. All in the frame of marker 1:
+// plane, n = z1. Marker 2: centre p2 and axes of the wheel, a = z2 is the disc's. All in the frame of marker 1:
 //   d = p2 - p1,  w = angular velocity of the wheel,  rho from the centre to the contact point,  |rho| = R
 //   velocity of that point   u = d' + w x rho = 0             three rows, along x1, y1, z1
 //   sphere   rho = -R n,                     u_z = (d_z - R)'

@@ -164,7 +164,7 @@ SoilContact::Covered SoilContact::covered(const SoilFacet& facet, const BodyKine
 }
 
 // A facet that has moved without touching is over another place of the ground: over the print that is there, or, where it has come
-// below the untouched ground beside its print, over ground that has given way to it.
+// below the untouched ground around its print, over ground that has given way to it.
 void SoilContact::look_below(std::size_t facet, const Eigen::Vector3d& place, Scratch& scratch) const {
   SoilMemory& memory = scratch.memory[facet];
   const double size = size_of(facets_[facet]);
@@ -288,7 +288,7 @@ bool SoilContact::add_derivatives(const ElementInput& in, ElementDerivatives& ou
 }
 
 // All work on the ground counts as dissipated, also what its elastic part gives back within the rebound: its power has no jump where
-// the ground yields, as that of the rest would have, so that its integral is as accurate as the motion.
+// the ground yields, unlike the power of the rest, so that its integral is as accurate as the motion.
 void SoilContact::add_energy(const ElementInput& in, StoredEnergy&, Dissipated& power) const {
   each_touch(in, SoilLaw::With::kTraction, [&](const Touch& touch) {
     const double area = touch.covered.share * touch.facet->area;

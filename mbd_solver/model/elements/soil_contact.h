@@ -6,7 +6,7 @@
 // that the facet remembers: the way slid since then is counted along the tangent plane there. In a step that moves a facet by s
 // over ground of curvature kappa, directions err by kappa s. Prints are found by x and y of W.
 // A facet whose face reaches up to the height H above it counts by the share min(1, z / H) that is in the ground: exact for a stress
-// that grows with the depth, and less than H / 2 of a face short for one that does not. H is the mean of the heights h_c > 0 of the
+// that grows with the depth, and less than H / 2 of a face short for a constant stress. H is the mean of the heights h_c > 0 of the
 // other corners of its triangles, weighted by h_c^2.
 
 #include <memory>
@@ -23,8 +23,7 @@ struct SoilFacet {
   Marker marker;                                      // on the body
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // out of the body, in B
   double area = 0.0;                                  // [m2]
-  Eigen::Vector3d start =
-      Eigen::Vector3d::Zero();  // in W at the start [m]: in the ground it stands in its own print then
+  Eigen::Vector3d start = Eigen::Vector3d::Zero();  // in W at the start [m]: in the ground it is in its own print then
   std::vector<Eigen::Vector3d>
       corners;  // from it to the other corners of its triangles, in B [m]; none: it counts as a whole
 };

@@ -180,7 +180,7 @@ Three<T> generic_alpha(const Three<T>& n, const Three<T>& d) {
   return f[0] * down + f[1] * d + Three<T>{T(0.0), T(0.0), f[2]};
 }
 
-// The sideways displacement of a facet since its memory; on its first touch that of a straight way to its depth below s.
+// The sideways displacement of a facet since its memory; on its first touch as on a straight way to its depth below s.
 template <class T>
 std::array<T, 2> slid(const Facet<T>& at, const SoilMemory& m, const T& below) {
   if (m.touches) return {at.p.x + T(-m.place.x()), at.p.y + T(-m.place.y())};

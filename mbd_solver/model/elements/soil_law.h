@@ -9,7 +9,7 @@
 //             along n grows with the way slid meanwhile, so that elastic ground would make a plate that is drawn slowly hop for ever
 //   sway      -d w_0 (1 - w_0) times its strength, times the velocity sideways
 //   inertia   -lambda rho (v.n)^2 n where the facet advances, v.n > 0
-//   speed     -c v.n z_s tanh(z / z_s) n likewise: grains that jam under a fast facet carry a share of the soil beside them, and
+//   speed     -c v.n z_s tanh(z / z_s) n likewise: grains that jam under a fast facet carry a share of the soil next to them, and
 //             more of it the deeper it is, down to some radii of the grains, z_s. Coarse grains at impact speed need it; in the limit of
 //             slow flow it vanishes
 // Stress is a function of place and speed and of a memory that changes only between integration steps, so the ground has no

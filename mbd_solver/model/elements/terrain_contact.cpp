@@ -101,7 +101,7 @@ struct TerrainContact::Scratch : ElementScratch {
       : ElementScratch(element), terrain(std::move(ground)), forces(Eigen::VectorXd::Zero(flexible)) {}
 
   std::shared_ptr<Terrain> terrain;
-  Terrain::Lid lid;  // that of the last cell, with height and slope of the last place
+  Terrain::Lid lid;  // over the last cell, with height and slope of the last place
   bool flat = false;
   double lid_reach = -1.0, lid_height = 0.0;  // [m]; height: at the middle
   double plane_height = 0.0;                  // of a plane above the field, at the middle [m]
@@ -471,7 +471,7 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
   }
 }
 
-// Bounds are those of a cell that holds the place, a function of the place alone; height and slope are those at the place.
+// Bounds hold in a cell around the place, a function of the place alone; height and slope are taken at the place.
 const Terrain::Lid& TerrainContact::lid_over(const Eigen::Vector3d& r, double reach, Scratch& scratch) const {
   constexpr double kCell = 0.25;   // of the reach
   constexpr double kBeside = 0.4;  // of a cell: so that a body that rests at zero does not go to and fro between two

@@ -1,6 +1,6 @@
 #pragma once
 // Contact of one body with uneven ground, at points (spheres of radius >= 0) and circular edges of the body. Theory 6.8.
-// The law is that of RigidPlane, with the distance phi, the normal n and its derivative H = dn/dp of the terrain at the foot of
+// The law is the same as in RigidPlane, with the distance phi, the normal n and its derivative H = dn/dp of the terrain at the foot of
 // each place: delta = radius - phi(p), the contact moves with the body at p - radius n, and slip is along the tangent plane:
 //   u = P v + T s / tau, P = I - n n^T,  s' = T^T clip(u) - s / tau: the spring s [m] of a place has two inner states, along the x and y
 //   axes of W turned with z to n, T = R(z -> n) [e_x e_y]; |T s| = |s|, so that its energy does not change as n turns
@@ -68,7 +68,7 @@ class TerrainContact : public ContactElement {
   bool sort_onto_face(int point);
   int place_count() const;
   const Terrain::Lid& lid_over(const Eigen::Vector3d& r, double reach, Scratch& scratch) const;
-  // The scratch with its contacts those of this state, by places.
+  // The scratch with the contacts of this state, by places.
   Scratch& find_contacts(const ElementInput& in, Terrain::With with) const;
   void touch_all(const ElementInput& in, Terrain::With with, Scratch& scratch) const;
   bool is_known(const ElementInput& in, Terrain::With with, Scratch& scratch) const;

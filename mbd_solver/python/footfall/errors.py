@@ -38,7 +38,7 @@ class Finding(NamedTuple):
 
 
 class Error(Exception):
-    """What footfall refuses or fails at. `findings` has all of it; the attributes below are those of the first finding."""
+    """What footfall refuses or fails at. `findings` has all of it; the attributes below belong to the first finding."""
 
     def __init__(self, message, findings=()):
         super().__init__(message)

@@ -136,7 +136,7 @@ def run(scene, ranks=None, out=None, progress=False, until=None, force=False, tr
 
 
 def load(folder):
-    """The Run or Sweep whose results are in this folder, also one that is under way."""
+    """The Run or Sweep whose results are in this folder, also of a run in progress."""
     folder = path_of("folder", folder, "the folder of a run or of a sweep")
     if os.path.exists(os.path.join(folder, "history.csv")):
         return Run(folder)

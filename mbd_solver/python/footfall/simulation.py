@@ -116,7 +116,7 @@ class Simulation:
 
     @property
     def names(self):
-        """Names of the columns, those of history.csv (docs/reference/history.md); the first is time."""
+        """Names of the columns of history.csv (docs/reference/history.md); the first is time."""
         return list(self._names)
 
     @property
