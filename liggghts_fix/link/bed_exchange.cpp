@@ -65,7 +65,7 @@ BedExchange bed_exchange(const SlabChange& change) {
   // In the farther half of the room, so that none rolls over the end onto the new grains.
   const auto laid = [&](const BedGrain& grain) { return 0.5 * (change.room + std::abs(beyond(grain))); };
   const auto fits = [&](const BedGrain& grain) { return laid(grain) + grain.radius < change.room; };
-  // Only grains at the two ends of the slab meet those beside it.
+  // Only grains at the two ends of the slab meet grains outside it.
   double comes = 0.0, first = 0.0, largest = 0.0;
   for (const BedGrain& grain : change.coming) {
     comes += grain.mass;

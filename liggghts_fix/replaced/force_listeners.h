@@ -1,6 +1,6 @@
 #pragma once
-// Listeners between the forces of a DEM step. LIGGGHTS sums up the forces on the grains source by source: first those of
-// grains on each other (the pair style), then those of each fix. The four functions of Modify that do so are replaced
+// Listeners between the forces of a DEM step. LIGGGHTS sums up the forces on the grains source by source: first the forces
+// of grains on each other (the pair style), then the forces of each fix. The four functions of Modify that do so are replaced
 // and call these listeners. Without a listener they are LIGGGHTS' own.
 
 #include <map>

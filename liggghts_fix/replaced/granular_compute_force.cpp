@@ -1,6 +1,6 @@
 // LIGGGHTS::PairStyles::Granular<hertz, tangential history, rolling off or cdt>::compute_force: the same forces, to the
 // bit, in less time. Pairs that do not touch are passed over after one comparison; those that touch are collected, and
-// their forces computed together, several in each instruction: every operation is that of the contact models, in their
+// their forces computed together, several in each instruction: every operation is taken from the contact models, in their
 // order, and forces are added to the grains in the order of the list. What this does not know (energies per contact, heat,
 // rigid bodies, frozen grains, virials, a step without history) goes to LIGGGHTS' own function.
 

@@ -1,6 +1,6 @@
 #pragma once
 // How functions of libraries are replaced: the launcher exports its symbols, so that the dynamic linker finds a function
-// that it defines before that of LIGGGHTS, MPI or the C library. README.md lists all of them.
+// that it defines before the definition in LIGGGHTS, MPI or the C library. README.md lists all of them.
 
 #include <dlfcn.h>
 
