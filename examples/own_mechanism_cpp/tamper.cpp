@@ -81,7 +81,8 @@ void run(Link& link) {
 int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
   const Communicator communicator;
-  if (!communicator.has_partner()) return std::fprintf(stderr, "tamper: start it beside liggghts_mbd, see above\n"), 2;
+  if (!communicator.has_partner())
+    return std::fprintf(stderr, "tamper: start it together with liggghts_mbd, see above\n"), 2;
   AbortGuard::install(communicator);
   TransportMpi transport(communicator, "liggghts_mbd");
   Link link(transport, 60.0);
