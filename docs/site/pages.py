@@ -10,6 +10,8 @@ import re
 import subprocess
 import sys
 
+from keys import kind_of, table_below
+
 root, footfall, pages, site = (pathlib.Path(a) for a in sys.argv[1:])
 docs = pages / "pages"
 
@@ -81,28 +83,6 @@ def title_of(page):
     return found.group(1) if found else page.removesuffix(".md").replace("_", " ")
 
 
-def kind_of(s):
-    """A schema's type in words."""
-    if "anyOf" in s:
-        return " or ".join(kind_of(way) for way in s["anyOf"])
-    if "const" in s:
-        return f'`"{s["const"]}"`'
-    if "enum" in s:
-        return ", ".join(f'`"{word}"`' for word in s["enum"])
-    if not s:
-        return "see what it means"
-    if s["type"] == "array":
-        same = "minItems" in s and s.get("maxItems") == s["minItems"]
-        return f"{s['minItems']} × {kind_of(s['items'])}" if same else f"list of {kind_of(s['items'])}"
-    words = {"number": "number", "integer": "whole number", "boolean": "true or false", "string": "text",
-             "object": "table"}
-    word = words[s["type"]] if isinstance(s["type"], str) else " or ".join(words[t] for t in s["type"])
-    bounds = [f"> {s['exclusiveMinimum']}"] if "exclusiveMinimum" in s else []
-    bounds += [f">= {s['minimum']}"] if "minimum" in s else []
-    bounds += [f"<= {s['maximum']}"] if "maximum" in s else []
-    return f"{word} {', '.join(bounds)}".strip()
-
-
 def tables(s, path, lines):
     """Rows of one table's keys, then its tables, each under a heading of its own."""
     while "anyOf" in s:
@@ -128,19 +108,6 @@ def tables(s, path, lines):
         full = f"{path}.{name}" if path else name
         lines += ["", f"## {full}"]
         tables(schema, full, lines)
-
-
-def table_below(s):
-    """("name" or "name[]" or "name.NAME", schema) of a key that holds tables."""
-    for way in s.get("anyOf", [s]):
-        if way.get("type") == "object" and "properties" in way and "maxProperties" not in way:
-            return "{}", way
-        if way.get("type") == "object" and isinstance(way.get("additionalProperties"), dict) \
-                and "properties" in way["additionalProperties"]:
-            return "{}.NAME", way["additionalProperties"]
-        if way.get("type") == "array" and "properties" in way.get("items", {}):
-            return "{}[]", way["items"]
-    return None
 
 
 def reference_scene(section):

@@ -5,11 +5,31 @@
 #include <string>
 #include <vector>
 
+#include "mbd_solver/scene/body_spec.h"
 #include "mbd_solver/scene/force_spec.h"
 #include "mbd_solver/scene/joint_spec.h"
 #include "mbd_solver/scene/run_spec.h"
 
 namespace footfall {
+
+struct ShapeKeys {
+  std::vector<std::string> required, optional = {};
+};
+inline ShapeKeys keys_of(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::kBox: return {{"size"}, {"centre"}};
+    case ShapeKind::kTube: return {{"from", "to", "diameter", "wall"}};
+    case ShapeKind::kRod:
+    case ShapeKind::kCapsule: return {{"from", "to", "diameter"}};
+    case ShapeKind::kDisc: return {{"radius", "thickness"}, {"centre", "axis"}};
+    case ShapeKind::kDish: return {{"radius", "depth", "thickness"}, {"centre", "axis"}};
+    case ShapeKind::kSphere: return {{"radius"}, {"centre"}};
+    case ShapeKind::kCylinder: return {{"radius", "length"}, {"centre", "axis"}};
+    case ShapeKind::kMesh: return {{"file"}, {"scale", "position", "orientation"}};
+    case ShapeKind::kPoints: return {{"points"}};
+  }
+  return {};
+}
 
 inline std::vector<std::string> keys_of(SpringKind kind) {
   switch (kind) {

@@ -18,6 +18,7 @@
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/field_visitor.h"
 #include "mbd_solver/scene/grains/grain_sizes.h"
+#include "mbd_solver/scene/kind_keys.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/particle_script.h"
 #include "mbd_solver/scene/resolve.h"
@@ -108,35 +109,18 @@ using namespace code;
 
 namespace {
 
-// The keys of each kind of shape. Those before "|" are required.
-std::vector<std::string> keys_of(ShapeKind kind) {
-  switch (kind) {
-    case ShapeKind::kBox: return {"size", "|", "centre"};
-    case ShapeKind::kTube: return {"from", "to", "diameter", "wall"};
-    case ShapeKind::kRod:
-    case ShapeKind::kCapsule: return {"from", "to", "diameter"};
-    case ShapeKind::kDisc: return {"radius", "thickness", "|", "centre", "axis"};
-    case ShapeKind::kDish: return {"radius", "depth", "thickness", "|", "centre", "axis"};
-    case ShapeKind::kSphere: return {"radius", "|", "centre"};
-    case ShapeKind::kCylinder: return {"radius", "length", "|", "centre", "axis"};
-    case ShapeKind::kMesh: return {"file", "|", "scale", "position", "orientation"};
-    case ShapeKind::kPoints: return {"points"};
-  }
-  return {};
-}
-
 bool check_shape(const BodySpec& body, Findings& findings) {
   const ShapeSpec& shape = *body.shape;
   const EntryFindings at(findings, body.source);
   if (!body.source.good("shape.kind")) return false;  // reported when it was read
-  const std::vector<std::string> keys = keys_of(shape.kind);
+  const ShapeKeys keys = keys_of(shape.kind);
   const std::string kind(name_of(shape.kind));
   const int before = findings.error_count();
-  for (auto key = keys.begin(); key != keys.end() && *key != "|"; ++key)
-    at.missing_if(!at.given("shape." + *key), "shape." + *key, "a " + kind + " needs it");
+  for (const std::string& key : keys.required)
+    at.missing_if(!at.given("shape." + key), "shape." + key, "a " + kind + " needs it");
   for (const auto& [path, line] : body.source.lines) {
     const std::string key = path.rfind("shape.", 0) == 0 ? path.substr(6) : "kind";
-    at.no_effect_if(key != "kind" && !is_in(keys, key), path, "a " + kind);
+    at.no_effect_if(key != "kind" && !is_in(keys.required, key) && !is_in(keys.optional, key), path, "a " + kind);
   }
   const std::set<std::string>& refused = body.source.refused;
   if (std::any_of(refused.begin(), refused.end(), [](const std::string& k) { return k.rfind("shape.", 0) == 0; }))

@@ -92,9 +92,14 @@ Json every_kind() {
 }  // namespace
 
 Json kind_schema() {
-  Json joints = Json::object();
+  Json joints = Json::object(), shapes = Json::object();
   for (const JointType type : every<JointType>()) joints[std::string(name_of(type))] = keys_of_joint(type);
-  return {{"joints", joints},
+  for (const ShapeKind kind : every<ShapeKind>()) {
+    const ShapeKeys keys = keys_of(kind);
+    shapes[std::string(name_of(kind))] = {{"required", keys.required}, {"optional", keys.optional}};
+  }
+  return {{"shapes", shapes},
+          {"joints", joints},
           {"springs", every_kind<SpringKind>()},
           {"drives", every_kind<MotorKind>()},
           {"controllers", every_kind<ControllerKind>()},

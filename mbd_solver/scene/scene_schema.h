@@ -12,9 +12,9 @@ namespace footfall {
 
 using Json = nlohmann::ordered_json;
 
-// The keys of each kind of joint, spring, drive, controller and signal, for the reference pages:
+// The keys of each kind of shape, joint, spring, drive, controller and signal, for the reference pages:
 //
-//   { "joints": { "revolute": { "required": ["axis"], "optional": ["angle"] }, ... }, "springs": { ... }, ... }
+//   { "shapes": ..., "joints": { "revolute": { "required": ["axis"], "optional": ["angle"] }, ... }, "springs": { ... }, ... }
 //
 // It is made of joint_spec.h and kind_keys.h, as the checks of a scene are. Keys of every kind (name, bodies, points ...) are
 // omitted. `footfall schema` writes it as "x-kinds".

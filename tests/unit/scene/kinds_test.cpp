@@ -207,11 +207,14 @@ TEST(SceneKinds, EveryKeyOfASignalBelongsToAKind) {
   expect_every_key_to_belong<SignalKind>("signals", {"name", "kind", "period", "states"});
 }
 
-// Keys of an entry of [[family]] as the reader knows them, without those in other units.
+// Keys of an entry of [[family]], or of the shape of a body, as the reader knows them, without keys in other units.
 Names keys_of_schema(const std::string& family) {
-  const Json schema = Json::parse(scene_schema());
-  const Json& place = schema["properties"][family];
-  const Json& entry = place.contains("items") ? place["items"] : place["additionalProperties"];
+  Json schema = Json::parse(scene_schema());
+  const Json& place = family == "shapes" ? schema["properties"]["bodies"]["items"]["properties"]["shape"]
+                                         : schema["properties"][family];
+  const Json& entry = place.contains("properties") ? place
+                      : place.contains("items")    ? place["items"]
+                                                   : place["additionalProperties"];
   Names keys;
   for (const auto& [key, value] : entry["properties"].items())
     if (!value.contains("x-unit-of") && key != "without") keys.insert(key);
@@ -232,6 +235,12 @@ TEST(KindSchema, EveryKeyOfAJointBelongsToAKindOrToAll) {
   for (const char* of_all : {"name", "kind", "bodies", "point", "point_a", "point_b"})
     EXPECT_EQ(expected.erase(of_all), 1U);
   EXPECT_EQ(keys_of_kinds("joints"), expected);
+}
+
+TEST(KindSchema, EveryKeyOfAShapeBelongsToAKind) {
+  Names expected = keys_of_schema("shapes");
+  EXPECT_EQ(expected.erase("kind"), 1U);
+  EXPECT_EQ(keys_of_kinds("shapes"), expected);
 }
 
 TEST(KindSchema, NamesOnlyKeysThatTheReaderKnows) {
