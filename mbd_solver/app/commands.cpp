@@ -11,6 +11,7 @@
 #include "mbd_solver/app/command_line.h"
 #include "mbd_solver/app/compare_command.h"
 #include "mbd_solver/app/difference/difference_page.h"
+#include "mbd_solver/app/difference/samples.h"
 #include "mbd_solver/app/film/film.h"
 #include "mbd_solver/app/follow.h"
 #include "mbd_solver/app/grain_pictures.h"
@@ -309,7 +310,8 @@ Action plot(CLI::App& command) {
   add_run(command, a->run);
   command
       .add_option("COLUMN", a->columns,
-                  "First, for two runs over each other: the folder of the second. Columns of history.csv: cabin.az; "
+                  "First, for two runs or sweeps over each other: the folder of the second. Columns of history.csv: "
+                  "cabin.az; "
                   "patterns: 'leg_*_primary.stroke', 'struts.*.force'; cabin.v: all "
                   "three axes. None: list them")
       ->expected(0, -1);
@@ -341,15 +343,20 @@ Action plot(CLI::App& command) {
       ->excludes(srs)
       ->excludes(psd);
   return [=] {
-    const auto is_run = [](const std::string& word) { return fs::exists(fs::path(word) / "history.csv"); };
-    if (!a->columns.empty() && is_run(a->columns.front())) {
+    const auto has_results = [](const std::string& word) {
+      return fs::exists(fs::path(word) / "history.csv") || is_sweep(word);
+    };
+    const bool spectra = srs->count() + psd->count() > 0 || a->cfc > 0;
+    if (spectra && is_sweep(a->run))
+      throw InputError(code::kWrongOption, "--srs, --psd and --cfc belong to one run; name a folder in " +
+                                               (fs::path(a->run) / "runs").string());
+    if (!a->columns.empty() && has_results(a->columns.front())) {
       a->other = a->columns.front();
       a->columns.erase(a->columns.begin());
       if (a->columns.empty())
         throw InputError(code::kWrongOption,
                          "footfall plot: a column is missing, expected: footfall plot DIR OTHER COLUMN");
-      if (srs->count() + psd->count() > 0 || a->cfc > 0)
-        throw InputError(code::kWrongOption, "--srs, --psd and --cfc belong to one run; name one folder");
+      if (spectra) throw InputError(code::kWrongOption, "--srs, --psd and --cfc belong to one run; name one folder");
     }
     for (const PlotStyle known : every<PlotStyle>())
       if (*style == name_of(known)) a->style = known;

@@ -181,9 +181,20 @@ std::string block_name(const Figure& figure, std::size_t curve) {
   return "$" + figure.name + "_" + std::to_string(curve / kBlockCurves);
 }
 
+std::string band_name(const Figure& figure, std::size_t curve) {
+  return "$" + figure.name + "_band_" + std::to_string(curve);
+}
+
 std::string data_blocks(const std::vector<Figure>& figures) {
   std::ostringstream text;
   for (const Figure& figure : figures) {
+    for (std::size_t i = 0; i < figure.curves.size(); ++i) {
+      if (figure.curves[i].band.empty()) continue;
+      text << "set table " << band_name(figure, i) << " separator tab\nplot " << gnuplot_text(figure.file)
+           << " using (column(" << gnuplot_text(figure.x) << "))";
+      for (const Formula& edge : figure.curves[i].band) text << ":" << edge.gnuplot();
+      text << " with table\nunset table\n";
+    }
     for (std::size_t i = 0; i < figure.curves.size(); ++i) {
       if (i % kBlockCurves == 0)
         text << "set table " << block_name(figure, i) << " separator tab\nplot " << gnuplot_text(figure.file)
@@ -219,16 +230,23 @@ int series_of(const Figure& figure, std::size_t i) {
   return drawn.series >= 0 ? drawn.series : drawn.title == "total" ? kBlack : static_cast<int>(i);
 }
 
-// Later curves are thinner, so that equal ones are seen on each other.
+std::string colour_of(const Figure& figure, std::size_t i) {
+  const std::string& colour = figure.curves[i].colour;
+  return colour.empty() ? "lt " + std::to_string(series_of(figure, i) % kSeriesColours + 1)
+                        : "lc rgb " + gnuplot_text(colour);
+}
+
+// Bands first. Later curves are thinner, so that equal ones are seen on each other.
 std::string lines(const Figure& figure) {
   std::string text;
   const std::size_t count = figure.curves.size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (!figure.curves[i].band.empty())
+      text += band_name(figure, i) + " using 1:2:3 with filledcurves " + colour_of(figure, i) +
+              " fs transparent solid 0.22 noborder notitle, \\\n     ";
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string& colour = figure.curves[i].colour;
     const double width = count == 1 ? 1.8 : 3.0 - 1.8 * static_cast<double>(i) / static_cast<double>(count - 1);
-    text += (i ? ", \\\n     " : "") + curve(figure, i) + " with lines " +
-            (colour.empty() ? "lt " + std::to_string(series_of(figure, i) % kSeriesColours + 1)
-                            : "lc rgb " + gnuplot_text(colour)) +
+    text += (i ? ", \\\n     " : "") + curve(figure, i) + " with lines " + colour_of(figure, i) +
             (figure.curves[i].dashed ? " dt 2" : "") + " lw " + number_text(width, 3) + " title " +
             gnuplot_text(figure.curves[i].title);
   }
@@ -297,11 +315,16 @@ void thin_figures(std::vector<Figure>& figures, const History& history, const st
   drawn.columns.resize(1);
   for (const std::size_t row : rows) drawn.columns.front().push_back(time[row]);
   for (Figure& figure : figures) {
-    for (std::size_t i = 0; i < figure.curves.size(); ++i) {
-      drawn.columns.push_back(drawn_values(figure.curves[i].formula.values(history), rows));
-      drawn.names.push_back(figure.name + "." + std::to_string(i + 1));
+    const auto draw = [&](Formula& formula, const std::string& name) {
+      drawn.columns.push_back(drawn_values(formula.values(history), rows));
+      drawn.names.push_back(figure.name + "." + name);
       drawn.units.push_back(figure.axis);
-      figure.curves[i].formula = {{{1.0, drawn.names.back()}}, 0.0, 1.0};
+      formula = {{{1.0, drawn.names.back()}}, 0.0, 1.0};
+    };
+    for (std::size_t i = 0; i < figure.curves.size(); ++i) {
+      draw(figure.curves[i].formula, std::to_string(i + 1));
+      for (std::size_t edge = 0; edge < figure.curves[i].band.size(); ++edge)
+        draw(figure.curves[i].band[edge], std::to_string(i + 1) + (edge == 0 ? ".low" : ".high"));
     }
     figure.file = table + ".csv";
   }

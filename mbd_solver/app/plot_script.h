@@ -61,9 +61,10 @@ std::string series_colour(int series, PlotStyle style = PlotStyle::kLight);  // 
 struct Curve {
   std::string title;
   Formula formula;
-  std::string colour = "";  // #rrggbb; empty: the colour of the series
-  int series = -1;          // 0 ... kSeriesColours - 1; -1: its place among the curves
-  bool dashed = false;      // of a second run
+  std::string colour = "";         // #rrggbb; empty: the colour of the series
+  int series = -1;                 // 0 ... kSeriesColours - 1; -1: its place among the curves
+  bool dashed = false;             // of a second run
+  std::vector<Formula> band = {};  // lower and upper edge of a band behind the curve; empty: none
 };
 
 // A value at a time, as "touchdown" or the peak of a curve.

@@ -16,6 +16,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/difference/pair_plots.h"
+#include "mbd_solver/app/difference/samples.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/run/output/spectra.h"
@@ -785,9 +786,54 @@ History with_filtered(const History& history, const ColumnPlot& plot, const std:
   return both;
 }
 
+// Draws the page in `plots`, and returns the pictures.
+std::vector<std::string> drawn(const ColumnPlot& plot, PlotPage page, const fs::path& plots) {
+  page.style = plot.style;
+  page.pdf = fs::path(plot.out).extension() == ".pdf";
+  const std::string script = write_page_script(plots.string(), page);
+  const std::string picture = run_gnuplot(plots.string(), {script}).front();
+  if (plot.out.empty()) return {short_path(picture), short_path(fs::path(picture).replace_extension(".svg").string())};
+  const std::string drawn = fs::path(picture).replace_extension(fs::path(plot.out).extension()).string();
+  const std::optional<std::string> bytes = read_whole_file(drawn);
+  if (!bytes)
+    throw InputError(code::kGnuplotFailed,
+                     drawn + ": gnuplot did not draw it; see " + (plots / "gnuplot.log").string());
+  write_whole_file(plot.out, *bytes);
+  return {plot.out};
+}
+
+// The figures read FOLDER/NAME.csv, which gets this history.
+void draw_from(const History& history, const std::string& name, const fs::path& plots, PlotPage& page) {
+  make_folder(plots.string());
+  write_history((plots / (name + ".csv")).string(), history);
+  for (Figure& figure : page.figures) figure.file = name + ".csv";
+  if (is_long(history)) thin_figures(page.figures, history, plots.string(), page.name + "_drawn");
+}
+
+// Columns of a sweep, or of two folders of which one is a sweep: mean and band of each case.
+std::vector<std::string> plot_samples(const ColumnPlot& plot) {
+  require_picture_ending(plot.out);
+  guard_folder(plot.run);
+  const std::vector<SampledCase> cases = plot.other.empty() ? cases_in(plot.run) : cases_in(plot.run, plot.other);
+  const fs::path first(cases.front().runs.front());
+  const History history = read_history((first / "history.csv").string());
+  if (plot.columns.empty()) return column_list(history);
+  const Json scene = summary_of(first).value("scene", Json::object());
+  const Names columns = chosen_columns(history, scene, plot.columns);
+  const History bands = bands_on_one_clock(cases, columns);
+  const fs::path plots = fs::path(plot.run) / "plots";
+  const std::string name = plot.other.empty() ? file_name(plot.columns)
+                                              : file_name({file_name(plot.columns), "with", name_of_run(plot.other)});
+  PlotPage page = page_of(name, plot.title.empty() ? scene.value("title", "") : plot.title,
+                          {figures_of_bands(cases, bands, columns)});
+  draw_from(bands, name, plots, page);
+  return drawn(plot, std::move(page), plots);
+}
+
 }  // namespace
 
 std::vector<std::string> plot_columns(const ColumnPlot& plot) {
+  if (is_sweep(plot.run) || (!plot.other.empty() && is_sweep(plot.other))) return plot_samples(plot);
   const fs::path run(plot.run);
   const std::string file = (run / "history.csv").string();
   if (!fs::exists(file)) throw InputError(code::kNoRun, plot.run + ": no history.csv; expected the folder of a run");
@@ -809,11 +855,8 @@ std::vector<std::string> plot_columns(const ColumnPlot& plot) {
     const RunPair pair(plot.run, plot.other);
     PairPlots pairs = plots_of_columns(pair, columns);
     name = file_name({name, "with", pair.b.name});
-    make_folder(plots.string());
-    write_history((plots / (name + ".csv")).string(), pairs.history);
     page = page_of(name, pair.a.name + " and " + pair.b.name, std::move(pairs.panels));
-    for (Figure& figure : page.figures) figure.file = name + ".csv";
-    if (is_long(pairs.history)) thin_figures(page.figures, pairs.history, plots.string(), page.name + "_drawn");
+    draw_from(pairs.history, name, plots, page);
   } else if (plot.srs > 0.0 || plot.psd >= 0.0) {
     name += plot.srs > 0.0 ? "_srs" : "_psd";
     Panels panels;
@@ -832,18 +875,7 @@ std::vector<std::string> plot_columns(const ColumnPlot& plot) {
     mark_figures(history, summary, page.figures);
     if (is_long(history)) thin_figures(page.figures, history, plots.string(), page.name + "_drawn");
   }
-  page.style = plot.style;
-  page.pdf = fs::path(plot.out).extension() == ".pdf";
-  const std::string script = write_page_script(plots.string(), page);
-  const std::string picture = run_gnuplot(plots.string(), {script}).front();
-  if (plot.out.empty()) return {short_path(picture), short_path(fs::path(picture).replace_extension(".svg").string())};
-  const std::string drawn = fs::path(picture).replace_extension(fs::path(plot.out).extension()).string();
-  const std::optional<std::string> bytes = read_whole_file(drawn);
-  if (!bytes)
-    throw InputError(code::kGnuplotFailed,
-                     drawn + ": gnuplot did not draw it; see " + (plots / "gnuplot.log").string());
-  write_whole_file(plot.out, *bytes);
-  return {plot.out};
+  return drawn(plot, std::move(page), plots);
 }
 
 }  // namespace footfall

@@ -53,7 +53,7 @@ struct DrawnUnit {
 DrawnUnit drawn_unit(const std::string& unit, double largest);
 
 struct ColumnPlot {
-  std::string run;                   // folder of a run
+  std::string run;                   // folder of a run, or of a sweep, whose samples become mean and band
   std::string other;                 // of a second one, over the first; empty: none
   std::vector<std::string> columns;  // words for chosen_columns; none: list the columns
   std::string out;                   // .png, .svg or .pdf; empty: the first two, in DIR/plots, named by the words

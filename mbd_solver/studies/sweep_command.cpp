@@ -12,6 +12,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/app/difference/samples.h"
 #include "mbd_solver/app/results.h"
 #include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/base/live_line.h"
@@ -87,6 +88,7 @@ bool write_output(const SweepSpec& spec, const Plan& plan, const Results& result
   if (spec.is_map()) return write_map(spec, results, output);
   write_whole_file(output.path("runs.csv"), run_table(spec, plan, results).csv());
   write_whole_file(output.path("cases.csv"), case_table(spec, results.cases).csv());
+  write_whole_file(output.path(kSamplesFile), sample_table(results, output.folder).csv());
   write_whole_file(output.path("cases.md"), case_page(spec, results.cases));
   if (spec.curves.empty()) print_line(case_page(spec, results.cases));
   for (const CaseResult& c : results.cases)

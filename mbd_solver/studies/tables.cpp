@@ -9,6 +9,7 @@
 
 #include "coupler/base/number.h"
 #include "coupler/base/text.h"
+#include "mbd_solver/app/difference/samples.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/run/output/history.h"
@@ -125,6 +126,14 @@ Table run_table(const SweepSpec& spec, const Plan& plan, const Results& results)
     for (const double value : results.runs[i].metrics) row.push_back(cell(value));
     table.add(row);
   }
+  return table;
+}
+
+Table sample_table(const Results& results, const std::string& folder) {
+  Table table({"case", "run"});
+  for (const CaseResult& c : results.cases)
+    for (const std::size_t run : c.done)
+      table.add({c.plan.name, std::filesystem::relative(results.runs[run].end.folder, folder).string()});
   return table;
 }
 
@@ -410,6 +419,26 @@ std::string error_lines(const SweepSpec& spec, const Results& results, const std
 
 }  // namespace
 
+namespace {
+
+// The curve of a case, and behind it the band of an ensemble, which reads FILE of `folder`.
+std::vector<std::string> plot_lines(const SampledCase& sampled, const std::string& column, const std::string& colour,
+                                    const std::string& folder, const std::string& file) {
+  const std::string title = " title " + gnuplot_text(sampled.name), line = " with lines lw 1.6 lc " + colour;
+  if (sampled.runs.size() < 2) {
+    const fs::path history = fs::absolute(sampled.runs.front()) / "history.csv";
+    read_history(history.string()).column(column);  // throws for a missing column
+    return {gnuplot_text(history.string()) + " using 1:" + gnuplot_text(column) + line + title};
+  }
+  write_history((fs::path(folder) / file).string(), bands_on_one_clock({sampled}, {column}));
+  const auto edge = [&](const char* which) { return ":" + gnuplot_text(column + " (1" + which + ")"); };
+  return {gnuplot_text(file) + " using 1" + edge(" low") + edge(" high") + " with filledcurves lc " + colour +
+              " fs transparent solid 0.2 noborder notitle",
+          gnuplot_text(file) + " using 1" + edge("") + line + title};
+}
+
+}  // namespace
+
 std::vector<std::string> draw_plots(const SweepSpec& spec, const Results& results, const std::string& folder) {
   std::vector<std::string> scripts;
   for (const PlotSpec& plot : spec.plots) {
@@ -417,11 +446,10 @@ std::vector<std::string> draw_plots(const SweepSpec& spec, const Results& result
     for (std::size_t k = 0; k < results.cases.size(); ++k) {
       const CaseResult& c = results.cases[k];
       if (c.done.empty()) continue;
-      // The first run represents an ensemble.
-      const fs::path file = fs::absolute(results.runs[c.done.front()].end.folder) / "history.csv";
-      read_history(file.string()).column(plot.column);  // throws for a missing column
-      lines.push_back(gnuplot_text(file.string()) + " using 1:" + gnuplot_text(plot.column) + " with lines lw 1.6 lc " +
-                      std::to_string(k + 1) + " title " + gnuplot_text(c.plan.name));
+      SampledCase sampled{c.plan.name, {}};
+      for (const std::size_t run : c.done) sampled.runs.push_back(results.runs[run].end.folder);
+      const std::string number = std::to_string(k + 1);
+      append(lines, plot_lines(sampled, plot.column, number, folder, plot.name + "_" + number + ".csv"));
     }
     if (lines.empty()) continue;
     const std::string label = plot.label.empty() ? plot.column : plot.label;

@@ -53,6 +53,8 @@ std::optional<double> number_in(const std::string& text);
 
 // Runs, cases and checks. The pages have the command that makes them, and explanations of checks that are not reproduced.
 Table run_table(const SweepSpec& spec, const Plan& plan, const Results& results);
+// The folders of the runs that are done, relative to the sweep's, by case: mbd_solver/app/difference/samples.h.
+Table sample_table(const Results& results, const std::string& folder);
 Table case_table(const SweepSpec& spec, const std::vector<CaseResult>& cases);
 std::string case_page(const SweepSpec& spec, const std::vector<CaseResult>& cases);
 Table check_table(const SweepSpec& spec, const std::vector<CheckResult>& results);
@@ -68,7 +70,7 @@ std::string recommendation_section(const SweepSpec& spec, const Results& results
 
 // Both draw NAME.png and NAME.svg in `folder` and return the PNG files. Throw InputError when gnuplot is missing or fails.
 
-// The histories of [[plots]] over time, a line per case.
+// The histories of [[plots]] over time, a line per case; of an ensemble the mean and the band of its samples.
 std::vector<std::string> draw_plots(const SweepSpec& spec, const Results& results, const std::string& folder);
 // From NAME.csv, which holds `table`: a row per metric, error over x on the left (slopes: observed orders), over run time on
 // the right, all axes logarithmic. With an ensemble over the processor time of all programs, as runs share the machine, and

@@ -53,6 +53,10 @@ key = ")" + key + R"("
 name = "end [m]"
 columns = [")" + column + R"("]
 reduce = "final"
+[[plots]]
+name = "height"
+column = "ball.z"
+title = "Height"
 [[statements]]
 text = "a faster fall hits harder"
 figure = "peak acceleration [g]"
@@ -106,7 +110,7 @@ TEST_F(Study, OfASweepResumesWhereItWasStopped) {
   const std::set<std::string> after = records("parts");
   EXPECT_TRUE(std::includes(after.begin(), after.end(), before.begin(), before.end()))
       << "finished runs were done again";
-  expect_same("whole", "parts", {"runs.csv", "cases.csv"});
+  expect_same("whole", "parts", {"runs.csv", "cases.csv", "samples.csv"});
   // What was expected, and whether it was reproduced.
   EXPECT_TRUE(
       std::regex_search(folder.read("whole/statements.csv"), std::regex("\na faster fall hits harder.*,yes\n")));
@@ -115,6 +119,14 @@ TEST_F(Study, OfASweepResumesWhereItWasStopped) {
   EXPECT_TRUE(holds(folder.read("whole/statements.md"), "it does not"));
   folder.done("report whole");
   EXPECT_TRUE(holds(folder.read("whole/report.html"), "speed_4__friction_0.5"));
+  // The values of the ensemble are samples of a case.
+  EXPECT_TRUE(holds(folder.read("whole/samples.csv"), "speed 4,runs/speed_4__friction_0.5\n"));
+  EXPECT_TRUE(holds(folder.read("whole/height.gp"), "with filledcurves"));
+  folder.done("plot whole ball.z --out ball.png");
+  EXPECT_TRUE(holds(folder.read("whole/plots/ball.z.gp"), "speed 4: mean and 5 to 95 % of 2"));
+  folder.refused("plot whole ball.z --srs", "E0500");
+  folder.done("report whole parts");
+  EXPECT_TRUE(holds(folder.read("whole/difference.html"), "speed 4"));
 }
 
 TEST_F(Study, OfAJobArrayGivesTheSameTables) {

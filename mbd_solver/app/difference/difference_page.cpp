@@ -9,6 +9,8 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/app/difference/pair_page.h"
 #include "mbd_solver/app/difference/run_pair.h"
+#include "mbd_solver/app/difference/sample_page.h"
+#include "mbd_solver/app/difference/samples.h"
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/app/view_page.h"
 #include "mbd_solver/run/output/summary.h"
@@ -114,6 +116,7 @@ void show_curves(const RunPair& pair, HtmlPage& page) {
 }  // namespace
 
 std::string write_difference(const std::string& a, const std::string& b) {
+  if (is_sweep(a) || is_sweep(b)) return write_sample_difference(a, b);
   const RunPair pair(a, b);
   HtmlPage page(pair.a.name + " and " + pair.b.name);
   page.paragraph("Two runs: " + pair.a.name + " (" + pair.a.summary.value("status", "unknown") + ") and " +

@@ -1,5 +1,5 @@
 #pragma once
-// footfall report A B: one page about the difference of two runs.
+// footfall report A B: one page about the difference of two runs, or of the samples of two sweeps (sample_page.h).
 
 #include <string>
 

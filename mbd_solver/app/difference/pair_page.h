@@ -13,6 +13,14 @@ namespace footfall {
 // and run.differences: [key, value, value] of both scenes.
 void add_second_run(const RunPair& pair, bool shapes, PageParts& parts);
 
+// Plots of two histories on a page, with the names of both: these columns at first.
+struct NamedHistory {
+  std::string name;
+  const History& history;
+};
+PageParts plots_of_histories(const NamedHistory& first, const NamedHistory& second,
+                             const std::vector<std::string>& shown);
+
 // Plots of both runs for a report: the histories, and these columns at first.
 PageParts plots_of_pair(const RunPair& pair, const std::vector<std::string>& shown);
 

@@ -113,9 +113,13 @@ bool differ(double a, double b) { return std::abs(a - b) > kRoundOff * std::max(
 
 }  // namespace
 
-FinishedRun::FinishedRun(const std::string& run) : folder(run) {
+std::string name_of_run(const std::string& folder) {
+  const fs::path path = fs::absolute(folder).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+FinishedRun::FinishedRun(const std::string& run) : folder(run), name(name_of_run(run)) {
   const fs::path path = fs::absolute(run).lexically_normal();
-  name = path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
   if (!fs::exists(path / "summary.json") || !fs::exists(path / "history.csv"))
     throw InputError(code::kNoRun,
                      without_summary(run, "no summary.json and history.csv; expected the folder of a run"));
@@ -145,7 +149,7 @@ std::vector<FigureDifference> figure_differences(const Tree& a, const Tree& b) {
     const double one = value.get<double>(), other = b.at(key).get<double>();
     if (!differ(one, other)) continue;
     const auto [words, unit] = words_and_unit(key);
-    found.push_back({words, unit, one, other});
+    found.push_back({words, unit, one, other, key});
   }
   return found;
 }

@@ -9,11 +9,14 @@
 
 namespace footfall {
 
+// The folder's name, as users call the run.
+std::string name_of_run(const std::string& folder);
+
 // A folder with the results of a run. Throws InputError where it is none.
 struct FinishedRun {
   explicit FinishedRun(const std::string& folder);
 
-  std::string folder, name;        // name: of the folder, as users call the run
+  std::string folder, name;        // name_of_run
   nlohmann::ordered_json summary;  // summary.json
   nlohmann::ordered_json scene;    // of it; empty if unknown
   History history;
@@ -34,6 +37,7 @@ std::vector<KeyDifference> scene_differences(const nlohmann::ordered_json& a, co
 struct FigureDifference {
   std::string name, unit;
   double a, b;
+  std::string key = "";  // of the summary
 };
 std::vector<FigureDifference> figure_differences(const nlohmann::ordered_json& a, const nlohmann::ordered_json& b);
 

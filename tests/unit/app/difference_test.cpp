@@ -11,6 +11,7 @@
 #include "mbd_solver/app/difference/difference_page.h"
 #include "mbd_solver/app/difference/pair_plots.h"
 #include "mbd_solver/app/difference/run_pair.h"
+#include "mbd_solver/app/difference/samples.h"
 #include "mbd_solver/app/live/run_feed.h"
 #include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/app/scenery/scenery.h"
@@ -108,6 +109,84 @@ TEST_F(Pair, HasAPageOfItsDifferences) {
   EXPECT_FALSE(contains(page, folder_.string())) << "no folders of this machine";
   EXPECT_TRUE(contains(page, "id=\"footfall-other-history\""));
   EXPECT_THROW(write_difference(file("one"), file("none")), InputError);
+}
+
+// ---- runs that are samples
+
+// A sweep of five samples, cabin.x = k t for k = 0 ... 4, and of a case with a single run, 10 t.
+class Sampled : public Pair {
+ protected:
+  void SetUp() override {
+    std::string samples = "case,run\n";
+    for (int k = 0; k < 6; ++k) {
+      const std::string run = "sweep/runs/" + std::to_string(k);
+      std::string rows = "# units: s,m\ntime,cabin.x\n";
+      for (int i = 0; i <= 10; ++i)
+        rows += std::to_string(0.1 * i) + "," + std::to_string((k < 5 ? k : 10) * 0.1 * i) + "\n";
+      write(run + "/history.csv", rows);
+      write(run + "/summary.json", Json{{"status", "done"}}.dump());
+      samples += (k < 5 ? "\"slow, soft\",runs/" : "fast,runs/") + std::to_string(k) + "\n";
+    }
+    write("sweep/samples.csv", samples);
+    write("sweep/runs.csv", "run,status\n");
+    write_run("one", 0.05, 2.0, 0.0, 5.0);
+  }
+};
+
+TEST_F(Sampled, HaveAMeanAndABand) {
+  const std::vector<SampledCase> cases = cases_in(file("sweep"));
+  ASSERT_EQ(cases.size(), 2u);
+  EXPECT_EQ(cases[0].name, "slow, soft");
+  EXPECT_EQ(cases[0].runs.size(), 5u);
+  const History bands = bands_on_one_clock(cases, {"cabin.x"});
+  EXPECT_EQ(bands.names,
+            (std::vector<std::string>{"time", "cabin.x (1)", "cabin.x (1 low)", "cabin.x (1 high)", "cabin.x (2)"}));
+  // Of 0, 1, 2, 3, 4 the mean, and a fifth of the way from an end to its neighbour.
+  EXPECT_NEAR(bands.columns[1].back(), 2.0, 1e-9);
+  EXPECT_NEAR(bands.columns[2].back(), 0.2, 1e-9);
+  EXPECT_NEAR(bands.columns[3].back(), 3.8, 1e-9);
+  EXPECT_NEAR(bands.columns[4].back(), 10.0, 1e-9);
+  EXPECT_THROW(bands_on_one_clock(cases, {"cabin.y"}), InputError);
+}
+
+TEST_F(Sampled, AreDrawnAsBandsAlsoOverARun) {
+  for (const char* other : {"", "one"}) {
+    ColumnPlot plot;
+    plot.run = file("sweep");
+    plot.other = *other ? file(other) : "";
+    plot.columns = {"cabin.x"};
+    plot.out = file("plot.png");
+    EXPECT_EQ(plot_columns(plot), std::vector<std::string>{plot.out});
+    EXPECT_EQ(text("plot.png").substr(1, 3), "PNG");
+    const std::string script = text(*other ? "sweep/plots/cabin.x-with-one.gp" : "sweep/plots/cabin.x.gp");
+    for (const char* part : {"with filledcurves", "slow, soft: mean and 5 to 95 % of 5"})
+      EXPECT_TRUE(contains(script, part)) << part;
+    EXPECT_EQ(contains(script, "title 'one'"), *other != '\0');
+  }
+}
+
+TEST_F(Sampled, AreComparedInStandardErrors) {
+  write("sweep/samples.csv", "case,run\nslow,runs/0\nslow,runs/1\nslow,runs/2\nslow,runs/3\nslow,runs/4\n");
+  write("other/runs.csv", "run,status\n");
+  write("other/samples.csv", "case,run\nslow,../sweep/runs/3\nslow,../sweep/runs/4\nslow,../sweep/runs/5\n");
+  for (int k = 0; k < 6; ++k)  // means 2 and 13, 11 / sqrt(2.5 / 5 + 271 / 3) = 1.2
+    write("sweep/runs/" + std::to_string(k) + "/summary.json",
+          Json{{"status", "done"}, {"max_descent_m", k < 5 ? k : 32}, {"scene", {{"seed", k}, {"mass", k < 3 ? 1 : 2}}}}
+              .dump());
+  const std::string page =
+      text(std::filesystem::path(write_difference(file("sweep"), file("other"))).lexically_relative(folder_));
+  for (const char* part : {"5 samples", "<td>within scatter</td>", "95 % of them"})
+    EXPECT_TRUE(contains(page, part)) << part;
+  EXPECT_FALSE(contains(page, "<td>seed</td>")) << "samples differ in it";
+  EXPECT_FALSE(contains(page, folder_.string()));
+  EXPECT_TRUE(contains(page, "cabin.x 95 %")) << "the edge of a band";
+}
+
+TEST_F(Sampled, NeedTheListOfTheSweep) {
+  std::filesystem::remove(file("sweep/samples.csv"));
+  EXPECT_THROW(cases_in(file("sweep")), InputError);
+  EXPECT_THROW(cases_in(file("sweep/runs")), InputError);
+  EXPECT_EQ(cases_in(file("one")).front().name, "one");
 }
 
 // ---- a run in progress

@@ -7,6 +7,11 @@ import { scaleFor, short } from "./units.js";
 
 const kMost = kSeries.length;
 
+// Edges of the band of a column that is the mean of samples: columns of their own, as mbd_solver/app/difference/samples.h names them.
+const kEdges = [" 5 %", " 95 %"];
+const isEdge = (columns, name) => kEdges.some((edge) => name.endsWith(edge) && columns.has(name.slice(0, -edge.length)));
+const edgesOf = (columns, name) => (columns.has(name + kEdges[0]) ? kEdges.map((edge) => name + edge) : []);
+
 // The history, with the times beyond its end at which a second one has rows; its columns hold their last value there.
 function withTimesOf(history, second) {
   const end = history.time.at(-1), more = Array.from(second.time).filter((t) => t > end);
@@ -61,7 +66,7 @@ export class Plots {
   }
   largestOf(names) {
     let largest = 0;
-    for (const name of names) for (const value of this.history.columns.get(name).values) largest = Math.max(largest, Math.abs(value));
+    for (const name of names.flatMap((name) => [name, ...edgesOf(this.history.columns, name)])) for (const value of this.history.columns.get(name).values) largest = Math.max(largest, Math.abs(value));
     return largest;
   }
   largestDifference(names) {
@@ -86,14 +91,22 @@ export class Plots {
   }
   dataOf(names, factor, differs = false) {
     const n = this.history.time.length, scaled = (values) => values.map((v) => (v === null ? null : v * factor));
+    const edges = differs ? [] : this.bandsOf(names);
     if (this.second && differs) return [this.history.time, ...names.map((name) => scaled(this.difference(name)))];
-    if (this.second) return [this.history.time, ...names.map((name) => scaled(this.ofFirst(name))), ...names.map((name) => scaled(this.ofSecond(name)))];
+    if (this.second) return [this.history.time, ...names.map((name) => scaled(this.ofFirst(name))), ...names.map((name) => scaled(this.ofSecond(name))), ...edges.map(({ edge, second }) => scaled(second ? this.ofSecond(edge) : this.ofFirst(edge)))];
     return [this.history.time, ...names.map((name) => this.history.columns.get(name).values.subarray(0, n).map((v) => v * factor))];
+  }
+
+  // The edges of all bands of these columns, two by two: of the first run, then of the second.
+  bandsOf(names) {
+    if (!this.second) return [];
+    return [false, true].flatMap((second) => names.flatMap((name) =>
+      edgesOf((second ? this.second.history : this.history).columns, name).map((edge) => ({ name, edge, second }))));
   }
 
   offer() {
     const words = this.input.value.toLowerCase().split(/\s+/).filter(Boolean);
-    const names = [...this.history.columns.keys()].filter((name) => name !== "time" && words.every((w) => name.toLowerCase().includes(w)));
+    const names = [...this.history.columns.keys()].filter((name) => name !== "time" && !isEdge(this.history.columns, name) && words.every((w) => name.toLowerCase().includes(w)));
     this.found.replaceChildren(
       ...names.slice(0, 200).map((name) => {
         const item = document.createElement("li");
@@ -149,7 +162,8 @@ export class Plots {
   plotOf(unit, differs = false) {
     const names = this.chosen.filter((name) => this.history.columns.get(name).unit === unit);
     const scale = scaleFor(unit, differs ? this.largestDifference(names) : this.largestOf(names));
-    const font = "12px sans-serif", { ink, grid } = inks();
+    const font = "12px sans-serif", { ink, grid } = inks(), edges = differs ? [] : this.bandsOf(names);
+    const firstEdge = 1 + 2 * names.length;  // behind the time and the curves of both runs
     const options = {
       width: 320,
       height: 200,
@@ -164,7 +178,9 @@ export class Plots {
         {},
         ...names.map((name) => ({ label: name, stroke: this.colour(name), width: 1.6, points: { show: false } })),
         ...(this.second && !differs ? names.map((name) => ({ label: name, stroke: this.colour(name), width: 1.4, dash: [6, 4], points: { show: false } })) : []),
+        ...edges.map(({ edge }) => ({ label: edge, stroke: "transparent", width: 0, points: { show: false } })),
       ],
+      bands: edges.flatMap(({ name, second }, k) => (k % 2 ? [] : [{ series: [firstEdge + k + 1, firstEdge + k], fill: `${this.colour(name)}${second ? "22" : "44"}` }])),
       hooks: { setCursor: [(plot) => this.showValues(plot.cursor.idx)], setScale: [() => this.showTime(this.time)] },
     };
     const box = document.createElement("div");
