@@ -369,6 +369,12 @@ std::string title_of(const Scene& scene) {
   return scene.title.empty() ? fs::path(scene.folder).filename().string() : scene.title;
 }
 
+// Folder and name of the scene's file: a page that is passed on names no other folders of this machine.
+std::string place_of_file(const Scene& scene) {
+  const fs::path file = fs::absolute(scene.file).lexically_normal();
+  return (file.parent_path().filename() / file.filename()).string();
+}
+
 std::string reference_page(const Scene& scene) {
   const Reference reference = reference_of(scene);
   PageParts parts;
@@ -383,7 +389,7 @@ std::string reference_page(const Scene& scene) {
   add_surroundings(json, parts);
   add_static_meshes(json, parts, notes);
   add_bed_block(json, parts);
-  return page_text(title_of(scene), scene.file, {{"status", "done"}}, notes, parts);
+  return page_text(title_of(scene), place_of_file(scene), {{"status", "done"}}, notes, parts);
 }
 
 // Bodies, struts and joints with their axes in parallel projection, by the renderer of `view --pictures` and gnuplot.

@@ -12,11 +12,13 @@
 #include "mbd_solver/app/difference/pair_plots.h"
 #include "mbd_solver/app/difference/run_pair.h"
 #include "mbd_solver/app/difference/samples.h"
+#include "mbd_solver/app/film/film.h"
 #include "mbd_solver/app/live/run_feed.h"
 #include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/app/scenery/scenery.h"
 #include "mbd_solver/run/output/live_note.h"
 #include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/scene/scene_reader.h"
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {
@@ -290,6 +292,20 @@ TEST_F(Meshes, OfABoxIsItsBlock) {
   add_bed_block({{"particles", {{"box", {{"size", {2.0, 1.0}}, {"depth", 0.3}, {"centre", {1.0, 0.0}}}}}}}, parts);
   EXPECT_EQ(parts.run.at("bed").at("low"), Json({0.0, -0.5, -0.3}));
   EXPECT_EQ(parts.run.at("bed").at("high"), Json({2.0, 0.5, 0.0}));
+}
+
+// ---- a picture of a scene
+
+class ReferencePage : public ::testing::Test, protected TemporaryFolder {};
+
+TEST_F(ReferencePage, NamesNoFolderOfThisMachine) {
+  const std::string scene = write("crane/scene.toml",
+                                  "end_time = 1\n[[bodies]]\nname = \"jib\"\nmass = 1\n"
+                                  "shape = { kind = \"sphere\", centre = [0, 0, 1], radius = 0.1 }\n");
+  ASSERT_EQ(draw_reference(read_scene(scene), file("page.html")), 0);
+  const std::string page = text("page.html");
+  EXPECT_FALSE(contains(page, folder_.string()));
+  EXPECT_TRUE(contains(page, "<span>crane/scene.toml</span>"));
 }
 
 // ---- a run that failed at its start
