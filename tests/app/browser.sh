@@ -36,6 +36,15 @@ for run in plate plane; do
   grep -q '<canvas data-engine=' "$profile/dom" || die "$run: no picture"
 done
 opened "$out/plate/report.html"
+# Two samples, of which the second has its numbers a tenth larger, next to one run: curves with a band.
+mkdir "$out/samples" "$out/louder"
+cp "$out/plate/summary.json" "$out/louder"
+awk -F, -v OFS=, 'NR > 2 { for (k = 2; k <= NF; ++k) $k *= 1.1 } { print }' "$out/plate/history.csv" >"$out/louder/history.csv"
+echo run >"$out/samples/runs.csv"
+printf 'case,run\nplate,../plate\nplate,../louder\n' >"$out/samples/samples.csv"
+"$footfall" report "$out/samples" "$out/plate" >/dev/null
+grep -q 'az 95 %' "$out/samples/difference.html" || die "samples: no band"
+opened "$out/samples/difference.html"
 cp "$out/plate/view.html" "$out/painted.html"
 echo "$pixels" >>"$out/painted.html"
 cat >>"$out/painted.html" <<'JS'
