@@ -35,8 +35,8 @@ const Scene& without_grains(const Scene& scene, bool trusted) {
   if (scene.touches_particles())
     throw InputError(code::kEmbeddedGrains,
                      scene.file +
-                         ": ground.kind = \"particles\": this simulation has no grains; lead the "
-                         "coupled pair, or set ground.kind to \"plane\"");
+                         ": ground.kind = \"particles\": this simulation has no grains; control both programs from "
+                         "Python (footfall.Simulation), or set ground.kind to \"plane\" or \"soil\"");
   return scene;
 }
 

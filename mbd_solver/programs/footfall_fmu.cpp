@@ -13,8 +13,7 @@ Action export_scene(CLI::App& command) {
   command.add_option("--out", a->out, "The FMU to write, NAME.fmu")->required();
   command.add_option("--set", a->settings, "key=value: change one value of the scene")->allow_extra_args(false);
   command.add_flag("--trust-script", a->trust_script,
-                   "The FMU also carries and runs programs that the scene names (FMUs, Python files), and scripts that "
-                   "run programs");
+                   "The FMU also carries and runs programs that the scene names (FMUs, Python files)");
   command.add_flag("--quiet", a->quiet, "Print errors only");
   return [a] { return fmu_command(*a); };
 }

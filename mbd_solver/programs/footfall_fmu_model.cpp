@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -19,10 +18,9 @@
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/helper_process.h"
+#include "mbd_solver/embed/session.h"
 #include "mbd_solver/fmi/codes.h"
 #include "mbd_solver/fmi/model/exported_model.h"
-#include "mbd_solver/fmi/model/led_pair.h"
-#include "mbd_solver/fmi/model/stepped_model.h"
 #include "mbd_solver/run/observe/spring_fit.h"
 
 namespace {
@@ -30,21 +28,13 @@ namespace {
 using namespace footfall;
 namespace fs = std::filesystem;
 
-// The importing program has gone: its end of the pipe is closed, or its process is no longer our parent. A thread of it may end.
+// Ends this process with the importing program, also within a long step: its end of the pipe is closed, or its process is no
+// longer our parent. A thread of it may end.
 const pid_t kImporter = getppid();
-std::atomic<bool> leads_pair = false;  // whose programs are ended in order
-bool importer_has_gone() {
-  pollfd input = {STDIN_FILENO, 0, 0};
-  return getppid() != kImporter || (poll(&input, 1, 0) > 0 && (input.revents & (POLLHUP | POLLERR)) != 0);
-}
-
-// Ends this process with the importing program, also within a long step.
 void watch_importer() {
-  constexpr double kTimeOfPair = 50.0;  // [s]
   std::thread([] {
     for (pollfd input = {STDIN_FILENO, 0, 0}; poll(&input, 1, 1000) <= 0;)
       if (getppid() != kImporter) break;
-    if (leads_pair) usleep(static_cast<useconds_t>(1e6 * kTimeOfPair));
     _exit(1);
   }).detach();
 }
@@ -58,7 +48,7 @@ class StiffInput {
 
   const std::string& input() const { return input_; }
   // At the beginning of a step of H [s]; the warning, once, or nothing.
-  std::string observe(const SteppedModel& s, double force, double step) {
+  std::string observe(const Session& s, double force, double step) {
     const auto along = [&](const char* const(&names)[3]) {
       double sum = 0.0;
       for (int i = 0; i < 3; ++i) sum += direction_[i] * s.value(body_ + names[i]);
@@ -120,17 +110,13 @@ class Model {
         model().restore(content.substr(used + 1 + size));
         return values(false);
       }
-      case 'T':
-        if (leads_pair) model_.reset();
-        leads_pair = false;
-        return "B";
       default: throw std::runtime_error("unknown question");
     }
   }
 
  private:
   std::string text_of(const std::string& name) const { return read_whole_file(resources_ + "/" + name).value_or(""); }
-  SteppedModel& model() {
+  Session& model() {
     if (!model_) throw std::runtime_error("the model is not initialized");
     return *model_;
   }
@@ -140,22 +126,8 @@ class Model {
     for (const std::string& line : split(exported_with_ + settings_, '\n'))
       if (!line.empty()) settings.push_back(line);
     model_.reset();
-    leads_pair = false;
     const Scene scene = read_scene(scene_, settings);
-    if (scene.touches_particles()) {
-      leads_pair = true;
-      PairToLead pair;
-      pair.programs = resources_ + "/bin";
-      pair.scene = scene_;
-      pair.settings = settings;
-      pair.trusted = trusted_;
-      pair.carried = resources_ + "/scene";
-      if (const char* const kept = std::getenv("FOOTFALL_FMU_RESULTS")) pair.kept = kept;
-      pair.name = trimmed(text_of("name.txt"));
-      model_ = std::make_unique<LedPair>(pair, importer_has_gone);
-    } else {
-      model_ = std::make_unique<MechanismModel>(scene, trusted_);
-    }
+    model_ = std::make_unique<Session>(scene, SessionOptions{trusted_, false});
     told_ = 0;
     find_places();
     stiff_.clear();
@@ -185,22 +157,40 @@ class Model {
     std::vector<double> numbers(content.size() / sizeof(double));
     std::memcpy(numbers.data(), content.data(), numbers.size() * sizeof(double));
     if (numbers.size() != 2 + inputs_.size()) throw std::runtime_error("a step with too few numbers");
-    SteppedModel& s = model();
+    Session& s = model();
     for (std::size_t i = 0; i < inputs_.size(); ++i)
-      if (s.signal(inputs_[i]) != numbers[2 + i]) s.set_signal(inputs_[i], numbers[2 + i]);
+      if (s.signal(inputs_[i]) != numbers[2 + i]) s.set(inputs_[i], numbers[2 + i]);
     const double begin = s.time(), until = numbers[0];
     for (StiffInput& input : stiff_)
       if (const std::string warning = input.observe(s, s.signal(input.input()), until - begin); !warning.empty())
         warnings_ += warning + "\n";
-    return values(s.step(until, numbers[1] != 0.0), until);
+    return values(advance(until, numbers[1] != 0.0));
   }
 
-  // until: the time of a step [s], which a pair exceeds by a part of a coupling interval; 0: the model's time.
-  std::string values(bool early, double until = 0.0) {
-    SteppedModel& s = model();
-    const double time = until > 0.0 ? std::min(s.time(), until) : s.time();
+  // To this time [s]. early: at most to the next event that changes the state; true: that ended the step. The event is found by
+  // a step to the end, from whose beginning it is done again.
+  bool advance(double until, bool early) {
+    Session& s = model();
+    const std::vector<std::string>& names = s.names();
+    if (!early || std::find(names.begin(), names.end(), "state.since") == names.end()) {
+      s.step_to(until);
+      return false;
+    }
+    const auto last_event = [&] { return s.time() - s.value("state.since"); };
+    const double begin = s.time(), before = last_event();
+    const std::string saved = s.save();
+    s.step_to(until);
+    const double event = last_event();
+    if (!(event > before + 1e-9 && event > begin && event < until * (1.0 - 1e-9))) return false;
+    s.restore(saved);
+    s.step_to(event);
+    return true;
+  }
+
+  std::string values(bool early) {
+    Session& s = model();
     const std::vector<double> row = s.row();
-    std::vector<double> numbers = {time, early ? 1.0 : 0.0, s.finished() ? 1.0 : 0.0};
+    std::vector<double> numbers = {s.time(), early ? 1.0 : 0.0, s.finished() ? 1.0 : 0.0};
     for (std::size_t i = 0; i < outputs_.size(); ++i)
       numbers.push_back(outputs_[i] == kBalanceColumn ? s.energy_balance()
                         : outputs_[i] == kErrorColumn ? s.summed_error()
@@ -218,7 +208,7 @@ class Model {
   bool trusted_ = false;
   std::vector<std::string> inputs_, outputs_;
   std::vector<std::size_t> places_;  // of the outputs in a row
-  std::unique_ptr<SteppedModel> model_;
+  std::unique_ptr<Session> model_;
   std::vector<StiffInput> stiff_;
   std::string warnings_;  // for the next answer
   std::size_t told_ = 0;  // of the model's own
@@ -247,6 +237,5 @@ int main(int argc, char** argv) {
     }
     if (!HelperProcess::write_frame(out, answer)) break;
   }
-  model.reset();  // the pair ends in order
   return 0;
 }

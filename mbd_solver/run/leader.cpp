@@ -79,22 +79,13 @@ void Leader::set(const std::string& words) {
                                            exact_number(words.substr(space + 1)));
 }
 
-double Leader::last_event(const Sample& sample) const {
-  const int place = simulation_.mechanism().state_since;
-  return place < 0 ? 0.0 : sample.values(place);
-}
-
 void Leader::observe(const Sample& sample, double energy_balance) {
   if (leaves_) return;
-  const bool event = early_ && last_event(sample) != event_;
-  if (sample.state.time < target_ - simulation_.instructions().rows().tolerance() && !sample.last && saved_.empty() &&
-      !event) {
+  if (sample.state.time < target_ - simulation_.instructions().rows().tolerance() && !sample.last && saved_.empty()) {
     observation_.watch(sample);
     return;
   }
-  early_ = false;
-  send("balance " + shortest_text(energy_balance) + ' ' +
-       shortest_text(simulation_.integrator().statistics().summed_error));
+  send("balance " + shortest_text(energy_balance));
   std::string row = "row";
   for (const double value : observation_.row(sample)) row += ' ' + shortest_text(value);
   if (!saved_.empty()) send("saved " + saved_);
@@ -102,10 +93,7 @@ void Leader::observe(const Sample& sample, double energy_balance) {
   send(row);
   for (std::string line; !leaves_;) {
     if (!receive(line)) line = "end";
-    const bool early = line.rfind("early ", 0) == 0;
-    if (early || line.rfind("step ", 0) == 0) {
-      early_ = early;
-      event_ = last_event(sample);
+    if (line.rfind("step ", 0) == 0) {
       target_ = exact_number(line.substr(line.find(' ') + 1));
       simulation_.instructions().stop_at(target_);
       return;

@@ -6,13 +6,12 @@
 //   {"columns": [...], "units": [...],                (at the start)
 //    "signals": {NAME: VALUE}, "end_time": T}
 //   row VALUE...   all columns, at a time that        step T      go on to T [s]
-//                  was asked for, or at the end       early T     likewise, but at most to the next event that changes the state
-//   balance B E    before each row: the relative      set NAME V  a signal of kind "host" has this value from now on
-//                  error of the energy balance [-],   save        a checkpoint, at the end of the next window
-//                  the estimated error of all steps   end         now, as after SIGINT; also when the socket closes
+//                  was asked for, or at the end       set NAME V  a signal of kind "host" has this value from now on
+//   balance B      before each row: the relative      save        a checkpoint, at the end of the next window
+//                  error of the energy balance [-]    end         now, as after SIGINT; also when the socket closes
 //   saved FOLDER   before the next row
 //   done
-// mbd_solver answers `step`, `early` and `save` with a row, and reads nothing else meanwhile.
+// mbd_solver answers `step` and `save` with a row, and reads nothing else meanwhile.
 
 #include <memory>
 #include <string>
@@ -43,7 +42,6 @@ class Leader {
   void send(const std::string& line);
   bool receive(std::string& line);  // false: the other side is gone, or the run is interrupted
   void set(const std::string& words);
-  double last_event(const Sample& sample) const;  // [s]; 0: the scene has no states
 
   Simulation& simulation_;
   Observation observation_;
@@ -51,8 +49,6 @@ class Leader {
   LineChannel lines_;
   std::string saved_;    // folder of a checkpoint that was asked for and has not been told
   double target_ = 0.0;  // of the step [s]
-  bool early_ = false;   // an event ends the step
-  double event_ = 0.0;   // the last one before the step [s]
   bool leaves_ = false;  // no more answers are wanted
 };
 

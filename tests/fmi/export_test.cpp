@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cctype>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
+#include <thread>
 #include <type_traits>
 
 #include "mbd_solver/fmi/export/fmu_command.h"
@@ -368,6 +370,58 @@ TEST(ExportedFmu, CommandRefusesWhatItCannotDo) {
   const Folder folder("fmu_refused");
   folder.write("mass.toml", kMass);
   folder.refused("fmu mass.toml --out nowhere/mass.fmu", "E0743");
+}
+
+// Importing programs make instances in threads that end.
+TEST(ExportedFmu, OutlivesTheThreadThatMadeIt) {
+  const Folder folder("fmu_threads");
+  const std::string file = exported(folder, "fall", R"(end_time = 1
+[[bodies]]
+name = "ball"
+mass = 1
+inertia = [1, 1, 1]
+position = [0, 0, 0]
+)");
+  std::unique_ptr<Interface> fmu;
+  std::thread([&] { fmu = std::make_unique<Interface>(file, folder.file("unpacked"), false); }).join();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  ASSERT_EQ(fmu->begin(), fmi3OK) << fmu->log.text;
+  ASSERT_EQ(fmu->step(0.0, 0.1), fmi3OK) << fmu->log.text;
+  EXPECT_NEAR(fmu->get("ball.z"), -0.5 * 9.81 * 0.01, 1e-6);
+}
+
+// F = 2 t at samples of 0.1 s, by a Python file beside the scene.
+TEST(ExportedFmu, CarriesProgramsOfTheSceneWhereTheyAreTrusted) {
+  const Folder folder("fmu_trusted");
+  folder.write("ramp.py", "def ramp(time):\n    return 2 * time\n");
+  const std::string scene = R"(end_time = 1
+[[bodies]]
+name = "ball"
+mass = 1
+inertia = [1, 1, 1]
+position = [0, 0, 0]
+[[signals]]
+name = "F"
+kind = "python"
+file = "ramp.py"
+function = "ramp"
+stateless = true
+period_ms = 100
+)";
+  folder.write("ball.toml", scene);
+  folder.refused("fmu ball.toml --out ball.fmu", "E0279");
+  Interface fmu(exported(folder, "ball", scene, "--trust-script"), folder.file("unpacked"), false);
+  fs::remove(folder.file("ramp.py"));
+  ASSERT_EQ(fmu.begin(), fmi3OK) << fmu.log.text;
+  ASSERT_EQ(fmu.step(0.0, 0.55), fmi3OK) << fmu.log.text;
+  EXPECT_NEAR(fmu.get("signal.F"), 1.0, 1e-12);
+}
+
+// A mechanism alone becomes an FMU; grains are led from Python.
+TEST(ExportedFmu, IsRefusedForASceneOnGrains) {
+  const Folder folder("fmu_grains");
+  folder.write("plate.toml", "base = \"" + app::kPlate + "/scene.toml\"\n");
+  folder.refused("fmu plate.toml --out plate.fmu", "E0720");
 }
 
 }  // namespace

@@ -11,19 +11,14 @@
 #include <set>
 
 #include "coupler/base/files.h"
-#include "coupler/base/interrupt.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/check_command.h"
 #include "mbd_solver/base/fingerprint.h"
-#include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/programs.h"
-#include "mbd_solver/bed/script_safety.h"
+#include "mbd_solver/embed/session.h"
 #include "mbd_solver/fmi/codes.h"
 #include "mbd_solver/fmi/fmu_file.h"
-#include "mbd_solver/fmi/model/led_pair.h"
-#include "mbd_solver/fmi/model/stepped_model.h"
 #include "mbd_solver/scene/foreign/foreign_code.h"
-#include "mbd_solver/scene/particle_script.h"
 #include "mbd_solver/scene/scene_schema.h"
 #include "mbd_solver/scene/shipped_files.h"
 
@@ -38,16 +33,15 @@ constexpr const char *kLibrary = "footfall_fmu.so", *kProgram = "footfall_fmu_mo
 constexpr std::size_t kLongestList = 64;  // numbers of a parameter
 
 // Every number and list of numbers of the scene, with its key of --set. Values for output or exchange only are omitted.
-void add_parameters(const Json& json, bool grains, const std::string& key, std::vector<ExportedVariable>& found) {
+void add_parameters(const Json& json, const std::string& key, std::vector<ExportedVariable>& found) {
   const auto inside = [&](const std::string& name) { return key.empty() ? name : key + "." + name; };
   if (json.is_number()) {
     found.push_back({Kind::kParameter, 0, key, "", {json.get<double>()}});
   } else if (json.is_object()) {
     for (const auto& [name, value] : json.items()) {
-      const bool other = key.empty() && (name == "output" || name == "coupling" || name == "arrays" ||
-                                         (name == "particles" && !grains));
-      if (!other && name.find_first_of(".\"= ") == std::string::npos)
-        add_parameters(value, grains, inside(name), found);
+      const bool other =
+          key.empty() && (name == "output" || name == "coupling" || name == "arrays" || name == "particles");
+      if (!other && name.find_first_of(".\"= ") == std::string::npos) add_parameters(value, inside(name), found);
     }
   } else if (json.is_array() && !json.empty()) {
     const bool numbers = std::all_of(json.begin(), json.end(), [](const Json& item) { return item.is_number(); });
@@ -55,11 +49,11 @@ void add_parameters(const Json& json, bool grains, const std::string& key, std::
       found.push_back({Kind::kParameter, 0, key, "", json.get<std::vector<double>>()});
     for (const Json& item : json)
       if (item.is_object() && item.contains("name") && item["name"].is_string())
-        add_parameters(item, grains, inside(item["name"].get<std::string>()), found);
+        add_parameters(item, inside(item["name"].get<std::string>()), found);
   }
 }
 
-std::vector<ExportedVariable> variables_of(const SteppedModel& simulation, const Scene& scene) {
+std::vector<ExportedVariable> variables_of(const Session& simulation, const Scene& scene) {
   std::vector<ExportedVariable> all = {{Kind::kTime, 0, "time", "s", {0.0}}};
   const std::vector<std::string> inputs = simulation.signals();
   for (const std::string& name : inputs) all.push_back({Kind::kInput, 0, name, "", {simulation.signal(name)}});
@@ -70,7 +64,7 @@ std::vector<ExportedVariable> variables_of(const SteppedModel& simulation, const
   all.push_back({Kind::kOutput, 0, kBalanceColumn, "", {0.0}});
   all.push_back({Kind::kOutput, 0, kErrorColumn, "", {0.0}});
   std::vector<ExportedVariable> parameters;
-  add_parameters(Json::parse(scene_json(scene)), scene.touches_particles(), "", parameters);
+  add_parameters(Json::parse(scene_json(scene)), "", parameters);
   std::set<std::string> names;
   for (const std::string& name : inputs) names.insert("signals." + name + ".initial");  // the start value of the input
   for (const ExportedVariable& v : all) names.insert(v.name);
@@ -84,15 +78,11 @@ std::vector<ExportedVariable> variables_of(const SteppedModel& simulation, const
   return all;
 }
 
-// The scene, its base scenes, and every file that they or a script of grains name, relative to the folder that holds them all.
+// The scene, its base scenes, and every file that they name, relative to the folder that holds them all.
 class SceneFiles {
  public:
   explicit SceneFiles(const Scene& scene) : scene_(fs::weakly_canonical(scene.file)) {
     add(scene_);
-    if (scene.particles && !scene.particles->box) {
-      add_named_in(ScriptText(scene.particles->script, scene.particles->variables));
-      if (scene.particles->bed) add_named_in(ScriptText(scene.particles->bed->script, scene.particles->bed->variables));
-    }
     for (std::size_t k = 0; k < files_.size(); ++k)
       if (files_[k].extension() == ".toml") add_named_in(files_[k]);
     root_ = scene_.parent_path();
@@ -128,13 +118,6 @@ class SceneFiles {
         if (fs::is_regular_file(path, error)) add(fs::weakly_canonical(path));
     }
   }
-  void add_named_in(const ScriptText& script) {
-    for (const ScriptCommand& command : script.commands()) {
-      add(fs::weakly_canonical(command.file));
-      for (const std::string& word : command.words)
-        if (word.find_first_of("/.") != std::string::npos && word.size() < 4096) add(fs::weakly_canonical(word));
-    }
-  }
 
   fs::path scene_, root_;
   std::vector<fs::path> files_;
@@ -151,21 +134,6 @@ void add_shipped(std::vector<FmuEntry>& entries) {
       entries.push_back({"resources/share/footfall/" + std::string(folder) + "/" + fs::relative(file, source).string(),
                          file.string(), "", false});
   }
-}
-
-// At its start. Grains: the bed is made, and the programs run until it.
-std::unique_ptr<SteppedModel> started(const Scene& scene, const FmuArguments& a) {
-  if (!scene.touches_particles()) return std::make_unique<MechanismModel>(read_scene(a.scene, a.settings), true);
-  const ParticlesSpec& particles = *scene.particles;
-  if (particles.bed) prepare_bed(*particles.bed, particles.ranks, a.quiet, a.trust_script, scene.coupling.timeout);
-  end_on_signals("footfall");
-  work_is_under_way();
-  PairToLead pair;
-  pair.programs = fs::path(built_program("footfall")).parent_path().string();
-  pair.scene = fs::absolute(scene.file).lexically_normal().string();
-  pair.settings = a.settings;
-  pair.trusted = a.trust_script;
-  return std::make_unique<LedPair>(pair, [] { return interrupted() != 0; });
 }
 
 // In the folder of this program, or in the place of an installation.
@@ -185,9 +153,9 @@ int fmu_command(const FmuArguments& a) {
   const Scene scene = checked_scene(a.scene, a.settings);
   require_trust(scene, a.trust_script);
   require_foreign_code(scene);
-  const bool grains = scene.touches_particles(), foreign = runs_foreign_code(scene);
+  const bool foreign = runs_foreign_code(scene);
   const std::string library = library_file();
-  const std::unique_ptr<SteppedModel> model = started(scene, a);
+  const Session model(scene, SessionOptions{true, false});  // at its start
   const SceneFiles files(scene);
   std::string settings;
   for (const std::string& setting : a.settings) settings += setting + "\n";
@@ -199,8 +167,8 @@ int fmu_command(const FmuArguments& a) {
   exported.token = "{" + fingerprint(files.contents() + settings + FOOTFALL_VERSION) + "}";
   exported.end_time = scene.end_time;
   exported.step = scene.output.interval < scene.end_time ? scene.output.interval : 0.5 * scene.end_time;
-  exported.has_state = !grains && foreign_code_without_state(scene).empty();
-  exported.variables = variables_of(*model, scene);
+  exported.has_state = foreign_code_without_state(scene).empty();
+  exported.variables = variables_of(model, scene);
 
   std::vector<FmuEntry> entries = files.entries();
   entries.push_back({"modelDescription.xml", "", model_description(exported), false});
@@ -208,10 +176,8 @@ int fmu_command(const FmuArguments& a) {
   entries.push_back({"resources/token.txt", "", exported.token, false});
   entries.push_back({"resources/scene.txt", "", files.scene(), false});
   entries.push_back({"resources/settings.txt", "", settings, false});
-  entries.push_back({"resources/name.txt", "", exported.name, false});
-  if (a.trust_script) entries.push_back({"resources/trusted.txt", "", "programs and scripts of the scene\n", false});
+  if (a.trust_script) entries.push_back({"resources/trusted.txt", "", "programs of the scene\n", false});
   std::vector<std::string> programs = {kProgram};
-  if (grains) programs.insert(programs.end(), {"footfall", "mbd_solver", "liggghts_mbd"});
   if (foreign) programs.push_back("footfall_fmu_host");
   for (const std::string& name : programs) {
     std::error_code error;

@@ -24,8 +24,7 @@ namespace {
 using namespace footfall;
 using Kind = ExportedVariable::Kind;
 
-constexpr double kTimeOfAnswer = 3600.0;        // for one step at most, by the wall clock [s]
-constexpr double kTimeOfGrains = 30 * 86400.0;  // likewise with grains, whose programs watch each other; and for a bed
+constexpr double kTimeOfAnswer = 3600.0;  // for one step at most, by the wall clock [s]
 
 std::string text_in(const std::string& path) { return read_whole_file(path).value_or(""); }
 
@@ -61,11 +60,10 @@ class Instance {
     reset();
     start_program();
   }
-  ~Instance() { end_pair(); }
 
   // The next initialization starts a program anew: the present one may have died, or hang.
   void reset() {
-    end_program();
+    process_.reset();
     state_ = State();
     for (const ExportedVariable& v : variables_) {
       by_reference_[v.reference] = &v;
@@ -134,10 +132,7 @@ class Instance {
     make();
     phase_ = Phase::kStepping;
   }
-  void terminate() {
-    phase_ = Phase::kTerminated;
-    end_pair();
-  }
+  void terminate() { phase_ = Phase::kTerminated; }
 
   fmi3Status step(double from, double length, bool* terminate_simulation, bool* early, double* last) {
     require(Phase::kStepping, "fmi3DoStep");
@@ -214,31 +209,16 @@ class Instance {
 
   void start_program() {
     const std::string programs = resources_ + "/bin/";
-    for (const char* name : {"footfall", "mbd_solver", "liggghts_mbd", "footfall_fmu_host"}) {
-      if (access((programs + name).c_str(), F_OK) != 0) continue;
-      grains_ = grains_ || std::strcmp(name, "liggghts_mbd") == 0;
-      if (access((programs + name).c_str(), X_OK) != 0 && chmod((programs + name).c_str(), 0755) != 0)
-        throw std::runtime_error(programs + name +
-                                 " may not be executed; unpack the FMU with your own rights, on a disk that allows it");
-    }
+    const std::string host = programs + "footfall_fmu_host";  // of a scene that runs FMUs
+    if (access(host.c_str(), F_OK) == 0 && access(host.c_str(), X_OK) != 0 && chmod(host.c_str(), 0755) != 0)
+      throw std::runtime_error(host +
+                               " may not be executed; unpack the FMU with your own rights, on a disk that allows it");
     const Command command{Rights::of_user(), {runnable(programs + "footfall_fmu_model"), resources_}};
-    process_ = std::make_unique<HelperProcess>(command, grains_ ? kTimeOfGrains : kTimeOfAnswer, Orphan::kEndsByItself);
+    process_ = std::make_unique<HelperProcess>(command, kTimeOfAnswer, Orphan::kEndsByItself);
   }
 
   void require_program() {
     if (!process_) start_program();
-  }
-  void end_program() {
-    end_pair();
-    process_.reset();
-  }
-
-  // In order: mbd_solver and LIGGGHTS have ended when this returns.
-  void end_pair() {
-    if (grains_ && process_) try {
-        process_->ask("T");
-      } catch (const NoAnswer&) {  // has ended already
-      }
   }
 
   std::string ask(const std::string& question) {
@@ -313,7 +293,6 @@ class Instance {
   double duration_ = 0.0;  // of the importing program's simulation [s]; 0: unknown
   Phase phase_ = Phase::kInstantiated;
   bool made_ = false;    // the simulation has the present parameters and inputs
-  bool grains_ = false;  // the program controls a coupled pair
   std::unique_ptr<HelperProcess> process_;
 };
 
