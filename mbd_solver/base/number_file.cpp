@@ -1,5 +1,4 @@
-// Bytes become four masks of 64 bits, and the grammar of a plain number is checked by shifts and one addition for all 64 at once. [Langdale and
-// Lemire, VLDB J. 28 (2019) 941] do so for JSON.
+// A plain word is passed byte by byte. Words that begin before each page of the text are counted, so that numbers are found again.
 
 #include "mbd_solver/base/number_file.h"
 
@@ -12,12 +11,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/codes.h"
@@ -25,95 +19,36 @@
 namespace footfall {
 namespace {
 
-constexpr std::size_t kBlockBytes = 64;      // of one mask
-constexpr std::size_t kPageBytes = 1024;     // of text between two counts of words
-constexpr std::size_t kHeadBytes = 65536;    // that are read at first
-constexpr std::size_t kMostWhole = 8;        // digits before the point: more may be the mark of a hole
-constexpr std::size_t kLongestWord = 256;    // > two blocks, since each block has a gap
+constexpr std::size_t kPageBytes = 1024;   // of text between two counts of words
+constexpr std::size_t kHeadBytes = 65536;  // that are read at first
+constexpr std::ptrdiff_t kMostWhole = 8;   // digits before the point: more may be the mark of a hole
+constexpr std::ptrdiff_t kLongestWord = 128;
 constexpr std::size_t kChunkBytes = 262144;  // that are judged at once
 
 bool is_decimal(char c) { return c >= '0' && c <= '9'; }
 bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == ',' || c == ';'; }
 
-#ifdef __SSE2__
-// Bit k is the test result for byte k.
-template <class Test>
-std::uint64_t mask_of(const char* bytes, Test test) {
-  std::uint64_t mask = 0;
-  for (int k = 0; k < 4; ++k) {
-    const __m128i v = _mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes + 16 * k));
-    mask |= static_cast<std::uint64_t>(static_cast<std::uint32_t>(_mm_movemask_epi8(test(v)))) << (16 * k);
+// Behind the plain number at `word`: at the gap, or at `end` if the text may continue there. Null: another word, or the hole.
+const char* end_of_plain(const char* const word, const char* const end, double hole) {
+  const char* at = word;
+  if (*at == '-') ++at;
+  const char* const first = at;
+  double whole = 0.0;
+  for (; at < end && is_decimal(*at); ++at) whole = 10.0 * whole + (*at - '0');
+  std::ptrdiff_t digits = at - first;
+  if (digits > kMostWhole) return nullptr;
+  if (at < end && *at == '.') {
+    const char* const point = at++;
+    while (at < end && is_decimal(*at)) ++at;
+    digits += at - point - 1;
   }
-  return mask;
+  if (at == end) return at;
+  if (digits == 0 || !is_space(*at) || at - word > kLongestWord) return nullptr;
+  if (whole != std::floor(std::abs(hole))) return at;
+  double value = 0.0;
+  std::from_chars(first, at, value);
+  return (first > word ? -value : value) == hole ? nullptr : at;
 }
-std::uint64_t mask_of(const char* bytes, char c) {
-  const __m128i all = _mm_set1_epi8(c);
-  return mask_of(bytes, [&](__m128i v) { return _mm_cmpeq_epi8(v, all); });
-}
-std::uint64_t digits_of(const char* bytes) {
-  const __m128i zero = _mm_set1_epi8('0'), nine = _mm_set1_epi8(9);
-  return mask_of(bytes, [&](__m128i v) {
-    const __m128i above = _mm_sub_epi8(v, zero);
-    return _mm_cmpeq_epi8(_mm_min_epu8(above, nine), above);
-  });
-}
-#else
-template <class Test>
-std::uint64_t mask_of(const char* bytes, Test test) {
-  std::uint64_t mask = 0;
-  for (std::size_t k = 0; k < kBlockBytes; ++k) mask |= static_cast<std::uint64_t>(test(bytes[k])) << k;
-  return mask;
-}
-std::uint64_t mask_of(const char* bytes, char c) {
-  return mask_of(bytes, [c](char b) { return b == c; });
-}
-std::uint64_t digits_of(const char* bytes) { return mask_of(bytes, is_decimal); }
-#endif
-
-// The gaps in a block whose other bytes are known: mostly blanks and line ends.
-std::uint64_t gaps_of(const char* bytes, std::uint64_t others) {
-  std::uint64_t gaps = mask_of(bytes, ' ') | mask_of(bytes, '\n');
-  if ((gaps | others) != ~std::uint64_t{0})
-    for (const char c : {'\r', '\t', ',', ';'}) gaps |= mask_of(bytes, c);
-  return gaps;
-}
-
-// Which words may be a hole, by their first digits.
-class HoleSearch {
- public:
-  explicit HoleSearch(double hole) : hole_(hole), any_(std::isfinite(hole)) {
-    if (!any_) return;
-    char digits[400];
-    std::snprintf(digits, sizeof digits, "%.0f", std::floor(std::abs(hole)));
-    first_ = digits[0];
-    second_ = digits[1];
-    zero_ = first_ == '0';
-  }
-  // starts: of words, with their minus.
-  std::uint64_t candidates(const char* bytes, std::uint64_t starts, std::uint64_t minus, std::uint64_t after,
-                           std::uint64_t points, std::uint64_t digits) const {
-    if (!any_) return 0;
-    const std::uint64_t heads = zero_ ? after | (starts & ~minus) : hole_ < 0.0 ? after : starts & ~minus;
-    if (heads == 0) return 0;
-    const std::uint64_t zeros = mask_of(bytes, '0');
-    std::uint64_t next = ~std::uint64_t{0};
-    if (second_ != '\0') next = mask_of(bytes, second_) >> 1 | std::uint64_t{1} << 63;
-    const std::uint64_t leading = zeros & (digits >> 1 | std::uint64_t{1} << 63);
-    const std::uint64_t same = zero_ ? zeros | points : mask_of(bytes, first_) & next;
-    return heads & (same | leading);
-  }
-  // The word with this digit or point in front.
-  bool found(const char* head, const char* end, bool minus) const {
-    double value = 0.0;
-    std::from_chars(head, end, value);
-    return (minus ? -value : value) == hole_;
-  }
-
- private:
-  double hole_;
-  bool any_, zero_ = false;
-  char first_ = '\0', second_ = '\0';
-};
 
 }  // namespace
 
@@ -182,56 +117,32 @@ bool NumberFile::judge(std::size_t begin, std::size_t count, double hole) {
   FOOTFALL_DEMAND(begin <= size_);
   begin_ = begin;
   before_.clear();
-  before_.reserve((size_ - begin) / kPageBytes + 2);
-  std::vector<char> chunk(kChunkBytes + kBlockBytes);
-  HoleSearch holes(hole);
-  std::uint64_t words = 0;
-  std::uint64_t gap = 1, minus = 0, digit = 0, lonely = 0, fraction = 0;  // of the byte before this block
-  std::array<std::uint64_t, kMostWhole> whole{};                          // run, see below
-  // A short or empty chunk is the last one: the line ends behind it end its last word.
-  for (std::size_t from = begin, left = kChunkBytes; left == kChunkBytes; from += kChunkBytes) {
-    left = bytes_at(from, kChunkBytes, chunk.data());
-    std::fill(chunk.begin() + static_cast<std::ptrdiff_t>(left), chunk.end(), '\n');
-    const std::size_t blocks = left == kChunkBytes ? kChunkBytes / kBlockBytes : left / kBlockBytes + 1;
-    for (std::size_t b = 0; b < blocks; ++b) {
-      const char* const bytes = chunk.data() + b * kBlockBytes;
-      if (b % (kPageBytes / kBlockBytes) == 0) before_.push_back(static_cast<std::uint32_t>(words));
-      const std::uint64_t D = digits_of(bytes), M = mask_of(bytes, '-'), P = mask_of(bytes, '.'),
-                          G = gaps_of(bytes, D | M | P);
-      const std::uint64_t behind_gap = G << 1 | gap, starts = ~G & behind_gap;
-      std::uint64_t bad = ~(D | M | P | G);
-      bad |= M & ~behind_gap;
-      bad |= (M << 1 | minus) & ~(D | P);
-      const std::uint64_t alone = P & ~(D << 1 | digit);  // a point without a digit before it
-      bad |= (alone << 1 | lonely) & ~D;
-      const std::uint64_t behind_point = P << 1 | fraction,
-                          sum = behind_point + D;  // a run of digits carries to its end
-      bad |= sum & ~D & ~G;
-      const std::uint64_t behind_minus = M << 1 | minus;
-      std::uint64_t run = (starts | behind_minus) & D;  // of digits before the point: their k-th
-      for (std::uint64_t& ends : whole) {
-        const std::uint64_t next = (run << 1 | ends) & D;
-        ends = run >> 63;
-        run = next;
+  std::vector<char> chunk(kChunkBytes + 1);
+  std::size_t words = 0, from = begin, cut = 0;  // cut: bytes of a word that the chunk before did not have in full
+  for (bool last = false; !last;) {
+    const std::size_t size = cut + bytes_at(from + cut, kChunkBytes - cut, chunk.data() + cut);
+    last = size < kChunkBytes;
+    if (last) chunk[size] = '\n';
+    const char* const end = chunk.data() + size + (last ? 1 : 0);
+    const char* at = chunk.data();
+    for (cut = 0; at < end;) {
+      if (is_space(*at)) {
+        ++at;
+        continue;
       }
-      if (bad != 0 || G == 0 || run != 0) return false;
-      for (std::uint64_t may = holes.candidates(bytes, starts, M, behind_minus, P, D); may != 0; may &= may - 1) {
-        const int at = __builtin_ctzll(may);
-        if (b + 1 == kChunkBytes / kBlockBytes) {  // its word may end in the next chunk
-          char word[kLongestWord];
-          const std::size_t n = bytes_at(from + b * kBlockBytes + static_cast<std::size_t>(at), kLongestWord, word);
-          if (holes.found(word, word + n, (behind_minus >> at & 1) != 0)) return false;
-        } else if (holes.found(bytes + at, chunk.data() + chunk.size(), (behind_minus >> at & 1) != 0)) {
-          return false;
-        }
+      const char* const behind = end_of_plain(at, end, hole);
+      if (behind == nullptr || (behind == end && end - at > kLongestWord)) return false;
+      if (behind == end) {
+        cut = static_cast<std::size_t>(end - at);
+        break;
       }
-      words += static_cast<std::uint64_t>(__builtin_popcountll(starts));
-      gap = G >> 63;
-      minus = M >> 63;
-      digit = D >> 63;
-      lonely = alone >> 63;
-      fraction = P >> 63 | static_cast<std::uint64_t>(sum < D);
+      const std::size_t place = from - begin + static_cast<std::size_t>(at - chunk.data());
+      while (before_.size() * kPageBytes <= place) before_.push_back(static_cast<std::uint32_t>(words));
+      ++words;
+      at = behind;
     }
+    from += size - cut;
+    std::memmove(chunk.data(), at, cut);
   }
   return words == count;
 }
@@ -250,7 +161,7 @@ void NumberFile::read(std::size_t first, std::size_t count, double* out) const {
   // From the byte before its page, which may be of a word of the page before, to the end of the last word.
   const std::size_t page = page_of(first), last = page_of(first + count - 1);
   const std::size_t before = page > 0 ? 1 : 0, from = begin_ + page * kPageBytes - before;
-  std::vector<char> text((last + 1 - page) * kPageBytes + kLongestWord);
+  std::vector<char> text((last + 1 - page) * kPageBytes + kLongestWord + 2);
   const std::size_t size = bytes_at(from, text.size(), text.data());
   const char* at = text.data();
   const char* const end = at + size;

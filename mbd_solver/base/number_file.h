@@ -1,5 +1,5 @@
 #pragma once
-// A large file of numbers, such as a height map: validated once, in a few bytes per cycle, and read where it is needed.
+// A large file of numbers, such as a height map: validated once, and read where it is needed.
 // Plain numbers are digits, at most 8 before at most one point, and a minus; gaps are blanks, line ends, commas and
 // semicolons. A reader with complete messages reads all other texts.
 
