@@ -192,7 +192,7 @@ int start_import(const std::vector<std::string>& words) {
     program = built_program("footfall_import");
   } catch (const InputError& error) {
     throw InputError(with_addition(error.what(),
-                                   ": `./footfall import` in a checkout installs libsdformat-dev, liburdfdom-dev and "
+                                   ": `./footfall import` in a checkout installs libsdformat-dev and "
                                    "libmujoco-dev, and builds it"));
   }
   std::vector<std::string> line{"footfall"};

@@ -1,14 +1,9 @@
-// URDF. The file is checked with its lines, parts that no scene can represent are listed, and urdfdom reads links, joints and
-// placements. In the reference configuration all joints are zero, except that joints that mimic another have their offset.
-#include <console_bridge/console.h>
-#include <urdf_parser/urdf_parser.h>
-
+// URDF. Links and joints are checked first, each with its line, so that the robot can be made of them without further checks; parts that
+// no scene can represent are listed. In the reference configuration all joints are zero, except that joints that mimic another have their offset.
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 
-#include "mbd_solver/base/pi.h"
 #include "mbd_solver/import/codes.h"
 #include "mbd_solver/import/xml_source.h"
 
@@ -55,19 +50,35 @@ void check_origin(const XmlSource& xml, pugi::xml_node origin) {
 }
 
 // R = Rz(yaw) Ry(pitch) Rx(roll) about fixed axes.
-Eigen::Vector3d rpy_of(const Eigen::Matrix3d& R) {
-  const double across = std::hypot(R(0, 0), R(1, 0));
-  if (across > 1e-12) return {std::atan2(R(2, 1), R(2, 2)), std::atan2(-R(2, 0), across), std::atan2(R(1, 0), R(0, 0))};
-  return {0.0, std::atan2(-R(2, 0), across), std::atan2(-R(0, 1), R(1, 1))};
+Eigen::Quaterniond turn_of(const std::vector<double>& rpy) {
+  const Eigen::Vector3d half = 0.5 * Eigen::Vector3d(rpy[0], rpy[1], rpy[2]);
+  const Eigen::Array3d s = half.array().sin(), c = half.array().cos();
+  const Eigen::Quaterniond q(c[0] * c[1] * c[2] + s[0] * s[1] * s[2], s[0] * c[1] * c[2] - c[0] * s[1] * s[2],
+                             c[0] * s[1] * c[2] + s[0] * c[1] * s[2], c[0] * c[1] * s[2] - s[0] * s[1] * c[2]);
+  return q.normalized();
+}
+
+RigidFrame placement(const XmlSource& xml, const pugi::xml_node& origin) {
+  const std::vector<double> p = xml.numbers(origin, "xyz", 3, {0, 0, 0});
+  Eigen::Quaterniond turn = turn_of(xml.numbers(origin, "rpy", 3, {0, 0, 0}));
+  if (origin.attribute("quat_xyzw")) {
+    const std::vector<double> q = xml.numbers(origin, "quat_xyzw", 4);
+    turn = Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized();
+  }
+  return {{p[0], p[1], p[2]}, turn.toRotationMatrix()};
+}
+
+pugi::xml_node shape_of(const pugi::xml_node& geometry) {
+  return geometry.find_child([](const pugi::xml_node& n) {
+    const std::string name = n.name();
+    return name == "box" || name == "sphere" || name == "cylinder" || name == "capsule" || name == "mesh";
+  });
 }
 
 void check_geometry(const XmlSource& xml, const pugi::xml_node& of) {
   const pugi::xml_node geometry = of.child("geometry");
   if (!geometry) xml.fail(code::kRobotElement, of, "has no <geometry>, expected one");
-  const pugi::xml_node shape = geometry.find_child([](const pugi::xml_node& n) {
-    const std::string name = n.name();
-    return name == "box" || name == "sphere" || name == "cylinder" || name == "capsule" || name == "mesh";
-  });
+  const pugi::xml_node shape = shape_of(geometry);
   if (!shape)
     xml.fail(code::kRobotElement, geometry, "has no box, sphere, cylinder, capsule or mesh; expected one of them");
   const auto not_negative = [&](const char* attribute, std::size_t count) {
@@ -149,8 +160,8 @@ NodesByName by_name(const XmlSource& xml, const char* element) {
   return nodes;
 }
 
-// Every joint names two links, and following the parents from any link ends at one root.
-void check_tree(const XmlSource& xml, const NodesByName& links, const NodesByName& joints) {
+// Every joint names two links, and following the parents from any link ends at one root, whose name is returned.
+std::string check_tree(const XmlSource& xml, const NodesByName& links, const NodesByName& joints) {
   NodesByName joint_above;
   for (const auto& [name, joint] : joints) {
     for (const char* end : {"parent", "child"}) {
@@ -187,229 +198,147 @@ void check_tree(const XmlSource& xml, const NodesByName& links, const NodesByNam
       xml.fail(code::kRobotTree, links.at(at),
                "is a second root in addition to \"" + root + "\"; add a joint that connects it");
   }
-}
-
-RigidFrame placement(const urdf::Pose& pose) {
-  Eigen::Quaterniond q(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
-  return {{pose.position.x, pose.position.y, pose.position.z}, q.normalized().toRotationMatrix()};
-}
-
-// Messages of urdfdom.
-class Messages final : public console_bridge::OutputHandler {
- public:
-  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) texts += (texts.empty() ? "" : "; ") + text;
-  }
-  std::string texts;
-};
-
-// The text for urdfdom: without elements that it does not read, or refuses without need (colours, capsules, missing efforts).
-std::string text_for_urdfdom(const XmlSource& xml) {
-  pugi::xml_document copy;
-  pugi::xml_node robot = copy.append_copy(xml.root());
-  robot.remove_attribute("version");
-  const auto remove_all = [](pugi::xml_node node, const char* name) {
-    while (node.remove_child(name)) {
-    }
-  };
-  const auto turn_quaternion = [](pugi::xml_node origin) {
-    const pugi::xml_attribute given = origin.attribute("quat_xyzw");
-    if (!given) return;
-    const std::vector<double> q = *numbers_of(given.value());
-    const Eigen::Vector3d rpy = rpy_of(Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized().toRotationMatrix());
-    std::ostringstream text;
-    text.precision(17);
-    text << rpy[0] << ' ' << rpy[1] << ' ' << rpy[2];
-    origin.append_attribute("rpy") = text.str().c_str();
-  };
-  remove_all(robot, "material");
-  for (pugi::xml_node child = robot.first_child(); child;) {
-    const pugi::xml_node next = child.next_sibling();
-    const std::string name = child.name();
-    if (name != "link" && name != "joint") robot.remove_child(child);
-    child = next;
-  }
-  for (pugi::xml_node link : robot.children("link")) {
-    turn_quaternion(link.child("inertial").child("origin"));
-    if (pugi::xml_node inertia = link.child("inertial").child("inertia"))
-      for (const char* name : {"ixy", "ixz", "iyz"})
-        if (!inertia.attribute(name)) inertia.append_attribute(name) = "0";
-    for (const char* kind : {"visual", "collision"})
-      for (pugi::xml_node of : link.children(kind)) {
-        remove_all(of, "material");
-        turn_quaternion(of.child("origin"));
-        if (pugi::xml_node capsule = of.child("geometry").child("capsule")) capsule.set_name("cylinder");
-      }
-  }
-  for (pugi::xml_node joint : robot.children("joint")) {
-    turn_quaternion(joint.child("origin"));
-    remove_all(joint, "safety_controller");
-    remove_all(joint, "calibration");
-    if (pugi::xml_node dynamics = joint.child("dynamics"))
-      if (!dynamics.attribute("damping") && !dynamics.attribute("friction")) joint.remove_child(dynamics);
-    if (pugi::xml_node limit = joint.child("limit"))
-      for (const char* name : {"effort", "velocity"})
-        if (!limit.attribute(name)) limit.append_attribute(name) = "0";
-  }
-  std::ostringstream text;
-  copy.save(text, "", pugi::format_raw);
-  return text.str();
+  return root;
 }
 
 class UrdfRobot {
  public:
   UrdfRobot(const XmlSource& xml, const NodesByName& links, const NodesByName& joints, const ImportOptions& options)
-      : xml_(xml), link_nodes_(links), joint_nodes_(joints), options_(options) {}
+      : xml_(xml), links_(links), joints_(joints), options_(options) {
+    for (const pugi::xml_node& joint : xml.root().children("joint"))
+      joints_below_[joint.child("parent").attribute("link").value()].push_back(joint);
+  }
 
-  Robot made(const urdf::ModelInterface& model) {
+  Robot made(const std::string& root) {
     robot_.format = "URDF";
     robot_.file = xml_.file();
-    robot_.name = model.getName();
+    robot_.name = xml_.root().attribute("name").value();
     list_unread(xml_, urdf_elements(), robot_);
-    model_ = &model;
-    const urdf::Link& root = *model.getRoot();
-    if (root.name == "world" && !root.inertial) {
-      open_children(root, -1, {});
-      if (!root.collision_array.empty())
-        robot_.leave_out(xml_.origin(link_nodes_.at(root.name)), "link \"world\": its surface",
+    const pugi::xml_node link = links_.at(root);
+    if (root == "world" && !link.child("inertial")) {
+      open_children(link, -1, {});
+      if (link.child("collision"))
+        robot_.leave_out(xml_.origin(link), "link \"world\": its surface",
                          "it is the ground; give the scene a [ground], or --ground");
     } else {
-      open_.push_back({&root, -1, {}});
+      open_.push_back({link, {}, -1, {}});
     }
     while (!open_.empty()) {  // depth first, in the order of the file
       const OpenLink next = open_.back();
       open_.pop_back();
-      add_link(*next.link, next.parent, next.X_DL);
+      add_link(next);
     }
-    for (const auto& [follower, mimic] : mimics_) add_gear(follower, *mimic);
+    for (const auto& [follower, mimic] : mimics_) add_gear(follower, mimic);
     return std::move(robot_);
   }
 
  private:
-  void add_link(const urdf::Link& link, int parent, const RigidFrame& X_DL) {
-    const pugi::xml_node node = link_nodes_.at(link.name);
+  struct OpenLink {
+    pugi::xml_node link, joint;  // and the joint above it
+    int parent;
+    RigidFrame X_DL;
+  };
+
+  void add_link(const OpenLink& open) {
+    const pugi::xml_node node = open.link;
     const int index = static_cast<int>(robot_.links.size());
     RobotLink& made = robot_.links.emplace_back();
     made.origin = xml_.origin(node);
-    made.name = link.name;
-    made.X_DL = X_DL;
-    if (link.inertial) {
-      const urdf::Inertial& i = *link.inertial;
-      const RigidFrame X_LI = placement(i.origin);
+    made.name = node.attribute("name").value();
+    made.X_DL = open.X_DL;
+    if (const pugi::xml_node inertial = node.child("inertial")) {
+      const RigidFrame X_LI = placement(xml_, inertial.child("origin"));
+      const auto entry = [&](const char* name) { return xml_.numbers(inertial.child("inertia"), name, 1, {0.0})[0]; };
+      const double xy = entry("ixy"), xz = entry("ixz"), yz = entry("iyz");
       Eigen::Matrix3d I;
-      I << i.ixx, i.ixy, i.ixz, i.ixy, i.iyy, i.iyz, i.ixz, i.iyz, i.izz;
-      made.mass = i.mass;
+      I << entry("ixx"), xy, xz, xy, entry("iyy"), yz, xz, yz, entry("izz");
+      made.mass = xml_.numbers(inertial.child("mass"), "value", 1)[0];
       made.centre = X_LI.p;
       made.inertia = X_LI.R * I * X_LI.R.transpose();
     }
-    auto collision = node.children("collision").begin();
-    for (const auto& of : link.collision_array)
-      robot_.add_geometry(made, geometry(*of->geometry, of->origin, *collision++), true);
-    auto visual = node.children("visual").begin();
-    for (const auto& of : link.visual_array)
-      robot_.add_geometry(made, geometry(*of->geometry, of->origin, *visual++), false);
-    if (link.parent_joint) add_joint(*link.parent_joint, parent, index);
-    open_children(link, index, X_DL);
+    for (const pugi::xml_node& of : node.children("collision")) robot_.add_geometry(made, geometry(of), true);
+    for (const pugi::xml_node& of : node.children("visual")) robot_.add_geometry(made, geometry(of), false);
+    if (open.joint) add_joint(open.joint, open.parent, index);
+    open_children(node, index, open.X_DL);
   }
 
-  // In the order of the file, not of names; the first one is the last of the open ones.
-  void open_children(const urdf::Link& link, int index, const RigidFrame& X_DL) {
-    std::vector<urdf::LinkSharedPtr> children = link.child_links;
-    std::sort(children.begin(), children.end(), [&](const auto& a, const auto& b) {
-      return joint_nodes_.at(a->parent_joint->name).offset_debug() >
-             joint_nodes_.at(b->parent_joint->name).offset_debug();
-    });
-    for (const auto& child : children) {
-      const urdf::Joint& joint = *child->parent_joint;
-      RigidFrame X = X_DL * placement(joint.parent_to_joint_origin_transform);
-      if (joint.mimic) X = X * displaced(joint, drawn(joint));
-      open_.push_back({child.get(), index, X});
+  // The first one is the last of the open ones.
+  void open_children(const pugi::xml_node& link, int index, const RigidFrame& X_DL) {
+    const std::vector<pugi::xml_node>& below = joints_below_[link.attribute("name").value()];
+    for (auto joint = below.rbegin(); joint != below.rend(); ++joint) {
+      RigidFrame X = X_DL * placement(xml_, joint->child("origin"));
+      if (joint->child("mimic")) X = X * displaced(*joint, drawn(*joint));
+      open_.push_back({links_.at(joint->child("child").attribute("link").value()), *joint, index, X});
     }
+  }
+
+  static bool is_of(const pugi::xml_node& joint, const char* type) {
+    return std::string(joint.attribute("type").value()) == type;
+  }
+  static bool turns(const pugi::xml_node& joint) { return is_of(joint, "revolute") || is_of(joint, "continuous"); }
+  double number(const pugi::xml_node& node, const char* attribute, double otherwise) const {
+    return xml_.numbers(node, attribute, 1, {otherwise})[0];
   }
 
   // Coordinate in the reference configuration: zero for joints that follow no other joint.
-  double drawn(const urdf::Joint& joint) {
+  double drawn(const pugi::xml_node& joint) {
     double value = 0.0;
-    std::vector<const urdf::Joint*> followers;
+    std::vector<pugi::xml_node> followers;
     std::set<std::string> followed;
-    for (const urdf::Joint* at = &joint; at != nullptr && at->mimic;
-         at = model_->getJoint(at->mimic->joint_name).get()) {
-      if (const auto known = drawn_.find(at->name); known != drawn_.end()) {
+    for (pugi::xml_node at = joint; at.child("mimic");) {
+      const std::string name = at.attribute("name").value();
+      if (const auto known = drawn_.find(name); known != drawn_.end()) {
         value = known->second;
         break;
       }
-      if (!followed.insert(at->name).second)
-        xml_.fail(code::kRobotTree, joint_nodes_.at(joint.name).child("mimic"),
+      if (!followed.insert(name).second)
+        xml_.fail(code::kRobotTree, joint.child("mimic"),
                   "joints follow each other in a circle; one of them must move by itself");
       followers.push_back(at);
+      const auto leader = joints_.find(at.child("mimic").attribute("joint").value());
+      at = leader == joints_.end() ? pugi::xml_node() : leader->second;
     }
-    for (auto at = followers.rbegin(); at != followers.rend(); ++at)
-      drawn_[(*at)->name] = value = (*at)->mimic->offset + (*at)->mimic->multiplier * value;
+    for (auto at = followers.rbegin(); at != followers.rend(); ++at) {
+      const pugi::xml_node mimic = at->child("mimic");
+      drawn_[at->attribute("name").value()] = value =
+          number(mimic, "offset", 0.0) + number(mimic, "multiplier", 1.0) * value;
+    }
     return value;
   }
 
-  static Eigen::Vector3d axis_of(const urdf::Joint& joint) {
-    return Eigen::Vector3d(joint.axis.x, joint.axis.y, joint.axis.z).normalized();
+  Eigen::Vector3d axis_of(const pugi::xml_node& joint) const {
+    const std::vector<double> v = xml_.numbers(joint.child("axis"), "xyz", 3, {1, 0, 0});
+    return Eigen::Vector3d(v[0], v[1], v[2]).normalized();
   }
 
-  static RigidFrame displaced(const urdf::Joint& joint, double by) {
-    if (joint.type == urdf::Joint::PRISMATIC) return {by * axis_of(joint), Eigen::Matrix3d::Identity()};
-    if (joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS)
-      return {Eigen::Vector3d::Zero(), Eigen::AngleAxisd(by, axis_of(joint)).toRotationMatrix()};
+  RigidFrame displaced(const pugi::xml_node& joint, double by) const {
+    if (is_of(joint, "prismatic")) return {by * axis_of(joint), Eigen::Matrix3d::Identity()};
+    if (turns(joint)) return {Eigen::Vector3d::Zero(), Eigen::AngleAxisd(by, axis_of(joint)).toRotationMatrix()};
     return {};
   }
 
-  void add_joint(const urdf::Joint& joint, int parent, int child) {
-    const pugi::xml_node node = joint_nodes_.at(joint.name);
-    if (joint.type == urdf::Joint::FLOATING) {
-      robot_.links[child].remark = "moves freely (floating joint \"" + joint.name + "\")";
-      return;
-    }
+  void add_joint(const pugi::xml_node& node, int parent, int child) {
     RobotJoint made;
     made.origin = xml_.origin(node);
-    made.name = joint.name;
+    made.name = node.attribute("name").value();
+    if (is_of(node, "floating")) {
+      robot_.links[child].remark = "moves freely (floating joint \"" + made.name + "\")";
+      return;
+    }
     made.parent = parent;
     made.child = child;
     const RigidFrame& X_DL = robot_.links[child].X_DL;
     made.point = X_DL.p;
-    if (joint.type != urdf::Joint::FIXED) made.axis = X_DL.R * axis_of(joint);
-    switch (joint.type) {
-      case urdf::Joint::REVOLUTE:
-      case urdf::Joint::CONTINUOUS: made.kind = RobotJointKind::kRevolute; break;
-      case urdf::Joint::PRISMATIC: made.kind = RobotJointKind::kPrismatic; break;
-      case urdf::Joint::PLANAR:
-        made.kind = RobotJointKind::kPlanar;
-        made.axis2 = made.axis.unitOrthogonal();
-        break;
-      default: made.kind = RobotJointKind::kFixed;
-    }
-    if (made.kind == RobotJointKind::kRevolute || made.kind == RobotJointKind::kPrismatic) {
-      RobotCoordinate q;
-      q.name = made.kind == RobotJointKind::kRevolute ? "angle" : "displacement";
-      const pugi::xml_node limit = node.child("limit");
-      const bool bounded = limit.attribute("lower") || limit.attribute("upper");
-      if (joint.type != urdf::Joint::CONTINUOUS && !bounded)
-        robot_.leave_out(xml_.origin(limit), "<limit> of " + title_of(node),
-                         "has neither lower nor upper: the joint has no stops");
-      if (joint.limits && bounded && joint.type != urdf::Joint::CONTINUOUS) {
-        q.lower = joint.limits->lower;
-        q.upper = joint.limits->upper;
-      }
-      if (joint.limits) {
-        q.effort = std::max(0.0, joint.limits->effort);
-        q.speed = std::max(0.0, joint.limits->velocity);
-        if (options_.hold && limit.attribute("effort") && !(joint.limits->effort > 0.0) && !joint.mimic)
-          robot_.leave_out(xml_.origin(limit), "<limit> of " + title_of(node), kWithoutEffort);
-      }
-      if (joint.dynamics) {
-        q.damping = joint.dynamics->damping;
-        q.friction = joint.dynamics->friction;
-      }
-      if (joint.mimic) {
-        q.zero = drawn(joint);
-        mimics_.emplace_back(static_cast<int>(robot_.joints.size()), joint.mimic.get());
-      }
-      made.coordinates.push_back(q);
+    made.kind = turns(node)                ? RobotJointKind::kRevolute
+                : is_of(node, "prismatic") ? RobotJointKind::kPrismatic
+                : is_of(node, "planar")    ? RobotJointKind::kPlanar
+                                           : RobotJointKind::kFixed;
+    if (made.kind != RobotJointKind::kFixed) made.axis = X_DL.R * axis_of(node);
+    if (made.kind == RobotJointKind::kPlanar) made.axis2 = made.axis.unitOrthogonal();
+    if (turns(node) || is_of(node, "prismatic")) {
+      made.coordinates.push_back(coordinate(node));
+      if (const pugi::xml_node mimic = node.child("mimic"))
+        mimics_.emplace_back(static_cast<int>(robot_.joints.size()), mimic);
     } else {
       for (const char* name : {"limit", "dynamics", "mimic"})
         if (const pugi::xml_node of = node.child(name); of && made.kind != RobotJointKind::kFixed)
@@ -420,80 +349,92 @@ class UrdfRobot {
     robot_.joints.push_back(made);
   }
 
-  void add_gear(int follower, const urdf::JointMimic& mimic) {
+  RobotCoordinate coordinate(const pugi::xml_node& joint) {
+    RobotCoordinate q;
+    q.name = turns(joint) ? "angle" : "displacement";
+    const pugi::xml_node limit = joint.child("limit"), dynamics = joint.child("dynamics");
+    const bool bounded = limit.attribute("lower") || limit.attribute("upper"), endless = is_of(joint, "continuous");
+    if (!endless && !bounded)
+      robot_.leave_out(xml_.origin(limit), "<limit> of " + title_of(joint),
+                       "has neither lower nor upper: the joint has no stops");
+    if (bounded && !endless) {
+      q.lower = number(limit, "lower", 0.0);
+      q.upper = number(limit, "upper", 0.0);
+    }
+    if (limit) {
+      const double effort = number(limit, "effort", 0.0);
+      q.effort = std::max(0.0, effort);
+      q.speed = std::max(0.0, number(limit, "velocity", 0.0));
+      if (options_.hold && limit.attribute("effort") && !(effort > 0.0) && !joint.child("mimic"))
+        robot_.leave_out(xml_.origin(limit), "<limit> of " + title_of(joint), kWithoutEffort);
+    }
+    q.damping = number(dynamics, "damping", 0.0);
+    q.friction = number(dynamics, "friction", 0.0);
+    if (joint.child("mimic")) q.zero = drawn(joint);
+    return q;
+  }
+
+  void add_gear(int follower, const pugi::xml_node& mimic) {
     const RobotJoint& driven = robot_.joints[follower];
-    const pugi::xml_node node = joint_nodes_.at(driven.name).child("mimic");
-    const auto found = joint_places_.find(mimic.joint_name);
+    const std::string name = mimic.attribute("joint").value();
+    const double multiplier = number(mimic, "multiplier", 1.0);
+    const auto found = joint_places_.find(name);
     const int leader = found == joint_places_.end() ? -1 : found->second;
     if (leader < 0 || leader == follower)
-      xml_.fail(code::kRobotName, node,
-                "joint = \"" + mimic.joint_name.substr(0, 60) + "\" is no other joint that moves");
+      xml_.fail(code::kRobotName, mimic, "joint = \"" + name.substr(0, 60) + "\" is no other joint that moves");
     const RobotJoint& leading = robot_.joints[leader];
     if (leading.coordinates.size() != 1)
-      xml_.fail(code::kRobotName, node, "joint = \"" + mimic.joint_name + "\" has no single coordinate to follow");
-    if (mimic.multiplier == 0.0) {
+      xml_.fail(code::kRobotName, mimic, "joint = \"" + name + "\" has no single coordinate to follow");
+    if (multiplier == 0.0) {
       robot_.joints[follower].kind = RobotJointKind::kFixed;
       robot_.joints[follower].coordinates.clear();
       robot_.joints[follower].remark = "mimics another joint with the factor 0: it is held";
       return;
     }
     RobotGear gear;
-    gear.origin = xml_.origin(node);
+    gear.origin = xml_.origin(mimic);
     gear.name = driven.name + "_mimic";
     gear.joints = {follower, leader};
     gear.coordinates = {driven.coordinates[0].name, leading.coordinates[0].name};
-    gear.factors = {1.0, -mimic.multiplier};
+    gear.factors = {1.0, -multiplier};
     robot_.gears.push_back(gear);
   }
 
-  RobotGeometry geometry(const urdf::Geometry& shape, const urdf::Pose& pose, const pugi::xml_node& node) {
+  RobotGeometry geometry(const pugi::xml_node& node) const {
     RobotGeometry made;
     made.origin = xml_.origin(node);
     made.name = node.attribute("name").value();
-    made.X_LG = placement(pose);
-    switch (shape.type) {
-      case urdf::Geometry::BOX: {
-        const auto& box = static_cast<const urdf::Box&>(shape);
-        made.kind = GeometryKind::kBox;
-        made.size = {box.dim.x, box.dim.y, box.dim.z};
-        break;
-      }
-      case urdf::Geometry::SPHERE:
-        made.kind = GeometryKind::kSphere;
-        made.radius = static_cast<const urdf::Sphere&>(shape).radius;
-        break;
-      case urdf::Geometry::CYLINDER: {
-        const auto& cylinder = static_cast<const urdf::Cylinder&>(shape);
-        made.kind = node.child("geometry").child("capsule") ? GeometryKind::kCapsule : GeometryKind::kCylinder;
-        made.radius = cylinder.radius;
-        made.length = cylinder.length;
-        break;
-      }
-      default: {
-        const auto& mesh = static_cast<const urdf::Mesh&>(shape);
-        made.kind = GeometryKind::kMesh;
-        made.scale = {mesh.scale.x, mesh.scale.y, mesh.scale.z};
-        made.file = find_mesh(mesh.filename, xml_.file(), options_);
-        if (made.file.empty()) made.name = mesh.filename;
-      }
+    made.X_LG = placement(xml_, node.child("origin"));
+    const pugi::xml_node shape = shape_of(node.child("geometry"));
+    const std::string kind = shape.name();
+    if (kind == "box") {
+      made.kind = GeometryKind::kBox;
+      made.size = Eigen::Vector3d(xml_.numbers(shape, "size", 3).data());
+    } else if (kind == "mesh") {
+      const std::string file = shape.attribute("filename").value();
+      made.kind = GeometryKind::kMesh;
+      made.scale = Eigen::Vector3d(xml_.numbers(shape, "scale", 3, {1, 1, 1}).data());
+      made.file = find_mesh(file, xml_.file(), options_);
+      if (made.file.empty()) made.name = file;
+    } else {
+      made.kind = kind == "sphere"    ? GeometryKind::kSphere
+                  : kind == "capsule" ? GeometryKind::kCapsule
+                                      : GeometryKind::kCylinder;
+      made.radius = number(shape, "radius", 0.0);
+      made.length = number(shape, "length", 0.0);
     }
     return made;
   }
 
   const XmlSource& xml_;
-  const NodesByName &link_nodes_, &joint_nodes_;
+  const NodesByName &links_, &joints_;
   const ImportOptions& options_;
   Robot robot_;
-  const urdf::ModelInterface* model_ = nullptr;
-  std::vector<std::pair<int, const urdf::JointMimic*>> mimics_;
+  std::map<std::string, std::vector<pugi::xml_node>> joints_below_;  // a link, in the order of the file
+  std::vector<std::pair<int, pugi::xml_node>> mimics_;
   std::map<std::string, int> joint_places_;
   std::map<std::string, double> drawn_;  // coordinates of joints that follow others
-  struct OpenLink {
-    const urdf::Link* link;
-    int parent;
-    RigidFrame X_DL;
-  };
-  std::vector<OpenLink> open_;  // links that are not added yet
+  std::vector<OpenLink> open_;           // links that are not added yet
 };
 
 void refuse_xacro(const XmlSource& xml) {
@@ -524,22 +465,9 @@ Robot read_urdf(const std::string& file, const ImportOptions& options) {
   if (links.empty()) xml.fail(code::kRobotElement, xml.root(), "has no <link>, expected a robot");
   for (const auto& [name, link] : links) check_link(xml, link);
   for (const auto& [name, joint] : joints) check_joint(xml, joint);
-  check_tree(xml, links, joints);
-  Messages messages;
-  console_bridge::useOutputHandler(&messages);
-  urdf::ModelInterfaceSharedPtr model;
-  std::string thrown;
-  try {
-    model = urdf::parseURDF(text_for_urdfdom(xml));
-  } catch (const std::exception& error) {
-    thrown = error.what();
-  }
-  console_bridge::restorePreviousOutputHandler();
-  if (!model || !model->getRoot())
-    throw InputError(code::kRobotRefused, xml.origin(xml.root()).place() + ": urdfdom refuses the file: " +
-                                              (messages.texts.empty() ? thrown : messages.texts) +
-                                              "; `check_urdf` of the Debian package liburdfdom-tools prints details");
-  return UrdfRobot(xml, links, joints, options).made(*model);
+  if (*xml.root().attribute("name").value() == 0) xml.fail(code::kRobotName, xml.root(), "has no name");
+  const std::string root = check_tree(xml, links, joints);
+  return UrdfRobot(xml, links, joints, options).made(root);
 }
 
 }  // namespace footfall

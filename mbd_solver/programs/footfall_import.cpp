@@ -1,5 +1,5 @@
-// footfall_import: the command import of footfall. A separate program, so that no run needs its libraries (urdfdom,
-// sdformat, MuJoCo); footfall starts it for this command.
+// footfall_import: the command import of footfall. A separate program, so that no run needs its libraries (sdformat,
+// MuJoCo); footfall starts it for this command.
 #include <memory>
 
 #include "mbd_solver/app/command_line.h"

@@ -60,6 +60,7 @@ TEST_F(BadRobots, Urdf) {
   const std::string ab = "<parent link='a'/><child link='b'/>";
   EXPECT_TRUE(test::names(message("r.urdf", robot(a + a)), {"r.urdf:3", "E0703"}));
   EXPECT_TRUE(test::names(message("r.urdf", robot("")), {"r.urdf:1", "E0711"}));
+  EXPECT_TRUE(test::names(message("r.urdf", "<robot>\n" + a + "</robot>\n"), {"r.urdf:1", "no name", "E0703"}));
   EXPECT_TRUE(test::names(message("r.urdf", robot(a + b)), {"E0705"}));
   EXPECT_TRUE(test::names(
       message("r.urdf", robot(a + "<joint name='j' type='fixed'><parent link='a'/><child link='x'/></joint>")),

@@ -51,7 +51,6 @@ ONLY_IN = {
     r"pugixml": "mbd_solver/run/output/vtk_writer.cpp mbd_solver/import/xml_source.h mbd_solver/fmi/model_description.cpp",
     r"httplib\.h": "mbd_solver/app/live/page_server.cpp",
     r"zip\.h": "mbd_solver/fmi/fmu_file.cpp",
-    r"(urdf_parser|console_bridge)/": "mbd_solver/import/urdf_reader.cpp",
     r"mujoco/": "mbd_solver/import/mjcf_reader.cpp",
     r"(sdf|ignition)/": "mbd_solver/import/sdf/sdf_reader.cpp",
     r"pybind11/": "mbd_solver/python/module.cpp",

@@ -292,7 +292,7 @@ class Instance {
   State state_;
   double duration_ = 0.0;  // of the importing program's simulation [s]; 0: unknown
   Phase phase_ = Phase::kInstantiated;
-  bool made_ = false;    // the simulation has the present parameters and inputs
+  bool made_ = false;  // the simulation has the present parameters and inputs
   std::unique_ptr<HelperProcess> process_;
 };
 
