@@ -32,7 +32,7 @@ MAY_INCLUDE = {
     "mbd_solver/campaign": "mbd_solver/studies",
     "mbd_solver/import": "mbd_solver/app",
     "mbd_solver/fmi": "mbd_solver/base",
-    "mbd_solver/fmi/model": "mbd_solver/fmi mbd_solver/embed mbd_solver/bed",
+    "mbd_solver/fmi/model": "mbd_solver/fmi mbd_solver/embed",
     "mbd_solver/fmi/export": "mbd_solver/fmi/model mbd_solver/app",
     "mbd_solver/fmi/library": "mbd_solver/fmi/model",
     "mbd_solver/programs": "mbd_solver/run mbd_solver/studies mbd_solver/campaign mbd_solver/import mbd_solver/fmi/export",
