@@ -28,9 +28,8 @@ std::vector<std::string> active_parts(const Simulation& simulation, const Flexib
   if (!mechanism.cables.empty()) active.push_back("cables");
   if (!mechanism.controllers.empty()) active.push_back("controllers");
   if (!mechanism.signals.empty()) active.push_back("signals");
-  if (mechanism.has(ContactKind::kPlane) || mechanism.has(ContactKind::kTerrain)) active.push_back("plane");
-  if (mechanism.has(ContactKind::kSoil)) active.push_back("soil");
-  if (mechanism.has(ContactKind::kSurface)) active.push_back("contacts");
+  for (const ContactKind kind : every<ContactKind>())
+    if (mechanism.has(kind) && active.back() != name_of(kind)) active.emplace_back(name_of(kind));
   if (simulation.coupled()) active.push_back("particles");
   return active;
 }

@@ -276,8 +276,10 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
   out.add(kEnergyTotal, {}, [](const Sample& s) -> const StoredEnergy& { return s.energy.stored; });
   for (int k = 0; k < count_of<Dissipation>(); ++k) {
     const auto kind = static_cast<Dissipation>(k);
-    const bool of_soil = kind == Dissipation::kSoil || kind == Dissipation::kSoilInertia;
-    if (of_soil && !mechanism.has(ContactKind::kSoil)) continue;
+    const bool missing = std::any_of(kOwnDissipations.begin(), kOwnDissipations.end(), [&](const OwnDissipation& own) {
+      return own.dissipation == kind && !mechanism.has(own.kind);
+    });
+    if (missing) continue;
     out.add(kDissipated, {std::string(name_of(kind))}, [kind](const Sample& s) { return s.state.dissipated[kind]; });
   }
   out.add(kWork, {}, [](const Sample& s) -> const State& { return s.state; });

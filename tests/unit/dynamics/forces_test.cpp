@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <type_traits>
 #include <vector>
 
@@ -114,11 +115,11 @@ TEST(ContactElement, OfEveryKindReportsTheForceThatItExertsOnItsFirstBody) {
   const State state = test::as_given(model).state;
   Kinematics kinematics(model);
   kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
-  std::vector<ContactKind> kinds;
+  std::set<ContactKind> kinds;
   for (const std::unique_ptr<ForceElement>& element : test::all_forces(random, model, 0, 2)) {
     const auto* contact = dynamic_cast<const ContactElement*>(element.get());
     if (contact == nullptr) continue;
-    kinds.push_back(contact->kind());
+    kinds.insert(contact->kind());
     const PairMotion pair = kinematics.pair(contact->bodies()[0], contact->bodies()[1]);
     const Eigen::VectorXd z = contact->initial_state();
     const test::OwnScratch own(*contact);
@@ -129,8 +130,7 @@ TEST(ContactElement, OfEveryKindReportsTheForceThatItExertsOnItsFirstBody) {
     EXPECT_GT(Q.norm(), 0.0) << contact->name();
     EXPECT_LT((contact->wrench(in) - Q.segment<6>(pair.offset(0))).norm(), 1e-12 * Q.norm()) << contact->name();
   }
-  EXPECT_EQ(kinds, (std::vector<ContactKind>{ContactKind::kPlane, ContactKind::kSurface, ContactKind::kSoil,
-                                             ContactKind::kSoil, ContactKind::kTerrain}));
+  EXPECT_EQ(kinds.size(), every<ContactKind>().size());
 }
 
 // mbd_solver/model/model.h
