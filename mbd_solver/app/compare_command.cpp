@@ -132,7 +132,7 @@ std::vector<double> pose_at(const RecordedMotion& motion, double t) {
   const auto after = std::lower_bound(motion.time.begin(), motion.time.end(), t);
   if (after == motion.time.begin()) return motion.pose.front();
   if (after == motion.time.end()) return motion.pose.back();
-  const auto k = static_cast<std::size_t>(after - motion.time.begin());
+  const std::size_t k = after - motion.time.begin();
   const double share = (t - motion.time[k - 1]) / (motion.time[k] - motion.time[k - 1]);
   std::vector<double> pose(6);
   for (std::size_t c = 0; c < 6; ++c) pose[c] = (1.0 - share) * motion.pose[k - 1][c] + share * motion.pose[k][c];
@@ -327,8 +327,8 @@ double peak(const ComparedBody& body) {
 
 Eigen::Vector3d place_at(const SurfacePath& surface, double t) {
   const auto after = std::lower_bound(surface.time.begin(), surface.time.end(), t - 1e-12);
-  const auto k = static_cast<std::size_t>(
-      std::min<std::ptrdiff_t>(after - surface.time.begin(), static_cast<std::ptrdiff_t>(surface.time.size()) - 1));
+  const std::size_t k =
+      std::min<std::ptrdiff_t>(after - surface.time.begin(), static_cast<std::ptrdiff_t>(surface.time.size()) - 1);
   return surface.place[k];
 }
 

@@ -59,7 +59,7 @@ std::string data_array(const char* type, const char* name, int components, const
   const std::string bytes = bytes_of(numbers), packed = bytes.empty() ? "" : packed_bytes(bytes);
   std::vector<std::uint32_t> header = {0, 0, 0};  // blocks, bytes of a block, bytes of a smaller last block
   if (!bytes.empty()) {
-    const auto padding = static_cast<std::size_t>(std::count(packed.end() - 2, packed.end(), '='));
+    const std::size_t padding = std::count(packed.end() - 2, packed.end(), '=');
     header = {1, static_cast<std::uint32_t>(bytes.size()), 0,
               static_cast<std::uint32_t>(packed.size() / 4 * 3 - padding)};
   }

@@ -332,7 +332,7 @@ ModalBoundary assemble(const std::string& name, const Nodes& nodes, std::vector<
     Psi.resize(3 * count, modes);
   }
   for (Eigen::Index j = 0; j < count; ++j) {
-    const auto i = static_cast<std::size_t>(j);
+    const std::size_t i = j;
     rho0.col(j) = nodes.rho0[i];
     if (modes > 0) {
       Phi.middleRows(3 * j, 3) = nodes.markers[i].S;
@@ -514,7 +514,7 @@ void add_face_places(const Body& body, BodyBoundary& entry) {
 BodyBoundary build_boundary(const Scene& scene, const BoundarySpec& spec, const FlexibleBody& flexible,
                             std::vector<std::string>& warnings) {
   const int index = scene.body_index(spec.body);
-  const BodySpec& body = scene.bodies[static_cast<std::size_t>(index)];
+  const BodySpec& body = scene.bodies[index];
   BodyBoundary entry{index, build(scene, body, spec, flexible, warnings), {}, {}};
   const std::unordered_set<std::string> touching = bodies_on_the_plane(scene.ground);
   if (!touching.empty() && touching.count(body.name) == 0) return entry;
@@ -532,8 +532,7 @@ std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector
                                            std::vector<std::string>& warnings) {
   std::vector<BodyBoundary> boundaries;
   for (const BoundarySpec& spec : scene.boundaries)
-    boundaries.push_back(
-        build_boundary(scene, spec, flexible[static_cast<std::size_t>(scene.body_index(spec.body))], warnings));
+    boundaries.push_back(build_boundary(scene, spec, flexible[scene.body_index(spec.body)], warnings));
   return boundaries;
 }
 
@@ -600,7 +599,7 @@ Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
   const std::shared_ptr<Terrain> field = build_bed_surface(scene);
   const std::optional<TerrainBed> bed = terrain_bed(scene);
   for (const BodyBoundary& entry : boundaries) {
-    const auto i = static_cast<std::size_t>(entry.body);
+    const std::size_t i = entry.body;
     const bool still = stands_still(scene, scene.bodies[i].name);
     const Placement& placed = still ? as_drawn : placement;
     const Eigen::Matrix3d R_WB = placed.R_WD * axes_D(scene.bodies[i], flexible[i]);

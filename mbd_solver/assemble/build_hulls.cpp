@@ -83,7 +83,7 @@ void add_hulls(const Scene& scene, const std::vector<FlexibleBody>& flexible, Me
   for (const BodySpec& spec : scene.bodies) {
     const std::optional<UnheldShape> shape = unheld_shape(scene, spec);
     const int body = scene.body_index(spec.name);
-    if (!shape || spec.shape->kind == ShapeKind::kPoints || flexible[static_cast<std::size_t>(body)].modal) continue;
+    if (!shape || spec.shape->kind == ShapeKind::kPoints || flexible[body].modal) continue;
     if (stands_on_another(scene, spec)) continue;
     if (depth_at_start(scene, mechanism, body, *shape) > 0.0) continue;  // it is meant to be there
     BoundarySpec boundary;

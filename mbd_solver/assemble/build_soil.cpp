@@ -157,7 +157,7 @@ void add_soil_contacts(const Scene& scene, const std::vector<SoilSurface>& surfa
                                               spec.kind == SoilLawKind::kRft, mechanism.model);
     if (facets.empty()) continue;
     const Eigen::Matrix3d A = rotation_matrix(mechanism.model.initial(entry.body).L);
-    round_off(scene.bodies[static_cast<std::size_t>(entry.body)], mechanism.placement.R_WD.transpose() * A, facets);
+    round_off(scene.bodies[entry.body], mechanism.placement.R_WD.transpose() * A, facets);
     for (const SoilFacet& facet : facets) largest = std::max(largest, facet.area);
     touching.emplace_back(&surface, std::move(facets));
   }

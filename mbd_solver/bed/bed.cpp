@@ -268,7 +268,7 @@ std::string damage_of_bed(const std::string& folder) {
     long held = 0;
     if (words.size() < 3 || !read_whole(words[1], held)) return unreadable;
     const std::string name(words[0]), sum(words[2]);
-    const auto size = static_cast<std::size_t>(held);
+    const std::size_t size = held;
     const auto bytes = read_whole_file((at / name).string());
     if (!bytes) return name + " is missing";
     if (bytes->size() != size)

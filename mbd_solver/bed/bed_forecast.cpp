@@ -174,7 +174,7 @@ std::vector<std::string> leaving_bodies(const Scene& scene, const Mechanism& mec
     const BodyState& start = mechanism.model.initial(entry.body);
     const std::vector<Eigen::Vector3d> path = path_of(scene, mechanism, surface, entry, held.count(name) > 0);
     const auto beyond = [&](const Eigen::Vector3d& s, int axis) {
-      const auto c = static_cast<std::size_t>(axis);
+      const std::size_t c = axis;
       return std::abs(start.r[axis] + s[axis] - box.centre[c]) > 0.5 * box.size[c];
     };
     if (path.empty() || beyond(path.front(), 0) || beyond(path.front(), 1)) continue;  // it starts outside the bed

@@ -251,7 +251,7 @@ BedContacts bed_contacts(const std::vector<GrainPlace>& grains) {
     const Eigen::Vector3d margin = (grain.centre - low).cwiseMin(high - grain.centre);
     const bool counts = margin.head<2>().minCoeff() >= 3.0 * radius && margin.z() >= quarter;
     cells.near(grain.centre, [&](int k) {
-      const auto j = static_cast<std::size_t>(k);
+      const std::size_t j = k;
       if (j == i || (grain.clump != 0 && grain.clump == grains[j].clump)) return;
       const double overlap = grain.radius + grains[j].radius - (grain.centre - grains[j].centre).norm();
       if (overlap <= 0.0) return;

@@ -248,7 +248,7 @@ void require_inside_box(const Scene& scene, const Mechanism& mechanism) {
             .colwise() +
         start.r;
     for (int axis = 0; axis < 2 && !box.periodic; ++axis) {
-      const auto k = static_cast<std::size_t>(axis);
+      const std::size_t k = axis;
       const double reach = 0.5 * box.size[k] + n.margin + kTolerance * box.size[k];
       const double farthest = (x.row(axis).array() - box.centre[k]).abs().maxCoeff();
       if (farthest > reach && entry.boundary.segments().empty())

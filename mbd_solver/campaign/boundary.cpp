@@ -69,9 +69,9 @@ Boundary::Boundary(std::vector<Point> points, std::vector<int> happened, bool tw
     curved_ = degree > 0;
     x[degree].resize(count, terms(low_[0], low_[1]).size());
     for (Eigen::Index i = 0; i < count; ++i) {
-      const Point& point = points_[static_cast<std::size_t>(i)];
+      const Point& point = points_[i];
       x[degree].row(i) = terms(point[0], point[1]);
-      y[i] = happened_[static_cast<std::size_t>(i)];
+      y[i] = happened_[i];
     }
     fits[degree] = fit_logistic(x[degree], y);
     likelihoods[degree] = log_likelihood(x[degree], y, fits[degree]);

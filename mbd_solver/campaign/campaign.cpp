@@ -123,7 +123,7 @@ std::vector<int> Campaign::outcomes_of(std::size_t row, const std::vector<double
   for (std::size_t k = 0; k < metrics.size(); ++k) values[formula_name(spec_.metrics[k].name)] = metrics[k];
   for (std::size_t k = 0; k < outcomes.size(); ++k) {
     if (const OutcomeSpec& o = spec_.outcomes[k]; !o.metric.empty()) {
-      const double value = metrics[static_cast<std::size_t>(index_of(spec_.metrics, o.metric))];
+      const double value = metrics[index_of(spec_.metrics, o.metric)];
       if (std::isfinite(value)) outcomes[k] = (o.least && value < *o.least) || (o.most && value > *o.most) ? 1 : 0;
       continue;
     }

@@ -433,7 +433,7 @@ bool report_statements(const SweepSpec& spec) {
     }
     std::printf("%s.\n", text.c_str());
   }
-  const auto count = static_cast<std::size_t>(spec.runs);
+  const std::size_t count = spec.runs;
   if (tolerance_place(count, kToleranceShare) >= count)
     std::printf("Limits of figures that 95 %% of runs keep, with 95 %% confidence, take 59 runs.\n");
   return all;
@@ -447,9 +447,9 @@ int search_rare(const SweepSpec& spec, const SweepArguments& a, const OutputFold
                                             "--row, --list, --slurm, --merge and --beds");
   const RareSpec& rare = *spec.rare;
   const double sign = rare.above ? 1.0 : -1.0;
-  const auto metric = static_cast<std::size_t>(index_of(spec.metrics, rare.metric));
-  const auto inputs = static_cast<std::size_t>(std::count_if(spec.parameters.begin(), spec.parameters.end(),
-                                                             [](const ParameterSpec& p) { return p.is_drawn(); }));
+  const std::size_t metric = index_of(spec.metrics, rare.metric);
+  const std::size_t inputs = std::count_if(spec.parameters.begin(), spec.parameters.end(),
+                                           [](const ParameterSpec& p) { return p.is_drawn(); });
   SubsetSearch search(inputs, spec.runs, sign * (rare.above ? *rare.above : *rare.below),
                       static_cast<std::uint64_t>(spec.seed));
   make_folder(output.folder);
@@ -550,7 +550,7 @@ int campaign_command(const SweepArguments& a) {
     return !known || run.differing() == 0 ? kExitDone : kExitFailed;
   }
   if (a.only >= 0) {
-    const auto element = static_cast<std::size_t>(a.only);
+    const std::size_t element = a.only;
     const std::size_t first = element * campaign.size() / elements, last = (element + 1) * campaign.size() / elements;
     return run.run(first, last, "_" + std::to_string(a.only), recipe) ? kExitDone : study_interrupted();
   }

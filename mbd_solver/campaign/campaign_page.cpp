@@ -144,7 +144,7 @@ std::string quantile_text(const std::vector<double>& sorted, std::size_t unknown
   if (sorted.empty()) return "";
   const auto [low, high] = quantile_bounds(sorted.size() + unknown, share);
   const auto bound = [&](long k) {
-    return k < 0 || k >= static_cast<long>(sorted.size()) ? "?" : number_text(sorted[static_cast<std::size_t>(k)], 4);
+    return k < 0 || k >= static_cast<long>(sorted.size()) ? "?" : number_text(sorted[k], 4);
   };
   return number_text(quantile(sorted, share), 4) + " (" + bound(low - static_cast<long>(unknown)) + " to " +
          bound(high) + ")";

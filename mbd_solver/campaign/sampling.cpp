@@ -128,7 +128,7 @@ OT::Distribution distribution_of(const ParameterSpec& p) {
 double open_unit(double u) { return std::clamp(u, 1e-12, 1.0 - 1e-12); }
 
 std::vector<std::vector<double>> design_of(const SweepSpec& spec, std::size_t width, const Draws& draws) {
-  const auto count = static_cast<std::size_t>(spec.runs);
+  const std::size_t count = spec.runs;
   std::vector<std::vector<double>> units(count, std::vector<double>(width));
   const auto uniform = [](std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1p-53; };
   if (spec.design == Design::kRandom) {
@@ -186,7 +186,7 @@ Draws::Draws(const SweepSpec& spec, const std::vector<std::vector<double>>* poin
     independent_ = false;
     OT::CorrelationMatrix ranks(width);
     const auto place = [&](const std::string& name) {
-      const auto k = static_cast<std::size_t>(index_of(spec.parameters, name));
+      const std::size_t k = index_of(spec.parameters, name);
       return static_cast<std::size_t>(std::find(parameters_.begin(), parameters_.end(), k) - parameters_.begin());
     };
     for (const CorrelationSpec& c : spec.correlations) ranks(place(c.between[0]), place(c.between[1])) = c.rank;
@@ -367,7 +367,7 @@ void add_intervals(const Chaos& chaos, const std::vector<std::vector<double>>& x
       const double index = total ? s.total[k] : s.first[k];
       Eigen::VectorXd slope(c.size());
       for (Eigen::Index j = 0; j < c.size(); ++j) {
-        const OT::Indices& degrees = chaos.degrees[static_cast<std::size_t>(j)];
+        const OT::Indices& degrees = chaos.degrees[j];
         const auto inputs = std::count_if(degrees.begin(), degrees.end(), [](std::size_t d) { return d > 0; });
         const bool mine = degrees[k] > 0 && (total || inputs == 1);
         slope[j] = inputs == 0 ? 0.0 : 2.0 * c[j] * ((mine ? 1.0 : 0.0) - index) / variance;

@@ -182,7 +182,7 @@ MomentSlopes moment_slopes(const Eigen::MatrixXd& x, const Eigen::VectorXd& y, c
   Eigen::MatrixXd a(runs, terms);
   a.col(0).setOnes();
   for (Eigen::Index k = 0; k < inputs; ++k) {
-    const Moments& m = moments[static_cast<std::size_t>(k)];
+    const Moments& m = moments[k];
     if (!(m.deviation > 0.0)) return slopes;
     a.col(1 + k) = (x.col(k).array() - m.mean) / m.deviation;
     a.col(1 + inputs + k) = a.col(1 + k).array().square();

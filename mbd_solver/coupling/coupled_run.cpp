@@ -88,7 +88,7 @@ CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, const Ass
   std::vector<double> masses;
   double weight = std::numeric_limits<double>::infinity();  // of the lightest body [N]
   for (const int i : agreement_.boundaries) {
-    const auto boundary = static_cast<std::size_t>(i);
+    const std::size_t boundary = i;
     const BodyBoundary& entry = mechanism.boundaries[boundary];
     const Body& body = mechanism.model.body(entry.body);
     BodyMotion motion(entry.boundary.mode_count());
@@ -189,7 +189,7 @@ double CoupledRun::exchange(const State& state, const Kinematics& kinematics, do
   times_.overlapped += std::max(0.0, worked - load.waited_seconds);
   receive(load, inputs);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    const auto body = static_cast<std::size_t>(bodies_[k].entry.body);
+    const std::size_t body = bodies_[k].entry.body;
     Coupled& coupled = bodies_[k];
     const bool touched = !inputs.loads[body].F_W.isZero(0.0);
     if (!touched || coupled.mass_age >= kMassInterval) coupled.mass_age = 0;

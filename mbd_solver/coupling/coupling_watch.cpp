@@ -322,7 +322,7 @@ void CouplingWatch::watch_grains(const Window& window, const Load& load, const s
   }
   if (first_window && deepest_.overlap > kInside) {
     // A fast body may have come so far within the window.
-    const auto deepest = static_cast<std::size_t>(deepest_.body);
+    const std::size_t deepest = deepest_.body;
     const double radius = std::cbrt(0.75 * load.bodies[deepest].grain_mass / (kPi * kUsualDensity));  // [m]
     const bool comes = bodies[deepest].speed * window.H > 0.5 * deepest_.overlap * radius && radius > 0.0;
     deepest_.starts_in_bed = !comes;
@@ -480,7 +480,7 @@ std::vector<CouplingWatch::Finding> CouplingWatch::unresolved_forces() const {
 std::string CouplingWatch::soft_grains() const {
   if (deepest_.starts_in_bed || deepest_.overlap <= kLargeOverlap) return {};
   return at(deepest_.time) + "largest grain overlap " + percent(deepest_.overlap) + " of radius, on body " +
-         records_[static_cast<std::size_t>(deepest_.body)].name + " (limit " + percent(kLargeOverlap) +
+         records_[deepest_.body].name + " (limit " + percent(kLargeOverlap) +
          "): the grains are too soft, so the first peak is underestimated; use " +
          advice_.stiffer(std::pow(deepest_.overlap / kLargeOverlap, 2.5));
 }

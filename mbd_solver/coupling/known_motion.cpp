@@ -61,7 +61,7 @@ State KnownMotion::at(const State& before, double time) {
   const double tau = time - before.time;
   state.time = time;
   for (int i = 0; i < model_.body_count(); ++i) {
-    const auto body = static_cast<std::size_t>(i);
+    const std::size_t body = i;
     const int q = layout.body_q[body], v = layout.body_v[body];
     state.q.segment<3>(q) += tau * before.v.segment<3>(v);
     state.q.segment<4>(q + 3) = turned(before.q.segment<4>(q + 3), tau * before.v.segment<3>(v + 3));
@@ -78,7 +78,7 @@ bool KnownMotion::goes_straight(const State& state, int n, double dt) {
     const State later = at(state, state.time + tau);
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
       if (!known_[k]) continue;
-      const auto body = static_cast<std::size_t>(bodies_[k]);
+      const std::size_t body = bodies_[k];
       const int q = layout.body_q[body], v = layout.body_v[body];
       const Eigen::Vector3d way = tau * state.v.segment<3>(v), turn = tau * state.v.segment<3>(v + 3);
       const Eigen::Vector3d off = later.q.segment<3>(q) - state.q.segment<3>(q) - way;
@@ -102,7 +102,7 @@ const std::vector<KnownPath>& KnownMotion::paths(const State& state, int n, doub
     now = at(now, state.time + (i + 1) * dt);
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
       if (!known_[k]) continue;
-      const auto body = static_cast<std::size_t>(bodies_[k]);
+      const std::size_t body = bodies_[k];
       paths_[k].conservativeResize(13, n);
       paths_[k].col(i) << now.q.segment<7>(layout.body_q[body]), now.v.segment<6>(layout.body_v[body]);
     }

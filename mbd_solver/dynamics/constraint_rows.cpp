@@ -25,7 +25,7 @@ constexpr double kZero = 1e-15;      // round-off of the factors of unit rows
 // Representative of the set that `i` belongs to, paths shortened.
 int root(std::vector<int>& parent, int i) {
   while (parent[i] != i) {
-    parent[i] = parent[parent[static_cast<std::size_t>(i)]];
+    parent[i] = parent[parent[i]];
     i = parent[i];
   }
   return i;
@@ -314,7 +314,7 @@ Eigen::VectorXd ConstraintRows::joint_lengths(const RedundantGroup& group) const
   Eigen::VectorXd s(static_cast<Eigen::Index>(group.rows.size()));
   const auto row_of = [&](int row) -> const ConstraintRow& {
     const int joint = layout_.row_joint[row];
-    return model_.joint(joint).rows[row - layout_.joint_row[static_cast<std::size_t>(joint)]];
+    return model_.joint(joint).rows[row - layout_.joint_row[joint]];
   };
   const auto joint_of = [&](std::size_t i) { return layout_.row_joint[group.rows[i]]; };
   for (std::size_t begin = 0, end = 0; begin < group.rows.size(); begin = end) {  // rows of a joint

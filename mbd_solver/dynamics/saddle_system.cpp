@@ -38,7 +38,7 @@ std::vector<double> shares_in_eps(const Model& model) {
   }
   const auto root = [&parent](int i) {
     while (parent[i] != i) {
-      parent[i] = parent[parent[static_cast<std::size_t>(i)]];
+      parent[i] = parent[parent[i]];
       i = parent[i];
     }
     return i;
@@ -499,7 +499,7 @@ void SaddleSystem::demand_closed(double t, const Drift& drift, double tolerance)
   if (drift.position_left <= tolerance) return;
   const int index = layout_.row_joint[drift.worst_row];
   const Joint& joint = model_.joint(index);
-  const ConstraintRow& row = joint.rows[drift.worst_row - layout_.joint_row[static_cast<std::size_t>(index)]];
+  const ConstraintRow& row = joint.rows[drift.worst_row - layout_.joint_row[index]];
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(3);

@@ -16,7 +16,7 @@ constexpr std::size_t kJointsOfACopy = 8;  // few entries in the factor of a cop
 // Lowest body of the part that body i belongs to, paths shortened.
 int lowest(std::vector<int>& parent, int i) {
   while (parent[i] != i) {
-    parent[i] = parent[parent[static_cast<std::size_t>(i)]];
+    parent[i] = parent[parent[i]];
     i = parent[i];
   }
   return i;

@@ -290,7 +290,7 @@ int joint_node(const FeModel& model, const Vector3d& p_D, double tolerance, bool
 }
 
 std::vector<bool> turning_nodes(const FeModel& model) {
-  const auto n = static_cast<std::size_t>(model.node_count());
+  const std::size_t n = model.node_count();
   std::vector<bool> turns(n, false);
   const Eigen::VectorXd stiffness = model.stiffness.diagonal();
   for (std::size_t j = 0; j < n; ++j) turns[j] = !stiffness.segment<3>(6 * static_cast<Index>(j) + 3).isZero(0.0);

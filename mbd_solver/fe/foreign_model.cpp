@@ -543,7 +543,7 @@ void read_stresses(const ForeignFiles& files, const FeMesh& mesh, const Places& 
   for (Index k = 0; k < count; ++k)
     for (Index j = 0; j < static_cast<Index>(places.nodes.size()); ++j) {
       const auto in_mesh = static_cast<Index>(places.nodes[j]);
-      const auto mode = static_cast<std::size_t>(k);
+      const std::size_t mode = k;
       model.known_shapes.block<3, 1>(6 * j, k) = units.length * modes.displacements[mode].col(in_mesh);
       model.known_stresses.block<6, 1>(6 * j, k) = pressure * modes.stresses[mode].col(in_mesh);
       if (!model.known_shapes.col(k).segment<3>(6 * j).allFinite() ||
@@ -575,7 +575,7 @@ FeModel read_foreign_model(const ForeignFiles& files) {
   model.nodes.resize(3, n);
   std::vector<int> number(mesh.ids.size(), -1);
   for (Index j = 0; j < n; ++j) {
-    const auto in_mesh = static_cast<std::size_t>(places.nodes[j]);
+    const std::size_t in_mesh = places.nodes[j];
     model.nodes.col(j) = units.length * mesh.points[in_mesh];
     number[in_mesh] = static_cast<int>(j);
   }

@@ -77,9 +77,7 @@ std::vector<Vector3i> skin_of(const FeMesh& mesh) {
     if (fresh) faces.push_back({&element, std::move(corners), 0});
     ++faces[entry->second].uses;
   };
-  const auto at = [&](const MeshElement& e, int local) -> const Vector3d& {
-    return mesh.points[e.nodes[static_cast<std::size_t>(local)]];
-  };
+  const auto at = [&](const MeshElement& e, int local) -> const Vector3d& { return mesh.points[e.nodes[local]]; };
   for (const MeshElement& element : mesh.elements) {
     if (element.dimension == 2 && !solid)
       add(element, element.corners == 3 ? std::vector<int>{0, 1, 2} : std::vector<int>{0, 1, 2, 3});

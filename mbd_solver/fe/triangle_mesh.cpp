@@ -80,7 +80,7 @@ std::string triangles(const std::vector<int>& numbers) {
 
 int root(std::vector<int>& parent, int i) {
   while (parent[i] != i) {
-    parent[i] = parent[parent[static_cast<std::size_t>(i)]];
+    parent[i] = parent[parent[i]];
     i = parent[i];
   }
   return i;

@@ -53,7 +53,7 @@ XmlSource::XmlSource(const std::string& file, std::string text) : file_(file), t
   for (std::size_t k = 0; k < text_.size(); ++k)
     if (text_[k] == '\n') line_starts_.push_back(k + 1);
   const auto place = [&](std::ptrdiff_t offset) {
-    const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0));
+    const std::size_t at = std::max<std::ptrdiff_t>(offset, 0);
     const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), at);
     return file_ + ":" + std::to_string(after - line_starts_.begin());
   };
@@ -74,7 +74,7 @@ XmlSource::XmlSource(const std::string& file, std::string text) : file_(file), t
 
 Origin XmlSource::origin(const pugi::xml_node& node) const {
   const std::ptrdiff_t offset = node.offset_debug();
-  const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0));
+  const std::size_t at = std::max<std::ptrdiff_t>(offset, 0);
   const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), at);
   return {file_, static_cast<int>(after - line_starts_.begin())};
 }

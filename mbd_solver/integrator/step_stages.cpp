@@ -24,7 +24,7 @@ constexpr double kStale = 0.1;
 }  // namespace
 
 StepData::StepData(const Layout& layout, const Tableau& first, int most_stages) : tableau(&first) {
-  const auto stages = static_cast<std::size_t>(most_stages);
+  const std::size_t stages = most_stages;
   y = Eigen::VectorXd::Zero(layout.size());
   K.assign(stages, y);
   Y.assign(stages, y);

@@ -55,7 +55,7 @@ struct Terrain::Map {
     grid.columns = grid.rows = count + 2 * kMargin;
     grid.step = Eigen::Vector2d::Constant(period / count);
     grid.first = -kMargin * grid.step;
-    const auto n = static_cast<std::size_t>(grid.columns);
+    const std::size_t n = grid.columns;
     grid.heights.assign(n * n, 0.0);
     std::vector<double> sine(n), cosine(n);
     for (std::size_t i = first; i < waves.size(); ++i) {

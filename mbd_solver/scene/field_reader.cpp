@@ -526,7 +526,7 @@ class FieldReader final : public FieldVisitor {
 
   void begin_item(int index, std::string* name) override {
     const List& list = lists_.back();
-    const auto i = static_cast<std::size_t>(index);
+    const std::size_t i = index;
     const ConfigNode& node = list.named ? list.node->table[i].second : list.node->list[i];
     if (name) *name = list.node->table[i].first;
     std::string label = list.named ? list.node->table[i].first : node.entry_name();

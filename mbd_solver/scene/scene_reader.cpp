@@ -114,7 +114,7 @@ ConfigNode* list_entry(ConfigNode& list, const std::string& name, const std::str
         if (names.back() == name) return &item;
       }
   }
-  if (const int copy = own_copy(list, name, arrays); copy >= 0) return &list.list[static_cast<std::size_t>(copy)];
+  if (const int copy = own_copy(list, name, arrays); copy >= 0) return &list.list[copy];
   if (!name.empty() && name.find_first_not_of("0123456789") == std::string::npos && name.size() < 6) {
     const std::size_t index = std::stoul(name);
     if (index < list.list.size()) return &list.list[index];

@@ -157,7 +157,7 @@ void lay_over(ConfigNode& base, const ConfigNode& own, const ArrayCounts& arrays
       if (const auto same = places.find(name); same != places.end()) {
         lay_over(base.list[same->second], item, arrays, file);
       } else if (const int copy = own_copy(base, name, arrays); copy >= 0) {
-        ConfigNode& entry = base.list[static_cast<std::size_t>(copy)];
+        ConfigNode& entry = base.list[copy];
         const std::string pattern = entry.entry_name();
         lay_over(entry, item, arrays, file);
         entry.find(entry.find("name") ? "name" : "body")->text = pattern;

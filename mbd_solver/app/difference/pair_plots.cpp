@@ -39,8 +39,7 @@ PairPlots plots_of_columns(const RunPair& pair, const std::vector<std::string>& 
         largest = std::max(largest, std::abs(value));
     }
     // Their own unit by size.
-    const std::string unit =
-        pair.a.history.units[static_cast<std::size_t>(pair.a.history.find(own.front().formula.columns.front().second))];
+    const std::string unit = pair.a.history.units[pair.a.history.find(own.front().formula.columns.front().second)];
     const DrawnUnit drawn = drawn_unit(unit, largest);
     for (Curve& curve : difference.curves) curve.formula.factor = drawn.factor;
     difference.axis = "difference [" + drawn.name + "]";

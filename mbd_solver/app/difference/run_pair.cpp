@@ -170,7 +170,7 @@ std::vector<CurveDifference> curve_differences(const History& a, const History& 
   for (std::size_t i = 1; i < a.names.size(); ++i) {
     const int other = b.find(a.names[i]);
     if (other < 0) continue;
-    const std::vector<double>&one = a.columns[i], &two = b.columns[static_cast<std::size_t>(other)];
+    const std::vector<double>&one = a.columns[i], &two = b.columns[other];
     CurveDifference curve{a.names[i], a.units[i]};
     double low = std::numeric_limits<double>::infinity(), high = -low, squares = 0.0;
     std::size_t rows = 0;
@@ -210,7 +210,7 @@ History on_one_clock(const RunPair& pair, const std::vector<std::string>& column
       const History& history = run->history;
       const std::vector<double>& values = history.column(name);
       both.names.push_back(name + (run == &pair.a ? kFirstRun : kSecondRun));
-      both.units.push_back(history.units[static_cast<std::size_t>(history.find(name))]);
+      both.units.push_back(history.units[history.find(name)]);
       std::vector<double>& all = both.columns.emplace_back();
       for (const double t : time) all.push_back(value_at(history, values, t));
     }

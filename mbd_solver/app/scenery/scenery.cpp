@@ -90,7 +90,7 @@ void add_static_meshes(const nlohmann::ordered_json& scene, PageParts& parts, st
       std::vector<float> corners;
       for (const Eigen::Vector3i& triangle : mesh.triangles)
         for (int k = 0; k < 3; ++k) {
-          const Eigen::Vector3d x = *place * mesh.vertices[static_cast<std::size_t>(triangle(k))];
+          const Eigen::Vector3d x = *place * mesh.vertices[triangle(k)];
           for (int axis = 0; axis < 3; ++axis) corners.push_back(static_cast<float>(x(axis)));
         }
       parts.chunks.emplace_back("mesh-" + std::to_string(names.size()), packed_numbers(corners));

@@ -40,7 +40,7 @@ Determination determination_of(const CalibrationSpec& spec, const Evaluation& be
   Determination d;
   d.sensitivity = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(spec.targets.size()), n);
   for (Eigen::Index i = 0, row = 0; i < n; ++i, row = 0) {
-    const auto at = static_cast<std::size_t>(i);
+    const std::size_t at = i;
     const Evaluation &up = *around[2 * at], &down = *around[2 * at + 1];
     const double width = up.point[at] - down.point[at];
     for (std::size_t t = 0; t < spec.targets.size(); ++t) {
@@ -79,7 +79,7 @@ Determination determination_of(const CalibrationSpec& spec, const Evaluation& be
   const Eigen::VectorXd sd = covariance.diagonal().cwiseSqrt();
   d.correlation = sd.cwiseInverse().asDiagonal() * covariance * sd.cwiseInverse().asDiagonal();
   for (Eigen::Index i = 0; i < n; ++i) {
-    const auto at = static_cast<std::size_t>(i);
+    const std::size_t at = i;
     const double u = best.point[at], low = std::max(0.0, u - q * sd[i]), high = std::min(1.0, u + q * sd[i]);
     d.intervals.push_back({spec.parameters[at].value(low), spec.parameters[at].value(high),
                            std::min(1.0, 2.0 * q * sd[i]), u < 1e-3 || u > 1.0 - 1e-3});

@@ -212,8 +212,8 @@ class Problem {
     OptimumTask task{{}, {}, {}, kLogStep, kLogPrecision, most};
     for (const Eigen::Index k : free) {
       task.start.push_back(x[k]);
-      task.least.push_back(std::log(unknowns_[static_cast<std::size_t>(k)].least));
-      task.most.push_back(std::log(unknowns_[static_cast<std::size_t>(k)].most));
+      task.least.push_back(std::log(unknowns_[k].least));
+      task.most.push_back(std::log(unknowns_[k].most));
     }
     const auto completed = [&](const std::vector<double>& point) {
       Eigen::VectorXd all = x;
@@ -240,7 +240,7 @@ class Problem {
     constexpr double kAway = 0.02;
     std::vector<Eigen::Index> inner;
     for (const Eigen::Index k : all_unknowns()) {
-      const Unknown& unknown = unknowns_[static_cast<std::size_t>(k)];
+      const Unknown& unknown = unknowns_[k];
       if (x[k] > std::log(unknown.least) + kAway && x[k] < std::log(unknown.most) - kAway) inner.push_back(k);
     }
     return inner;

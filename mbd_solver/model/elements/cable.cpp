@@ -475,7 +475,7 @@ void Cable::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q, Eig
   const Force f = force(way);
   Q -= f.total * way.stretch->by_x + f.by_s * way.free->by_x;
   for (int k = 0; k < states_; ++k) {
-    const auto at = static_cast<std::size_t>(k);
+    const std::size_t at = k;
     dz[k] = way.angles[at].rate + kTurnFollow * (way.counted[at] - in.z[k]);
   }
 }

@@ -128,7 +128,7 @@ void add_normals(TrianglePieces& out, const TrianglesAtEdge& at_edge) {
   }
   for (PieceTriangle& t : out.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto corner = static_cast<std::size_t>(t.corners[static_cast<Eigen::Index>(k)]);
+      const std::size_t corner = t.corners[static_cast<Eigen::Index>(k)];
       t.corner_normal[k] = at_corner[corner];
       t.corner_is_border[k] = border[corner];
       t.edge_normal[k].setZero();
@@ -381,7 +381,7 @@ void ContactSurface::touches(const Eigen::Vector3d& p, double radius, double dep
     std::sort(near.begin(), near.end(),
               [](const Triangles::Candidate& a, const Triangles::Candidate& b) { return a.distance < b.distance; });
     const auto touch = [&](const Triangles::Candidate& c) {
-      const auto k = static_cast<std::size_t>(mesh->pieces.triangles[c.triangle].piece);
+      const std::size_t k = mesh->pieces.triangles[c.triangle].piece;
       const bool alike = mesh->pieces.open[k] && radius > 0.0;  // both sides
       return mesh->touch(c, p, alike ? mesh->side(c, p) : sides[first_piece + k]);
     };

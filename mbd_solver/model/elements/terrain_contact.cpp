@@ -166,7 +166,7 @@ TerrainContact::TerrainContact(std::string name, std::vector<ContactPoint> point
   own_s_.resize(own);
   own_S_.resize(own, own_.empty() ? 0 : points_[own_.front()].marker.S.cols());
   for (Eigen::Index i = 0; i < own / 3; ++i) {
-    const Marker& marker = points_[own_[static_cast<std::size_t>(i)]].marker;
+    const Marker& marker = points_[own_[i]].marker;
     own_s_.segment<3>(3 * i) = marker.s0;
     own_S_.middleRows<3>(3 * i) = marker.S;
   }

@@ -21,7 +21,7 @@ struct Place {
 Place locate(const std::vector<double>& nodes, double value) {
   const auto above = std::upper_bound(nodes.begin(), nodes.end(), value) - nodes.begin();
   const Eigen::Index cell = std::clamp<Eigen::Index>(above - 1, 0, static_cast<Eigen::Index>(nodes.size()) - 2);
-  const auto i = static_cast<std::size_t>(cell);
+  const std::size_t i = cell;
   const double width = nodes[i + 1] - nodes[i];
   return {cell, (value - nodes[i]) / width, width};
 }

@@ -13,7 +13,7 @@ EndState end_state_of(const Mechanism& mechanism, const Layout& layout, const St
   end.time = state.time;
   end.placement = mechanism.placement;
   for (int i = 0; i < model.body_count(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
+    const std::size_t at = i;
     const int s = model.body(i).mode_count();
     end.bodies[model.body(i).name()] = {state.q.segment(layout.body_q[at], 7 + s),
                                         state.v.segment(layout.body_v[at], 6 + s)};
@@ -38,7 +38,7 @@ void carry_over(const Scene& scene, const Model& model, const Layout& layout, St
       left += (left.empty() ? "\"" : ", \"") + name + "\"";
       continue;
     }
-    const auto at = static_cast<std::size_t>(*index);
+    const std::size_t at = *index;
     const int s = model.body(*index).mode_count();
     if (body.q.size() != 7 + s || body.v.size() != 6 + s)
       refuse_end_state(scene, "body \"" + name + "\" had " + std::to_string(body.q.size() - 7) +

@@ -172,7 +172,7 @@ void add_coupling(const Subject& subject, Columns& out) {
   if (grains && grains->box && !grains->box->follow.empty()) out.add(kFollowingBed, {}, coupling);
   if (subject.agreement->substeps == 0) out.add(kChosenWindows, {}, coupling);
   for (std::size_t k = 0; k < subject.agreement->boundaries.size(); ++k) {
-    const auto boundary = static_cast<std::size_t>(subject.agreement->boundaries[k]);
+    const std::size_t boundary = subject.agreement->boundaries[k];
     out.add(kOmegaH, {subject.mechanism.boundaries[boundary].boundary.name()},
             [k](const Sample& s) { return s.coupling->omega_h[k]; });
   }
@@ -236,7 +236,7 @@ std::vector<Column> history_columns(const Subject& subject, const FlexibleBodies
   }
   if (subject.scene.ground.kind != GroundKind::kNone || !mechanism.contacts.empty())
     for (const BodyBoundary& entry : mechanism.boundaries) {
-      const auto i = static_cast<std::size_t>(entry.body);
+      const std::size_t i = entry.body;
       out.add(kContact, {entry.boundary.name()},
               [i](const Sample& s) -> const GeneralizedForce& { return s.contact[i]; });
       if (!subject.scene.output.modal_forces) continue;

@@ -27,7 +27,7 @@ bool LandingEnd::moves(const Sample& sample, const LandingWatch& landing) const 
   bool touches = false;
   for (const int i : bodies_) {
     if (!(sample.kinematics.of(i).dr.norm() <= spec_.rest_speed)) return true;
-    touches = touches || !sample.contact[static_cast<std::size_t>(i)].F_W.isZero(0.0);
+    touches = touches || !sample.contact[i].F_W.isZero(0.0);
   }
   if (!(sample.kinematics.of(base_).w.norm() * length_ <= spec_.rest_speed)) return true;
   return landing.now().pads_touching < kStands && !(touches && landing.tipped());

@@ -192,7 +192,7 @@ void Marks::put_cable(std::size_t first, Handle<Cable> force, const Kinematics& 
   const std::vector<Eigen::Vector3d> corners = corners_of(cable, cable.points(in));
   const double tension = sample != nullptr ? cable.sample(in).force : 0.0;
   for (int k = 0; k < marks_[first].pieces; ++k) {
-    const auto at = static_cast<std::size_t>(k);
+    const std::size_t at = k;
     const auto column = 4 * static_cast<Eigen::Index>(first + at);
     vectors_.col(column) = corners[at];
     vectors_.col(column + 1) = corners[at + 1];

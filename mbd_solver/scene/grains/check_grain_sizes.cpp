@@ -217,7 +217,7 @@ void check_zone(const Scene& scene, const EntryFindings& at, const GrainZoneSpec
       "is " + number_text(zone.depth) + " m, expected at most the depth of the bed, " + number_text(box.depth) + " m");
   for (const Eigen::Vector2d& place : zone_places(scene, zone))
     for (int c = 0; c < 2; ++c) {
-      const auto k = static_cast<std::size_t>(c);
+      const std::size_t k = c;
       const double away = std::abs(place[c] - box.centre[k]);
       if (away >= 0.5 * (box.size[k] + zone.size[k])) {
         at.error(kGrainZone, key + (zone.under.empty() ? ".centre" : ".under"),
