@@ -15,7 +15,8 @@ namespace {
 // in the sum over many steps. The error of a first step is estimated; none counts as less than
 // kLeastError, because of round-off.
 constexpr double kNewton = 0.03, kFirstError = 1e-2, kLeastError = 1e-4, kRoundOff = 1e-12;
-constexpr double kEnergyShare = 0.01;  // of the energy of motion and deformation, against which errors of work are small
+constexpr double kEnergyShare =
+    0.01;  // of the energy of motion and deformation, against which errors of work are small
 // Convergence rate of a stage from which the next stage has its own Jacobian: a stiff force
 // whose direction turns within the step makes the Jacobian of its start useless, and the error that Newton then
 // leaves, small in every coordinate, adds up over many steps.
