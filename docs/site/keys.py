@@ -2,7 +2,8 @@
 """Keys of scenes come from the reader: `footfall schema` prints them with unit, range and default. From it this script writes
 
     docs/reference/keys.md          all of it: every key of every section
-    docs/reference/scene.md         the columns `keys`, `unit` and `default` of tables below a comment <!-- keys: SECTION -->
+    docs/reference/scene.md         the columns `keys` and `default` of tables below a comment <!-- keys: SECTION -->
+    docs/reference/sweep_files.md   the same, by `footfall schema --experiments`
     inputs/reference/scene.toml     [unit] and "Default VALUE" in the comment of a key that has a line of its own
 
 keys.py FOOTFALL          writes them
@@ -20,6 +21,7 @@ import tomllib
 root = pathlib.Path(__file__).resolve().parents[2]
 page_of_keys = root / "docs/reference/keys.md"
 page_of_scenes = root / "docs/reference/scene.md"
+page_of_sweeps = root / "docs/reference/sweep_files.md"
 reference = root / "inputs/reference/scene.toml"
 
 
@@ -369,18 +371,19 @@ def page(known, said, kinds):
     return "\n".join(lines) + "\n"
 
 
-def corrected_tables(text, known, kinds):
-    """docs/reference/scene.md with the columns of the reader, and the keys that it lacks or invents."""
-    lines, faults, i = text.split("\n"), [], 0
+def corrected_tables(file, known, kinds):
+    """The page with the columns of the reader, and the keys and kinds that it lacks or invents."""
+    lines, faults, i, here = file.read_text().split("\n"), [], 0, file.relative_to(root)
     while i < len(lines):
-        mark = re.match(r"<!-- keys: ([\w\[\].]+) -->$", lines[i])
+        mark = re.match(r"<!-- keys: ([\w\[\].]+|top) -->$", lines[i])
         i += 1
         if not mark:
             continue
         while not lines[i].strip():
             i += 1
         section, head = mark.group(1), [cell.strip() for cell in lines[i].strip("| ").split("|")]
-        names = set()
+        names, inside = set(), "" if section == "top" else f"{section}."
+        of_keys = head[0].endswith("key")
         for k in range(i + 2, len(lines)):
             if not lines[k].startswith("|"):
                 break
@@ -390,28 +393,35 @@ def corrected_tables(text, known, kinds):
                 if head[0] == "kind" and name in kinds.get(section, {}) and any(title.startswith("keys") for title in head):
                     uses = kinds[section][name]
                     cells[next(k for k, title in enumerate(head) if title.startswith("keys"))] = ", ".join([*uses["required"], *(f"[{key}]" for key in uses["optional"])])
-                elif head[0] == "key" and f"{section}.{name}" in known:
-                    key = known[f"{section}.{name}"]
-                    if "default" in head:
-                        value = "required" if key.required else key.default_text()
-                        cells[head.index("default")] = value + (f" {key.unit}" if value and key.unit else "")
-                elif head[0] != "key" or not any(path.startswith(f"{section}.{name}[") for path in known):
-                    faults.append(f"{page_of_scenes.relative_to(root)}:{k + 1}: {section} has no {head[0]} `{name}`")
+                elif of_keys and inside + name in known:
+                    key = known[inside + name]
+                    value = "required" if key.required else key.default_text()
+                    if "default" in head and value and "," not in cells[0]:
+                        stated = cells[head.index("default")]
+                        value += f" {key.unit}" if key.unit else ""
+                        if stated.strip("`") != value:
+                            cells[head.index("default")] = value
+                elif not of_keys or not any(path.startswith(f"{inside}{name}[") for path in known):
+                    faults.append(f"{here}:{k + 1}: {section} has no {head[0]} `{name}`")
             lines[k] = row(cells)
         if head[0] == "kind":
             for kind in kinds.get(section, {}):
                 if kind not in names:
-                    faults.append(f"{page_of_scenes.relative_to(root)}:{i + 1}: the table lacks the kind `{kind}` of {section}")
+                    faults.append(f"{here}:{i + 1}: the table lacks the kind `{kind}` of {section}")
     return "\n".join(lines), faults
 
 
 def main():
-    schema = json.loads(subprocess.run([sys.argv[1], "schema"], check=True, capture_output=True, text=True).stdout)
+    def printed(*option):
+        return json.loads(subprocess.run([sys.argv[1], "schema", *option], check=True, capture_output=True, text=True).stdout)
+
+    schema = printed()
     known, kinds = keys_of(schema), schema.get("x-kinds", {})
     scene, scene_text, faults = corrected_reference(reference.read_text(), schema, known)
-    tables, more = corrected_tables(page_of_scenes.read_text(), known, kinds)
-    faults += more
-    texts = {reference: scene_text, page_of_scenes: tables, page_of_keys: page(known, meanings(scene), kinds)}
+    tables, more = corrected_tables(page_of_scenes, known, kinds)
+    sweeps, others = corrected_tables(page_of_sweeps, keys_of(printed("--experiments")), {})
+    faults += more + others
+    texts = {reference: scene_text, page_of_scenes: tables, page_of_sweeps: sweeps, page_of_keys: page(known, meanings(scene), kinds)}
     for file, text in texts.items():
         now = file.read_text() if file.exists() else ""
         if now == text:
