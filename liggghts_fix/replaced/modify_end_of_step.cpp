@@ -1,4 +1,4 @@
-// LAMMPS_NS::Modify::end_of_step: tells the listener that the velocities at the end of the step are known, and calls the
+// LAMMPS_NS::Modify::end_of_step: notifies the listener that the velocities at the end of the step are known, and calls the
 // fixes one by one where a listener observes changes of grains.
 
 #include "lammps.h"

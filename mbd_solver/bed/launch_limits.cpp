@@ -1,4 +1,4 @@
-// Looks at the limits themselves: of a folder that is full mpirun tells after a minute, in words of its own, or never. The numbers
+// Looks at the limits themselves: of a folder that is full mpirun reports after a minute, in words of its own, or never. The numbers
 // are those below which Open MPI 4.1 with PMIx 4.2 fails, found by lowering each limit for 2, 4 and 8 processes.
 #include "mbd_solver/bed/launch_limits.h"
 

@@ -82,7 +82,7 @@ void StiffSignals::observe(const State& state, const Inputs& inputs) {
     w.samples = static_cast<long>(std::floor(state.time / w.period + 1e-6)) + 1;
     try {
       observe(w, state, inputs);
-    } catch (const NumericalError&) {  // of a changed value; the run itself tells its own
+    } catch (const NumericalError&) {  // of a changed value; the run itself reports its own
     }
   }
 }

@@ -270,7 +270,7 @@ MeshFile text_stl(const std::string& bytes, const std::string& file) {
   return result;
 }
 
-// Binary files may begin with "solid", too: their size tells, else a byte that no text has, in head and first triangle.
+// Binary files may begin with "solid", too: their size decides, else a byte that no text has, in head and first triangle.
 bool is_text_stl(const std::string& bytes) {
   if (bytes.size() >= kStlHead &&
       bytes.size() == kStlHead + kStlTriangle * std::size_t{little_endian<std::uint32_t>(bytes, 80)})

@@ -19,7 +19,7 @@ struct MeshFile {
   double spacing = 0.0;  // of its numbers around the largest coordinate [units of the file]; 0: as in double precision
 };
 
-// `bytes`: the whole file; `file`: its name, whose end tells the format, for messages "file:line: ...". Polygons are
+// `bytes`: the whole file; `file`: its name, whose ending gives the format, for messages "file:line: ...". Polygons are
 // cut into triangles, points, lines and all but positions left out. Throws InputError: anything that is no mesh, is cut off,
 // has other numbers of elements than it announces, decimal commas, or corners that do not exist.
 MeshFile parse_mesh(const std::string& bytes, const std::string& file);

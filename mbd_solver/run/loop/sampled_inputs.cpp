@@ -1,4 +1,4 @@
-// While no sample changes an input, windows need not end at samples: change() tells.
+// While no sample changes an input, windows need not end at samples: change() reports it.
 
 #include "mbd_solver/run/loop/sampled_inputs.h"
 

@@ -137,7 +137,7 @@ bool is_known_unit(const std::string& unit) {
   return std::find(std::begin(kKnownUnits), std::end(kKnownUnits), unit) != std::end(kKnownUnits);
 }
 
-// By the end of its name: "max_descent_m"; empty where it tells none.
+// By the end of its name: "max_descent_m"; empty where it names none.
 std::string unit_of_figure(const std::string& name) {
   for (const char* unit : {"rad", "m", "N", "s", "J", "kg", "g"}) {
     const std::string end = std::string("_") + unit;

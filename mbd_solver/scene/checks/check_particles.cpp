@@ -357,7 +357,7 @@ void check_steps_continue(const ScriptText& script, const EntryFindings& at) {
   }
 }
 
-// LIGGGHTS' own limits, which it tells when the run begins, after the bed is poured.
+// LIGGGHTS' own limits, which it reports when the run begins, after the bed is poured.
 void check_moduli(const ScriptText& script, const EntryFindings& at) {
   constexpr double kSoft = 5e6, kHard = 1e9;  // [Pa]
   const auto allows = [&](const char* word) {

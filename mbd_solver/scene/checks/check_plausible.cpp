@@ -270,7 +270,7 @@ class Plausibility {
                               "_deg");
     for (const JointSpec& joint : scene_.joints)
       if (joint.motion && joint.motion->rotation && joint.source.in_other_units.count("motion.rotation.table") == 0 &&
-          joint.motion->rotation->amplitude == 0.0)  // the reader tells of that
+          joint.motion->rotation->amplitude == 0.0)  // reported by the reader
         check_turns(joint.source, "motion.rotation", *joint.motion->rotation);
     for (const DriveSpec& drive : scene_.drives)
       if (drive.motor.kind == MotorKind::kPosition && drive.command && turns(drive))

@@ -206,7 +206,7 @@ void check_foreign(const Scene& scene, const SignalSpec& s, const EntryFindings&
                   "makes the signal \"" + name + "\", which is another signal as well; rename one of them");
   }
   std::error_code none;
-  const bool there = std::filesystem::is_regular_file(s.file, none);  // another check tells of a file that is not
+  const bool there = std::filesystem::is_regular_file(s.file, none);  // another check reports a file that is not
   if (s.kind == SignalKind::kFmu && there && !refused("file") && !fmu_host().empty()) check_fmu(s, at);
 }
 
