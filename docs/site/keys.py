@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
-"""Keys of scenes come from the reader: `footfall schema` prints them with unit, range and default. From it this script writes
+"""Keys come from their reader: `footfall schema` prints them with unit, range and default.
+From that this script writes
 
-    docs/reference/keys.md          all of it: every key of every section
-    docs/reference/scene.md         the columns `keys` and `default` of tables below a comment <!-- keys: SECTION -->
-    docs/reference/sweep_files.md   the same, by `footfall schema --experiments`
-    inputs/reference/scene.toml     [unit] and "Default VALUE" in the comment of a key that has a line of its own
+    docs/reference/keys.md          every key of a scene
+    docs/reference/scene.md         the columns `keys` and `default` of each table below a comment
+                                    <!-- keys: SECTION -->
+    docs/reference/sweep_files.md   the same, from `footfall schema --experiments`
+    inputs/reference/scene.toml     [unit] and "Default VALUE" in the comment of a key that has a
+                                    line of its own
 
 keys.py FOOTFALL          writes them
-keys.py FOOTFALL --check  exit 1, with a line per difference, where one of them is not what the reader says, or the reference scene
-                          or a table lacks or invents a key
+keys.py FOOTFALL --check  exit 1 and the differences where one of them is not what the reader says,
+                          or where a table names an unknown key or lacks a kind
 """
 import difflib
 import json
@@ -24,6 +27,16 @@ page_of_scenes = root / "docs/reference/scene.md"
 page_of_sweeps = root / "docs/reference/sweep_files.md"
 reference = root / "inputs/reference/scene.toml"
 
+kWords = {"number": "number", "integer": "whole number", "boolean": "true or false",
+          "string": "text", "object": "table"}
+kBounds = {"exclusiveMinimum": ">", "minimum": ">=", "maximum": "<="}
+kAxes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+kAlso = {"Pa": ["J/m3"]}  # other names of a unit in comments
+kBracket = re.compile(r"\[([^\[\]]+)\]")
+kStated = re.compile(r"\b[Dd]efault (\"?[-\w.+]+\"?)( mm| ms| Pa)?")
+kFactors = {" mm": 1e-3, " ms": 1e-3, " Pa": 1.0, None: 1.0}
+kDefaultWords = re.compile(r"\(?\b[Dd]efault:? (.*?)\)?(?:\.(?=\s)|\.?$)")
+
 
 def kind_of(s):
     """A schema's type in words."""
@@ -37,25 +50,23 @@ def kind_of(s):
         return "see what it means"
     if s["type"] == "array":
         same = "minItems" in s and s.get("maxItems") == s["minItems"]
-        return f"{s['minItems']} × {kind_of(s['items'])}" if same else f"list of {kind_of(s['items'])}"
+        return (f"{s['minItems']} × " if same else "list of ") + kind_of(s["items"])
     if s["type"] == "object" and "maxProperties" in s:
         joint = " and " if s.get("minProperties", 1) > 1 else " or "
-        return "{ " + joint.join(f"`{name}`" for name in s["properties"] if not name.endswith("_deg")) + " }"
-    words = {"number": "number", "integer": "whole number", "boolean": "true or false", "string": "text",
-             "object": "table"}
-    word = words[s["type"]] if isinstance(s["type"], str) else " or ".join(words[t] for t in s["type"])
-    bounds = [f"> {s['exclusiveMinimum']}"] if "exclusiveMinimum" in s else []
-    bounds += [f">= {s['minimum']}"] if "minimum" in s else []
-    bounds += [f"<= {s['maximum']}"] if "maximum" in s else []
-    return f"{word} {', '.join(bounds)}".strip()
+        names = [f"`{name}`" for name in s["properties"] if not name.endswith("_deg")]
+        return "{ " + joint.join(names) + " }"
+    types = [s["type"]] if isinstance(s["type"], str) else s["type"]
+    bounds = ", ".join(f"{sign} {s[word]}" for word, sign in kBounds.items() if word in s)
+    return f"{' or '.join(kWords[t] for t in types)} {bounds}".strip()
 
 
 def table_below(s):
     """("name" or "name[]" or "name.NAME", schema) of a key that holds tables."""
     for way in s.get("anyOf", [s]):
-        if way.get("type") == "object" and "properties" in way and "maxProperties" not in way:
+        is_table = way.get("type") == "object"
+        if is_table and "properties" in way and "maxProperties" not in way:
             return "{}", way
-        if way.get("type") == "object" and isinstance(way.get("additionalProperties"), dict):
+        if is_table and isinstance(way.get("additionalProperties"), dict):
             named = way["additionalProperties"]
             for one in named.get("anyOf", [named]):
                 if "properties" in one:
@@ -63,6 +74,11 @@ def table_below(s):
         if way.get("type") == "array" and "properties" in way.get("items", {}):
             return "{}[]", way["items"]
     return None
+
+
+def table_of(schema):
+    """The schema itself, or the one of its ways that is a table."""
+    return next(way for way in schema.get("anyOf", [schema]) if "properties" in way)
 
 
 class Key:
@@ -76,10 +92,9 @@ class Key:
         self.unit = unit.group(1) if unit else ""
         self.required = "Required." in described
         self.default = schema.get("default")
-        self.is_table = table_below(schema) is not None
 
     def default_text(self):
-        """The default as a scene states it; empty: none, or zeros, which mostly stand for "not given"."""
+        """As a scene states it; empty: none, or zeros, which mostly stand for "not given"."""
         value = self.default
         if isinstance(value, bool):
             return "true" if value else "false"
@@ -91,10 +106,18 @@ class Key:
             return "xyz"[kAxes.index(value)]
         return json.dumps(value) if isinstance(value, list) and any(value) else ""
 
+    def must_be_stated(self):
+        return bool(self.default_text()) and not isinstance(self.default, list)
 
-kAxes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
-# Other names of a unit in comments.
-kAlso = {"Pa": ["J/m3"]}
+    def agrees(self, value):
+        """With the default that a comment states."""
+        if not isinstance(value, float):
+            return value == self.default_text()
+        if isinstance(self.default, list):
+            return all(value == one for one in self.default)
+        if isinstance(self.default, bool) or not isinstance(self.default, (int, float)):
+            return False
+        return abs(value - self.default) <= 1e-9 * max(abs(self.default), 1e-300)
 
 
 def short(number):
@@ -103,30 +126,29 @@ def short(number):
 
 def keys_of(schema, path=""):
     """{path: Key} of a table and all tables below it, in the order of the reader."""
-    while "anyOf" in schema:
-        schema = next(way for way in schema["anyOf"] if way.get("type") == "object" and "properties" in way)
-    found, suffixes = {}, {}
-    for name, value in schema["properties"].items():
+    found, suffixes, properties = {}, {}, table_of(schema)["properties"]
+    for name, value in properties.items():
         if "x-unit-of" in value:
-            suffixes.setdefault(value["x-unit-of"], []).append(name[len(value["x-unit-of"]):])
-    for name, value in schema["properties"].items():
+            suffix = name[len(value["x-unit-of"]):]
+            suffixes.setdefault(value["x-unit-of"], []).append(suffix)
+    for name, value in properties.items():
         if "x-unit-of" in value or name == "without":
             continue
         full = f"{path}.{name}" if path else name
         below = table_below(value)
-        if below:
-            if "anyOf" in value and any(way.get("type") == "boolean" for way in value["anyOf"]):
-                found[full] = Key(full, value, [])
-            found.update(keys_of(below[1], full + ("" if below[0] == "{}" else "[]")))
-        else:
+        is_switch = any(way.get("type") == "boolean" for way in value.get("anyOf", []))
+        if not below or is_switch:
             found[full] = Key(full, value, suffixes.get(name, []))
+        if below:
+            found.update(keys_of(below[1], full + ("" if below[0] == "{}" else "[]")))
     return found
 
 
 # ---- the reference scene
 
 class Line:
-    """A line of a scene: what is before the comment, the comment (without #), and the keys on it by path with their spelling."""
+    """A line of a scene: what is before the comment; the comment with its #; (path, spelling) of
+    the keys on it. alone: a single key with a plain value."""
 
     def __init__(self, code, comment, keys, alone):
         self.code, self.comment, self.keys, self.alone = code, comment, keys, alone
@@ -141,54 +163,57 @@ def split_comment(line):
     return line, ""
 
 
+def parsed(text):
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError:
+        return None
+
+
 class Reference:
+    """The lines of a scene with their keys."""
+
     def __init__(self, text, schema, known):
-        self.schema, self.known, self.unknown = schema, known, []
-        self.lines, table, waiting, prefix = [], "", "", ""
+        self.schema, self.known = schema, known
+        self.lines, self.table, self.waiting, self.prefix = [], "", "", ""
         for line in text.split("\n"):
             code, comment = split_comment(line)
-            header = re.match(r"\s*\[\[?([\w.{}]+)\]?\]\s*$", code)
-            given = re.match(r"\s*(\w+)\s*=\s*(.*)$", code)
-            keys, alone = [], False
-            if waiting:  # in the midst of a value of several lines
-                keys = [(f"{prefix}[].{key}", key) for key in re.findall(r"(\w+)\s*=", code)]
-                waiting += code + "\n"
-                if self.whole(waiting):
-                    waiting = ""
-            elif header:
-                table = self.path_of(header.group(1).split("."))
-            elif given:
-                path, written = self.known_as(table, given.group(1))
-                value = self.whole("x = " + given.group(2))
-                if value is None:
-                    waiting, prefix = f"x = {given.group(2)}\n", path
-                    keys = [(path, written)]
-                else:
-                    keys = [(path, written), *self.keys_below(path, value["x"])]
-                    alone = len(keys) == 1
-            self.lines.append(Line(code, comment, [k for k in keys if self.is_known(k)], alone))
+            keys = self.keys_on(code)
+            known_keys = [key for key in keys if key[0] in known]
+            alone = len(keys) == 1 and not self.waiting and "=" in code
+            self.lines.append(Line(code, comment, known_keys, alone))
 
-    @staticmethod
-    def whole(text):
-        try:
-            return tomllib.loads(text)
-        except tomllib.TOMLDecodeError:
-            return None
+    def keys_on(self, code):
+        header = re.match(r"\s*\[\[?([\w.{}]+)\]?\]\s*$", code)
+        given = re.match(r"\s*(\w+)\s*=\s*(.*)$", code)
+        if self.waiting:  # within a value of several lines
+            self.waiting += code + "\n"
+            if parsed(self.waiting):
+                self.waiting = ""
+            inner = re.findall(r"(\w+)\s*=", code)
+            return [(f"{self.prefix}[].{key}", key) for key in inner] + [("", "")]
+        if header:
+            self.table = self.path_of(header.group(1).split("."))
+        if header or not given:
+            return []
+        path, written = self.known_as(self.table, given.group(1))
+        value = parsed("x = " + given.group(2))
+        if value is None:
+            self.waiting, self.prefix = f"x = {given.group(2)}\n", path
+            return [(path, written)]
+        return [(path, written), *self.keys_below(path, value["x"])]
 
     def path_of(self, parts):
         """The path of a header: named tables and lists become []."""
-        path, node = "", self.schema
-        parts = list(parts)
+        path, node, parts = "", self.schema, list(parts)
         while parts:
             name = parts.pop(0)
-            node = next(way for way in node.get("anyOf", [node]) if "properties" in way)["properties"].get(name, {})
             path = f"{path}.{name}" if path else name
-            below = table_below(node)
+            below = table_below(table_of(node)["properties"].get(name, {}))
             if below is None:
                 return path
             node = below[1]
-            if below[0] != "{}":
-                path += "[]"
+            path += "" if below[0] == "{}" else "[]"
             if below[0] == "{}.NAME" and parts:
                 parts.pop(0)
         return path
@@ -196,12 +221,9 @@ class Reference:
     def known_as(self, table, written):
         """(path, spelling) of a key, which may end with a unit."""
         path = f"{table}.{written}" if table else written
-        if path in self.known:
-            return path, written
         for key in self.known.values():
-            for suffix in key.suffixes:
-                if key.path + suffix == path:
-                    return key.path, written
+            if any(key.path + suffix == path for suffix in key.suffixes):
+                return key.path, written
         return path, written
 
     def keys_below(self, path, value):
@@ -214,131 +236,120 @@ class Reference:
                     found += [(full, written), *self.keys_below(full, below)]
         return found
 
-    def is_known(self, key):
-        path = key[0]
-        # Tables, orientations (rpy, quaternion, axis and angle), lists of variables and texts by name hold names of their own.
-        return path in self.known
+    def comments_on(self, path, but=None):
+        return [line.comment for line in self.lines
+                if line is not but and any(key == path for key, _ in line.keys)]
 
     def text(self):
         return "\n".join((line.code + line.comment).rstrip() for line in self.lines)
 
 
-kDefault = re.compile(r"\b([Dd])efault (\"?[-\w.+]+\"?)( mm| ms| Pa)?")
-kFactors = {" mm": 1e-3, " ms": 1e-3, " Pa": 1.0, None: 1.0}
-
-
-def number_in(word):
-    try:
-        return float(word)
-    except ValueError:
-        return None
-
-
 def stated_defaults(comment):
-    """What "Default VALUE" in a comment says: [(match, value as number or word)]."""
+    """[(match, value)] of "Default VALUE" in a comment: a number in SI units, or a word."""
     found = []
-    for match in kDefault.finditer(comment):
-        word = match.group(2).strip('"').rstrip(".")
-        number = number_in(word)
-        found.append((match, word if number is None else number * kFactors[match.group(3)]))
+    for match in kStated.finditer(comment):
+        word = match.group(1).strip('"').rstrip(".")
+        try:
+            found.append((match, float(word) * kFactors[match.group(2)]))
+        except ValueError:
+            found.append((match, word))
     return found
 
 
-def agrees(value, key):
-    default = key.default
-    if isinstance(value, float):
-        if isinstance(default, list):
-            return all(value == one for one in default)
-        return isinstance(default, (int, float)) and not isinstance(default, bool) and \
-            abs(value - default) <= 1e-9 * max(abs(default), 1e-300)
-    return value == key.default_text() or (isinstance(default, str) and value == default)
+def with_unit(comment, key, units):
+    """The comment with the unit of the key; in the place of another one, or before the default."""
+    given = kBracket.findall(comment)
+    if any(unit in given for unit in [key.unit, *kAlso.get(key.unit, [])]):
+        return comment
+    for other in given:
+        if other in units:
+            return comment.replace(f"[{other}]", f"[{key.unit}]")
+    default = re.search(r"\.? *\b[Dd]efault", comment[2:])
+    if default and default.start() > 0:
+        at = 2 + default.start()
+        return f"{comment[:at]} [{key.unit}]{comment[at:]}"
+    return f"# [{key.unit}]{comment[1:]}" if default or not comment else f"{comment} [{key.unit}]"
 
 
-def corrected(line, key, units):
-    """The comment of a line of one key, with the unit and the default of the reader."""
-    comment = line.comment
-    written_in_unit = line.keys[0][1] != key.path.rsplit(".", 1)[-1]
-    given = re.findall(r"\[([^\[\]]+)\]", comment)
-    others = [unit for unit in given if unit in units]
-    if key.unit and not written_in_unit and not any(unit in given for unit in [key.unit, *kAlso.get(key.unit, [])]):
-        before_default = re.search(r"\.? *\b[Dd]efault", comment[2:])
-        if others:
-            comment = comment.replace(f"[{others[0]}]", f"[{key.unit}]")
-        elif before_default and before_default.start() > 0:
-            at = 2 + before_default.start()
-            comment = comment[:at] + f" [{key.unit}]" + comment[at:]
-        else:
-            comment = f"# [{key.unit}]{comment[1:]}" if before_default or not comment else f"{comment} [{key.unit}]"
-    stated = stated_defaults(comment)
-    for match, value in reversed(stated):
-        is_value = isinstance(value, float) or value in ("true", "false") or f'"{value}"' in key.values
-        if is_value and key.default is not None and not agrees(value, key):
-            text = key.default_text() or "0"
-            comment = comment[:match.start(2)] + text + comment[match.end():]
-    if key.default_text() and not isinstance(key.default, list) and not re.search(r"[Dd]efault", comment):
-        comment = (comment.rstrip(". ") + "." if comment else "#") + f" Default {key.default_text()}"
+def with_default(comment, key):
+    for match, value in reversed(stated_defaults(comment)):
+        is_value = isinstance(value, float) or value in ("true", "false") or \
+            f'"{value}"' in key.values
+        if is_value and key.default is not None and not key.agrees(value):
+            comment = comment[:match.start(1)] + (key.default_text() or "0") + comment[match.end():]
+    if key.must_be_stated() and not re.search(r"[Dd]efault", comment):
+        comment = (comment.rstrip(". ") + "." if comment else "#")
+        comment += f" Default {key.default_text()}"
     return comment
+
+
+def correct(line, scene, units):
+    """Unit and default of the reader in the comment of a line with one key. What is missing is
+    added once, at the first of the lines that have the key."""
+    path, written = line.keys[0]
+    key, others = scene.known[path], scene.comments_on(path, but=line)
+    comment = line.comment
+    in_si = written == path.rsplit(".", 1)[-1]
+    unit_elsewhere = any(f"[{key.unit}]" in other for other in others)
+    if key.unit and in_si and (kBracket.search(comment) or not unit_elsewhere):
+        comment = with_unit(comment, key, units)
+    if re.search(r"[Dd]efault", comment) or not any(re.search("[Dd]efault", o) for o in others):
+        comment = with_default(comment, key)
+    if comment and not line.comment:
+        line.code = line.code.rstrip().ljust(36) + " "
+    line.comment = comment
 
 
 def tail(path):
     return ".".join(path.split(".")[-2:])
 
 
-def corrected_reference(text, schema, known):
-    """The reference scene with the units and defaults of the reader, and what only its writer can mend."""
-    scene, faults = Reference(text, schema, known), []
-    units = {key.unit for key in known.values() if key.unit}
-    stated = {}
+def missing_defaults(scene):
+    """Of keys that are only in tables of one line: it suffices that a key of the same name and
+    table states the same default."""
+    lines_of, faults = {}, []
     for line in scene.lines:
         for path, _ in line.keys:
-            stated.setdefault(path, []).append(line)
+            lines_of.setdefault(path, []).append(line)
+    for path, lines in lines_of.items():
+        key = scene.known[path]
+        alike = [lines_of[other] for other in lines_of if tail(other) == tail(path)]
+        stated = [value for line in sum(alike, []) for _, value in stated_defaults(line.comment)]
+        if key.must_be_stated() and not any(line.alone for line in lines) and \
+                not any(key.agrees(value) for value in stated):
+            faults.append(f'{reference.relative_to(root)}: no comment next to {path} says '
+                          f'"Default {key.default_text()}"')
+    return faults
+
+
+def corrected_reference(schema, known):
+    """The reference scene with units and defaults of the reader, and what only people can mend."""
+    scene = Reference(reference.read_text(), schema, known)
+    units = {key.unit for key in known.values() if key.unit}
     for line in scene.lines:
-        if not (line.alone and line.keys):
-            continue
-        path = line.keys[0][0]
-        key = known[path]
-        elsewhere = any(re.search(r"[Dd]efault", other.comment) for other in stated[path] if other is not line)
-        unit_elsewhere = any(f"[{key.unit}]" in other.comment for other in stated[path] if other is not line)
-        fixed = corrected(line, key, units)
-        added_only = fixed != line.comment and (elsewhere or unit_elsewhere) and not re.search(r"[Dd]efault|\[", line.comment)
-        if not added_only and fixed != line.comment:
-            if not line.comment:
-                line.code = line.code.rstrip().ljust(36) + " "
-            line.comment = fixed
-    # Of tables in one line it suffices that a key of the same name and table states the same default.
-    by_tail = {}
-    for path, lines in stated.items():
-        by_tail.setdefault(tail(path), []).extend(lines)
-    for path, lines in stated.items():
-        key = known[path]
-        alike = by_tail[tail(path)]
-        if key.default_text() and not isinstance(key.default, list) and not any(line.alone for line in lines) and \
-                not any(agrees(value, key) for line in alike for _, value in stated_defaults(line.comment)):
-            faults.append(f"{reference.relative_to(root)}: no comment next to {path} says \"Default {key.default_text()}\"")
-    return scene, scene.text(), faults
+        if line.alone and line.keys:
+            correct(line, scene, units)
+    return scene, missing_defaults(scene)
 
 
 # ---- the pages
 
-kDefaultWords = re.compile(r"\(?\b[Dd]efault:? (.*?)\)?(?:\.(?=\s)|\.?$)")
-
-
 def meanings(scene):
-    """{path: (words, default in words)} of the comments of keys that have a line of their own, without units."""
+    """{path: (words, default in words)} of the comments of keys with a line of their own."""
     found = {}
     for line in scene.lines:
         if not (line.alone and line.keys and line.comment):
             continue
         path = line.keys[0][0]
-        if path in found or re.search(r"\.(name|kind)$", path):  # these comments are about the entry
+        if path in found or re.search(r"\.(name|kind)$", path):  # comments about the entry
             continue
-        words = re.sub(r" *\[[^\[\],.]*\]", "", line.comment[1:])
+        words = re.sub(r" *\[[^\[\],.]*\]", "", line.comment[1:])  # units
         default = kDefaultWords.search(words)
         words = re.sub(r"\brequired\b:?", "", kDefaultWords.sub("", words))
         words = re.sub(r"\s+", " ", words).strip(" .,;:")
-        if re.match(r'or "[^"]*"(,? or "[^"]*")*(, or)?$', words):  # the other values, which are in a column of their own
+        if re.match(r'or "[^"]*"(,? or "[^"]*")*(, or)?$', words):  # values have their own column
             words = ""
-        found[path] = (words.replace("|", "\\|"), default.group(1).strip() if default else "")
+        found[path] = words.replace("|", "\\|"), default.group(1).strip() if default else ""
     return found
 
 
@@ -346,82 +357,118 @@ def row(cells):
     return "|" + "".join(f" {cell} |" if cell else " |" for cell in cells)
 
 
+def row_of(key, name, of_kinds, said):
+    words, default_words = said.get(key.path, ("", ""))
+    own = name.split(".")[0]
+    users = [kind for kind, uses in of_kinds.items() if own in uses["required"] + uses["optional"]]
+    if users and len(users) < len(of_kinds):
+        words = "of " + ", ".join(f"`{kind}`" for kind in users) + ("; " + words if words else "")
+    unit = " ".join([key.unit, *(f"`{suffix}`" for suffix in key.suffixes)])
+    default = f"`{key.default_text()}`" if key.default_text() else default_words
+    return row([f"`{name}`", key.values, unit, "required" if key.required else default, words])
+
+
 def page(known, said, kinds):
-    lines = ["# Keys of a scene", "Every key of a scene with its values, unit and default, as the reader has them; "
-             "[Scenes](scene.md) explains kinds and sections.",
-             "Made by `docs/site/keys.py` from `footfall schema`; the meanings are comments of "
-             "[inputs/reference/scene.toml](../../inputs/reference/scene.toml).",
-             "`[]`: an entry of a list, or a named table. Another unit is a suffix of the key, as in `length_mm`."]
+    lines = [
+        "# Keys of a scene",
+        "Every key of a scene with its values, unit and default, as the reader has them; "
+        "[Scenes](scene.md) explains kinds and sections.",
+        "Made by `docs/site/keys.py` from `footfall schema`; the meanings are comments of "
+        "[inputs/reference/scene.toml](../../inputs/reference/scene.toml).",
+        "`[]`: an entry of a list, or a named table. "
+        "Another unit is a suffix of the key, as in `length_mm`."]
     sections = {}
     for path, key in known.items():
-        sections.setdefault(re.split(r"[.\[]", path)[0] if re.search(r"[.\[]", path) else "", []).append(key)
+        section = re.match(r"\w+(?=[.\[])", path)
+        sections.setdefault(section.group(0) if section else "", []).append(key)
     for section, keys in sections.items():
-        lines += ["", f"## `{section}`" if section else "## Top of the file", "| key | values | unit | default | meaning |",
-                  "|---|---|---|---|---|"]
-        of_kinds = kinds.get(section, {})
+        lines += ["", f"## `{section}`" if section else "## Top of the file",
+                  "| key | values | unit | default | meaning |", "|---|---|---|---|---|"]
         for key in keys:
             name = re.sub(rf"^{section}(\[\])?\.", "", key.path) if section else key.path
-            users = [kind for kind, uses in of_kinds.items() if name.split(".")[0] in uses["required"] + uses["optional"]]
-            words, default_words = said.get(key.path, ("", ""))
-            if users and len(users) < len(of_kinds):
-                words = "of " + ", ".join(f"`{kind}`" for kind in users) + ("; " + words if words else "")
-            unit = " ".join([key.unit, *(f"`{s}`" for s in key.suffixes)])
-            default = "required" if key.required else f"`{key.default_text()}`" if key.default_text() else default_words
-            lines.append(row([f"`{name}`", key.values, unit, default, words]))
+            lines.append(row_of(key, name, kinds.get(section, {}), said))
     return "\n".join(lines) + "\n"
 
 
+class Table:
+    """A table of a page below <!-- keys: SECTION -->, whose rows are kinds or keys of SECTION."""
+
+    def __init__(self, section, head, known, kinds):
+        self.head, self.known = head, known
+        self.section, self.inside = section, "" if section == "top" else f"{section}."
+        self.kinds = kinds.get(section, {}) if head[0] == "kind" else {}
+        self.names = set()
+
+    def column(self, begins):
+        return next((k for k, title in enumerate(self.head) if title.startswith(begins)), None)
+
+    def correct(self, cells):
+        """Fills the reader's columns; returns the names that the reader does not have."""
+        names = re.findall(r"`([\w.\[\]]+)`", cells[0])
+        self.names.update(names)
+        if self.head[0] == "kind":
+            for name in names:
+                if name in self.kinds and self.column("keys") is not None:
+                    uses = self.kinds[name]
+                    optional = [f"[{key}]" for key in uses["optional"]]
+                    cells[self.column("keys")] = ", ".join([*uses["required"], *optional])
+            return [name for name in names if name not in self.kinds]
+        if len(names) == 1 and self.column("default") is not None:
+            self.correct_default(self.known.get(self.inside + names[0]), cells)
+        return [name for name in names if not self.has(self.inside + name)]
+
+    def correct_default(self, key, cells):
+        value = "" if key is None else "required" if key.required else key.default_text()
+        if not value:
+            return  # words of the page
+        if key.unit and not key.required:
+            value += f" {key.unit}"
+        if cells[self.column("default")].strip("`") != value:
+            cells[self.column("default")] = value
+
+    def has(self, path):
+        return path in self.known or any(key.startswith(f"{path}[") for key in self.known)
+
+
+def cells_of(line):
+    return [cell.strip() for cell in re.split(r"(?<!\\)\|", line.strip()[1:-1])]
+
+
 def corrected_tables(file, known, kinds):
-    """The page with the columns of the reader, and the keys and kinds that it lacks or invents."""
-    lines, faults, i, here = file.read_text().split("\n"), [], 0, file.relative_to(root)
-    while i < len(lines):
-        mark = re.match(r"<!-- keys: ([\w\[\].]+|top) -->$", lines[i])
-        i += 1
+    """The page with the columns of the reader, and the names that its tables lack or invent."""
+    lines, faults, here = file.read_text().split("\n"), [], file.relative_to(root)
+    for i, line in enumerate(lines):
+        mark = re.match(r"<!-- keys: ([\w\[\].]+) -->$", line)
         if not mark:
             continue
-        while not lines[i].strip():
-            i += 1
-        section, head = mark.group(1), [cell.strip() for cell in lines[i].strip("| ").split("|")]
-        names, inside = set(), "" if section == "top" else f"{section}."
-        of_keys = head[0].endswith("key")
-        for k in range(i + 2, len(lines)):
+        at = next(k for k in range(i + 1, len(lines)) if lines[k].strip())
+        table = Table(mark.group(1), cells_of(lines[at]), known, kinds)
+        for k in range(at + 2, len(lines)):
             if not lines[k].startswith("|"):
                 break
-            cells = [cell.strip() for cell in re.split(r"(?<!\\)\|", lines[k].strip()[1:-1])]
-            for name in re.findall(r"`([\w.\[\]]+)`", cells[0]):
-                names.add(name)
-                if head[0] == "kind" and name in kinds.get(section, {}) and any(title.startswith("keys") for title in head):
-                    uses = kinds[section][name]
-                    cells[next(k for k, title in enumerate(head) if title.startswith("keys"))] = ", ".join([*uses["required"], *(f"[{key}]" for key in uses["optional"])])
-                elif of_keys and inside + name in known:
-                    key = known[inside + name]
-                    value = "required" if key.required else key.default_text()
-                    if "default" in head and value and "," not in cells[0]:
-                        stated = cells[head.index("default")]
-                        value += f" {key.unit}" if key.unit else ""
-                        if stated.strip("`") != value:
-                            cells[head.index("default")] = value
-                elif not of_keys or not any(path.startswith(f"{inside}{name}[") for path in known):
-                    faults.append(f"{here}:{k + 1}: {section} has no {head[0]} `{name}`")
+            cells = cells_of(lines[k])
+            for name in table.correct(cells):
+                faults.append(f"{here}:{k + 1}: the reader has no `{name}` in {table.section}")
             lines[k] = row(cells)
-        if head[0] == "kind":
-            for kind in kinds.get(section, {}):
-                if kind not in names:
-                    faults.append(f"{here}:{i + 1}: the table lacks the kind `{kind}` of {section}")
+        for kind in set(table.kinds) - table.names:
+            faults.append(f"{here}:{at + 1}: the table lacks the kind `{kind}` of {table.section}")
     return "\n".join(lines), faults
 
 
-def main():
-    def printed(*option):
-        return json.loads(subprocess.run([sys.argv[1], "schema", *option], check=True, capture_output=True, text=True).stdout)
+def schema_of(*option):
+    words = [sys.argv[1], "schema", *option]
+    return json.loads(subprocess.run(words, check=True, capture_output=True, text=True).stdout)
 
-    schema = printed()
-    known, kinds = keys_of(schema), schema.get("x-kinds", {})
-    scene, scene_text, faults = corrected_reference(reference.read_text(), schema, known)
-    tables, more = corrected_tables(page_of_scenes, known, kinds)
-    sweeps, others = corrected_tables(page_of_sweeps, keys_of(printed("--experiments")), {})
-    faults += more + others
-    texts = {reference: scene_text, page_of_scenes: tables, page_of_sweeps: sweeps, page_of_keys: page(known, meanings(scene), kinds)}
+
+def main():
+    schema = schema_of()
+    known, kinds = keys_of(schema), schema["x-kinds"]
+    scene, faults = corrected_reference(schema, known)
+    scenes, of_scenes = corrected_tables(page_of_scenes, known, kinds)
+    sweeps, of_sweeps = corrected_tables(page_of_sweeps, keys_of(schema_of("--experiments")), {})
+    faults += of_scenes + of_sweeps
+    texts = {reference: scene.text(), page_of_scenes: scenes, page_of_sweeps: sweeps,
+             page_of_keys: page(known, meanings(scene), kinds)}
     for file, text in texts.items():
         now = file.read_text() if file.exists() else ""
         if now == text:
@@ -429,9 +476,10 @@ def main():
         if "--check" not in sys.argv:
             file.write_text(text)
             continue
-        for change in list(difflib.unified_diff(now.split("\n"), text.split("\n"), lineterm="", n=0))[2:12]:
-            faults.append(f"{file.relative_to(root)}: {change}")
-        faults.append(f"{file.relative_to(root)} is not what the reader says: run docs/site/keys.py FOOTFALL")
+        name = file.relative_to(root)
+        changes = difflib.unified_diff(now.split("\n"), text.split("\n"), lineterm="", n=0)
+        faults += [f"{name}: {change}" for change in list(changes)[2:12]]
+        faults.append(f"{name} is not what the reader says: run docs/site/keys.py FOOTFALL")
     print("\n".join(faults) if faults else f"{len(known)} keys")
     sys.exit(1 if faults else 0)
 
