@@ -73,6 +73,15 @@ GroundLevel ground_level(const Subject& subject) {
     return {ground.normal(), ground.normal().dot(ground.point()),
             terrain ? std::make_shared<Terrain>(*terrain) : nullptr};
   }
+  if (const std::shared_ptr<Terrain> field = build_bed_surface(subject.scene)) {
+    TerrainSpec bare = *ground.terrain;  // rocks are bodies that lie on the field
+    bare.rocks.clear();
+    bare.rock_field.reset();
+    if (!bare.is_plane()) return {Eigen::Vector3d::UnitZ(), 0.0, field};
+    const Terrain::Height origin = field->at(0.0, 0.0);  // z = h + s_x x + s_y y
+    const Eigen::Vector3d normal = Eigen::Vector3d(-origin.slope.x(), -origin.slope.y(), 1.0).normalized();
+    return {normal, normal.z() * origin.h, nullptr};
+  }
   return {axis_towards(up_direction(subject.scene.gravity)), subject.mechanism.placement.bed_height, nullptr};
 }
 

@@ -22,8 +22,8 @@
 
 namespace footfall {
 
-// The ground of heights: the plane, uneven ground, or the highest grain under the boundaries at the start, along the coordinate axis
-// nearest to up: a bed lies level in its box, however gravity is tilted.
+// The ground of heights: the plane, uneven ground, the surface to which a bed is cut ([ground.terrain]), or the highest grain under
+// the boundaries at the start, along the coordinate axis nearest to up: a bed lies level in its box, however gravity is tilted.
 struct GroundLevel {
   Eigen::Vector3d normal;                      // out of the ground, in W
   double height;                               // along it [m]

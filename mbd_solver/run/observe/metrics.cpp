@@ -228,7 +228,9 @@ MetricRecorder::MetricRecorder(const Subject& subject)
   const GroundLevel ground = ground_level(subject);
   normal_ = ground.normal;
   ground_ = ground.height;
-  if (subject.mechanism.terrain) terrain_ = std::make_unique<Terrain>(*subject.mechanism.terrain);
+  const std::shared_ptr<const Terrain> terrain =
+      subject.scene.touches_particles() ? ground.terrain : subject.mechanism.terrain;
+  if (terrain) terrain_ = std::make_unique<Terrain>(*terrain);
   const Model& model = subject.mechanism.model;
   for (int i = 1; i < model.body_count(); ++i)
     if (model.body(i).mass() > model.body(body_).mass()) body_ = i;
@@ -286,6 +288,11 @@ std::vector<std::string> MetricRecorder::warnings() const {
 
 double MetricRecorder::depth(const Sample& sample) const {
   const Mechanism& mechanism = subject_.mechanism;
+  const Scene& scene = subject_.scene;
+  const bool cut_bed = scene.touches_particles() && scene.ground.terrain;
+  const auto in_ground = [&](int body) {  // its rocks
+    return cut_bed && stands_still(scene, mechanism.model.body(body).name());
+  };
   if (mechanism.terrain && (mechanism.has(ContactKind::kTerrain) || mechanism.has(ContactKind::kSoil))) {
     double deepest = 0.0;  // of places that touch
     for (const ContactEntry& entry : mechanism.contacts) {
@@ -295,11 +302,11 @@ double MetricRecorder::depth(const Sample& sample) const {
     }
     return deepest;
   }
-  if (mechanism.terrain) {  // grains: points of what does not belong to the ground, by the height over its tangent
+  if (terrain_) {  // grains: points of what does not belong to the ground, by the height over its tangent
     double deepest = 0.0;
     for (const BodyBoundary& entry : mechanism.boundaries) {
       const BodyKinematics& body = sample.kinematics.of(entry.body);
-      if (stands_still(subject_.scene, mechanism.model.body(entry.body).name())) continue;
+      if (in_ground(entry.body)) continue;
       for (const ContactPoint& point : entry.points) {
         Eigen::Vector3d s = point.marker.s0;
         if (point.marker.S.cols() > 0) s += point.marker.S * body.a;
@@ -311,8 +318,9 @@ double MetricRecorder::depth(const Sample& sample) const {
     return deepest;
   }
   double lowest = std::numeric_limits<double>::infinity();
-  for (const BodyBoundary& entry : subject_.mechanism.boundaries) {
+  for (const BodyBoundary& entry : mechanism.boundaries) {
     const BodyKinematics& body = sample.kinematics.of(entry.body);
+    if (in_ground(entry.body)) continue;
     lowest = std::min(lowest, normal_.dot(body.r) + lowest_place(entry, body.A.transpose() * normal_, body.a));
   }
   return ground_ - lowest;

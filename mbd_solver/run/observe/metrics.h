@@ -126,10 +126,10 @@ struct Peak {
 // Peaks of a run for summary.json: over every step, not only over the rows that are written.
 
 struct Metrics {
-  Peak peak_acceleration;         // of the heaviest body [m/s2]
-  Peak max_descent;               // of the heaviest body against gravity's direction, from the start [m]
-  Peak max_penetration;           // of any boundary below the plane, or below the grains' height at the start [m]
-  Peak max_contact_force;         // on one body [N]
+  Peak peak_acceleration;  // of the heaviest body [m/s2]
+  Peak max_descent;        // of the heaviest body against gravity's direction, from the start [m]
+  Peak max_penetration;    // of any boundary below the plane, or below the surface of the grains at the start [m]
+  Peak max_contact_force;  // on one body [N]
   double reference_energy = 0.0;  // initial mechanical energy without gravity; else the largest kinetic energy [J]
   double energy_flow = 0.0;       // exchanged between forms of energy: EnergyFlow::scale() [J]
   // Largest |E - E0 + dissipated - work of contact, motions, forces, drives|, or estimated error of these integrals, which

@@ -486,6 +486,34 @@ TEST(MetricRecorder, PenetrationIsThatOfTheContactOnThePlane) {
   }
 }
 
+// A bed that is cut to a slope of 12 degrees, 2 m from its origin: the depth counts from the slope below the ball, along the normal
+// of the slope; a rock on it does not sink. The wave of 1 um makes the slope an uneven field. The mesh of the ball lies within
+// 0.4 mm of the sphere.
+TEST(MetricRecorder, DepthInGrainsCountsFromTheSlopeBelowTheBody) {
+  constexpr double kDepth = 0.03, kSlope = 12.0 * kPi / 180.0;
+  for (const char* more :
+       {"", ", rocks = [{ x = -2.5, y = 0, diameter = 0.1 }]", ", waves = [{ length = 3, height = 1e-6 }]"}) {
+    SCOPED_TRACE(more);
+    Bench bench(std::string(R"(end_time = 1
+gravity = [0, 0, -9.81]
+bodies = [{ name = "ball", mass = 1, shape = { kind = "sphere", centre = [2, 0, 1], radius = 0.05 } }]
+boundaries = [{ body = "ball", surface = { element_size = 0.01 } }]
+[ground]
+kind = "particles"
+terrain = { slope_deg = 12, position = [0, 0, 0.5])") +
+                more + R"( }
+[particles.box]
+size = [6, 0.4]
+depth = 0.1
+radius = 0.02
+)");
+    MetricRecorder taker(bench.subject());
+    bench.state.q.segment<3>(0) << 2.0, 0.0, 0.5 - 2.0 * std::tan(kSlope) + (0.05 - kDepth) / std::cos(kSlope);
+    taker.update(bench.take());
+    EXPECT_NEAR(taker.metrics().max_penetration.value, kDepth, 4e-4);
+  }
+}
+
 TEST(MetricRecorder, ReferenceEnergyIsThatOfTheStartOrTheLargestKinetic) {
   Bench bench(kSmallMachine);
   MetricRecorder taker(bench.subject());
