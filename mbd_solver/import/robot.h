@@ -81,6 +81,7 @@ struct RobotCoordinate {
   double rest = 0.0;                   // of this spring: the file's coordinate
   double armature = 0.0;               // [kg m2]
   double effort = 0.0;                 // largest torque of a motor [N m]; 0: not given
+  bool without_effort = false;         // the file gives 0: no motor can move it
   double speed = 0.0;                  // its largest speed [rad/s]; 0: not given
   std::optional<double> start;         // the file's coordinate at the start
 };
@@ -166,7 +167,8 @@ struct ImportOptions {
 
 // The remark on an effort of 0, which many programs write if no effort is known.
 inline constexpr const char* kWithoutEffort =
-    "effort is 0, which no motor has: the one of --hold has no largest torque or force";
+    "effort is 0, a motor without torque or force: --hold gives this joint no motor, and it moves freely; write its "
+    "largest torque or force there";
 
 // --- Readers: one per format; one file includes each library. All throw InputError with file and line.
 

@@ -390,7 +390,7 @@ class Writer {
     for (std::size_t k = 0; k < robot_.joints.size(); ++k)
       for (const RobotCoordinate& q : robot_.joints[k].coordinates) {
         const int joint = static_cast<int>(k);
-        const bool held = options_.hold && driven_.count({joint, q.name}) == 0;
+        const bool held = options_.hold && !q.without_effort && driven_.count({joint, q.name}) == 0;
         const bool rotor = q.armature > 0.0 && with_rotor.count({joint, q.name}) == 0;
         if (!held && !rotor) continue;
         RobotDrive drive;

@@ -365,7 +365,8 @@ class UrdfRobot {
       const double effort = number(limit, "effort", 0.0);
       q.effort = std::max(0.0, effort);
       q.speed = std::max(0.0, number(limit, "velocity", 0.0));
-      if (options_.hold && limit.attribute("effort") && !(effort > 0.0) && !joint.child("mimic"))
+      q.without_effort = limit.attribute("effort") && !(effort > 0.0);
+      if (options_.hold && q.without_effort && !joint.child("mimic"))
         robot_.leave_out(xml_.origin(limit), "<limit> of " + title_of(joint), kWithoutEffort);
     }
     q.damping = number(dynamics, "damping", 0.0);

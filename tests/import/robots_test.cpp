@@ -511,7 +511,7 @@ TEST_F(Robots, GeometryWithoutSizeIsLeftOut) {
   EXPECT_TRUE(test::names(scene_text_, {"r.urdf:3: a collision geometry of link \"a\": has a size of 0"}));
 }
 
-// A drive on a displacement has a largest force; an effort of 0 is none, which is said.
+// A drive on a displacement has a largest force; an effort of 0 is no motor, which is said, and not one without limit.
 TEST_F(Robots, HeldJointsHaveTheLimitsOfTheFile) {
   ImportArguments a;
   a.options.hold = true;
@@ -521,10 +521,11 @@ TEST_F(Robots, HeldJointsHaveTheLimitsOfTheFile) {
                     joint("prismatic", "<limit lower='0' upper='1' effort='50' velocity='6'/>", "a", "b", "slide") +
                     joint("revolute", "\n<limit lower='0' upper='1' effort='0' velocity='6'/>", "a", "c", "turn")),
                a);
-  ASSERT_EQ(s.drives.size(), 2u);
+  ASSERT_EQ(s.drives.size(), 1u);
+  EXPECT_EQ(s.drives[0].name, "slide_hold");
   EXPECT_EQ(*s.drives[0].motor.largest_torque, 50.0);
-  EXPECT_FALSE(s.drives[1].motor.largest_torque);
-  EXPECT_TRUE(test::names(scene_text_, {"max_force = 50", "r.urdf:7: <limit> of <joint \"turn\">: effort is 0"}));
+  EXPECT_TRUE(test::names(scene_text_, {"max_force = 50", "r.urdf:7: <limit> of <joint \"turn\">: effort is 0",
+                                        "gives this joint no motor"}));
   for (const std::string& warning : s.warnings) EXPECT_EQ(warning.find("W0171"), std::string::npos) << warning;
 }
 

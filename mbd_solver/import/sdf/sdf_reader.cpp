@@ -503,7 +503,8 @@ class SdfRobot {
     q.stiffness = std::max(0.0, axis.SpringStiffness());
     q.rest = axis.SpringReference();
     if (axis.Effort() > 0.0 && axis.Effort() < kNoLimit) q.effort = axis.Effort();
-    if (options_.hold && axis.Effort() == 0.0)
+    q.without_effort = axis.Effort() == 0.0;
+    if (options_.hold && q.without_effort)
       robot_.leave_out(of.origin, "<effort> of joint \"" + of.name + "\"", kWithoutEffort);
     if (axis.MaxVelocity() > 0.0 && axis.MaxVelocity() < kNoLimit) q.speed = axis.MaxVelocity();
     return q;
