@@ -28,6 +28,8 @@ inline constexpr MessageCode kScriptUnits{"E0649", "script-units"};
 
 // Loads of the grains have triggered an event up to a coupling interval late. Use the coupling interval in the message.
 inline constexpr MessageCode kEventLate{"W1640", "event-late"};
+// A bed that follows a body holds another mass than at the start: the body carries or has left grains. Make the bed longer.
+inline constexpr MessageCode kBedMass{"W1641", "bed-mass"};
 // The coupling interval is too long for the stiffness of the contacts. Use the value of `every` in the message.
 inline constexpr MessageCode kIntervalTooLong{"W0650", "coupling-interval-too-long"};
 // The coupling added spurious energy. Use a shorter coupling interval.

@@ -313,6 +313,7 @@ void CouplingWatch::tell_of_event(const std::string& event, const Window& window
 
 void CouplingWatch::watch_grains(const Window& window, const Load& load, const std::vector<Body>& bodies) {
   const bool first_window = !std::exchange(began_, true);
+  bed_ = {load.changes, static_cast<double>(load.particles)};
   for (std::size_t i = 0; i < records_.size(); ++i) {
     deepest_.patch = std::max(deepest_.patch, load.bodies[i].max_patch_over_facet);
     if (load.bodies[i].max_overlap_over_radius <= deepest_.overlap) continue;
@@ -485,6 +486,24 @@ std::string CouplingWatch::soft_grains() const {
          advice_.stiffer(std::pow(deepest_.overlap / kLargeOverlap, 2.5));
 }
 
+// Grains removed behind are those that came in front, but for those that bodies push along, throw ahead or leave behind.
+std::string CouplingWatch::bed_mass() const {
+  constexpr double kGrains = 2.0;  // of mean mass, that may be missing
+  const GrainChanges& c = bed_.changes;
+  const double more = c.added_mass - c.removed_mass;
+  const double grain = c.added > 0.0 ? c.added_mass / c.added : 0.0;
+  if (std::abs(more) <= kGrains * grain) return {};
+  const double start = bed_.grains - c.added + c.removed;  // grains at the start
+  return "the bed that follows a body holds " + number(std::abs(more)) + " kg (" +
+         percent(std::abs(more) / (grain * start)) + ") " + (more > 0.0 ? "more" : "less") +
+         " than at the start: " + number_text(c.added) + " grains were added in front, " + number_text(c.removed) +
+         " removed behind. A body carries the difference along (a heap in front of it), has thrown it to the other "
+         "end, or "
+         "stood in the way where it would have been removed; judge by a longer bed (particles.box.size) or a slower "
+         "body "
+         "whether that matters";
+}
+
 std::string CouplingWatch::told(std::vector<Finding> findings, int& advised) const {
   std::stable_sort(findings.begin(), findings.end(),
                    [](const Finding& a, const Finding& b) { return a.degree > b.degree; });
@@ -506,6 +525,7 @@ std::vector<std::string> CouplingWatch::conclusions() const {
         std::pair{code::kForceNotResolved, unresolved_forces()}})
     if (!findings.empty()) texts.push_back(with_code(code, told(findings, advised)));
   if (const std::string text = soft_grains(); !text.empty()) texts.push_back(with_code(code::kLargeOverlap, text));
+  if (const std::string text = bed_mass(); !text.empty()) texts.push_back(with_code(code::kBedMass, text));
   return texts;
 }
 

@@ -157,6 +157,7 @@ class CouplingWatch {
   std::string told(std::vector<Finding> findings, int& advised) const;
   std::vector<Finding> long_intervals() const, unresolved_touches() const, unresolved_forces() const;
   std::string soft_grains() const;  // empty: they are stiff enough
+  std::string bed_mass() const;     // empty: a bed that follows holds its mass to two grains, or none follows
 
   CouplingSpec limits_;
   OmegaHLimit omega_h_limit_;
@@ -184,6 +185,10 @@ class CouplingWatch {
     double patch = 0.0;          // largest patch radius over the width of a facet [-]
     bool starts_in_bed = false;  // a body overlaps the bed in the first window
   } deepest_;
+  struct Bed {
+    GrainChanges changes;
+    double grains = 0.0;  // now
+  } bed_;                 // of the last window
   double largest_force_ = 0.0;
   double largest_impulse_ = 0.0;  // largest Record::given [N s]
   int surplus_windows_ = 0;

@@ -550,6 +550,24 @@ TEST(CouplingWatch, TellsOfAllBodiesAtOnce) {
   EXPECT_THAT(watch.conclusions()[0], ::testing::HasSubstr("(to a lesser degree also a); use `every 3`"));
 }
 
+// Two grains of difference are round-off of the exchange; what a heap carries along is reported with its share of the bed.
+TEST(CouplingWatch, ReportsTheMassThatABedWhichFollowsHasGained) {
+  const std::unique_ptr<Scheme> scheme = make_scheme("css-trapezoid");
+  CouplingWatch watch{{"blade"}, CouplingSpec{}, *scheme, plain_advice()};
+  Load load;
+  load.bodies.resize(1);
+  load.particles = 349;  // 300 at the start
+  load.changes.added = 813, load.changes.added_mass = 8.13;
+  load.changes.removed = 811, load.changes.removed_mass = 8.11;
+  watch.observe({kH, kH, 10, false}, load, {{0.01}});
+  EXPECT_TRUE(watch.conclusions().empty());
+  load.changes.removed = 764, load.changes.removed_mass = 7.64;
+  watch.observe({2.0 * kH, kH, 10, false}, load, {{0.01}});
+  ASSERT_EQ(watch.conclusions().size(), 1U);
+  for (const char* part : {"W1641", "0.49 kg (16.3 %) more", "813 grains were added in front, 764 removed behind"})
+    EXPECT_THAT(watch.conclusions()[0], ::testing::HasSubstr(part));
+}
+
 // A run whose end cuts its last interval to one step: the message is about the intervals that were too long.
 TEST(CouplingWatch, SumsUpTheIntervalThatWasTooLong) {
   Watched body(0.01);  // omega H = 1
