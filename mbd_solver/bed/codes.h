@@ -48,7 +48,7 @@ inline constexpr MessageCode kUnsafeScript{"E0562", "unsafe-script"};
 inline constexpr MessageCode kProgramsGone{"E0568", "programs-gone"};
 // A program does not get on within the time limit. Correct what it is at, or raise coupling.timeout.
 inline constexpr MessageCode kProgramSilent{"E0569", "program-silent"};
-// A limit leaves mpirun no room for its own files. Free space in the temporary folder, or raise the limit that the message names.
+// A limit leaves mpirun no room for its own files. Free space in the folder, or raise the limit, that the message names.
 inline constexpr MessageCode kNoRoomToLaunch{"E0575", "no-room-to-launch"};
 // A program of footfall is missing. Build footfall again.
 inline constexpr MessageCode kProgramNotBuilt{"E0563", "program-not-built"};

@@ -23,7 +23,9 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t kSegment = (4 << 20) + (64 << 10);  // largest file of MPI [bytes], with its header
 constexpr std::uintmax_t kSegments = 2 * kSegment;  // in the temporary folder, of all processes together [bytes]
 constexpr std::uintmax_t kOfProcess = 4 << 10;      // there, of each [bytes]
-constexpr std::uintmax_t kEntries = 17;             // files and folders there, and one of each process
+// In the shared memory a process makes its file where a whole one fits, and then touches 0.3 MB of it.
+constexpr std::uintmax_t kTouched = 1 << 20;                // [bytes]
+constexpr std::uintmax_t kEntries = 17;                     // files and folders there, and one of each process
 constexpr std::uintmax_t kFiles = 40, kFilesOfProcess = 4;  // open in mpirun, and a dozen of the programs themselves
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -58,6 +60,33 @@ void require_temporary_folder(std::uintmax_t processes) {
            " more files and folders (inodes), and MPI needs " + std::to_string(kEntries + processes) + advice);
 }
 
+// Whether processes reach each other by shared memory: unless the user has chosen other ways.
+bool is_by_memory() {
+  const char* const ways = std::getenv("OMPI_MCA_btl");
+  if (ways == nullptr || *ways == '\0') return true;
+  const bool named = std::strstr(ways, "vader") != nullptr || std::strstr(ways, "sm") != nullptr;
+  return named != (*ways == '^');
+}
+
+// Open MPI maps a file of each process there, without reserving its pages: without room they reach each other by the network, at a
+// cost and only where there is one, and a page that finds no room later is a SIGBUS.
+void require_shared_memory(std::uintmax_t processes) {
+  const char* const chosen = std::getenv("OMPI_MCA_btl_vader_backing_directory");
+  const std::string folder = chosen != nullptr && *chosen != '\0' ? chosen : "/dev/shm";
+  struct statvfs disk {};
+  if (processes < 2 || !is_by_memory() || access(folder.c_str(), W_OK | X_OK) != 0 ||
+      statvfs(folder.c_str(), &disk) != 0)
+    return;  // then MPI puts these files into the temporary folder
+  const std::uintmax_t space = disk.f_bavail * static_cast<std::uintmax_t>(disk.f_frsize);
+  const std::uintmax_t needed = kSegment + (processes - 1) * kTouched;
+  if (space >= needed) return;
+  refuse("the shared memory " + folder + " has " + kilobytes(space) + " left, and MPI needs " + kilobytes(needed) +
+         " there for " + std::to_string(processes) +
+         " processes; remove files that other programs have left there (ls -l " + folder +
+         "), make it larger (mount -o remount,size=256m " + folder +
+         "; docker run --shm-size=256m), or use fewer ranks (--ranks)");
+}
+
 rlim_t limit_of(int resource) {
   rlimit limit{};
   return getrlimit(static_cast<__rlimit_resource_t>(resource), &limit) == 0 ? limit.rlim_cur : RLIM_INFINITY;
@@ -68,6 +97,7 @@ rlim_t limit_of(int resource) {
 void require_room_to_launch(int processes) {
   const auto count = static_cast<std::uintmax_t>(processes);
   require_temporary_folder(count);
+  require_shared_memory(count);
   if (const rlim_t files = limit_of(RLIMIT_NOFILE); files < kFiles + kFilesOfProcess * count)
     refuse("at most " + std::to_string(files) + " files may be open (ulimit -n), and MPI needs " +
            std::to_string(kFiles + kFilesOfProcess * count) + " for " + std::to_string(processes) +

@@ -214,6 +214,9 @@ no_room() {
     (TMPDIR=$PWD/disk && export TMPDIR && refused "$size" "$PWD/disk has .* kB left") || exit 1
     umount disk
   done
+  mount -t tmpfs -o size=64k tmpfs disk || exit 77
+  (export OMPI_MCA_btl_vader_backing_directory=$PWD/disk && refused "shared memory" "shared memory $PWD/disk has .* kB left") || exit 1
+  umount disk
   mount -t tmpfs -o size=64m,nr_inodes=12 tmpfs disk || exit 77
   (TMPDIR=$PWD/disk && export TMPDIR && refused inodes inodes)
 }

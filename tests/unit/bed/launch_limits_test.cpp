@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
@@ -56,6 +57,24 @@ TEST(RoomToLaunch, NeedsATemporaryFolderWithSpace) {
     EXPECT_THAT(refused(2), AllOf(HasSubstr(place), HasSubstr("TMPDIR"), HasSubstr("E0575")));
   }
   setenv("TMPDIR", kept.c_str(), 1);
+}
+
+// Processes that do not share memory need none: one alone, or those that the user connects in another way.
+TEST(RoomToLaunch, NeedsSharedMemory) {
+  constexpr const char* kFull = "/proc";  // no space
+  if (access(kFull, W_OK) != 0) GTEST_SKIP() << "an ordinary user may not write there, as MPI finds";
+  setenv("OMPI_MCA_btl_vader_backing_directory", kFull, 1);
+  EXPECT_THAT(refused(3), AllOf(HasSubstr("shared memory /proc has 0 kB left"), HasSubstr("needs 6208 kB"),
+                                HasSubstr("--shm-size"), HasSubstr("E0575")));
+  EXPECT_NO_THROW(require_room_to_launch(1));
+  for (const char* ways : {"tcp,self", "^vader"}) {
+    setenv("OMPI_MCA_btl", ways, 1);
+    EXPECT_NO_THROW(require_room_to_launch(3)) << ways;
+  }
+  setenv("OMPI_MCA_btl", "^tcp", 1);
+  EXPECT_THAT(refused(3), HasSubstr("shared memory"));
+  unsetenv("OMPI_MCA_btl");
+  unsetenv("OMPI_MCA_btl_vader_backing_directory");
 }
 
 }  // namespace
