@@ -93,8 +93,14 @@ struct TerrainBed {
 std::optional<TerrainBed> terrain_bed(const Scene& scene);  // none: the surface is z = 0
 double box_floor(const Scene& scene);                       // z of the floor [m]
 double steepest_of_bed(const Scene& scene);                 // under a terrain, against the level of gravity [rad]
-std::string rock_name(std::size_t k);                       // of the body of TerrainBed::rocks[k]
-std::string rock_joint_name(std::size_t k);                 // of the joint that holds it
+// The steepest slope on which grains stand: those of friction mu slide on each other beyond atan(mu), and roll at less.
+struct StandingSlope {
+  double degrees = 0.0;
+  std::string grains;  // "grains of friction 0.5 without rolling friction"
+};
+StandingSlope standing_slope(const BoxSpec& box);
+std::string rock_name(std::size_t k);        // of the body of TerrainBed::rocks[k]
+std::string rock_joint_name(std::size_t k);  // of the joint that holds it
 // Refuses slopes on which grains do not stand, and adds the rocks as bodies that stand still.
 void resolve_terrain_bed(Scene& scene, Findings& findings);
 

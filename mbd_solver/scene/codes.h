@@ -326,6 +326,10 @@ inline constexpr MessageCode kSoftSpring{"W1170", "soft-spring"};
 inline constexpr MessageCode kSecondSpelling{"W0171", "second-spelling"};
 // The script has no fix gravity, so its grains have no weight. Add the line that the message gives.
 inline constexpr MessageCode kNoGrainGravity{"W1207", "no-grain-gravity"};
+// Gravity is tilted against the bed by more than the slope at which its grains stand, and the bed flows. Tilt gravity less, or turn the bed.
+inline constexpr MessageCode kBedFlows{"W1213", "bed-flows"};
+// Grains touch the polygon of a round face, which is smaller than the circle. Give a smaller element_size.
+inline constexpr MessageCode kPolygonArea{"W1214", "polygon-area"};
 // The mesh is far larger than the simulation box, mostly drawn in millimetres. Add "scale 0.001" to its fix.
 inline constexpr MessageCode kMeshLargerThanBox{"W1210", "mesh-larger-than-box"};
 // The mesh is far from the origin of its file, and its coordinates have few digits. Export it nearer, or as text.

@@ -1,5 +1,6 @@
 // The checks of struts, springs, forces, controllers, signals and drives.
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -7,6 +8,7 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/control/signal_chain.h"
 #include "mbd_solver/model/elements/cable.h"
+#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/scene_check.h"
 
@@ -303,12 +305,63 @@ void check_beams(const BodySpec& body, const BeamsSpec& beams, const EntryFindin
   at.missing_if(!round && !(beams.radius > 0.0), "beams.radius", "only a tube or rod has a diameter");
 }
 
+// Longest edge of the generated triangles of a round shape [m], and the key that sets it.
+struct EdgeOfFace {
+  double length = 0.0;
+  std::string key;
+};
+
+EdgeOfFace edge_of_face(const Scene& scene, const BodySpec& body, const SurfaceSpec& surface) {
+  constexpr double kOfSize = 0.1,
+                   kOfPlate = 0.25;  // defaults: of the largest size; of the radius of a plate that bends
+  const ShapeSpec& shape = *body.shape;
+  const bool plate =
+      scene.flexible && is_flexible(body) && shape.kind != ShapeKind::kCylinder && surface.faces != SurfaceFaces::kBoth;
+  if (plate) {
+    const double size = body.flexible->mesh_size;
+    return {size > 0.0 ? size : kOfPlate * shape.radius, "bodies." + body.name + ".flexible.mesh_size"};
+  }
+  const double largest = std::max(2.0 * shape.radius, shape.kind == ShapeKind::kCylinder ? shape.length : 0.0);
+  return {surface.element_size > 0.0 ? surface.element_size : kOfSize * largest, "surface.element_size"};
+}
+
+// Grains touch the polygon of n corners on the circle of a face, with n / (2 pi) sin(2 pi / n) of its area.
+void check_area_of_face(const Scene& scene, const BodySpec& body, const SurfaceSpec& surface, const EntryFindings& at) {
+  constexpr double kLostArea = 0.02;       // share of the circle that is reported
+  constexpr double kFaceDown = 0.7;        // cosine of the axis and gravity; else it touches with its rim
+  constexpr int kPerRing = 6, kRings = 4;  // corners of each ring; rings that are proposed
+  if (!scene.touches_particles() || !body.shape || !surface.file.empty() || !surface.from_script.empty()) return;
+  const ShapeSpec& shape = *body.shape;
+  const bool round =
+      shape.kind == ShapeKind::kDisc || shape.kind == ShapeKind::kDish || shape.kind == ShapeKind::kCylinder;
+  const bool own_mesh = body.flexible && (!body.flexible->mesh.empty() || !body.flexible->file.empty());
+  if (!round || own_mesh || has_model_mesh(body)) return;
+  if (std::abs(shape.axis.normalized().dot(up_direction(scene.gravity))) < kFaceDown) return;
+  const EdgeOfFace edge = edge_of_face(scene, body, surface);
+  double way = shape.radius;  // from the centre of the face to its rim, along a dish
+  if (shape.kind == ShapeKind::kDish) {
+    const double sphere = (shape.radius * shape.radius + shape.depth * shape.depth) / (2.0 * shape.depth);
+    way = sphere * std::atan2(shape.radius, sphere - shape.depth);
+  }
+  if (!(edge.length > 0.0) || !(way > 0.0)) return;  // reported elsewhere
+  const auto share = [](int corners) { return corners / (2.0 * kPi) * std::sin(2.0 * kPi / corners); };
+  const int corners = kPerRing * std::max(1, static_cast<int>(std::ceil(way / edge.length - 1e-9)));
+  if (share(corners) >= 1.0 - kLostArea) return;
+  at.warning(kPolygonArea, "surface",
+             "makes the round face of \"" + body.name + "\" a polygon of " + std::to_string(corners) +
+                 " corners, with " + number_text(100.0 * share(corners), 3) +
+                 " % of the area of the circle, and grains carry it by so much less; give " + edge.key + " = " +
+                 number_text(way / kRings, 3) + " (" + std::to_string(kPerRing * kRings) + " corners, " +
+                 number_text(100.0 * share(kPerRing * kRings), 3) + " %) or less");
+}
+
 void check_boundary(const Scene& scene, const BoundarySpec& boundary, const EntryFindings& at) {
   at.error_if(!boundary.surface && !boundary.beams, kEmptyEntry, "",
               "has neither a surface nor beams; give surface = {} or beams = {}");
   const BodySpec* body = scene.body(boundary.body);
   if (body == nullptr) return;
   if (boundary.surface) check_surface(*body, *boundary.surface, at);
+  if (boundary.surface) check_area_of_face(scene, *body, *boundary.surface, at);
   if (boundary.beams) check_beams(*body, *boundary.beams, at);
 }
 

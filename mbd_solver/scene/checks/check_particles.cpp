@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
@@ -383,10 +384,49 @@ void check_moduli(const ScriptText& script, const EntryFindings& at) {
   }
 }
 
+// A bed of a script lies on the plane wall that faces up most. Where that wall is tilted against gravity by more than the steepest
+// slope of grains, the bed flows. Walls that may hold it otherwise, of meshes without a body or of cylinders, are not judged.
+void check_bed_stands(const ScriptText& script, const Scene& scene, const EntryFindings& at) {
+  constexpr double kStands = 30.0;  // [degrees]
+  if (!script.whole() || scene.gravity.isZero(0.0)) return;
+  std::set<std::string> coupled;
+  for (const ScriptCommand& command : script.commands()) {
+    if (!command.is_fix("couple/mbd")) continue;
+    const Names& w = command.words;
+    if (std::find(w.begin(), w.end(), "gravity") != w.end()) return;  // the grains may have another one
+    for (const std::string& mesh : named_after("mesh", 1, command)) coupled.insert(mesh);
+  }
+  std::optional<double> nearest;  // cosine of gravity and the normal of a wall
+  for (const ScriptCommand& command : script.commands()) {
+    const Names& w = command.words;
+    if (!command.is_fix("wall/gran")) continue;
+    const auto meshes = std::find(w.begin(), w.end(), "meshes"), primitive = std::find(w.begin(), w.end(), "primitive");
+    if (meshes != w.end() &&
+        std::any_of(meshes + 1, w.end(), [&](const std::string& word) { return coupled.count(word) == 0; }))
+      return;
+    if (primitive == w.end()) continue;
+    const auto plane = std::find_if(primitive, w.end(), [](const std::string& word) {
+      return word == "xplane" || word == "yplane" || word == "zplane";
+    });
+    if (plane == w.end()) return;
+    const double cosine = std::abs(scene.gravity.normalized()[(*plane)[0] - 'x']);
+    nearest = std::max(nearest.value_or(0.0), cosine);
+  }
+  if (!nearest) return;
+  const double tilt = std::acos(std::min(1.0, *nearest)) * 180.0 / kPi;
+  if (tilt <= kStands) return;
+  at.warning(kBedFlows, "script",
+             "the bed flows: gravity " + gravity_text(scene.gravity) + " is tilted by " + number_text(tilt, 3) +
+                 " degrees against the plane wall that faces it most, and grains stand at most at " +
+                 number_text(kStands) +
+                 " degrees; correct gravity, or add the wall on which the bed lies (fix wall/gran ... primitive)");
+}
+
 }  // namespace
 
 void check_coupling(const ScriptText& script, const Scene& scene, Findings& findings) {
   const EntryFindings at(findings, scene.particles->source);
+  check_bed_stands(script, scene, at);
   for (const ScriptCommand& command : script.commands()) {
     if (command.conditional) continue;
     if (command.is_fix("couple/mbd")) check_words(command, at);
@@ -707,6 +747,18 @@ void check_gravity(const Scene& scene, Findings& findings) {
                    "is [" + number_text(g.x()) + ", " + number_text(g.y()) + ", " + number_text(g.z()) +
                        "] m/s2, expected along -z, or tilted by at most 30 degrees: the bed of [particles.box] settles "
                        "on its floor");
+  const BoxSpec& box = *scene.particles->box;
+  const StandingSlope stands = standing_slope(box);
+  if (tilt > kSteepest || tilt <= stands.degrees || scene.ground.terrain) return;  // told elsewhere
+  const int axis = std::abs(g.x()) >= std::abs(g.y()) ? 0 : 1;
+  const bool open = box.periodic || follows_along(box, axis) || !box.walls;
+  findings.warning(
+      kBedFlows, scene.source, "gravity",
+      "is tilted by " + number_text(tilt, 3) + " degrees against the bed, but " + stands.grains + " stand at most at " +
+          number_text(stands.degrees, 3) + " degrees: the bed flows towards " + (g[axis] > 0.0 ? "+" : "-") +
+          "xy"[axis] +
+          (open ? " without end; " : ", until its lower wall holds it and its surface is flatter by the difference; ") +
+          "tilt gravity less, or raise box.material.friction and rolling_friction");
 }
 
 }  // namespace

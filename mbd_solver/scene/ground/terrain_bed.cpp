@@ -78,6 +78,12 @@ double steepest_of_bed(const Scene& scene) {
   return std::acos(std::max(-1.0, least));
 }
 
+StandingSlope standing_slope(const BoxSpec& box) {
+  const bool rolls = box.clumps.empty() && !(box.material.rolling_friction > 0.0);
+  return {std::min(std::atan(box.material.friction) * 180.0 / kPi, rolls ? kStandsSpheres : kStandsRolling),
+          "grains of friction " + number_text(box.material.friction) + (rolls ? " without rolling friction" : "")};
+}
+
 std::string rock_name(std::size_t k) { return "rock_" + std::to_string(k + 1); }
 
 std::string rock_joint_name(std::size_t k) { return rock_name(k) + "_in_the_ground"; }
@@ -98,16 +104,12 @@ void resolve_terrain_bed(Scene& scene, Findings& findings) {
   const BoxSpec& box = *scene.particles->box;
   if (findings.has_errors() || box.size.size() != 2 || box.centre.size() != 2 || box.radius.empty()) return;
   const TerrainBed bed = *terrain_bed(scene);
-  // Grains with friction mu slide on each other beyond atan(mu), and roll at less.
-  const bool rolls = box.clumps.empty() && !(box.material.rolling_friction > 0.0);
-  const double stands =
-      std::min(std::atan(box.material.friction) * 180.0 / kPi, rolls ? kStandsSpheres : kStandsRolling);
+  const StandingSlope stands = standing_slope(box);
   const double steepest = steepest_of_bed(scene) * 180.0 / kPi;
   at.error_if(
-      steepest > stands, kTerrainSteep, "terrain",
-      "is as steep as " + number_text(steepest, 3) +
-          " degrees against gravity within the bed, but grains of friction " + number_text(box.material.friction) +
-          (rolls ? " without rolling friction" : "") + " stand at most at " + number_text(stands, 3) +
+      steepest > stands.degrees, kTerrainSteep, "terrain",
+      "is as steep as " + number_text(steepest, 3) + " degrees against gravity within the bed, but " + stands.grains +
+          " stand at most at " + number_text(stands.degrees, 3) +
           " degrees (the least of atan(friction), 30 degrees, and 22 for spheres that roll); make it less steep, or "
           "the grains rougher");
   at.error_if(box.periodic, kTerrain, "terrain", "excludes particles.box.periodic = true: its ends would not fit");
