@@ -11,6 +11,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/assemble/time_functions.h"
+#include "mbd_solver/base/pi.h"
 #include "mbd_solver/run/codes.h"
 
 namespace footfall {
@@ -22,6 +23,7 @@ constexpr double kFirst = 1e-3;                                       // [s]: fi
 constexpr double kLongest = 1000.0;                                   // [s] of motion
 constexpr double kRtol = 1e-8, kAtol = 1e-12, kAtolVelocity = 1e-10;  // small motions count
 constexpr int kMaxStops = 2000;
+constexpr double kMostTurns = 300.0;  // of a body, of which a motor turns one for ever
 // Of joints that stick: an overdamped coordinate has no maximum of kinetic energy at its equilibrium.
 constexpr double kStickDamping = 0.02;
 constexpr double kOvershoot = 2.0;  // of a load that such a coordinate takes up, over the load at rest
@@ -104,6 +106,10 @@ class Relaxation {
     return kRoundOff * rates_.tail(equations_.layout().row_count).lpNorm<Eigen::Infinity>() / least;
   }
 
+  // Of the body that turns fastest, all motions together [-]; its number.
+  double turns() const { return turned_ / (2.0 * kPi); }
+  int turning_body() const { return turning_body_; }
+
   // Moves to the next maximum of the kinetic energy and stops there. Returns the duration [s].
   double to_next_stop(double budget) {
     // Samples of the kinetic energy: so many at equal intervals, then at twice these.
@@ -123,6 +129,11 @@ class Relaxation {
       State next = samples[2];
       integrator_->advance(next, next.time + h, inputs_);
       add(next);
+      turned_ += fastest_turn(next) * h;
+      if (turns() > kMostTurns) {
+        state_ = next;
+        return next.time;
+      }
       if (energy[2] < energy[1]) {
         // Maximum of the parabola through three samples, between the first and the last.
         const double bend = energy[0] - 2.0 * energy[1] + energy[2];
@@ -144,6 +155,16 @@ class Relaxation {
   }
 
  private:
+  double fastest_turn(const State& state) {  // [rad/s]
+    double fastest = 0.0;
+    for (int i = 0; i < equations_.model().body_count(); ++i) {
+      const double w = state.v.segment<3>(equations_.layout().body_v[i] + 3).norm();
+      if (w <= fastest) continue;
+      fastest = w;
+      turning_body_ = i;
+    }
+    return fastest;
+  }
   double kinetic(const State& state) {
     Eigen::VectorXd y(equations_.layout().size());
     equations_.pack(state, Eigen::VectorXd::Zero(equations_.layout().row_count), y);
@@ -165,6 +186,8 @@ class Relaxation {
   Eigen::VectorXd rates_;
   EnergySample energy_;
   double interval_ = kFirst;
+  double turned_ = 0.0;  // [rad]
+  int turning_body_ = 0;
 };
 
 std::vector<std::string> frictions(Scene scene) {
@@ -215,17 +238,22 @@ void relax(const Scene& scene, const Mechanism& mechanism, const Assembly& assem
   int stops = 0;
   while (relaxation.acceleration() > enough) {
     out.time += relaxation.to_next_stop(kLongest - out.time);
-    if (out.time < kLongest && ++stops < kMaxStops) continue;
+    const bool spins = relaxation.turns() > kMostTurns;
+    if (out.time < kLongest && !spins && ++stops < kMaxStops) continue;
     std::vector<std::string> keys;
     for (const std::string& name : slipping(scene, mechanism, relaxation.state())) keys.push_back(key_of(name));
-    throw InputError(code::kNotSettled,
-                     scene.file + ":" + std::to_string(scene.initial.source.line_of("settle")) +
-                         ": initial.settle: the mechanism does not come to rest: after " + number_text(out.time, 3) +
-                         " s of motion its largest acceleration is " + number_text(relaxation.acceleration(), 3) +
-                         " m/s2 or rad/s2. " +
-                         (keys.empty() ? "Support every body against gravity, or remove settle."
-                                       : "The load exceeds the breakaway friction of " + joined(keys) +
-                                             ": support what slides there, increase its friction, or remove settle."));
+    throw InputError(
+        code::kNotSettled,
+        scene.file + ":" + std::to_string(scene.initial.source.line_of("settle")) +
+            ": initial.settle: the mechanism does not come to rest: after " + number_text(out.time, 3) +
+            " s of motion its largest acceleration is " + number_text(relaxation.acceleration(), 3) +
+            " m/s2 or rad/s2" +
+            (spins ? " and body \"" + mechanism.model.body(relaxation.turning_body()).name() + "\" has turned " +
+                         number_text(relaxation.turns(), 3) + " times: what drives it does so for ever. "
+                   : ". ") +
+            (keys.empty() ? "Support every body against gravity, or remove settle."
+                          : "The load exceeds the breakaway friction of " + joined(keys) +
+                                ": support what slides there, increase its friction, or remove settle."));
   }
   out.state = relaxation.state();
   out.acceleration = relaxation.acceleration();
