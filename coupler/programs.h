@@ -2,6 +2,8 @@
 // The two programs of a coupled run: their names in messages, and the environment variables by which `footfall` controls
 // them.
 
+#include <string>
+
 namespace footfall {
 
 inline constexpr const char* kDemProgram = "liggghts_mbd";
@@ -23,8 +25,10 @@ bool programs_are_refused();
 // For both programs: the file by which a program marks that it failed by itself. mpirun's exit code cannot show this: it
 // is 1 as well when the end of mpirun was requested.
 inline constexpr const char* kFailureNote = "FOOTFALL_FAILURE_NOTE";
-// Creates that file; does nothing where the variable is not set.
-void note_failure();
+// Creates that file, with the reason where only this program or rank knows it; does nothing where the variable is not set.
+void note_failure(const std::string& reason = "");
+// The first reason in that file, with its code; empty: no program has failed, or none has given one.
+std::string noted_failure();
 
 // For mbd_solver: the socket of a program that controls the run (mbd_solver/run/leader.h).
 inline constexpr const char* kLeader = "FOOTFALL_LEADER";

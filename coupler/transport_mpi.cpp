@@ -18,6 +18,7 @@
 #include "coupler/codes.h"
 #include "coupler/communicator.h"
 #include "coupler/polling_wait.h"
+#include "coupler/programs.h"
 
 namespace footfall {
 
@@ -147,6 +148,12 @@ bool TransportMpi::partner_is_gone() {
   return now - gone_since_ > kLastMessage;
 }
 
+// A rank of LIGGGHTS that has failed alone cannot reach this program; mpirun then ends all others with a signal.
+void TransportMpi::throw_noted_failure() const {
+  if (partner_ != kDemProgram || closing()) return;
+  if (const std::string reason = noted_failure(); !reason.empty()) throw PartnerError(partner_ + " stopped: " + reason);
+}
+
 MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
   ring_partner();
   const double start = wall_clock();
@@ -159,9 +166,12 @@ MessageKind TransportMpi::receive_at_root(Bytes& bytes, double patience) {
     if (patience > 0.0 && wall_clock() - start - wait.stopped() > patience)
       throw PartnerError(code::kPartnerSilent, partner_ + " has sent nothing for " + number_text(patience) + " s");
     // The answer to Close has its own time limit (Link::fail).
-    if (!closing() && must_stop_waiting(wall_clock() - start))
+    if (!closing() && must_stop_waiting(wall_clock() - start)) {
+      throw_noted_failure();
       throw Interrupted(code::kInterruptedWaiting, "stopped by a signal while waiting for " + partner_);
+    }
     if (wall_clock() > next_check) {
+      throw_noted_failure();
       if (partner_is_gone()) throw PartnerError(code::kPartnerGone, partner_ + " is gone");
       next_check = wall_clock() + kBetweenChecks;
     }

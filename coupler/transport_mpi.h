@@ -41,6 +41,7 @@ class TransportMpi : public Transport {
 
   bool finish(MPI_Request& request, double patience) const;
   bool partner_is_gone();
+  void throw_noted_failure() const;
   void ring_partner();
   bool message_waits(MPI_Status& status) const;
   MPI_Request forward(void* data, std::size_t size) const;

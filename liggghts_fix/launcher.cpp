@@ -183,6 +183,7 @@ int run_and_report(int argc, char** argv, const Communicator& communicator, DemL
     return stop(error, kExitFailed, communicator, dem_link);
   } catch (const std::exception& error) {  // an internal error or lack of memory, possibly on this rank only
     print_error(error);
+    note_failure(error.what());
     abort_both_programs(kExitFailed);
   }
 }
@@ -210,10 +211,7 @@ int main(int argc, char** argv) {
     // LIGGGHTS ends a wrong script with MPI_Finalize and exit(1): then this message is still sent.
     AbortGuard::set_final_message([&] {
       transport->stop_forwarding();
-      const std::string errors = errors_on_screen();
-      return dem_link.fail(
-          with_code(code::kLiggghtsError, "LIGGGHTS ended with an error of its own" +
-                                              (errors.empty() ? "; see its output and log file" : ": " + errors)));
+      return dem_link.fail(own_error(errors_on_screen()));
     });
     exit_code = run_and_report(argc, argv, communicator, dem_link);
     redirect_comm_world(MPI_COMM_WORLD);

@@ -14,6 +14,7 @@
 #include "coupler/base/confinement.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
+#include "coupler/programs.h"
 #include "liggghts_fix/replaced/next_definition.h"
 
 extern "C" FILE* fopen(const char* path, const char* mode) {
@@ -32,5 +33,6 @@ extern "C" FILE* fopen(const char* path, const char* mode) {
           footfall::joined(footfall::folders_of_script(), " or ") +
           " (${out}/NAME) that may be written; correct the script, or trust it with --trust-script");
   std::fprintf(stderr, "liggghts_mbd: ERROR: %s\n", error.c_str());
+  footfall::note_failure(error);
   footfall::abort_both_programs(footfall::kExitBadInput);
 }

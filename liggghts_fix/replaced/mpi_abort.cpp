@@ -5,7 +5,9 @@
 
 #include <cctype>
 
+#include "coupler/base/errors.h"
 #include "coupler/programs.h"
+#include "liggghts_fix/codes.h"
 #include "liggghts_fix/replaced/screen.h"
 
 namespace {
@@ -59,9 +61,15 @@ std::string footfall::errors_on_screen() {
   return all;
 }
 
+std::string footfall::own_error(const std::string& errors) {
+  return with_code(code::kLiggghtsError, "LIGGGHTS ended with an error of its own" +
+                                             (errors.empty() ? "; see its output and log file" : ": " + errors));
+}
+
 extern "C" int MPI_Abort(MPI_Comm comm, int code) {
   std::fflush(nullptr);
   print_errors();
-  footfall::note_failure();
+  const std::string errors = footfall::errors_on_screen();
+  footfall::note_failure(errors.empty() ? "" : footfall::own_error(errors));
   return PMPI_Abort(comm, code);
 }

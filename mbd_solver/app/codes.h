@@ -89,6 +89,10 @@ inline constexpr MessageCode kPageFailed{"E0541", "page-failed"};
 inline constexpr MessageCode kVideoFailed{"E0542", "video-failed"};
 // The page of a run in progress cannot be served on 127.0.0.1. Run without --view; `footfall view DIR` plays the run afterwards.
 inline constexpr MessageCode kNoServer{"E0543", "no-server"};
+// `check` does not know whether the mechanism comes to rest at the start (initial.settle); the run finds out.
+inline constexpr MessageCode kRestNotKnown{"W1502", "rest-not-known"};
+// A resumed run begins with fresh tangential springs: LIGGGHTS stores no contact histories of pair_style hybrid.
+inline constexpr MessageCode kHistoriesNotStored{"W1503", "histories-not-stored"};
 // Energies, plots, or files for ParaView could not be made. The results of the run itself are complete.
 inline constexpr MessageCode kNoExtraFiles{"W1501", "no-extra-files"};
 

@@ -86,6 +86,7 @@ RunProgress progress_of_run(const std::string& run, HistoryTail& history) {
   return with_summary_of(run, [&] {
     progress.state = state_of(summary.value("status", ""));
     progress.reason = summary.value("reason", "");
+    progress.at_start = summary.value(kFailedAtStart, false);
     return progress;
   });
 }
@@ -116,7 +117,7 @@ std::string how_it_ended(const RunProgress& progress) {
   const std::string reason = progress.reason.empty() ? "" : ": " + progress.reason;
   switch (progress.state) {
     case RunProgress::State::kDone: return "done" + reason;
-    case RunProgress::State::kFailed: return "failed" + reason;
+    case RunProgress::State::kFailed: return (progress.at_start ? "failed at the start" : "failed") + reason;
     case RunProgress::State::kInterrupted: return "interrupted" + reason;
     case RunProgress::State::kGone: return "its programs have ended without a summary; they may have been killed";
     case RunProgress::State::kSettingUp:

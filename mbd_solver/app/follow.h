@@ -23,6 +23,7 @@ struct RunProgress {
   State state = State::kSettingUp;
   std::string title;                  // of the scene; empty: not known yet
   std::string reason;                 // of a failure, else empty
+  bool at_start = false;              // it has failed before its first step
   std::string preparation;            // what LIGGGHTS does before the first row
   double time = 0.0, end_time = 0.0;  // of the last row, of the run [s]; end_time 0: not known
   long rows = 0;

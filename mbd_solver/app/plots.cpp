@@ -18,6 +18,7 @@
 #include "mbd_solver/app/difference/pair_plots.h"
 #include "mbd_solver/app/difference/samples.h"
 #include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/run/output/spectra.h"
 #include "mbd_solver/run/output/summary.h"
@@ -836,7 +837,8 @@ std::vector<std::string> plot_columns(const ColumnPlot& plot) {
   if (is_sweep(plot.run) || (!plot.other.empty() && is_sweep(plot.other))) return plot_samples(plot);
   const fs::path run(plot.run);
   const std::string file = (run / "history.csv").string();
-  if (!fs::exists(file)) throw InputError(code::kNoRun, plot.run + ": no history.csv; expected the folder of a run");
+  if (!fs::exists(file))
+    throw InputError(code::kNoRun, without_summary(plot.run, "no history.csv; expected the folder of a run"));
   require_picture_ending(plot.out);
   guard_folder(plot.run);
   History history = read_history(file);

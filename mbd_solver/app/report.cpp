@@ -266,9 +266,7 @@ void add_metric(const Json& summary, const char* label, const char* key, double 
 
 void show_warnings(const Json& summary, HtmlPage& page) {
   const std::string status = summary.value("status", "unknown");
-  if (status != "done")
-    page.warning("This run is not complete: " + status +
-                 (summary.contains("reason") ? ": " + summary.at("reason").get<std::string>() : ""));
+  if (status != "done") page.warning("This run is not complete: " + end_text(summary));
   for (const Json& text : summary.value("warnings", Json::array())) page.warning(text.get<std::string>());
   for (const Json& accepted : summary.value("accepted_warnings", Json::array()))
     page.warning("Accepted, as " + accepted.value("reason", "") + ": " + accepted.value("warning", ""));
@@ -492,9 +490,9 @@ std::string sweep_page(const fs::path& folder) {
       return last.contains(key) && last[key].is_number() ? short_text(100.0 * last[key].get<double>())
                                                          : std::string("-");
     };
-    rows.push_back({fs::relative(run, folder).string(), last.value("status", "unknown"),
-                    percent("energy_balance_relative"), percent("coupling_energy_error_relative"),
-                    percent("max_overlap_over_radius"), short_text(last.value("wall_s", 0.0))});
+    rows.push_back({fs::relative(run, folder).string(), end_text(last), percent("energy_balance_relative"),
+                    percent("coupling_energy_error_relative"), percent("max_overlap_over_radius"),
+                    short_text(last.value("wall_s", 0.0))});
   }
   if (runs.empty()) return page.text();
   page.section("Quality of the results");
@@ -510,7 +508,7 @@ std::string sweep_page(const fs::path& folder) {
 std::string write_report(const std::string& folder) {
   const fs::path path = fs::absolute(folder).lexically_normal();
   std::string text;
-  if (fs::exists(path / "summary.json")) {
+  if (fs::exists(path / "summary.json") && fs::exists(path / "history.csv")) {
     text = with_summary_of(path.string(), [&] { return run_page(path.string()); });
   } else if (fs::exists(path / "runs.csv")) {
     text = with_summary_of(path.string(), [&] { return sweep_page(path); });

@@ -269,9 +269,7 @@ void warn_missing_file(const std::string& file, const std::exception& error) {
 
 void print_results(const std::string& out, const std::vector<std::string>& pictures) {
   const Json summary = read_summary((fs::path(out) / "summary.json").string());
-  std::printf("\n%s: %s", out.c_str(), summary.value("status", "unknown").c_str());
-  if (summary.contains("reason")) std::printf(": %s", summary.at("reason").get<std::string>().c_str());
-  std::printf("\n");
+  std::printf("\n%s: %s\n", out.c_str(), end_text(summary).c_str());
   row(summary, "simulated time", "end_time_s", 1.0, "%.4g s");
   row(summary, "peak acceleration", "peak_acceleration_g", 1.0, "%.4g g (Earth's, 9.80665 m/s2)");
   row_by_size(summary, "largest descent", "max_descent_m", "m");

@@ -22,6 +22,7 @@
 #include "mbd_solver/app/check_command.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/follow.h"
+#include "mbd_solver/app/live/history_tail.h"
 #include "mbd_solver/app/paraview_files.h"
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/app/results.h"
@@ -58,9 +59,20 @@ void print_error(const MessageCode& code, const std::string& text) {
   std::fprintf(stderr, "footfall: %s\n", with_code(code, text).c_str());
 }
 
-// The exit code of the run, from the code of its command; reports what no program of the run can report itself. An mpirun
-// that was asked to end also gives the code of a failure: then both programs had begun, and neither has noted a failure.
-int exit_code(const ChildEnd& end, const std::string& status, bool begun, bool noted) {
+// The run has written rows.
+bool has_rows(const std::string& out) {
+  HistoryTail history((fs::path(out) / "history.csv").string());
+  history.read();
+  return history.last().rows > 0;
+}
+
+// The exit code of the run, from the code of its command; reports what no program of the run can report itself, and then sets `why`. An
+// mpirun that was asked to end also gives the code of a failure: then both programs had begun, and neither has noted a failure.
+int exit_code(const ChildEnd& end, const std::string& status, bool begun, bool rows, bool noted, std::string& why) {
+  const auto report = [&why](const MessageCode& code, const std::string& text) {
+    print_error(code, text);
+    why = with_code(code, text);
+  };
   const bool asked = was_asked_to_end(end.code) || (end.code == kExitFailed && begun && !noted);
   if (status == "done" && end.code == kExitDone) return kExitDone;
   if (end.crashed && !noted && (status == "done" || status == "interrupted")) {
@@ -71,44 +83,71 @@ int exit_code(const ChildEnd& end, const std::string& status, bool begun, bool n
     return status == "done" ? kExitDone : kExitInterrupted;
   }
   if (end.interrupted || (asked && end.given_up.empty())) {
-    if (status.empty()) print_error(code::kInterruptedEarly, "interrupted before the run had results");
+    if (status.empty() && !rows) report(code::kInterruptedEarly, "interrupted before the run had results");
     return kExitInterrupted;
   }
   if (!end.given_up.empty()) {
     std::fprintf(stderr, "footfall: %s\n", end.given_up.c_str());
+    why = end.given_up;
     return kExitFailed;
   }
   if (end.code <= kExitInterrupted) return end.code;
   if (end.code > 128) {
-    print_error(code::kProgramKilled, "a program of the run was killed by signal " + std::to_string(end.code - 128) +
-                                          " (" + strsignal(end.code - 128) +
-                                          "); look for a lack of memory or a command that ended it");
+    report(code::kProgramKilled, "a program of the run was killed by signal " + std::to_string(end.code - 128) + " (" +
+                                     strsignal(end.code - 128) +
+                                     "); look for a lack of memory or a command that ended it");
   } else {
-    print_error(code::kUnknownExitCode, "the run ended with the unknown exit code " + std::to_string(end.code));
+    report(code::kUnknownExitCode, "the run ended with the unknown exit code " + std::to_string(end.code));
   }
   return kExitFailed;
 }
 
 // Brings the status in summary.json in line with the exit code: mbd_solver may have ended because another program had
-// died, or without writing a summary.
-void correct_summary(const std::string& out, const std::string& status, int code) {
+// died, or without writing a summary. reason: as far as this program knows it.
+void correct_summary(const std::string& out, const std::string& status, int code, const std::string& reason) {
   const std::string ended = code == kExitDone ? "done" : code == kExitInterrupted ? "interrupted" : "failed";
-  if (status == ended || (status.empty() && code == kExitBadInput)) return;
+  if (status == ended) return;
   const std::string file = (fs::path(out) / "summary.json").string();
   nlohmann::ordered_json summary;
   if (!status.empty()) summary = read_summary(file);
   summary["status"] = ended;
-  if (code != kExitDone) summary["reason"] = "the run ended with exit code " + std::to_string(code);
+  if (code != kExitDone)
+    summary["reason"] = !reason.empty()            ? reason
+                        : code == kExitInterrupted ? "interrupted by the user"
+                                                   : "the run ended with exit code " + std::to_string(code);
+  if (ended == "failed" && status.empty() && !has_rows(out)) summary[kFailedAtStart] = true;
   write_summary(file, summary);
 }
 
-// Of a run that was interrupted and has results.
+// What the programs of the run have noted; the note is removed. No value: none has failed.
+std::optional<std::string> taken_note(const std::string& file) {
+  const std::optional<std::string> note = read_whole_file(file);
+  if (note) fs::remove(file);
+  return note ? std::optional(note->substr(0, note->find('\n'))) : std::nullopt;
+}
+
+// The line of this program, as it was called; with --force where its folder now has results.
+std::string same_line(const std::string& out) {
+  std::string line = called_as();
+  bool folder = false, force = false;
+  const std::vector<std::string> words = split(read_whole_file("/proc/self/cmdline").value_or(""), '\0');
+  for (std::size_t k = 1; k + 1 < words.size(); ++k) {  // without the program; a zero ends each word
+    folder = folder || words[k].rfind("--out", 0) == 0;
+    force = force || words[k] == "--force";
+    line += " " + shell_word(words[k]);
+  }
+  return line + (folder && !force && fs::exists(fs::path(out) / "history.csv") ? " --force" : "");
+}
+
+// Of a run that was interrupted.
 void tell_how_to_resume(const std::string& out) {
   try {
     newest_checkpoint(out);
-    std::fprintf(stderr, "footfall: interrupted; resume with: footfall run --resume %s\n", shell_word(out).c_str());
+    std::fprintf(stderr, "footfall: interrupted; resume with: %s run --resume %s\n", called_as().c_str(),
+                 shell_word(out).c_str());
   } catch (const InputError&) {
-    std::fprintf(stderr, "footfall: interrupted before the first checkpoint; run it again from its start\n");
+    std::fprintf(stderr, "footfall: interrupted before the first checkpoint; start it again with: %s\n",
+                 same_line(out).c_str());
   }
 }
 
@@ -167,16 +206,18 @@ int run_command(const RunArguments& arguments) {
   remove_unfinished_checkpoints(out);
   if (arguments.resume) join_rows(out);
   if (followed) followed->finish();
+  const std::optional<std::string> noted = taken_note(note.string());
   if (!liggghts_errors(log).empty()) {
     const ParticlesSpec& particles = *scene.particles;
-    print_error(code::kLiggghtsStopped,
-                "LIGGGHTS stopped at " + why_liggghts_stopped(log, particles.script, particles.variables));
-    correct_summary(out, status_of(out), kExitBadInput);
+    const std::string why = "LIGGGHTS stopped at " + why_liggghts_stopped(log, particles.script, particles.variables);
+    print_error(code::kLiggghtsStopped, why);
+    correct_summary(out, status_of(out), kExitBadInput, with_code(code::kLiggghtsStopped, why));
     return kExitBadInput;
   }
   std::vector<std::string> pictures;
   const std::string status = status_of(out);
-  int code = exit_code(end, status, fs::exists(log), fs::remove(note));
+  std::string why = noted.value_or("");
+  int code = exit_code(end, status, fs::exists(log), has_rows(out), noted.has_value(), why);
   // The run has begun: a full disk is no fault of the scene, and does not hide how the run ended.
   const auto attempt = [&code](const auto& write) {
     try {
@@ -186,14 +227,14 @@ int run_command(const RunArguments& arguments) {
       if (code == kExitDone || code == kExitInterrupted) code = kExitFailed;
     }
   };
-  attempt([&] { correct_summary(out, status, code); });
+  attempt([&] { correct_summary(out, status, code, why); });
   if (!status.empty()) attempt([&] { write_ledger(out); });
   if (!status.empty()) attempt([&] { write_grain_series(out); });
   if (!status.empty()) attempt([&] { write_paraview_script(out); });
   const bool interrupted = code == kExitInterrupted;  // the user waits
   if (!status.empty() && scene.output.plots && !interrupted) pictures = make_pictures(out);
   if (!status.empty() && !arguments.quiet) print_results(out, pictures);
-  if (interrupted && !status.empty()) tell_how_to_resume(out);
+  if (interrupted) tell_how_to_resume(out);
   signals.ignore();
   if (code != kExitDone) return code;
   return judge_requirements(out);
@@ -214,6 +255,7 @@ void require_resumable(const ParticlesSpec& particles) {
   variables["bed"] = "the file that -var bed names";
   bool reads_bed = false;
   int runs = 0;
+  const ScriptCommand* hybrid = nullptr;
   const ScriptText script(particles.script, variables);
   for (const ScriptCommand& command : script.commands()) {
     const auto refuse = [&](const std::string& why) {
@@ -222,6 +264,8 @@ void require_resumable(const ParticlesSpec& particles) {
     };
     if (command.words[0] == "read_restart" && command.words.size() > 1)
       reads_bed = joined(command.words, " ").find(variables["bed"]) != std::string::npos;
+    if (command.words[0] == "pair_style" && command.words.size() > 1 && command.words[1].rfind("hybrid", 0) == 0)
+      hybrid = &command;
     if (command.words[0] == "reset_timestep") refuse("LIGGGHTS would lose the step at which it resumes");
     if (command.words[0] == "run" && ++runs > 1)
       refuse("it is the second one, and the checkpoint does not record in which one the run was");
@@ -232,6 +276,11 @@ void require_resumable(const ParticlesSpec& particles) {
         particles.script +
             ": a run with this script cannot be resumed: it must read its grains by `read_restart ${bed}`, "
             "so that -var bed can name the grains of the checkpoint");
+  if (hybrid == nullptr) return;
+  const std::string text = hybrid->place() +
+                           ": LIGGGHTS stores no contact histories of pair_style hybrid: the resumed run begins with "
+                           "fresh tangential springs, and differs from one that was not stopped";
+  std::fprintf(stderr, "footfall: warning: %s\n", with_code(code::kHistoriesNotStored, text).c_str());
 }
 
 // Options that a resumed run takes anew.
@@ -360,7 +409,14 @@ RunPlan new_run(const RunArguments& a) {
   warn_of_ranks(ranks);
   Bed bed;
   store_box_scripts(scene, out);
-  if (particles.bed) bed = prepare_bed(*particles.bed, ranks, a.quiet, a.trust_script, scene.coupling.timeout);
+  try {
+    if (particles.bed) bed = prepare_bed(*particles.bed, ranks, a.quiet, a.trust_script, scene.coupling.timeout);
+  } catch (const std::exception& error) {
+    const bool interrupted = dynamic_cast<const Interrupted*>(&error) != nullptr;
+    note_end_of_run(out, interrupted ? "interrupted" : "failed", error.what());
+    if (interrupted) tell_how_to_resume(out);
+    throw;
+  }
   if (!bed.restart.empty()) plan.bed_log = (fs::path(bed.restart).parent_path() / "liggghts.log").string();
   // Grains that the scene names itself take precedence.
   plan.command = both_programs(particles, ranks, out, bed.restart, plan.log,

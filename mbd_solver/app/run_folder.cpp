@@ -161,12 +161,17 @@ std::string reason_in_log(const fs::path& folder) {
 
 std::string without_summary(const std::string& folder, const std::string& expected) {
   const fs::path path(folder);
+  if (fs::exists(path / "summary.json")) {
+    const nlohmann::ordered_json summary = read_summary((path / "summary.json").string());
+    if (summary.value("status", "") != "done")
+      return with_summary_of(folder, [&] { return folder + ": the run has no results; it " + end_text(summary); });
+  }
   if (fs::exists(path / "run.json") && !fs::exists(path / "summary.json")) {
     if (is_alive(owner_of((path / kLockFile).string())))
       return folder + ": the run has not ended and has no summary.json yet; follow it with `footfall view " + folder +
              " --follow`";
     if (!fs::exists(path / "history.csv"))
-      return folder + ": the run failed at its start and has no results; `footfall run` says why" + reason_in_log(path);
+      return folder + ": the run was killed at its start and has no results; repeat it" + reason_in_log(path);
     return folder + ": the run was killed before it wrote summary.json; resume it with `footfall run --resume " +
            folder + "`, or repeat it";
   }

@@ -484,7 +484,7 @@ std::string page_text(const std::string& title, const std::string& place, const 
   std::string head, missing;
   std::vector<std::string> warnings;
   if (const std::string status = summary.value("status", "unknown"); status != "done")
-    warnings.push_back("This run is not complete: " + status);
+    warnings.push_back("This run is not complete: " + end_text(summary));
   for (const Json& text : summary.value("warnings", Json::array())) warnings.push_back(text.get<std::string>());
   if (!warnings.empty()) {
     head += "<details class=\"warning\"><summary>" + std::to_string(warnings.size()) +
@@ -536,8 +536,7 @@ std::string view_of(const ViewArguments& a, const fs::path& folder) {
   add_static_meshes(scene, parts, limits.notes);
   if (parts.run["grains"].is_null() && touches_grains(scene)) add_bed_block(scene, parts);
   const History history = read_history((folder / "history.csv").string());
-  if (history.column("time").empty())
-    throw InputError(code::kNoRun, (folder / "history.csv").string() + ": no rows; the run ended before the first one");
+  if (history.column("time").empty()) throw InputError(code::kNoRun, without_summary(a.run, "history.csv has no rows"));
   add_history(history, first_columns(history, summary.value("observed_body", "")), parts);
   std::vector<std::string> notes = missing_of(summary, parts);
   notes.insert(notes.end(), limits.notes.begin(), limits.notes.end());

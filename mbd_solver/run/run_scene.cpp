@@ -8,6 +8,7 @@
 
 #include "coupler/base/interrupt.h"
 #include "coupler/base/text.h"
+#include "coupler/programs.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/run/checkpoint.h"
 #include "mbd_solver/run/leader.h"
@@ -242,15 +243,17 @@ class RunSession {
   void summarize(const std::string& status, const std::string& reason) {
     as_file_error([&] {
       auto summary = run_summary(simulation_, metrics_, files_.observation(), status, reason, options_.mpi_version);
+      if (status == "failed" && !resumed() && !(simulation_.state().time > 0.0)) summary[kFailedAtStart] = true;
       if (trial_.active()) summary["trial"] = trial_.marks();
       files_.requirements().judge(summary);
       write_summary(options_.out + "/summary.json", summary);
     });
   }
 
-  // A partner that is gone after a signal received the signal as well.
+  // A partner that is gone after a signal received the signal as well, unless a program has failed: then mpirun sent the signal.
   bool is_interruption(const std::exception& error) const {
-    return dynamic_cast<const Interrupted*>(&error) || (dynamic_cast<const PartnerError*>(&error) && interrupted_ != 0);
+    return dynamic_cast<const Interrupted*>(&error) ||
+           (dynamic_cast<const PartnerError*>(&error) && interrupted_ != 0 && noted_failure().empty());
   }
 
   void fail(const std::exception& error) {
@@ -283,9 +286,16 @@ class RunSession {
 
 int run_scene(const Scene& scene, const RunOptions& options, Transport* transport,
               const volatile std::sig_atomic_t& interrupted) {
-  require_trust(scene, options.trusted);
-  require_foreign_code(scene);
-  return RunSession(scene, options, transport, interrupted).run();
+  try {
+    require_trust(scene, options.trusted);
+    require_foreign_code(scene);
+    return RunSession(scene, options, transport, interrupted).run();
+  } catch (const std::exception& error) {  // mostly before the session could summarize anything
+    const bool stopped = dynamic_cast<const Interrupted*>(&error) != nullptr;
+    if (folder_is_held_for_us(options.out))
+      attempt([&] { note_end_of_run(options.out, stopped ? "interrupted" : "failed", error.what()); });
+    throw;
+  }
 }
 
 }  // namespace footfall

@@ -207,7 +207,8 @@ void RunStore::try_bed(std::size_t run) {
         runs_[k].code = kExitBadInput;
         write_whole_file(folder(k) + ".log", std::string("footfall: ") + e.what() + "\n");
         make_folder(folder(k));
-        write_whole_file(summary_file(k), Json{{"status", "failed"}}.dump(1) + "\n");
+        Place(summary_file(k)).remove();  // of an earlier run
+        note_end_of_run(folder(k), "failed", e.what());
       }
   }
 }
@@ -302,7 +303,8 @@ RunEnd RunStore::end_of(std::size_t run) const {
   if (end.code == RunEnd::kHung)
     end.message = "no end within the time limit of " + std::to_string(home.request.time_limit) + " s";
   else if (end.code != kExitDone)
-    end.message = last_message(end.folder + ".log");
+    end.message = end.status == "failed" && !text_in(end.summary, "reason").empty() ? end_text(end.summary)
+                                                                                    : last_message(end.folder + ".log");
   return end;
 }
 

@@ -119,8 +119,8 @@ std::string write_difference(const std::string& a, const std::string& b) {
   if (is_sweep(a) || is_sweep(b)) return write_sample_difference(a, b);
   const RunPair pair(a, b);
   HtmlPage page(pair.a.name + " and " + pair.b.name);
-  page.paragraph("Two runs: " + pair.a.name + " (" + pair.a.summary.value("status", "unknown") + ") and " +
-                 pair.b.name + " (" + pair.b.summary.value("status", "unknown") + ").");
+  page.paragraph("Two runs: " + pair.a.name + " (" + end_text(pair.a.summary) + ") and " + pair.b.name + " (" +
+                 end_text(pair.b.summary) + ").");
   show_both_requirements(pair, page);
   show_keys(pair, page);
   show_figures(pair, page);

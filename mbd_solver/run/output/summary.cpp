@@ -151,6 +151,25 @@ void write_summary(const std::string& path, const nlohmann::ordered_json& summar
   write_whole_file(path, summary.dump(2) + "\n");
 }
 
+void note_end_of_run(const std::string& folder, const std::string& status, const std::string& reason) {
+  const std::string file = folder + "/summary.json";
+  std::error_code none;
+  const bool known = std::filesystem::exists(file, none);
+  Json summary = known ? read_summary(file) : Json::object();
+  if (known && summary.value("status", "") == status && summary.contains("reason")) return;
+  summary["status"] = status;
+  summary["reason"] = reason;
+  if (!known && status == "failed") summary[kFailedAtStart] = true;
+  write_summary(file, summary);
+}
+
+std::string end_text(const Json& summary) {
+  std::string text = summary.value("status", "unknown");
+  if (text == "failed" && summary.value(kFailedAtStart, false)) text += " at the start";
+  const std::string reason = summary.value("reason", "");
+  return reason.empty() ? text : text + ": " + reason;
+}
+
 void throw_incomplete_summary(const std::string& folder, const std::string& what) {
   throw InputError(code::kSummaryDamaged, folder + "/summary.json: is incomplete (" + json_fault(what) +
                                               "): it was cut off or edited; repeat the run");

@@ -48,6 +48,14 @@ RunStart read_run_start(const std::string& folder);
 // Throws NumericalError, naming the key, when a number is not finite; InputError when the file cannot be written.
 void write_summary(const std::string& path, const nlohmann::ordered_json& summary);
 
+// Key of a run that has failed before its first step.
+inline constexpr const char* kFailedAtStart = "failed_at_start";
+// The end of a run that could not summarize itself: status and reason, in its summary so far or in a new one, which is that of a
+// failed start. Leaves a summary with this status and a reason. Throws InputError when it cannot be read or written.
+void note_end_of_run(const std::string& folder, const std::string& status, const std::string& reason);
+// "failed at the start: REASON", "interrupted: REASON", "done". May throw nlohmann::json::exception.
+std::string end_text(const nlohmann::ordered_json& summary);
+
 [[noreturn]] void throw_incomplete_summary(const std::string& folder, const std::string& what);
 
 // Throws InputError when the file does not exist or contains no object.
