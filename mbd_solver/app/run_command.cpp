@@ -139,15 +139,13 @@ std::string same_line(const std::string& out) {
   return line + (folder && !force && fs::exists(fs::path(out) / "history.csv") ? " --force" : "");
 }
 
-// Of a run that was interrupted.
-void tell_how_to_resume(const std::string& out) {
+// Of a run that was interrupted: the command that continues.
+std::string how_to_resume(const std::string& out) {
   try {
     newest_checkpoint(out);
-    std::fprintf(stderr, "footfall: interrupted; resume with: %s run --resume %s\n", called_as().c_str(),
-                 shell_word(out).c_str());
+    return "footfall: interrupted; resume with: " + called_as() + " run --resume " + shell_word(out);
   } catch (const InputError&) {
-    std::fprintf(stderr, "footfall: interrupted before the first checkpoint; start it again with: %s\n",
-                 same_line(out).c_str());
+    return "footfall: interrupted before the first checkpoint; start it again with: " + same_line(out);
   }
 }
 
@@ -234,7 +232,7 @@ int run_command(const RunArguments& arguments) {
   const bool interrupted = code == kExitInterrupted;  // the user waits
   if (!status.empty() && scene.output.plots && !interrupted) pictures = make_pictures(out);
   if (!status.empty() && !arguments.quiet) print_results(out, pictures);
-  if (interrupted) tell_how_to_resume(out);
+  if (interrupted) std::fprintf(stderr, "%s\n", how_to_resume(out).c_str());
   signals.ignore();
   if (code != kExitDone) return code;
   return judge_requirements(out);
@@ -414,7 +412,7 @@ RunPlan new_run(const RunArguments& a) {
   } catch (const std::exception& error) {
     const bool interrupted = dynamic_cast<const Interrupted*>(&error) != nullptr;
     note_end_of_run(out, interrupted ? "interrupted" : "failed", error.what());
-    if (interrupted) tell_how_to_resume(out);
+    if (interrupted) throw Interrupted(error.what() + ("\n" + how_to_resume(out)));
     throw;
   }
   if (!bed.restart.empty()) plan.bed_log = (fs::path(bed.restart).parent_path() / "liggghts.log").string();
