@@ -314,13 +314,17 @@ class FailedStart : public ::testing::Test, protected TemporaryFolder {};
 
 TEST_F(FailedStart, IsNamedAsOne) {
   write("run.json", "{}");
-  EXPECT_TRUE(contains(without_summary(folder_.string(), "x"), "failed at its start"));
+  EXPECT_TRUE(contains(without_summary(folder_.string(), "x"), "killed at its start"));
   write("liggghts.log", "run 10\nERROR: Invalid fix style (input.cpp:1)\n");
   EXPECT_TRUE(contains(without_summary(folder_.string(), "x"), "Invalid fix style"));
   write("history.csv", "# units: s\ntime\n0\n");
   EXPECT_TRUE(contains(without_summary(folder_.string(), "x"), "was killed"));
   write(".footfall.lock", std::to_string(getpid()) + "\n");
   EXPECT_TRUE(contains(without_summary(folder_.string(), "x"), "has not ended"));
+  note_end_of_run(folder_.string(), "failed", "no floor");
+  EXPECT_TRUE(contains(without_summary(folder_.string(), "x"), "failed at the start: no floor"));
+  note_end_of_run(folder_.string(), "failed", "another");  // the first reason remains
+  EXPECT_EQ(end_text(read_summary((folder_ / "summary.json").string())), "failed at the start: no floor");
 }
 
 }  // namespace
