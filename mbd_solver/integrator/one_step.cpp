@@ -225,7 +225,8 @@ OneStep::Outcome OneStep::try_step(double t, double h, bool at_stages, const Inp
   if (!std::isfinite(errors_.last)) return Outcome::kNoConvergence;
   errors_.of_state = errors_.last;
   if (errors_.last <= errors_.limit || !options_.error_control)
-    errors_.last = std::max(errors_.last, stages_.work_error(t, h, window_.state->work_error.scale, inputs));
+    errors_.last =
+        std::max(errors_.last, stages_.work_error(t, h, window_.state->work_error.scale, errors_.of_state, inputs));
   if ((errors_.last <= errors_.limit || !options_.error_control) && !close_end(t + h)) return Outcome::kTooInaccurate;
   return errors_.last <= errors_.limit || !options_.error_control ? Outcome::kAccepted : Outcome::kTooInaccurate;
 }

@@ -15,8 +15,9 @@ namespace {
 // in the sum over many steps. The error of a first step is estimated; none counts as less than
 // kLeastError, because of round-off.
 constexpr double kNewton = 0.03, kFirstError = 1e-2, kLeastError = 1e-4, kRoundOff = 1e-12;
-constexpr double kEnergyShare =
-    0.01;  // of the energy of motion and deformation, against which errors of work are small
+// Of the energy of motion and deformation, against which errors of work are small; and the same at rest, where a velocity
+// within its tolerance is off by more than itself. An error of work is usual up to kMostWorkError times the error of the state.
+constexpr double kEnergyShare = 0.01, kRest = 100.0, kMostWorkError = 1e3;
 // Convergence rate of a stage from which the next stage has its own Jacobian: a stiff force
 // whose direction turns within the step makes the Jacobian of its start useless, and the error that Newton then
 // leaves, small in every coordinate, adds up over many steps.
@@ -42,6 +43,7 @@ StepStages::StepStages(Equations& equations, const IntegratorOptions& options, i
       predictor_(stages, equations.layout().size()) {
   Ydot_ = known_ = F_ = step.y;
   dx_ = Eigen::VectorXd::Zero(equations.layout().v_size);
+  for (int i = 0; i < equations.model().body_count(); ++i) mass_ += equations.model().body(i).mass();
 }
 
 double StepStages::newton_tolerance(double h, double error_before) const {
@@ -112,8 +114,11 @@ double StepStages::estimated_error(double t, double h) {
 
 // Integrals of powers are further unknowns, W' = P, without influence on the others: their error is
 // h sum (b - b^) P. It is compared with the energies that all powers have transferred, and with a
-// share of the energy of motion and deformation: at rest powers are round-off, which needs no short steps.
-double StepStages::work_error(double t, double h, double work_scale, const Inputs& inputs) {
+// share of the kinetic energy. Where the state is far more exact than that, powers may be round-off at rest, or have just
+// begun, and need no short steps; or the motion is exact while a damper gives heat. There it counts against the energy of
+// deformation as well, and against what the absolute tolerance of velocities, dv, leaves open of the kinetic energy: m v dv,
+// and at rest m dv^2.
+double StepStages::work_error(double t, double h, double work_scale, double state_error, const Inputs& inputs) {
   const std::size_t last = step_.last();
   std::vector<EnergySample>& energy = step_.energy;
   work_error_.dissipated = {};
@@ -131,10 +136,15 @@ double StepStages::work_error(double t, double h, double work_scale, const Input
   const double error = work_error_.total();
   if (error == 0.0) return 0.0;
   const StoredEnergy& stored = energy[last].stored;
+  const double transferred = work_scale + work_error_.scale;
+  const double relative = error / (options_.rtol * (transferred + kEnergyShare * stored[Stored::kKinetic]));
+  if (relative <= kMostWorkError * state_error) return relative;
   double held = -std::abs(stored[Stored::kGravity]);
   for (const double part : stored.by_kind) held += std::abs(part);
-  const double scale = work_scale + work_error_.scale + kEnergyShare * held;
-  return error / (options_.rtol * scale);
+  const double momentum = std::sqrt(2.0 * mass_ * stored[Stored::kKinetic]), dv = options_.atol_velocity;
+  const double limit =
+      options_.rtol * (transferred + kEnergyShare * held) + (kEnergyShare * momentum + kRest * mass_ * dv) * dv;
+  return std::max(kMostWorkError * state_error, error / limit);
 }
 
 }  // namespace footfall

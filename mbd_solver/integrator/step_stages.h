@@ -48,7 +48,7 @@ class StepStages {
   bool solve(double t, double h, const Treatment& treatment, const Inputs& inputs);
   double estimated_error(double t, double h);  // 1 = tolerance
   // The same for its time integrals of powers, if work so far [J] has this size.
-  double work_error(double t, double h, double work_scale, const Inputs& inputs);
+  double work_error(double t, double h, double work_scale, double state_error, const Inputs& inputs);
   const WorkError& work_error_parts() const { return work_error_; }  // of the last work_error()
 
  private:
@@ -64,6 +64,7 @@ class StepStages {
   StageNewton newton_;
   RatePredictor predictor_;
   WorkError work_error_;
+  double mass_ = 0.0;                      // of all bodies [kg]
   Eigen::VectorXd Ydot_, known_, F_, dx_;  // scratch
 };
 

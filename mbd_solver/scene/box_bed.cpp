@@ -284,8 +284,7 @@ Variables bed_variables(const Scene& scene) {
   const double share_of_time = box.pour.rayleigh_fraction.value_or(box.rayleigh_fraction), young = box.material.young;
   all["dt"] = number(step_for(box, box.pour.young.value_or(young), share_of_time, pour_speed(scene)));
   if (box.pour.young) {
-    all["young"] = number(*box.pour.young);
-    all["rest_young"] = number(young);
+    all["pour_young"] = number(*box.pour.young);
     all["rest_dt"] = number(step_for(box, young, share_of_time, pour_speed(scene)));
   }
   all["pour_friction"] = number(box.pour.friction.value_or(dense ? kPourFriction : box.material.friction));
@@ -532,8 +531,7 @@ BoxNumbers box_numbers(const Scene& scene) {
   BoxNumbers n;
   n.rayleigh = rayleigh_time(grain);
   n.hertz = hertz_time(grain, known_speed(scene));
-  n.time_step =
-      box.time_step.value_or(step_for(box, box.material.young, box.rayleigh_fraction, known_speed(scene)));
+  n.time_step = box.time_step.value_or(step_for(box, box.material.young, box.rayleigh_fraction, known_speed(scene)));
   if (!box.time_step && scene.particles->source.given("max_time_step"))
     n.time_step = std::min(n.time_step, scene.particles->max_time_step);
   n.headroom = box.headroom.value_or(largest);

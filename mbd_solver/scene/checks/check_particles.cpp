@@ -789,8 +789,9 @@ bool check_box(const Scene& scene, Findings& findings) {
               "is " + number_text(pour_step) + ", expected more than 0 and at most " + number_text(kMostPourStep) +
                   ": larger steps throw grains out of the bed");
   const double pour_young = box.pour.young.value_or(box.material.young);
-  at.error_if(!(pour_young >= kSoftest && pour_young <= box.material.young), kOutOfRange, "box.pour.young",
-              "is " + number_text(pour_young) + " Pa, expected at least " + number_text(kSoftest) +
+  at.error_if(!(pour_young >= std::min(kSoft, box.material.young) && pour_young <= box.material.young), kOutOfRange,
+              "box.pour.young",
+              "is " + number_text(pour_young) + " Pa, expected at least " + number_text(kSoft) +
                   " Pa and at most box.material.young, " + number_text(box.material.young) + " Pa");
   at.error_if(box.pour.young && !box.clumps.empty(), kConflictingKeys, "box.pour.young",
               "excludes clumps, which are poured with their own modulus; remove one of the two");

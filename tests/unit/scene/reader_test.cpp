@@ -74,6 +74,7 @@ const std::set<std::string> kAlternatives = {"landing.rest_speed",  // of runs t
                                              "particles.box.follow",
                                              "particles.box.follow_directions",
                                              "particles.box.follow_distance",
+                                             "particles.box.pour.young",
                                              "particles.box.sinks",
                                              "particles.box.sources[].region",
                                              "particles.box.sources[].from",
