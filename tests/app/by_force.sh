@@ -13,7 +13,7 @@
 #   launcher                     mpirun crashes when both programs have ended, which is no failure; or before them, which is one
 set -u
 export LC_ALL=C.UTF-8  # decimal points of awk
-self=$(realpath "$0") footfall=$(realpath "$1")
+self=$(realpath -s "$0") footfall=$(realpath -s "$1")
 source "$(dirname "$self")/coupled_run.sh"
 out=$2 what=$3
 shift 3

@@ -12,7 +12,7 @@ nap() { read -rt "$1" -u "$never"; } # without a process, which a busy machine s
 now() { echo "${EPOCHREALTIME/[.,]/}"; } # [us]
 processes_of() {
   local folders
-  mapfile -t folders < <(find /proc/[0-9]*/cwd -maxdepth 0 -lname "$out" -printf '%h/exe\n' 2>/dev/null)
+  mapfile -t folders < <(find /proc/[0-9]*/cwd -maxdepth 0 -lname "$(cd "$out" && pwd -P)" -printf '%h/exe\n' 2>/dev/null)
   ((${#folders[@]})) || return 0
   find "${folders[@]}" -maxdepth 0 -printf '%h %l\n' 2>/dev/null | while read -r folder program; do
     case $program in

@@ -5,11 +5,11 @@
 #   plane SECONDS                      the lander stands so long on the rigid plane; the report of the run is then written within a minute
 set -u
 export LC_ALL=C.UTF-8  # decimal points of awk
-footfall=$(realpath "$1") inputs=$(cd "$(dirname "$0")/../../inputs" && pwd)
+footfall=$(realpath -s "$1") inputs=$(cd "$(dirname "$0")/../../inputs" && pwd)
 source "$(dirname "$0")/coupled_run.sh"
 case=$3
 rm -rf "$2" && mkdir -p "$2" || exit 1
-out=$(realpath "$2")
+out=$(realpath -s "$2")
 [[ $case == checkpoints ]] || cd "$out" || exit 1 # its scene is named from where we are
 shift 3
 figure() { sed -n "s/^ *\"$1\": \([0-9.e+-]*\),*\$/\1/p" "$out/run/summary.json"; }

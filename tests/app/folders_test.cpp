@@ -323,8 +323,8 @@ TEST_F(Quoting, OfAJobArray) {
   folder.write(name + ".toml", experiment("good"));
   folder.done("sweep " + app::quoted(name + ".toml") + " --out " + app::quoted(name) + " --slurm");
   folder.write("said.sh", "#!/bin/sh\nprintf '<%s>\\n' \"$@\" > words.txt\n");
-  folder.shell("chmod +x said.sh && sed 's#^[^# ]*/footfall #./said.sh #' " + app::quoted(name + "/sweep.sbatch") +
-               " > job.sh && SLURM_ARRAY_TASK_ID=1 bash job.sh");
+  folder.shell("chmod +x said.sh && sed \"s#^[^#]*/footfall'\\{0,1\\} #./said.sh #\" " +
+               app::quoted(name + "/sweep.sbatch") + " > job.sh && SLURM_ARRAY_TASK_ID=1 bash job.sh");
   const std::string words = folder.read("words.txt");
   EXPECT_TRUE(holds(words, "/" + name + ".toml>") && holds(words, "/" + name + ">")) << words;
   folder.write("a\ntouch ran_13\n.toml", experiment("good"));
