@@ -844,7 +844,8 @@ std::vector<std::string> plot_columns(const ColumnPlot& plot) {
   History history = read_history(file);
   if (plot.columns.empty()) return column_list(history);
   if (history.columns.front().size() < 2)
-    throw InputError(code::kNoRun, file + ": fewer than two rows, nothing to draw yet");
+    throw InputError(code::kNoRun,
+                     without_summary(plot.run, "history.csv has fewer than two rows, nothing to draw yet"));
   const Json summary = summary_of(run);
   const Json scene = summary.value("scene", Json::object());
   Names columns = chosen_columns(history, scene, plot.columns);

@@ -83,7 +83,7 @@ TEST_F(Starts, ThatFailInASweepAreNamedThere) {
                "[[parameters]]\nname = \"v\"\nsettings = [\"initial.velocity=[0,0,{value}]\"]\nvalues = "
                "[-1]\n[[figures]]\nname = \"a\"\nkey = "
                "\"peak_acceleration_g\"\n");
-  const test::Outcome sweep = folder.footfall("sweep sweep.toml --quiet");
+  const test::Outcome sweep = folder.footfall("sweep sweep.toml");
   EXPECT_NE(sweep.exit_code, 0);
   EXPECT_TRUE(holds(sweep.text, "failed at the start: ") && holds(sweep.text, "tri_mesh")) << sweep.text;
   EXPECT_FALSE(holds(sweep.text, "signal")) << sweep.text;
