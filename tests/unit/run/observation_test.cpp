@@ -492,7 +492,8 @@ TEST(MetricRecorder, PenetrationIsThatOfTheContactOnThePlane) {
 TEST(MetricRecorder, DepthInGrainsCountsFromTheSlopeBelowTheBody) {
   constexpr double kDepth = 0.03, kSlope = 12.0 * kPi / 180.0;
   for (const char* more :
-       {"", ", rocks = [{ x = -2.5, y = 0, diameter = 0.1 }]", ", waves = [{ length = 3, height = 1e-6 }]"}) {
+       {"", ", rocks = [{ x = -2.5, y = 0, diameter = 0.1 }] }\nplane = { stiffness = 1e6, damping = 1",
+        ", waves = [{ length = 3, height = 1e-6 }]"}) {
     SCOPED_TRACE(more);
     Bench bench(std::string(R"(end_time = 1
 gravity = [0, 0, -9.81]
