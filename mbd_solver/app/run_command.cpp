@@ -411,7 +411,10 @@ RunPlan new_run(const RunArguments& a) {
     if (particles.bed) bed = prepare_bed(*particles.bed, ranks, a.quiet, a.trust_script, scene.coupling.timeout);
   } catch (const std::exception& error) {
     const bool interrupted = dynamic_cast<const Interrupted*>(&error) != nullptr;
-    note_end_of_run(out, interrupted ? "interrupted" : "failed", error.what());
+    try {
+      note_end_of_run(out, interrupted ? "interrupted" : "failed", error.what());
+    } catch (const InputError&) {  // a full disk does not hide the reason
+    }
     if (interrupted) throw Interrupted(error.what() + ("\n" + how_to_resume(out)));
     throw;
   }
