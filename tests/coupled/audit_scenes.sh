@@ -57,7 +57,7 @@ audit inputs/rigs/scenes/repose.toml --until 0.1 --set 'joints.draw.motion.x.pol
   --set 'bodies.gate.shape.size=[0.01,0.078,0.08]'
 audit inputs/rigs/scenes/sphere.toml --until 0.04 $(box [0.24,0.24] 0.12) --set bodies.ball.shape.radius=0.04
 audit inputs/rigs/scenes/rft.toml --until 0.1 $(box [0.42,0.1] 0.12)
-audit inputs/ground_fits/pad.toml --until 0.02
+audit inputs/ground_fits/pad.toml --until 0.02 $(box [0.8,0.8] 0.2) --set particles.box.zones.0.depth=0.1
 audit inputs/starters/penetrator --until 0.05
 audit inputs/starters/seesaw --until 0.8
 audit inputs/starters/blade --until 0.3
@@ -67,6 +67,7 @@ audit inputs/rigs/scenes/box.toml --until 0.01 --set particles.box.radius=0.01
 audit inputs/laws/scenes/janssen.toml --until 0.01 --set particles.bed.variables.fill=0.05
 audit inputs/laws/scenes/driven_wheel.toml --until 0.04 --set 'particles.box.size=[1.2,0.2]' --set particles.box.depth=0.04
 audit inputs/laws/scenes/pad.toml --until 0.02 $(box [0.3,0.3] 0.08)
+audit inputs/laws/scenes/moved_pad.toml --until 0.02 $(box [0.3,0.3] 0.08)
 # All grains free: grains that stand still take momentum, as walls do, and are not counted.
 audit inputs/laws/scenes/frozen_floor.toml --until 0.01 --set particles.variables.frozen=-1 --set particles.variables.depth=0.06 --set particles.bed.variables.depth=0.06 \
   --set particles.variables.length=0.2 --set particles.bed.variables.length=0.2 --set particles.variables.width=0.2 --set particles.bed.variables.width=0.2

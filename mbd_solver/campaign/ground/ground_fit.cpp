@@ -36,9 +36,8 @@ constexpr double kConfidenceOfFit = 0.95;
 constexpr double kPoorFit = 0.9;                             // R^2 below this is reported
 constexpr int kMostFitTrials = 60, kMostTrialsWithout = 30;  // of the fit, and of the fits without one run
 constexpr double kReboundOfRadius = 0.25;                    // of the smallest grains: the rebound, which is not fitted
-// The depth of the resistance to speed, two radii of the smallest grains, is not fitted; neither is inertia, 1 by theory.
-constexpr double kSpeedDepthOfRebound = 2.0 / kReboundOfRadius;
-constexpr double kWorkWeight = 3.0;              // of the work of a run, relative to a bin of its force
+// Of the work of a run, relative to a bin of its force: it decides how deep a pad comes to rest.
+constexpr double kWorkWeight = 3.0;
 constexpr double kAssumedGrainDensity = 2600.0;  // of a bed from a script, which does not contain it [kg/m3]
 
 // A number that is fitted: its logarithm.
@@ -48,58 +47,65 @@ struct Unknown {
   double start, least, most;
 };
 
-// The number that grows with speed.
-Unknown speed_of(const SoilForm& form) {
-  if (form.speed == SpeedForm::kDepth) return {"speed_resistance", "Pa s/m2", 1e6, 1.0, 1e9};
-  return {"inertia", "", 1.0, 1e-3, 200.0};
+// What grows with speed. Inertia is not fitted next to speed_resistance: it is 1 by theory. The depth
+// to which jammed grains under a fast pad grow is some radii of the grains; at its upper bound the
+// stress grows with the depth throughout.
+std::vector<Unknown> speed_of(const SoilForm& form) {
+  if (form.speed == SpeedForm::kDepth)
+    return {{"speed_resistance", "Pa s/m2", 1e6, 1.0, 1e9}, {"speed_depth", "m", 0.05, 1e-3, 1.0}};
+  return {{"inertia", "", 1.0, 1e-3, 200.0}};
 }
 
+// Those of strength, of speed, and of shear.
 std::vector<Unknown> unknowns_of(const SoilForm& form) {
-  if (form.law == "rft")
-    return {{"resistance", "Pa/m", 3e5, 1e2, 1e9},
-            speed_of(form),
-            {"cohesion", "Pa", 50.0, 1e-2, 1e6},
-            {"surface_friction", "", 0.3, 0.01, 3.0}};
-  return {{"frictional_modulus", "Pa/m^n", 3e5, 1.0, 1e10},
-          {"exponent", "", 1.0, 0.1, 3.0},
-          speed_of(form),
-          {"friction", "", 0.4, 0.01, 3.0},
-          {"cohesion", "Pa", 50.0, 1e-2, 1e6},
-          {"shear_length", "m", 0.01, 1e-4, 1.0}};
+  const Unknown cohesion{"cohesion", "Pa", 50.0, 1e-2, 1e6};
+  std::vector<Unknown> all = {{"resistance", "Pa/m", 3e5, 1e2, 1e9}};
+  std::vector<Unknown> shear = {cohesion, {"surface_friction", "", 0.3, 0.01, 3.0}};
+  if (form.law != "rft") {
+    all = {{"frictional_modulus", "Pa/m^n", 3e5, 1.0, 1e10}, {"exponent", "", 1.0, 0.1, 3.0}};
+    shear = {{"friction", "", 0.4, 0.01, 3.0}, cohesion};
+    shear.push_back({"shear_length", "m", 0.01, 1e-4, 1.0});
+  }
+  const std::vector<Unknown> speed = speed_of(form);
+  all.insert(all.end(), speed.begin(), speed.end());
+  all.insert(all.end(), shear.begin(), shear.end());
+  return all;
 }
 
 constexpr double kFitFriction = 0.4;  // mu of the bearing factor N_c of the resistive law, whose resistance is given
 
-void set_speed(const SoilForm& form, double value, double rebound, SoilLaw::Common& p) {
+// The numbers in the order of unknowns_of, from `next` on.
+void set_speed(const SoilForm& form, const double*& next, SoilLaw::Common& p) {
   if (form.speed == SpeedForm::kDepth) {
-    p.speed_resistance = value;
-    p.speed_depth = kSpeedDepthOfRebound * rebound;
+    p.speed_resistance = *next++;
+    p.speed_depth = *next++;
   } else {
-    p.inertia = value;
+    p.inertia = *next++;
   }
 }
 
 std::shared_ptr<const SoilLaw> law_of(const SoilForm& form, const Eigen::VectorXd& x, double density, double rebound) {
+  const double* next = x.data();
   if (form.law == "rft") {
     RftParameters p;
     p.density = density;
     p.friction = kFitFriction;
     p.rebound = rebound;
-    p.resistance = x[0];
-    set_speed(form, x[1], rebound, p);
-    p.cohesion = x[2];
-    p.surface_friction = x[3];
+    p.resistance = *next++;
+    set_speed(form, next, p);
+    p.cohesion = *next++;
+    p.surface_friction = *next++;
     return make_rft(p, "fit: ");
   }
   SinkageParameters p;
   p.density = density;
   p.rebound = rebound;
-  p.stiffness = x[0];
-  p.exponent = x[1];
-  set_speed(form, x[2], rebound, p);
-  p.friction = x[3];
-  p.cohesion = x[4];
-  p.shear_length = x[5];
+  p.stiffness = *next++;
+  p.exponent = *next++;
+  set_speed(form, next, p);
+  p.friction = *next++;
+  p.cohesion = *next++;
+  p.shear_length = *next++;
   return make_pressure_sinkage(p, "fit: ");
 }
 
@@ -203,7 +209,7 @@ class Problem {
       const Eigen::VectorXd now = means_of(*target.run, forces).value;
       out.segment(at, now.size()) = (now - target.measured.value) / target.scale;
       at += now.size();
-      if (weighs_work()) out[at++] = kWorkWeight * (work_of(*target.run, forces) / target.work - 1.0);
+      out[at++] = kWorkWeight * (work_of(*target.run, forces) / target.work - 1.0);
     }
     return out;
   }
@@ -251,13 +257,10 @@ class Problem {
  private:
   static constexpr double kLogStep = 1e-4, kLogPrecision = 1e-5;
 
-  // How deep a pad comes to rest is decided by the work on its way.
-  bool weighs_work() const { return form_.speed == SpeedForm::kDepth; }
-
   Eigen::Index size(int skip) const {
     Eigen::Index sum = 0;
     for (std::size_t k = 0; k < targets_.size(); ++k)
-      if (static_cast<int>(k) != skip) sum += targets_[k].measured.value.size() + (weighs_work() ? 1 : 0);
+      if (static_cast<int>(k) != skip) sum += targets_[k].measured.value.size() + 1;
     return sum;
   }
 
@@ -516,9 +519,7 @@ std::string ground_file(const GroundFit& fit, const Scene& scene, const Measured
       << number_text(bed.fraction, 3) << (scene.particles->box ? "" : ", grains of 2600 kg/m3 assumed") << "\n"
       << "rebound = " << toml_number(fit.rebound)
       << "  # m, not fitted: a quarter of the smallest radius of the grains\n";
-  if (fit.form.speed == SpeedForm::kDepth)
-    out << "speed_depth = " << toml_number(kSpeedDepthOfRebound * fit.rebound)
-        << "  # m, not fitted: two radii of the smallest grains\ninertia = 1.0  # not fitted\n";
+  if (fit.form.speed == SpeedForm::kDepth) out << "inertia = 1.0  # not fitted\n";
   out << "fitted_speed = " << toml_number(range.speed)
       << "  # m/s, largest of the runs\nfitted_depth = " << toml_number(range.depth) << "  # m, likewise\n";
   if (fit.form.law == "rft")

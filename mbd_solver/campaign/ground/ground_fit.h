@@ -4,7 +4,7 @@
 // FILE is a sweep file. Its runs move one pad as prescribed; from the places and speeds in a run's history the law predicts the
 // force on the pad, and its numbers minimize the sum of squares of
 //   (predicted - measured) / (largest force of the run),   means over bins of time, along the three axes,
-//   with SpeedForm::kDepth also of the work on the way, over the measured work, which decides how deep a pad comes to rest,
+//   and of the work on the way, over the measured work, which decides how deep a pad comes to rest,
 // by Levenberg and Marquardt on their logarithms. Every fifth run is held back. Intervals are computed by the
 // jackknife over runs [Efron 1982]: the fit is repeated without each of them.
 

@@ -59,6 +59,7 @@ GroundFit resistive_ground(double speed_resistance, double cohesion) {
   ground.form = {"rft", SpeedForm::kDepth};
   ground.numbers = {{"resistance", "", 6e5, 0, 0},
                     {"speed_resistance", "", speed_resistance, 0, 0},
+                    {"speed_depth", "", 0.03, 0, 0},
                     {"cohesion", "", cohesion, 0, 0},
                     {"surface_friction", "", 0.25, 0, 0}};
   return ground;
@@ -69,11 +70,13 @@ TEST(GroundFit, FindsTheNumbersOfALawItself) {
   GroundFit sinkage;
   sinkage.form = {"pressure_sinkage", SpeedForm::kDepth};
   sinkage.numbers = {{"frictional_modulus", "", 4e5, 0, 0}, {"exponent", "", 0.8, 0, 0},
-                     {"speed_resistance", "", 2e5, 0, 0},   {"friction", "", 0.5, 0, 0},
-                     {"cohesion", "", 300.0, 0, 0},         {"shear_length", "", 0.015, 0, 0}};
+                     {"speed_resistance", "", 2e5, 0, 0},   {"speed_depth", "", 0.04, 0, 0},
+                     {"friction", "", 0.5, 0, 0},           {"cohesion", "", 300.0, 0, 0},
+                     {"shear_length", "", 0.015, 0, 0}};
   GroundFit square = rft;
   square.form.speed = SpeedForm::kSquare;
   square.numbers[1] = {"inertia", "", 1.3, 0, 0};
+  square.numbers.erase(square.numbers.begin() + 2);
   for (const GroundFit& truth : {rft, sinkage, square}) {
     const GroundFit found = fit_ground(runs_of(truth), truth.form, kDensity, kGravity);
     ASSERT_EQ(found.numbers.size(), truth.numbers.size());
