@@ -18,7 +18,8 @@ REGOLITH = {"young": 35e6, "density": 2600.0, "radius": 0.02, "gravity": 1.63, "
 # c goes with these powers
 SCALINGS = {"gravity: rho (g / d)^(1/2)": {"density": 1.0, "gravity": 0.5, "radius": -0.5},
             "wave: rho (E / rho_s)^(1/2) / d": {"density": 0.5, "young": 0.5, "radius": -1.0},
-            "inertia: rho v / d": {"density": 1.0, "radius": -1.0}}
+            "inertia: rho v / d": {"density": 1.0, "radius": -1.0},
+            "between: rho^0.8 E^0.2 v^0.6 / d": {"density": 0.8, "young": 0.2, "radius": -1.0}}
 
 
 def stress(folder, pad_radius, diameter):
@@ -55,7 +56,8 @@ def main():
     for name, change in CHANGED.items():
         label = name.replace(" / ", "___").replace(" ", "_")
         folders = [(float(s), runs / f"grains_{label}__speed_{s}") for s in ("0.5", "1", "2")]
-        rows.append(row_of(name, folders, 0.09, {**BASE, **change}))
+        if all((folder / "history.csv").is_file() for _, folder in folders):  # those that have been run
+            rows.append(row_of(name, folders, 0.09, {**BASE, **change}))
     if len(sys.argv) > 2:
         moved = pathlib.Path(sys.argv[2]) / "runs"
         folders = [(float(s), moved / f"motion_{s}_90_0") for s in ("0.6", "1.0", "2.0")]
