@@ -12,15 +12,19 @@ import statistics
 import sys
 
 # name, digits; sinkage counts from the highest grain under the pads, where the soil begins
-METRICS = {"peak acceleration [g]": 2, "stroke [m]": 3, "descent [m]": 3, "sinkage [m]": 3}
+METRICS = {"peak acceleration [g]": 2, "stroke [m]": 3, "descent [m]": 3, "deepest point of a pad [m]": 3,
+           "middles of the pads, mean [m]": 3}
 NEAR = 0.10
 
 
-def stroke_of(folder):
+def of_history(folder):
+    """Largest stroke, and mean of the depths that the middles of the pads reach [m]."""
     with open(folder / "history.csv") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    names = [name for name in rows[0] if name.endswith("_primary.stroke")]
-    return max(float(row[name]) for row in rows for name in names)
+    struts = [name for name in rows[0] if name.endswith("_primary.stroke")]
+    pads = [name for name in rows[0] if name.startswith("footpad_") and name.endswith(".z") and name.count(".") == 1]
+    return (max(float(row[name]) for row in rows for name in struts),
+            statistics.mean(-min(float(row[name]) for row in rows) for name in pads))
 
 
 def runs_of(folders):
@@ -34,8 +38,9 @@ def runs_of(folders):
             summary = json.loads((folder / "summary.json").read_text())
             if summary["status"] != "done":
                 continue
-            found.setdefault(ground.replace("_", " "), {})[landing] = [
-                summary["peak_acceleration_g"], stroke_of(folder), summary["max_descent_m"], summary["max_sinkage_m"]]
+            stroke, middles = of_history(folder)
+            found.setdefault(ground.replace("__", ", ").replace("_", " "), {})[landing] = [
+                summary["peak_acceleration_g"], stroke, summary["max_descent_m"], summary["max_sinkage_m"], middles]
     return found
 
 
