@@ -130,8 +130,10 @@ std::optional<std::string> taken_note(const std::string& file) {
 std::string same_line(const std::string& out) {
   std::string line = called_as();
   bool folder = false, force = false;
-  const std::vector<std::string> words = split(read_whole_file("/proc/self/cmdline").value_or(""), '\0');
-  for (std::size_t k = 1; k + 1 < words.size(); ++k) {  // without the program; a zero ends each word
+  std::string called = read_whole_file("/proc/self/cmdline").value_or("");
+  if (!called.empty()) called.pop_back();  // a zero ends each word
+  const std::vector<std::string> words = split(called, '\0');
+  for (std::size_t k = 1; k < words.size(); ++k) {  // without the program
     folder = folder || words[k].rfind("--out", 0) == 0;
     force = force || words[k] == "--force";
     line += " " + shell_word(words[k]);
