@@ -5,6 +5,7 @@
 
 #include <sys/utsname.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -166,7 +167,8 @@ void note_end_of_run(const std::string& folder, const std::string& status, const
 std::string end_text(const Json& summary) {
   std::string text = summary.value("status", "unknown");
   if (text == "failed" && summary.value(kFailedAtStart, false)) text += " at the start";
-  const std::string reason = summary.value("reason", "");
+  std::string reason = summary.value("reason", "");  // one line, also in tables
+  std::replace(reason.begin(), reason.end(), '\n', ' ');
   return reason.empty() ? text : text + ": " + reason;
 }
 

@@ -327,7 +327,7 @@ EdgeOfFace edge_of_face(const Scene& scene, const BodySpec& body, const SurfaceS
 
 // Grains touch the polygon of n corners on the circle of a face, with n / (2 pi) sin(2 pi / n) of its area.
 void check_area_of_face(const Scene& scene, const BodySpec& body, const SurfaceSpec& surface, const EntryFindings& at) {
-  constexpr double kLostArea = 0.02;       // share of the circle that is reported
+  constexpr double kLostArea = 0.025;      // share of the circle that is reported
   constexpr double kFaceDown = 0.7;        // cosine of the axis and gravity; else it touches with its rim
   constexpr int kPerRing = 6, kRings = 4;  // corners of each ring; rings that are proposed
   if (!scene.touches_particles() || !body.shape || !surface.file.empty() || !surface.from_script.empty()) return;
