@@ -462,13 +462,14 @@ TEST(Cable, DampersGiveTheirHeatWithinTheTolerance) {
     double rtol, heat, place;  // and the errors allowed [J], [m]
   };
   for (const auto& [rtol, heat, place] : {Case{1e-6, 1e-3, 5e-5}, {1e-8, 4e-5, 1e-6}, {1e-10, 4e-7, 2e-8}}) {
-    const test::Ran ran("end_time = 3\ngravity = [0, 0, -9.81]\n"
-                        "bodies = [{ name = \"a\", mass = 2, inertia = [1, 1, 1], position = [0, 0, -1] }]\n"
-                        "joints = [{ name = \"j\", kind = \"prismatic\", bodies = [\"ground\", \"a\"], point = "
-                        "[0, 0, -1], axis = \"z\" }]\n"
-                        "cables = [{ name = \"c\", stiffness = 2e4, damping = 10, slack = 0.3, path = [{ body = \"ground\", "
-                        "point = [0, 0, 0] }, { body = \"a\", point = [0, 0, -1] }] }]\n[solver]\natol = 1e-10\nrtol = " +
-                        text(rtol) + "\n[output]\ninterval = 0.1\n");
+    const test::Ran ran(
+        "end_time = 3\ngravity = [0, 0, -9.81]\n"
+        "bodies = [{ name = \"a\", mass = 2, inertia = [1, 1, 1], position = [0, 0, -1] }]\n"
+        "joints = [{ name = \"j\", kind = \"prismatic\", bodies = [\"ground\", \"a\"], point = "
+        "[0, 0, -1], axis = \"z\" }]\n"
+        "cables = [{ name = \"c\", stiffness = 2e4, damping = 10, slack = 0.3, path = [{ body = \"ground\", "
+        "point = [0, 0, 0] }, { body = \"a\", point = [0, 0, -1] }] }]\n[solver]\natol = 1e-10\nrtol = " +
+        text(rtol) + "\n[output]\ninterval = 0.1\n");
     EXPECT_NEAR(ran.last("dissipated.damper"), 4.04455666, heat) << rtol;
     EXPECT_NEAR(ran.last("a.z"), -1.300335783, place) << rtol;
   }
