@@ -112,16 +112,15 @@ struct Session::Run {
   void require_state(const Eigen::VectorXd& new_q, const Eigen::VectorXd& new_v) const {
     const std::string here = scene.file + ": the state that is set ";
     if (new_q.size() != q.size() || new_v.size() != v.size())
-      throw InputError(code::kWrongArgument,
-                       here + "has " + std::to_string(new_q.size()) + " positions and " + std::to_string(new_v.size()) +
-                           " velocities, expected " + std::to_string(q.size()) + " and " + std::to_string(v.size()));
+      throw InputError(code::kWrongArgument, here + "has " + std::to_string(new_q.size()) + " positions and " +
+                                                 std::to_string(new_v.size()) + " velocities, expected " +
+                                                 std::to_string(q.size()) + " and " + std::to_string(v.size()));
     if (!new_q.allFinite() || !new_v.allFinite())
       throw InputError(code::kGivenNotFinite, here + "has a number that is not finite; correct it");
     for (const int body_q : simulation.subject().layout.body_q)
       if (!(new_q.segment<4>(body_q + 3).norm() > 0.5))
         throw InputError(code::kWrongArgument, here + "has the quaternion of a body at place " +
-                                                   std::to_string(body_q + 3) +
-                                                   " with a length below 0.5, expected 1");
+                                                   std::to_string(body_q + 3) + " with a length below 0.5, expected 1");
   }
 
   void take(const Sample& sample) {

@@ -104,7 +104,7 @@ struct PourSpec {
   std::optional<double> rolling_friction;  // likewise [-]
   std::optional<double>
       rayleigh_fraction;              // of the Rayleigh time: the time step of pouring; as rayleigh_fraction of the box
-  std::optional<double> young;        // of the grains while they fall, as soft ones allow longer steps; not given: material.young [Pa]
+  std::optional<double> young;        // of the grains while they fall; not given: material.young [Pa]
   std::optional<double> settle_time;  // given to come to rest after the fall [s]; not given: twice the fall
 };
 
