@@ -113,7 +113,7 @@ as_user "footfall new my_wheel --from wheel && footfall check my_wheel && footfa
 if [[ -d $root/usr/include/footfall ]]; then
   echo "The C++ example against footfall-dev"
   as_user "cp -r /usr/share/footfall/examples/own_mechanism_cpp own && cd own && cmake -S . -B build && cmake --build build &&
-    mpirun --oversubscribe -np 1 liggghts_mbd -in in.tamper -screen none : -np 1 build/tamper > tamper.csv" > "$root.said" 2>&1 || { tail -n 30 "$root.said"; die "does not build or run"; }
+    PMIX_MCA_pmdl=^ompi mpirun --oversubscribe -np 1 liggghts_mbd -in in.tamper -screen none : -np 1 build/tamper > tamper.csv" > "$root.said" 2>&1 || { tail -n 30 "$root.said"; die "does not build or run"; }
   tail -n 1 "$root.said"
 fi
 if [[ -x $root/usr/bin/footfall_fmu ]]; then
