@@ -1,14 +1,10 @@
 #pragma once
-// Codes of the messages of coupler/: E0400 to E0429. (mbd_solver/base has E0430 to E0449.)
+// Codes of the messages of coupler/: E0402 to E0423. (coupler/base has E0400, E0401 and E0424 to E0429, mbd_solver/base E0430 to E0449.)
 
 #include "coupler/base/errors.h"
 
 namespace footfall::code {
 
-// A folder cannot be created. Check its parent's permissions and free space, or choose another folder.
-inline constexpr MessageCode kFolderNotCreated{"E0400", "folder-not-created"};
-// A file cannot be written; its previous content is unchanged. Free space on the disk or choose another folder.
-inline constexpr MessageCode kFileNotWritten{"E0401", "file-not-written"};
 // A file of a checkpoint is damaged, or belongs to another scene or version. Resume from another checkpoint.
 inline constexpr MessageCode kCheckpointDamaged{"E0402", "checkpoint-damaged"};
 // mpirun started more than two programs. Start one LIGGGHTS and one mechanism.

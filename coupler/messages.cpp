@@ -212,7 +212,7 @@ void write_head(ByteWriter& out, MessageKind kind, const MessageHead& head) {
   out.number(static_cast<std::int32_t>(head.status));
 }
 
-std::string foreign_protocol(const std::string& partner, std::int32_t protocol) {
+std::string other_protocol(const std::string& partner, std::int32_t protocol) {
   return partner + " speaks protocol version " + std::to_string(protocol) + ", this program version " +
          std::to_string(kProtocolVersion) + ": build both from the same footfall";
 }
@@ -225,7 +225,7 @@ MessageHead read_head(ByteReader& in, MessageKind expected) {
   const auto status = in.number<std::int32_t>();
   const bool readable = expected == MessageKind::kHello || expected == MessageKind::kClose;
   if (protocol != kProtocolVersion && !readable)
-    throw ProtocolError(code::kProtocolsDiffer, foreign_protocol("the partner", protocol));
+    throw ProtocolError(code::kProtocolsDiffer, other_protocol("the partner", protocol));
   if (kind != static_cast<std::int32_t>(expected))
     throw ProtocolError(code::kMessageUnexpected, message_name(static_cast<MessageKind>(kind)) + " arrived instead");
   if (status < static_cast<std::int32_t>(Status::kOk) || status > static_cast<std::int32_t>(Status::kInterrupted))
@@ -301,7 +301,7 @@ std::string message_name(MessageKind kind) {
 }
 
 void check_partner(const std::string& partner, std::int32_t protocol, const std::string& version) {
-  if (protocol != kProtocolVersion) throw ProtocolError(code::kProtocolsDiffer, foreign_protocol(partner, protocol));
+  if (protocol != kProtocolVersion) throw ProtocolError(code::kProtocolsDiffer, other_protocol(partner, protocol));
   if (version != kFootfallVersion)
     throw ProtocolError(code::kVersionsDiffer, partner + " is footfall " + version + ", this program footfall " +
                                                    kFootfallVersion + ": build both from the same footfall");

@@ -1,10 +1,14 @@
 #pragma once
-// Codes of the messages of coupler/base: E0424 to E0429, and E0438.
+// Codes of the messages of coupler/base: E0400, E0401, E0424 to E0429, and E0438.
 
 #include "coupler/base/errors.h"
 
 namespace footfall::code {
 
+// A folder cannot be created. Check its parent's permissions and free space, or choose another folder.
+inline constexpr MessageCode kFolderNotCreated{"E0400", "folder-not-created"};
+// A file cannot be written; its previous content is unchanged. Free space on the disk or choose another folder.
+inline constexpr MessageCode kFileNotWritten{"E0401", "file-not-written"};
 // A pipe or a device is named where a file is read. Name a regular file.
 inline constexpr MessageCode kNotRegularFile{"E0424", "not-a-regular-file"};
 // A file is implausibly large. Name the right file.

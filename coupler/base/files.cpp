@@ -11,16 +11,16 @@
 #include <fstream>
 #include <sstream>
 
+#include "coupler/base/codes.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/input_file.h"
 #include "coupler/base/run_directory.h"
-#include "coupler/codes.h"
 
 namespace footfall {
 namespace {
 
 // Returns 0 or errno. After a sync the content is on the disk before the file gets its name.
-int write_all(const Place& draft, const std::string& text, bool sync) {
+int write_all(const GuardedPath& draft, const std::string& text, bool sync) {
   draft.remove();  // of a program that was killed, or a link of someone else
   const int file = draft.open(O_WRONLY | O_CREAT | O_EXCL);
   if (file < 0) return errno;
@@ -37,7 +37,7 @@ int write_all(const Place& draft, const std::string& text, bool sync) {
 }
 
 void write_draft_and_rename(const std::string& path, const std::string& text, const std::string& advice, bool sync) {
-  const Place draft(path + ".part"), target(path);
+  const GuardedPath draft(path + ".part"), target(path);
   int problem = write_all(draft, text, sync);
   if (problem == 0) problem = draft.rename_to(target);
   if (problem == 0) return;

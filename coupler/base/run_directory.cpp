@@ -73,7 +73,7 @@ void guard_folder(const std::string& folder) {
   if (descriptor >= 0) guarded_folders()[path] = descriptor;
 }
 
-Place::Place(const std::string& path) : parent_(AT_FDCWD), name_(path) {
+GuardedPath::GuardedPath(const std::string& path) : parent_(AT_FDCWD), name_(path) {
   const std::string whole = plain_path(path);
   for (fs::path root = fs::path(whole).parent_path();; root = root.parent_path()) {
     const auto found = guarded_folders().find(root.string());
@@ -99,11 +99,11 @@ Place::Place(const std::string& path) : parent_(AT_FDCWD), name_(path) {
   }
 }
 
-Place::~Place() {
+GuardedPath::~GuardedPath() {
   if (parent_ >= 0) close(parent_);
 }
 
-int Place::open(int flags, mode_t mode) const {
+int GuardedPath::open(int flags, mode_t mode) const {
   errno = problem_;
   if (problem_ != 0) return -1;
   if (guarded_ && (flags & O_PATH) == 0 && (flags & O_ACCMODE) != O_RDONLY) {
@@ -116,7 +116,7 @@ int Place::open(int flags, mode_t mode) const {
   return file;
 }
 
-int Place::make_folder() const {
+int GuardedPath::make_folder() const {
   if (problem_ != 0) return problem_;
   if (mkdirat(parent_, name_.c_str(), 0777) == 0) return 0;
   if (errno != EEXIST) return errno;
@@ -126,19 +126,19 @@ int Place::make_folder() const {
   return 0;
 }
 
-int Place::remove() const {
+int GuardedPath::remove() const {
   if (problem_ != 0) return problem_;
   if (unlinkat(parent_, name_.c_str(), 0) == 0) return 0;
   if (errno != EISDIR) return errno;
   return unlinkat(parent_, name_.c_str(), AT_REMOVEDIR) == 0 ? 0 : errno;
 }
 
-int Place::rename_to(const Place& target) const {
+int GuardedPath::rename_to(const GuardedPath& target) const {
   if (problem_ != 0 || target.problem_ != 0) return problem_ != 0 ? problem_ : target.problem_;
   return renameat(parent_, name_.c_str(), target.parent_, target.name_.c_str()) == 0 ? 0 : errno;
 }
 
-int Place::remove_all() const {
+int GuardedPath::remove_all() const {
   if (problem_ != 0) return problem_ == ENOENT ? 0 : problem_;
   std::error_code error;
   // The library follows no links either, once its start is no link.
@@ -149,7 +149,7 @@ int Place::remove_all() const {
 int create_folders(const std::string& folder) {
   const std::string whole = plain_path(folder);
   if (whole == "/" || whole.empty()) return 0;
-  const Place place(whole);
+  const GuardedPath place(whole);
   if (place.problem() == 0) {
     const int error = place.make_folder();
     if (error != ENOENT) return error;
@@ -157,11 +157,11 @@ int create_folders(const std::string& folder) {
     return place.problem();
   }
   const int error = create_folders(fs::path(whole).parent_path().string());
-  return error != 0 ? error : Place(whole).make_folder();
+  return error != 0 ? error : GuardedPath(whole).make_folder();
 }
 
 bool open_file(std::ofstream& stream, const std::string& path, FileStart start) {
-  const int file = Place(path).open(O_RDWR | (start == FileStart::kNew ? O_CREAT | O_TRUNC : 0), 0666);
+  const int file = GuardedPath(path).open(O_RDWR | (start == FileStart::kNew ? O_CREAT | O_TRUNC : 0), 0666);
   if (file < 0) return false;
   const auto mode = start == FileStart::kNew ? std::ios::out : std::ios::in | std::ios::out | std::ios::ate;
   stream.open(path_of_descriptor(file), mode);

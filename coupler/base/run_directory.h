@@ -13,12 +13,12 @@ namespace footfall {
 void guard_folder(const std::string& folder);
 
 // A file or folder by its parent, opened, and its name there. Elsewhere than below a guarded folder: by its path.
-class Place {
+class GuardedPath {
  public:
-  explicit Place(const std::string& path);
-  ~Place();
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
+  explicit GuardedPath(const std::string& path);
+  ~GuardedPath();
+  GuardedPath(const GuardedPath&) = delete;
+  GuardedPath& operator=(const GuardedPath&) = delete;
 
   // 0, or errno: ELOOP for a link on the way.
   int problem() const { return problem_; }
@@ -27,7 +27,7 @@ class Place {
   // As mkdir(), unlink() or rmdir(), rename(). 0 or errno. Removes a link itself, not its target.
   int make_folder() const;
   int remove() const;
-  int rename_to(const Place& target) const;
+  int rename_to(const GuardedPath& target) const;
   // Removes the file, or the folder with all it holds, without following links. 0 or errno; 0: there is nothing.
   int remove_all() const;
 

@@ -13,7 +13,7 @@ namespace footfall {
 namespace {
 
 const std::vector<std::string> kModelKeywords = {"model", "tangential", "cohesion", "rolling_friction", "surface"};
-const std::vector<std::string> kForeignKeywords = {"primitive", "mesh", "n_meshes", "meshes", "shear"};
+const std::vector<std::string> kWallGranKeywords = {"primitive", "mesh", "n_meshes", "meshes", "shear"};
 const std::string kBeamUsage =
     ". Expected: fix ID group wall/gran/beam model ... type T body NAME [chain C] [body ...] [curvature yes] [keywords "
     "of wall/gran]";
@@ -46,7 +46,7 @@ BeamArguments::BeamArguments(int narg, const char* const* arg) {
   std::vector<std::string> others;
   while (next < words.size()) {
     const std::string& word = words[next++];
-    if (is_one_of(kForeignKeywords, word))
+    if (is_one_of(kWallGranKeywords, word))
       throw InputError(code::kBeamSyntax, fix + ": keyword \"" + word +
                                               "\" belongs to fix wall/gran; beams have the shapes of their bodies" +
                                               kBeamUsage);

@@ -105,11 +105,11 @@ std::vector<CornerNodes> match_mesh(const std::string& mesh, const ModalBoundary
 }
 
 std::vector<int> order_after_restart(int before, int own, int after) {
-  constexpr int kForeign = -1;
-  std::vector<int> list(static_cast<std::size_t>(before + own + after), kForeign);
+  constexpr int kElsewhere = -1;
+  std::vector<int> list(static_cast<std::size_t>(before + own + after), kElsewhere);
   std::iota(list.begin() + before, list.begin() + before + own, 0);
   for (std::size_t i = 0; i < list.size();) {
-    if (list[i] != kForeign) {
+    if (list[i] != kElsewhere) {
       ++i;
       continue;
     }

@@ -106,7 +106,7 @@ std::vector<std::string> run_gnuplot(const std::string& folder, const std::vecto
   if (scripts.empty()) return pictures;
   for (const std::string& script : scripts)  // gnuplot would write through a link
     for (const char* ending : {".png", ".svg", ".pdf"})
-      Place((fs::path(folder) / fs::path(script).replace_extension(ending)).string()).remove();
+      GuardedPath((fs::path(folder) / fs::path(script).replace_extension(ending)).string()).remove();
   const std::string log = "gnuplot.log";
   Command command{Rights::writing({program_in_path("gnuplot")}, {folder}), {"gnuplot"}, {}, log, folder};
   command.words.insert(command.words.end(), scripts.begin(), scripts.end());

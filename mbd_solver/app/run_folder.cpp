@@ -99,14 +99,14 @@ void remove_files(const std::string& folder) {
   std::set<fs::path> parents;
   for (const std::string& name : files_of_run(folder)) {
     const std::string file = (fs::path(folder) / name).string();
-    if (const int problem = Place(file).remove(); problem != 0)
+    if (const int problem = GuardedPath(file).remove(); problem != 0)
       throw InputError(code::kFileNotRemoved, file + ": cannot be removed: " + reason_of(problem));
     for (fs::path parent = fs::path(name).parent_path(); !parent.empty(); parent = parent.parent_path())
       parents.insert(parent);
   }
   // The deepest first; folders that hold other files stay.
   for (auto parent = parents.rbegin(); parent != parents.rend(); ++parent)
-    Place((fs::path(folder) / *parent).string()).remove();
+    GuardedPath((fs::path(folder) / *parent).string()).remove();
 }
 
 }  // namespace

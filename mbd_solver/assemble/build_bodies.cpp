@@ -16,7 +16,7 @@
 #include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/fe_model.h"
-#include "mbd_solver/fe/foreign_model.h"
+#include "mbd_solver/fe/matrix_model.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/fe/modal_body_file.h"
@@ -267,7 +267,7 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, const std::vector<A
     const Body model(body.name, std::make_shared<const ModalBody>(reduced.body));
     check_centre_and_inertia(body, {model.mass(), reduced.p_DBo, model.rigid_inertia()}, size, spec.file);
   } else if (!spec.stiffness_matrix.empty()) {
-    FeModel model = read_foreign_model(foreign_files(spec));
+    FeModel model = read_matrix_model(matrix_files(spec));
     const MassProperties given = mass_properties(model);
     check_mass(body, given.mass, spec.mass_matrix, spec.units);
     check_centre_and_inertia(body, given, reach(model.nodes), spec.mass_matrix + " and " + spec.node_file);

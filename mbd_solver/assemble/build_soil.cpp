@@ -167,7 +167,7 @@ void add_soil_contacts(const Scene& scene, const std::vector<SoilSurface>& surfa
     const ModalBoundary& boundary = surface->entry->boundary;
     add_contact(std::make_unique<SoilContact>(
                     prefix + boundary.name(), std::move(facets), !encloses(boundary),
-                    SoilContact::Place{spec.point - surface->below * spec.normal, spec.normal, surface->terrain},
+                    SoilContact::Surface{spec.point - surface->below * spec.normal, spec.normal, surface->terrain},
                     soil_law(scene, boundary), ground, first),
                 mechanism);
   }

@@ -76,7 +76,8 @@ void give(const Files& files, const std::string& output) {
   std::vector<int> spare;
   for (const auto& [here, there] : files) spare.push_back(fcntl(here, F_DUPFD_CLOEXEC, kFirstSpare));
   if (const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC); nothing >= 0) dup2(nothing, STDIN_FILENO);
-  if (const int file = output.empty() ? -1 : Place(output).open(O_WRONLY | O_CREAT | O_TRUNC | O_APPEND); file >= 0) {
+  if (const int file = output.empty() ? -1 : GuardedPath(output).open(O_WRONLY | O_CREAT | O_TRUNC | O_APPEND);
+      file >= 0) {
     dup2(file, STDOUT_FILENO);
     dup2(file, STDERR_FILENO);
   }
@@ -108,7 +109,7 @@ pid_t start_program(const Command& command, const Files& files, Orphan orphan) {
   if (child > 0) return child;
   setpgid(0, 0);
   die_with_parent(orphan, parent);
-  if (!command.folder.empty() && fchdir(Place(command.folder).open(O_RDONLY | O_DIRECTORY)) != 0)
+  if (!command.folder.empty() && fchdir(GuardedPath(command.folder).open(O_RDONLY | O_DIRECTORY)) != 0)
     end_unstarted(words[0], command.folder + ": " + std::strerror(errno));
   give(files, command.output);
   reset_signals();

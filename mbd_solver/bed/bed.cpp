@@ -243,7 +243,7 @@ void require_own_bed(const std::string& folder) {
     const bool link = S_ISLNK(status.st_mode), ours = status.st_uid == geteuid() || status.st_uid == 0;
     if (ours && !link) continue;
     throw InputError(
-        code::kForeignBed,
+        code::kBedOfAnother,
         file + (link ? ": is a link" : ": belongs to another user (number " + std::to_string(status.st_uid) + ")") +
             ", expected a bed that you have made; set FOOTFALL_CACHE to a folder of "
             "your own, or remove that bed");
@@ -254,7 +254,7 @@ std::string damage_of_bed(const std::string& folder) {
   const fs::path at(folder);
   const auto seal = read_whole_file((at / kSeal).string());
   if (!seal) return std::string(kSeal) + " is missing";
-  TextReader lines(*seal, kSeal, code::kForeignBed);
+  TextReader lines(*seal, kSeal, code::kBedOfAnother);
   const std::string unreadable = std::string(kSeal) + " cannot be read";
   if (!lines.next() || (lines.line() != kSealHead && lines.line() != kOldSealHead)) return unreadable;
   if (lines.line() == kSealHead) {

@@ -24,7 +24,7 @@ inline constexpr MessageCode kShippedFileMissing{"E0556", "shipped-file-missing"
 // There is no folder for beds: HOME is not set. Set FOOTFALL_CACHE to a folder of your own.
 inline constexpr MessageCode kNoCacheFolder{"E0557", "no-cache-folder"};
 // A bed in the cache belongs to another user, or is a link. Set FOOTFALL_CACHE to a folder of your own.
-inline constexpr MessageCode kForeignBed{"E0558", "foreign-bed"};
+inline constexpr MessageCode kBedOfAnother{"E0558", "foreign-bed"};
 // A bed in the cache is damaged. It is made again; nothing is to be done.
 inline constexpr MessageCode kBedDamaged{"W1550", "bed-damaged"};
 // The bed was made of another material than the run has. Give both scripts the same constants unless this is meant.

@@ -8,24 +8,18 @@
 // eps: regularisation (saddle_system.h), which also solves for accelerations and removes drift. No function allocates. One
 // Equations object belongs to one thread: it owns the workspace, and the scratch of the elements. Any number may share a model.
 
-#include <Eigen/Sparse>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "mbd_solver/dynamics/assembly.h"
-#include "mbd_solver/dynamics/condensed_matrix.h"
+#include "mbd_solver/dynamics/jacobian.h"
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/dynamics/saddle_system.h"
 #include "mbd_solver/model/state.h"
 
 namespace footfall {
-
-struct Baumgarte {
-  double alpha = 0.0;  // [1/s]
-  double beta = 0.0;   // [1/s]
-};
 
 // Energies and powers at one instant.
 struct EnergySample {
@@ -48,25 +42,8 @@ class Equations {
   // F(t, y, ydot).
   void residual(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& ydot,
                 const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> F);
-  // dF/dy + c dF/dydot with the rows F_q and the columns q eliminated by c dq = N dv + (dN v): square in [v; z;
-  // lambda], column-major, compressed, of constant pattern; values are rewritten in place. The remaining part of a
-  // right-hand side with F_q != 0 is in ReducedSystem.
-  const Eigen::SparseMatrix<double>& reduced_jacobian(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
-                                                      const Eigen::Ref<const Eigen::VectorXd>& ydot, double c,
-                                                      const Inputs& inputs);
-  const Eigen::SparseMatrix<double>& reduced_pattern() const;  // the same matrix with its current values
-  // Per velocity, the contribution of its body alone to the diagonal of the last Jacobian, reduced at c: c M_ii, of a mode
-  // c M_ii + C_i + K_i / c.
-  const Eigen::VectorXd& own_diagonal() const;
-  // Largest stiffness of a velocity's own position over its inertia in the last Jacobian, K_ii / (c own_i): (gamma h)^2 K / M.
-  double largest_stiffness(double c) const;
-  // Per velocity, the share of own_diagonal() below which Newton may neglect an entry of its row (ThinLu).
-  Eigen::VectorXd negligible_shares() const;
-  // Inner states of elements with many, each of which acts on few others: unknowns of the reduced Jacobian.
-  std::vector<LocalUnknowns> local_states() const;
-  // out -= d[F_v; F_z; F_lambda]/dx dx, with the derivatives of the last Jacobian.
-  // dx as v; out as [v; z; lambda].
-  void subtract_stiffness(const Eigen::Ref<const Eigen::VectorXd>& dx, Eigen::Ref<Eigen::VectorXd> out) const;
+  Jacobian& jacobian() { return jacobian_; }  // dF/dy + c dF/dydot
+  const Jacobian& jacobian() const { return jacobian_; }
   // dF/dydot * x at (t, y), for the filter of an error estimate.
   void apply_mass(const Eigen::Ref<const Eigen::VectorXd>& y, const Eigen::Ref<const Eigen::VectorXd>& x, double t,
                   Eigen::Ref<Eigen::VectorXd> out);
@@ -107,9 +84,6 @@ class Equations {
   // After load().
   Vector6d joint_wrench(int joint, double t, const Eigen::Ref<const Eigen::VectorXd>& lambda) const;
 
-  // y of a state (multipliers given) and back.
-  void pack(const State& state, const Eigen::Ref<const Eigen::VectorXd>& lambda, Eigen::Ref<Eigen::VectorXd> y) const;
-  void unpack(const Eigen::Ref<const Eigen::VectorXd>& y, State& state) const;
   // Consistent sizes of the inputs, else an internal error.
   void check_inputs(const Inputs& inputs) const;
   // Name of an entry of y for messages: `body "cabin": w.y`, `joint "hinge": condition 3`.
@@ -119,15 +93,6 @@ class Equations {
   struct Workspace;
   void sample_energy(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs, bool stored_by_bodies,
                      EnergySample& out);
-  // At the loaded kinematics: the inputs with the continuous signals among them. Also the rates of their states.
-  const Eigen::VectorXd& input_values_at(double t, const Eigen::Ref<const Eigen::VectorXd>& y, const Inputs& inputs);
-  void add_signal_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y);
-  void gather_derivatives(double t, const Eigen::Ref<const Eigen::VectorXd>& y,
-                          const Eigen::Ref<const Eigen::VectorXd>& ydot, double c, const Inputs& inputs);
-  void add_body_derivatives(int index, double c, const Inputs& inputs);
-  void add_joint_derivatives(int index, double t, double c, const Eigen::Ref<const Eigen::VectorXd>& lambda);
-  void add_force_derivatives(int index, double t, const Eigen::Ref<const Eigen::VectorXd>& z,
-                             const Eigen::VectorXd& input_values);
 
   const Model& model_;
   Layout layout_;
@@ -137,6 +102,7 @@ class Equations {
   std::vector<std::pair<int, const Remembering*>> remembering_;
   std::unique_ptr<Workspace> work_;
   std::unique_ptr<SaddleSystem> saddle_;
+  Jacobian jacobian_;
 };
 
 }  // namespace footfall

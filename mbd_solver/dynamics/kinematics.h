@@ -8,6 +8,7 @@
 #include "mbd_solver/model/force_element.h"
 #include "mbd_solver/model/kinematic_vector.h"
 #include "mbd_solver/model/model.h"
+#include "mbd_solver/model/state.h"
 
 namespace footfall {
 
@@ -30,6 +31,16 @@ struct Layout {
   std::vector<int> joint_angle;     // for each joint: its angle in State::angles, or -1
   int angle_count = 0;
   std::vector<char> shared;  // for each of all rows: several joints contribute to it
+
+  // y of a state (multipliers given) and back.
+  void pack(const State& state, const Eigen::Ref<const Eigen::VectorXd>& lambda, Eigen::Ref<Eigen::VectorXd> y) const {
+    y << state.q, state.v, state.z, lambda;
+  }
+  void unpack(const Eigen::Ref<const Eigen::VectorXd>& y, State& state) const {
+    state.q = y.head(q_size);
+    state.v = y.segment(v0(), v_size);
+    state.z = y.segment(z0(), z_size);
+  }
 };
 
 // The kinematics of all bodies at one instant, unpacked from the vectors of a state.

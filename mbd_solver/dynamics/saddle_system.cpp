@@ -94,6 +94,49 @@ constexpr double kOpen = 1e-6;  // [m or rad]
 // The same without projection (Baumgarte terms, or none).
 constexpr double kOpenWithoutProjection = 1e-3;  // [m or rad]; assembly closes as much silently
 
+// row_of_pair: scratch of the largest pair of bodies.
+Drift measure_drift(const Model& model, const Layout& layout, const Kinematics& kinematics, double t,
+                    Eigen::VectorXd& row_of_pair, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate) {
+  Drift out;
+  phi.setZero();
+  rate.setZero();
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const Joint& joint = model.joint(j);
+    MarkerVectors vectors(kinematics.pair(joint.m1.body, joint.m2.body), joint.m1, joint.m2);
+    int row = layout.joint_row[j];
+    for (const ConstraintRow& condition : joint.rows) {
+      const RowValue value =
+          measure_row(condition, t, vectors, row_of_pair.head(vectors.pair().size()), kinematics.turns(j));
+      phi[row] += value.phi;
+      rate[row] += value.rate;
+      ++row;
+    }
+  }
+  if (layout.row_count > 0) {
+    out.position = phi.cwiseAbs().maxCoeff(&out.worst_row);
+    out.velocity = rate.lpNorm<Eigen::Infinity>();
+  }
+  out.position_left = out.position;
+  out.velocity_left = out.velocity;
+  return out;
+}
+
+void require_closed(const Model& model, const Layout& layout, double t, const Drift& drift, double tolerance) {
+  if (drift.position_left <= tolerance) return;
+  const int index = layout.row_joint[drift.worst_row];
+  const Joint& joint = model.joint(index);
+  const ConstraintRow& row = joint.rows[drift.worst_row - layout.joint_row[index]];
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(3);
+  text << "t = " << plain_text(t) << " s: joint \"" << joint.name << "\" (" << joint.kind << ") is open by "
+       << drift.position_left << (row.unit == ConstraintRow::Unit::kLength ? " m" : " rad")
+       << " and cannot be closed (limit " << tolerance
+       << "). Check for masses or inertias that differ by more than a factor of 1e6 between neighbours, for a position "
+          "in which the mechanism jams, and for motions that contradict each other; then reduce rtol or max_step.";
+  throw NumericalError(code::kJointOpened, text.str());
+}
+
 }  // namespace
 
 SaddleSystem::SaddleSystem(Equations& equations, const Assembly& assembly)
@@ -104,11 +147,11 @@ SaddleSystem::SaddleSystem(Equations& equations, const Assembly& assembly)
       pattern_(model_, layout_, kinematics_) {
   int largest = 0;
   for (int i = 0; i < model_.body_count(); ++i) {
-    inertia_.emplace_back(model_.body(i).mode_count());
+    scratch_.inertia.emplace_back(model_.body(i).mode_count());
     largest = std::max(largest, 6 + model_.body(i).mode_count());
   }
-  row_ = Eigen::VectorXd::Zero(2 * largest);
-  M_ = Eigen::MatrixXd::Zero(2 * largest, 2 * largest);
+  scratch_.row = Eigen::VectorXd::Zero(2 * largest);
+  scratch_.M = Eigen::MatrixXd::Zero(2 * largest, 2 * largest);
   own_ = Eigen::VectorXd::Zero(layout_.v_size);
   // Between modes only: close to singular positions the solution depends on round-off, and so on the order of pivots.
   Eigen::VectorXd share = Eigen::VectorXd::Constant(layout_.v_size, ThinLu::kRoundOff);
@@ -116,13 +159,13 @@ SaddleSystem::SaddleSystem(Equations& equations, const Assembly& assembly)
   lu_ = std::make_unique<ThinLu>(pattern_.matrix, share);
   for (const RedundantGroup& group : assembly.redundant) redundancies_.emplace_back(group);
   if (!redundancies_.empty()) smallest_lu_ = std::make_unique<ThinLu>(pattern_.matrix, share);
-  x_ = rest_x_ = Eigen::VectorXd::Zero(layout_.v_size + layout_.row_count);
-  two_ = Eigen::MatrixXd::Zero(x_.size(), 2);
-  reaction_ = Eigen::VectorXd::Zero(layout_.v_size);
-  phi_rate_ = Eigen::VectorXd::Zero(layout_.row_count);
-  y_ = rhs_ = Eigen::VectorXd::Zero(layout_.size());
-  last_q_ = Eigen::VectorXd::Zero(layout_.q_size);
-  last_v_ = Eigen::VectorXd::Zero(layout_.v_size);
+  scratch_.x = scratch_.rest_x = Eigen::VectorXd::Zero(layout_.v_size + layout_.row_count);
+  scratch_.two = Eigen::MatrixXd::Zero(scratch_.x.size(), 2);
+  scratch_.reaction = Eigen::VectorXd::Zero(layout_.v_size);
+  scratch_.phi_rate = Eigen::VectorXd::Zero(layout_.row_count);
+  scratch_.y = scratch_.rhs = Eigen::VectorXd::Zero(layout_.size());
+  scratch_.last_q = Eigen::VectorXd::Zero(layout_.q_size);
+  scratch_.last_v = Eigen::VectorXd::Zero(layout_.v_size);
   row_size_ = smallest_size_ = eps_ = regularisation_ = Eigen::VectorXd::Zero(layout_.row_count);
   set_row_sizes(assembly.state);
   set_regularisation();
@@ -136,7 +179,7 @@ void SaddleSystem::set_row_sizes(const State& state) {
   equations_.load(state);
   const std::vector<double> shares = shares_in_eps(model_);
   for_each_row(
-      model_, layout_, kinematics_, state.time, row_,
+      model_, layout_, kinematics_, state.time, scratch_.row,
       [&](const RowPlace& at, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
         const Joint& joint = model_.joint(at.joint);
         const int bodies[2] = {joint.m1.body, joint.m2.body};
@@ -144,8 +187,8 @@ void SaddleSystem::set_row_sizes(const State& state) {
         for (int i = 0; i < 2; ++i) {
           const int n = pair.body[i]->size();
           if (n == 0) continue;
-          Eigen::Ref<Eigen::MatrixXd> M = M_.topLeftCorner(n, n);
-          body_mass_matrix(model_.body(bodies[i]), *pair.body[i], inertia_[bodies[i]], M);
+          Eigen::Ref<Eigen::MatrixXd> M = scratch_.M.topLeftCorner(n, n);
+          body_mass_matrix(model_.body(bodies[i]), *pair.body[i], scratch_.inertia[bodies[i]], M);
           const Eigen::VectorXd part = phi_v.segment(pair.offset(i), n);
           const double length2 = part.dot(Eigen::MatrixXd(M).ldlt().solve(part));
           size += length2;
@@ -234,10 +277,10 @@ SaddleSystem::Rest SaddleSystem::judge_resting_rows() {
       }
     }
   };
-  rest_x_.setZero();
-  each_resting([&](int row, double weight) { rest_x_[layout_.v_size + row] = -smallest_size_[row] * weight; });
-  lu_->solve(rest_x_);
-  const Eigen::Ref<const Eigen::VectorXd> lambda = rest_x_.tail(layout_.row_count);
+  scratch_.rest_x.setZero();
+  each_resting([&](int row, double weight) { scratch_.rest_x[layout_.v_size + row] = -smallest_size_[row] * weight; });
+  lu_->solve(scratch_.rest_x);
+  const Eigen::Ref<const Eigen::VectorXd> lambda = scratch_.rest_x.tail(layout_.row_count);
   // x^T M x = -x^T Phi_v^T lambda, and Phi_v x is not zero in resting rows alone.
   double length2 = 0.0, resting = 0.0;
   each_resting([&](int row, double weight) {
@@ -261,16 +304,16 @@ void SaddleSystem::choose_resting_rows() {
   std::size_t most = 0;
   for (const Redundancy& redundancy : redundancies_) most = std::max(most, redundancy.resting().size());
   for (std::size_t k = 0; k < most; ++k) {
-    rest_x_.setZero();
+    scratch_.rest_x.setZero();
     for (const Redundancy& redundancy : redundancies_) {
       if (k >= redundancy.resting().size()) continue;
       const int row = redundancy.rows()[redundancy.resting()[k]];
-      rest_x_[layout_.v_size + row] = -std::sqrt(smallest_size_[row]);
+      scratch_.rest_x[layout_.v_size + row] = -std::sqrt(smallest_size_[row]);
     }
-    lu_->solve(rest_x_);
+    lu_->solve(scratch_.rest_x);
     for (Redundancy& redundancy : redundancies_)
       if (k < redundancy.resting().size())
-        redundancy.set_combination(static_cast<int>(k), rest_x_.tail(layout_.row_count));
+        redundancy.set_combination(static_cast<int>(k), scratch_.rest_x.tail(layout_.row_count));
   }
   for (Redundancy& redundancy : redundancies_) redundancy.reselect();
   set_regularisation();
@@ -317,13 +360,13 @@ void SaddleSystem::fill_saddle(double t, double mass, const Eigen::VectorXd& dia
   for (int i = 0; i < model_.body_count(); ++i) {
     const std::size_t at = static_cast<std::size_t>(i);
     const int n = kinematics_.of(i).size();
-    Eigen::Ref<Eigen::MatrixXd> M = M_.topLeftCorner(n, n);
-    body_mass_matrix(model_.body(i), kinematics_.of(i), inertia_[at], M);
+    Eigen::Ref<Eigen::MatrixXd> M = scratch_.M.topLeftCorner(n, n);
+    body_mass_matrix(model_.body(i), kinematics_.of(i), scratch_.inertia[at], M);
     for (int k = 0; k < n; ++k) pattern_.mass[at].add_column(values, k, mass * M.col(k));
     own_.segment(layout_.body_v[at], n) = mass * M.diagonal();
   }
   for_each_row(
-      model_, layout_, kinematics_, t, row_,
+      model_, layout_, kinematics_, t, scratch_.row,
       [&](const RowPlace& at, const PairMotion& pair, const Eigen::Ref<Eigen::VectorXd>& phi_v, const RowValue&) {
         const PairPlaces& places = pattern_.joints[at.joint];
         for (int i = 0; i < 2; ++i) {
@@ -339,11 +382,11 @@ void SaddleSystem::fill_saddle(double t, double mass, const Eigen::VectorXd& dia
 
 // The error of eps in phi'', eps lambda, is removed once.
 void SaddleSystem::solve_saddle() {
-  lu_->solve(x_);
-  rest_x_.setZero();
-  expect_multipliers(x_.tail(layout_.row_count), rest_x_.tail(layout_.row_count));
-  lu_->solve(rest_x_);
-  x_ -= rest_x_;
+  lu_->solve(scratch_.x);
+  scratch_.rest_x.setZero();
+  expect_multipliers(scratch_.x.tail(layout_.row_count), scratch_.rest_x.tail(layout_.row_count));
+  lu_->solve(scratch_.rest_x);
+  scratch_.x -= scratch_.rest_x;
 }
 
 void SaddleSystem::accelerations(const State& state, const Inputs& inputs, Eigen::Ref<Eigen::VectorXd> out) {
@@ -355,28 +398,28 @@ void SaddleSystem::stage_rates(const State& state, const Inputs& inputs, Eigen::
   // Residual at dv = 0, lambda = 0 is minus the right-hand side.
   equations_.check_inputs(inputs);
   out.setZero();
-  y_.head(layout_.q_size) = state.q;
-  y_.segment(layout_.v0(), layout_.v_size) = state.v;
-  y_.segment(layout_.z0(), layout_.z_size) = state.z;
-  y_.tail(layout_.row_count).setZero();
+  scratch_.y.head(layout_.q_size) = state.q;
+  scratch_.y.segment(layout_.v0(), layout_.v_size) = state.v;
+  scratch_.y.segment(layout_.z0(), layout_.z_size) = state.z;
+  scratch_.y.tail(layout_.row_count).setZero();
   try {
-    equations_.residual(state.time, y_, out, inputs, rhs_);
+    equations_.residual(state.time, scratch_.y, out, inputs, scratch_.rhs);
   } catch (const NumericalError& error) {
     throw NumericalError(at_time(state.time) + error.what());
   }
-  out.head(layout_.q_size) = -rhs_.head(layout_.q_size);
-  out.segment(layout_.z0(), layout_.z_size) = -rhs_.segment(layout_.z0(), layout_.z_size);
+  out.head(layout_.q_size) = -scratch_.rhs.head(layout_.q_size);
+  out.segment(layout_.z0(), layout_.z_size) = -scratch_.rhs.segment(layout_.z0(), layout_.z_size);
 
-  x_.head(layout_.v_size) = -rhs_.segment(layout_.v0(), layout_.v_size);
-  x_.tail(layout_.row_count) = -rhs_.tail(layout_.row_count);
+  scratch_.x.head(layout_.v_size) = -scratch_.rhs.segment(layout_.v0(), layout_.v_size);
+  scratch_.x.tail(layout_.row_count) = -scratch_.rhs.tail(layout_.row_count);
   const bool solvable = factor_saddle(state);
   if (solvable) solve_saddle();
-  out.segment(layout_.v0(), layout_.v_size) = x_.head(layout_.v_size);
-  out.tail(layout_.row_count) = x_.tail(layout_.row_count);
+  out.segment(layout_.v0(), layout_.v_size) = scratch_.x.head(layout_.v_size);
+  out.tail(layout_.row_count) = scratch_.x.tail(layout_.row_count);
   if (solvable && out.allFinite()) return;
 
-  for (Eigen::Index i = 0; i < y_.size(); ++i) {
-    if (!std::isfinite(y_[i]) || !std::isfinite(out[i]))
+  for (Eigen::Index i = 0; i < scratch_.y.size(); ++i) {
+    if (!std::isfinite(scratch_.y[i]) || !std::isfinite(out[i]))
       throw NumericalError(code::kNotFinite, at_time(state.time) + equations_.entry_name(static_cast<int>(i)) +
                                                  " or its rate is not finite.");
   }
@@ -392,10 +435,10 @@ void SaddleSystem::factor_at(const State& state) {
 void SaddleSystem::respond(const State& state, Eigen::Ref<Eigen::VectorXd> f) {
   equations_.load(state);
   const bool solvable = factor_saddle(state);
-  x_.head(layout_.v_size) = f;
-  x_.tail(layout_.row_count).setZero();
-  if (solvable) lu_->solve(x_);
-  f = x_.head(layout_.v_size);
+  scratch_.x.head(layout_.v_size) = f;
+  scratch_.x.tail(layout_.row_count).setZero();
+  if (solvable) lu_->solve(scratch_.x);
+  f = scratch_.x.head(layout_.v_size);
   if (!solvable || !f.allFinite())
     throw NumericalError(
         code::kSingular,
@@ -406,23 +449,23 @@ bool SaddleSystem::correct_rates(const State& state, const Inputs& inputs, Eigen
                                  Eigen::Ref<Eigen::VectorXd> change) {
   if (!factored_ || !redundancies_.empty()) return false;
   equations_.check_inputs(inputs);
-  equations_.pack(state, out.tail(layout_.row_count), y_);
+  equations_.layout().pack(state, out.tail(layout_.row_count), scratch_.y);
   try {
-    equations_.residual(state.time, y_, out, inputs, rhs_);
+    equations_.residual(state.time, scratch_.y, out, inputs, scratch_.rhs);
   } catch (const NumericalError&) {
     return false;
   }
-  expect_multipliers(y_.tail(layout_.row_count), rhs_.tail(layout_.row_count));
-  out.head(layout_.q_size) -= rhs_.head(layout_.q_size);
-  out.segment(layout_.z0(), layout_.z_size) -= rhs_.segment(layout_.z0(), layout_.z_size);
-  x_.head(layout_.v_size) = rhs_.segment(layout_.v0(), layout_.v_size);
-  x_.tail(layout_.row_count) = rhs_.tail(layout_.row_count);
-  lu_->solve(x_);
+  expect_multipliers(scratch_.y.tail(layout_.row_count), scratch_.rhs.tail(layout_.row_count));
+  out.head(layout_.q_size) -= scratch_.rhs.head(layout_.q_size);
+  out.segment(layout_.z0(), layout_.z_size) -= scratch_.rhs.segment(layout_.z0(), layout_.z_size);
+  scratch_.x.head(layout_.v_size) = scratch_.rhs.segment(layout_.v0(), layout_.v_size);
+  scratch_.x.tail(layout_.row_count) = scratch_.rhs.tail(layout_.row_count);
+  lu_->solve(scratch_.x);
   change.setZero();
-  change.segment(layout_.v0(), layout_.v_size) = x_.head(layout_.v_size);
-  change.tail(layout_.row_count) = x_.tail(layout_.row_count);
-  out.segment(layout_.v0(), layout_.v_size) -= x_.head(layout_.v_size);
-  out.tail(layout_.row_count) -= x_.tail(layout_.row_count);
+  change.segment(layout_.v0(), layout_.v_size) = scratch_.x.head(layout_.v_size);
+  change.tail(layout_.row_count) = scratch_.x.tail(layout_.row_count);
+  out.segment(layout_.v0(), layout_.v_size) -= scratch_.x.head(layout_.v_size);
+  out.tail(layout_.row_count) -= scratch_.x.tail(layout_.row_count);
   return out.allFinite();
 }
 
@@ -450,15 +493,15 @@ void SaddleSystem::make_smallest(double t, Eigen::Ref<Eigen::VectorXd> lambda) {
   if (redundancies_.empty()) return;
   fill_saddle(t, kSoft, smallest_size_);
   if (!smallest_lu_->factor(own_)) return;  // lambda remains valid
-  reaction_.setZero();
-  add_reaction(lambda, 1.0, reaction_);
+  scratch_.reaction.setZero();
+  add_reaction(lambda, 1.0, scratch_.reaction);
   lambda.setZero();
   for (int i = 0; i <= kRefinements; ++i) {
-    rest_x_.head(layout_.v_size) = reaction_;
-    rest_x_.tail(layout_.row_count).setZero();
-    smallest_lu_->solve(rest_x_);
-    lambda += rest_x_.tail(layout_.row_count);
-    add_reaction(rest_x_.tail(layout_.row_count), -1.0, reaction_);
+    scratch_.rest_x.head(layout_.v_size) = scratch_.reaction;
+    scratch_.rest_x.tail(layout_.row_count).setZero();
+    smallest_lu_->solve(scratch_.rest_x);
+    lambda += scratch_.rest_x.tail(layout_.row_count);
+    add_reaction(scratch_.rest_x.tail(layout_.row_count), -1.0, scratch_.reaction);
   }
 }
 
@@ -476,70 +519,31 @@ void SaddleSystem::multipliers_without_resting_rows(double t, const Eigen::Ref<c
   fill_saddle(t, 1.0, regularisation_);
   factored_ = lu_->factor(own_);
   if (!factored_) return;
-  rest_x_.setZero();
-  add_reaction(lambda, 1.0, rest_x_.head(layout_.v_size));
-  lu_->solve(rest_x_);
-  lambda = rest_x_.tail(layout_.row_count);
+  scratch_.rest_x.setZero();
+  add_reaction(lambda, 1.0, scratch_.rest_x.head(layout_.v_size));
+  lu_->solve(scratch_.rest_x);
+  lambda = scratch_.rest_x.tail(layout_.row_count);
 }
 
 // --- Drift.
 
 Drift SaddleSystem::drift(const State& state) {
   equations_.load(state);
-  return measure_drift(state.time, x_.tail(layout_.row_count), phi_rate_);
+  return measure_drift(model_, layout_, kinematics_, state.time, scratch_.row, scratch_.x.tail(layout_.row_count),
+                       scratch_.phi_rate);
 }
 
 Drift SaddleSystem::check_closed(const State& state) {
   const Drift out = drift(state);
-  demand_closed(state.time, out, kOpenWithoutProjection);
-  return out;
-}
-
-void SaddleSystem::demand_closed(double t, const Drift& drift, double tolerance) const {
-  if (drift.position_left <= tolerance) return;
-  const int index = layout_.row_joint[drift.worst_row];
-  const Joint& joint = model_.joint(index);
-  const ConstraintRow& row = joint.rows[drift.worst_row - layout_.joint_row[index]];
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(3);
-  text << "t = " << plain_text(t) << " s: joint \"" << joint.name << "\" (" << joint.kind << ") is open by "
-       << drift.position_left << (row.unit == ConstraintRow::Unit::kLength ? " m" : " rad")
-       << " and cannot be closed (limit " << tolerance
-       << "). Check for masses or inertias that differ by more than a factor of 1e6 between neighbours, for a position "
-          "in "
-          "which the mechanism jams, and for motions that contradict each other; then reduce rtol or max_step.";
-  throw NumericalError(code::kJointOpened, text.str());
-}
-
-Drift SaddleSystem::measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate) {
-  Drift out;
-  phi.setZero();
-  rate.setZero();
-  for (int j = 0; j < model_.joint_count(); ++j) {
-    const Joint& joint = model_.joint(j);
-    MarkerVectors vectors(kinematics_.pair(joint.m1.body, joint.m2.body), joint.m1, joint.m2);
-    int row = layout_.joint_row[j];
-    for (const ConstraintRow& condition : joint.rows) {
-      const RowValue value = measure_row(condition, t, vectors, row_.head(vectors.pair().size()), kinematics_.turns(j));
-      phi[row] += value.phi;
-      rate[row] += value.rate;
-      ++row;
-    }
-  }
-  if (layout_.row_count > 0) {
-    out.position = phi.cwiseAbs().maxCoeff(&out.worst_row);
-    out.velocity = rate.lpNorm<Eigen::Infinity>();
-  }
-  out.position_left = out.position;
-  out.velocity_left = out.velocity;
+  require_closed(model_, layout_, state.time, out, kOpenWithoutProjection);
   return out;
 }
 
 Drift SaddleSystem::project(State& state, Close close) {
   for (int i = 0; i < model_.body_count(); ++i) state.q.segment<4>(layout_.body_q[i] + 3).normalize();
   equations_.load(state);
-  const Drift before = measure_drift(state.time, x_.tail(layout_.row_count), phi_rate_);
+  const Drift before = measure_drift(model_, layout_, kinematics_, state.time, scratch_.row,
+                                     scratch_.x.tail(layout_.row_count), scratch_.phi_rate);
   const auto small = [](const Drift& drift) { return drift.position <= kNoDrift && drift.velocity <= kNoSpeedDrift; };
   if (close != Close::kFully && small(before)) return before;
   Drift now = before;
@@ -548,12 +552,12 @@ Drift SaddleSystem::project(State& state, Close close) {
   if (old_factors) remove_drift(kNoDrift, kNoSpeedDrift, true, state, now);
   if (!old_factors || !small(now)) {
     if (!factor_saddle(state)) {
-      demand_closed(state.time, now, kOpen);
+      require_closed(model_, layout_, state.time, now, kOpen);
       return now;
     }
     remove_drift(kClosed, kClosed, false, state, now);
   }
-  demand_closed(state.time, now, kOpen);
+  require_closed(model_, layout_, state.time, now, kOpen);
   Drift result = before;
   result.position_left = now.position;
   result.velocity_left = now.velocity;
@@ -562,47 +566,47 @@ Drift SaddleSystem::project(State& state, Close close) {
 
 // With the current factors: state.q and state.v, loaded, and their drift.
 void SaddleSystem::remove_drift(double closed, double closed_speed, bool together, State& state, Drift& now) {
-  Eigen::Ref<Eigen::VectorXd> phi = x_.tail(layout_.row_count);
+  Eigen::Ref<Eigen::VectorXd> phi = scratch_.x.tail(layout_.row_count);
   // dx = -M^-1 Phi_v^T (Phi_v M^-1 Phi_v^T + eps)^-1 phi, and dv likewise from phi': the columns of saddle_two.
   const auto solve = [&](bool positions, bool velocities) {
-    auto some = two_.middleCols(positions ? 0 : 1, positions && velocities ? 2 : 1);
+    auto some = scratch_.two.middleCols(positions ? 0 : 1, positions && velocities ? 2 : 1);
     some.topRows(layout_.v_size).setZero();
-    if (positions) two_.col(0).tail(layout_.row_count) = -phi;
-    if (velocities) two_.col(1).tail(layout_.row_count) = -phi_rate_;
+    if (positions) scratch_.two.col(0).tail(layout_.row_count) = -phi;
+    if (velocities) scratch_.two.col(1).tail(layout_.row_count) = -scratch_.phi_rate;
     lu_->solve(some);
   };
   // Positions, with the same factors until phi no longer falls; if required, the first time together with the velocities, so
   // that one evaluation of the drift serves both.
   for (int i = 0; i < kMostProjections && now.position > closed; ++i) {
-    last_q_ = state.q;
-    last_v_ = state.v;
+    scratch_.last_q = state.q;
+    scratch_.last_v = state.v;
     const bool both = together && i == 0 && now.velocity > closed_speed;
     solve(true, both);
-    add_increment(layout_, two_.col(0).head(layout_.v_size), state.q);
-    if (both) state.v += two_.col(1).head(layout_.v_size);
+    add_increment(layout_, scratch_.two.col(0).head(layout_.v_size), state.q);
+    if (both) state.v += scratch_.two.col(1).head(layout_.v_size);
     equations_.load(state);
     const double last = now.position;
-    now = measure_drift(state.time, phi, phi_rate_);
+    now = measure_drift(model_, layout_, kinematics_, state.time, scratch_.row, phi, scratch_.phi_rate);
     if (!(now.position < last)) {  // not finite, or no better: undo
-      state.q = last_q_;
-      state.v = last_v_;
+      state.q = scratch_.last_q;
+      state.v = scratch_.last_v;
       equations_.load(state);
-      now = measure_drift(state.time, phi, phi_rate_);
+      now = measure_drift(model_, layout_, kinematics_, state.time, scratch_.row, phi, scratch_.phi_rate);
       break;
     }
   }
   // The factors belong to a position that differs by the drift: repeat.
   for (int i = 0; i < kMostProjections && now.velocity > closed_speed; ++i) {
-    last_v_ = state.v;
+    scratch_.last_v = state.v;
     solve(false, true);
-    state.v += two_.col(1).head(layout_.v_size);
+    state.v += scratch_.two.col(1).head(layout_.v_size);
     equations_.load(state);
     const double last = now.velocity;
-    now = measure_drift(state.time, phi, phi_rate_);
+    now = measure_drift(model_, layout_, kinematics_, state.time, scratch_.row, phi, scratch_.phi_rate);
     if (!(now.velocity < last)) {
-      state.v = last_v_;
+      state.v = scratch_.last_v;
       equations_.load(state);
-      now = measure_drift(state.time, phi, phi_rate_);
+      now = measure_drift(model_, layout_, kinematics_, state.time, scratch_.row, phi, scratch_.phi_rate);
       break;
     }
   }

@@ -99,13 +99,11 @@ class SaddleSystem {
   Rest judge_resting_rows();
   void choose_resting_rows();
   void find_redundancies(const State& state);
-  void solve_saddle();  // x_
+  void solve_saddle();  // scratch_.x
   void make_smallest(double t, Eigen::Ref<Eigen::VectorXd> lambda);
   void add_reaction(const Eigen::Ref<const Eigen::VectorXd>& lambda, double sign,
                     Eigen::Ref<Eigen::VectorXd> force) const;
-  void demand_closed(double t, const Drift& drift, double tolerance) const;
   void remove_drift(double closed, double closed_speed, bool together, State& state, Drift& now);
-  Drift measure_drift(double t, Eigen::Ref<Eigen::VectorXd> phi, Eigen::Ref<Eigen::VectorXd> rate);
 
   Equations& equations_;
   const Model& model_;
@@ -126,15 +124,17 @@ class SaddleSystem {
   bool redundancies_known_ = true;  // false: to be found from the next state
   long resting_row_changes_ = 0;
 
-  // Scratch.
-  std::vector<InertiaScratch> inertia_;  // per body
-  Eigen::VectorXd row_;                  // of the largest pair
-  Eigen::MatrixXd M_;                    // of the largest body
-  Eigen::VectorXd x_, rest_x_, phi_rate_;
-  Eigen::MatrixXd two_;              // two right sides of a projection: of positions, of velocities
-  Eigen::VectorXd reaction_;         // Phi_v^T lambda
-  Eigen::VectorXd y_, rhs_;          // full vectors of stage_rates()
-  Eigen::VectorXd last_q_, last_v_;  // copies during a projection
+  struct Scratch {
+    std::vector<InertiaScratch> inertia;  // per body
+    Eigen::VectorXd row;                  // of the largest pair
+    Eigen::MatrixXd M;                    // of the largest body
+    Eigen::VectorXd x, rest_x, phi_rate;
+    Eigen::MatrixXd two;             // two right sides of a projection: of positions, of velocities
+    Eigen::VectorXd reaction;        // Phi_v^T lambda
+    Eigen::VectorXd y, rhs;          // full vectors of stage_rates()
+    Eigen::VectorXd last_q, last_v;  // copies during a projection
+  };
+  Scratch scratch_;
 };
 
 }  // namespace footfall

@@ -19,6 +19,7 @@
 #include "mbd_solver/embed/codes.h"
 #include "mbd_solver/run/codes.h"
 #include "mbd_solver/run/run_summary.h"
+#include "mbd_solver/run/run_warnings.h"
 #include "mbd_solver/run/simulation.h"
 #include "mbd_solver/scene/foreign/foreign_code.h"
 #include "mbd_solver/scene/scene_schema.h"
@@ -372,13 +373,8 @@ std::vector<std::string> Session::warnings() const {
   const Reading reading(*run_);
   const Run& run = *run_;
   std::vector<std::string> all = run.simulation.mechanism().warnings;  // including the warnings of the scene
-  const auto add = [&](const std::vector<std::string>& more) { all.insert(all.end(), more.begin(), more.end()); };
-  add(run.simulation.time_warnings());
-  add(run.simulation.signal_warnings());
-  add(run.observation.flexible().warnings());
-  add(run.observation.joints().warnings());
-  add(run.metrics.warnings());
-  if (const std::string text = run.simulation.integrator().warning(); !text.empty()) all.push_back(text);
+  const std::vector<std::string> of_run = RunWarnings(run.simulation, run.observation, run.metrics).all();
+  all.insert(all.end(), of_run.begin(), of_run.end());
   return all;
 }
 

@@ -473,16 +473,24 @@ class MjcfRobot {
   void add_contact_pairs() {
     robot_.touches_itself = true;
     std::set<int> excluded(m_.exclude_signature, m_.exclude_signature + m_.nexclude);
-    for (const auto& [a, of_a] : colliding_)
-      for (const auto& [b, of_b] : colliding_) {
-        if (b <= a) continue;
-        bool touch = false;
-        for (const int g : of_a)
-          for (const int h : of_b)
-            touch = touch || (m_.geom_contype[g] & m_.geom_conaffinity[h]) != 0 ||
-                    (m_.geom_contype[h] & m_.geom_conaffinity[g]) != 0;
-        const bool out = excluded.count(((a + 1) << 16) + b + 1) > 0;
-        if (!touch || out || m_.body_weldid[a] == m_.body_weldid[b]) robot_.apart.emplace_back(link_of(a), link_of(b));
+    struct Masks {
+      int body, types, affinities;
+    };
+    std::vector<Masks> masks;  // of all shapes of a body together: one common bit suffices
+    for (const auto& [body, shapes] : colliding_) {
+      masks.push_back({body, 0, 0});
+      for (const int g : shapes) {
+        masks.back().types |= m_.geom_contype[g];
+        masks.back().affinities |= m_.geom_conaffinity[g];
+      }
+    }
+    for (const Masks& a : masks)
+      for (const Masks& b : masks) {
+        if (b.body <= a.body) continue;
+        const bool touch = (a.types & b.affinities) != 0 || (b.types & a.affinities) != 0;
+        const bool out = !excluded.empty() && excluded.count(((a.body + 1) << 16) + b.body + 1) > 0;
+        if (!touch || out || m_.body_weldid[a.body] == m_.body_weldid[b.body])
+          robot_.apart.emplace_back(link_of(a.body), link_of(b.body));
       }
     for (const pugi::xml_node& node : source_.children_of("contact"))
       if (std::string(node.name()) == "pair") leave_out(node, "give the scene an entry of [[contacts]] with its law");

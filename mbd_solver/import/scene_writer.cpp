@@ -440,12 +440,12 @@ class Writer {
 
   // The first ones of the list; how many there are follows from their numbers, as there may be millions.
   std::string contacts() {
-    std::set<std::pair<int, int>> jointed, apart;
-    const std::set<int> bounded(bounded_.begin(), bounded_.end());
-    const auto add = [&](std::set<std::pair<int, int>>& pairs, int a, int b) {
-      if (a != b && bounded.count(a) > 0 && bounded.count(b) > 0) pairs.insert(std::minmax(a, b));
-    };
-    for (const RobotJoint& joint : robot_.joints) add(jointed, joint.parent, joint.child);
+    std::vector<char> bounded(robot_.links.size(), 0);
+    for (const int link : bounded_) bounded[at(link)] = 1;
+    const auto meet = [&](int a, int b) { return a >= 0 && b >= 0 && a != b && bounded[at(a)] && bounded[at(b)]; };
+    std::set<std::pair<int, int>> jointed;
+    for (const RobotJoint& joint : robot_.joints)
+      if (meet(joint.parent, joint.child)) jointed.insert(std::minmax(joint.parent, joint.child));
     std::string text;
     std::size_t pairs = 0;
     const auto write = [&](const std::pair<int, int>& pair) {
@@ -454,7 +454,11 @@ class Writer {
               toml_text(robot_.links[at(pair.second)].name) + "]\nignore = true\n";
     };
     if (robot_.touches_itself) {
-      for (const auto& [a, b] : robot_.apart) add(apart, a, b);
+      std::vector<std::pair<int, int>> apart;
+      for (const auto& [a, b] : robot_.apart)
+        if (meet(a, b)) apart.push_back(std::minmax(a, b));
+      std::sort(apart.begin(), apart.end());
+      apart.erase(std::unique(apart.begin(), apart.end()), apart.end());
       for (const auto& pair : apart) write(pair);
     } else {
       for (std::size_t i = 0; i < bounded_.size() && pairs <= kMostPairs; ++i)

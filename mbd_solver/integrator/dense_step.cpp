@@ -40,7 +40,7 @@ State& DenseStep::at(double time) {
     rates_ += w.slope[i] * step_.K[i];
     add_work(step_.energy[i], h_ * w.b[i], state_);
   }
-  equations_.unpack(known_, state_);
+  equations_.layout().unpack(known_, state_);
   return state_;
 }
 

@@ -177,7 +177,7 @@ class Ida::Sundials::View : public StepView {
     if (time >= end()) return;
     ida_.interpolate(time, ida_.scratch);
     ida_.check(IDAGetDky(ida_.memory, time, 1, ida_.scratch2), "IDAGetDky");
-    ida_.equations.unpack(view(ida_.scratch), state);
+    ida_.equations.layout().unpack(view(ida_.scratch), state);
     state.time = time;
     derivative = view(ida_.scratch2);
     derivative.tail(ida_.equations.layout().row_count) = view(ida_.scratch).tail(ida_.equations.layout().row_count);
@@ -212,7 +212,7 @@ Ida::Sundials::Sundials(Equations& e, const IntegratorOptions& o)
       options(o),
       norm(e.layout(), o),
       share(std::clamp(std::sqrt(kAllFrom / o.rtol), kStepShare, 1.0)),
-      linear(e, e.negligible_shares().cwiseMin(ThinLu::kRoundOff)),
+      linear(e, e.jacobian().negligible_shares().cwiseMin(ThinLu::kRoundOff)),
       turns(e.model(), e.layout()) {
   const Layout& layout = equations.layout();
   const int n = layout.size();
@@ -352,7 +352,7 @@ void Ida::Sundials::restart(const State& state, double t_end, const Inputs& inpu
   }
   equations.saddle().stage_rates(state, inputs, rates);
   ++statistics.factorizations;
-  equations.pack(state, rates.tail(layout.row_count), writable(y));
+  equations.layout().pack(state, rates.tail(layout.row_count), writable(y));
   writable(ydot) = rates;
   writable(ydot).tail(layout.row_count).setZero();
   offset.setConstant(kNoOffset);
@@ -430,7 +430,7 @@ WindowStop Ida::Sundials::read_row(IntegratorStatistics& statistics) {
   window.from = time;
   interpolate(time, scratch);
   check(IDAGetDky(memory, time, 1, scratch2), "IDAGetDky");
-  equations.unpack(view(scratch), state);
+  equations.layout().unpack(view(scratch), state);
   state.time = time;
   rates = view(scratch2);
   rates.tail(equations.layout().row_count) = view(scratch).tail(equations.layout().row_count);
@@ -452,7 +452,7 @@ void Ida::Sundials::reach_end() {
     check(IDAGetDky(memory, end, 1, ydot), "IDAGetDky");
     interpolate(end, y);
   }
-  equations.unpack(view(y), state);
+  equations.layout().unpack(view(y), state);
   state.time = t = end;
   rates = view(ydot);
   rates.tail(equations.layout().row_count) = view(y).tail(equations.layout().row_count);
@@ -462,7 +462,7 @@ void Ida::Sundials::reach_end() {
 double Ida::Sundials::time_of_switch(double begin, double end, const Inputs& inputs) {
   const auto fits = [&](double time) {
     interpolate(time, scratch);
-    equations.unpack(view(scratch), row);
+    equations.layout().unpack(view(scratch), row);
     row.time = time;
     return equations.mode_value(row, inputs) >= 0.0;
   };

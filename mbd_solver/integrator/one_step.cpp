@@ -243,7 +243,7 @@ void OneStep::accept(double h, double t_new) {
     if (b != 0.0) add_work(step_.energy[i], h * b, state);
   }
   add_step_error(stages_.work_error_parts(), state.work_error);
-  equations_.unpack(step_.Y[last], state);
+  equations_.layout().unpack(step_.Y[last], state);
   state.time = t_new;
   window_.h = h;
   window_.change = equations_.has_modes() ? dense_.time_of_switch(t_new, *window_.inputs) : HUGE_VAL;
@@ -297,7 +297,7 @@ void OneStep::leave_end() {
     statistics_.count(end_.drift);
     state.q = end_.state.q;
     state.v = end_.state.v;
-    equations_.pack(state, step_.K[0].tail(equations_.layout().row_count), step_.y);
+    equations_.layout().pack(state, step_.K[0].tail(equations_.layout().row_count), step_.y);
   }
   if (crossing_.careful()) {
     crossing_.finish_careful_step();
@@ -345,7 +345,7 @@ bool OneStep::close_end(double t) {
   end_.used = false;
   if (!options_.projection) return true;
   const Eigen::VectorXd& y_end = step_.Y[step_.last()];
-  equations_.unpack(y_end, end_.state);
+  equations_.layout().unpack(y_end, end_.state);
   end_.state.time = t;
   const Drift drift = equations_.saddle().drift(end_.state);
   end_.used = crossing_.careful() || drift.position > kDrift * options_.atol ||

@@ -8,19 +8,19 @@ namespace footfall {
 
 ReducedSystem::ReducedSystem(Equations& equations, const Eigen::VectorXd& share)
     : equations_(equations),
-      matrix_(equations.reduced_pattern(), equations.local_states()),
+      matrix_(equations.jacobian().matrix(), equations.jacobian().local_states()),
       lu_(matrix_.matrix(), share),
       dx_(equations.layout().v_size),
       dq_(equations.layout().q_size) {}
 
 void ReducedSystem::evaluate(double t, const Eigen::VectorXd& y, const Eigen::Ref<const Eigen::VectorXd>& ydot,
                              double c, const Inputs& inputs) {
-  equations_.reduced_jacobian(t, y, ydot, c, inputs);
+  equations_.jacobian().evaluate(t, y, ydot, c, inputs);
   at_ = y;
   c_ = c;
 }
 
-bool ReducedSystem::factor() { return matrix_.update() && lu_.factor(equations_.own_diagonal()); }
+bool ReducedSystem::factor() { return matrix_.update() && lu_.factor(equations_.jacobian().own_diagonal()); }
 
 void ReducedSystem::solve_whole(Eigen::Ref<Eigen::VectorXd> x) {
   const Layout& layout = equations_.layout();
@@ -28,7 +28,7 @@ void ReducedSystem::solve_whole(Eigen::Ref<Eigen::VectorXd> x) {
   Eigen::Ref<Eigen::VectorXd> positions = x.head(layout.q_size), lower = x.tail(x.size() - layout.q_size);
   solve_position_rows(layout, v, c_, positions);
   to_increments(layout, q, positions, dx_);
-  equations_.subtract_stiffness(dx_, lower);
+  equations_.jacobian().subtract_stiffness(dx_, lower);
   solve(lower);
   from_increments(layout, q, lower.head(layout.v_size), dq_);
   solve_position_rows(layout, v, c_, dq_);

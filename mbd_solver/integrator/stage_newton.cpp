@@ -29,7 +29,7 @@ StageNewton::StageNewton(Equations& equations, const ErrorNorm& norm, Integrator
       norm_(norm),
       statistics_(statistics),
       failure_(failure),
-      system_(equations, equations.negligible_shares()),
+      system_(equations, equations.jacobian().negligible_shares()),
       stiff_from_(equations.saddle().has_redundant_rows() ? kStiffIfSingular : kStiff) {
   Ydot_ = F_ = change_ = Eigen::VectorXd::Zero(equations.layout().size());
 }
@@ -57,7 +57,7 @@ bool StageNewton::refresh(double t, const Eigen::VectorXd& y, const Eigen::Vecto
   ++statistics_.factorizations;
   fresh_ = true;
   rate_ = slow;
-  stiffness_ = equations_.largest_stiffness(c);
+  stiffness_ = equations_.jacobian().largest_stiffness(c);
   factored_c_ = system_.factor() ? c : 0.0;
   return factored_c_ != 0.0;
 }

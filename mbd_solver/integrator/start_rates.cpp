@@ -37,14 +37,14 @@ void StartRates::renew(const Inputs& inputs, const State& state) {
 }
 
 void StartRates::pack(const Inputs& inputs, const State& state) {
-  equations_.pack(state, step_.K[0].tail(equations_.layout().row_count), step_.y);
+  equations_.layout().pack(state, step_.K[0].tail(equations_.layout().row_count), step_.y);
   equations_.powers(state.time, step_.y, inputs, step_.energy[0]);
 }
 
 bool StartRates::follow(const Inputs& inputs, const State& state) {
   if (state.time != left_time_ || !(state.step > 0.0)) return false;
   const int m = equations_.layout().lambda0();
-  equations_.pack(state, rates_.tail(equations_.layout().row_count), step_.y);
+  equations_.layout().pack(state, rates_.tail(equations_.layout().row_count), step_.y);
   if (step_.y.head(m) != left_.head(m)) return false;
   step_.K[0] = rates_;
   norm_.set(step_.y);
@@ -77,7 +77,7 @@ void StartRates::end_window(const State& state) {
   rates_ = step_.K[0];
   equations_.saddle().smallest_multipliers(state, rates_.tail(rows));
   left_time_ = state.time;
-  equations_.pack(state, rates_.tail(rows), left_);
+  equations_.layout().pack(state, rates_.tail(rows), left_);
 }
 
 }  // namespace footfall

@@ -104,7 +104,7 @@ double StepStages::estimated_error(double t, double h) {
   to_increments(layout, end.head(layout.q_size), Ydot_.head(layout.q_size), dx_);
   Eigen::Ref<Eigen::VectorXd> x = F_.tail(lower);
   x *= c;
-  equations_.subtract_stiffness(dx_, x);
+  equations_.jacobian().subtract_stiffness(dx_, x);
   newton_.apply_inverse(x);
   dx_ += x.head(layout.v_size) / c;
   from_increments(layout, end.head(layout.q_size), dx_, F_.head(layout.q_size));

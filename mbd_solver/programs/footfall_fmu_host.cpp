@@ -112,7 +112,7 @@ class FmuRun {
   }
 
  private:
-  struct Place {
+  struct VariableElement {
     std::size_t variable;  // in a list of used ones
     std::size_t element;
   };
@@ -121,7 +121,7 @@ class FmuRun {
     return static_cast<std::size_t>(FmuDescription::count(description_.sizes(v, task_.starts)));
   }
 
-  Place place_of_name(const std::string& name, std::vector<UsedVariable>& used) {
+  VariableElement place_of_name(const std::string& name, std::vector<UsedVariable>& used) {
     const FmuElement found = find_element(description_, name, task_.starts);
     if (!found.variable) throw FmuError("it has no variable \"" + name + "\"");
     if (!found.problem.empty()) throw FmuError("its variable \"" + name + "\" " + found.problem);
@@ -153,7 +153,7 @@ class FmuRun {
   std::string outputs() {
     for (UsedVariable& used : to_get_) used.values = instance_->get(*used.variable, used.values.size());
     std::string answer = "V";
-    for (const Place& place : outputs_) {
+    for (const VariableElement& place : outputs_) {
       const double value = to_get_[place.variable].values[place.element];
       answer.append(reinterpret_cast<const char*>(&value), sizeof value);
     }
@@ -163,7 +163,7 @@ class FmuRun {
   const HostTask& task_;
   FmuDescription description_;
   std::vector<UsedVariable> to_set_, to_get_;
-  std::vector<Place> inputs_, outputs_;
+  std::vector<VariableElement> inputs_, outputs_;
   std::unique_ptr<FmuInstance> instance_;
   double start_ = 0.0;  // of the instance [s]
 };

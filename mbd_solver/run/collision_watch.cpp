@@ -145,19 +145,19 @@ void CollisionWatch::deform(Surface& surface, const Eigen::VectorXd& a) {
   surface.modes = a;
 }
 
-FramePose CollisionWatch::Place::pose() const {
+FramePose CollisionWatch::PairPose::pose() const {
   return {first.R.transpose() * second.R, first.R.transpose() * (second.p - first.p)};
 }
 
-CollisionWatch::Place CollisionWatch::place(const Pair& pair, const Kinematics& kinematics) const {
+CollisionWatch::PairPose CollisionWatch::place(const Pair& pair, const Kinematics& kinematics) const {
   const BodyKinematics& first = kinematics.of(surfaces_[pair.first].body);
   const BodyKinematics& second = kinematics.of(surfaces_[pair.second].body);
   return {{first.A, first.r}, {second.A, second.r}, first.a, second.a};
 }
 
-double CollisionWatch::travel(const Pair& pair, const Place& from, const Place& to) const {
+double CollisionWatch::travel(const Pair& pair, const PairPose& from, const PairPose& to) const {
   const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
-  const auto apart = [&](const Place& at) -> Eigen::Vector3d {
+  const auto apart = [&](const PairPose& at) -> Eigen::Vector3d {
     return at.second.p + at.second.R * second.centre - at.first.p - at.first.R * first.centre;
   };
   double way = (apart(to) - apart(from)).norm() + first.radius * angle_between(from.first.R, to.first.R) +
@@ -168,7 +168,7 @@ double CollisionWatch::travel(const Pair& pair, const Place& from, const Place& 
 }
 
 // Negative where the spheres intersect.
-double CollisionWatch::sphere_distance(const Pair& pair, const Place& at) const {
+double CollisionWatch::sphere_distance(const Pair& pair, const PairPose& at) const {
   const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
   double distance = (at.second.p + at.second.R * second.centre - at.first.p - at.first.R * first.centre).norm() -
                     first.radius - second.radius;
@@ -177,7 +177,7 @@ double CollisionWatch::sphere_distance(const Pair& pair, const Place& at) const 
   return distance;
 }
 
-SurfaceGap CollisionWatch::gap(const Pair& pair, const Place& at) {
+SurfaceGap CollisionWatch::gap(const Pair& pair, const PairPose& at) {
   Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
   if (const double apart = sphere_distance(pair, at); apart > kFarApart * std::min(first.radius, second.radius))
     return {apart, Eigen::Vector3d::Zero()};
@@ -197,13 +197,13 @@ SurfaceGap CollisionWatch::gap(const Pair& pair, const Place& at) {
 }
 
 // Neither end touches.
-bool CollisionWatch::met_between(const Pair& pair, const Place& from, double gap_from, const Place& to, double gap_to,
-                                 SurfaceGap& met) {
+bool CollisionWatch::met_between(const Pair& pair, const PairPose& from, double gap_from, const PairPose& to,
+                                 double gap_to, SurfaceGap& met) {
   const double way = travel(pair, from, to);
   if (way < gap_from + gap_to || way < kShortest * surfaces_[pair.second].radius) return false;
-  const Place middle{between(from.first, to.first, surfaces_[pair.first].centre),
-                     between(from.second, to.second, surfaces_[pair.second].centre), 0.5 * (from.a_1 + to.a_1),
-                     0.5 * (from.a_2 + to.a_2)};
+  const PairPose middle{between(from.first, to.first, surfaces_[pair.first].centre),
+                        between(from.second, to.second, surfaces_[pair.second].centre), 0.5 * (from.a_1 + to.a_1),
+                        0.5 * (from.a_2 + to.a_2)};
   met = gap(pair, middle);
   const double gap_middle = met.distance;
   return gap_middle <= 0.0 || met_between(pair, from, gap_from, middle, gap_middle, met) ||
@@ -219,7 +219,7 @@ void CollisionWatch::begin(const Kinematics& kinematics) {
 }
 
 // Bodies with a contact may bounce between two samples; only on a long motion can they pass through unnoticed.
-bool CollisionWatch::may_have_passed(const Pair& pair, const Place& now) const {
+bool CollisionWatch::may_have_passed(const Pair& pair, const PairPose& now) const {
   const Surface &first = surfaces_[pair.first], &second = surfaces_[pair.second];
   const double smaller = first.body == kGround ? second.radius : std::min(first.radius, second.radius);
   return !pair.contact || (!pair.touched && travel(pair, pair.last, now) > kLongMotion * smaller);
@@ -227,7 +227,7 @@ bool CollisionWatch::may_have_passed(const Pair& pair, const Place& now) const {
 
 void CollisionWatch::check(const Subject& subject, const Sample& sample) {
   for (Pair& pair : pairs_) {
-    Place now = place(pair, sample.kinematics);
+    PairPose now = place(pair, sample.kinematics);
     const bool far = travel(pair, pair.measured, now) < pair.gap;
     if (far) {
       pair.touched = false;

@@ -45,7 +45,7 @@ class CollisionWatch {
     double modal_reach = 0.0;         // largest |Phi| of a node [m per unit of a]
     Eigen::VectorXd modes;            // modal coordinates of the present shape of the parts
   };
-  struct Place {
+  struct PairPose {
     FramePose first, second;   // in W
     Eigen::VectorXd a_1, a_2;  // modes
 
@@ -56,18 +56,18 @@ class CollisionWatch {
     Handle<ContactElement> contact;     // between them, if there is one
     bool touched = false;               // it acted at the last sample
     double gap = 0.0;                   // at `measured`, not larger than the true one [m]
-    Place measured, last;               // where the gap was found; at the last sample
+    PairPose measured, last;            // where the gap was found; at the last sample
   };
   void add_body(const BodyBoundary& entry);
   void add_wall(const StaticWall& wall);
   static void enclose(Surface& surface);
   void deform(Surface& surface, const Eigen::VectorXd& a);
-  Place place(const Pair& pair, const Kinematics& kinematics) const;
-  double travel(const Pair& pair, const Place& from, const Place& to) const;
-  double sphere_distance(const Pair& pair, const Place& at) const;
-  SurfaceGap gap(const Pair& pair, const Place& at);
-  bool may_have_passed(const Pair& pair, const Place& now) const;
-  bool met_between(const Pair& pair, const Place& from, double gap_from, const Place& to, double gap_to,
+  PairPose place(const Pair& pair, const Kinematics& kinematics) const;
+  double travel(const Pair& pair, const PairPose& from, const PairPose& to) const;
+  double sphere_distance(const Pair& pair, const PairPose& at) const;
+  SurfaceGap gap(const Pair& pair, const PairPose& at);
+  bool may_have_passed(const Pair& pair, const PairPose& now) const;
+  bool met_between(const Pair& pair, const PairPose& from, double gap_from, const PairPose& to, double gap_to,
                    SurfaceGap& met);
   [[noreturn]] void report(const Pair& pair, const Sample& sample, const Eigen::Vector3d& place) const;
 

@@ -19,6 +19,7 @@
 #include "mbd_solver/run/progress.h"
 #include "mbd_solver/run/run_files.h"
 #include "mbd_solver/run/run_summary.h"
+#include "mbd_solver/run/run_warnings.h"
 #include "mbd_solver/scene/foreign/foreign_code.h"
 #include "mbd_solver/scene/scene_schema.h"
 
@@ -31,23 +32,6 @@ constexpr double kRest = 300.0;
 void print_warning(const Scene& scene, const std::string& text) {
   if (!scene.accepts(text)) std::fprintf(stderr, "mbd_solver: warning: %s\n", text.c_str());
 }
-
-// Prints what has been added to a list of warnings since the last time.
-class WarningPrinter {
- public:
-  explicit WarningPrinter(const Scene& scene) : scene_(scene) {}
-  void print(const std::vector<std::string>& warnings) {
-    for (; printed_ < warnings.size(); ++printed_) {
-      if (!scene_.accepts(warnings[printed_])) std::fputs("\n", stderr);  // ends the progress line
-      print_warning(scene_, warnings[printed_]);
-    }
-  }
-  void skip(const std::vector<std::string>& warnings) { printed_ = warnings.size(); }  // of an earlier part of the run
-
- private:
-  const Scene& scene_;
-  std::size_t printed_ = 0;
-};
 
 // A file that cannot be written during a run is not a mistake of the scene.
 template <class Write>
@@ -146,10 +130,7 @@ class RunSession {
       const Subject subject = simulation_.subject();
       write_end_state(options_.out, end_state_of(subject.mechanism, subject.layout, simulation_.state()));
     });
-    if (coupled_)
-      for (const std::string& text : coupled_->watch().conclusions()) print_warning(scene_, text);
-    for (const std::string& text : metrics_.warnings()) print_warning(scene_, text);
-    if (const std::string text = simulation_.integrator().warning(); !text.empty()) print_warning(scene_, text);
+    for (const std::string& text : warnings_.at_end()) print_warning(scene_, text);
     if (!simulation_.finished()) {
       // The summary first: mpirun ends the programs soon after it has asked them to.
       summarize("interrupted", reason);
@@ -182,22 +163,17 @@ class RunSession {
 
   void restore() {
     restore_checkpoint(options_.checkpoint, scene_, [this](Archive& archive) { visit(archive); });
-    if (coupled_) coupling_warnings_.skip(coupled_->watch().warnings());
-    body_warnings_.skip(files_.observation().flexible().warnings());
-    joint_warnings_.skip(files_.observation().joints().warnings());
-    grip_warnings_.skip(files_.observation().grips().warnings());
+    warnings_.news();  // of the earlier part of the run
   }
 
   void observe(const Sample& sample) {
     metrics_.update(sample);
     files_.write(sample);
     progress_.show(sample.state.time, sample.window, metrics_.metrics().contact_force);
-    if (coupled_) coupling_warnings_.print(coupled_->watch().warnings());
-    body_warnings_.print(files_.observation().flexible().warnings());
-    joint_warnings_.print(files_.observation().joints().warnings());
-    grip_warnings_.print(files_.observation().grips().warnings());
-    time_warnings_.print(simulation_.time_warnings());
-    signal_warnings_.print(simulation_.signal_warnings());
+    for (const std::string& text : warnings_.news()) {
+      if (!scene_.accepts(text)) std::fputs("\n", stderr);  // ends the progress line
+      print_warning(scene_, text);
+    }
     if (leader_) leader_->observe(sample, metrics_.metrics().energy_balance_relative());
     const LandingEnd* const landing = files_.observation().landing_end();
     if (landing != nullptr && landing->is_over() && !leader_) simulation_.instructions().request_end();
@@ -272,8 +248,7 @@ class RunSession {
   RunFiles files_;
   MetricRecorder metrics_;
   Progress progress_;
-  WarningPrinter coupling_warnings_{scene_}, body_warnings_{scene_}, joint_warnings_{scene_}, grip_warnings_{scene_},
-      time_warnings_{scene_}, signal_warnings_{scene_};
+  RunWarnings warnings_{simulation_, files_.observation(), metrics_};
   Trial trial_;
   volatile std::sig_atomic_t trial_ends_ = 0;
   CheckpointFolder checkpoints_;

@@ -167,7 +167,7 @@ class Relaxation {
   }
   double kinetic(const State& state) {
     Eigen::VectorXd y(equations_.layout().size());
-    equations_.pack(state, Eigen::VectorXd::Zero(equations_.layout().row_count), y);
+    equations_.layout().pack(state, Eigen::VectorXd::Zero(equations_.layout().row_count), y);
     equations_.energy(state.time, y, inputs_, energy_);
     return energy_.stored[Stored::kKinetic];
   }

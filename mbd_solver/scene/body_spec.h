@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "mbd_solver/base/kinds.h"
-#include "mbd_solver/fe/foreign_model.h"
 #include "mbd_solver/fe/material.h"
+#include "mbd_solver/fe/matrix_model.h"
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/scene/findings.h"
 
@@ -80,7 +80,7 @@ struct FlexibleSpec {
   double mesh_scale = 1.0;                // metres per unit of the mesh file [-]
   double thickness = 0.0;                 // of a plate on a mesh [m]; 0: the shape's thickness
   std::string file;  // reduced model of another code (modal_body_file.h), instead of shape and mesh
-  // Full or reduced model of another code (foreign_model.h): K, M, their nodes in D, and the order of their rows
+  // Full or reduced model of another code (matrix_model.h): K, M, their nodes in D, and the order of their rows
   std::string stiffness_matrix, mass_matrix, node_file, dof_file;
   std::string stress_file;                // .frd with stresses of modes
   UnitSystem units = UnitSystem::kMetre;  // of those files
@@ -91,7 +91,7 @@ struct FlexibleSpec {
 };
 
 // A model in matrices.
-inline ForeignFiles foreign_files(const FlexibleSpec& spec) {
+inline MatrixFiles matrix_files(const FlexibleSpec& spec) {
   return {spec.stiffness_matrix, spec.mass_matrix, spec.node_file, spec.dof_file,
           spec.stress_file,      spec.units,       spec.interfaces};
 }

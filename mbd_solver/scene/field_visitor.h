@@ -258,7 +258,7 @@ class FieldWalk final : public FieldVisitor {
   void end_list() override { lists_.pop_back(); }
 
  private:
-  struct Place {
+  struct KeyPrefix {
     Source* source;
     std::string local;  // "gas."
     std::string full;   // "struts.3.gas."
@@ -266,7 +266,7 @@ class FieldWalk final : public FieldVisitor {
   void push(const std::string& key) { stack_.push_back({source(), local(key) + ".", full(key) + "."}); }
 
   Action action_;
-  std::vector<Place> stack_ = {{nullptr, "", ""}};
+  std::vector<KeyPrefix> stack_ = {{nullptr, "", ""}};
   std::vector<std::string> lists_;
 };
 

@@ -83,7 +83,7 @@ inline std::vector<std::string> keys_of(SignalKind kind) {
 
 // The keys of other kinds that have no effect on this one.
 template <class Kind>
-std::vector<std::string> foreign_keys(Kind kind) {
+std::vector<std::string> keys_of_other_kinds(Kind kind) {
   const std::vector<std::string> own = keys_of(kind);
   std::vector<std::string> foreign;
   for (const Kind other : every<Kind>())

@@ -8,7 +8,7 @@
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/fe/foreign_model.h"
+#include "mbd_solver/fe/matrix_model.h"
 #include "mbd_solver/fe/modal_body_file.h"
 #include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/model/body.h"
@@ -209,7 +209,7 @@ bool resolve_by_model(BodySpec& body, Findings& findings) {
   MassProperties p;
   try {
     if (spec.file.empty()) {
-      p = mass_properties(read_foreign_model(foreign_files(spec)));
+      p = mass_properties(read_matrix_model(matrix_files(spec)));
     } else {
       const ReducedBody reduced = read_modal_body(spec.file, BasisOptions(), body.name);
       const Body model(body.name, std::make_shared<const ModalBody>(reduced.body));

@@ -88,7 +88,7 @@ void for_each_function(const Scene& scene,
 // Keys of other kinds are errors where both were written in the scene itself; what: "spring".
 template <class Kind>
 void check_kind_keys(const EntryFindings& at, Kind kind, const std::string& what) {
-  for (const std::string& key : foreign_keys(kind))
+  for (const std::string& key : keys_of_other_kinds(kind))
     at.error_if(at.source().written_together("kind", key), code::kKeyWithoutEffect, key,
                 "has no effect on this kind of " + what + "; remove it");
 }

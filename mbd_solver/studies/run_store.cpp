@@ -207,7 +207,7 @@ void RunStore::try_bed(std::size_t run) {
         runs_[k].code = kExitBadInput;
         write_whole_file(folder(k) + ".log", std::string("footfall: ") + e.what() + "\n");
         make_folder(folder(k));
-        Place(summary_file(k)).remove();  // of an earlier run
+        GuardedPath(summary_file(k)).remove();  // of an earlier run
         note_end_of_run(folder(k), "failed", e.what());
       }
   }
@@ -257,7 +257,7 @@ bool RunStore::carry_out(const std::vector<std::size_t>& runs, int jobs,
   for (int k = 1; !round.empty(); ++k) {
     std::vector<Command> commands;
     for (const std::size_t run : round) {
-      Place(record_file(run)).remove();  // until it is done again
+      GuardedPath(record_file(run)).remove();  // until it is done again
       const bool resumes = k == 1 && can_resume(run);
       write_whole_file(begun_file(run), Json{{"recipe", runs_[run].recipe}}.dump(1) + "\n");
       commands.push_back(

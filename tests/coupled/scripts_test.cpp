@@ -261,14 +261,14 @@ void expect_the_same_loads(const RunFolder& folder, const std::string& script, i
   EXPECT_EQ(folder.read("table.csv"), expected);
 }
 
-TEST(ForeignScript, MayClearEverythingAndBeginAnew) {
+TEST(UsersScript, MayClearEverythingAndBeginAnew) {
   const RunFolder folder = plate_folder("clear");
   expect_the_same_loads(folder, small_bed() + kGeometry + mesh_wall() +
                                     "fix mbd all couple/mbd every 3 mesh m plate\n" + "clear\n" + small_bed() + kMesh +
                                     mesh_wall() + kCouple + "run 200\n");
 }
 
-TEST(ForeignScript, MayTakeAMeshThatAFixHasMoved) {
+TEST(UsersScript, MayTakeAMeshThatAFixHasMoved) {
   const RunFolder folder = plate_folder("moved");
   folder.write("in",
                small_bed() + kMesh + mesh_wall() +
@@ -279,7 +279,7 @@ TEST(ForeignScript, MayTakeAMeshThatAFixHasMoved) {
   EXPECT_EQ(Table(folder.path() / "table.csv").rows(), 40U);
 }
 
-TEST(ForeignScript, MayReadARestartFileThatKnowsTheMesh) {
+TEST(UsersScript, MayReadARestartFileThatKnowsTheMesh) {
   const RunFolder folder = plate_folder("restart");
   folder.write("in.first", small_bed() + kGeometry + mesh_wall() + kCouple + "run 200\nwrite_restart saved.restart\n");
   std::string again = small_bed();
@@ -298,7 +298,7 @@ TEST(ForeignScript, MayReadARestartFileThatKnowsTheMesh) {
   }
 }
 
-TEST(ForeignScript, MayDeleteGrainsBeforeTheFirstRun) {
+TEST(UsersScript, MayDeleteGrainsBeforeTheFirstRun) {
   const RunFolder folder = plate_folder("delete");
   folder.write("in", small_bed() + kMesh + mesh_wall() + kCouple +
                          "region top block -0.3 0.3 -0.3 0.3 0.18 0.6 units box\ndelete_atoms region top\nrun 200\n");
@@ -307,7 +307,7 @@ TEST(ForeignScript, MayDeleteGrainsBeforeTheFirstRun) {
 }
 
 // Nothing that the script deletes or inserts is lost: the limit would stop the run at the first lost grain.
-TEST(ForeignScript, MayDeleteAndInsertGrainsInTheRun) {
+TEST(UsersScript, MayDeleteAndInsertGrainsInTheRun) {
   const RunFolder folder = plate_folder("insert");
   Surface sheet;
   sheet.nodes.resize(3, 4);
@@ -333,7 +333,7 @@ TEST(ForeignScript, MayDeleteAndInsertGrainsInTheRun) {
   EXPECT_TRUE(!std::is_sorted(particles.begin(), particles.end()));  // deleted
 }
 
-TEST(ForeignScript, GrainsThatLeaveTheBoxAreCounted) {
+TEST(UsersScript, GrainsThatLeaveTheBoxAreCounted) {
   const RunFolder folder = plate_folder("lost");
   folder.write("in", small_bed() +
                          "region corner block 0.15 0.3 0.15 0.3 0.15 0.3 units box\ngroup corner region corner\n"
@@ -352,7 +352,7 @@ TEST(ForeignScript, GrainsThatLeaveTheBoxAreCounted) {
 }
 
 // m (v^2 + 2/5 r^2 w^2) / 2: the energy that leaves with a grain has its rotation.
-TEST(ForeignScript, AGrainThatLeavesTakesItsEnergyAlong) {
+TEST(UsersScript, AGrainThatLeavesTakesItsEnergyAlong) {
   const RunFolder folder = plate_folder("spinning");
   folder.write("in", script_head("-0.3 0.3 -0.3 0.3 -0.05 0.6") +
                          "fix integr all nve/sphere\ncreate_atoms 1 single 0.29 0 0.5 units box\n"
@@ -371,7 +371,7 @@ TEST(ForeignScript, AGrainThatLeavesTakesItsEnergyAlong) {
 }
 
 // A wall beside the body may end where the user's container ends: to LIGGGHTS it has no end. So this is told, no more.
-TEST(ForeignScript, ABodyThatGoesThroughASideWallIsToldOnce) {
+TEST(UsersScript, ABodyThatGoesThroughASideWallIsToldOnce) {
   const RunFolder folder = plate_folder("side_wall");
   folder.write("in", small_bed() + kMesh + mesh_wall() +
                          "fix side all wall/gran model hertz tangential history rolling_friction cdt primitive type 1 "
@@ -388,7 +388,7 @@ TEST(ForeignScript, ABodyThatGoesThroughASideWallIsToldOnce) {
 
 // On a slope gravity has a part towards the side wall, which is no floor for that; once the body is beside the bed, the
 // plane of the floor is not below it either. Only a body on the bed goes through its floor.
-TEST(ForeignScript, OnASlopeASideIsASideAndTheFloorTheFloor) {
+TEST(UsersScript, OnASlopeASideIsASideAndTheFloorTheFloor) {
   const RunFolder folder = plate_folder("slope");
   const std::string walls =
       "fix side all wall/gran model hertz tangential history rolling_friction cdt primitive type 1 xplane 0.1505\n"
@@ -408,7 +408,7 @@ TEST(ForeignScript, OnASlopeASideIsASideAndTheFloorTheFloor) {
 
 // A grain at 300 m/s would jump over the plate of 2 mm; two that are pressed together would change sides of it. Between,
 // a grain bounces as it should.
-TEST(ForeignScript, AGrainThatABodyCannotStopEndsTheRun) {
+TEST(UsersScript, AGrainThatABodyCannotStopEndsTheRun) {
   const RunFolder folder("foreign_tunnel");
   write_stl((folder.path() / "plate.stl").string(), box({0.3, 0.3, 0.002}, 1));
   const auto script = [](const std::string& grain, const std::string& more) {
@@ -445,7 +445,7 @@ TEST(ForeignScript, AGrainThatABodyCannotStopEndsTheRun) {
 }
 
 // The mesh lies in the side z = 0 of the box and turns: round-off must not take it out of the box. -0.1 is no binary number.
-TEST(ForeignScript, AMeshMayTurnInASideOfTheBox) {
+TEST(UsersScript, AMeshMayTurnInASideOfTheBox) {
   const RunFolder folder("foreign_turning_side");
   for (const char* z : {"0", "-0.1"}) {
     Surface plate;
@@ -466,7 +466,7 @@ TEST(ForeignScript, AMeshMayTurnInASideOfTheBox) {
   }
 }
 
-TEST(ForeignScript, AMeshMayLieOnTheSideOfTheBox) {
+TEST(UsersScript, AMeshMayLieOnTheSideOfTheBox) {
   const RunFolder folder("foreign_side");
   write_stl((folder.path() / "plate.stl").string(), box({0.2, 0.2, 0.02}, 1));
   folder.write("in", small_bed() + kGeometry + mesh_wall() + kCouple + "run 200\n");
@@ -479,7 +479,7 @@ TEST(ForeignScript, AMeshMayLieOnTheSideOfTheBox) {
     }
 }
 
-TEST(ForeignScript, MayEndBeforeTheSceneWhenItSaysSo) {
+TEST(UsersScript, MayEndBeforeTheSceneWhenItSaysSo) {
   const RunFolder folder = plate_folder("ends");
   const std::string until = "until 1.0 body plate plate.stl 0 0 0.24 prescribed 0 0 -1 0 0 0";
   folder.write("in", small_bed() + kMesh + mesh_wall() +
@@ -494,7 +494,7 @@ TEST(ForeignScript, MayEndBeforeTheSceneWhenItSaysSo) {
 }
 
 // A belt that runs round a plate at rest, and one on a plate that moves: LIGGGHTS' own bits in the first case.
-TEST(ForeignScript, AConveyorAtRestGivesTheBitsOfStock) {
+TEST(UsersScript, AConveyorAtRestGivesTheBitsOfStock) {
   const RunFolder folder = plate_folder("belt");
   const std::string belt = "fix m all mesh/surface file plate.stl type 2 move 0 0 0.215 surface_vel 1. 0. 0.\n";
   const auto script = [&](const std::string& name, const std::string& mover) {
@@ -513,7 +513,7 @@ TEST(ForeignScript, AConveyorAtRestGivesTheBitsOfStock) {
 }
 
 // What the grains feel is the sum of both velocities: a belt that runs back as fast as its plate goes forward stands.
-TEST(ForeignScript, ABeltRunsOnTheBody) {
+TEST(UsersScript, ABeltRunsOnTheBody) {
   const RunFolder folder("foreign_belt_moves");
   write_stl((folder.path() / "plate.stl").string(), box({0.56, 0.56, 0.02}, 3));  // no grain at its edges
   const std::string height = "0.21";
@@ -536,7 +536,7 @@ TEST(ForeignScript, ABeltRunsOnTheBody) {
 }
 
 // A round plate turns by 90 degrees in 2 ms below a grain on its axis, which its belt drags: the belt's direction turns with it.
-TEST(ForeignScript, ABeltTurnsWithItsBody) {
+TEST(UsersScript, ABeltTurnsWithItsBody) {
   const RunFolder folder("foreign_belt_turns");
   constexpr int kSides = 24;
   Surface disc;
@@ -576,7 +576,7 @@ TEST(ForeignScript, ABeltTurnsWithItsBody) {
   }
 }
 
-TEST(ForeignScript, SeveralMeshesMayMakeUpABody) {
+TEST(UsersScript, SeveralMeshesMayMakeUpABody) {
   const RunFolder folder = plate_folder("parts");
   const Surface whole = read_stl((folder.path() / "plate.stl").string());
   const auto part = [&](const std::string& name, bool upper) {
@@ -612,7 +612,7 @@ TEST(ForeignScript, SeveralMeshesMayMakeUpABody) {
 
 // A rotor: a hub and ten blades, each a mesh of its own, by turns of one material and the other. As one body it feels what
 // eleven bodies feel that move alike.
-TEST(ForeignScript, ARotorOfElevenMeshesOfTwoMaterialsIsTheSumOfThem) {
+TEST(UsersScript, ARotorOfElevenMeshesOfTwoMaterialsIsTheSumOfThem) {
   const RunFolder folder("foreign_rotor");
   constexpr int kParts = 11;
   Surface rotor;

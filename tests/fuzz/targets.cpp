@@ -14,7 +14,7 @@
 #include "mbd_solver/assemble/grain_dump.h"
 #include "mbd_solver/assemble/law_files.h"
 #include "mbd_solver/fe/fe_mesh.h"
-#include "mbd_solver/fe/foreign_model.h"
+#include "mbd_solver/fe/matrix_model.h"
 #include "mbd_solver/fe/mesh_skin.h"
 #include "mbd_solver/fe/modal_body_file.h"
 #include "mbd_solver/run/output/history.h"
@@ -83,11 +83,11 @@ void mtx(const std::string& bytes) {
 // Rows of the matrices of a bar of two nodes, as CalculiX lists them.
 void dof(const std::string& bytes) {
   as_file("matrix.dof", bytes, [](const std::string& path) {
-    ForeignFiles files;
+    MatrixFiles files;
     files.stiffness = files.mass = file_of("matrix.sti", "1 1 1.0\n1 4 -1.0\n4 4 1.0\n2 2 1.0\n6 6 1.0\n");
     files.nodes = file_of("nodes", "1 0 0 0\n2 1 0 0\n");
     files.rows = path;
-    read_foreign_model(files);
+    read_matrix_model(files);
   });
 }
 // Meshes of finite-element codes, with the modes of the results.

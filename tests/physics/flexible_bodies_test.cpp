@@ -157,7 +157,7 @@ TEST(Conservation, BodyWithoutModesIsTheRigidBody) {
     Equations equations(model, test::as_given(model));
     Eigen::VectorXd y(equations.layout().size()),
         ydot = Eigen::VectorXd::LinSpaced(equations.layout().size(), -1.0, 2.0);
-    equations.pack(test::as_given(model).state, Eigen::VectorXd::LinSpaced(5, 1.0, 2.0), y);
+    equations.layout().pack(test::as_given(model).state, Eigen::VectorXd::LinSpaced(5, 1.0, 2.0), y);
     F[i].resize(y.size());
     equations.residual(0.0, y, ydot, {}, F[i]);
   }

@@ -208,7 +208,7 @@ Page page_at(test::Run& run) {
   const int n = layout.v_size, rows = layout.row_count;
   Eigen::VectorXd rates(layout.size()), y(layout.size()), x = Eigen::VectorXd::Zero(layout.size()), Mx = x;
   run.equations.saddle().accelerations(run.state, run.inputs, rates);
-  run.equations.pack(run.state, rates.tail(rows), y);
+  run.equations.layout().pack(run.state, rates.tail(rows), y);
   Page page;
   page.M = Eigen::MatrixXd(n, n);
   page.Phi_v = Eigen::MatrixXd(rows, n);

@@ -116,8 +116,8 @@ std::vector<Eigen::Vector3d> forces_on(const PadRun& run, std::shared_ptr<const 
     facet.start = run.place.front() + run.R_WB * facet.marker.s0;
   }
   const SoilContact soil("fit", std::move(facets), run.two_sided,
-                         SoilContact::Place{{0.0, 0.0, run.surface}, Eigen::Vector3d::UnitZ(), nullptr}, std::move(law),
-                         std::make_shared<const SoilGround>(1.0), true);
+                         SoilContact::Surface{{0.0, 0.0, run.surface}, Eigen::Vector3d::UnitZ(), nullptr},
+                         std::move(law), std::make_shared<const SoilGround>(1.0), true);
   SharedCopies shared;
   const std::unique_ptr<ElementScratch> scratch = soil.scratch(shared);
   BodyKinematics body, ground;

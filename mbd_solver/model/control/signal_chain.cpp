@@ -54,8 +54,8 @@ std::unique_ptr<mu::Parser> parser_of(const std::string& text) {
 namespace {
 
 // Reads the text; place(name) is the place of a variable.
-template <typename Place>
-std::unique_ptr<mu::Parser> read_expression(const std::string& text, const Place& place) {
+template <typename WhereOf>
+std::unique_ptr<mu::Parser> read_expression(const std::string& text, const WhereOf& place) {
   try {
     std::unique_ptr<mu::Parser> parser = parser_of(text);
     std::vector<std::string> names;

@@ -263,20 +263,60 @@ Eigen::VectorXd Cable::initial_state() const {
   return z;
 }
 
-void Cable::measure(const ElementInput& in, bool second, Way& way) const {
-  const int n = in.size();
+// One measurement of the way of a cable: places, touched guides and lengths, then their derivatives.
+class Cable::Measurement {
+ public:
+  Measurement(const Cable& cable, const ElementInput& in, Way& way) : cable_(cable), in_(in), way_(way) {}
+  void locate();
+  void find_touched();
+  void add_lengths();
+  template <int kOrder>
+  void add_spans();
+
+ private:
+  [[noreturn]] void refuse(std::size_t i, std::size_t j) const {
+    throw NumericalError(code::kCableInside, "cable \"" + cable_.name() + "\": guides " + std::to_string(i + 1) +
+                                                 " and " + std::to_string(j + 1) +
+                                                 " of its path meet: one is inside of the other, so that no cable "
+                                                 "runs between them.");
+  }
+  std::size_t next_touched(std::size_t i) const {
+    do ++i;
+    while (!way_.touched[i]);
+    return i;
+  }
+  std::size_t last_touched(std::size_t i) const {
+    do --i;
+    while (!way_.touched[i]);
+    return i;
+  }
+  Span<double> span_of(std::size_t i, std::size_t j) const;
+  template <class AnyJet>
+  void add(std::size_t i, std::size_t j, double factor, const AnyJet& jet, Way::Quantity& out) const;
+  // Of the span from i to j: into the length; the angles of the guides in `for_i` and `for_j`.
+  template <int kOrder>
+  void add_span(std::size_t i, std::size_t j, bool length, bool for_i, bool for_j) const;
+
+  const Cable& cable_;
+  const ElementInput& in_;
+  Way& way_;
+  const std::vector<CableGuide>& guides_ = cable_.guides_;
+  const std::vector<int>& state_of_ = cable_.state_of_;
+};
+
+void Cable::Measurement::locate() {
   const std::size_t count = guides_.size();
-  way.guides.resize(count);
-  way.touched.assign(count, 1);
-  way.counted.assign(static_cast<std::size_t>(states_), 0.0);
+  way_.guides.resize(count);
+  way_.touched.assign(count, 1);
+  way_.counted.assign(static_cast<std::size_t>(cable_.states_), 0.0);
   static const BodyKinematics kAtRest;
   for (std::size_t i = 0; i < count; ++i) {
     const CableGuide& guide = guides_[i];
-    Way::GuideVectors& at = way.guides[i];
+    Way::GuideVectors& at = way_.guides[i];
     const BodyKinematics* body = &kAtRest;
     for (std::size_t k = 0, offset = 0; guide.marker.body != kGround && k < kMostBodies; ++k) {
-      const BodyKinematics* acted = k < 2 ? in.pair.body[k] : in.further[k - 2];
-      if ((k < 2 ? bodies()[k] : further_bodies()[k - 2]) == guide.marker.body) {
+      const BodyKinematics* acted = k < 2 ? in_.pair.body[k] : in_.further[k - 2];
+      if ((k < 2 ? cable_.bodies()[k] : cable_.further_bodies()[k - 2]) == guide.marker.body) {
         body = acted;
         at.offset = static_cast<int>(offset);
         break;
@@ -291,38 +331,26 @@ void Cable::measure(const ElementInput& in, bool second, Way& way) const {
       at.b = KinematicVector::axis(pair, 0, guide.marker, 0);
     }
   }
+}
 
-  const auto inside = [&](std::size_t i, std::size_t j) {
-    throw NumericalError(code::kCableInside, "cable \"" + name() + "\": guides " + std::to_string(i + 1) + " and " +
-                                                 std::to_string(j + 1) +
-                                                 " of its path meet: one is inside of the other, so that no cable "
-                                                 "runs between them.");
+Span<double> Cable::Measurement::span_of(std::size_t i, std::size_t j) const {
+  Span<double> span;
+  const auto side = [&](std::size_t k) {
+    SpanSide<double> out{guides_[k].radius > 0.0, guides_[k].radius, {}, {}};
+    if (out.round) {
+      out.a = in_parts(way_.guides[k].a.value());
+      out.b = in_parts(way_.guides[k].b.value());
+    }
+    return out;
   };
-  const auto span_of = [&](std::size_t i, std::size_t j) {
-    Span<double> span;
-    const auto side = [&](std::size_t k) {
-      SpanSide<double> out{guides_[k].radius > 0.0, guides_[k].radius, {}, {}};
-      if (out.round) {
-        out.a = in_parts(way.guides[k].a.value());
-        out.b = in_parts(way.guides[k].b.value());
-      }
-      return out;
-    };
-    if (!find_span(in_parts(Eigen::Vector3d(way.guides[j].c.value() - way.guides[i].c.value())), side(i), side(j),
-                   span))
-      inside(i, j);
-    return span;
-  };
-  const auto next_touched = [&](std::size_t i) {
-    do ++i;
-    while (!way.touched[i]);
-    return i;
-  };
-  const auto last_touched = [&](std::size_t i) {
-    do --i;
-    while (!way.touched[i]);
-    return i;
-  };
+  if (!find_span(in_parts(Eigen::Vector3d(way_.guides[j].c.value() - way_.guides[i].c.value())), side(i), side(j),
+                 span))
+    refuse(i, j);
+  return span;
+}
+
+void Cable::Measurement::find_touched() {
+  const std::size_t count = guides_.size();
   // Wraps; the cable leaves the pulley with the most negative one, then the others are seen again.
   for (bool again = true; again;) {
     again = false;
@@ -333,115 +361,125 @@ void Cable::measure(const ElementInput& in, bool second, Way& way) const {
       const double before = i > 0 ? span_of(last_touched(i), i).theta_in : 0.0;
       const double after = i + 1 < count ? span_of(i, next_touched(i)).theta_out : 0.0;
       const double raw = i == 0 ? after : i + 1 == count ? before : after - before;
-      double& angle = way.counted[state_of_[i]];
-      angle = nearest_turn(raw, in.z[state_of_[i]]);
-      if (is_end(i) || !way.touched[i] || angle >= least) continue;
+      double& angle = way_.counted[state_of_[i]];
+      angle = nearest_turn(raw, in_.z[state_of_[i]]);
+      if (cable_.is_end(i) || !way_.touched[i] || angle >= least) continue;
       least = angle;
       leaves = i;
     }
     if (least < 0.0) {
-      way.touched[leaves] = 0;
+      way_.touched[leaves] = 0;
       again = true;
     }
   }
+}
 
-  way.unstretched = parameters_.length;
-  if (state_of_.front() >= 0) way.unstretched -= guides_.front().radius * way.counted[state_of_.front()];
-  if (state_of_.back() >= 0) way.unstretched += guides_.back().radius * way.counted[state_of_.back()];
-  if (parameters_.axial_stiffness > 0.0 && !(way.unstretched > 0.0))
-    throw NumericalError(code::kCableTakenUp, "cable \"" + name() +
+void Cable::Measurement::add_lengths() {
+  const std::size_t count = guides_.size();
+  way_.unstretched = cable_.parameters_.length;
+  if (state_of_.front() >= 0) way_.unstretched -= guides_.front().radius * way_.counted[state_of_.front()];
+  if (state_of_.back() >= 0) way_.unstretched += guides_.back().radius * way_.counted[state_of_.back()];
+  if (cable_.parameters_.axial_stiffness > 0.0 && !(way_.unstretched > 0.0))
+    throw NumericalError(code::kCableTakenUp, "cable \"" + cable_.name() +
                                                   "\": its drum has taken up the whole cable: nothing is left between "
                                                   "its ends.");
-  way.length = 0.0;
+  way_.length = 0.0;
   for (std::size_t i = 0; i + 1 < count;) {
     const std::size_t j = next_touched(i);
-    way.length += span_of(i, j).length;
-    if (j + 1 < count && state_of_[j] >= 0) way.length += guides_[j].radius * way.counted[state_of_[j]];
+    way_.length += span_of(i, j).length;
+    if (j + 1 < count && state_of_[j] >= 0) way_.length += guides_[j].radius * way_.counted[state_of_[j]];
     i = j;
   }
+}
 
+template <class AnyJet>
+void Cable::Measurement::add(std::size_t i, std::size_t j, double factor, const AnyJet& jet, Way::Quantity& out) const {
+  const Way::GuideVectors &gi = way_.guides[i], &gj = way_.guides[j];
+  // Each vector with its first variable and its sign: d = c_j - c_i.
+  struct Part {
+    const KinematicVector* vector;
+    const Way::GuideVectors* guide;
+    int first;
+    double sign;
+  };
+  const Part parts[6] = {{&gi.c, &gi, 0, -1.0}, {&gj.c, &gj, 0, 1.0}, {&gi.a, &gi, 3, 1.0},
+                         {&gi.b, &gi, 6, 1.0},  {&gj.a, &gj, 9, 1.0}, {&gj.b, &gj, 12, 1.0}};
+  for (const Part& p : parts) {
+    const Eigen::Vector3d g = factor * p.sign * jet.g.template segment<3>(p.first);
+    out.rate += g.dot(p.vector->rate());
+    if (p.guide->size == 0) continue;
+    p.vector->add_transposed(g, out.by_x.segment(p.guide->offset, p.guide->size));
+    if constexpr (std::decay_t<decltype(jet.h)>::RowsAtCompileTime == kVariables) {
+      p.vector->add_rate_by_position(g, out.rate_by_x.segment(p.guide->offset, p.guide->size));
+      p.vector->add_second(g, out.by_xx.block(p.guide->offset, p.guide->offset, p.guide->size, p.guide->size));
+      Eigen::Vector3d turning = Eigen::Vector3d::Zero();
+      for (const Part& o : parts) {
+        const Eigen::Matrix3d C = factor * p.sign * o.sign * jet.h.template block<3, 3>(p.first, o.first);
+        turning += C * o.vector->rate();
+        if (o.guide->size == 0) continue;
+        p.vector->add_product(C, *o.vector,
+                              out.by_xx.block(p.guide->offset, o.guide->offset, p.guide->size, o.guide->size));
+      }
+      p.vector->add_transposed(turning, out.rate_by_x.segment(p.guide->offset, p.guide->size));
+    }
+  }
+}
+
+template <int kOrder>
+void Cable::Measurement::add_span(std::size_t i, std::size_t j, bool length, bool for_i, bool for_j) const {
+  const auto side = [&](std::size_t k, int first) {
+    SpanSide<Jet<kOrder>> out;
+    out.round = guides_[k].radius > 0.0;
+    out.radius = guides_[k].radius;
+    if (!out.round) return out;
+    out.a = variables_of<kOrder>(way_.guides[k].a.value(), first);
+    out.b = variables_of<kOrder>(way_.guides[k].b.value(), first + 3);
+    return out;
+  };
+  const SpanSide<Jet<kOrder>> side_i = side(i, 3), side_j = side(j, 9);
+  Span<Jet<kOrder>> span;
+  if (!find_span(variables_of<kOrder>(way_.guides[j].c.value() - way_.guides[i].c.value(), 0), side_i, side_j, span))
+    refuse(i, j);
+  if (length) {
+    Jet<kOrder> sum = span.length;
+    if (side_i.round) sum = sum + side_i.radius * span.theta_out;
+    if (side_j.round) sum = sum - side_j.radius * span.theta_in;
+    add(i, j, 1.0, sum, *way_.stretch);
+  }
+  if (for_i && side_i.round) {
+    add(i, j, 1.0, span.theta_out, way_.angles[state_of_[i]]);
+    if (i == 0) add(i, j, -side_i.radius, span.theta_out, *way_.free);
+  }
+  if (for_j && side_j.round) {
+    const double sign = j + 1 == guides_.size() ? 1.0 : -1.0;  // of a pulley: the wrap
+    add(i, j, sign, span.theta_in, way_.angles[state_of_[j]]);
+    if (j + 1 == guides_.size()) add(i, j, side_j.radius, span.theta_in, *way_.free);
+  }
+}
+
+template <int kOrder>
+void Cable::Measurement::add_spans() {
+  for (std::size_t i = 0; i + 1 < guides_.size();) {
+    const std::size_t j = next_touched(i);
+    add_span<kOrder>(i, j, true, true, true);
+    for (std::size_t k = i + 1; k < j; ++k) {  // pulleys that are not touched: their angles alone
+      add_span<kOrder>(i, k, false, false, true);
+      add_span<kOrder>(k, j, false, true, false);
+    }
+    i = j;
+  }
+}
+
+void Cable::measure(const ElementInput& in, bool second, Way& way) const {
+  Measurement measurement(*this, in, way);
+  measurement.locate();
+  measurement.find_touched();
+  measurement.add_lengths();
+  const int n = in.size();
   way.stretch.emplace(n, second);
   way.free.emplace(n, second);
   for (int k = 0; k < states_; ++k) way.angles.emplace_back(n, second);
-  const auto add = [&](std::size_t i, std::size_t j, double factor, const auto& jet, Way::Quantity& out) {
-    const Way::GuideVectors &gi = way.guides[i], &gj = way.guides[j];
-    // Each vector with its first variable and its sign: d = c_j - c_i.
-    struct Part {
-      const KinematicVector* vector;
-      const Way::GuideVectors* guide;
-      int first;
-      double sign;
-    };
-    const Part parts[6] = {{&gi.c, &gi, 0, -1.0}, {&gj.c, &gj, 0, 1.0}, {&gi.a, &gi, 3, 1.0},
-                           {&gi.b, &gi, 6, 1.0},  {&gj.a, &gj, 9, 1.0}, {&gj.b, &gj, 12, 1.0}};
-    for (const Part& p : parts) {
-      const Eigen::Vector3d g = factor * p.sign * jet.g.template segment<3>(p.first);
-      out.rate += g.dot(p.vector->rate());
-      if (p.guide->size == 0) continue;
-      p.vector->add_transposed(g, out.by_x.segment(p.guide->offset, p.guide->size));
-      if constexpr (std::decay_t<decltype(jet.h)>::RowsAtCompileTime == kVariables) {
-        p.vector->add_rate_by_position(g, out.rate_by_x.segment(p.guide->offset, p.guide->size));
-        p.vector->add_second(g, out.by_xx.block(p.guide->offset, p.guide->offset, p.guide->size, p.guide->size));
-        Eigen::Vector3d turning = Eigen::Vector3d::Zero();
-        for (const Part& o : parts) {
-          const Eigen::Matrix3d C = factor * p.sign * o.sign * jet.h.template block<3, 3>(p.first, o.first);
-          turning += C * o.vector->rate();
-          if (o.guide->size == 0) continue;
-          p.vector->add_product(C, *o.vector,
-                                out.by_xx.block(p.guide->offset, o.guide->offset, p.guide->size, o.guide->size));
-        }
-        p.vector->add_transposed(turning, out.rate_by_x.segment(p.guide->offset, p.guide->size));
-      }
-    }
-  };
-  // Of the span from i to j: into the length; the angles of the guides in `for_i` and `for_j`.
-  const auto add_span = [&](auto order, std::size_t i, std::size_t j, bool length, bool for_i, bool for_j) {
-    constexpr int kOrder = decltype(order)::value;
-    const auto side = [&](std::size_t k, int first) {
-      SpanSide<Jet<kOrder>> out;
-      out.round = guides_[k].radius > 0.0;
-      out.radius = guides_[k].radius;
-      if (!out.round) return out;
-      out.a = variables_of<kOrder>(way.guides[k].a.value(), first);
-      out.b = variables_of<kOrder>(way.guides[k].b.value(), first + 3);
-      return out;
-    };
-    const SpanSide<Jet<kOrder>> side_i = side(i, 3), side_j = side(j, 9);
-    Span<Jet<kOrder>> span;
-    if (!find_span(variables_of<kOrder>(way.guides[j].c.value() - way.guides[i].c.value(), 0), side_i, side_j, span))
-      inside(i, j);
-    if (length) {
-      Jet<kOrder> sum = span.length;
-      if (side_i.round) sum = sum + side_i.radius * span.theta_out;
-      if (side_j.round) sum = sum - side_j.radius * span.theta_in;
-      add(i, j, 1.0, sum, *way.stretch);
-    }
-    if (for_i && side_i.round) {
-      add(i, j, 1.0, span.theta_out, way.angles[state_of_[i]]);
-      if (i == 0) add(i, j, -side_i.radius, span.theta_out, *way.free);
-    }
-    if (for_j && side_j.round) {
-      const double sign = j + 1 == guides_.size() ? 1.0 : -1.0;  // of a pulley: the wrap
-      add(i, j, sign, span.theta_in, way.angles[state_of_[j]]);
-      if (j + 1 == guides_.size()) add(i, j, side_j.radius, span.theta_in, *way.free);
-    }
-  };
-  const auto add_spans = [&](auto order) {
-    for (std::size_t i = 0; i + 1 < count;) {
-      const std::size_t j = next_touched(i);
-      add_span(order, i, j, true, true, true);
-      for (std::size_t k = i + 1; k < j; ++k) {  // pulleys that are not touched: their angles alone
-        add_span(order, i, k, false, false, true);
-        add_span(order, k, j, false, true, false);
-      }
-      i = j;
-    }
-  };
-  if (second) {
-    add_spans(std::integral_constant<int, 2>());
-  } else {
-    add_spans(std::integral_constant<int, 1>());
-  }
+  second ? measurement.add_spans<2>() : measurement.add_spans<1>();
 }
 
 Cable::Force Cable::force(const Way& way) const {

@@ -69,6 +69,7 @@ class Cable : public ForceElement {
  private:
   struct Way;
   struct Force;
+  class Measurement;
   bool is_end(std::size_t guide) const { return guide == 0 || guide + 1 == guides_.size(); }
   void measure(const ElementInput& in, bool second, Way& way) const;
   Force force(const Way& way) const;

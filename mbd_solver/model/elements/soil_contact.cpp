@@ -94,7 +94,7 @@ struct SoilContact::Scratch : ElementScratch {
   Eigen::Matrix3Xd X, by_x;
 };
 
-SoilContact::SoilContact(std::string name, std::vector<SoilFacet> facets, bool two_sided, const Place& place,
+SoilContact::SoilContact(std::string name, std::vector<SoilFacet> facets, bool two_sided, const Surface& place,
                          std::shared_ptr<const SoilLaw> law, std::shared_ptr<const SoilGround> ground,
                          bool keeps_ground)
     : ContactElement(std::move(name), facets.empty() ? kGround : facets.front().marker.body, kGround),

@@ -54,14 +54,14 @@ class SoilGround {
 
 class SoilContact : public ContactElement, public Remembering {
  public:
-  struct Place {
+  struct Surface {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();    // of the undisturbed ground, in W [m]
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // out of the ground
     std::shared_ptr<const Terrain> terrain;             // uneven ground, instead of point and normal
   };
   // Facets of one body, at least one. ground: without prints, shared by the elements that meet the same soil. keeps_ground: this
   // element saves its prints, for all that share it.
-  SoilContact(std::string name, std::vector<SoilFacet> facets, bool two_sided, const Place& place,
+  SoilContact(std::string name, std::vector<SoilFacet> facets, bool two_sided, const Surface& place,
               std::shared_ptr<const SoilLaw> law, std::shared_ptr<const SoilGround> ground, bool keeps_ground);
 
   std::unique_ptr<ElementScratch> scratch(SharedCopies& shared) const override;

@@ -14,11 +14,11 @@ namespace footfall {
 namespace {
 
 // The cell of a value among rising nodes and its relative place there; t < 0 or t > 1 outside.
-struct Place {
+struct TableCell {
   Eigen::Index cell;
   double t, width;
 };
-Place locate(const std::vector<double>& nodes, double value) {
+TableCell locate(const std::vector<double>& nodes, double value) {
   const auto above = std::upper_bound(nodes.begin(), nodes.end(), value) - nodes.begin();
   const Eigen::Index cell = std::clamp<Eigen::Index>(above - 1, 0, static_cast<Eigen::Index>(nodes.size()) - 2);
   const std::size_t i = cell;
@@ -86,7 +86,7 @@ TableLaw::TableLaw(const TableLawParameters& p) : stroke_(p.stroke), rate_(p.rat
 }
 
 TableLaw::Split TableLaw::split(double stroke, double rate) const {
-  const Place x = locate(stroke_, stroke), v = locate(rate_, rate);
+  const TableCell x = locate(stroke_, stroke), v = locate(rate_, rate);
   const Eigen::Index i = x.cell, j = v.cell;
   Split s{};
   s.elastic_slope = (elastic_[i + 1] - elastic_[i]) / x.width;
@@ -104,7 +104,7 @@ TableLaw::Split TableLaw::split(double stroke, double rate) const {
 }
 
 double TableLaw::elastic_integral(double stroke) const {
-  const Place x = locate(stroke_, stroke);
+  const TableCell x = locate(stroke_, stroke);
   const double slope = (elastic_[x.cell + 1] - elastic_[x.cell]) / x.width, past = x.t * x.width;
   return stored_[x.cell] + (elastic_[x.cell] + 0.5 * slope * past) * past;
 }

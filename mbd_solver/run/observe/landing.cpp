@@ -105,7 +105,7 @@ LandingWatch::LandingWatch(const Subject& subject)
   rests_.resize(stopped_.size(), false);
 }
 
-LandingWatch::Place LandingWatch::place_of_point(const LandingPointSpec& point) const {
+LandingWatch::LandingPoint LandingWatch::place_of_point(const LandingPointSpec& point) const {
   const int body = subject_.scene.body_index(point.body);
   const BodyState& start = subject_.mechanism.model.initial(body);
   return {body, rotation_matrix(start.L).transpose() * (subject_.mechanism.placement.point(point.point) - start.r),
@@ -191,7 +191,7 @@ void LandingWatch::choose_edges() {
   const Eigen::Matrix3d axes = axes_with_z(axis_D);
   std::vector<Eigen::Vector2d> plan;
   double size = 0.0;
-  for (const Place& pad : pads_) {
+  for (const LandingPoint& pad : pads_) {
     const BodyState& start = subject_.mechanism.model.initial(pad.body);
     const Eigen::Vector3d p_W = start.r + rotation_matrix(start.L) * pad.p_B;
     plan.emplace_back((axes.transpose() * placement.R_WD.transpose() * (p_W - placement.p_WD)).head<2>());
@@ -209,14 +209,14 @@ void LandingWatch::choose_edges() {
 const std::string& LandingWatch::base() const { return subject_.mechanism.model.body(lander_.base).name(); }
 
 // Horizontally the centre of a pad, as high as its lowest place.
-Eigen::Vector3d LandingWatch::place_of(const Place& place, const Sample& sample) const {
+Eigen::Vector3d LandingWatch::place_of(const LandingPoint& place, const Sample& sample) const {
   const BodyKinematics& body = sample.kinematics.of(place.body);
   if (place.boundary == nullptr) return body.r + body.A * place.p_B;
   const double lowest = lowest_place(*place.boundary, body.A.transpose() * up_, body.a);
   return std::isfinite(lowest) ? Eigen::Vector3d(body.r + lowest * up_) : body.r;
 }
 
-bool LandingWatch::touches(const Place& pad, const Eigen::Vector3d& p_W, const Sample& sample) const {
+bool LandingWatch::touches(const LandingPoint& pad, const Eigen::Vector3d& p_W, const Sample& sample) const {
   if (sample.contact[pad.body].F_W.isZero(0.0)) return false;
   return pad.boundary != nullptr || ground_.above(p_W) <= 0.0;
 }

@@ -79,18 +79,18 @@ class LandingWatch {
   std::vector<First> struts_at_stops() const;  // that ever were, in the order of their times
 
  private:
-  struct Place {
+  struct LandingPoint {
     int body = 0;                            // of the model
     Eigen::Vector3d p_B = {0.0, 0.0, 0.0};   // from Bo in B [m]
     const BodyBoundary* boundary = nullptr;  // of a pad: its lowest place along the vertical is the height
   };
-  Place place_of_point(const LandingPointSpec& point) const;
+  LandingPoint place_of_point(const LandingPointSpec& point) const;
   void choose_base();
   void choose_bodies();
   void choose_pads();
   void choose_edges();
-  Eigen::Vector3d place_of(const Place& place, const Sample& sample) const;
-  bool touches(const Place& pad, const Eigen::Vector3d& p_W, const Sample& sample) const;
+  Eigen::Vector3d place_of(const LandingPoint& place, const Sample& sample) const;
+  bool touches(const LandingPoint& pad, const Eigen::Vector3d& p_W, const Sample& sample) const;
   bool at_stop(std::size_t strut, const Sample& sample) const;
   void measure_edges(const Sample& sample);
   void see_pads(const Sample& sample);
@@ -105,7 +105,7 @@ class LandingWatch {
     double mass = 0.0;  // [kg]
   } lander_;
   std::vector<std::string> pad_names_;
-  std::vector<Place> pads_, points_;
+  std::vector<LandingPoint> pads_, points_;
   std::vector<std::size_t> edges_;  // pads in their order around the axis
 
   LandingValues now_;

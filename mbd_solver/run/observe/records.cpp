@@ -11,7 +11,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/run_directory.h"
-#include "coupler/codes.h"
+#include "coupler/base/codes.h"
 #include "coupler/message_fields.h"
 
 namespace footfall {

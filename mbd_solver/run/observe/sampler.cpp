@@ -26,7 +26,7 @@ void Sampler::update(long window, bool last, const CouplingSample* coupling) {
   const State& state = sample_.state;
   const Eigen::VectorXd& rates = sample_.rates;
   kinematics_.load(layout, state.q, state.v, rates.segment(layout.v0(), layout.v_size));
-  equations_.pack(state, rates.tail(layout.row_count), y_);
+  equations_.layout().pack(state, rates.tail(layout.row_count), y_);
   equations_.signals(state, sample_.inputs, values_);
   equations_.energy(state.time, y_, sample_.inputs, energy_);
   energy_.stored[Stored::kGravity] -= ground_potential_;

@@ -17,7 +17,7 @@
 #include "coupler/base/files.h"
 #include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
-#include "coupler/codes.h"
+#include "coupler/base/codes.h"
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/run/codes.h"
 
@@ -43,12 +43,12 @@ std::vector<long> checkpoints_in(const std::string& folder) {
   return numbers;
 }
 
-void remove_tree(const std::string& folder) { Place(folder).remove_all(); }
+void remove_tree(const std::string& folder) { GuardedPath(folder).remove_all(); }
 
 // Not a folder that contains a checkpoint, nor a link.
 void remove_empty(const std::string& folder) {
   struct stat status {};
-  if (lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) Place(folder).remove();
+  if (lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) GuardedPath(folder).remove();
 }
 
 std::string checksum(const fs::path& file) {
@@ -97,7 +97,7 @@ void CheckpointFolder::finish() {
   sync_to_disk(checksums);
   sync_to_disk(part_);
   remove_tree(whole);  // of an earlier part of a resumed run
-  if (const int problem = Place(part_).rename_to(Place(whole)); problem != 0)
+  if (const int problem = GuardedPath(part_).rename_to(GuardedPath(whole)); problem != 0)
     throw InputError(code::kFileNotWritten, whole + ": cannot be written: " + reason_of(problem));
   sync_to_disk(folder_);
   part_.clear();
@@ -135,7 +135,7 @@ std::string newest_checkpoint(const std::string& run) {
   const std::string folder = run + "/checkpoint";
   guard_folder(run);
   // A checkpoint elsewhere would be changed with this run.
-  const Place inside(folder + "/start");
+  const GuardedPath inside(folder + "/start");
   if (inside.problem() == ELOOP)
     throw InputError(code::kNoValidCheckpoint, folder + ": cannot be resumed from: " + reason_of(ELOOP));
   std::string damages;

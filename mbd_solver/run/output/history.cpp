@@ -21,7 +21,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
-#include "coupler/codes.h"
+#include "coupler/base/codes.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/run/codes.h"
@@ -100,7 +100,7 @@ long HistoryWriter::position() {
 
 void HistoryWriter::resume_at(long position) {
   file_.close();
-  const int file = Place(path_).open(O_RDWR);
+  const int file = GuardedPath(path_).open(O_RDWR);
   const int problem = file < 0 ? errno : 0;
   struct stat status {};
   const long size = file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode) ? status.st_size : 0;

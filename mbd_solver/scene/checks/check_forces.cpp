@@ -252,7 +252,7 @@ void check_controllers(const Scene& scene, Findings& findings) {
     for (auto it = c.outputs.begin(); it != c.outputs.end(); ++it)
       at.error_if(std::find(c.outputs.begin(), it, *it) != it, kListedTwice, "outputs",
                   "contains \"" + *it + "\" twice");
-    for (const std::string& key : foreign_keys(c.kind))
+    for (const std::string& key : keys_of_other_kinds(c.kind))
       if (c.source.written_together("kind", key))
         at.warning(kUnusedKey, key, "has no effect on this kind of controller");
     const bool constant = c.kind == ControllerKind::kConstant, fuzzy = c.kind == ControllerKind::kFuzzy;

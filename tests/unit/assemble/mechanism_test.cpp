@@ -55,7 +55,7 @@ void expect_derivatives(const Mechanism& mechanism) {
   Eigen::VectorXd y(layout.size());
   State state = given.state;
   state.v = random.vector_x(layout.v_size);
-  equations.pack(state, random.vector_x(layout.row_count, 5.0), y);
+  equations.layout().pack(state, random.vector_x(layout.row_count, 5.0), y);
   y.head(layout.q_size) += random.vector_x(layout.q_size, 0.01);
   const Eigen::VectorXd ydot = random.vector_x(layout.size(), 3.0);
   std::string where;
@@ -730,7 +730,7 @@ TEST(RoundShape, DerivativesOfItsForceAreThoseOfDifferences) {
       test::Run run(mechanism.model);
       Eigen::VectorXd rates(run.equations.layout().size()), y(run.equations.layout().size());
       run.equations.saddle().accelerations(run.state, run.inputs, rates);
-      run.equations.pack(run.state, rates.tail(run.equations.layout().row_count), y);
+      run.equations.layout().pack(run.state, rates.tail(run.equations.layout().row_count), y);
       std::string where;
       EXPECT_LT(test::jacobian_error(run.equations, y, rates, 10.0, run.inputs, &where), 1e-7)  // see its step
           << shape << ", " << roll << ": " << where;

@@ -34,7 +34,7 @@ TEST_F(ForeignBed, OfAnotherUserIsRefused) {
   EXPECT_TRUE(bed_is_made(folder));
   for (const std::string& path : {folder, folder + "/bed.restart", folder + "/bed.seal"}) {
     ASSERT_EQ(chown(path.c_str(), 12345, 12345), 0);
-    EXPECT_TRUE(test::names(test::error_of([&] { bed_is_made(folder); }), {code::kForeignBed.number})) << path;
+    EXPECT_TRUE(test::names(test::error_of([&] { bed_is_made(folder); }), {code::kBedOfAnother.number})) << path;
     ASSERT_EQ(chown(path.c_str(), 0, 0), 0);
   }
 }
@@ -42,7 +42,7 @@ TEST_F(ForeignBed, OfAnotherUserIsRefused) {
 TEST_F(ForeignBed, ThatIsALinkIsRefused) {
   const std::string folder = bed("key");
   fs::create_symlink(folder, file("other"));
-  EXPECT_TRUE(test::names(test::error_of([&] { bed_is_made(file("other")); }), {code::kForeignBed.number}));
+  EXPECT_TRUE(test::names(test::error_of([&] { bed_is_made(file("other")); }), {code::kBedOfAnother.number}));
 }
 
 TEST_F(ForeignBed, OfOtherConditionsIsDamaged) {

@@ -77,7 +77,7 @@ TEST_P(ObliqueCable, HasTheDerivativesOfItsForces) {
   const Assembly assembly = test::as_given(model_);
   Equations equations(model_, assembly);
   Eigen::VectorXd y(equations.layout().size());
-  equations.pack(assembly.state, Eigen::VectorXd(), y);
+  equations.layout().pack(assembly.state, Eigen::VectorXd(), y);
   const Eigen::VectorXd ydot = random_.vector_x(y.size());
   Inputs inputs;
   inputs.values = Eigen::Vector2d(0.3, 0.8);
@@ -116,7 +116,7 @@ TEST_P(ObliqueCable, IsReadByContinuousSignalsWithTheirDerivatives) {
   const Assembly assembly = test::as_given(model_);
   Equations equations(model_, assembly);
   Eigen::VectorXd y(equations.layout().size());
-  equations.pack(assembly.state, Eigen::VectorXd(), y);
+  equations.layout().pack(assembly.state, Eigen::VectorXd(), y);
   const Eigen::VectorXd ydot = random_.vector_x(y.size());
   Inputs inputs;
   inputs.values = Eigen::VectorXd::Zero(4);

@@ -274,7 +274,7 @@ TEST_P(JacobianOfRandomModel, EqualsDifferencesOfTheResidual) {
     const Layout& layout = equations.layout();
     const Inputs inputs = test::random_inputs(random, model);
     Eigen::VectorXd y(layout.size());
-    equations.pack(test::as_given(model).state, random.vector_x(layout.row_count, 5.0), y);
+    equations.layout().pack(test::as_given(model).state, random.vector_x(layout.row_count, 5.0), y);
     // Quaternions off unit length too: derivatives along L must vanish there as well.
     for (int q : layout.body_q) y.segment<4>(q + 3) *= random.number(0.8, 1.2);
     const Eigen::VectorXd ydot = random.vector_x(layout.size(), 3.0);
@@ -290,13 +290,13 @@ TEST(Jacobian, KeepsItsPatternAndItsPlace) {
   const Model model = test::everything(random);
   Equations equations(model, test::as_given(model));
   Eigen::VectorXd y(equations.layout().size());
-  equations.pack(test::as_given(model).state, Eigen::VectorXd::Zero(equations.layout().row_count), y);
+  equations.layout().pack(test::as_given(model).state, Eigen::VectorXd::Zero(equations.layout().row_count), y);
   const Inputs inputs = test::random_inputs(random, model);
-  const double* values = equations.reduced_pattern().valuePtr();
-  const Eigen::Index entries = equations.reduced_pattern().nonZeros();
-  equations.reduced_jacobian(0.0, y, Eigen::VectorXd::Zero(y.size()), 10.0, inputs);
-  EXPECT_EQ(equations.reduced_pattern().valuePtr(), values);
-  EXPECT_EQ(equations.reduced_pattern().nonZeros(), entries);
+  const double* values = equations.jacobian().matrix().valuePtr();
+  const Eigen::Index entries = equations.jacobian().matrix().nonZeros();
+  equations.jacobian().evaluate(0.0, y, Eigen::VectorXd::Zero(y.size()), 10.0, inputs);
+  EXPECT_EQ(equations.jacobian().matrix().valuePtr(), values);
+  EXPECT_EQ(equations.jacobian().matrix().nonZeros(), entries);
 }
 
 TEST(Jacobian, MassTimesVectorIsItsDerivativeByRates) {
@@ -306,7 +306,7 @@ TEST(Jacobian, MassTimesVectorIsItsDerivativeByRates) {
   const int n = equations.layout().size();
   const Inputs inputs = test::random_inputs(random, model);
   Eigen::VectorXd y(n), F0(n), F1(n), product(n);
-  equations.pack(test::as_given(model).state, random.vector_x(equations.layout().row_count), y);
+  equations.layout().pack(test::as_given(model).state, random.vector_x(equations.layout().row_count), y);
   Eigen::VectorXd x = random.vector_x(n), ydot = random.vector_x(n);
   x.tail(equations.layout().row_count).setZero();
   equations.residual(0.3, y, ydot, inputs, F0);

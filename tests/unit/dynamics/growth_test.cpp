@@ -189,7 +189,7 @@ struct Filtered {
 
 Eigen::Index jacobian_entries(const Filtered& filtered) {
   const Assembly assembly = assemble(filtered.model);
-  return Equations(filtered.model, assembly).reduced_pattern().nonZeros();
+  return Equations(filtered.model, assembly).jacobian().matrix().nonZeros();
 }
 
 TEST(ContinuousSignals, HaveDerivativesOfWhatTheyReadAlone) {
@@ -206,7 +206,7 @@ TEST(ContinuousSignals, HaveTheDerivativesOfTheResidual) {
     const Assembly assembly = assemble(filtered.model);
     Equations equations(filtered.model, assembly);
     Eigen::VectorXd y(equations.layout().size()), ydot = Eigen::VectorXd::Zero(y.size());
-    equations.pack(assembly.state, Eigen::VectorXd(), y);
+    equations.layout().pack(assembly.state, Eigen::VectorXd(), y);
     y.segment(equations.layout().v0(), equations.layout().v_size).setLinSpaced(-0.3, 0.4);
     y.segment(equations.layout().z0(), equations.layout().z_size).setLinSpaced(0.1, 0.7);
     std::string where;
@@ -252,11 +252,11 @@ long evaluations_of_a_jacobian(int n) {
   const Assembly assembly = assemble(model);
   Equations equations(model, assembly);
   Eigen::VectorXd y(equations.layout().size());
-  equations.pack(assembly.state, Eigen::VectorXd(), y);
+  equations.layout().pack(assembly.state, Eigen::VectorXd(), y);
   Inputs inputs;
   inputs.values = Eigen::VectorXd::Zero(n);
   count = 0;
-  equations.reduced_jacobian(0.0, y, Eigen::VectorXd::Zero(y.size()), 1.0, inputs);
+  equations.jacobian().evaluate(0.0, y, Eigen::VectorXd::Zero(y.size()), 1.0, inputs);
   return count;
 }
 

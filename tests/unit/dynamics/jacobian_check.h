@@ -15,11 +15,11 @@ inline Eigen::MatrixXd whole_jacobian(Equations& equations, double t, const Eige
   const int nq = layout.q_size, nv = layout.v_size, lower = layout.size() - nq;
   const Eigen::VectorXd q = y.head(nq), v = y.segment(nq, nv);
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(layout.size(), layout.size());
-  J.bottomRightCorner(lower, lower) = Eigen::MatrixXd(equations.reduced_jacobian(t, y, ydot, c, inputs));
+  J.bottomRightCorner(lower, lower) = Eigen::MatrixXd(equations.jacobian().evaluate(t, y, ydot, c, inputs));
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(lower, nv);  // by increments
   for (int j = 0; j < nv; ++j) {
     Eigen::VectorXd column = Eigen::VectorXd::Zero(lower);
-    equations.subtract_stiffness(Eigen::VectorXd::Unit(nv, j), column);
+    equations.jacobian().subtract_stiffness(Eigen::VectorXd::Unit(nv, j), column);
     K.col(j) = -column;
   }
   Eigen::VectorXd dq(nq), dx(nv);

@@ -259,7 +259,7 @@ inline std::unique_ptr<SoilContact> soil_contact(Random& random, const Model& mo
     facet.normal = (random.vector() - Eigen::Vector3d(0.0, 0.0, 1.0)).normalized();
     facet.area = 0.5 + random.number() * 0.1;
   }
-  SoilContact::Place place;
+  SoilContact::Surface place;
   place.normal = random.vector() + Eigen::Vector3d(0.0, 0.0, 3.0);
   place.point = model.initial(body).r + 3.0 * place.normal.normalized();
   // Pressed in from a print a little higher and to the side: in elastic ground.

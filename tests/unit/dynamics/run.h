@@ -41,7 +41,7 @@ class Run {
     EnergySample sample;
     Eigen::VectorXd rates(equations.layout().size()), y(equations.layout().size());
     equations.saddle().accelerations(state, inputs, rates);
-    equations.pack(state, rates.tail(equations.layout().row_count), y);
+    equations.layout().pack(state, rates.tail(equations.layout().row_count), y);
     equations.energy(state.time, y, inputs, sample);
     return sample;
   }

@@ -85,7 +85,7 @@ class SharedModel : public ::testing::Test {
   }
   Eigen::VectorXd jacobian(Equations& equations, int place) const {
     const At& at = places[place];
-    const Eigen::SparseMatrix<double>& K = equations.reduced_jacobian(at.t, at.y, at.ydot, 20.0, inputs);
+    const Eigen::SparseMatrix<double>& K = equations.jacobian().evaluate(at.t, at.y, at.ydot, 20.0, inputs);
     return Eigen::Map<const Eigen::VectorXd>(K.valuePtr(), K.nonZeros());
   }
   Results results(Equations& equations, int place) const {
@@ -160,7 +160,7 @@ TEST(SharedSoil, HasTheMemoryOfTheStateThatIsRecalled) {
     facet.area = 0.04;
     facet.start = state.r + at_B;
     plates.push_back(model.add_force(std::make_unique<SoilContact>(name, std::vector<SoilFacet>{facet}, false,
-                                                                   SoilContact::Place{}, law, ground, k == 0)));
+                                                                   SoilContact::Surface{}, law, ground, k == 0)));
   }
   const Assembly given = test::as_given(model);
   Equations one(model, given), two(model, given);

@@ -360,7 +360,7 @@ struct Plate {
       facet.area = 0.01;
       facet.start = model.initial_position(facet.marker);
     }
-    auto contact = std::make_unique<SoilContact>("soil", facets, false, SoilContact::Place{{0, 0, 0}, up, nullptr},
+    auto contact = std::make_unique<SoilContact>("soil", facets, false, SoilContact::Surface{{0, 0, 0}, up, nullptr},
                                                  std::move(law), std::make_shared<const SoilGround>(0.2), true);
     soil = contact.get();
     own.emplace(*soil);
@@ -447,7 +447,7 @@ double push_of_a_face(const RftParameters& law, int rows, double depth) {
     facets.push_back(facet);
   }
   for (SoilFacet& facet : facets) facet.start = Eigen::Vector3d(0.0, 0.0, 1.0);  // not in its print
-  const SoilContact soil("soil", facets, false, SoilContact::Place{}, make_rft(law, ""),
+  const SoilContact soil("soil", facets, false, SoilContact::Surface{}, make_rft(law, ""),
                          std::make_shared<const SoilGround>(0.2), true);
   const test::OwnScratch own(soil);
   const Layout layout(model);

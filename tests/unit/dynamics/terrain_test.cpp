@@ -37,7 +37,7 @@ void expect_exact_jacobian(Model& model, test::Random& random, double bound) {
   Equations equations(model, given);
   const Layout& layout = equations.layout();
   Eigen::VectorXd y(layout.size());
-  equations.pack(given.state, random.vector_x(layout.row_count), y);
+  equations.layout().pack(given.state, random.vector_x(layout.row_count), y);
   y.segment(layout.z0(), layout.z_size) = random.vector_x(layout.z_size, 0.05);
   const Eigen::VectorXd ydot = random.vector_x(layout.size(), 3.0);
   std::string where;
@@ -950,7 +950,7 @@ TEST(SoilOnTerrain, SlopeAloneIsTheTiltedPlane) {
         facets.push_back(facet);
       }
     }
-    SoilContact::Place place;
+    SoilContact::Surface place;
     place.point = parts.origin;
     place.normal = {-parts.slope.x(), -parts.slope.y(), 1.0};
     if (i == 0) place.terrain = terrain_of(parts);

@@ -9,7 +9,7 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/fe/elements.h"
 #include "mbd_solver/fe/fe_model.h"
-#include "mbd_solver/fe/foreign_model.h"
+#include "mbd_solver/fe/matrix_model.h"
 #include "mbd_solver/fe/turned_model.h"
 #include "mbd_solver/model/body.h"
 #include "mbd_solver/model/modal_inertia.h"

@@ -12,7 +12,7 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/fe_mesh.h"
-#include "mbd_solver/fe/foreign_model.h"
+#include "mbd_solver/fe/matrix_model.h"
 #include "mbd_solver/fe/mesh_skin.h"
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/fe/model_text.h"
@@ -78,9 +78,9 @@ const Sample kSamples[] = {{"bar", "ROOT", UnitSystem::kMetre, 1.0},
                            {"bracket", "TOP", UnitSystem::kMillimetreTonne, 1e-3},
                            {"leg", "ROOT", UnitSystem::kMetre, 1.0}};
 
-ForeignFiles files_of(const Sample& sample, bool lumped = false) {
+MatrixFiles files_of(const Sample& sample, bool lumped = false) {
   const std::string name = sample.name;
-  ForeignFiles files;
+  MatrixFiles files;
   files.stiffness = data(name + ".sti");
   files.mass = data(name + (lumped ? "_lumped.mas" : ".mas"));
   files.nodes = data(name + ".inp");
@@ -117,7 +117,7 @@ TEST(CalculixModels, HaveTheFrequenciesThatCalculixFinds) {
   for (const Sample& sample : kSamples)
     for (const bool lumped : {false, true}) {
       const Results results = results_of(sample.name);
-      const FeModel model = read_foreign_model(files_of(sample, lumped));
+      const FeModel model = read_matrix_model(files_of(sample, lumped));
       const FeMesh mesh = mesh_of(data(std::string(sample.name) + ".inp"));
       const std::string kind = lumped ? "lumped_" : "";
       const ReducedBody reduced = reduce(model, free_modes(10), sample.name);
@@ -133,7 +133,7 @@ TEST(CalculixModels, HaveTheFrequenciesThatCalculixFinds) {
 TEST(CalculixModels, DeflectAsCalculixFinds) {
   for (const Sample& sample : kSamples) {
     const Results results = results_of(sample.name);
-    const FeModel model = read_foreign_model(files_of(sample));
+    const FeModel model = read_matrix_model(files_of(sample));
     const FeMesh mesh = mesh_of(data(std::string(sample.name) + ".inp"));
     VectorXd load = VectorXd::Zero(model.stiffness.rows());
     for (const auto& [id, u] : results.deflections) load(6 * mesh.index.at(id) + 2) = -10.0;
@@ -154,7 +154,7 @@ TEST(CalculixModels, HaveTheInertiaOfTheirSolid) {
                off_inertia[] = {1e-9, 1e-9, 1e-2, 1e-3};
   for (std::size_t k = 0; k < 4; ++k) {
     const Sample& sample = kSamples[k];
-    const FeModel model = read_foreign_model(files_of(sample));
+    const FeModel model = read_matrix_model(files_of(sample));
     TriangleMesh skin;
     for (Index j = 0; j < model.nodes.cols(); ++j) skin.vertices.push_back(model.nodes.col(j));
     skin.triangles = model.triangles;
@@ -324,24 +324,24 @@ TEST(CalculixModels, AreTheSameBodyConsistentLumpedAndReducedByGuyan) {
       const std::string who = sample.name + std::to_string(static_cast<int>(form));
       const Results results = results_of(sample.name);
       const std::string prefix = form == Form::kLumped ? "lumped_" : "";
-      ForeignFiles f = files_of(sample, form == Form::kLumped);
+      MatrixFiles f = files_of(sample, form == Form::kLumped);
       const FeMesh mesh = mesh_of(f.nodes);
       if (form == Form::kGuyan) {
         f.units = UnitSystem::kMetre;  // the numbers of the files as they are
-        const FeModel full = read_foreign_model(f);
+        const FeModel full = read_matrix_model(f);
         const Condensed guyan = condensed(full, kept_nodes(full, mesh, {sample.root, tip}, share));
         f.stiffness = files.add(who + ".sti", triangle_text(guyan.K));
         f.mass = files.add(who + ".mas", triangle_text(guyan.M));
         f.rows = files.add(who + ".dof", dof_list(guyan, mesh));
         f.units = sample.units;
       }
-      const VectorXd found = frequencies(reduce(read_foreign_model(f), free_modes(10), who).body);
+      const VectorXd found = frequencies(reduce(read_matrix_model(f), free_modes(10), who).body);
       EXPECT_LT(largest_difference(found, results.frequencies.at(prefix + "free")),
                 form == Form::kGuyan ? 1e-3 : kPrinted)
           << who;
 
       f.interfaces = {{sample.root, SpiderKind::kRigid, {}}, {tip, SpiderKind::kAveraged, {}}};
-      const FeModel model = read_foreign_model(f);
+      const FeModel model = read_matrix_model(f);
       BasisOptions options;
       options.interface_nodes = {0, 1};  // the tip, added last, and the root
       options.mode_count = 4;
@@ -368,7 +368,7 @@ TEST(CalculixModels, AreTheSameBodyConsistentLumpedAndReducedByGuyan) {
 // Corners of every second cross section of the bar, and of its ends. Reduced statically to them the bar keeps mass, centre
 // and inertia; frequencies rise with the square of those that are left out.
 TEST(ReducedModels, OfGuyanAreTakenAsTheyAreInEveryFormat) {
-  const FeModel full = read_foreign_model(files_of(kSamples[0]));
+  const FeModel full = read_matrix_model(files_of(kSamples[0]));
   const FeMesh mesh = mesh_of(data("bar.inp"));
   std::vector<int> kept;
   for (int node = 0; node < 36; ++node)
@@ -388,7 +388,7 @@ TEST(ReducedModels, OfGuyanAreTakenAsTheyAreInEveryFormat) {
   const std::string pch = files.add("bar.pch", dmig_text("KAAX", guyan.K, ids) + dmig_text("MAAX", guyan.M, ids));
   const std::string sub = files.add("sub.mtx", substructure_text(guyan.K, guyan.M, ids));
   const auto in = [&](const std::string& stiffness, const std::string& mass) {
-    ForeignFiles f;
+    MatrixFiles f;
     f.stiffness = stiffness;
     f.mass = mass;
     f.nodes = nodes;
@@ -397,7 +397,7 @@ TEST(ReducedModels, OfGuyanAreTakenAsTheyAreInEveryFormat) {
   // Printed digits of the stiffest against the softest motion: 1e5 times the last one.
   for (const auto& [f, off] :
        {std::pair{in(sti, mas), 1e-9}, {in(k_mtx, m_mtx), 1e-9}, {in(sub, sub), 1e-9}, {in(pch, pch), 1e-4}}) {
-    const FeModel model = read_foreign_model(f);
+    const FeModel model = read_matrix_model(f);
     EXPECT_EQ(model.node_count(), static_cast<int>(kept.size()));
     EXPECT_GT(model.mass.size(), 0) << "nothing is lumped";
     const MassProperties body = mass_properties(model);
@@ -412,7 +412,7 @@ TEST(ReducedModels, OfGuyanAreTakenAsTheyAreInEveryFormat) {
 // *SUBSTRUCTURE GENERATE of CalculiX 2.20 writes the rows of the retained nodes as they are, with all others held (thirteen
 // digits): no free body, which is told.
 TEST(ReducedModels, OfCalculixAreReadAndRefusedAsTheyAreHeld) {
-  const FeModel full = read_foreign_model(files_of(kSamples[0]));
+  const FeModel full = read_matrix_model(files_of(kSamples[0]));
   const FeMesh mesh = mesh_of(data("bar.inp"));
   std::vector<int> kept, rows;
   for (int corner = 0; corner < 4; ++corner)
@@ -422,12 +422,12 @@ TEST(ReducedModels, OfCalculixAreReadAndRefusedAsTheyAreHeld) {
     for (int i = 0; i < 3; ++i) rows.push_back(6 * node + i);
   const Condensed guyan = condensed(full, kept);
   const Files files;
-  ForeignFiles f;
+  MatrixFiles f;
   f.stiffness = data("bar.mtx");
   f.mass = files.add("bar.mas", triangle_text(guyan.M));
   f.rows = files.add("bar.dof", dof_list(guyan, mesh));
   f.nodes = data("bar.inp");
-  const FeModel model = read_foreign_model(f);
+  const FeModel model = read_matrix_model(f);
   const MatrixXd expected = MatrixXd(selected(full.stiffness, rows, rows));
   MatrixXd K(36, 36);
   for (Index i = 0; i < 36; ++i)
@@ -441,7 +441,7 @@ TEST(ReducedModels, OfCalculixAreReadAndRefusedAsTheyAreHeld) {
 // The leg on the displacements of its root and tip, and fixed-interface modes: its frequencies are nearly those of the whole,
 // and mass, centre and inertia exactly.
 TEST(ReducedModels, OfCraigAndBamptonHaveCoordinatesWithoutPlace) {
-  const FeModel full = read_foreign_model(files_of(kSamples[3]));
+  const FeModel full = read_matrix_model(files_of(kSamples[3]));
   const FeMesh mesh = mesh_of(data("leg.inp"));
   std::vector<int> kept = mesh.set("ROOT", "leg");
   for (const int node : mesh.set("TIP", "leg")) kept.push_back(node);
@@ -466,12 +466,12 @@ TEST(ReducedModels, OfCraigAndBamptonHaveCoordinatesWithoutPlace) {
       rows += std::to_string(mesh.ids[static_cast<std::size_t>(node)]) + "." + std::to_string(i) + "\n";
   for (int k = 0; k < modes; ++k) rows += std::to_string(900001 + k) + ".1\n";
   const Files files;
-  ForeignFiles f;
+  MatrixFiles f;
   f.stiffness = files.add("leg.sti", triangle_text(0.5 * (K + K.transpose())));
   f.mass = files.add("leg.mas", triangle_text(0.5 * (M + M.transpose())));
   f.rows = files.add("rows.dof", rows);
   f.nodes = data("leg.inp");
-  const FeModel model = read_foreign_model(f);
+  const FeModel model = read_matrix_model(f);
   EXPECT_EQ(model.extra, modes);
   const MassProperties body = mass_properties(model), whole = mass_properties(full);
   EXPECT_NEAR(body.mass, whole.mass, 1e-9 * whole.mass);
@@ -494,9 +494,9 @@ TEST(ReducedModels, OfCraigAndBamptonHaveCoordinatesWithoutPlace) {
 // Root and tip of the leg as rigid sets. Held at the node of its root, the leg has the frequencies of CalculiX with that set
 // held (its rotations do not move either way).
 TEST(Interfaces, ThatAreRigidHoldAsTheirSetDoes) {
-  ForeignFiles files = files_of(kSamples[3]);
+  MatrixFiles files = files_of(kSamples[3]);
   files.interfaces = {{"root", SpiderKind::kRigid, {}}};  // whatever the case of its letters
-  const FeModel model = read_foreign_model(files);
+  const FeModel model = read_matrix_model(files);
   ASSERT_EQ(model.spiders.size(), 1u);
   EXPECT_LT(model.nodes.col(0).norm(), 1e-12) << "in the mean of the set";
   const FeModel independent = constrained(model).model;
@@ -515,7 +515,7 @@ TEST(Interfaces, ThatAreRigidHoldAsTheirSetDoes) {
       EXPECT_LT((body.Phi.block<3, 1>(3 * node, k) - u - t.cross(arm)).norm(), 1e-9 * body.Phi.norm());
       EXPECT_LT((body.Psi.block<3, 1>(3 * node, k) - t).norm(), 1e-9 * body.Psi.norm());
     }
-  const MassProperties whole = mass_properties(read_foreign_model(files_of(kSamples[3])));
+  const MassProperties whole = mass_properties(read_matrix_model(files_of(kSamples[3])));
   const Body moving("leg", std::make_shared<const ModalBody>(body));
   EXPECT_LT((moving.rigid_inertia() - whole.inertia).norm(), 1e-9 * whole.inertia.norm());
   // A joint in the middle of the set finds it, and one elsewhere finds no rotation.
@@ -528,9 +528,9 @@ TEST(Interfaces, ThatAreRigidHoldAsTheirSetDoes) {
 TEST(Interfaces, ThatAreAveragedSpreadTheirLoad) {
   for (const std::size_t which : {std::size_t{0}, std::size_t{3}}) {  // all nodes of a set have the same share
     const Sample& sample = kSamples[which];
-    ForeignFiles files = files_of(sample);
+    MatrixFiles files = files_of(sample);
     files.interfaces = {{"TIP", SpiderKind::kAveraged, {}}};
-    const FeModel model = read_foreign_model(files);
+    const FeModel model = read_matrix_model(files);
     const Results results = results_of(sample.name);
     const FeMesh mesh = mesh_of(files.nodes);
     const Constrained independent = constrained(model);
@@ -550,9 +550,9 @@ TEST(Interfaces, ThatAreAveragedSpreadTheirLoad) {
 
 // Several of them: each is the mean of its own set, and the leg between both deflects as CalculiX finds.
 TEST(Interfaces, MayBeSeveral) {
-  ForeignFiles files = files_of(kSamples[3]);
+  MatrixFiles files = files_of(kSamples[3]);
   files.interfaces = {{"ROOT", SpiderKind::kRigid, {}}, {"TIP", SpiderKind::kAveraged, {}}};
-  const FeModel model = read_foreign_model(files);
+  const FeModel model = read_matrix_model(files);
   ASSERT_EQ(model.spiders.size(), 2u);
   for (const Spider& spider : model.spiders) {
     Vector3d mean = Vector3d::Zero();
@@ -572,12 +572,12 @@ TEST(Interfaces, MayBeSeveral) {
 
 // A joint at the point of a set holds the set, where a node of the mesh is at this point, too, to the digits of the scene.
 TEST(Interfaces, HoldAJointAtANodeOfTheMesh) {
-  ForeignFiles files = files_of(kSamples[3]);
+  MatrixFiles files = files_of(kSamples[3]);
   const FeMesh mesh = mesh_of(files.nodes);
   const Vector3d node = mesh.points[static_cast<std::size_t>(mesh.set("TIP", files.nodes).front())];
   for (const SpiderKind kind : {SpiderKind::kRigid, SpiderKind::kAveraged}) {
     files.interfaces = {{"TIP", kind, Vector3d(node + Vector3d(1e-8, 0, 0))}};
-    const FeModel model = read_foreign_model(files);
+    const FeModel model = read_matrix_model(files);
     EXPECT_EQ(joint_node(model, node, 1.0, true), model.spiders[0].node);
     const ReducedBody reduced = reduce(model, free_modes(6), "leg");
     EXPECT_EQ(joint_node(reduced.body, node - reduced.p_DBo, 1.0, true), model.spiders[0].node);
@@ -586,7 +586,7 @@ TEST(Interfaces, HoldAJointAtANodeOfTheMesh) {
 
 // kg/mm3 instead of t/mm3 makes a thousandfold mass, lb/in3 instead of lbf s2/in4 386 times the mass.
 TEST(Units, OfDensitiesThatNoSolidHasAreWarnedOf) {
-  const FeModel model = read_foreign_model(files_of(kSamples[2]));
+  const FeModel model = read_matrix_model(files_of(kSamples[2]));
   EXPECT_TRUE(reduce(model, free_modes(6), "bracket").warnings.empty());
   for (const double factor : {1000.0, 386.0886}) {
     const FeModel heavy = with_mass(model, factor * mass_properties(model).mass);
@@ -598,14 +598,14 @@ TEST(Units, OfDensitiesThatNoSolidHasAreWarnedOf) {
 
 TEST(Interfaces, ThatCannotBeAreRefused) {
   const auto with = [](std::vector<InterfaceSpec> interfaces) {
-    ForeignFiles files = files_of(kSamples[0]);
+    MatrixFiles files = files_of(kSamples[0]);
     files.interfaces = std::move(interfaces);
-    return refusal([&] { read_foreign_model(files); });
+    return refusal([&] { read_matrix_model(files); });
   };
   EXPECT_EQ(with({{"ROOT", SpiderKind::kRigid, {}}, {"TIP", SpiderKind::kAveraged, {}}}), "");
   EXPECT_TRUE(names(with({{"ROT", SpiderKind::kRigid, {}}}), {"E0328", "ROT", "ROOT"}));
   EXPECT_TRUE(names(with({{"ALL", SpiderKind::kRigid, {}}, {"TIP", SpiderKind::kRigid, {}}}), {"E0321"}));
-  FeModel model = read_foreign_model(files_of(kSamples[0]));
+  FeModel model = read_matrix_model(files_of(kSamples[0]));
   EXPECT_THROW(add_spider(model, {0, 1, 2}, SpiderKind::kAveraged, nullptr, "line"), InputError);
 }
 
@@ -613,9 +613,9 @@ TEST(Interfaces, ThatCannotBeAreRefused) {
 
 // The modes of the free bar with their stresses at the nodes: a mode that is among them has its stress.
 TEST(StressFile, GivesAModeTheStressThatCalculixFinds) {
-  ForeignFiles files = files_of(kSamples[0]);
+  MatrixFiles files = files_of(kSamples[0]);
   files.stress = data("bar.frd");
-  const FeModel model = read_foreign_model(files);
+  const FeModel model = read_matrix_model(files);
   const ReducedBody reduced = reduce(model, free_modes(6), "bar");
   ASSERT_EQ(reduced.body.stress_modes.rows(), 6 * model.node_count());
   EXPECT_TRUE(reduced.warnings.empty());
@@ -897,10 +897,10 @@ TEST(ForeignMatrices, NameFileAndLineOfWhatIsWrong) {
       {"k.mtx", "", 0},
   };
   for (const BadFile& file : bad) {
-    ForeignFiles f;
+    MatrixFiles f;
     f.stiffness = f.mass = files.add(file.name, file.text);
     f.nodes = nodes;
-    const std::string message = refusal([&] { read_foreign_model(f); });
+    const std::string message = refusal([&] { read_matrix_model(f); });
     const std::string where = f.stiffness + (file.line > 0 ? ":" + std::to_string(file.line) + ": " : "");
     if (std::string(file.name) != "k.sti") {
       EXPECT_EQ(message.rfind(where, 0), 0u) << file.text << message;
@@ -908,18 +908,18 @@ TEST(ForeignMatrices, NameFileAndLineOfWhatIsWrong) {
     EXPECT_TRUE(names(message, {"E0328"})) << file.text;
   }
   // Rows of supports left out: the body is not free.
-  const FeModel bar = read_foreign_model(files_of(kSamples[0]));
-  ForeignFiles f = files_of(kSamples[0]);
+  const FeModel bar = read_matrix_model(files_of(kSamples[0]));
+  MatrixFiles f = files_of(kSamples[0]);
   f.rows = files.add("short.dof", "1.1\n1.2\n");
-  EXPECT_TRUE(names(refusal([&] { read_foreign_model(f); }), {"E0328", "short.dof"}));
+  EXPECT_TRUE(names(refusal([&] { read_matrix_model(f); }), {"E0328", "short.dof"}));
   f.rows = files.add("twice.dof", bytes_of_model(data("bar.dof")).replace(4, 3, "1.1"));  // as of expanded shells
-  EXPECT_TRUE(names(refusal([&] { read_foreign_model(f); }), {"E0328", "1.1"}));
+  EXPECT_TRUE(names(refusal([&] { read_matrix_model(f); }), {"E0328", "1.1"}));
   f.rows.clear();
   f.mass = data("leg.mas");
-  EXPECT_TRUE(names(refusal([&] { read_foreign_model(f); }), {"E0328", "leg.mas", "168", "180"}));
+  EXPECT_TRUE(names(refusal([&] { read_matrix_model(f); }), {"E0328", "leg.mas", "168", "180"}));
   f = files_of(kSamples[0]);
   f.units = UnitSystem::kMillimetreTonne;
-  EXPECT_NEAR(mass_properties(read_foreign_model(f)).mass, 1e3 * mass_properties(bar).mass, 1e-6);
+  EXPECT_NEAR(mass_properties(read_matrix_model(f)).mass, 1e3 * mass_properties(bar).mass, 1e-6);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ TEST(ReducedSystem, SolvesTheWholeSystem) {
   const Layout& layout = equations.layout();
   const Inputs inputs = test::random_inputs(random, model);
   Eigen::VectorXd y(layout.size());
-  equations.pack(test::as_given(model).state, random.vector_x(layout.row_count, 5.0), y);
+  equations.layout().pack(test::as_given(model).state, random.vector_x(layout.row_count, 5.0), y);
   y.segment(layout.v0(), layout.v_size) = random.vector_x(layout.v_size, 3.0);
   const Eigen::VectorXd ydot = random.vector_x(layout.size(), 3.0), x = random.vector_x(layout.size());
   const double c = 5.0;

@@ -46,7 +46,7 @@ const std::vector<std::string> kFiles = {"history.csv",
                                          "audit.txt"};
 const std::vector<std::string> kFolders = {"motion", "plots", "checkpoint", "pictures", "compare", "script", "audit"};
 
-class ForeignFolders : public ::testing::TestWithParam<std::string> {
+class UntrustedFolders : public ::testing::TestWithParam<std::string> {
  protected:
   // The run, with its checkpoint, as it was unpacked.
   void renew(const Folder& folder, const std::string& link) const {
@@ -73,7 +73,7 @@ class ForeignFolders : public ::testing::TestWithParam<std::string> {
   }
 };
 
-TEST_P(ForeignFolders, LeadNowhere) {
+TEST_P(UntrustedFolders, LeadNowhere) {
   const Folder folder("links");
   const std::string scene = "run " + kPlate + " --quiet --until 0.01 --set output.plots=true --set output.vtk=true" +
                             " --set output.checkpoint_interval=0.004";
@@ -96,7 +96,7 @@ TEST_P(ForeignFolders, LeadNowhere) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Command, ForeignFolders,
+INSTANTIATE_TEST_SUITE_P(Command, UntrustedFolders,
                          ::testing::Values("new", "force", "resume", "plot", "view", "report", "compare", "pictures"));
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Matrices become entries between labelled rows; labels and the nodes' file give each row its place in the model.
 
-#include "mbd_solver/fe/foreign_model.h"
+#include "mbd_solver/fe/matrix_model.h"
 
 #include <algorithm>
 #include <cctype>
@@ -47,7 +47,7 @@ struct RowLabel {
 
 std::string text_of(const RowLabel& row) { return std::to_string(row.node) + "." + std::to_string(row.dof); }
 
-struct ForeignMatrix {
+struct FileMatrix {
   std::string path;
   int size = 0;
   std::vector<RowLabel> rows;  // empty: in the order of the nodes
@@ -57,7 +57,7 @@ struct ForeignMatrix {
 // Numbers the labels in the order in which they appear.
 class RowNumbers {
  public:
-  explicit RowNumbers(ForeignMatrix& matrix) : matrix_(matrix) {}
+  explicit RowNumbers(FileMatrix& matrix) : matrix_(matrix) {}
   int of(const RowLabel& label) {
     const auto [entry, fresh] = numbers_.try_emplace(label, static_cast<int>(matrix_.rows.size()));
     if (fresh) matrix_.rows.push_back(label);
@@ -65,13 +65,13 @@ class RowNumbers {
   }
 
  private:
-  ForeignMatrix& matrix_;
+  FileMatrix& matrix_;
   std::map<RowLabel, int> numbers_;
 };
 
 // --- Formats.
 
-void read_market(ModelText& text, ForeignMatrix& matrix) {
+void read_market(ModelText& text, FileMatrix& matrix) {
   const std::string expected = "\"%%MatrixMarket matrix coordinate real symmetric\" (or general, or integer)";
   std::vector<std::string> w = text.words();
   for (std::string& word : w) word = upper_case(word);
@@ -114,7 +114,7 @@ void read_market(ModelText& text, ForeignMatrix& matrix) {
 
 // `row column value` without a head (CalculiX, Abaqus), or `node, dof, node, dof, value` (Abaqus). The current line is the
 // first that counts.
-void read_entries(ModelText& text, ForeignMatrix& matrix) {
+void read_entries(ModelText& text, FileMatrix& matrix) {
   RowNumbers numbers(matrix);
   std::size_t columns = 0;
   do {
@@ -146,7 +146,7 @@ void read_entries(ModelText& text, ForeignMatrix& matrix) {
 
 // `*USER ELEMENT, NODES=n`, the nodes in comments, degrees of freedom, then `*MATRIX, TYPE=...` with the lower triangle by
 // rows. A line of degrees of freedom holds from its position on.
-void read_substructure(ModelText& text, const std::string& type, ForeignMatrix& matrix) {
+void read_substructure(ModelText& text, const std::string& type, FileMatrix& matrix) {
   std::vector<long> nodes;
   std::map<long, std::vector<int>> dofs;  // by the position of the node, from 1
   bool listing = false, in_element = false, found = false;
@@ -226,7 +226,7 @@ void read_substructure(ModelText& text, const std::string& type, ForeignMatrix& 
 }
 
 // DMIG cards: `DMIG NAME 0 IFO TIN ...`, then columns `DMIG NAME GJ CJ - G1 C1 A1 B1 - G2 ...`.
-void read_dmig(const std::string& bytes, char letter, ForeignMatrix& matrix) {
+void read_dmig(const std::string& bytes, char letter, FileMatrix& matrix) {
   const auto each = [&](const std::function<void(const NastranCards&)>& use) {
     ModelText text(bytes, matrix.path);
     NastranCards cards(text);
@@ -269,7 +269,7 @@ void read_dmig(const std::string& bytes, char letter, ForeignMatrix& matrix) {
 }
 
 // Where a triangle is stored only, adds the other. Zeros are left out.
-void complete(ForeignMatrix& matrix) {
+void complete(FileMatrix& matrix) {
   std::vector<Triplet>& entries = matrix.entries;
   entries.erase(std::remove_if(entries.begin(), entries.end(), [](const Triplet& e) { return e.value() == 0.0; }),
                 entries.end());
@@ -295,9 +295,9 @@ void complete(ForeignMatrix& matrix) {
                          "expected one triangle, or all of a symmetric matrix.");
 }
 
-ForeignMatrix read_foreign_matrix(const std::string& path, bool stiffness) {
+FileMatrix read_file_matrix(const std::string& path, bool stiffness) {
   const std::string bytes = bytes_of_model(path);
-  ForeignMatrix matrix;
+  FileMatrix matrix;
   matrix.path = path;
   ModelText text(bytes, path);
   bool market = false, substructure = false, dmig = false;
@@ -347,7 +347,7 @@ std::vector<RowLabel> read_rows(const std::string& path) {
 }
 
 // The file of rows: given, or in the folder of a .sti.
-std::string rows_file(const ForeignFiles& files) {
+std::string rows_file(const MatrixFiles& files) {
   if (!files.rows.empty()) return files.rows;
   const std::filesystem::path stiffness(files.stiffness);
   if (stiffness.extension() != ".sti") return "";
@@ -382,7 +382,7 @@ std::string elsewhere_text(const std::vector<RowLabel>& rows, const std::string&
          " does not list; they are taken for coordinates of modes.";
 }
 
-Places places_of(ForeignMatrix& K, ForeignMatrix& M, const FeMesh& mesh, const ForeignFiles& files) {
+Places places_of(FileMatrix& K, FileMatrix& M, const FeMesh& mesh, const MatrixFiles& files) {
   const auto refuse = [](const std::string& what) { throw InputError(code::kModelFile, what); };
   const std::string from = rows_file(files);
   // CalculiX writes all diagonal terms, also zeros.
@@ -393,7 +393,7 @@ Places places_of(ForeignMatrix& K, ForeignMatrix& M, const FeMesh& mesh, const F
     refuse(files.mass + ": " + std::to_string(M.size) + " rows, expected " + std::to_string(K.size) + " as in " +
            files.stiffness + ". Name the two files of one run.");
   if (!from.empty())
-    for (ForeignMatrix* matrix : {&K, &M})
+    for (FileMatrix* matrix : {&K, &M})
       if (matrix->rows.empty()) {
         matrix->rows = read_rows(from);
         if (static_cast<int>(matrix->rows.size()) < matrix->size)
@@ -423,7 +423,7 @@ Places places_of(ForeignMatrix& K, ForeignMatrix& M, const FeMesh& mesh, const F
   }
   std::map<RowLabel, int> place;
   std::map<int, int> moves;  // index of a node in the mesh: bits of its degrees of freedom
-  for (const ForeignMatrix* matrix : {&K, &M}) {
+  for (const FileMatrix* matrix : {&K, &M}) {
     std::set<RowLabel> own;
     for (const RowLabel& row : matrix->rows) {
       if (!own.insert(row).second)
@@ -469,7 +469,7 @@ Places places_of(ForeignMatrix& K, ForeignMatrix& M, const FeMesh& mesh, const F
 }
 
 // E D A D: rows in SI units, D = 1 / length for displacements, and E for the energy.
-Sparse placed(const ForeignMatrix& matrix, const std::vector<int>& place, int nodes, Index size, double energy,
+Sparse placed(const FileMatrix& matrix, const std::vector<int>& place, int nodes, Index size, double energy,
               double length) {
   const auto scale = [&](int i) { return i < 6 * nodes && i % 6 < 3 ? 1.0 / length : 1.0; };
   std::vector<Triplet> entries;
@@ -533,7 +533,7 @@ void set_mass(const Sparse& M, const std::string& path, FeModel& model) {
 }
 
 // Displacements and stresses of the modes in a .frd file, at the nodes of the model.
-void read_stresses(const ForeignFiles& files, const FeMesh& mesh, const Places& places, const Units& units,
+void read_stresses(const MatrixFiles& files, const FeMesh& mesh, const Places& places, const Units& units,
                    FeModel& model) {
   const FrdModes modes = parse_frd_modes(bytes_of_model(files.stress), files.stress, mesh);
   const Index n = model.node_count(), count = static_cast<Index>(modes.stresses.size());
@@ -561,11 +561,11 @@ double mass_unit(UnitSystem units) { return units_of(units).mass; }
 
 double length_unit(UnitSystem units) { return units_of(units).length; }
 
-FeModel read_foreign_model(const ForeignFiles& files) {
+FeModel read_matrix_model(const MatrixFiles& files) {
   const FeMesh mesh = parse_fe_mesh(bytes_of_model(files.nodes), files.nodes);
   if (!mesh.turned.empty())
     throw InputError(code::kModelFile, mesh.turned + ", expected the axes of the model. Export without them.");
-  ForeignMatrix K = read_foreign_matrix(files.stiffness, true), M = read_foreign_matrix(files.mass, false);
+  FileMatrix K = read_file_matrix(files.stiffness, true), M = read_file_matrix(files.mass, false);
   const Places places = places_of(K, M, mesh, files);
   const Units units = units_of(files.units);
   const auto n = static_cast<Index>(places.nodes.size());
@@ -609,11 +609,11 @@ FeModel read_foreign_model(const ForeignFiles& files) {
 
 FeModel read_matrix_market(const std::string& stiffness_path, const std::string& mass_path,
                            const std::string& nodes_path) {
-  ForeignFiles files;
+  MatrixFiles files;
   files.stiffness = stiffness_path;
   files.mass = mass_path;
   files.nodes = nodes_path;
-  return read_foreign_model(files);
+  return read_matrix_model(files);
 }
 
 }  // namespace footfall

@@ -48,9 +48,9 @@ bool refuses(const MessageCode& code, const std::function<void()>& work) {
   return false;
 }
 
-class ForeignFiles : public TemporaryFolder, public ::testing::Test {
+class MatrixFiles : public TemporaryFolder, public ::testing::Test {
  protected:
-  ForeignFiles() {
+  MatrixFiles() {
     fs::create_directories(folder_ / "run/plots");
     fs::create_directories(folder_ / "outside");
     write("outside/kept", "as it was\n");
@@ -60,7 +60,7 @@ class ForeignFiles : public TemporaryFolder, public ::testing::Test {
   }
 };
 
-TEST_F(ForeignFiles, AConfinedProcessWritesOnlyBelowItsFolders) {
+TEST_F(MatrixFiles, AConfinedProcessWritesOnlyBelowItsFolders) {
   if (!kernel_confines_files()) GTEST_SKIP() << "this kernel has no Landlock";
   link("run/link", "outside/kept");
   const int result = in_a_child([&] {
@@ -79,7 +79,7 @@ TEST_F(ForeignFiles, AConfinedProcessWritesOnlyBelowItsFolders) {
   EXPECT_EQ(text("outside/kept"), "as it was\n");
 }
 
-TEST_F(ForeignFiles, AConfinedProcessStartsOnlyItsProgram) {
+TEST_F(MatrixFiles, AConfinedProcessStartsOnlyItsProgram) {
   const std::string touch = "/bin/touch " + file("run/evil");
   EXPECT_EQ(in_a_child([&] {
               if (!confine({{file("run")}, {}}).empty()) return 100;
@@ -102,25 +102,25 @@ TEST_F(ForeignFiles, AConfinedProcessStartsOnlyItsProgram) {
             0);
 }
 
-TEST_F(ForeignFiles, LinksBelowAGuardedFolderAreNotFollowed) {
+TEST_F(MatrixFiles, LinksBelowAGuardedFolderAreNotFollowed) {
   fs::remove(file("run/plots"));
   link("run/plots", "outside");
   link("run/history.csv", "outside/kept");
   link("run/summary.json.part", "outside/kept");
   guard_folder(file("run"));
 
-  EXPECT_EQ(Place(file("run/plots/kept")).problem(), ELOOP);
-  EXPECT_EQ(Place(file("run/history.csv")).open(O_RDWR), -1);
+  EXPECT_EQ(GuardedPath(file("run/plots/kept")).problem(), ELOOP);
+  EXPECT_EQ(GuardedPath(file("run/history.csv")).open(O_RDWR), -1);
   std::ofstream stream;
   EXPECT_FALSE(open_file(stream, file("run/history.csv"), FileStart::kNew));
   EXPECT_THROW(write_whole_file(file("run/plots/new"), "text"), InputError);
   EXPECT_THROW(make_folder(file("run/plots/new")), InputError);
-  EXPECT_EQ(Place(file("run/plots/kept")).remove_all(), ELOOP);
+  EXPECT_EQ(GuardedPath(file("run/plots/kept")).remove_all(), ELOOP);
   write_whole_file(file("run/summary.json"), "text");  // the draft was a link of someone else
   EXPECT_EQ(text("run/summary.json"), "text");
   write_whole_file(file("run/history.csv"), "text");  // replaces the link
   EXPECT_FALSE(fs::is_symlink(file("run/history.csv")));
-  EXPECT_EQ(Place(file("run/plots")).remove_all(), 0);  // the link itself
+  EXPECT_EQ(GuardedPath(file("run/plots")).remove_all(), 0);  // the link itself
   make_folder(file("run/plots/deeper"));
   write_whole_file(file("run/plots/deeper/new"), "text");
   EXPECT_EQ(text("run/plots/deeper/new"), "text");
@@ -129,7 +129,7 @@ TEST_F(ForeignFiles, LinksBelowAGuardedFolderAreNotFollowed) {
 }
 
 // A hard link is a second name of a file: writing to one of them would change the other.
-TEST_F(ForeignFiles, HardLinksBelowAGuardedFolderAreSeparated) {
+TEST_F(MatrixFiles, HardLinksBelowAGuardedFolderAreSeparated) {
   const std::string names[] = {"run/history.csv", "run/motion.csv"};
   for (const std::string& name : names) fs::create_hard_link(file("outside/kept"), file(name));
   guard_folder(file("run"));
@@ -144,7 +144,7 @@ TEST_F(ForeignFiles, HardLinksBelowAGuardedFolderAreSeparated) {
   EXPECT_EQ(text("outside/kept"), "as it was\n");
 }
 
-TEST_F(ForeignFiles, ALockIsNoLinkAndNoPipe) {
+TEST_F(MatrixFiles, ALockIsNoLinkAndNoPipe) {
   link("run/.footfall.lock", "outside/kept");
   EXPECT_THROW(lock_folder(file("run")), InputError);
   fs::remove(file("run/.footfall.lock"));
@@ -153,7 +153,7 @@ TEST_F(ForeignFiles, ALockIsNoLinkAndNoPipe) {
   EXPECT_EQ(text("outside/kept"), "as it was\n");
 }
 
-TEST_F(ForeignFiles, InputsAreRegularFilesOfASizeThatCanBeMeant) {
+TEST_F(MatrixFiles, InputsAreRegularFilesOfASizeThatCanBeMeant) {
   ASSERT_EQ(mkfifo(file("pipe").c_str(), 0644), 0);
   for (const std::string& path : {file("pipe"), std::string("/dev/zero")}) {
     EXPECT_TRUE(refuses(code::kNotRegularFile, [&] { require_regular_file(path); })) << path;
@@ -167,7 +167,7 @@ TEST_F(ForeignFiles, InputsAreRegularFilesOfASizeThatCanBeMeant) {
   EXPECT_NO_THROW(require_regular_file(file("missing")));
 }
 
-TEST_F(ForeignFiles, ArgumentsAreTextAndTheCurrentFolderExists) {
+TEST_F(MatrixFiles, ArgumentsAreTextAndTheCurrentFolderExists) {
   const auto starts = [](std::string argument) {
     char name[] = "footfall";
     char* words[] = {name, argument.data(), nullptr};
@@ -186,7 +186,7 @@ TEST_F(ForeignFiles, ArgumentsAreTextAndTheCurrentFolderExists) {
   EXPECT_EQ(result, 0);
 }
 
-TEST_F(ForeignFiles, ThatTheLibraryCannotUseAreNamed) {
+TEST_F(MatrixFiles, ThatTheLibraryCannotUseAreNamed) {
   try {
     FAIL() << fs::file_size(file("missing"));
   } catch (const fs::filesystem_error& error) {
@@ -196,7 +196,7 @@ TEST_F(ForeignFiles, ThatTheLibraryCannotUseAreNamed) {
 }
 
 // A history that got the number of a closed standard output would hold what is printed.
-TEST_F(ForeignFiles, NeverGetTheNumberOfAStandardStream) {
+TEST_F(MatrixFiles, NeverGetTheNumberOfAStandardStream) {
   const int result = in_a_child([&] {
     close(STDIN_FILENO), close(STDOUT_FILENO);
     keep_streams();
@@ -206,7 +206,7 @@ TEST_F(ForeignFiles, NeverGetTheNumberOfAStandardStream) {
   EXPECT_EQ(result, 0);
 }
 
-TEST_F(ForeignFiles, AnOutputThatNobodyReadsIsAnErrorOfTheWrite) {
+TEST_F(MatrixFiles, AnOutputThatNobodyReadsIsAnErrorOfTheWrite) {
   const int result = in_a_child([] {
     int ends[2];
     if (pipe(ends) != 0) return 1;

@@ -39,7 +39,7 @@ struct InterfaceSpec {
   std::optional<Eigen::Vector3d> point;  // of the additional node, in D [m]; without: the mean of the set
 };
 
-struct ForeignFiles {
+struct MatrixFiles {
   std::string stiffness, mass, nodes;
   std::string rows;    // .dof; empty: the file next to a .sti
   std::string stress;  // .frd with modes and their stresses; may be empty
@@ -48,7 +48,7 @@ struct ForeignFiles {
 };
 
 // A free body in SI units. Throws InputError with path:line.
-FeModel read_foreign_model(const ForeignFiles& files);
+FeModel read_matrix_model(const MatrixFiles& files);
 
 // The same without interfaces and stresses.
 FeModel read_matrix_market(const std::string& stiffness_path, const std::string& mass_path,

@@ -88,9 +88,9 @@ std::string contents(const fs::path& folder) {
   return text;
 }
 
-class Place {
+class AttackedFolder {
  public:
-  explicit Place(const Attack& attack) : folder_("foreign_" + attack.name) {
+  explicit AttackedFolder(const Attack& attack) : folder_("foreign_" + attack.name) {
     renew();
     setenv("FOOTFALL_TEST_OUTSIDE", outside().c_str(), 1);
     for (const std::string name : {"scene.toml", "box.lammps", "couple.lammps"})
@@ -133,10 +133,10 @@ class Place {
 
 void PrintTo(const Attack& attack, std::ostream* out) { *out << attack.name; }
 
-class ForeignScripts : public ::testing::TestWithParam<Attack> {};
+class UntrustedScripts : public ::testing::TestWithParam<Attack> {};
 
-TEST_P(ForeignScripts, ReachNothingOutside) {
-  const Place place(GetParam());
+TEST_P(UntrustedScripts, ReachNothingOutside) {
+  const AttackedFolder place(GetParam());
   const std::string stock = LIGGGHTS_EXECUTABLE, footfall = Folder::program("footfall");
   const std::string rights = "env FOOTFALL_MAY_WRITE=" + place.out() + " ";
 
@@ -161,15 +161,15 @@ TEST_P(ForeignScripts, ReachNothingOutside) {
 }
 
 // Where the kernel does not confine, only certainly safe scripts are run.
-TEST_P(ForeignScripts, AreNeverCertainlySafe) {
-  const Place place(GetParam());
+TEST_P(UntrustedScripts, AreNeverCertainlySafe) {
+  const AttackedFolder place(GetParam());
   EXPECT_NE(uncertain_lines((place.folder().path() / "coupled.in").string(), {{"every", "5"}, {"dt", "1e-4"}},
                             {"out", "here"}),
             "");
 }
 
 // Values of variables become words of mpirun, by whatever door they come: scene, option, sweep, summary of a run.
-TEST(ForeignValues, StartNothing) {
+TEST(UntrustedValues, StartNothing) {
   const Folder folder("foreign_values");
   folder.shell("cp " + kPlate + "/* .");
   const std::string value = "1\\n:\\nsh\\n-c\\ntouch evil; kill $PPID";
@@ -200,7 +200,7 @@ TEST(ForeignValues, StartNothing) {
   refused("compare out");
 }
 
-INSTANTIATE_TEST_SUITE_P(Attack, ForeignScripts, ::testing::ValuesIn(kAttacks),
+INSTANTIATE_TEST_SUITE_P(Attack, UntrustedScripts, ::testing::ValuesIn(kAttacks),
                          [](const auto& tested) { return tested.param.name; });
 
 }  // namespace
