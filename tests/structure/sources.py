@@ -222,14 +222,19 @@ def named_files():
 
 
 def readmes():
-    """A README of a folder names files, folders and functions that exist: `link` (a stem or an identifier) or link.cpp."""
+    """A README of a folder begins with its heading, is not indented as code, and names files, folders and functions that exist: `link` (a stem or an
+    identifier) or link.cpp."""
     stems, words, names = set(), set(), 0
     for path in (path for top in TOPS + ("tests", "inputs", "examples") for path in (root / top).rglob("*") if "node_modules" not in path.parts):
         stems.update((path.stem, path.name))
         if path.suffix in (".cpp", ".h", ".py", ".txt", ".sh"):
             words.update(re.findall(r"\w+", path.read_text(errors="ignore")))
     for page in (page for top in TOPS for page in (root / top).rglob("README.md") if "node_modules" not in page.parts):
-        for name in re.findall(r"`([a-z]\w*)`|(?<![*\w])(\w+\.(?:h|cpp|py|mjs))\b", page.read_text()):
+        text = page.read_text()
+        prose = re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)
+        if not re.match(r"# \w", text) or re.search(r"^ {4}", prose, re.M):
+            complain(f"{page.relative_to(root)}: expected a first line \"# NAME\" and no indented lines; write it as Markdown")
+        for name in re.findall(r"`([a-z]\w*)`|(?<![*\w])(\w+\.(?:h|cpp|py|mjs))\b", text):
             names += 1
             if (name[0] or name[1]) not in (stems | words if name[0] else stems):
                 complain(f"{page.relative_to(root)} names {name[0] or name[1]}, which does not exist")
