@@ -60,9 +60,11 @@ TEST_F(ChildProcess, FilesGetTheirNumbers) {
   int one[2], two[2];
   ASSERT_EQ(pipe(one), 0);
   ASSERT_EQ(pipe(two), 0);
-  const std::string script = "echo first >&" + std::to_string(two[1]) + "; echo second >&" + std::to_string(one[1]);
+  // dash knows numbers of one digit only.
+  const auto into = [](int end) { return " > /proc/self/fd/" + std::to_string(end); };
+  const std::string script = "echo first" + into(two[1]) + "; echo second" + into(one[1]);
   const pid_t process = start_program({Rights::of_user(), {"sh", "-c", script}}, {{one[1], two[1]}, {two[1], one[1]}});
-  EXPECT_EQ(wait_for_end(process), 0);
+  ASSERT_EQ(wait_for_end(process), 0);
   char text[16] = {};
   EXPECT_EQ(read(one[0], text, sizeof text - 1), 6);
   EXPECT_STREQ(text, "first\n");
