@@ -9,7 +9,7 @@ cd "$(dirname "$0")/../../.."
 . docs/data/remake/parts.sh
 runs=${1:-runs/paper} what=${2-}
 data=docs/data/paper pictures=docs/pictures/paper
-sweeps=(paper_on_soil paper_on_small_bed validation_drop validation_sensitivity ground attitudes friction velocity control_fast explanations bed bed_grains)
+sweeps=(paper_on_soil paper_on_small_bed validation_drop_coarse validation_drop validation_sensitivity ground attitudes friction velocity control_fast explanations bed bed_grains)
 identified=(validation_drop ground attitudes friction velocity)   # run once more with the scenes of inputs/paper_identified
 
 # SWEEP: the same sweep with the legs of legs.toml; prints its file.
@@ -59,7 +59,7 @@ pair() {
 
 if [[ $what == assumed || $what == merge ]]; then
   landing inputs/paper_identified/legs.toml "$runs/assumed/landing"
-  for name in "${sweeps[@]:2}"; do
+  for name in "${sweeps[@]:3}"; do
     sweep "$(assumed_sweep "$name")" "$runs/assumed/$name"
     tables "$runs/assumed/$name" "$data/assumed/$name.txt"
   done
