@@ -1,22 +1,29 @@
 #!/usr/bin/env python3
 """Writes docs/data/measured/table.txt again: instruments measured in dry sand against a soil without grains, which is calibrated on
 the plate of 80 mm alone. A minute.
-    docs/data/remake/measured.py [--footfall PROGRAM] [--runs FOLDER] [--only plate|wheel|pressed|reece] [--table FILE]
-With --only the rows of one instrument are compared with those of the table: exit code 1 if one differs by more than 2 %.
+    docs/data/remake/measured.py [--footfall PROGRAM] [--runs FOLDER] [--only plate|wheel|pressed|reece|grains] [--table FILE]
+    docs/data/remake/measured.py --grains    runs on grains, for grains.csv and grains.txt: ten minutes
+With --only the rows of one instrument are compared with those of the table: exit code 1 if one differs by more than 2 %;
+"grains" compares grains.txt with grains.csv.
 """
 import argparse
 import csv
 import math
 import pathlib
+import statistics
 import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 DATA = ROOT / "docs/data/measured"
 LAWS = {"sand-rft.toml": "resistive force theory", "sand-sinkage.toml": "pressure and sinkage"}
+CALIBRATED = "plate of 80 mm"
 STUDENT = 4.303  # two-sided 95 % of three tests
 RADIUS = 0.058  # of the wheel [m]
 SPEED = 0.05  # of the wheel over the ground [m/s]
+GRAIN_RADIUS = 0.004  # [m]
+SEEDS = (1, 2)  # of the beds of grains
+HALF_SPEED = ", half the speed"
 
 
 def rows_of(path):
@@ -55,6 +62,14 @@ def force_at(history, sinkage):
     sys.exit(f"measured.py: the plate does not reach {sinkage} m")
 
 
+def name_of_pressed(instrument, width):
+    return f"plate of {width} mm" if instrument == "plate" else "smooth wheel, pressed down"
+
+
+def name_of_force(row):
+    return f"force at {row['sinkage_mm']} mm [N]"
+
+
 def pressed(options, law, instrument):
     """Rows of plates, or of the wheel that does not turn."""
     rows = [row for row in rows_of(DATA / "plates.csv") if row["instrument"] == instrument]
@@ -67,8 +82,7 @@ def pressed(options, law, instrument):
         for row in rows:
             if row["width_mm"] != width:
                 continue
-            what = f"plate of {width} mm" if instrument == "plate" else "smooth wheel, pressed down"
-            yield (what, f"force at {row['sinkage_mm']} mm [N]", float(row["force_N"]), float(row["deviation_N"]),
+            yield (name_of_pressed(instrument, width), name_of_force(row), float(row["force_N"]), float(row["deviation_N"]),
                    force_at(history, float(row["sinkage_mm"]) / 1000))
 
 
@@ -86,6 +100,48 @@ def driven(options, law):
         yield (what, "sinkage [mm]", float(row["sinkage_mm"]), float(row["sinkage_deviation_mm"]),
                1000 * (RADIUS - steady(history, "wheel.z")))
         yield (what, "torque [N m]", None, None, -steady(history, "wheel.contact.my"))
+
+
+def measured_force(what, number):
+    """Mean and half the 95 % interval."""
+    for row in rows_of(DATA / "plates.csv"):
+        if (name_of_pressed(row["instrument"], row["width_mm"]), name_of_force(row)) == (what, number):
+            return float(row["force_N"]), STUDENT * float(row["deviation_N"]) / math.sqrt(3)
+    sys.exit(f"measured.py: plates.csv has no {number} of {what}, which grains.csv has")
+
+
+def mean_force_at(history, sinkage, start):
+    """Mean of the rows within 1 mm of a sinkage, as grains push a plate in jerks; the plate starts at this height above the ground."""
+    depth = [-z for z in column(history, "plate.z")]
+    force = column(history, "plate.contact.fz")
+    near = [f for d, f in zip(depth, force) if abs(d - depth[0] - start - sinkage) <= 0.001]
+    if not near:
+        sys.exit(f"measured.py: the plate does not reach {sinkage} m")
+    return statistics.mean(near)
+
+
+def pressed_on_grains(options, out, settings, of):
+    """Name and force of each row of an instrument (kind, width), which starts at the highest grain, one radius above the mean surface."""
+    scene = "plate_grains.toml" if of[0] == "plate" else "pressed_wheel_grains.toml"
+    history = run(options, scene, options.runs / out, settings)
+    for row in rows_of(DATA / "plates.csv"):
+        sinkage = float(row["sinkage_mm"]) / 1000
+        if (row["instrument"], row["width_mm"]) == of and sinkage <= 0.025:
+            yield name_of_force(row), mean_force_at(history, sinkage, GRAIN_RADIUS)
+
+
+def on_grains(options):
+    """Rows of the instruments on grains: what, number, seed of the bed, value."""
+    for seed in SEEDS:
+        bed = [f"particles.box.radius={GRAIN_RADIUS}", f"particles.box.seed={seed}"]
+        for of in dict.fromkeys((row["instrument"], row["width_mm"]) for row in rows_of(DATA / "plates.csv")):
+            width = [f"bodies.plate.shape.radius={float(of[1]) / 2000}"] if of[0] == "plate" else []
+            out = f"grains_{of[0]}_{of[1]}_{seed}"
+            for number, value in pressed_on_grains(options, out, bed + width, of):
+                yield name_of_pressed(*of), number, seed, value
+    slow = ["joints.press.motion.z.polynomial=[0,-0.05]", "end_time=0.68"]
+    for number, value in pressed_on_grains(options, "grains_slow", slow, ("plate", "80")):
+        yield CALIBRATED + HALF_SPEED, number, SEEDS[0], value
 
 
 def theory_of_wong_and_reece(slip):
@@ -138,13 +194,53 @@ def verdict(measured, interval, told):
     return f"{100 * (told / measured - 1):+.0f} %" if told * measured > 0 else "another sign"
 
 
+def write_grains(options):
+    """Writes grains.csv: every number of every bed."""
+    rows = list(on_grains(options))
+    with open(DATA / "grains.csv", "w") as file:
+        file.write("# Instruments of plates.csv on grains: docs/data/remake/measured.py --grains\n")
+        file.write("instrument,number,seed,value\n")
+        for what, number, seed, value in rows:
+            file.write(f'"{what}",{number},{seed},{value:.4g}\n')
+
+
+def table_of_grains():
+    """The rows of grains.csv as a table: means and standard deviations over the beds, and verdicts."""
+    told = {}
+    for row in rows_of(DATA / "grains.csv"):
+        told.setdefault((row["instrument"], row["number"]), []).append(float(row["value"]))
+    lines = ["| instrument | number | measured | grains of 8 mm | verdict |", "|---|---|---|---|---|"]
+    for (what, number), values in told.items():
+        mean = statistics.mean(values)
+        scatter = f" +- {statistics.stdev(values):.2g}" if len(values) > 1 else ""
+        measured, interval = measured_force(what.removesuffix(HALF_SPEED), number)
+        said = "calibrated" if what == CALIBRATED else verdict(measured, interval, mean)
+        lines.append(f"| {what} | {number} | {measured:.3g} +- {interval:.2g} | {mean:.3g}{scatter} | {said} |")
+    return "\n".join(lines) + "\n"
+
+
+def check_grains():
+    """Whether grains.txt is the table of grains.csv: exit code."""
+    if table_of_grains() == (DATA / "grains.txt").read_text():
+        return 0
+    print("measured.py: docs/data/measured/grains.txt is not the table of grains.csv; write it again with --grains")
+    return 1
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--footfall", default=str(ROOT / "footfall"))
     parser.add_argument("--runs", type=pathlib.Path, default=ROOT / "runs/measured")
-    parser.add_argument("--only", choices=["plate", "wheel", "pressed", "reece"])
+    parser.add_argument("--only", choices=["plate", "wheel", "pressed", "reece", "grains"])
     parser.add_argument("--table", type=pathlib.Path, default=DATA / "table.txt")
+    parser.add_argument("--grains", action="store_true")
     options = parser.parse_args()
+    if options.grains:
+        write_grains(options)
+        (DATA / "grains.txt").write_text(table_of_grains())
+        return 0
+    if options.only == "grains":
+        return check_grains()
     told = {}
     for law in LAWS:
         parts = []
@@ -163,8 +259,7 @@ def main():
         interval = None if measured is None else STUDENT * deviation / math.sqrt(3)
         cells = [what, number, "" if measured is None else f"{measured:.3g} +- {interval:.2g}"]
         for value in values:
-            used = what == "plate of 80 mm"
-            cells += [f"{value:.3g}", "calibrated" if used else verdict(measured, interval, value)]
+            cells += [f"{value:.3g}", "calibrated" if what == CALIBRATED else verdict(measured, interval, value)]
         lines.append("| " + " | ".join(cells) + " |")
     lines += ["", "| instrument | number | their theory, with their measured constants | pressure and sinkage | difference |", "|---|---|---|---|---|"]
     if options.only in (None, "reece"):
