@@ -22,7 +22,7 @@ void note_failure(const std::string& reason) {
   std::string line = reason;
   for (char& c : line)
     if (c == '\n') c = ' ';
-  // In one piece, after that of another rank.
+  // In one piece, after the message of another rank.
   line += line.empty() ? "" : "\n";
   if (!line.empty()) (void)!::write(note, line.data(), line.size());
   close(note);

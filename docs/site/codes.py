@@ -2,7 +2,7 @@
 """Writes docs/reference/codes.txt, the list of all message codes with meaning and remedy, from the comments of every codes.h.
 
 codes.py          writes the page
-codes.py --check  exit 1 where the page differs, a number or a name stands twice, or a code has no comment
+codes.py --check  exit 1 where the page differs, a number or a name occurs twice, or a code has no comment
 """
 import pathlib
 import re
@@ -34,7 +34,7 @@ for file in sorted(root.glob("*/codes.h")) + sorted(root.glob("*/*/codes.h")):
             for other in [code for code in codes if code[1:] == number[1:]]:
                 faults.append(f"{file.relative_to(root)}: the digits of {number} stand twice: {codes[other][0]} and {name}")
             if name in [n for n, *_ in codes.values()]:
-                faults.append(f"{file.relative_to(root)}: the name {name} stands twice")
+                faults.append(f"{file.relative_to(root)}: the name {name} occurs twice")
             codes[number] = (name, meaning, constant, file)
         comment = []
 sources = ""

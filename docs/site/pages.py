@@ -241,7 +241,7 @@ def commands():
 
 
 def api():
-    """The page that leads to what doxygen has made beside the site, or says how to make it."""
+    """The page that leads to what doxygen has made next to the site, or says how to make it."""
     text = ["# C++ API", ""]
     if (pages / "cpp/index.html").is_file():
         text += ['<a href="../cpp/index.html">Classes, functions and files of <code>coupler/</code> and <code>mbd_solver/</code></a>, from their comments.']

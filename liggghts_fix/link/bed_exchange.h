@@ -3,7 +3,7 @@
 // Neighbouring grains that would be pressed into the new ones are laid on top of the bed behind. What is then missing or too
 // much, in all since the start, has been pushed across an end of the bed by bodies: so many of the uppermost grains that would
 // go are laid there instead, or so many of those there go as well. So the mass that goes is that which comes, to half of
-// a grain, unless a body stands in the way or it is more than half of a slab; then the next slab makes up for it.
+// a grain, unless a body is in the way or it is more than half of a slab; then the next slab makes up for it.
 
 #include <Eigen/Dense>
 #include <map>

@@ -103,7 +103,7 @@ struct Session::Run {
     }
   }
 
-  // The present state as that of a checkpoint, with which an integrator begins anew.
+  // The present state as in a checkpoint, with which an integrator begins anew.
   void pause() {
     simulation.instructions().request_checkpoint();
     const Reached reached = continue_run();

@@ -104,7 +104,7 @@ void Simulation::place(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
   moving.equations().switch_modes(moving.inputs(), moving.state());
   moving.renew();
   parts_->events.apply();
-  parts_->resumed = true;  // the present sample is that of the caller
+  parts_->resumed = true;  // the caller has taken the present sample
 }
 
 // The integrator's history is dropped at a checkpoint, in the run that continues and in the resumed

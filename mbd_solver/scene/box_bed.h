@@ -93,7 +93,7 @@ struct TerrainBed {
 std::optional<TerrainBed> terrain_bed(const Scene& scene);  // none: the surface is z = 0
 double box_floor(const Scene& scene);                       // z of the floor [m]
 double steepest_of_bed(const Scene& scene);                 // under a terrain, against the level of gravity [rad]
-// The steepest slope on which grains stand: those of friction mu slide on each other beyond atan(mu), and roll at less.
+// The steepest slope on which grains stand: grains of friction mu slide on each other beyond atan(mu), and roll at less.
 struct StandingSlope {
   double degrees = 0.0;
   std::string grains;  // "grains of friction 0.5 without rolling friction"

@@ -248,7 +248,7 @@ TEST_F(Bed, UnderATerrainHasItsSurface) {
   double mean = 0.0;
   for (const auto& [cell, high] : over) mean += high / static_cast<double>(over.size());
   EXPECT_NEAR(mean, 0.0, 0.008);
-  // At 1 m/s the plate meets the rock after 3 ms; where it has not turned its push is that of the rock alone.
+  // At 1 m/s the plate meets the rock after 3 ms; before it has turned, only the rock pushes it.
   EXPECT_EQ(folder.summary("slope").at("status"), "done");
   EXPECT_GT(folder.summary("slope").at("max_contact_force_N").get<double>(), 1.0);
   // Without dumps of grains the page shows the surface and the rock, without a joint that holds it.
@@ -427,7 +427,7 @@ interval = 1e-3
   EXPECT_TRUE(history("1") == history("2"));
   const History run = read_history(folder.file("1/history.csv"));
   const std::vector<double>&z = run.column("plate.z"), &force = run.column("plate.contact.fz");
-  // It stands on z = 0.045 with half its thickness, 0.01; contacts of that stiffness deflect by less than 1 mm.
+  // It rests on z = 0.045 with half its thickness, 0.01; contacts of that stiffness deflect by less than 1 mm.
   EXPECT_GT(*std::min_element(z.begin(), z.end()), 0.054);
   EXPECT_LT(z.back(), 0.06);
   EXPECT_GT(*std::max_element(force.begin(), force.end()), 0.0);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # browser.sh FOOTFALL OUT RUNS: pages of the runs RUNS/plate and RUNS/plane in a browser without network: they get ready, draw, and the browser complains of nothing;
-# grains and mechanism that the page paints itself, where no graphics card draws, are those of its shaders; an address opens a time, a camera and a track; pictures and,
+# where no graphics card draws, the page paints grains and mechanism itself, as its shaders draw them; an address opens a time, a camera and a track; pictures and,
 # with ffmpeg, videos are made of a page. Where node is installed, what the page holds is read back.
 # Exit code 77 where Chromium and node are missing.
 set -euo pipefail
@@ -75,7 +75,7 @@ value() { sed -n "s/.* data-$1=\"\([^\"]*\)\".*/\1/p" <<<"$body"; }
 (($(value grains) > 1000)) || die "too few pixels show grains: $body"
 (($(value differ) * 50 < $(value grains))) || die "the painted grains are not the shaded ones: $body"
 
-# While it plays, the mechanism that the page paints among the grains is that of its shaders. A colour of the painter is a 63rd, half of which is 2 of 255;
+# While it plays, the page paints the mechanism among the grains as its shaders draw it. A colour of the painter is a 63rd, half of which is 2 of 255;
 # where edges fall between pixels, and lines end, both may choose differently: 2 % of the pixels.
 cp "$out/plate/view.html" "$out/facets.html"
 echo "$pixels" >>"$out/facets.html"

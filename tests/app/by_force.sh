@@ -6,7 +6,7 @@
 #   signals COUNT PROCESSES SIGNALS PHASES   every signal to every process so many times, in phases that take turns (words in one argument each). JOBS at once (default 1)
 #   stopped PROGRAM PHASE        one program is stopped (SIGSTOP): after coupling.timeout the other reports it
 #   suspended FIRST              all programs are stopped and resumed, as a batch system suspends a job, mpirun or the programs first. mpirun then hands its SIGCONT on
-#                                to them, as it does when it ends a job: the run goes on, and still ends in order when asked to
+#                                to them, as it does when it ends a job: the run continues, and still ends in order when asked to
 #   full motion|pictures|restart|state   a file may not grow, or finds the disk full
 #   disks                        runs into disks of 16 kB to 1 MB (a tmpfs; exit code 77 where none can be mounted)
 #   no_room                      limits that leave MPI no room for its files: a full folder, files, their size (likewise)
@@ -146,7 +146,7 @@ suspended() { # FIRST
   ends_with 3
 }
 
-full() { # CASE: no row, picture or checkpoint comes before the limit but those of the case
+full() { # CASE: before the limit only the rows, pictures and checkpoints of the case are written
   local options=() program=mbd_solver limit name id before set
   case $1 in
     motion) limit=20000 name=motion/plate.csv ;;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # checkpoints.sh FOOTFALL OUT WINDOW SCENE ARGS...: a run whose scene sets no checkpoint interval saves checkpoints by the wall clock. They change nothing that it writes;
-# after a kill it is resumed from one as the undisturbed run goes on, within the tolerances below; with grains it is to the byte the run that an ordinary checkpoint after
+# after a kill it is resumed from one as the undisturbed run continues, within the tolerances below; with grains it is to the byte the run that an ordinary checkpoint after
 # the same window makes; a run that is done leaves none.
 #   WINDOW   length of a window [s]; 0 without grains
 set -u
@@ -49,7 +49,7 @@ if [[ $window == 0 ]]; then
   differences 0 1e9 $tolerance " m J " || die "the resumed run comes to another end"
 else
   read -r from next until < <(awk -v n="$after" -v h="$window" 'BEGIN { print n * h, (n + 1.5) * h, (n + 3.5) * h }')
-  differences "$from" "$next" $tolerance_at_once "" || die "the resumed run does not begin as the undisturbed one goes on"
+  differences "$from" "$next" $tolerance_at_once "" || die "the resumed run does not begin as the undisturbed one continues"
   differences "$from" "$until" $tolerance_of_lists "" || die "the resumed run does not go on as the undisturbed one"
   # A checkpoint after the same window; the next one comes after the rows that are compared.
   interval=$(awk -v n="$after" -v h="$window" 'BEGIN { print (n - 0.5) * h }')

@@ -45,7 +45,7 @@ TEST_F(Commands, AreThoseOfThePageAndHaveHelp) {
   }
 }
 
-// The script of the checkout builds what the part of a command has: the program alone carries out those of a landing.
+// The script of the checkout builds what the part of a command has: the program alone carries out the commands of a landing.
 TEST_F(Commands, NeedTheProgramsOfTheirPartOnly) {
   const std::string list = text_of("mbd_solver/app/commands.def");
   folder.command("cp " + folder.program("footfall") + " footfall", 10);
@@ -81,7 +81,7 @@ TEST_F(Commands, TakeTheLargerVersionOfEveryExampleOnGrains) {
   }
 }
 
-// A full disk behind the standard output, and an end after that of the scene.
+// A full disk behind the standard output, and an end time after the end of the scene.
 TEST_F(Commands, TellOfOutputThatIsLostAndOfAnEndThatIsNotReached) {
   const test::Outcome full = folder.shell(folder.program("footfall") + " check " + app::kSliderCrank + " > /dev/full");
   EXPECT_EQ(full.exit_code, 1);
@@ -152,7 +152,7 @@ TEST_F(Commands, NeedNoFolderToTellOfThemselves) {
   const std::string programs[] = {"footfall", "footfall_studies", "footfall_campaign", "footfall_import", "mbd_solver"};
   for (const std::string& program : programs)
     for (const std::string word : {"--version", "--help"})
-      if (std::filesystem::exists(test::RunFolder::program(program)))  // that of `import` is built by its first call
+      if (std::filesystem::exists(test::RunFolder::program(program)))  // the first call of `import` builds its program
         EXPECT_EQ(in_closed_folder(program, word).exit_code, 0) << program << " " << word;
   for (const std::string line : {"run", "check", "sweep x.toml", "calibrate x.toml", "needs run"}) {
     const test::Outcome outcome = in_closed_folder("footfall", line);

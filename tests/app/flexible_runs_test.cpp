@@ -105,7 +105,7 @@ TEST_F(FlexibleOutput, StrainEnergiesOfTheBodiesAddUpToThatOfTheScene) {
   for (std::size_t row = 0; row < sum.size(); ++row) EXPECT_LE(sum[row], total[row] * (1.0 + kPrinted));
 }
 
-// Rows of 5 ms miss peaks between them; peaks.csv and the summary have those of all steps.
+// Rows of 5 ms miss peaks between them; peaks.csv and the summary have the peaks of all steps.
 TEST_F(FlexibleOutput, SummaryHoldsThePeaksOfAllSteps) {
   const std::vector<ColumnPeaks> peaks = read_peaks(folder + "/peaks.csv");
   const auto peak = [&](const std::string& column) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# install.sh BUILD SOURCE: installs the build beside it, then lives from that alone, as an ordinary user who cannot write to it: beds go into
+# install.sh BUILD SOURCE: installs the build next to it, then lives from that alone, as an ordinary user who cannot write to it: beds go into
 # the user's cache, results into the working folder. The C++ example and a program of the solver are built against it.
 set -euo pipefail
 export LC_ALL=C.UTF-8  # decimal points of awk
@@ -32,16 +32,16 @@ for file in "${files[@]}"; do
 done
 as_user footfall --version > /dev/null
 as_user footfall check > "$work/said" 2>&1 || { cat "$work/said"; die "the landing does not check"; }
-grep -q "$prefix/share/footfall/inputs/landing_mr" <(as_user footfall run --help) || die "the landing is not that of the installation"
+grep -q "$prefix/share/footfall/inputs/landing_mr" <(as_user footfall run --help) || die "the landing is not taken from the installation"
 as_user footfall new my_wheel --from wheel > /dev/null
 as_user footfall run my_wheel --until 0.02 > "$work/said" 2>&1 || { cat "$work/said"; die "a case does not run"; }
-grep -q "opt/footfall/share/footfall/inputs/box/in.grains" "$work/here/runs/my_wheel/liggghts.log" "$work/said" || die "the bed's scripts are not those of the installation"
+grep -q "opt/footfall/share/footfall/inputs/box/in.grains" "$work/here/runs/my_wheel/liggghts.log" "$work/said" || die "the bed's scripts are not taken from the installation"
 [[ -s $work/here/runs/my_wheel/plots/overview.png ]] || die "the run drew no plots"
 [[ -n $(find "$work/home/.cache/footfall" -name bed.restart) ]] || die "the bed is not in the user's cache"
 as_user footfall plot runs/my_wheel wheel.v > /dev/null
 as_user footfall view runs/my_wheel > /dev/null
 as_user footfall report runs/my_wheel > /dev/null
-# A bed's script that is broken there shows that it is the one that is read.
+# A bed's script that is broken there shows that footfall reads this script.
 cp -r "$prefix/share/footfall/inputs/box" "$work/box"
 diff -r "$source/inputs/box" "$work/box" || die "the scripts of inputs/box are not installed as they are"
 chmod -R u+w "$prefix/share/footfall/inputs/box" && echo 'no LIGGGHTS script' > "$prefix/share/footfall/inputs/box/in.bed"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # kills.sh FOOTFALL OUT COUNT [SEED [SECONDS]]: a coupled run is killed (SIGKILL) so many times, or until so long has passed, each time another process at another moment,
-# drawn at random, and resumed. History, surfaces and pictures must then be those of the undisturbed run, byte by byte. Prints a line for each kill.
+# drawn at random, and resumed. History, surfaces and pictures must then equal the undisturbed run's, byte by byte. Prints a line for each kill.
 # A program whose parent has died ends by a signal, and may then write one more checkpoint. At a checkpoint LIGGGHTS sorts its grains anew, which shows in the last bits:
 # such a run must come to its end, and is resumed once more from the newest checkpoint that the undisturbed run makes as well.
 set -u
@@ -90,7 +90,7 @@ for ((i = 0; killed < count; ++i)); do
     rm -rf run
     "$footfall" run "${scene[@]}" --out run >said.txt 2>&1 || fail "$phase, $process: the run made anew ended with $?"
   fi
-  same "$out/run" || fail "$phase, $process: another history than that of the undisturbed run"
+  same "$out/run" || fail "$phase, $process: another history than the undisturbed run's"
   echo "$killed: $process in $phase: exit code $code, resumed $how"
 done
 cd "$base" && rm -rf case

@@ -48,7 +48,7 @@ TEST_F(Pictures, OfColumns) {
   folder.done(plot + "'struts.*.force'");
   const std::string script = folder.read(run + "/plots/struts.all.force.gp");
   // Four legs of three struts: four panels with one scale, three curves each.
-  EXPECT_EQ(count(script, "\nset title"), 9);  // and that of the page
+  EXPECT_EQ(count(script, "\nset title"), 9);  // and the title of the page
   EXPECT_EQ(count(script, "with lines"), 24);
   std::set<std::string> ranges;
   std::istringstream lines(script);
@@ -135,7 +135,7 @@ TEST_F(Pictures, InThePageOfARun) {
   EXPECT_TRUE(holds(damaged.text, fs::path(last).filename().string())) << damaged.text;
 }
 
-// Each drawing has the places of joints, struts and bodies and the loads of the ground. They are those of history.csv at the same time:
+// Each drawing has the places of joints, struts and bodies and the loads of the ground. They equal history.csv at the same time:
 // nine digits in one file, all in the other; lengths are of the order of metres, loads of 10 kN.
 TEST_F(Pictures, HoldTheMarksOfAllPartsWhereTheHistoryHasThem) {
   const std::string run = app::shared_run("plane");
@@ -271,7 +271,7 @@ TEST_F(Pictures, BesideStockLiggghts) {
   folder.refused("compare .", "E0506");
 }
 
-// A run is followed to its end; the exit code is that of the run.
+// A run is followed to its end; its exit code is the run's.
 TEST_F(Pictures, ThatFollowARun) {
   const app::Background run(folder,
                             test::RunFolder::program("footfall") + " run " + app::kInputs +

@@ -40,7 +40,7 @@ grains = [(float(e.get("timestep")), e.get("file")) for e in xml.parse(run + "/g
 times = [time for time, _ in drawn]
 assert len(grains) >= 4 and all(min(abs(time - t) for t in times) < 1e-3 for time, _ in grains), (grains, times)
 
-# An array of a .vtp: a header of four numbers (one block, its bytes, 0, those of its zlib) and the block, each in base64.
+# An array of a .vtp: a header of four numbers (one block, its bytes, 0, its bytes as zlib) and the block, each in base64.
 def packed(array):
     text = array.text.strip()
     blocks, size, last, small = struct.unpack("<4I", base64.b64decode(text[:24])[:16])

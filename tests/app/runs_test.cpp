@@ -197,7 +197,7 @@ TEST(Source, OfTwoSizesHasItsMass) {
   EXPECT_NEAR(mass(read_bed_frame(frames.rbegin()->second)) - first, 0.6 * 0.6, 2.0 * largest);
 }
 
-// A block whose edge has a further corner beside its end, so that two of its triangles have angles of 0.17 degrees, as CAD programs write them.
+// A block whose edge has a further corner next to its end, so that two of its triangles have angles of 0.17 degrees, as CAD programs write them.
 TEST(Box, TakesNeedlesOfACadMesh) {
   const app::Folder folder("needles");
   folder.write(
@@ -214,7 +214,7 @@ TEST(Box, TakesNeedlesOfACadMesh) {
   EXPECT_EQ(folder.summary("run")["status"], "done");
 }
 
-// Of 1000 grains a second from 10 ms on as many have come as are due, less those of one interval of 10 ms; 50 in the end.
+// Of 1000 grains a second from 10 ms on as many have come as are due, less the grains of one interval of 10 ms; 50 in the end.
 TEST(Source, HasItsRateToTheGrainAndTheLedgerCloses) {
   const double m = 2600 * 4.0 / 3.0 * M_PI * std::pow(0.008, 3), g = 9.81;
   for (const int ranks : {1, 2}) {
@@ -233,7 +233,7 @@ TEST(Source, HasItsRateToTheGrainAndTheLedgerCloses) {
       EXPECT_GE(atoms - rows.front().second, due - 11.0) << step;
     }
     EXPECT_EQ(summary["particles"].get<long>() - rows.front().second, 50);
-    // Their energy: that of 50 grains at 1 m/s between 0.258 and 0.342 m.
+    // Their energy: of 50 grains at 1 m/s between 0.258 and 0.342 m.
     const History ledger = read_history(folder.file("run/ledger.csv"));
     const double inserted = ledger.column("grains.inserted").back();
     EXPECT_GT(inserted, 50 * m * (0.5 + g * 0.258));
@@ -312,7 +312,7 @@ until = 0.21
   EXPECT_NEAR(mean / rows, grains * m * g, 0.1 * grains * m * g);  // of rows, between which it rattles
 }
 
-// A pendulum of 1 s, and one that starts from the end of its first half: the same motion, with a body more.
+// A pendulum of 1 s, and another from the end of its first half: the same motion, with a body more.
 TEST(StartFromARun, ContinuesItsMotionWithABodyMore) {
   const app::Folder folder("start_from");
   const std::string rod =
@@ -379,7 +379,7 @@ TEST(SmallScenes, HaveTheNumbersOfTheirPage) {
   EXPECT_GT(highest, 0.08);
 }
 
-// The scenes of grains in their own numbers, those of their page, and each in a balance. Nothing is to be told: contacts stay below 5 % of a radius.
+// The scenes of grains in their own numbers, in the numbers of their page, and each in a balance. Nothing is to be told: contacts stay below 5 % of a radius.
 TEST(SmallScenes, OfGrainsBalance) {
   const app::Folder folder("small_scenes_of_grains");
   const auto run = [&](const std::string& name) {
@@ -401,7 +401,7 @@ TEST(SmallScenes, OfGrainsBalance) {
   const double weight = 2.8 * g * t.back();
   EXPECT_NEAR(impulse - weight, momentum, 0.02 * weight);
   // Each blow by hand: the hammer falls freely from its highest place to the anvil, v^2 = 2 g H. What it and the rod lose until the
-  // rod is deepest, E = M g (H + s) + m g s, is the work of the grains over the set s, but for what the anvil takes: at most that of a
+  // rod is deepest, E = M g (H + s) + m g s, is the work of the grains over the set s, but for what the anvil takes: at most the energy of a
   // plastic impact, M g H m / (M + m).
   const std::vector<double>&speed = rod.column("hammer.vz"), &height = rod.column("hammer.z");
   int blows = 0;
@@ -434,7 +434,7 @@ TEST(SmallScenes, OfGrainsBalance) {
   EXPECT_NEAR(z.front() - z.back(), 0.088, 0.02);
 
   // Blade: where it is deepest, the grains resist by more than Rankine's passive pressure on a wide wall, K_p rho g d^2 b / 2,
-  // phi = 33 degrees, d = 61 mm, and by less than twelve times that: it is only three grains deep, lifts what is beside it and
+  // phi = 33 degrees, d = 61 mm, and by less than twelve times that: it is only three grains deep, lifts what is next to it and
   // pushes a heap.
   const History blade = run("blade");
   const std::vector<double>&when = blade.column("time"), &fx = blade.column("blade.contact.fx");
@@ -485,7 +485,7 @@ INSTANTIATE_TEST_SUITE_P(
         Resumed{"ida",
                 app::kInputs + "/rigid_plane --until 0.014 --integrator ida --set output.checkpoint_interval=0.005"},
         Resumed{"contacts", app::kSource + "/tests/app/stack.toml --set output.checkpoint_interval=0.12"},
-        // A checkpoint at 12 ms: the plate is partly beside the bed, and leaves the box of the grains at 21 ms.
+        // A checkpoint at 12 ms: the plate is partly off the bed, and leaves the box of the grains at 21 ms.
         Resumed{"beside_the_bed", app::kPlate + " --until 0.03 --set output.checkpoint_interval=0.012 --set " +
                                       "initial.velocity=[12,0,0.4] --set particles.script='\"" + app::kPlate +
                                       "/beside.in\"' --set particles.bed.script='\"" + app::kPlate + "/bed.in\"'"},

@@ -45,7 +45,7 @@ const FailedStart kFailedStarts[] = {
      "include ${here}/couple.lammps\nrun 1000\n",
      "tri_mesh"}};
 
-// Neither a run that a program of it refuses nor one that LIGGGHTS ends has been interrupted.
+// A run that one of its programs refuses, or that LIGGGHTS ends, has not been interrupted.
 TEST_F(Starts, ThatFailAreReportedWithTheirReason) {
   for (const FailedStart& start : kFailedStarts) {
     SCOPED_TRACE(start.name);

@@ -162,7 +162,7 @@ TEST_F(Study, OfASweepIsListedAndNothingIsMade) {
   unsetenv("FOOTFALL_CACHE");
 }
 
-// A column or a key that no run has is reported after the first run, which remains; so does everything beside a damaged summary.
+// A column or a key that no run has is reported after the first run, which remains; so does everything except a damaged summary.
 TEST_F(Study, OfASweepReportsWhatNoRunHas) {
   for (const auto& [column, key] :
        {std::pair("ball.q", "peak_acceleration_g"), std::pair("ball.z", "peak_acceleration")}) {
@@ -225,7 +225,7 @@ TEST_F(Study, OfConstantInputsIsBeatenByTheFuzzyController) {
   EXPECT_TRUE(holds(said, "control fuzzy\n")) << said;
 }
 
-// A set of parameters whose bed cannot be made has failed, and the calibration goes on.
+// A set of parameters whose bed cannot be made has failed, and the calibration continues.
 TEST_F(Study, OfACalibrationGoesOnWhereABedCannotBeMade) {
   folder.write("beds.toml", "scene = \"" + app::kInputs + R"(/dropped_sphere/scene.toml"
 settings = ["bodies.ball.shape.radius=0.07", "particles.variables.width=0.42", "particles.bed.variables.width=0.42",
@@ -256,7 +256,7 @@ evaluations = 3
   folder.done("calibrate beds.toml --out run --so-far");
 }
 
-// Some 200 runs, killed five times: no finished run is lost, and tables are those of the undisturbed calibration. The ledger alone, with
+// Some 200 runs, killed five times: no finished run is lost, and tables equal the undisturbed calibration's. The ledger alone, with
 // scenes elsewhere, gives them without a run.
 TEST_F(Study, OfACalibrationThatIsKilledFiveTimes) {
   fs::copy(app::kInputs + "/calibrations/strut", folder.file("strut"), fs::copy_options::recursive);

@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// @ stands for the folder outside, which holds the file `kept`. The script has made its box and grains before.
+// @ is the folder outside, which holds the file `kept`. The script has made its box and grains before.
 struct Attack {
   std::string name, lines;
-  std::map<std::string, std::string> files;  // beside the script
+  std::map<std::string, std::string> files;  // next to the script
 };
 
 const std::vector<Attack> kAttacks = {

@@ -1,4 +1,4 @@
-// view_read_back.mjs RUN: what stands in RUN/view.html, unpacked by the viewer's own code, is what the run's files say: places and speeds of
+// view_read_back.mjs RUN: the data of RUN/view.html, unpacked by the viewer's own code, equal the run's files: places and speeds of
 // the grains, points of the bodies, columns of the history.
 import { readFileSync, readdirSync } from "node:fs";
 import { SeriesDecoder, bytesOfBase64, inflate, joinPlanes } from "../../mbd_solver/app/web/src/decode.js";
@@ -60,4 +60,4 @@ run.history.names.forEach((name, c) => {
   const from = names.indexOf(name);
   rows.forEach((row, r) => near(columns[c * run.history.rows + r], row[from], 1e-7 * Math.abs(row[from]) + 1e-44, `${name}, row ${r}`));
 });
-console.log(`${compared} numbers are those of the run`);
+console.log(`${compared} numbers equal the run's`);

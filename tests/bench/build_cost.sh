@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # build_cost.sh [BUILD]: where the seconds of a first build go. Configures as `./footfall run` does, without compiler cache, builds what a run needs on
-# two cores and prints the processor time (user + system) of every object, the longest first, then that of all, and the time on the clock.
+# two cores and prints the processor time (user + system) of every object, the longest first, then the sum of all, and the wall-clock time.
 # The processor time hardly depends on what else the machine does; the time on the clock does.
 set -euo pipefail
 here=$(cd "$(dirname "$0")/../.." && pwd)

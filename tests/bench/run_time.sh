@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What `footfall check --time` foretells, beside what the run then takes: a Markdown table. Wall times: leave the machine alone, or believe the ratio no better
+# What `footfall check --time` foretells, and what the run then takes: a Markdown table. Wall times: leave the machine alone, or believe the ratio no better
 # than the load is even. Beds are made first.
 #   tests/bench/run_time.sh BUILD [SCENE...]       default: five scenes of inputs and examples
 set -eu

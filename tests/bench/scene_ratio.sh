@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Wall and processor time of a coupled scene with one mesh beside stock LIGGGHTS on the same bed, whose mesh moves as that of the coupled run did: means
+# Wall and processor time of a coupled scene with one mesh, and of stock LIGGGHTS on the same bed, whose mesh moves as in the coupled run: means
 # of its velocities over twenty parts of the run. A B A B ..., ratios pair by pair, their medians. The landing: stock_ratio.sh.
 #   tests/bench/scene_ratio.sh BUILD SCENE [-r RANKS] [-p PAIRS] [-t SECONDS] [-- extra words for footfall run]
 set -eu

@@ -30,8 +30,8 @@ chain() {
     print "[solver]\nerror_control = false\nmax_step = 5e-4\n[output]\ninterval = 1\nplots = false\nvtk = false"
   }' > "$work/scene.toml"
 }
-# lander LEGS: that of inputs/rigid_plane with so many legs, a cabin and seven bodies each, which all touch the plane. Pads of 16 cm: 57 stand
-# beside each other.
+# lander LEGS: inputs/rigid_plane with so many legs, a cabin and seven bodies each, which all touch the plane. Pads of 16 cm: 57 stand
+# next to each other.
 lander() {
   cat > "$work/scene.toml" <<END
 base = "$root/inputs/rigid_plane"

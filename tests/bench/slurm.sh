@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # slurm.sh FOOTFALL OUT: a Slurm of this machine (munged, slurmctld, slurmd; Debian's packages munge, slurmctld, slurmd, slurm-client) runs inputs/slurm/pair.sbatch, which is ended by a
-# signal as at the end of its time, queued again, and goes on to its end; and the job array of a sweep. Needs root; exit code 77 without.
+# signal as at the end of its time, queued again, and continues to its end; and the job array of a sweep. Needs root; exit code 77 without.
 set -u
 footfall=$(realpath "$1") here=$(cd "$(dirname "$0")" && pwd)
 inputs=$here/../../inputs

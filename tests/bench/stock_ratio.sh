@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Wall and processor time of the coupled landing beside stock LIGGGHTS on the same bed, with four stock meshes moved as the pads of the coupled run were
+# Wall and processor time of the coupled landing, and of stock LIGGGHTS on the same bed, with four stock meshes moved as the pads of the coupled run were
 # (`fix move/mesh linear/variable`): the same steps, about the same impact, so about as many neighbour lists. A B A B ..., ratios pair by pair, their medians.
 #   tests/bench/stock_ratio.sh BUILD BED.restart [-r RANKS] [-n SUBSTEPS] [-p PAIRS] [-t SECONDS] [-s STORE] [-- extra words for mbd_solver]
 #     -r  ranks of LIGGGHTS on both sides (default 2); the mechanism has one more
-#     -n  substeps of a window (default: those of the script)
+#     -n  substeps of a window (default: as in the script)
 #     -p  pairs (default 3); ten tell one per cent on a quiet machine
 #     -t  simulated time [s] (default 0.1)
 #     -c  counts instructions of LIGGGHTS instead (valgrind's callgrind, one rank, one pair): a ratio that does not depend on what else the machine does;

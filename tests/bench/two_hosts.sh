@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # two_hosts.sh FOOTFALL OUT: a coupled run across two hosts over TCP. The hosts are two network namespaces of this machine, with names of their own: neither reaches the other but by
-# the cable between them. LIGGGHTS has a rank on each, the mechanism lives on the second. The history must be that of the same run on one host, byte by byte.
+# the cable between them. LIGGGHTS has a rank on each, the mechanism lives on the second. The history must equal the same run's on one host, byte by byte.
 # Needs root and iproute2; exit code 77 without.
 set -u
 footfall=$(realpath "$1")
@@ -36,4 +36,4 @@ timeout 100 ip netns exec $a unshare --uts sh -c "hostname first; ${line/mpirun 
   { tail -n 30 two.txt; die "the run on two hosts"; }
 cmp one/history.csv run/history.csv || die "another history than on one host"
 grep 'Data for node\|Process OMPI' two.txt
-echo "$(ip -n $b -s link show vb$$ | awk '/RX:/ { getline; print $1 }') bytes came to the second host; the history is that of one host to the byte"
+echo "$(ip -n $b -s link show vb$$ | awk '/RX:/ { getline; print $1 }') bytes came to the second host; the history equals the run on one host to the byte"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # audit_scenes.sh FOOTFALL SOURCE OUT short|whole: footfall run --audit on every scene of inputs/ and examples/ that touches grains, short and on beds that are
-# poured in seconds, those of the examples as their own tests do. Scenes that differ in numbers alone (sweeps, validation) stand on these.
+# poured in seconds, scenes of the examples as their own tests do. Scenes that differ in numbers alone (sweeps, validation) stand on these.
 set -u
 footfall=$1 source=$2 out=$3 part=$4
 failed=0

@@ -55,7 +55,7 @@ Case draw(unsigned seed) {
 }
 
 // A cloud of spinning grains falls on a static mesh, a floor and up to three bodies. Clumps are made of spheres that
-// overlap, and multisphere stands behind the walls: at the set-up of a run it knows the forces that stand before it.
+// overlap, and multisphere comes after the walls: at the set-up of a run it knows the forces that stand before it.
 std::string script(const Case& c) {
   std::string s = script_head("-0.3 0.3 -0.3 0.3 -0.3 0.3", c.processors, kDt);
   const auto replace = [&s](const std::string& old, const std::string& now) {
@@ -166,7 +166,7 @@ TEST(AuditOfARun, ChangesNoBitOfIt) {
   EXPECT_TRUE(grains("audit_bits_with", true) == grains("audit_bits_without", false));
 }
 
-// LIGGGHTS hands clumps the forces that stand when the set-up comes to fix multisphere: those of walls behind it are
+// LIGGGHTS hands clumps the forces that are there when the set-up comes to fix multisphere: forces of walls behind it are
 // missing in the first half step, on stock LIGGGHTS too. The audit sees it, and the run warns.
 TEST(AuditOfARun, SeesClumpsThatMissTheForcesOfWallsBehindThem) {
   Case c;

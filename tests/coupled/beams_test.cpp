@@ -286,7 +286,7 @@ TEST(BeamRuns, ThousandSpheresAmongFiftyBeamsFeelTheForcesOfABruteForceSearch) {
   }
 }
 
-// A list made at every step, one that lives long, and the usual one find the same contacts while beam and
+// A list made at every step, a long-lived one, and the usual one find the same contacts while beam and
 // grains move.
 TEST(BeamRuns, DoNotDependOnWhenListsAreMade) {
   const BeamRun folder("lists");
@@ -303,7 +303,7 @@ TEST(BeamRuns, DoNotDependOnWhenListsAreMade) {
   EXPECT_EQ(relative_difference(usual, folder.dump("often.txt")), 0.0);
 }
 
-// A run that is stopped in the middle of contacts and goes on from its restart file ends with the same bits;
+// A run that is stopped in the middle of contacts and continues from its restart file ends with the same bits;
 // without the histories it would not. Two grains slide along the groove between the two beams of one fix; one
 // of them passes from rank to rank after the restart.
 TEST(BeamHistory, SurvivesARestart) {
@@ -513,7 +513,7 @@ struct Case {
   std::string axis;                  // x, y or z
   double sliding = 0.0;              // of the cylinder along its axis [m/s]
   std::string keywords = {};         // of the wall
-  std::string constants = {};        // of the model, besides those of all
+  std::string constants = {};        // of the model, besides the constants of all
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
@@ -700,7 +700,7 @@ TEST(TwoBeams, HoldAGrainBetweenThemLikeTwoCylinders) {
 
 // A bent beam against the same tube as a triangle mesh of stock LIGGGHTS.
 
-// Grains pressed into the tube beside the middles of its segments, on 12 lines around it, and held there.
+// Grains pressed into the tube near the middles of its segments, on 12 lines around it, and held there.
 std::string held_grains(const BentTube& tube, double r, double overlap) {
   std::ostringstream text;
   text.precision(17);

@@ -12,7 +12,7 @@
 namespace footfall::test {
 namespace cohesion {
 
-// Cohesion through the mesh and the beam of a body: the force on one grain from which the body is drawn away is that of the
+// Cohesion through the mesh and the beam of a body: the force on one grain from which the body is drawn away follows the
 // closed form, at every step.
 //
 // LIGGGHTS' wall is flat and of infinite mass. A grain of radius R, pressed in by d, feels Hertz' force less k A:
@@ -129,7 +129,7 @@ struct Drawn {
   std::vector<double> force;  // along z on the grain after every step [N]
   std::vector<double> load;   // along z on the body, mean of every window [N]
   bool warned = false;        // that liquid does not pull on what touches
-  bool as_atom = false;       // warned that a wall's velocity is that of an atom
+  bool as_atom = false;       // warned that an atom's velocity is read for a wall's
 };
 
 Drawn drawn_away(const std::string& model, const std::string& touch, double viscosity = 0.0) {
@@ -206,7 +206,7 @@ TEST_P(Capillary, PullsAsItsLawSaysUntilItBreaks) {
   }
 }
 
-// LIGGGHTS' easo reads the velocity of a wall where that of an atom would stand (wall_as_atom.h).
+// LIGGGHTS' easo reads the velocity of a wall at the place of an atom's velocity (wall_as_atom.h).
 TEST(Capillary, ViscousPullTakesTheVelocityOfTheBeam) {
   const double viscosity = 0.01;
   const Drawn drawn = drawn_away("easo", "beam", viscosity);

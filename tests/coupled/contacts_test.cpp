@@ -140,7 +140,7 @@ double found(const std::string& name, double masses, const std::string& words) {
   const Outcome outcome = folder.coupled(1, "-in in", partner.str());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;
   const Table table(folder.path() / "table.csv");
-  EXPECT_EQ(table["contacts"].back(), 0.0) << "the contact goes on";
+  EXPECT_EQ(table["contacts"].back(), 0.0) << "the contact continues";
   const double grain = read_dump(folder.read("grains." + std::to_string(steps))).at(0)[6];
   return (table["vz"].back() - grain) / kSpeed;
 }

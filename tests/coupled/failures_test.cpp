@@ -18,7 +18,7 @@ namespace failures {
 
 constexpr int kLimit = 30;  // hanging is failing [s]
 
-// What a user reads, besides the place of a mistake, stands in docs/reference/messages.md alone.
+// What a user reads, besides the place of a mistake, is in docs/reference/messages.md alone.
 struct Case {
   std::string name;
   int exit_code;       // of both programs; 0: any other

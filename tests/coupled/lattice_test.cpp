@@ -17,8 +17,8 @@
 namespace footfall::test {
 namespace lattice {
 
-// A flexible plate on a lattice of fixed grains, mbd_solver with its modes beside real LIGGGHTS. What LIGGGHTS says of
-// each contact (compute wall/gran/local) is projected by hand on force, moment and modes, and set beside what
+// A flexible plate on a lattice of fixed grains, mbd_solver with its modes, and real LIGGGHTS. What LIGGGHTS says of
+// each contact (compute wall/gran/local) is projected by hand on force, moment and modes, and compared with what
 // mbd_solver got.
 
 using Eigen::Matrix3d;
@@ -171,7 +171,7 @@ struct PlateRun {
     s.dda = modal_column("dda", row);
     return s;
   }
-  // Where the boundary stands at the end of that window of length H, and the rates on the way.
+  // Where the boundary is at the end of that window of length H, and the rates on the way.
   BodyMotion predicted(std::size_t row, double H) const {
     BodyMotion s = state(row);
     slow_down_fast_modes(state(row), modal.stiffness, H, s);
@@ -275,7 +275,7 @@ TEST(PlateOnLattice, ModalForcesAreThoseOfTheContactsThatLiggghtsReports) {
   EXPECT_GT(loaded, 100);
 }
 
-// By hand from the nodes of the deformed plate: which triangle stands over each grain, how far, and its normal.
+// By hand from the nodes of the deformed plate: which triangle is over each grain, how far, and its normal.
 TEST(PlateOnLattice, LiggghtsSeesTheDeformedTrianglesAndTheirNormals) {
   const PlateRun& run = impact();
   double largest_turn = 0.0;
@@ -335,11 +335,11 @@ TEST(PlateOnLattice, VirtualWorkIsConservedOnTheContactsThatLiggghtsReports) {
       const Vector3d T_W = pose.rotation() * run.table->vector(k, "mx", "my", "mz");
       return run.table->vector(k, "fx", "fy", "fz").dot(v.dr) + T_W.dot(v.w) + run.modal_column("q", k).dot(v.da);
     };
-    // At any velocities, here those of the state.
+    // At any velocities, here of the state.
     const ByHand hand = project(run, contacts, pose);
     worst = std::max(worst, std::abs(power_of_load(pose) - hand.power) / hand.scale);
     ASSERT_LT(std::abs(power_of_load(pose) - hand.power), 1e-12 * hand.scale) << "window " << k;
-    // At those of LIGGGHTS' wall: prediction, and the gap to where the boundary stood, which closes at the rate 2 / H
+    // At the velocities of LIGGGHTS' wall: prediction, and the gap to where the boundary stood, which closes at the rate 2 / H
     // at the window's end.
     BodyMotion path = pose;
     const BodyMotion before = k > 1 ? run.predicted(k - 2, kDt) : run.state(0), start = run.state(k - 1);

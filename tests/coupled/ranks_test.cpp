@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(DISABLED_ManyRanks, PadsOn, testing::Values(std::pair(1
                          grid_of);
 
 const Table& on_one_rank() {
-  // Each test is a process of its own and may run beside the others.
+  // Each test is a process of its own and may run at the same time as others.
   static const Table table = run_pads(RunFolder("ranks_1_" + std::to_string(getpid())), 1, "1 1 1", kSliding);
   return table;
 }
@@ -253,7 +253,7 @@ Surface ball(double radius, int parts) {
 
 TEST(Balls, GiveTheSameLoadsOnAnyRanks) {
   const std::string rolling = "prescribed 1.0 0.1 0.0 3.0 20.0 5.0";
-  const Surface pad = ball(0.0105, 16);  // its lowest point is as deep as that of the plates
+  const Surface pad = ball(0.0105, 16);  // its lowest point is as deep as the plates'
   const Table one = run_pads(RunFolder("ranks_balls_1"), 1, "1 1 1", rolling, pad);
   expect_same_loads(one, run_pads(RunFolder("ranks_balls_2"), 2, "2 1 1", rolling, pad));
   expect_same_loads(one, run_pads(RunFolder("ranks_balls_4"), 4, "2 2 1", rolling, pad));

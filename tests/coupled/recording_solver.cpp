@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
     AbortGuard::install(communicator);
     try {
       if (argc < 3 || !communicator.has_partner())
-        throw InputError("recording_solver SCENE TABLE [key=value ...], with liggghts_mbd beside it");
+        throw InputError("recording_solver SCENE TABLE [key=value ...], with liggghts_mbd under the same mpirun");
       code = run(argc, argv, communicator);
     } catch (const std::exception& error) {
       std::fprintf(stderr, "recording_solver: ERROR: %s\n", error.what());

@@ -20,10 +20,10 @@ pour -var width 0.6 -var depth 0.1
 about "patches" 1 2620
 expect "outside the patches" "u > 0.3" 0
 
-# Two kinds: those of 2 cm within 0.3 m, those of 4 cm nowhere there.
+# Two kinds: grains of 2 cm within 0.3 m, none of 4 cm there.
 pour -var width 0.6 -var depth 0.2 -var fine 0.3 -var fine_depth 0.1 -var coarse 0.04
 about "2 cm" "r == 0.02" 656
-expect "2 cm beside their part" "r == 0.02 && u > 0.15" 0
+expect "2 cm outside their part" "r == 0.02 && u > 0.15" 0
 about "4 cm" "r == 0.04" 573
 expect "4 cm inside that part" "r == 0.04 && u < 0.15 && z > 0.2179" 0
 

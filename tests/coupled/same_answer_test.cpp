@@ -14,7 +14,7 @@
 namespace footfall::test {
 namespace same_answer {
 
-// The same answer, whatever should not matter: ranks and their grids, where the box stands, a grain written one period
+// The same answer, whatever should not matter: ranks and their grids, where the box is, a grain written one period
 // away, a quarter turn, the mass of a driven body, units of length, mass and time, the order of bodies in scene and
 // script. 200 seeded small scenes, 25 at a time side by side in one box, each a few dozen grains and one or two
 // bodies; the loads of the first windows of contact agree to round-off. Ranks wait for each other at every mesh in every

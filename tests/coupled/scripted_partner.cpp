@@ -1,5 +1,5 @@
 // A partner for liggghts_mbd whose every move is known: bodies with prescribed motion, or one mass on one
-// spring, under the mean load. It stands in for the multibody program in tests of the grains' side, and it
+// spring, under the mean load. It replaces the multibody program in tests of the grains' side, and it
 // can misbehave.
 //
 //   scripted_partner [option VALUE...] body NAME STL-FILE X Y Z MOTION...  [body ...]
@@ -396,7 +396,7 @@ int run(int argc, char** argv, const Communicator& communicator) {
     return code;
   };
   try {
-    if (!communicator.has_partner()) throw InputError("scripted_partner needs liggghts_mbd beside it");
+    if (!communicator.has_partner()) throw InputError("scripted_partner needs liggghts_mbd under the same mpirun");
     transport = std::make_unique<TransportMpi>(communicator, "liggghts_mbd");
     link = std::make_unique<Link>(*transport, 120.0);
     couple(parse(argc, argv), *transport, *link);

@@ -63,7 +63,7 @@ std::vector<std::string> neighbours_told(const std::string& log) {
   return told;
 }
 
-// Neighbour lists are made by a member of ours: grains of six sizes from 4 to 60 mm in a box that goes on at its sides, small
+// Neighbour lists are made by a member of ours: grains of six sizes from 4 to 60 mm in a box that is periodic at its sides, small
 // ones between large ones, some pairs left out, and grains that come in later.
 TEST_P(OnRanks, GrainsOfManySizesGiveTheSameBitsAndLists) {
   const int ranks = GetParam();
@@ -335,7 +335,7 @@ Words words_of(const std::string& line) {
   return words;
 }
 
-// The lines of a script; one that ends with & goes on in the next.
+// The lines of a script; an & at the end of a line continues it in the next.
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream in(std::regex_replace(text, std::regex("&[ \t\r]*\n"), " "));
   std::vector<std::string> lines;
@@ -364,7 +364,7 @@ struct Example {
   const char* folder;
   const char* script;
   int steps;                     // of each of its runs, at most
-  const char* before = nullptr;  // script that writes the restart file it goes on from
+  const char* before = nullptr;  // script that writes the restart file it continues from
 };
 
 class DebianExample : public testing::TestWithParam<Example> {};

@@ -42,7 +42,7 @@ Surface tessellated(const Shape& shape, double w, double half_angle) {
 
 constexpr double kR = 0.02, kOverlap = 0.01 * kR;  // of the grains
 
-// Grains that stand still over the top, at random places of one facet's size: force of each over that of the flat wall
+// Grains that stand still over the top, at random places of one facet's size: force of each over the flat wall's force
 // at the overlap with the exact surface.
 std::vector<Eigen::Vector2d> forces(const std::string& name, const Shape& shape, double w, const std::string& words,
                                     double sign = 1.0) {
@@ -91,7 +91,7 @@ const double kPatch = std::sqrt(2.0 * kR * kOverlap);
 
 struct Case {
   bool sphere;
-  double radius, width;  // of the surface over that of the grain, of its facets over the patch [-]
+  double radius, width;  // of the surface over the grain's, of its facets over the patch [-]
   double sign;           // 1: the grain is outside, -1: inside
 
   // Share of the overlap that a chord of the mesh takes or gives, at most: w^2 / (8 R_s) on a cylinder, and with the
@@ -151,7 +151,7 @@ TEST(CurvedSurface, ThatIsRoundIsTheExactOneWithinTwoPercent) {
   }
 }
 
-// A grain that is held in place over a turning cylinder: friction stands at its limit from the moment when the contact
+// A grain that is held in place over a turning cylinder: friction is at its limit from the moment when the contact
 // slides. Each facet that began anew would let it drop to nothing, and build up again over a twelfth of its width.
 TEST(CurvedSurface, HandsFrictionOnFromFacetToFacet) {
   const RunFolder folder("curved_friction");

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Random coupled scenes at some coupling interval beside the same scenes at one DEM step.
+"""Random coupled scenes at some coupling interval against the same scenes at one DEM step.
 
 Wherever the largest contact force or the work of the grains is more than 5 % off, the run must warn of its coupling
 interval or stop, and the interval that it advises must be right within 5 %, warn in turn, or be a single DEM step.
@@ -238,7 +238,7 @@ def at(rows, time):
 
 def off(result, reference):
     """Largest relative error of the force, and of the work at ends of coupling intervals: rows within one have its mean load. Where
-    the run chooses them, the end of the run is the only one that is known."""
+    the run chooses them, only the end of the run is known."""
     if result["code"] != 0:
         return math.inf
     force = abs(result["force"] - reference["force"]) / max(reference["force"], 1e-9)

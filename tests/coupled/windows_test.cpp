@@ -1,4 +1,4 @@
-// Coupling intervals beside single DEM steps, with LIGGGHTS: prescribed motions, events, first contacts.
+// Coupling intervals against single DEM steps, with LIGGGHTS: prescribed motions, events, first contacts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -148,7 +148,7 @@ TEST(Events, InLongWindowsCreateNoEnergy) {
   EXPECT_NEAR(ran.summary["max_contact_force_N"].get<double>(), force, 0.02 * force);
 }
 
-// A plate rests on grains until a body beside it, which falls, is fast enough: that state lets 300 N push. The window that comes
+// A plate rests on grains until a body next to it, which falls, is fast enough: that state lets 300 N push. The window that comes
 // ends there, and 1 ms of windows before it is no place to catch up in two DEM steps.
 TEST(Events, OfStatesInLongWindowsCreateNoEnergy) {
   const std::string slide = "\"\nkind = \"prismatic\"\npoint = [0, 0, 0.1]\naxis = \"z\"\nbodies = ";

@@ -60,7 +60,7 @@ def blocks_of(text):
 
 
 def commands_of(block):
-    """The lines of a command block; one that ends with \\ goes on in the next."""
+    """The lines of a command block; a \\ at the end of a line continues it in the next."""
     text = "\n".join(block.lines).replace("\\\n", " ")
     return [line for line in (re.sub(r"(^|\s)#.*$", "", one).strip() for one in text.split("\n")) if line]
 

@@ -390,7 +390,7 @@ position = [0, 0, 0]
   EXPECT_NEAR(fmu->get("ball.z"), -0.5 * 9.81 * 0.01, 1e-6);
 }
 
-// F = 2 t at samples of 0.1 s, by a Python file beside the scene.
+// F = 2 t at samples of 0.1 s, by a Python file next to the scene.
 TEST(ExportedFmu, CarriesProgramsOfTheSceneWhereTheyAreTrusted) {
   const Folder folder("fmu_trusted");
   folder.write("ramp.py", "def ramp(time):\n    return 2 * time\n");

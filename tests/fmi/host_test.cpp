@@ -179,7 +179,7 @@ TEST(ModelDescription, OtherFilesAreNoFmu) {
   const std::string bytes{std::istreambuf_iterator<char>(whole), {}};
   EXPECT_EQ(kind_of(bytes), "fmu");
   EXPECT_EQ(kind_of(bytes.substr(0, bytes.size() / 2)), "file");
-  // A library that is none, and an entry that would lie beside the folder: told before anything runs.
+  // A library that is none, and an entry that would lie outside the folder: told before anything runs.
   const std::string text =
       "<fmiModelDescription fmiVersion='3.0'><CoSimulation modelIdentifier='m'/></fmiModelDescription>";
   const auto archive = [&](const std::string& library, const std::string& more) {

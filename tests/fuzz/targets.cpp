@@ -1,4 +1,4 @@
-// The readers that are fed with random bytes, and the entry of libFuzzer, which feeds the one that FOOTFALL_FUZZ_TARGET names.
+// The readers that are fed with random bytes, and the entry of libFuzzer, which feeds the reader that FOOTFALL_FUZZ_TARGET names.
 #include "tests/fuzz/targets.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 // import_damaged SECONDS SEED FILE...: imports damaged copies of robots, each in a process of its own that is forked from this one, whose
 // libraries are loaded. Each ends with exit code 0 and a scene, or with 2, a message with a code, and nothing written; never with a crash,
-// a hang or another exception. Keeps the damaged file that does not. Pieces come from all files: give those of one format.
+// a hang or another exception. Keeps the damaged file that does not. Pieces come from all files: give files of one format.
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

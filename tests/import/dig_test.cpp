@@ -18,7 +18,7 @@ void done(const test::RunFolder& folder, const std::string& line, int limit) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
 }
 
-// The scene of a robot with the import beside it.
+// The scene of a robot with the import next to it.
 std::string scene_beside(const test::RunFolder& folder, const std::string& name, const std::string& robot) {
   std::string scene = folder.read(kRobots + name);
   const std::string base = "../../" + robot;
@@ -61,7 +61,7 @@ TEST(Digging, OfAnImportedArmMovesWhatItsSpadeSweeps) {
   EXPECT_LT(std::abs(summary["ledger"]["closing_error_relative"].get<double>()), 1e-3);
 
   // While the spade drags, the sand pushes it back (+x) by more than Rankine's passive pressure on a wide wall of its depth below
-  // the mean surface, K_p rho g d^2 b / 2 with phi = 33 degrees: a narrow spade lifts what is beside it as well, and
+  // the mean surface, K_p rho g d^2 b / 2 with phi = 33 degrees: a narrow spade lifts what is next to it as well, and
   // a heap, which for a spade as wide as it is deep multiplies the force by up to ten.
   const History history = read_history((folder.path() / "run/history.csv").string());
   const std::vector<double>&time = history.column("time"), &fx = history.column("hand.contact.fx");
@@ -78,7 +78,7 @@ TEST(Digging, OfAnImportedArmMovesWhatItsSpadeSweeps) {
   EXPECT_GT(force, rankine);
   EXPECT_LT(force, 12.0 * rankine);
 
-  // Moved by more than two radii: at least what the spade swept, at most the wedges beside it as well.
+  // Moved by more than two radii: at least what the spade swept, at most the wedges next to it as well.
   const std::map<long, std::string> frames = find_bed_frames((folder.path() / "run").string());
   ASSERT_GT(frames.size(), 2u);
   const BedFrame first = read_bed_frame(frames.begin()->second), last = read_bed_frame(frames.rbegin()->second);

@@ -172,7 +172,7 @@ TEST_F(Robots, UrdfMimicIsAGearAndIsDrawnAtItsOffset) {
   EXPECT_LT((axes(*s.body("c")) - rz(0.5)).norm(), kExact);
 }
 
-// c follows b, which follows a's joint: at zero of that, b stands at 0.5 rad and c at 0.25 - 2 0.5 rad.
+// c follows b, which follows a's joint: at zero of it, b is at 0.5 rad and c at 0.25 - 2 0.5 rad.
 TEST_F(Robots, UrdfMimicOfAMimicIsDrawnWhereBothPutIt) {
   const auto follow = [](const std::string& leader, double multiplier, double offset) {
     return "<axis xyz='0 0 1'/><mimic joint='" + leader + "' multiplier='" + std::to_string(multiplier) + "' offset='" +
@@ -568,7 +568,7 @@ TEST_F(Robots, OfAHostHaveASignalForEachMotor) {
   EXPECT_EQ(s.accepted.count("W0667"), 1u);  // `check` does not warn of each of them
 }
 
-// A broad body one metre above two feet: the bed is that of the feet, as `check` proposes it.
+// A broad body one metre above two feet: the bed suits the feet, as `check` proposes it.
 TEST_F(Robots, TheBedIsAsLargeAsWhatTouchesIt) {
   ImportArguments a;
   a.options.ground = "grc-1-dense";
@@ -621,10 +621,10 @@ TEST_F(Robots, JointsAtZeroOfAKeyframeStartThere) {
 // Beside what the world holds a free base would move with its joints: all is drawn where the keyframe has it. So it is above a
 // ground, whose place follows from the drawing.
 TEST_F(Robots, RobotsThatWouldMoveAreDrawnAtTheirKeyframe) {
-  std::string beside = leg("<freejoint/>", "0 0 1 1 0 0 0  0.1 0.9 -1.8 0.5");
-  beside.insert(beside.find("</worldbody>"),
-                "<body name='door' pos='3 0 1'><joint name='door'/><geom size='0.1' mass='2'/></body>");
-  const Scene s = imported("r.xml", beside);
+  std::string moved = leg("<freejoint/>", "0 0 1 1 0 0 0  0.1 0.9 -1.8 0.5");
+  moved.insert(moved.find("</worldbody>"),
+               "<body name='door' pos='3 0 1'><joint name='door'/><geom size='0.1' mass='2'/></body>");
+  const Scene s = imported("r.xml", moved);
   EXPECT_TRUE(s.initial.joints.empty());
   const Eigen::Matrix3d R = rx(0.1) * ry(0.9);
   EXPECT_LT((axes(*s.body("shank")) - R * ry(-1.8)).norm(), kExact);
@@ -667,7 +667,7 @@ TEST_F(Robots, VelocitiesOfAKeyframeAreThoseOfBodies) {
     }
 }
 
-// Between the joints of one body: about x at the origin, then along z as it stands, then about y beside the origin.
+// Between the joints of one body: about x at the origin, then along z as it then is, then about y next to the origin.
 TEST_F(Robots, VelocitiesBetweenTheJointsOfABodyFitTheJoints) {
   const Scene s = imported("r.xml", mjcf("<body name='a'>" + std::string(kMass) +
                                              "<joint name='p' axis='1 0 0'/><joint name='z' type='slide' axis='0 0 "
@@ -720,7 +720,7 @@ TEST_F(Robots, LoopsAreDrawnAtTheirKeyframe) {
   EXPECT_TRUE(test::names(scene_text_, {"loops or couplings do not hold there"}));
 }
 
-// The first of the rows in the file is that of largest y; heights become those above the lowest, over their range.
+// The first row in the file has the largest y; heights count from the lowest, over their range.
 TEST_F(Robots, AHeightFieldIsTheGround) {
   std::string robot = mjcf(
       "<geom type='hfield' hfield='hills' pos='1 2 0.5' friction='0.6 0 0'/><body name='a' pos='0 "

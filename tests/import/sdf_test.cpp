@@ -140,7 +140,7 @@ TEST_F(Sdf, LoopsAreClosedByTheirJoint) {
 TEST_F(Sdf, OldVersionsHaveAxesInTheFrameOfTheModel) {
   const std::string axis = "<axis><xyz>0 1 0</xyz></axis>";
   const std::string model = link("a") + link("b", "0 0 0 0 0 0.5");
-  // 1.4: always that of the model. 1.5: that of the joint, unless use_parent_model_frame.
+  // 1.4: always the model's frame. 1.5: the joint's, unless use_parent_model_frame.
   EXPECT_LT((imported(model + joint("revolute", axis), "1.4").joint("j")->axis - Eigen::Vector3d(0, 1, 0)).norm(),
             kExact);
   EXPECT_LT(
@@ -218,7 +218,7 @@ TEST_F(Sdf, NestedModelsKeepTheirOwnLinks) {
   const std::string said = text("nested/scene.toml");
   EXPECT_TRUE(test::names(said, {"m.sdf:6 link \"base\"", "m.sdf:8 link \"arm::base\"", "friction = 0.9"})) << said;
   const Scene s = read_scene(a.out);
-  // The frame "base" of m is 0.3 m along x of the deck, and its axes are those of the deck.
+  // The frame "base" of m is 0.3 m along x of the deck, and its axes are parallel to the deck's.
   const Eigen::Vector3d base(1.0 + 0.3 * std::cos(0.5), 2.0 + 0.3 * std::sin(0.5), 3.0);
   EXPECT_LT((s.body("base")->position - base).norm(), kExact);
   EXPECT_LT((axes(*s.body("base")) - rpy(0, 0, 0.5)).norm(), kExact);
@@ -287,7 +287,7 @@ TEST_F(Sdf, WithoutAMovingPartOrAnAxisIsRefused) {
     EXPECT_TRUE(test::names(refused(model(link("a") + link("b") + joint(type, ""))), {"bad.sdf:5"})) << type;
 }
 
-// The pose of a model is that of its placement frame: here of a link, a frame that is turned, and a link of a nested model.
+// The pose of a model places its placement frame: here of a link, a frame that is turned, and a link of a nested model.
 TEST_F(Sdf, TheModelStandsOnItsPlacementFrame) {
   const auto placed = [&](const std::string& frame, const std::string& inside) {
     ImportArguments a;

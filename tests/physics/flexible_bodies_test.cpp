@@ -165,7 +165,7 @@ TEST(Conservation, BodyWithoutModesIsTheRigidBody) {
 }
 
 // A slider-crank whose connecting rod bends, against an independent solution: Euler-Bernoulli modes of the rod between
-// its pins in the frame of its chord, whose motion is that of the rigid mechanism.
+// its pins in the frame of its chord, which moves as the rigid mechanism does.
 
 constexpr double kCrank = 0.15, kRod = 0.3, kRodDiameter = 0.006;  // [m]
 constexpr double kGain = 5.0;  // crank angle kGain t^4 [rad]: a start without a jolt

@@ -43,7 +43,7 @@ Model double_pendulum() {
   return model;
 }
 
-// Loads that jump from window to window, as those of a coupled run do.
+// Loads that jump from window to window, as in a coupled run.
 Inputs load_of_window(int window) {
   Inputs inputs;
   inputs.loads.resize(2);
@@ -63,7 +63,7 @@ State end_state(const Model& model, const std::string& kind, const IntegratorOpt
 }
 
 TEST(OneStep, ObservedOrderIsTwoAlsoWithJumpingLoads) {
-  // Fixed steps; the tolerance is that of Newton's iteration alone.
+  // Fixed steps; the tolerance is used by Newton's iteration alone.
   const Model model = double_pendulum();
   for (bool jumping : {false, true}) {
     const int windows = 8;

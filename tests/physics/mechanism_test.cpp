@@ -155,7 +155,7 @@ TEST(FourBar, ReactionsAreFiniteAndNamed) {
 }
 
 // Reactions of mechanisms with more conditions than they need: of all multipliers that give the same forces on the bodies,
-// both integrators hand out those of the smallest sum (s_i lambda_i)^2 (theory 2.2).
+// both integrators hand out the reactions of the smallest sum (s_i lambda_i)^2 (theory 2.2).
 
 struct RedundantMechanism {
   std::string name;
@@ -191,7 +191,7 @@ struct Page {
   Eigen::MatrixXd M, Phi_v;
   Eigen::VectorXd s;  // of every row, at the start
 
-  // Of the same reactions as `lambda`, those of the smallest sum (s_i lambda_i)^2: lambda = S^-1 (Phi_v^T S^-1)^+ Phi_v^T lambda.
+  // Of all reactions equal to `lambda` in effect, the set of the smallest sum (s_i lambda_i)^2: lambda = S^-1 (Phi_v^T S^-1)^+ Phi_v^T lambda.
   Eigen::VectorXd smallest(const Eigen::VectorXd& lambda, int rank) const {
     const Eigen::VectorXd inverse = s.cwiseInverse();
     const Eigen::MatrixXd A = Phi_v.transpose() * inverse.asDiagonal();

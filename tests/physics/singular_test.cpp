@@ -40,7 +40,7 @@ double worst_energy(const Model& model, const std::string& kind, double rtol, do
 
 TEST_P(Redundant, BennettsMechanismKeepsMovingWithItsEnergy) {
   // Three of its 20 conditions are redundant in every position, and no 17 of them are independent in all positions.
-  // It holds some 10 J; the error at this tolerance is that of the step size.
+  // It holds some 10 J; the step size decides the error at this tolerance.
   EXPECT_LT(worst_energy(test::bennett(), GetParam(), 1e-6, 0.01, 5.0), 1e-2);
 }
 

@@ -130,7 +130,7 @@ TEST(BeamFrequencies, OfAxialAndTorsionalVibrationAreThoseOfTheRod) {
 TEST(BeamDeflection, UnderPointLoadsIsExactAtTheNodes) {
   const BeamSection s = rod_section(0.01);
   const double P = 10.0, EI = kSteel.young * s.bending_y, L = kLength;
-  const double round_off = 1e-8;  // the stiffness of short elements is 1e6 times that of the beam
+  const double round_off = 1e-8;  // short elements are 1e6 times as stiff as the beam
   const int n = 10;
   const FeModel model = straight_beam(Vector3d::Zero(), Vector3d(L, 0, 0), n, s, kSteel);
   VectorXd load = VectorXd::Zero(6 * model.node_count());

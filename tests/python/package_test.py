@@ -407,7 +407,7 @@ class Runs(unittest.TestCase):
         shares = []
         sweep = ff.sweep(file, out=os.path.join(place, "out"), jobs=1, progress=shares.append)
         self.assertEqual(sweep.exit_code, 0)
-        # Both masses fall alike: the hinge is at rest, and inertia is small beside m r2 = 2 and 1 kg m2.
+        # Both masses fall alike: the hinge is at rest, and inertia is small against m r2 = 2 and 1 kg m2.
         self.assertEqual(len(sweep.table["descent"]), 2)
         self.assertEqual(len(sweep.runs), 2)
         self.assertIn("Sweep(", sweep._repr_html_())
@@ -462,7 +462,7 @@ class Wheel(unittest.TestCase):
                 content = wheel.read(file)
                 found = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
                 self.assertEqual((digest, size), ("sha256=" + found, str(len(content))), file)
-        # Its module takes its libraries from the wheel: those of the system have the same names.
+        # Its module takes its libraries from the wheel; the system's libraries have the same names.
         said = subprocess.run([sys.executable, "-c", "import footfall; print(footfall.__file__); print(open('/proc/self/maps').read())"], check=True,
                               capture_output=True, text=True, env=dict(os.environ, PYTHONPATH=place)).stdout
         self.assertTrue(said.startswith(place), said[:200])

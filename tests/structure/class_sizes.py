@@ -42,7 +42,7 @@ def statements(body):
             head = body[start:i]
             rest = body[end:].lstrip()
             body = body[:i] + "\0" + body[end:]
-            # A function ends with its body; an initializer, and a list of those of a constructor, do not.
+            # A function ends with its body; an initializer, and the list of initializers of a constructor, do not.
             if "(" in head and not rest.startswith((";", ",", "{")) and not re.search(r"=\s*$", head):
                 out.append(head + "\0")
                 start = i + 1
@@ -75,7 +75,7 @@ def classes_of(text, outer=""):
         body = text[open_brace + 1:end - 1]
         name = outer + match[2]
         yield from classes_of(body, name + "::")
-        # Nested types are counted for themselves; an object of one that is declared with it is a member.
+        # Nested types are counted for themselves; an object that is declared together with its type is a member.
         while nested := re.search(r"\b(class|struct|union|enum(?:\s+class)?)\b[^;{()]*\{", body):
             body = body[:nested.start()] + "nested" + body[end_of_block(body, nested.end() - 1):]
         functions = members = 0

@@ -37,7 +37,7 @@ for page in docs/reference/fixes/*.md; do
   found=$(sed -nE 's/^## ([A-Za-z]+).*/\1/p' "$page" | tr '\n' ' ')
   [[ ${found% } == "$headings" ]] || complain "$page: headings are \"${found% }\", expected \"$headings\""
   grep -qF "($(basename "$page"))" docs/reference/fixes/README.md || complain "docs/reference/fixes/README.md has no link to $page"
-  [[ $page == docs/reference/fixes/audit.md ]] && continue  # no fix: counts beside them
+  [[ $page == docs/reference/fixes/audit.md ]] && continue  # no fix: counts next to them
   here=$(styles_of "$page")
   [[ -n $here ]] || complain "$page: the first line must be: # fix STYLE command"
   for style in $here; do grep -qxF "$style" <<<"$styles" || complain "$page: the style $style is not registered"; done

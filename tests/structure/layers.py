@@ -6,7 +6,7 @@ import pathlib
 import re
 import sys
 
-# A folder may include its own headers, those of the folders named here, and what these may include. Subfolders without an entry belong to
+# A folder may include its own headers, the headers of the folders named here, and what these may include. Subfolders without an entry belong to
 # the folder above, whose codes.h all of them share.
 MAY_INCLUDE = {
     "coupler/base": "",

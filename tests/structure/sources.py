@@ -76,7 +76,7 @@ def opening_comments():
 
 def keys_are_read():
     """A key that is read does something: every member that a description of keys fills is read elsewhere, by more than a check. Members are
-    known by their names alone, so one that shares its name with another member is not reported."""
+    known by their names alone, so a function that shares its name with another member is not reported."""
     described = [f for f in sources if re.search(r"/(scene_fields|sweep_file|calibration)\.cpp$", f)]
     found("descriptions of keys", described, 3)
     filled = {}
@@ -117,7 +117,7 @@ def force_elements_have_specimens():
 
 
 def elements_have_types():
-    """The type of a force element is that of its handle (mbd_solver/model/model.h): an index is never cast to a type."""
+    """A force element has the type of its handle (mbd_solver/model/model.h): an index is never cast to a type."""
     texts = {str(path.relative_to(root)): path.read_text() for path in (root / "tests").rglob("*.cpp")}
     texts.update(sources)
     handles = 0

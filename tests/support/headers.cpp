@@ -1,1 +1,1 @@
-// Nothing of its own: its precompiled headers are those of all test programs.
+// Nothing of its own: its precompiled headers serve all test programs.

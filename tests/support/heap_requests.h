@@ -1,7 +1,7 @@
 #pragma once
 // How often this program has asked for memory, for tests that claim that something needs none. It puts a malloc of its own
 // into the program that includes it, so one source of a program may. Sanitizers have a malloc of their own, which must be
-// the only one: beside them nothing is counted, and such a test is skipped.
+// the only one: next to them nothing is counted, and such a test is skipped.
 
 #include <gtest/gtest.h>
 

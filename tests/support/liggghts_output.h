@@ -41,7 +41,7 @@ Rows read_dump(const std::string& text);
 // Lines of thermo output in a log file: the words of each line that starts with a step number.
 std::vector<std::vector<std::string>> thermo_lines(const std::string& log);
 
-// How often `part` stands in `text`.
+// How often `part` occurs in `text`.
 std::size_t count(const std::string& text, const std::string& part);
 
 }  // namespace footfall::test

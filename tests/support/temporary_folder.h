@@ -1,5 +1,5 @@
 #pragma once
-// A folder of a test's own, gone with it: a local object, or a base of a fixture beside ::testing::Test.
+// A folder of a test's own, gone with it: a local object, or a base of a fixture next to ::testing::Test.
 
 #include <cstdlib>
 #include <filesystem>

@@ -352,7 +352,7 @@ void add_pendulums(std::vector<Case>& all) {
 }
 
 void add_struts(std::vector<Case>& all) {
-  // The strut stands before the mass: its stroke is the way x.
+  // The strut is in front of the mass: its stroke is the way x.
   const auto add = [&](const std::string& name, double v, double end, const std::string& law,
                        const std::function<double(double, double)>& strut_force) {
     const auto [x, u] = integrated([&](double q, double r, double) { return -strut_force(q, r) / 2; }, 0, v, end);
@@ -475,7 +475,7 @@ void add_drives(std::vector<Case>& all) {
                    {{"b.z", 0.5 * down * t * t}, {"k.angle", 0.5 * down * t * t / lead}}});
   }
   for (const double bend : {0.3, 0.9}) {
-    // Hooke's joint: tan(q2) = tan(q1) / cos(bend), and the constant-velocity joint beside it.
+    // Hooke's joint: tan(q2) = tan(q1) / cos(bend), and the constant-velocity joint for comparison.
     const double t = 1.7, q = 0.8 * t, s = std::sin(bend), c = std::cos(bend);
     const auto shaft = [&](const std::string& type, const std::string& axes) {
       return kNoGravity + body("a", 2, "[0, 0, 0]") + body("b", 2, lines("[", s, ", 0, ", c, "]")) +
@@ -495,7 +495,7 @@ void add_drives(std::vector<Case>& all) {
          shaft("constant_velocity", lines("axis = \"z\"\naxis2 = [", s, ", 0, ", c, "]\n")) +
              lines("[[initial.bodies]]\nbody = \"b\"\nangular_velocity = [", even * s, ", 0, ", even * c, "]\n"),
          {{"out.angle", q}, {"out.angle_rate", even}}});
-    // The cross stands across the bend at the start (axis y, held by a): tan(q2) = cos(bend) tan(q1).
+    // The cross is across the bend at the start (axis y, held by a): tan(q2) = cos(bend) tan(q1).
     const double angle = q + std::atan2((c - 1) * std::tan(q), 1 + c * std::tan(q) * std::tan(q)),
                  rate = 0.8 * c / (std::pow(std::cos(q), 2) + c * c * std::pow(std::sin(q), 2));
     all.push_back(
@@ -783,7 +783,7 @@ void add_combinations(std::vector<Case>& all) {
                    {{"a.x", 0.2 * t + 0.5 * t * t}, {"b.x", 0.2 * t + 0.5 * t * t}, {"h.angle", 2.5}}});
   }
   {
-    // Turned before the start: what is fixed in the body turns, what is inertial stands.
+    // Turned before the start: what is fixed in the body turns, what is inertial does not.
     const std::string turned = "[initial]\npitch_deg = 90\n";
     all.push_back(
         {"thrust_of_a_turned_body",

@@ -1,5 +1,5 @@
 #pragma once
-// Mechanisms with published or exact answers, beside those of mechanisms.h.
+// Further mechanisms with published or exact answers, as in mechanisms.h.
 
 #include <string>
 #include <vector>

@@ -16,7 +16,7 @@ namespace footfall {
 namespace geometric_stiffness {
 
 // Spinning beams: what a floating frame with linear modes gets right, and how far. The exact frequencies of a rotating
-// beam are those of a Galerkin solution with its centrifugal tension (Wright, Smith, Thresher and Wang, J. Appl. Mech.
+// beam come from a Galerkin solution with its centrifugal tension (Wright, Smith, Thresher and Wang, J. Appl. Mech.
 // 49 (1982), 197).
 
 const Material kBeamSteel{7850.0, 207e9, 0.3};

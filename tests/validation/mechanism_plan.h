@@ -1,6 +1,6 @@
 #pragma once
 // A mechanism of rigid bodies as plain data in W at its start, so that it can be shifted, turned, reordered and written
-// with other joints before it becomes a Model. All points and axes are those of the initial position.
+// with other joints before it becomes a Model. All points and axes belong to the initial position.
 
 #include <Eigen/Dense>
 #include <functional>

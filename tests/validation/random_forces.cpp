@@ -78,7 +78,7 @@ std::unique_ptr<StrutLaw> law(int kind, double length, double share) {
 
 void add_strut(Plan& plan, Numbers& numbers, PlannedForce force) {
   const int first = numbers.one_in(4) ? numbers.whole(kFirstRough, kLawKinds - 1) : numbers.whole(0, kFirstRough - 1);
-  const int second = numbers.one_in(2) ? 0 : -1;  // a spring beside it
+  const int second = numbers.one_in(2) ? 0 : -1;  // a spring next to it
   const double share = numbers.between(0.4, 1.2);
   plan.rough = plan.rough || first >= kFirstRough;
   force.make = [=](const std::string& name, const Marker& m1, const Marker& m2, double length) {

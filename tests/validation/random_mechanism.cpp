@@ -82,7 +82,7 @@ void grow_tree(Plan& plan, Numbers& numbers, bool grounded) {
 }
 
 // A chain through the corners of a random polygon: from the ground to the ground, or a ring. Joints are drawn until one
-// to four degrees of freedom are left beside those of the ring as a whole.
+// to four degrees of freedom are left besides the freedoms of the ring as a whole.
 void close_loop(Plan& plan, Numbers& numbers, bool grounded, bool driven, int least = 1) {
   constexpr JointKind kKinds[] = {JointKind::kSpherical, JointKind::kUniversal, JointKind::kRevolute,
                                   JointKind::kCylindrical, JointKind::kPrismatic};
@@ -115,7 +115,7 @@ void close_loop(Plan& plan, Numbers& numbers, bool grounded, bool driven, int le
 }
 
 // A chain of two or three bodies from a hinge on the ground to a wheel that rolls on a plane of the ground, or to a plane
-// that rolls on a wheel that stands.
+// that rolls on a wheel at rest.
 void close_by_rolling(Plan& plan, Numbers& numbers) {
   constexpr JointKind kKinds[] = {JointKind::kSpherical, JointKind::kUniversal, JointKind::kRevolute};
   const int bodies = numbers.whole(2, 3);

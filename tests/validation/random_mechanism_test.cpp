@@ -222,7 +222,7 @@ TEST(RandomMechanisms, AreTheSameWithTwoBodiesWeldedOrMerged) {
   expect_errors("welded or merged", [&](const Subject& s) {
     const Subject merged = subject_of(s.family, test::with_merged_passenger(s.plan, 0, mass, offset));
     const Motion welded = motion_of(test::with_passenger(s.plan, 0, mass, offset));
-    // From the mass centre of host and passenger to that of the host.
+    // From the mass centre of host and passenger to the host's.
     const double share = mass / (s.plan.bodies[0].mass + mass);
     const Eigen::Matrix3d A = rotation_matrix(s.plan.bodies[0].state.L);
     Motion motion(welded.begin(), welded.end() - 1);

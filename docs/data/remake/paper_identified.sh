@@ -13,7 +13,7 @@ value() {
 }
 scene() {  # NAME BASE TITLE: its text follows on stdin
   {
-    printf '# Calibrated to the results of [Lin25], not published in it: docs/paper.md. Made by docs/data/remake/paper_identified.sh; published numbers are those of the base.\n'
+    printf '# Calibrated to the results of [Lin25], not published in it: docs/paper.md. Made by docs/data/remake/paper_identified.sh; published numbers are in the base.\n'
     printf '#   ./footfall run %s/%s.toml\n\nbase = "%s"\ntitle = "%s, identified"\n\n' "$folder" "$1" "$2" "$3"
     cat
   } >"$folder/$1.toml"

@@ -9,7 +9,7 @@
 
 namespace footfall {
 
-// In the order in which their loads on a body are added. The name is that of the active part in summary.json.
+// In the order in which their loads on a body are added. The name is the active part's in summary.json.
 enum class ContactKind { kPlane, kTerrain, kSoil, kSurface };
 constexpr std::string_view name_of(ContactKind kind) { return name_in(kind, "plane", "plane", "soil", "contacts"); }
 

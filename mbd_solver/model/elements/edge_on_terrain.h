@@ -1,5 +1,5 @@
 #pragma once
-// Where a circular edge that stands up touches uneven ground. Theory 6.8.
+// Where a raised circular edge touches uneven ground. Theory 6.8.
 // A circle of radius R about r across the axis a cuts the field, of the normal N(c) = (-h_x, -h_y, 1), along a curve. It touches at
 // the places c of the curve whose distance rho from r is stationary. With d = c - r = U u + V v + w a, u level, v up in its plane:
 //   w = 0,   U N_v - V N_u = a.(d x N) = 0,   e = d / rho,   inside = R - rho > 0

@@ -19,7 +19,7 @@ namespace footfall {
 namespace {
 
 constexpr int kEdgePlaces = 12;        // of an edge that lies on the ground, and springs of each edge
-constexpr double kStands = 0.5;        // sine of the angle to the ground above which an edge stands up
+constexpr double kStands = 0.5;        // sine of the angle to the ground above which an edge is raised
 constexpr double kAboveGround = 1e-9;  // a place above this height does not touch, round-off included [m]
 constexpr double kSharp =
     30.0;  // times its radius: an edge counts its springs from the vertical where the ground may bend more
@@ -379,7 +379,7 @@ void TerrainContact::touch_standing_rim(const ElementInput& in, std::size_t inde
   const BodyKinematics& body = *in.pair.body[0];
   const double R = rim.radius;
   const bool flat = scratch.flat;
-  // Down in the plane of the edge, from where its springs are counted; the edge stands up, so there is such a direction.
+  // Down in the plane of the edge, from where its springs are counted; the edge is raised, so there is such a direction.
   Eigen::Vector3d e_0 = n.dot(a) * a - n;
   e_0.normalize();
   const Eigen::Vector3d b = a.cross(e_0);

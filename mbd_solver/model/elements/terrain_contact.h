@@ -5,7 +5,7 @@
 //   u = P v + T s / tau, P = I - n n^T,  s' = T^T clip(u) - s / tau: the spring s [m] of a place has two inner states, along the x and y
 //   axes of W turned with z to n, T = R(z -> n) [e_x e_y]; |T s| = |s|, so that its energy does not change as n turns
 // A ball has one contact for each local minimum of its distance, and one with each rock; they share a spring.
-// A circular edge (radius R about c, axis a) that stands up from the ground touches where its distance from the ground has its
+// A circular edge (radius R about c, axis a) that is raised from the ground touches where its distance from the ground has its
 // minimum, n.t = 0 with the tangent t = a x e: it rolls without facets, also over a step. As the body turns by dtheta and moves
 // by dr the place moves along the edge by R t dpsi, (R t.H t - n.e) dpsi = -t.H dp - (t x n).dtheta; this does no work.
 // Where the ground bends so much that there may be several, these are counted in the plane of the edge (edge_on_terrain.h).

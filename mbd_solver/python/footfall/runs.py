@@ -36,7 +36,7 @@ def program():
     for candidate in candidates:
         if candidate and os.path.isfile(candidate) and os.access(candidate, os.X_OK):
             return os.fspath(candidate)
-    raise InputError("the program footfall is neither beside this module nor in PATH; install it, or name it in FOOTFALL_PROGRAM")
+    raise InputError("the program footfall is neither in the folder of this module nor in PATH; install it, or name it in FOOTFALL_PROGRAM")
 
 
 def error_of(code, said):
@@ -120,7 +120,7 @@ def _execute(words, progress=None):
 def run(scene, ranks=None, out=None, progress=False, until=None, force=False, trust_script=False, options=()):
     """What `footfall run` does: the bed, both programs, summary and plots. Returns the Run.
 
-    scene: a Scene, or what makes one; one without a file is written beside the folder `out`, as NAME.scene.toml. ranks: of LIGGGHTS.
+    scene: a Scene, or what makes one; a scene without a file is written next to the folder `out`, as NAME.scene.toml. ranks: of LIGGGHTS.
     out: folder of results (default: a new one in runs). until: earlier end [s]. progress: True shows it, a function gets the share.
     force: into the folder of an earlier run. options: more words of the command line. Raises InputError, NumericalError, PartnerError;
     a run whose requirements are not met is returned (run.exit_code 4)."""

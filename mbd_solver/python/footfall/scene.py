@@ -208,7 +208,7 @@ class Scene:
         return self.values.get("ground", {}).get("kind") == "particles"
 
     def _as_file(self, out):
-        """A file of this scene, for programs: its own, or one beside the folder of results."""
+        """A file of this scene, for programs: its own, or a copy next to the folder of results."""
         if self.file:
             return self.file
         path = pathlib.Path(self.folder) / (pathlib.Path(out).name + ".scene.toml")

@@ -2,7 +2,7 @@
 for voltages that change every millisecond, and OUT/simbody_instructions.md.
 
 Error: the largest, over height and four strokes, of the root mean square difference to the same program at its tightest tolerance, as a share of the
-largest change of that column in the reference. Rows every 1 ms. Processor time of footfall is that of the whole program without the shortest that it takes to
+largest change of that column in the reference. Rows every 1 ms. Processor time of footfall: of the whole program, without the shortest time that it takes to
 the first step; Simbody's program measures its integration itself, rows included.
 """
 import csv

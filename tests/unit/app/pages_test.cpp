@@ -60,7 +60,7 @@ TEST(RequirementLines, TellTheMarginOfTheNearestLimit) {
   EXPECT_TRUE(ends(line(R"("least": 2, "most": 40, "margin": 1.2)"), "1.2 g (60 %)"));
 }
 
-TEST(HtmlPage, Base64IsThatOfTheStandard) {
+TEST(HtmlPage, Base64FollowsTheStandard) {
   EXPECT_EQ(base64(""), "");  // RFC 4648, section 10
   EXPECT_EQ(base64("f"), "Zg==");
   EXPECT_EQ(base64("fo"), "Zm8=");
@@ -158,7 +158,7 @@ TEST(FirstColumns, AreThoseThatAUserAsksForFirst) {
   EXPECT_EQ(first_columns(swing, ""), (std::vector<std::string>{"energy.kinetic", "energy.total"}));
 }
 
-// What a page holds is what the run wrote, to half a step. The way back here is that of web/src/decode.js.
+// What a page holds is what the run wrote, to half a step. The way back here follows web/src/decode.js.
 
 std::string bytes_of_base64(const std::string& text) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -616,8 +616,8 @@ TEST(Figures, MarkTouchdownPeaksAndLimits) {
   }
 }
 
-// The text of a peak stands beside the curves, by all samples of each curve and points between them: an early and a late peak, curves that
-// end flat near it as struts do, a ripple, and one that fills the graph, beside which there is no place.
+// The text of a peak does not cover the curves, by all samples of each curve and points between them: an early and a late peak, curves that
+// end flat near it as struts do, a ripple, and a curve that fills the graph and leaves no place.
 TEST(Figures, TextsOfPeaksMeetNoCurve) {
   constexpr int kRows = 1000;
   const auto falling = [](double t) {

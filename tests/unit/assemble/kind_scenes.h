@@ -1,6 +1,6 @@
 #pragma once
 // A small scene for every kind of joint, strut law, spring, force, drive and controller. A new kind needs its line here:
-// the tests of every_kind_test.cpp walk the kinds and fail for one that has none.
+// the tests of every_kind_test.cpp walk the kinds and fail for a kind that has none.
 
 #include <gtest/gtest.h>
 

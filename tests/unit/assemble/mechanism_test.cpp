@@ -20,7 +20,7 @@ namespace footfall {
 namespace {
 
 // Every kind of joint, strut law, spring and controller that a scene can name (mbd_solver/assemble/mechanism.h): it is built as what it is called, its
-// derivatives are those of its residual, and it keeps the account of the energy. The kinds are those of the reader's
+// derivatives agree with its residual, and it keeps the account of the energy. The kinds come from the reader's
 // own lists; a kind without a scene in kind_scenes.h fails.
 
 using ::testing::TestWithParam;
@@ -196,7 +196,7 @@ TEST_P(EverySignalKind, DrivesAForceWhoseWorkIsCounted) {
   const bool sampled = kind == "rate_limit" || kind == "fmu" || kind == "python";
   ASSERT_EQ(mechanism.signals.size(), kind == "fmu" ? 2u : 1u) << "an FMU has a signal per output, too";
   EXPECT_EQ(mechanism.sampled.empty(), !sampled);
-  EXPECT_EQ(mechanism.model.signals() == nullptr, sampled || kind == "host") << "whose value stands among the inputs";
+  EXPECT_EQ(mechanism.model.signals() == nullptr, sampled || kind == "host") << "whose value is among the inputs";
   test::Run run(mechanism.model, "one_step", test::tight(1e-12));
   run.inputs = inputs_of(mechanism);
   const double before = run.energy().stored.total();
@@ -525,7 +525,7 @@ TEST_F(PlacementTest, ABrokenDumpIsNamedWithItsLine) {
   EXPECT_NE(complaint(kOnGrains, grains("ITEM: TIMESTEP\n0\n")), "");
 }
 
-// A bed under a slope of 12 degrees that falls along x, with a rock that stands out by 6 cm; another is outside of it.
+// A bed under a slope of 12 degrees that falls along x, with a rock that protrudes by 6 cm; another is outside of it.
 const char* const kBedOnSlope = R"(end_time = 1
 gravity = [0, 0, -9.81]
 bodies = [{ name = "ball", mass = 1, shape = { kind = "sphere", centre = [0.1, 0, 1], radius = 0.05 } }]
@@ -613,7 +613,7 @@ TEST(FlexibleCopies, LegsOfAnArrayAreTurnedCopiesOfTheFirst) {
     EXPECT_EQ(copy.modal->stiffness, first.modal->stiffness);
     EXPECT_EQ(copy.modal->stress_modes, first.modal->stress_modes);
     EXPECT_EQ(copy.modal->static_error, first.modal->static_error);
-    // Where it stands: turned about the axis of the array, a third of a turn each.
+    // Where it is: turned about the axis of the array, a third of a turn each.
     EXPECT_NEAR(copy.p_DBo.norm(), first.p_DBo.norm(), 1e-12);
     EXPECT_NEAR(copy.p_DBo.head<2>().normalized().dot(first.p_DBo.head<2>().normalized()), -0.5, 1e-12);
     EXPECT_NEAR(copy.p_DBo.z(), first.p_DBo.z(), 1e-12);
@@ -749,7 +749,7 @@ TEST(RoundShape, EnergyClosesWhileAPlateFallsFlat) {
   EXPECT_LT(std::abs(run.imbalance()), 1e-4 * run.state.dissipated.total());  // at a tolerance of 1e-9
 }
 
-// A rock and a ramp stand as they are drawn; the lander beside them is turned about its own mass centre, moved and thrown.
+// A rock and a ramp stand as they are drawn; the lander next to them is turned about its own mass centre, moved and thrown.
 const std::string kLanderAndRock = R"(end_time = 1
 [[bodies]]
 name = "lander"

@@ -36,7 +36,7 @@ TEST_F(ChildProcess, WritesOnlyBelowItsFolders) {
   EXPECT_NE(run(limited, "echo 1 > '" + file("b") + "'"), 0);
   EXPECT_EQ(run(Rights::starting({"/bin/sh"}), "echo 1 > '" + file("b") + "'"), 0);
   EXPECT_TRUE(std::filesystem::exists(file("in/a")));
-  // Paths are those of here, also where the program begins elsewhere.
+  // Paths count from here, also where the program begins elsewhere.
   const std::filesystem::path before = std::filesystem::current_path();
   std::filesystem::current_path(folder_);
   const Command there{Rights::writing({"/bin/sh"}, {"in"}), {"/bin/sh", "-c", "echo 1 > b"}, {}, "", "in"};
@@ -55,7 +55,7 @@ TEST_F(ChildProcess, AWordWithALineEndIsRefused) {
     EXPECT_THROW(start_program({Rights::of_user(), {"/bin/true", word}}), InputError) << word;
 }
 
-// Two pipes whose numbers are those of each other.
+// Two pipes, each with the other's numbers.
 TEST_F(ChildProcess, FilesGetTheirNumbers) {
   int one[2], two[2];
   ASSERT_EQ(pipe(one), 0);

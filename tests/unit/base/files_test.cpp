@@ -54,7 +54,7 @@ TEST_F(Csv, HasEndsOfLinesInQuotes) {
   EXPECT_EQ(last_line_, 4) << "lines of the file are counted";
 }
 
-// Before, the cells of all lines were those of the first.
+// Before, all lines had the cells of the first.
 TEST_F(Csv, HasLinesThatEndInCarriageReturns) {
   EXPECT_EQ(rows("a,b\r1,2\r\r3,4\r"), (Rows{{"a", "b"}, {"1", "2"}, {"3", "4"}}));
   EXPECT_EQ(last_line_, 4);
@@ -108,7 +108,7 @@ TEST_F(WholeFile, MakeFolderMakesThoseAroundItToo) {
   make_folder(file("x/y/z"));
   make_folder(file("x/y/z"));
   EXPECT_TRUE(fs::is_directory(file("x/y/z")));
-  write_whole_file(file("a"), "a file stands in the way");
+  write_whole_file(file("a"), "a file is in the way");
   EXPECT_TRUE(test::names(test::error_of([&] { make_folder(file("a/b"), "choose another one"); }), {file("a/b")}));
 }
 

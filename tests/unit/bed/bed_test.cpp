@@ -205,7 +205,7 @@ TEST_F(BedConditions, ThatNobodyKnowsAreNotCompared) {
   EXPECT_EQ(different_material(write("bed", log_with("5e6")), write("run", "units si\n")), "");
 }
 
-// mbd_solver/bed/bed_measures.h: contacts of grains against those of regular packings.
+// mbd_solver/bed/bed_measures.h: contacts of grains against regular packings.
 
 // n^3 grains of radius r at the corners of cubes, or in the densest layers of triangles, `gap` apart from touching.
 std::vector<GrainPlace> packing(int n, double r, bool dense, double gap) {
@@ -371,7 +371,7 @@ TEST_F(ScriptTrace, FollowsIncludesLoopsAndOtherLogs) {
   write("more.in", "variable n loop 2\nlabel again\ntimestep 1e-5\nnext n\njump SELF again\n");
   write("in.grains", "variable dt index 1e-5\ntimestep ${dt}\ninclude ${here}/more.in\nunits si\n");
   const std::string begin = "variable dt index 1e-5\ntimestep ${dt}\ntimestep 1e-5\n";
-  // Its value stands in the log as well, and is no line of another file.
+  // Its value is in the log as well, and is no line of another file.
   EXPECT_EQ(stopped(begin + "ERROR: no\n"), "in.grains:2: timestep ${dt}");
   const std::string loop = begin + "include ${here}/more.in\ninclude /x/more.in\nvariable n loop 2\nlabel again\n";
   EXPECT_EQ(stopped(loop + "timestep 1e-5\nnext n\njump SELF again\ntimestep 1e-5\nERROR: no\n"),

@@ -101,7 +101,7 @@ TEST(ProposedBed, IsOneWidthAroundTheBodiesAndTheirWay) {
   // A plate of 70 % of the squares around them, on 50 rho g per metre: 1/2 k A s^2 = M g s.
   const double k = 50.0 * 0.57 * 2600.0 * 9.81 * 0.7 * 2.0 * 0.01;
   EXPECT_NEAR(still.sinkage, 2.0 * 2.0 * 9.81 / k, 1e-6);
-  // A way of 0.15 m, by the flight and the friction after it; two widths beside it.
+  // A way of 0.15 m, by the flight and the friction after it; two widths on each side.
   const BedProposal moving = proposed({"initial.velocity=[0.5,0,-1]"});
   EXPECT_NEAR(moving.size.x(), 0.4 + 0.1 + 4 * 0.1, 0.1);
   EXPECT_GT(moving.centre.x(), 0.02);

@@ -615,7 +615,7 @@ TEST(Determination, SaysWhenTheSearchHasNotEnded) {
   EXPECT_NEAR(d.gain / evaluated(spec, decay, best).misfit, 1.0, 0.05);  // nearly linear over so small a step
 }
 
-// The set next to one that was run whole: mbd_solver/campaign/calibrate/determination.h.
+// The set next to a set that was run whole: mbd_solver/campaign/calibrate/determination.h.
 
 // Two parameters with a range of 1; target 0 feels the first, target 1 both, target 2 the second.
 struct WholeRun {

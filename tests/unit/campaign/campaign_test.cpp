@@ -96,7 +96,7 @@ TEST(DrawnRuns, OfALognormalDistributionHaveTheMomentsOfTheFile) {
   EXPECT_NEAR(deviation(logs), std::sqrt(std::log(1.25)), 0.01);  // sigma^2 = log(1 + (s / m)^2)
 }
 
-// Pairs that a table has, and no others; the correlation is that of the table.
+// Pairs that a table has, and no others; the correlation equals the table's.
 TEST(DrawnRuns, OfWholeRowsKeepWhatBelongsTogether) {
   ParameterSpec x = drawn("x", DistributionKind::kMeasured), y = drawn("y", DistributionKind::kMeasured), alone = x;
   x.distribution.file = y.distribution.file = "touchdowns.csv";

@@ -145,7 +145,7 @@ std::string of_scheme(const testing::TestParamInfo<std::string>& scheme) {
 }
 INSTANTIATE_TEST_SUITE_P(Schemes, EveryScheme, testing::ValuesIn(scheme_names()), of_scheme);
 
-// A path that stands a little beside the state that the next window starts from.
+// A path that is a little off the state from which the next window starts.
 struct Beside {
   explicit Beside(const std::string& scheme_name, int modes) : scheme(make_scheme(scheme_name)), random(21) {
     start = random.motion(modes);

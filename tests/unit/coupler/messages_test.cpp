@@ -122,7 +122,7 @@ TYPED_TEST(EveryMessage, ComeBackAsTheyWere) {
   for (const int modes : {0, 3}) {
     const auto sent = random_message<TypeParam>(modes);
     EXPECT_EQ(test::differences(sent, round_trip(sent)), Names());
-    EXPECT_NE(test::differences(sent, TypeParam()), Names());  // or the content would be that of an empty message
+    EXPECT_NE(test::differences(sent, TypeParam()), Names());  // or the content would equal an empty message's
   }
 }
 
@@ -168,7 +168,7 @@ class NotANumber : public testing::Test {};
 using Exchanged = testing::Types<Geometry, Start, Accept, Motion, Load>;
 TYPED_TEST_SUITE(NotANumber, Exchanged);
 
-// Every number of a message in turn is made infinite or no number: the check says where it stands, and nothing before
+// Every number of a message in turn is made infinite or no number: the check says where it is, and nothing before
 // and after.
 TYPED_TEST(NotANumber, IsFoundWhereverItStands) {
   Random random(46);

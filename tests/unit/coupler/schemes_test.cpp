@@ -86,7 +86,7 @@ TEST_P(BothHalves, OnlyRatesAreSentOtherwiseThanComputed) {
   EXPECT_EQ(sent.r, computed.r);
   EXPECT_EQ(sent.L, computed.L);
   EXPECT_EQ(sent.a, computed.a);
-  // A window that is short beside everything else is sent as computed.
+  // A window that is short against everything else is sent as computed.
   const double H = 1e-9, change = 1e-7;  // [s]; change: H/2 times accelerations of about 10
   sent = computed;
   scheme->set_path_rates(Matrix6d::Identity(), BodyLoad(), H, sent);

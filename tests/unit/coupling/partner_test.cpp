@@ -356,7 +356,7 @@ class Watched {
   double mass_, time_ = 0.0;
 };
 
-// A gain counts that stands at the ends of two windows.
+// A gain counts that lasts at the ends of two windows.
 TEST(CouplingWatch, JudgesByWhatTheContactsMove) {
   // 1 J goes to the grains; the body must not keep 0.1 J of it.
   for (const double excess : {0.09, 0.12}) {

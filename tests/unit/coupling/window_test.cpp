@@ -198,7 +198,7 @@ TEST(FastModes, SlowModesAndRigidBodiesKeepTheirPath) {
 }
 
 // Largest growth per window of a mode (Omega = theta, H = 1) that pushes on grains of kappa Omega^2, without damping;
-// the path starts where the boundary stands, s, and the mode gets the mean force. State [a, da, dda, s].
+// the path starts where the boundary is, s, and the mode gets the mean force. State [a, da, dda, s].
 double growth(double theta, double kappa, bool slowing) {
   const double stiffness = theta * theta;
   Eigen::Matrix4d map;
@@ -503,7 +503,7 @@ TEST(FlightTime, CountsTheSpinOfTheFarthestPoint) {
 
 TEST(FlightTime, IsOfTheLowestPoint) {
   BodyMotion motion = falling_from(3.0, 1.0);
-  motion.L << std::sqrt(0.5), std::sqrt(0.5), 0, 0;  // stands on an edge, 1 m below its origin
+  motion.L << std::sqrt(0.5), std::sqrt(0.5), 0, 0;  // on an edge, 1 m below its origin
   EXPECT_NEAR(time(motion, ground_at(1.0)), 1.0, 1e-14);
 }
 

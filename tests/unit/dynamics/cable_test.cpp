@@ -268,7 +268,7 @@ TEST(Hoist, OfASwingingLoadIsThatOfItsTwoEquations) {
   const Eigen::Matrix3d along_y = axes_with_z(Eigen::Vector3d::UnitY());
   model.add_joint(revolute_joint("axle", model.marker_at(kGround, {0.0, 0.0, 0.0}, along_y),
                                  model.marker_at(drum, {0.0, 0.0, 0.0}, along_y)));
-  // theta counts from +x; at the start it is that of the tangent.
+  // theta counts from +x; at the start it is the tangent's angle.
   Eigen::Vector2d pull;
   std::array<double, 4> y = {start.x(), start.y(), 0.0, 0.0};
   const double e_start = fine_stretch(y, 0.0, R, w, 0.0, &pull);

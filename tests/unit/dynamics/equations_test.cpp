@@ -402,8 +402,8 @@ TEST(ThinLu, RowsWithoutAShareStayWhole) {
   EXPECT_EQ(lu.entries(), 3 * n + (n - 3) + 2 * 2 * n + 4);
 }
 
-// A spring of stiffness k between two bodies in a direction that leans a little: k n n^T has entries of 3e-4 k, small beside k
-// and not beside the mass, which alone resists when both move together.
+// A spring of stiffness k between two bodies in a direction that leans a little: k n n^T has entries of 3e-4 k, small against k
+// and not against the mass, which alone resists when both move together.
 TEST(ThinLu, WhatIsSmallBesideASpringIsNotSmall) {
   const double k = 1e6;
   const Eigen::Vector2d n = Eigen::Vector2d(1.0, 3e-4).normalized();

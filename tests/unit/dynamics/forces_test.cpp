@@ -237,7 +237,7 @@ TEST_P(WheelOnASpring, TurnsBackAtSixRadians) {
 }
 
 TEST_P(WheelOnASpring, KnowsItsTurnsAfterAResumption) {
-  // The state alone tells the turn: a run that starts from it goes on the same.
+  // The state alone tells the turn: a run that starts from it continues the same.
   test::Run first(model, GetParam(), test::tight(1e-9)), second(model, GetParam(), test::tight(1e-9));
   first.to(0.7);
   second.state = first.state;
@@ -247,7 +247,7 @@ TEST_P(WheelOnASpring, KnowsItsTurnsAfterAResumption) {
 }
 
 TEST_P(WheelOnASpring, CountsAHundredTurns) {
-  // Driven at 100 rad/s, the angle is that of the drive, whatever the inner state has gathered of errors.
+  // Driven at 100 rad/s, the angle follows the drive, whatever the inner state has gathered of errors.
   Model driven;
   const int wheel = driven.add_body(Body("wheel", 1.0, 0.1 * Eigen::Matrix3d::Identity()), {});
   PrescribedMotion motion;

@@ -280,7 +280,7 @@ TEST_P(Rolls, BallOnATurntable) {
   table.w.z() = Omega;
   ball.r = Eigen::Vector3d(0.4, 0.0, R);
   ball.dr = Eigen::Vector3d(0.3, 0.1, 0.0);
-  // velocity of the touching point is that of the table: w x (-R n) = Omega x r - dr
+  // the touching point moves as the table does: w x (-R n) = Omega x r - dr
   const Eigen::Vector3d slip = Omega * Eigen::Vector3d::UnitZ().cross(ball.r) - ball.dr;
   ball.w = Eigen::Vector3d(slip.y() / R, -slip.x() / R, 1.5);
   model.add_body(Body("table", 5.0, Eigen::Matrix3d::Identity()), table);

@@ -23,7 +23,7 @@ struct Motion {
   Eigen::VectorXd q, v, dv;
 };
 
-// Where the motion stands a time dt later: q to third order along v and dv (constant dv), so central
+// Where the motion is a time dt later: q to third order along v and dv (constant dv), so central
 // differences see phi'' exactly to second order in dt.
 Motion later(const Layout& layout, const Motion& at, double dt) {
   Motion out = at;
@@ -442,7 +442,7 @@ TEST(Rotor, IsNoCondition) {
   EXPECT_EQ(assembly.rank, 5);
 }
 
-// Input and output of a constant-velocity joint turn alike while bent by 30 degrees; those of a universal joint do not.
+// Input and output of a constant-velocity joint turn alike while bent by 30 degrees; in a universal joint they do not.
 TEST(Joints, ConstantVelocityTurnsEvenly) {
   Model model;
   const double bend = 0.5, speed = 4.0;  // [rad], [rad/s]
@@ -507,7 +507,7 @@ Body puck() { return Body("puck", kPuckMass, kPuckInertia * Eigen::Matrix3d::Ide
 
 class PlanarJoint : public ::testing::TestWithParam<const char*> {};
 
-// On a ground that stands, at an oblique attitude: q = q'_0 / w sin(w t) in each coordinate, the angle over more than a turn.
+// On a ground at rest, at an oblique attitude: q = q'_0 / w sin(w t) in each coordinate, the angle over more than a turn.
 TEST_P(PlanarJoint, SwingsInItsThreeCoordinatesApart) {
   test::Random random(5);
   const Eigen::Matrix3d axes = random.axes();

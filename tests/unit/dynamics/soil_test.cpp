@@ -393,7 +393,7 @@ TEST(SoilContact, GroundKeepsPrintsWhereTheyAre) {
   plate.carried_to({0.0, 0.0, 0.01});
   EXPECT_NEAR(plate.carried_to({0.0, 0.0, -0.02}), p, 1e-4 * p);
   plate.carried_to({0.0, 0.0, 0.01});
-  plate.carried_to({0.5, 0.0, 0.01});  // beside it the ground is untouched
+  plate.carried_to({0.5, 0.0, 0.01});  // next to it the ground is untouched
   EXPECT_NEAR(plate.carried_to({0.5, 0.0, -0.01}), 0.5 * p, 1e-4 * p);
   plate.carried_to({0.5, 0.0, 0.01});
   plate.carried_to({0.0, 0.0, 0.01});  // back over the first print: nothing before its bottom
@@ -417,8 +417,8 @@ TEST(SoilContact, GroundKeepsPrintsWhereTheyAre) {
 }
 
 TEST(SoilContact, PlateThatLeavesItsPrintInTheAirPushesTheGroundAside) {
-  // Lifted by 5 mm out of a print of 50 mm and moved sideways without contact: the ground beside the print is not met at a depth of
-  // 45 mm all at once. Set down there, the plate stands where it is.
+  // Lifted by 5 mm out of a print of 50 mm and moved sideways without contact: the ground next to the print is not met at a depth of
+  // 45 mm all at once. Set down there, the plate stays where it is.
   Plate plate(make_rft(sand(), ""));
   const double p = 0.04 * 8e5 * kDown;  // [N/m]
   plate.carried_to({0.0, 0.0, 0.01});
@@ -523,7 +523,7 @@ TEST_P(OnTheSoil, InertiaOfTheSoilHasItsOwnName) {
 }
 
 TEST_P(OnTheSoil, PlateOnASlopeStands) {
-  // 10 degrees ask for 0.176 of its weight: it slides until its print is deep enough, and stands. The ground bears it within the
+  // 10 degrees ask for 0.176 of its weight: it slides until its print is deep enough, and stops. The ground bears it within the
   // elastic displacement e = 0.1 mm, in which it swings sideways, undamped: never farther than e to either side, and without drift.
   // Shear after Janosi and Hanamoto wears off by swings above a twentieth of K, so that law may creep, by less than K.
   for (const bool is_rft : {true, false}) {

@@ -150,7 +150,7 @@ TEST(Terrain, FeetInTheCellsOfAMapAreThoseOfTheWholeField) {
 }
 
 TEST(Terrain, BallInAGrooveHasTwoFeet) {
-  // h = |x| rounded off within 0.1 m: a ball of 0.5 m stands on both sides.
+  // h = |x| rounded off within 0.1 m: a ball of 0.5 m touches both sides.
   TerrainParts parts;
   parts.map = map_of(201, 5, 0.02, [](double x, double) { return std::sqrt(x * x + 0.01); });
   Terrain ground(parts);
@@ -322,7 +322,7 @@ TEST(TerrainContact, BallAndWheelRollDownATiltedPlane) {
 }
 
 // Closed forms, at an azimuth of 37 degrees: (5/7) g sin(a) t^2 / 2 of a ball, (2/3) of a cylinder on its two edges. The first 0.1 mm are
-// those of a body that finds its depth.
+// the loads of a body that finds its depth.
 TEST(TerrainContact, BallAndCylinderRollDownAMapAtAnAzimuth) {
   constexpr double slope = 0.2, azimuth = 37.0 * kPi / 180.0, R = 0.2, m = 2.0;
   const Eigen::Vector3d down(std::cos(azimuth), std::sin(azimuth), -slope),
@@ -475,7 +475,7 @@ TEST(TerrainContact, DerivativesAreExact) {
     const double x = random.number(-1.5, 1.5), y = random.number(-1.5, 1.5);
     state.r = {x, y, ground->at(x, y).h + (i == 1 || i == 2 ? 0.35 : -0.1)};
     state.a *= 0.3;
-    if (i == 1 || i == 2) {  // an edge that stands up, and one that lies
+    if (i == 1 || i == 2) {  // an edge that is upright, and another that lies
       state.L = quaternion_about(Eigen::Vector3d::UnitX(), i == 1 ? 1.3 : 0.1);
       model.add_body(body, state);
       const ContactRim rim{body_marker(i, body, {0.0, 0.0, i == 1 ? 0.05 : -0.4}), i == 1 ? 0.5 : 0.4};
@@ -677,7 +677,7 @@ Eigen::Vector2d nearest_on(Terrain& ground, double x, double z) {
   return best;
 }
 
-// At the start of its climb a wheel touches the edge of the kerb alone. Force and direction are those of the nearest place: along
+// At the start of its climb a wheel touches the edge of the kerb alone. Force and direction belong to the nearest place: along
 // (centre - c), so that F_x / F_z = tan(phi), cos(phi) = (R + lift - h_c) / R.
 TEST(SteepSteps, PushAWheelAndABallFromTheirEdge) {
   constexpr double R = 0.3, k = 1e7;

@@ -67,7 +67,7 @@ double area_of(const TriangleMesh& mesh) {
   return sum;
 }
 
-// A sphere of radius 1 about (3, 0, 0), of 19 200 triangles: those of a cube, pushed out.
+// A sphere of radius 1 about (3, 0, 0), of 19 200 triangles: a cube's, pushed out.
 TriangleMesh fine_sphere() {
   TriangleMesh mesh = box_mesh(Vector3d(2, 2, 2), 0.05);
   for (Vector3d& x : mesh.vertices) x = x.normalized() + Vector3d(3, 0, 0);

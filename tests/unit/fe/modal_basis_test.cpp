@@ -164,7 +164,7 @@ TEST(ModalBasis, ARodHasTheSameModesInEveryDirection) {
     }
 }
 
-// The number of modes is that of the fixed-interface modes: static shapes of three clamps, 18 - 6; of two balls on a
+// As many modes as fixed-interface modes: static shapes of three clamps, 18 - 6; of two balls on a
 // line, their distance alone.
 TEST(ModalBasis, CraigBamptonKeepsEveryStaticShapeBesideTheModesAskedFor) {
   const FeModel model = strut();
@@ -229,7 +229,7 @@ TEST(ModalBasis, PinnedInterfaceSpendsNoModesOnLocalKinks) {
   const FeModel model = pad();
   const VectorXd exact = frequencies(reduce(model, free_free(9), "pad").body);
   const VectorXd pinned = frequencies(reduce(model, craig_bampton(12, {}, {0}), "pad").body).head(9);
-  // Modes that leave the centre at rest are in the basis; the one that lifts it is approximated by static
+  // Modes that leave the centre at rest are in the basis; the mode that lifts it is approximated by static
   // shape and held modes.
   EXPECT_LT((pinned - exact).cwiseQuotient(exact).cwiseAbs().maxCoeff(), 2e-3);
   const VectorXd clamped = frequencies(reduce(model, craig_bampton(12, {0}), "pad").body).head(9);

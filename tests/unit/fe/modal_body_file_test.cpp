@@ -326,7 +326,7 @@ Matrices lumped(Matrices bar) {
   return bar;
 }
 
-// The model of all bars is that of its matrices: inertia m L^2 / 12 of a rod without rotary inertia of bending, 0.2617 kg m2,
+// The matrices alone define the model of all bars: inertia m L^2 / 12 of a rod without rotary inertia of bending, 0.2617 kg m2,
 // and the frequencies of K x = lambda M x, 127.5 Hz for two nodes; exact is 22.373 / (2 pi L^2) sqrt(E I / rho A) = 106.3 Hz.
 TEST(CoupledMass, OfABeamIsUsedAsItIs) {
   for (const auto& [bar, first] : {std::pair{consistent_bar(1), 127.5}, std::pair{consistent_bar(8), 106.3},

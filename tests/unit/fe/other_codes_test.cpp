@@ -147,7 +147,7 @@ TEST(CalculixModels, DeflectAsCalculixFinds) {
   }
 }
 
-// Mass, centre and inertia follow from the matrices: those of the solid that the mesh encloses. Bricks are exact; CalculiX
+// Mass, centre and inertia follow from the matrices, as of the solid that the mesh encloses. Bricks are exact; CalculiX
 // integrates linear tetrahedra at one point, which puts their second moments off, and the tapered leg by a finite rule.
 TEST(CalculixModels, HaveTheInertiaOfTheirSolid) {
   const double density[] = {7850.0, 7850.0, 2700.0, 2700.0}, off[] = {1e-9, 1e-9, 1e-9, 1e-3},
@@ -438,7 +438,7 @@ TEST(ReducedModels, OfCalculixAreReadAndRefusedAsTheyAreHeld) {
 
 // --- Craig and Bampton: rows of modal coordinates, which have no place.
 
-// The leg on the displacements of its root and tip, and fixed-interface modes: its frequencies are nearly those of the whole,
+// The leg on the displacements of its root and tip, and fixed-interface modes: its frequencies nearly equal the frequencies of the whole,
 // and mass, centre and inertia exactly.
 TEST(ReducedModels, OfCraigAndBamptonHaveCoordinatesWithoutPlace) {
   const FeModel full = read_matrix_model(files_of(kSamples[3]));
@@ -696,7 +696,7 @@ TEST(FeMeshes, OfGmsh40AreReadAsBinary) {
   EXPECT_EQ(skin_of(mesh).size(), 4u);
 }
 
-// One solid of each kind with nodes on its edges, in the order of each code: its skin is closed, and its volume that of the
+// One solid of each kind with nodes on its edges, in the order of each code: its skin is closed, and its volume equals the volume of the
 // corners, as the edges are straight.
 TEST(FeMeshes, HaveClosedSkinsOfQuadraticSolids) {
   const std::map<int, std::vector<Vector3d>> corners = {
@@ -788,7 +788,7 @@ TEST(FeMeshes, HaveSetsByName) {
       "CTETRA  1       1       1       2       3       4\nSET1    5       1       THRU    3\nENDDATA\n",
       "a.bdf");
   EXPECT_EQ(bdf.set("5", "").size(), 3u);
-  // Abaqus: a set goes on under its name in other letters, and one of nodes is not widened by one of elements of that name.
+  // Abaqus: a set continues under its name in other letters, and a set of nodes is not widened by a set of elements of the same name.
   const FeMesh twice = parse_fe_mesh(
       "*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n*ELEMENT,TYPE=C3D4,ELSET=Eall\n7,1,2,3,4\n*NSET,NSET=Foot\n1\n"
       "*Nset, nset=FOOT\n2\n*Elset, elset=Foot\n7\n*NSET, NSET=all, ELSET=EALL\n",

@@ -447,7 +447,7 @@ TEST_P(Way, RowThatSaysNoEndsTheWindowThere) {
   EXPECT_EQ(rows.back().state.time, run.state.time);
   EXPECT_TRUE(rows.back().state.q.isApprox(run.state.q, 1e-12));
   EXPECT_TRUE(rows.back().rates == run.integrator->end_rates());
-  // And goes on as if nothing had been, within the tolerance.
+  // And continues as if nothing had been, within the tolerance.
   run.to(kLast);
   whole.to(kLast);
   EXPECT_LT((run.state.q - whole.state.q).norm(), 3e-4);

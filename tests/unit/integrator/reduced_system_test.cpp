@@ -8,7 +8,7 @@
 namespace footfall {
 namespace {
 
-// With right-hand sides in all rows, dq - N v too, at positions that turn fast: r = J x, where J is that of jacobian_check.h.
+// With right-hand sides in all rows, dq - N v too, at positions that turn fast: r = J x, with J from jacobian_check.h.
 TEST(ReducedSystem, SolvesTheWholeSystem) {
   test::Random random(1);
   const Model model = test::everything(random);

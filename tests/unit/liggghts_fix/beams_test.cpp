@@ -515,7 +515,7 @@ TEST(BeamNeighbours, WithinItsClearanceAFarChainTouchesNothing) {
   Bed bed;
   for (int i = 0; i < 300; ++i) bed.add(random.vector(1.0), random.between(0.02, 0.1));
   BeamChain chain(random_chain(random, 8), 0);
-  chain.x().row(0).array() += 1.0 - chain.x().row(0).minCoeff() + 0.5;  // half a metre beside the grains
+  chain.x().row(0).array() += 1.0 - chain.x().row(0).minCoeff() + 0.5;  // half a metre from the grains
   BeamNeighbours list(0.03);
   EXPECT_EQ(list.clearance(), 0.0);  // not known yet
   list.grains_renumbered(bed.view());

@@ -447,7 +447,7 @@ TEST(GrainPaths, MeetWhatTheyPassThrough) {
   EXPECT_TRUE(meets({0.3, 0.6, -0.2}, {0.0, 0.0, 0.4})) << "from below";
   EXPECT_FALSE(meets({0.3, 0.6, 0.2}, {0.0, 0.0, -0.19})) << "ends above";
   EXPECT_FALSE(meets({0.3, 0.6, 0.2}, {0.0, 0.0, 9.0})) << "moves away";
-  EXPECT_FALSE(meets({1.3, 0.6, 0.2}, {0.0, 0.0, -0.4})) << "passes beside";
+  EXPECT_FALSE(meets({1.3, 0.6, 0.2}, {0.0, 0.0, -0.4})) << "passes by";
   EXPECT_TRUE(meets({0.5, -1.0, 1.09}, {0.0, 2.0, 0.0})) << "the side of the beam";
   EXPECT_FALSE(meets({0.5, -1.0, 1.11}, {0.0, 2.0, 0.0})) << "above the beam";
   EXPECT_FALSE(meets({1.11, -1.0, 1.0}, {0.0, 2.0, 0.0})) << "beyond its end";
@@ -477,7 +477,7 @@ TEST(RankShares, ShareOfTheOnlyRankIsTheLoad) {
   EXPECT_EQ(test::differences(share, load), Names());
 }
 
-// Every number of the row alone: it arrives twice as large from two ranks with the same share, but those of which the
+// Every number of the row alone: it arrives twice as large from two ranks with the same share, except numbers of which the
 // largest counts.
 TEST(RankShares, RanksAddUpAndTheLargestOverlapCounts) {
   BodyLoad load = empty_load(2, 2);

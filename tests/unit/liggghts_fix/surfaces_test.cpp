@@ -267,7 +267,7 @@ TEST(SurfacePieces, TheNearestOfNeighboursIsTouched) {
   EXPECT_FALSE(yields_to(near, same, pieces));
   FacetTouch silent = near;
   silent.acts = false;
-  EXPECT_TRUE(yields_to(silent, same, pieces)) << "of two that are equally close, the one that LIGGGHTS lets act";
+  EXPECT_TRUE(yields_to(silent, same, pieces)) << "of two that are equally close, LIGGGHTS' choice";
 }
 
 TEST(SurfacePieces, OfFlatFacesLeaveSharpEdgesToLiggghts) {

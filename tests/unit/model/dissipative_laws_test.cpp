@@ -24,7 +24,7 @@ TEST(MrDamper, ForceVelocityCurveIsYieldPlusViscous) {
   for (double u : {0.0, 0.25, 1.0})
     for (double v : {-3.8, -0.02, 0.0, 0.01, 0.5, 3.8})
       EXPECT_NEAR(force(law, 0.1, v, u), u * 8278.72 * std::tanh(v / 0.02) + 3651.19 * v, 1e-9);
-  // At landing speed the regularisation is invisible: the force is that of Table 3 [Lin25].
+  // At landing speed the regularisation is invisible: the force agrees with Table 3 [Lin25].
   EXPECT_NEAR(force(law, 0.0, 3.8, 1.0), 8278.72 + 3651.19 * 3.8, 1e-9);
 }
 

@@ -148,7 +148,7 @@ TEST(GivenSignals, FollowTheStateOfTheScene) {
   EXPECT_LT(corners[0].before, corners[0].after);
 }
 
-// Random expressions of bumps: between neighbouring corners each is nearly a line, but for what is small beside the bumps.
+// Random expressions of bumps: between neighbouring corners each is nearly a line, but for what is small against the bumps.
 TEST(GivenSignals, LeaveNearlyLinesBetweenCorners) {
   std::mt19937 random(7);
   const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };

@@ -1,5 +1,5 @@
 #pragma once
-// What every strut law must satisfy, whatever its formula: derivatives that are those of its force and rates,
+// What every strut law must satisfy, whatever its formula: derivatives that agree with its force and rates,
 // and the identity force * rate = d(stored)/dt + dissipated. Used by the tests of all laws.
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ inline double force(const StrutLaw& law, double stroke, double rate = 0.0, doubl
   return force(law, stroke, rate, voltage, law.initial_state());
 }
 
-// Of a law with one parameter changed from those of `make`: every change must be refused, and its key named.
+// Of the law of `make` with one parameter changed: every change must be refused, and its key named.
 template <class Law, class Parameters>
 void expect_refused(const Parameters& good,
                     std::initializer_list<std::pair<const char*, std::function<void(Parameters&)>>> changes) {

@@ -214,7 +214,7 @@ TEST(JointFriction, IsDampedBeyondOvershoot) {
   EXPECT_GE(d, 2.0 * std::sqrt(16.0 * k * p.mass) * (1.0 - 1e-12));
 }
 
-// Slip begins at the breakaway force, ends where the trial force of stick falls below that of sliding, and turns at once where
+// Slip begins at the breakaway force, ends where the trial force of stick falls below the force of sliding, and turns at once where
 // the other direction is beyond its limit.
 TEST(JointFriction, ChangesItsModeWhereItNoLongerFits) {
   const JointFriction law(friction());

@@ -48,7 +48,7 @@ ModalBody random_body(int nodes, int modes, unsigned seed) {
   return body;
 }
 
-// Modes that move along one axis and turn about another, as those of a straight rod: most sums over two of them are zero.
+// Modes that move along one axis and turn about another, as in a straight rod: most sums over two of them are zero.
 ModalBody rod_like_body(int nodes, int modes, unsigned seed) {
   ModalBody body = random_body(nodes, modes, seed);
   for (Matrix3d& J : body.node_inertia) J = Matrix3d(J.diagonal().asDiagonal());
@@ -177,7 +177,7 @@ TEST(ModalInertia, OfAMassMatrixIsThatOfTheLumpedMassesInIt) {
   }
 }
 
-// Masses that couple nodes, as those of solid elements, m_ij 1: T = 1/2 sum_ij m_ij u_i . u_j, u_j = dr + w x rho_j + Phi_j da.
+// Masses that couple nodes, as solid elements do, m_ij 1: T = 1/2 sum_ij m_ij u_i . u_j, u_j = dr + w x rho_j + Phi_j da.
 TEST(ModalInertia, OfCoupledMassesHasTheirKineticEnergyInEveryDeflection) {
   const int s = 5, n = 7;
   ModalBody body = random_body(n, s, 51);
@@ -202,7 +202,7 @@ TEST(ModalInertia, OfCoupledMassesHasTheirKineticEnergyInEveryDeflection) {
   }
 }
 
-// Kinetic energy of nodes that turn by the rotation vector t = Psi a, in full, less that of the shape integrals: third
+// Kinetic energy of nodes that turn by the rotation vector t = Psi a, in full, less the energy by the shape integrals: third
 // order in a at given v.
 TEST(ModalInertia, RotaryInertiaTurnsWithItsNodeToSecondOrder) {
   const int s = 4;

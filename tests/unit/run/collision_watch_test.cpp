@@ -169,7 +169,7 @@ TEST(BodyContact, BodiesThatTheSceneHoldsApartBounce) {
   EXPECT_GT(b.x() - a.x(), 0.5);
 }
 
-// A ball that bounces and spins away, and one that rolls off an edge: seen from them, the other body moves on no straight line.
+// A ball that bounces and spins away, and another that rolls off an edge: seen from them, the other body moves on no straight line.
 TEST(BodyContact, WhetherABallComesAwayDoesNotDependOnRows) {
   const std::string table =
       "[[bodies]]\nname = \"table\"\nmass = 10\nshape = { kind = \"box\", size = [0.6, 0.4, 0.1], centre = [0, 0, "
@@ -215,7 +215,7 @@ TEST(BodyContact, ABallInAFunnelOfFourPlanesComesToRestInItsMiddle) {
   const Ended end = run(toml);
   EXPECT_EQ(end.why, "");
   const double depth = std::pow(2.0 * 9.81 / (4.0 * std::sqrt(0.5)) / 1e7, 2.0 / 3.0);
-  // Friction may hold it a little beside the middle.
+  // Friction may hold it a little off the middle.
   EXPECT_LT(end.state.q.head<2>().norm(), 1e-4);
   EXPECT_NEAR(end.state.q[2], (0.1 - depth) * std::sqrt(2.0), 1e-4);
   EXPECT_LT(end.state.v.head<3>().norm(), 1e-6);

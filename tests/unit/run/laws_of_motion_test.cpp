@@ -366,7 +366,7 @@ poisson = 0.3
 )";
 }
 
-// Of a cantilever the lowest frequency is 1.8751^2 / (2 pi) sqrt(EI / (rho A)), and its damping ratio far below that of free
+// Of a cantilever the lowest frequency is 1.8751^2 / (2 pi) sqrt(EI / (rho A)), and its damping ratio far below the ratio of free
 // modes. The damping that the warning gives leads to the ratio that was given.
 TEST(AttachedDamping, IsToldWithTheValueThatGivesTheRatio) {
   const auto found = [](const std::string& toml, const std::vector<std::string>& settings = {}) {

@@ -64,7 +64,7 @@ class HistoryColumns : public ::testing::Test {
 };
 
 // Lines of the table in docs/reference/history.md: pattern -> unit, and pattern -> meaning. A line may have several patterns, as in
-// `<body>.x`, `.y`: those that begin with a dot continue what stands before the last dot of the first.
+// `<body>.x`, `.y`: names that begin with a dot continue what is before the last dot of the first.
 std::map<std::string, std::pair<std::string, std::string>> documented() {
   std::map<std::string, std::pair<std::string, std::string>> lines;
   std::ifstream page(FOOTFALL_SOURCE_DIR "/docs/reference/history.md");
@@ -79,7 +79,7 @@ std::map<std::string, std::pair<std::string, std::string>> documented() {
       name.erase(std::remove_if(name.begin(), name.end(), [](char c) { return c == '`' || c == ' '; }), name.end());
       if (first.empty()) first = name;
       if (name[0] == '.') name = first.substr(0, first.rfind('.')) + name;
-      EXPECT_EQ(lines.count(name), 0u) << name << " stands twice in docs/reference/history.md";
+      EXPECT_EQ(lines.count(name), 0u) << name << " occurs twice in docs/reference/history.md";
       lines[name] = {line.substr(name_end + 4, unit_end - name_end - 4), line.substr(unit_end + 3)};
     }
   }
@@ -149,7 +149,7 @@ TEST_F(HistoryColumns, HaveANameOfTheirOwnAUnitAndAFiniteValue) {
   joints.update(sample);
   std::set<std::string> names;
   for (const Column& column : columns) {
-    EXPECT_TRUE(names.insert(column.name).second) << column.name << " stands twice";
+    EXPECT_TRUE(names.insert(column.name).second) << column.name << " occurs twice";
     EXPECT_EQ(column.name.find_first_of("<>, "), std::string::npos) << column.name;
     EXPECT_FALSE(column.unit.empty()) << column.name;
     EXPECT_TRUE(std::isfinite(column.value(sample))) << column.name;
@@ -159,7 +159,7 @@ TEST_F(HistoryColumns, HaveANameOfTheirOwnAUnitAndAFiniteValue) {
 TEST_F(HistoryColumns, OfASceneWithEverythingAreTheWholeRegistry) {
   std::map<std::string, std::string> registry, seen;
   for (const ColumnPattern& entry : column_patterns()) {
-    EXPECT_EQ(registry.count(entry.pattern), 0u) << entry.pattern << " stands twice";
+    EXPECT_EQ(registry.count(entry.pattern), 0u) << entry.pattern << " occurs twice";
     registry[entry.pattern] = entry.unit;
   }
   for (const Column& column : columns) seen[column.pattern] = column.unit;
@@ -303,7 +303,7 @@ TEST_F(HistoryColumns, ShowReactions) {
   EXPECT_NEAR(value("axle.my"), 0.0, tolerance);  // it turns freely
 }
 
-// The strut's rate is the derivative of its stroke; its force is that of its laws.
+// The strut's rate is the derivative of its stroke; its force is the sum of its laws'.
 TEST_F(HistoryColumns, ShowTheStrutsStrokeRateAndForce) {
   bench.inputs.values(0) = 0.5;
   bench.state.v(2) = -1.5;  // the cabin sinks onto the leg at 0.5 m/s

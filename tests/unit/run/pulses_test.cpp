@@ -100,7 +100,7 @@ const Notation kNotations[] = {
                 " : 0)";
        })));
      }},
-    {"factors, beside a measurement",
+    {"factors, together with a measurement",
      [](const std::vector<Pulse>& train) {
        return pushed_by_signal(expression("0 * b.vx + " + sum_of(train, [](const Pulse& p) {
                                             return "(abs(time - " + number(p.begin) + ") < " + number(0.5 * p.width) +

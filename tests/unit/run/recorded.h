@@ -77,7 +77,7 @@ struct Ran : Record {
 };
 
 // Resumed from its first checkpoint (output.checkpoint_interval), a run without grains writes the rows of the run that went on.
-// The one that went on.
+// The run that continued.
 inline std::unique_ptr<Record> expect_resumed_to_the_bit(const Scene& scene) {
   auto whole = std::make_unique<Record>(scene);
   std::string kept;
@@ -102,7 +102,7 @@ inline std::unique_ptr<Record> expect_resumed_to_the_bit(const Scene& scene) {
   return whole;
 }
 
-// Runs a scene beside its file; the folder of its results.
+// Runs a scene in the folder of its file; the folder of its results.
 inline std::string run_into_folder(const Scene& scene, Transport* transport = nullptr, int code = kExitDone) {
   RunOptions options;
   options.out = (std::filesystem::path(scene.file).parent_path() / "out").string();

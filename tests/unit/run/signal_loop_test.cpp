@@ -198,7 +198,7 @@ TEST_P(SignalRuns, AnEventWithPeriodHappensAtItsSample) {
 
 INSTANTIATE_TEST_SUITE_P(Integrators, SignalRuns, ::testing::Values("one_step", "ida"));
 
-// A condition that is true from the start, then one that is true in the state it leads to.
+// A condition that is true from the start, then another that is true in the state it leads to.
 TEST(SignalEvents, HappenOneAfterTheOther) {
   const Scene scene = SceneText().read(kFallingBall + kThrust + R"(
 [[states]]
@@ -289,7 +289,7 @@ period = 0.01
                                        {"output.joints=false", "output.bodies=[]"});
   Record record(scene);
   record.run();
-  // The torque is there from the first sample on: the speed is 4 t. The last sample is that of 0.99 s.
+  // The torque is there from the first sample on: the speed is 4 t. The last sample is at 0.99 s.
   EXPECT_NEAR(record.last("signal.seen"), 2.0 + 0.25 * std::pow(4.0 * 0.99, 2), 1e-6);
 }
 

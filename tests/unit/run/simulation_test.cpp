@@ -206,7 +206,7 @@ TEST(Simulation, SendsTheMotionOfEveryWindowsStart) {
   }
 }
 
-// The boundary comes to its prediction in the last window, unless that is much shorter than the one that left the gap.
+// The boundary comes to its prediction in the last window, unless it is much shorter than the window that left the gap.
 TEST(Simulation, ClosesNoGapFasterThanItWasMade) {
   for (const auto& [steps, n, closing] :
        {std::tuple{123, 3, 3}, std::tuple{122, 2, 2}, std::tuple{121, 1, kSubsteps}}) {
@@ -273,7 +273,7 @@ TEST(Simulation, EndsWindowsAtSamplesAndForeseenEvents) {
   };
   const auto [samples, unused] = run(controller);
   for (int k = 7; k < 100; k += 7) EXPECT_TRUE(std::count(samples.begin(), samples.end(), k)) << k;
-  // Or one that has passed when a window would end.
+  // Or a time that has passed when a window would end.
   std::string passing = event;
   passing.replace(passing.find("ball.vz < -1.005"), 16, "ball.vz < -1.005 && ball.vz > -1.00522");
   for (const std::string& of_motion : {event, passing}) {
@@ -291,7 +291,7 @@ bool tells_of_late_event(const Simulation& simulation) {
 }
 
 // Windows of 0.4 ms. The grains push with 2e5 N/s t, which passes 495 N at 2.475 ms, in the seventh window. Windows end where the
-// means of the last two tell so if the force rises twice as fast; that of the 25th DEM step is 490 N, of the next 510 N.
+// means of the last two tell so if the force rises twice as fast; in the 25th DEM step it is 490 N, of the next 510 N.
 TEST(Simulation, EndsWindowsWhereLoadsTriggerEvents) {
   const std::string event =
       "[[states]]\nname = \"waits\"\n[[states]]\nname = \"pushed\"\n[[events]]\nname = \"loaded\"\nto = \"pushed\"\n"

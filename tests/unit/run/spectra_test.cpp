@@ -20,7 +20,7 @@ std::vector<double> sampled(double duration, const std::function<double(double)>
   return x;
 }
 
-// x = A sin(pi t / T), 0 < t < T, on an oscillator without damping, r = f 2T its frequency over that of the half-sine:
+// x = A sin(pi t / T), 0 < t < T, on an oscillator without damping, r = f 2T its frequency over the half-sine's:
 //   during the pulse  y = A r / (r^2 - 1) (r sin p - sin r p), p = pi t / T, largest for r > 1 where cos p = cos r p
 //   after it          |y| = 2 A r / |r^2 - 1| |cos(pi r / 2)|, r < 1
 double half_sine_response(double r) {

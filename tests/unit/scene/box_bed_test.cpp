@@ -54,7 +54,7 @@ TEST(GrainTimeStep, HertzTimeIsThatOfACollision) {
     x += dt * v;
     v -= 0.5 * dt * k / m * std::pow(std::max(x, 0.0), 1.5);
   }
-  EXPECT_NEAR(hertz_time(grain, speed), t, 2e-3 * t);  // 2.87 stands for 2.868 in pi^(1/5) ... of the closed form
+  EXPECT_NEAR(hertz_time(grain, speed), t, 2e-3 * t);  // 2.87 is 2.868 in pi^(1/5) ... of the closed form
 }
 
 TEST(GrainTimeStep, IsRoundedDownToTwoDigits) {
@@ -112,7 +112,7 @@ TEST(BoxBed, ClumpsBecomeTemplatesOfLiggghts) {
   EXPECT_LT(box_numbers(scene).time_step, box_numbers(text.read(kPlate)).time_step);  // by its smallest sphere
 }
 
-// It stands for corners.
+// It represents corners.
 TEST(BoxBed, ClumpsHaveRollingFrictionOnlyWhenTheSceneNamesAModel) {
   const SceneText text;
   const auto model = [&](const std::vector<std::string>& settings) {

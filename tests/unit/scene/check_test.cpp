@@ -47,7 +47,7 @@ TEST(SceneCheck, AStrutOfNoLawIsAFinding) {
 }
 
 // A scene compares controllers by changing the kind alone: what the other kind needs is left over without a word.
-// Written down beside a kind that does not use it, a key is worth a warning.
+// Written down with a kind that does not use it, a key is worth a warning.
 TEST(SceneCheck, KeysOfAnotherKindAreWarnedOfUnlessTheKindWasSet) {
   const SceneText text;
   const std::string controller =
@@ -66,7 +66,7 @@ TEST(SceneCheck, GroundNeedsItsSectionAndSomethingThatTouchesIt) {
   EXPECT_NE(text.findings(kPendulum + "[ground]\nkind = \"plane\"\nplane = { young = 1e6, restitution = 1 }\n"), "");
 }
 
-// The spline of a motion swings out beside points that are not smooth, and goes on beyond its end.
+// The spline of a motion swings out near points that are not smooth, and continues beyond its end.
 TEST(SceneCheck, TellsWhereTheSplineOfAMotionLeavesItsPoints) {
   const auto warnings = [](const std::string& table) {
     return SceneText()

@@ -148,7 +148,7 @@ TEST(BedParts, ZonesAndTheRestAreTheBed) {
   EXPECT_NEAR(parts[0].volume + parts[1].volume, 2.0 * 1.0 * 0.32, 1e-12);
 }
 
-// Blocks that overlap count once, the first zone has the place, and what is beside the bed is left out.
+// Blocks that overlap count once, the first zone has the place, and what is outside the bed is left out.
 TEST(BedParts, OverlapsCountOnce) {
   const SceneText text;
   const Scene scene =
@@ -228,7 +228,7 @@ TEST(BedParts, OfTheLandingAreUnderItsPads) {
   EXPECT_NEAR(box_numbers(scene).grains, 44000, 2500);  // 44 007 in the settled bed
 }
 
-// A script with a gravity of its own: how to make it that of the scene. A slope is none of size.
+// A script with a gravity of its own: how to make it equal to the scene's. A slope is none of size.
 TEST(ScriptGravity, IsSetByTheVariableOfTheScript) {
   const auto refusal = [](const std::string& gravity) {
     return test::refusal([&] { read_scene(FOOTFALL_SOURCE_DIR "/inputs/landing_script", {"gravity=" + gravity}); });

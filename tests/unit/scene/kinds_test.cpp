@@ -104,7 +104,7 @@ class Collector final : public FieldVisitor {
       if (!rule.required) defaults.emplace_back(key, (*choice)->names[static_cast<std::size_t>((*choice)->value)]);
     }
     if (rule.required) return;
-    // 0 stands for "not given" as often as for a number: it is left to the comment.
+    // 0 means "not given" as often as for a number: it is left to the comment.
     if (double* const* number = std::get_if<double*>(&ref); number && **number != 0.0)
       defaults.emplace_back(key, number_text(**number));
     if (int* const* number = std::get_if<int*>(&ref); number && **number != 0)
@@ -153,11 +153,11 @@ TEST(ReferenceScene, GivesTheDefaultsOfTheReader) {
       given += " " + (stated.empty() ? "nothing" : stated);
     }
     EXPECT_TRUE(found) << "the default of " << key << " is " << value
-                       << "; the comments beside it in inputs/reference/scene.toml say:" << given;
+                       << "; the comments next to it in inputs/reference/scene.toml say:" << given;
   }
 }
 
-// A scene holds one of several choices; the comment beside it names the others.
+// A scene holds one of several choices; the comment next to it names the others.
 TEST(ReferenceScene, NamesEveryChoice) {
   const std::string text = text_of(FOOTFALL_SOURCE_DIR "/inputs/reference/scene.toml");
   Collector collector;

@@ -53,7 +53,7 @@ TEST(TomlText, HasFourMillionValuesAtMost) {
 }
 
 // Names of an array's entries are patterns; before, each brace was tried at each place: 10^13 ways of the last one. A joint
-// whose kind has no coordinate is told from one that is not known.
+// whose kind has no coordinate is told from an unknown joint.
 TEST(InitialJoints, FindTheirPatternInOneWay) {
   const SceneText text;
   const auto is_found = [&](const std::string& joint, const std::string& name) {

@@ -58,7 +58,7 @@ TEST(Plausible, MassThatNoSolidOfThisSizeHas) {
               ElementsAre(says(code::kImplausibleMass, "bodies.bob.mass")));
 }
 
-// Half a degree in 61 samples is 15 km, but half a metre beside a pendulum of 1 m.
+// Half a degree in 61 samples is 15 km, but half a metre for a pendulum of 1 m.
 TEST(Plausible, MapInDegrees) {
   const SceneText files;
   const auto scene = [&](const std::string& step, const std::string& odd = "1 ") {

@@ -86,7 +86,7 @@ const std::set<std::string> kAlternatives = {"landing.rest_speed",  // of runs t
                                              "particles.box.sinks[].from",
                                              "particles.box.sinks[].until"};
 
-// All functions of time have the same keys: those of one of them are enough.
+// All functions of time have the same keys: the keys of one are enough.
 std::set<std::string> one_function(const std::set<std::string>& keys) {
   std::set<std::string> result;
   for (std::string key : keys) {
@@ -439,7 +439,7 @@ TEST(Segments, AreEqualPiecesJoinedInARow) {
     EXPECT_EQ(body.name, "arm_" + std::to_string(k + 1));
     EXPECT_NEAR(body.mass, whole.bodies[0].mass / 4, kSegmentRoundOff);
     EXPECT_NEAR((body.position - Eigen::Vector3d(0.25 + 0.5 * k, 0, 1)).norm(), 0.0, kSegmentRoundOff);
-    EXPECT_EQ(body.flexible->modes, 2);  // what a short piece needs beside its static shapes
+    EXPECT_EQ(body.flexible->modes, 2);  // what a short piece needs besides its static shapes
   }
   ASSERT_EQ(cut.joints.size(), 4u);
   EXPECT_THAT(cut.joints[0].bodies, ElementsAre("ground", "arm_1"));

@@ -22,7 +22,7 @@ class SceneText : TemporaryFolder {
   }
 };
 
-// A scene that is good as it stands.
+// A scene that is good as it is.
 const std::string kPendulum = R"(end_time = 1.0
 [[bodies]]
 name = "bob"
