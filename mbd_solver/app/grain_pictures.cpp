@@ -19,6 +19,7 @@
 #include "mbd_solver/app/view_page.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/base/quote.h"
+#include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/bed/programs.h"
 #include "mbd_solver/run/output/summary.h"
@@ -68,8 +69,14 @@ double round_below(double value) {
   return value >= 5.0 * power ? 5.0 * power : value >= 2.0 * power ? 2.0 * power : power;
 }
 
-}  // namespace
+struct GrainView {
+  Eye eye;
+  int width = 1600;      // of the drawing [pixels]
+  double fastest = 1.0;  // speed at the end of the colour scale [m/s]
+  double cut = -1e300;   // grains with y below this are left out [m]
+};
 
+// The eye that sees all beds and shapes. `azimuth`, `elevation` [rad].
 Eye eye_around(const std::vector<const BedFrame*>& beds, const std::vector<const MechanismShape*>& shapes, double cut,
                double azimuth, double elevation) {
   Eye eye{eye_axes(azimuth, elevation), Eigen::Vector2d::Constant(1e300), Eigen::Vector2d::Constant(-1e300)};
@@ -97,6 +104,8 @@ Eye eye_around(const std::vector<const BedFrame*>& beds, const std::vector<const
   return eye;
 }
 
+// The speed that one in a thousand grains exceeds, in the fastest of these frames, rounded up to 1, 2 or 5 times a power of ten
+// [m/s].
 double colour_range(const std::vector<const BedFrame*>& beds) {
   constexpr double kShown = 0.999;
   double fastest = 0.0;
@@ -114,8 +123,6 @@ double colour_range(const std::vector<const BedFrame*>& beds) {
     if (below * step >= fastest && round_below(below * step) == below * step) return below * step;
   return 10.0 * below;
 }
-
-namespace {
 
 // The point of a triangle that is nearest to p: inside, or on its nearest edge.
 Eigen::Vector3d nearest_on_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
@@ -207,6 +214,12 @@ void draw_marks(const VtkFrame& frame, DepthImage& image) {
   }
 }
 
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// Writes NAME.rgb and NAME.gp into `folder`; the script draws NAME.png. Returns the name of the script.
 std::string write_grain_picture(const std::string& folder, const std::string& name, const std::string& title,
                                 const BedFrame& bed, const MechanismShape& shape, const GrainView& view) {
   DepthImage image(view.eye, view.width);
@@ -220,7 +233,6 @@ std::string write_grain_picture(const std::string& folder, const std::string& na
     image.capsule(point(shape.frame.lines[k](0)), point(shape.frame.lines[k](1)), shape.line_radius[k], kTubes);
   draw_marks(shape.frame, image);
 
-  namespace fs = std::filesystem;
   make_folder(folder);
   image.write((fs::path(folder) / (name + ".rgb")).string());
   constexpr int kTop = 60, kBottom = 50, kLeft = 20, kRight = 150;  // margins of the page [pixels]
@@ -253,11 +265,6 @@ std::string write_grain_picture(const std::string& folder, const std::string& na
   write_whole_file(file, script.str(), "is the disk full?");
   return name + ".gp";
 }
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-namespace {
 
 constexpr double kDegree = kPi / 180.0;
 

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/app/report.h"
 #include "mbd_solver/base/packed_bytes.h"
 
 namespace footfall {

@@ -164,6 +164,12 @@ std::vector<double> drawn_values(const std::vector<double>& values, const std::v
   return drawn;
 }
 
+int series_of(const Figure& figure, std::size_t i) {
+  constexpr int kBlack = 6;
+  const Curve& drawn = figure.curves[i];
+  return drawn.series >= 0 ? drawn.series : drawn.title == "total" ? kBlack : static_cast<int>(i);
+}
+
 namespace {
 
 std::string style_of(PlotStyle style) {
@@ -223,12 +229,6 @@ std::string bands(const Figure& figure) {
 
 // Equal margins align the panels; legends stand below them.
 constexpr const char* kAligned = "set lmargin 11\nset rmargin 3\n";
-
-int series_of(const Figure& figure, std::size_t i) {
-  constexpr int kBlack = 6;
-  const Curve& drawn = figure.curves[i];
-  return drawn.series >= 0 ? drawn.series : drawn.title == "total" ? kBlack : static_cast<int>(i);
-}
 
 std::string colour_of(const Figure& figure, std::size_t i) {
   const std::string& colour = figure.curves[i].colour;

@@ -94,6 +94,9 @@ struct Figure {
   bool logarithmic = false;  // both axes
 };
 
+// The colour of a curve: its own, black for a total, or its place.
+int series_of(const Figure& figure, std::size_t curve);
+
 // Writes the curves of all figures, with no more rows than pictures can show, to one file TABLE.csv in `folder`, which the
 // figures then draw: gnuplot reads it much faster than a history with all its columns.
 void thin_figures(std::vector<Figure>& figures, const History& history, const std::string& folder,

@@ -1,4 +1,4 @@
-// HTML pages by concatenation: style, tables, pictures (base64) and the scripts of the interactive plots are in the page.
+// HTML pages by concatenation: style, tables, pictures (base64), and the data and script of what the browser draws are in the page.
 #include "mbd_solver/app/report.h"
 
 #include <sys/stat.h>
@@ -15,14 +15,13 @@
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
-#include "mbd_solver/app/grain_pictures.h"
-#include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/packed_series.h"
+#include "mbd_solver/app/plots.h"
 #include "mbd_solver/app/results.h"
 #include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/app/view_page.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/packed_bytes.h"
-#include "mbd_solver/base/pi.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/run/output/history.h"
 #include "mbd_solver/run/output/summary.h"
@@ -38,7 +37,7 @@ namespace {
 constexpr const char* kSheet =
     ":root{color-scheme:light dark;--page:#fff;--ink:#222;--soft:#666;--line:#e4e4e4;--rule:#ccc;--field:#f6f6f4;"
     "--warn:#fff0e0;--mark:#ffe9a8;--missed:#fbdcd8;--missed-ink:#8c1209;--met:#136b2b}"
-    "@media "
+    "@media screen and "
     "(prefers-color-scheme:dark){:root{--page:#16191d;--ink:#e4e6e8;--soft:#a3a9b0;--line:#333a42;--rule:#4a525c;"
     "--field:#21262c;--warn:#3a2a17;--mark:#5c4a10;--missed:#4a1d1a;--missed-ink:#ffb4ab;--met:#7bd88f}"
     "a{color:#8ab4f8}figure img{background:#fff}}"
@@ -46,8 +45,9 @@ constexpr const char* kSheet =
     "1em}"
     "h1{font-size:1.7em}h2{margin-top:2em;border-bottom:1px solid var(--rule)}.t{overflow-x:auto;margin:1em 0}"
     "table{border-collapse:collapse}td,th{padding:.2em .8em;border-bottom:1px solid var(--line);text-align:left}"
-    "td:first-child,th:first-child{padding-left:0}"
-    ".n{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}p,h1{overflow-wrap:anywhere}"
+    "td:first-child,th:first-child{padding-left:0}th{vertical-align:bottom}"
+    ".n{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}th.n{white-space:normal}p,h1{overflow-"
+    "wrap:anywhere}"
     "pre{background:var(--field);padding:.8em;overflow-x:auto;font-size:12.5px;line-height:1.4}mark{background:var(--"
     "mark);"
     "color:inherit}figure{margin:1.2em 0}figure img{max-width:100%}figcaption,.about{color:var(--soft)}"
@@ -57,7 +57,10 @@ constexpr const char* kSheet =
     "tr.met td:last-child{color:var(--met)}"
     "@media (max-width:600px){body{margin:1em auto;font-size:14px}h1{font-size:1.3em}td,th{padding:.2em "
     ".5em}.n{white-space:normal}}"
-    "@media print{body{max-width:none;margin:0;font-size:10pt}nav,details{display:none}h2,h3{break-after:avoid}"
+    "@media "
+    "print{:root{color-scheme:light}body{max-width:none;margin:0;font-size:10pt}nav,details{display:none}.t{overflow:"
+    "visible}.n{white-space:normal}h2,h3{break-"
+    "after:avoid}"
     "table,figure,.warning{break-inside:avoid}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}}";
 
 // Begins with a number, as "12.5" and "3.2 %".
@@ -80,13 +83,23 @@ void HtmlPage::subsection(const std::string& heading) { body_ += "<h3>" + html_t
 
 void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + html_text(text) + "</p>\n"; }
 
-void HtmlPage::warning(const std::string& text) { body_ += "<p class=\"warning\">" + html_text(text) + "</p>\n"; }
+void HtmlPage::warning(const std::string& text) { body_ += "<p class=\"warning\">" + html_with_code(text) + "</p>\n"; }
 
 void HtmlPage::link(const std::string& file, const std::string& label, const std::string& text) {
   body_ += "<p><a href=\"" + html_text(file) + "\">" + html_text(label) + "</a>: " + html_text(text) + "</p>\n";
 }
 
-void HtmlPage::plots(const std::string& elements) { body_ += "<div id=\"footfall-plots\"></div>\n" + elements; }
+void HtmlPage::plots() { body_ += "<div class=\"footfall-plots\"></div>\n"; }
+
+void HtmlPage::mechanism(const std::string& caption) {
+  body_ += "<figure><canvas class=\"footfall-mechanism\"></canvas><figcaption>" + html_text(caption) +
+           "</figcaption></figure>\n";
+}
+
+void HtmlPage::figures(const std::vector<Figure>& figures, const History& history) {
+  body_ += "<div class=\"footfall-figures\" data-group=\"" + std::to_string(add_figures(figures, history, data_)) +
+           "\"></div>\n";
+}
 
 void HtmlPage::table(const std::vector<std::vector<std::string>>& rows, bool head,
                      const std::vector<std::string>& classes) {
@@ -137,14 +150,13 @@ std::string HtmlPage::text() const {
          "<meta name=\"viewport\" content=\"width=device-width\"/>\n" +
          (address_.empty() ? "" : "<meta http-equiv=\"refresh\" content=\"0;url=" + html_text(address_) + "\"/>\n") +
          "<title>" + html_text(title_) + "</title>\n<style>" + kSheet + "</style>\n</head>\n<body>\n<h1>" +
-         html_text(title_) + "</h1>\n<nav>" + contents_ + "</nav>\n" + body_ + "</body>\n</html>\n";
+         html_text(title_) + "</h1>\n<nav>" + contents_ + "</nav>\n" + body_ +
+         (data_.run.is_null() ? "" : data_.elements(kReportScript)) + "</body>\n</html>\n";
 }
 
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;  // of a table
-
-constexpr const char* kLedgerPicture = "ledger.png";  // in a section of its own
 
 // Marks of assumed values in scenes and scripts.
 const std::vector<std::string> kMarks = {"[A]", "(assumed"};
@@ -192,21 +204,24 @@ bool has_content(const std::string& file) {
   return fs::file_size(file, error) > 0 && !error;
 }
 
-std::vector<std::string> pictures_in(const std::string& folder) {
+// `but`: names of pictures that the page draws itself.
+std::vector<std::string> pictures_in(const std::string& folder, const std::vector<Figure>& but = {}) {
   std::vector<std::string> pictures;
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".png" && entry.path().stem() != "overview" &&
-        entry.path().filename() != kLedgerPicture && has_content(entry.path().string()))
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() == ".png" && name != "overview" && has_content(entry.path().string()) &&
+        std::none_of(but.begin(), but.end(), [&](const Figure& figure) { return figure.name == name; }))
       pictures.push_back(entry.path().string());
+  }
   std::sort(pictures.begin(), pictures.end());
   return pictures;
 }
 
-// more_than: so many pictures stand on the page already.
-void show_pictures(const std::string& folder, const std::string& heading, HtmlPage& page, std::size_t more_than = 0) {
-  const std::vector<std::string> pictures = pictures_in(folder);
-  if (pictures.size() <= more_than) return;
+void show_pictures(const std::string& folder, const std::string& heading, HtmlPage& page,
+                   const std::vector<Figure>& but = {}) {
+  const std::vector<std::string> pictures = pictures_in(folder, but);
+  if (pictures.empty()) return;
   page.section(heading);
   for (const std::string& picture : pictures) page.picture(picture);
 }
@@ -304,18 +319,27 @@ void show_view(const fs::path& folder, HtmlPage& page) {
 }
 
 // Interactive plots of any column of the history.
-void show_history(const fs::path& folder, const Json& summary, HtmlPage& page) {
-  if (!fs::exists(folder / "history.csv")) return;
-  const History history = read_history((folder / "history.csv").string());
-  if (history.columns.empty() || history.columns.front().empty()) return;
+void show_history(const History& history, const Json& summary, HtmlPage& page) {
   page.section("History");
   page.paragraph(
       "Type a part of a name to add a column, at most eight. Drag over a plot to zoom, double-click to reset; the "
-      "pointer "
-      "shows values. docs/reference/history.md explains the columns.");
-  PageParts parts;
-  add_history(history, first_columns(history, summary.value("observed_body", "")), parts);
-  page.plots(parts.elements(kReportScript));
+      "pointer shows values. docs/reference/history.md explains the columns.");
+  add_history(history, first_columns(history, summary.value("observed_body", "")), page.data());
+  page.plots();
+}
+
+// The standard figures, which gnuplot draws after a run as files.
+std::vector<Figure> figures_of(const History& history, const Json& summary) {
+  std::vector<Figure> figures = standard_figures(history, summary.value("observed_body", ""));
+  mark_figures(history, summary, figures);
+  return figures;
+}
+
+void show_figures(const std::vector<Figure>& figures, const History& history, HtmlPage& page) {
+  if (figures.empty()) return;
+  page.section("Figures");
+  if (touches_nothing(history)) page.paragraph("No body touches anything.");
+  page.figures(figures, history);
 }
 
 void show_quality(const Json& summary, HtmlPage& page) {
@@ -365,28 +389,25 @@ void show_ledger(const fs::path& folder, HtmlPage& page) {
       "received; "
       "it includes the elastic energy of their contacts and may decrease by that much.");
   page.table(rows);
-  if (has_content((folder / "plots" / kLedgerPicture).string()))
-    page.picture((folder / "plots" / kLedgerPicture).string(), "Energy balance by part");
+  if (const Figure figure = ledger_figure(ledger); !figure.curves.empty()) page.figures({figure}, ledger);
 }
 
-// A run without pictures gets one for the sheet, in the middle of its time, if bodies or grains were drawn.
-void draw_picture(const fs::path& folder, const Json& summary) {
-  if (!has_frames(folder.string()) || !pictures_in((folder / "pictures").string()).empty() ||
-      !pictures_in(folder.string()).empty())
-    return;
-  const double time = 0.5 * summary.value("end_time_s", 0.0);
+// The mechanism in the middle of the run, if the run recorded it.
+void show_mechanism(const fs::path& folder, const Json& summary, HtmlPage& page) {
   try {
     const MechanismShapes shapes(folder.string(), summary);
     if (shapes.empty()) return;
-    const MechanismShape shape = shapes.near(time);
-    GrainView view;
-    constexpr double kAzimuth = -65.0, kElevation = 28.0;  // [deg]
-    view.eye = eye_around({}, {&shape}, view.cut, kAzimuth * kPi / 180.0, kElevation * kPi / 180.0);
-    view.fastest = 1.0;
-    const std::string pictures = (folder / "pictures").string(), name = "mechanism_" + number_text(time, 4) + "s";
-    run_gnuplot(pictures,
-                {write_grain_picture(pictures, name, "t = " + number_text(time, 4) + " s", BedFrame(), shape, view)});
-  } catch (const InputError&) {  // the sheet has no picture then
+    const double middle = 0.5 * summary.value("end_time_s", 0.0);
+    const double time = *std::min_element(shapes.times().begin(), shapes.times().end(), [&](double a, double b) {
+      return std::abs(a - middle) < std::abs(b - middle);
+    });
+    PageParts& data = page.data();
+    data.run["bodyNames"] = shapes.body_names();
+    add_surroundings(summary.value("scene", Json::object()), data);
+    add_shapes({time}, {shapes.near(time)}, data);
+    if (!data.run["bodies"].is_null() || !data.run["marks"].is_null())
+      page.mechanism("The mechanism at " + number_text(time, 4) + " s");
+  } catch (const InputError&) {  // told with view.html
   }
 }
 
@@ -417,25 +438,32 @@ std::string without_folders(std::string text, const fs::path& folder, const Json
 
 std::string run_page(const std::string& run) {
   const fs::path folder(run);
-  // A run that footfall did not start, or without plots, has none yet.
-  const bool ledger = fs::exists(folder / "ledger.csv") || write_ledger(folder.string());
-  if (ledger && !fs::exists(folder / "plots" / kLedgerPicture)) make_pictures(folder.string());
+  // A run that footfall did not start has none yet.
+  if (!fs::exists(folder / "ledger.csv")) write_ledger(folder.string());
   const Json summary = read_summary((folder / "summary.json").string());
   const std::string title = summary.contains("scene") ? summary.at("scene").value("title", "") : "";
   HtmlPage page(title.empty() ? folder.filename().string() : title);
   page.paragraph(about(folder, summary));
-  draw_picture(folder, summary);
   show_requirements(summary, page);
+  page.section("Sheet");
+  show_mechanism(folder, summary, page);
   show_sheet(run, summary, page);
   show_warnings(summary, page);
   show_view(folder, page);
   show_summary(summary, page);
-  show_pictures((folder / "pictures").string(), "Grains and mechanism", page, 1);
+  show_pictures((folder / "pictures").string(), "Grains and mechanism", page);
   show_pictures(folder.string(), "Pictures", page);
-  show_history(folder, summary, page);
+  const History history = read_history((folder / "history.csv").string());
+  std::vector<Figure> figures;
+  if (!history.columns.empty() && !history.columns.front().empty()) {
+    figures = figures_of(history, summary);
+    show_figures(figures, history, page);
+    show_history(history, summary, page);
+  }
   show_quality(summary, page);
   show_ledger(folder, page);
-  show_pictures((folder / "plots").string(), "Plots", page);
+  figures.push_back({"ledger", "", "", {}});
+  show_pictures((folder / "plots").string(), "Plots", page, figures);
   if (fs::exists(folder / "compare/comparison.txt")) {
     page.section("Comparison with stock LIGGGHTS or another run");
     page.preformatted(read_whole_file((folder / "compare/comparison.txt").string()).value_or(""));
@@ -520,6 +548,136 @@ std::string write_report(const std::string& folder) {
   const fs::path file = path / "report.html";
   write_whole_file(file.string(), text, "is the disk full?");
   return file.string();
+}
+
+// ---- the data of a page (page_parts.h)
+
+namespace {
+
+constexpr std::size_t kSpans = 2000;  // of time, for histories with more than twice as many rows
+
+// JSON that neither ends a script element nor has characters with a meaning in XML.
+std::string harmless(const Json& json) {
+  std::string text;
+  for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace)) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else if (c == '>') {
+      text += "\\u003e";
+    } else if (c == '&') {
+      text += "\\u0026";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+std::string element(const std::string& name, const std::string& type, const std::string& text) {
+  return "<script type=\"" + type + "\" id=\"footfall-" + name + "\">" + text + "</script>\n";
+}
+
+}  // namespace
+
+void PageParts::add_frame(const std::string& name, std::size_t k, std::string text) {
+  (k == 0 ? chunks : later[k]).emplace_back(name + "-" + std::to_string(k), std::move(text));
+}
+
+std::string PageParts::elements(const std::string& script) const {
+  std::string text = element("run", "application/json", harmless(run));
+  text += "<script>//<![CDATA[\n" + script + "\n//]]></script>\n";
+  for (const auto& [name, chunk] : chunks) text += element(name, "text/plain", chunk);
+  for (const auto& [k, frame] : later)
+    for (const auto& [name, chunk] : frame) text += element(name, "text/plain", chunk);
+  return text;
+}
+
+std::string html_with_code(const std::string& text) {
+  const std::vector<std::string> parts = split(text, '`');
+  const bool paired = parts.size() % 2 == 1;
+  std::string html;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    html += !paired ? (i > 0 ? "`" : "") + html_text(parts[i])
+            : i % 2 ? "<code>" + html_text(parts[i]) + "</code>"
+                    : html_text(parts[i]);
+  return html;
+}
+
+void add_history(const History& history, const std::vector<std::string>& shown, PageParts& parts) {
+  const std::vector<double>& time = history.column("time");
+  const std::vector<std::size_t> rows = rows_to_draw(time, kSpans);
+  Json& json = parts.run["history"];
+  json["rows"] = rows.size();
+  json["time"] = Json::array();
+  for (const std::size_t row : rows) json["time"].push_back(time[row]);
+  json["names"] = Json::array();
+  json["units"] = Json::array();
+  std::vector<float> values;
+  for (std::size_t i = 0; i < history.names.size(); ++i) {
+    if (history.names[i] == "time") continue;
+    json["names"].push_back(history.names[i]);
+    json["units"].push_back(history.units[i]);
+    for (const double value : drawn_values(history.columns[i], rows)) values.push_back(static_cast<float>(value));
+  }
+  parts.run["shown"] = shown;
+  parts.chunks.emplace_back("history", packed_numbers(values));
+}
+
+namespace {
+
+Json marks_of(const std::vector<Mark>& marks) {
+  Json list = Json::array();
+  for (const Mark& mark : marks) list.push_back({{"time", mark.time}, {"value", mark.value}, {"text", mark.text}});
+  return list;
+}
+
+}  // namespace
+
+std::size_t add_figures(const std::vector<Figure>& figures, const History& history, PageParts& parts) {
+  const std::vector<double>& time = history.column("time");
+  const std::vector<std::size_t> rows = rows_to_draw(time, kSpans);
+  Json group = {{"times", Json::array()}, {"figures", Json::array()}};
+  for (const std::size_t row : rows) group["times"].push_back(time[row]);
+  std::vector<float> values;
+  for (const Figure& figure : figures) {
+    Json curves = Json::array();
+    for (std::size_t i = 0; i < figure.curves.size(); ++i) {
+      const Curve& curve = figure.curves[i];
+      curves.push_back({{"title", curve.title}, {"colour", curve.colour}, {"series", series_of(figure, i)}});
+      for (const double value : drawn_values(curve.formula.values(history), rows))
+        values.push_back(static_cast<float>(value));
+    }
+    group["figures"].push_back({{"title", figure.title},
+                                {"axis", figure.axis},
+                                {"stacked", figure.stacked},
+                                {"times", marks_of(figure.times)},
+                                {"limits", marks_of(figure.limits)},
+                                {"peaks", marks_of(figure.peaks)},
+                                {"curves", std::move(curves)}});
+  }
+  const std::size_t number = parts.run["figures"].size();
+  parts.run["figures"].push_back(std::move(group));
+  parts.chunks.emplace_back("figures-" + std::to_string(number), packed_numbers(values));
+  return number;
+}
+
+std::vector<std::string> first_columns(const History& history, const std::string& observed) {
+  constexpr std::size_t kMost = 6;
+  std::vector<std::string> shown;
+  const auto add = [&](const std::string& name) {
+    if (history.find(name) >= 0 && shown.size() < kMost) shown.push_back(name);
+  };
+  add(observed + ".az");
+  for (const char* ending : {".contact.fz", ".force", ".joint_torque", ".joint_force", ".angle", ".displacement"}) {
+    const std::size_t before = shown.size();
+    for (const std::string& name : history.names)
+      if (ends_with(name, ending)) add(name);
+    if (shown.size() > std::max<std::size_t>(before, 1)) break;
+  }
+  if (shown.size() < 2) {
+    for (const char* name : {"energy.kinetic", "energy.gravity", "energy.strain", "energy.total"}) add(name);
+  }
+  return shown;
 }
 
 }  // namespace footfall

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "mbd_solver/app/page_parts.h"
+
 namespace footfall {
 
 // A page that contains its style, tables and pictures. It is also well-formed XML.
@@ -20,8 +22,11 @@ class HtmlPage {
   void paragraph(const std::string& text);
   void warning(const std::string& text);
   void link(const std::string& file, const std::string& label, const std::string& text);  // "label: text"
-  // Interactive plots: PageParts::elements, and the place that their script fills.
-  void plots(const std::string& elements);
+  // What web/src/report.js draws of the page's data.
+  PageParts& data() { return data_; }
+  void plots();                                // any column, of add_history
+  void mechanism(const std::string& caption);  // of the first frame of add_shapes, with run.bodyNames and run.gravity
+  void figures(const std::vector<Figure>& figures, const History& history);
   // `head`: the first row is the head. Numbers are aligned to the right. classes, one per row or none: met, missed, open.
   void table(const std::vector<std::vector<std::string>>& rows, bool head = true,
              const std::vector<std::string>& classes = {});
@@ -37,6 +42,7 @@ class HtmlPage {
 
  private:
   std::string title_, contents_, body_, address_;
+  PageParts data_;
   int sections_ = 0;
 };
 
@@ -61,14 +67,14 @@ struct KeyNumber {
 };
 std::vector<KeyNumber> key_numbers(const nlohmann::ordered_json& summary);
 
-// The sections of the sheet for the run in `folder`.
+// The tables of the sheet for the run in `folder`.
 void show_sheet(const std::string& folder, const nlohmann::ordered_json& summary, HtmlPage& page);
 
 // Of many runs, by name: per requirement the worst case, and how many runs meet it.
 using NamedSummaries = std::vector<std::pair<std::string, nlohmann::ordered_json>>;
 void show_worst_cases(const NamedSummaries& runs, HtmlPage& page);
 
-// Writes DIR/report.html and returns its path; makes ledger.csv, plots and view.html where the run lacks them. Throws
+// Writes DIR/report.html and returns its path; makes ledger.csv and view.html where the run lacks them. Throws
 // InputError for a folder that is neither a run nor a sweep, or damaged files.
 std::string write_report(const std::string& folder);
 

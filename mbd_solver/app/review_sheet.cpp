@@ -58,20 +58,6 @@ std::optional<double> number_in(const Json& json, const char* key) {
 
 // ---- one run ----
 
-// The picture nearest to the middle of the run: pictures are named by their times.
-std::string picture_of(const std::filesystem::path& folder) {
-  std::vector<std::string> pictures;
-  std::error_code ignored;
-  for (const char* place : {"pictures", "."}) {
-    for (const auto& entry : std::filesystem::directory_iterator(folder / place, ignored))
-      if (entry.path().extension() == ".png" && std::filesystem::file_size(entry.path(), ignored) > 0)
-        pictures.push_back(entry.path().string());
-    if (!pictures.empty()) break;
-  }
-  std::sort(pictures.begin(), pictures.end());
-  return pictures.empty() ? "" : pictures[pictures.size() / 2];
-}
-
 void show_key_numbers(const Json& summary, HtmlPage& page) {
   Cells rows = {{"key number", "value", "at"}};
   for (const KeyNumber& one : key_numbers(summary))
@@ -300,8 +286,6 @@ std::string readable(double value, const std::string& unit) {
 
 void show_sheet(const std::string& run, const Json& summary, HtmlPage& page) {
   const std::filesystem::path folder(run);
-  page.section("Sheet");
-  if (const std::string picture = picture_of(folder); !picture.empty()) page.picture(picture);
   show_key_numbers(summary, page);
   const std::vector<ColumnPeaks> peaks = read_peaks((folder / "peaks.csv").string());
   const Json scene = summary.value("scene", Json::object());

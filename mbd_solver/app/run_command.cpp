@@ -279,7 +279,7 @@ void require_resumable(const ParticlesSpec& particles) {
   if (hybrid == nullptr) return;
   const std::string text = hybrid->place() +
                            ": LIGGGHTS stores no contact histories of pair_style hybrid: the resumed run begins with "
-                           "fresh tangential springs, and differs from one that was not stopped";
+                           "fresh tangential springs, and differs from a run that was not stopped";
   std::fprintf(stderr, "footfall: warning: %s\n", with_code(code::kHistoriesNotStored, text).c_str());
 }
 

@@ -1,40 +1,14 @@
 #pragma once
-// footfall view: DIR/view.html, one file that plays a run in 3D with plots next to it, without network. A page holds data for
-// its scripts: one JSON with all small values, and chunks of compressed numbers by name, which web/src/page.js reads.
+// footfall view: DIR/view.html, one file that plays a run in 3D with plots next to it, without network.
 
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "mbd_solver/app/mechanism_shape.h"
-#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/app/page_parts.h"
 
 namespace footfall {
-
-struct PageParts {
-  using Chunk = std::pair<std::string, std::string>;  // name, text of packed_series.h
-
-  nlohmann::ordered_json run;
-  std::vector<Chunk> chunks;                             // needed for the first picture
-  std::map<std::size_t, std::vector<Chunk>> later = {};  // by frame
-
-  // The chunk NAME-k of frame k.
-  void add_frame(const std::string& name, std::size_t k, std::string text);
-
-  // As elements of a page: the JSON, the script, the chunks, frame by frame. The script draws while the browser still reads
-  // frames. Well-formed XML, whatever the texts contain.
-  std::string elements(const std::string& script) const;
-};
-
-// The history's columns in single precision, times in double. More than 4000 rows are reduced (plot_script.h,
-// drawn_values). `shown`: the columns plotted at first.
-void add_history(const History& history, const std::vector<std::string>& shown, PageParts& parts);
-
-// The columns plotted at first, at most six: acceleration of the monitored body, contact forces or forces of struts,
-// otherwise what there is.
-std::vector<std::string> first_columns(const History& history, const std::string& observed);
 
 struct FrameLimits {
   int frames = 0;                  // of the grains, at most; 0: as many as `most_grains` allows
@@ -76,10 +50,6 @@ struct ViewArguments {
 
 // Writes the page and returns its path. Throws InputError for a folder without a run, or damaged files.
 std::string write_view(const ViewArguments& arguments);
-
-// The scripts of web/dist, built into the program.
-extern const char* const kViewScript;    // of view.html: three.js, uPlot and web/src
-extern const char* const kReportScript;  // of report.html: uPlot and web/src
 
 // True when there are grains or bodies to be played.
 bool has_frames(const std::string& run);

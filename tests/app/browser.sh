@@ -35,7 +35,44 @@ for run in plate plane; do
   opened "$out/$run/view.html"
   grep -q '<canvas data-engine=' "$profile/dom" || die "$run: no picture"
 done
-opened "$out/plate/report.html"
+# A report shows its mechanism and figures; the pointer reads values, a drag zooms; on paper a dark page is light.
+sed 's|<head>|<head><script>window.matchMedia = () => ({ matches: true, addEventListener() {} });</script>|' "$out/plate/report.html" >"$out/report.html"
+cat >>"$out/report.html" <<'JS'
+<script>
+(async () => {
+  while (document.body.dataset.state !== "ready") await new Promise((resolve) => setTimeout(resolve, 50));
+  const turn = () => new Promise((resolve) => setTimeout(resolve, 50)), all = (words) => [...document.querySelectorAll(words)];
+  const run = JSON.parse(document.getElementById("footfall-run").textContent), note = (name, value) => (document.body.dataset[name] = value);
+  note("figures", `${all(".footfall-figures .uplot").length} of ${run.figures.flatMap(({ figures }) => figures).length}`);
+  const canvas = all(".footfall-mechanism")[0], pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+  note("mechanism", pixels.filter((value, k) => k % 4 === 3 && value === 255).length);
+  const over = all(".footfall-figures .u-over")[0], plot = over.closest(".u-wrap").querySelector("canvas"), { left, top } = over.getBoundingClientRect();
+  const mouse = (kind, x, at = over) => at.dispatchEvent(new MouseEvent(kind, { clientX: left + x, clientY: top + 30, movementX: 1, bubbles: true }));
+  const whole = plot.toDataURL();
+  mouse("mousemove", 100);
+  await turn();
+  note("values", all(".footfall-figures figure")[0].querySelector("output").textContent !== "");
+  mouse("mousedown", 100);
+  mouse("mousemove", 200);
+  mouse("mouseup", 200, document);
+  await turn();
+  note("zoomed", plot.toDataURL() !== whole);
+  const zoomed = plot.toDataURL(), dot = all(".footfall-figures .dot")[0], dark = dot.style.background;
+  window.dispatchEvent(new Event("beforeprint"));
+  await turn();
+  note("paper", dot.style.background !== dark && plot.toDataURL() !== zoomed);
+  window.dispatchEvent(new Event("afterprint"));
+  await turn();
+  note("screen", dot.style.background === dark && plot.toDataURL() === zoomed);
+})();
+</script>
+JS
+opened "$out/report.html"
+body=$(grep -o '<body[^>]*>' "$profile/dom")
+value() { sed -n "s/.* data-$1=\"\([^\"]*\)\".*/\1/p" <<<"$body"; }
+[[ $(value figures) =~ ^([0-9]+)\ of\ ([0-9]+)$ && ${BASH_REMATCH[1]} == "${BASH_REMATCH[2]}" && ${BASH_REMATCH[1]} -gt 3 ]] || die "figures of the report: $body"
+(($(value mechanism) > 10000)) || die "the report does not show its mechanism: $body"
+for name in values zoomed paper screen; do [[ $(value $name) == true ]] || die "report, $name: $body"; done
 # Two samples, of which the second has its numbers a tenth larger, next to one run: curves with a band.
 mkdir "$out/samples" "$out/louder"
 cp "$out/plate/summary.json" "$out/louder"
@@ -70,7 +107,6 @@ cat >>"$out/painted.html" <<'JS'
 JS
 opened "$out/painted.html"
 body=$(grep -o '<body[^>]*>' "$profile/dom")
-value() { sed -n "s/.* data-$1=\"\([^\"]*\)\".*/\1/p" <<<"$body"; }
 [[ $(value paints) == true ]] || die "the page does not paint its grains: $body"
 (($(value grains) > 1000)) || die "too few pixels show grains: $body"
 (($(value differ) * 50 < $(value grains))) || die "the painted grains are not the shaded ones: $body"

@@ -223,13 +223,25 @@ TEST_F(Pictures, OfTheReferenceConfiguration) {
 
 TEST_F(Pictures, InAReport) {
   const std::string run = copy_of("plate");
-  folder.done("report " + run);
+  // The page draws itself: no other program is started.
+  const test::Outcome alone =
+      folder.shell("PATH=/nowhere " + app::quoted(app::Folder::program("footfall")) + " report " + run);
+  EXPECT_EQ(alone.exit_code, 0) << alone.text;
   const std::string page = folder.read(run + "/report.html");
   expect_alone(folder, run + "/report.html");
   EXPECT_GE(count(page, "<h2"), 6);
-  EXPECT_TRUE(holds(page, "A square plate comes down") && holds(page, "src=\"data:image/png;base64,"));
+  EXPECT_TRUE(holds(page, "A square plate comes down"));
   EXPECT_TRUE(holds(page, "<a href=\"view.html\">")) << "the run can be played";
-  EXPECT_TRUE(folder.has(run + "/view.html") && folder.has(run + "/plots/ledger.png"));
+  EXPECT_TRUE(folder.has(run + "/view.html"));
+  // The mechanism, the standard figures, the energy balance, and any column.
+  for (const char* part : {"footfall-mechanism\"", "footfall-figures\" data-group=\"0\"",
+                           "footfall-figures\" data-group=\"1\"", "footfall-plots\""})
+    EXPECT_EQ(count(page, "class=\"" + std::string(part)), 1) << part;
+  EXPECT_FALSE(holds(page, "data:image/png"));
+  // Of the pictures in plots/ it has those that the user has drawn.
+  folder.done("plot " + run + " plate.vz");
+  folder.done("report " + run);
+  EXPECT_EQ(count(folder.read(run + "/report.html"), "src=\"data:image/png;base64,"), 1);
 }
 
 TEST_F(Pictures, OfControlSurfaces) {

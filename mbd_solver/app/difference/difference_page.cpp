@@ -12,7 +12,6 @@
 #include "mbd_solver/app/difference/sample_page.h"
 #include "mbd_solver/app/difference/samples.h"
 #include "mbd_solver/app/report.h"
-#include "mbd_solver/app/view_page.h"
 #include "mbd_solver/run/output/summary.h"
 
 namespace footfall {
@@ -110,7 +109,8 @@ void show_curves(const RunPair& pair, HtmlPage& page) {
   for (const CurveDifference& one : found)
     if (shown.size() < kDrawnCurves && std::find(shown.begin(), shown.end(), one.name) == shown.end())
       shown.push_back(one.name);
-  page.plots(plots_of_pair(pair, shown).elements(kReportScript));
+  page.data() = plots_of_pair(pair, shown);
+  page.plots();
 }
 
 }  // namespace

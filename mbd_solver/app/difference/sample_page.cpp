@@ -15,7 +15,6 @@
 #include "mbd_solver/app/difference/run_pair.h"
 #include "mbd_solver/app/difference/samples.h"
 #include "mbd_solver/app/report.h"
-#include "mbd_solver/app/view_page.h"
 #include "mbd_solver/run/output/summary.h"
 
 namespace footfall {
@@ -111,8 +110,8 @@ void show_curves(const SampledCase& a, const SampledCase& b, HtmlPage& page) {
       read_summary((fs::path(a.runs.front()) / "summary.json").string()).value("observed_body", "");
   page.subsection("Curves");
   page.paragraph("Means over the samples; bands hold " + std::string(kBandWords) + " of them.");
-  page.plots(
-      plots_of_histories({a.name, first}, {b.name, second}, first_columns(first, observed)).elements(kReportScript));
+  page.data() = plots_of_histories({a.name, first}, {b.name, second}, first_columns(first, observed));
+  page.plots();
 }
 
 // The pairs of cases to compare.

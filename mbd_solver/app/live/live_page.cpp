@@ -27,8 +27,8 @@ namespace footfall {
 namespace {
 
 constexpr double kLook = 0.4;                  // least time between two looks [s]
-constexpr double kRested = 40.0;               // so much longer than it works, by its processor time
-constexpr double kFree = 2.0;                  // work that is done at once when a page has been opened [s]
+constexpr double kRested = 100.0;              // so much longer than it works, by its processor time: 1 % of one core
+constexpr double kFree = 0.5;                  // work that is done at once when a page has been opened [s]
 constexpr double kOpening = 8.0;               // a browser that was started may take so long to open the page [s]
 constexpr double kReading = 10.0;              // an open page may take so long to read the rest [s]
 constexpr int kLowest = 19;                    // priority

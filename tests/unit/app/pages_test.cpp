@@ -82,6 +82,15 @@ TEST(HtmlPage, EscapesWhatItIsGiven) {
   EXPECT_NE(text.find("<pre>plain\n<mark>length = 1  # [A] &lt;assumed&gt;</mark>\n"), std::string::npos);
 }
 
+// As warnings name options: `--set a=1`.
+TEST(HtmlPage, ShowsWhatIsBetweenBackticksAsCode) {
+  HtmlPage page("t");
+  page.warning("use `--set a=<1>` or `b`");
+  page.warning("a ` alone");
+  EXPECT_NE(page.text().find("use <code>--set a=&lt;1&gt;</code> or <code>b</code></p>"), std::string::npos);
+  EXPECT_NE(page.text().find("a ` alone</p>"), std::string::npos);
+}
+
 TEST(HtmlPage, PicturesStandInThePage) {
   const TemporaryFolder folder;
   const std::string file = folder.write("dot.png", "PNG!");
@@ -89,6 +98,33 @@ TEST(HtmlPage, PicturesStandInThePage) {
   page.picture(file);
   EXPECT_NE(page.text().find("src=\"data:image/png;base64,UE5HIQ==\""), std::string::npos);
   EXPECT_THROW(page.picture("/no/such/picture.png"), InputError);
+}
+
+// What web/src/figures.js reads: groups of figures with common times, values curve by curve.
+TEST(HtmlPage, HoldsItsFiguresAsNumbers) {
+  const History history{{"time", "a", "b"}, {"s", "m", "m"}, {{0.0, 0.5}, {1.0, 2.0}, {4.0, 8.0}}};
+  const Formula a{{{1.0, "a"}}, 0.0, 1e3}, b{{{1.0, "b"}}};
+  Figure both{"both", "Both", "length [mm]", {{"a", a}, {"total", b}}};
+  both.peaks = {{0.5, 2000.0, "2000 at 0.5 s"}};
+  HtmlPage page("t");
+  EXPECT_EQ(page.text().find("<script"), std::string::npos) << "a page without data needs none";
+  page.figures({both, {"one", "One", "length [m]", {{"b", b, "#c7e9c0"}}}}, history);
+  page.figures({both}, history);
+  const nlohmann::ordered_json& groups = page.data().run.at("figures");
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0].at("times"), nlohmann::ordered_json({0.0, 0.5}));
+  const nlohmann::ordered_json& first = groups[0].at("figures")[0];
+  EXPECT_EQ(first.at("peaks")[0].at("text"), "2000 at 0.5 s");
+  EXPECT_EQ(first.at("curves")[0].at("series"), 0);
+  EXPECT_EQ(first.at("curves")[1].at("series"), 6) << "a total is black";
+  EXPECT_EQ(groups[0].at("figures")[1].at("curves")[0].at("colour"), "#c7e9c0");
+  const PageParts& data = page.data();
+  ASSERT_EQ(data.chunks.size(), 2u);
+  EXPECT_EQ(data.chunks[1].first, "figures-1");
+  EXPECT_EQ(data.chunks[0].second, packed_numbers(std::vector<float>{1000, 2000, 4, 8, 4, 8}));
+  const std::string text = page.text();
+  EXPECT_LT(text.find("data-group=\"0\""), text.find("data-group=\"1\""));
+  EXPECT_LT(text.find("data-group=\"1\""), text.find("id=\"footfall-figures-0\""));
 }
 
 // What the scripts of a page read.

@@ -1,8 +1,9 @@
 // The force of the ground on each body, from the history or else from the drawings, drawn over everything where its line of action is
-// nearest to the body's origin: p = x + F x M / F^2. Lengths go with the root of the force, so that small ones are seen beside a first peak.
+// nearest to the body's origin: p = x + F x M / F^2. Lengths go with the root of the force, so that small ones are seen next to a first peak.
 import * as three from "three";
 import { valueAt } from "./page.js";
-import { Solids, cross, dot, length, plus, unit } from "./solids.js";
+import { cross, dot, length, plus, unit } from "./shapes.js";
+import { Solids } from "./solids.js";
 
 const kColour = "#c2006b";
 const kLength = 0.22;  // of the picture's size, for the largest force of the run

@@ -1,14 +1,25 @@
 // Colours that people with colour-blindness can tell apart.
 
 // The page is dark where the user's system is; pictures (link.js) are light.
-export const isDark = () => window.matchMedia("(prefers-color-scheme: dark)").matches && !/picture=1/.test(window.location.hash);
+let onPaper = false;  // what is printed is light, too
+export const isDark = () => !onPaper && window.matchMedia("(prefers-color-scheme: dark)").matches && !/picture=1/.test(window.location.hash);
+
+// Calls draw() when the colours of the page have changed.
+export function whenInksChange(draw, signal) {
+  window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw, { signal });
+  for (const event of ["beforeprint", "afterprint"])
+    window.addEventListener(event, () => {
+      onPaper = event === "beforeprint";
+      draw();
+    }, { signal });
+}
 
 // Okabe and Ito, as in the drawn plots.
 export const kSeries = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#999999"];
 const kSeriesOnDark = ["#4da3ff", "#ff8c42", "#2fcf9f", "#e3a0c6", "#f0b53a", "#7fcdf5", "#f2f2f2", "#aaaaaa"];
 export const seriesColour = (i) => (isDark() ? kSeriesOnDark : kSeries)[i];
 // Of plots and of the ground under a picture.
-export const inks = () => (isDark() ? { ink: "#d5d9dd", grid: "#3a424b", stage: 0x1d2228, lines: 0x444d57, axes: 0x7a8794 } : { ink: "#333", grid: "#e4e4e4", stage: 0xeef1f4, lines: 0xc5ccd3, axes: 0x8896a3 });
+export const inks = () => (isDark() ? { ink: "#d5d9dd", grid: "#3a424b", stage: 0x1d2228, lines: 0x444d57, axes: 0x7a8794, limit: "#ff6b6b" } : { ink: "#333", grid: "#e4e4e4", stage: 0xeef1f4, lines: 0xc5ccd3, axes: 0x8896a3, limit: "#b91c1c" });
 
 export const kBodies = ["#8fa6bd", "#c98b5f", "#7fb09a", "#c79bb5", "#d9b668", "#93c4dd", "#9a9a9a", "#b7b08f"];
 

@@ -2,6 +2,8 @@
 // processor less than one over a facet. Facets that face away are left out: tubes and balls are closed by themselves or by what they meet.
 import { lightOn } from "./shading.js";
 
+export const kDepths = 16383;  // steps from the nearest to the farthest thing of a picture; 0 is nothing
+
 export class Facets {
   constructor() {
     this.points = new Float64Array(1 << 15);  // of all corners: x, y [pixels], 1 / depth [1/m]
@@ -128,7 +130,7 @@ export class Facets {
     return Facets.known.get(sides);
   }
 
-  // Into a picture of the painter: where a facet is nearer than what stands there. A plane is straight in 1 / depth over the picture.
+  // Into a picture of the painter: where a facet is nearer than what the pixel shows. A plane is straight in 1 / depth over the picture.
   fill(pixels, nearest, step) {
     const { points, firsts, colours, width, height } = this;
     for (let f = 0; f < this.count; ++f) {
@@ -163,7 +165,7 @@ export class Facets {
         const stop = Math.min(width - 1, Math.ceil(right - 0.5) - 1), begin = Math.max(0, Math.ceil(left - 0.5));
         let w = w0 + wx * (begin + 0.5 - x0) + wy * (y - y0);
         for (let k = v * width + begin; k <= v * width + stop; ++k, w += wx) {
-          const depth = Math.min(16383, Math.max(1, 1 + (((1 / w - nearest) / step) | 0))), there = pixels[k] & 16383;
+          const depth = Math.min(kDepths, Math.max(1, 1 + (((1 / w - nearest) / step) | 0))), there = pixels[k] & kDepths;
           if (there === 0 || depth < there) pixels[k] = colour | depth;
         }
       }

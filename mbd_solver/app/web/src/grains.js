@@ -171,7 +171,7 @@ export class Grains {
     this.painter.paint({ ...view, share: this.shareOfColours(a, b), odd: this.odd, facets });
   }
 
-  // What kVertex computes: the share of the colours of a grain that stands at mix between frames a and b.
+  // What kVertex computes: the share of the colours of a grain at the share mix between frames a and b.
   shareOfColours(a, b) {
     const uniforms = this.material.uniforms, colour = uniforms.uColour.value;
     if (colour === 1) {

@@ -1,7 +1,7 @@
 // What lies over the picture as text and lines: axes and gravity in its corner, names of parts.
 import * as three from "three";
 import { inks } from "./colours.js";
-import { dot } from "./solids.js";
+import { dot } from "./shapes.js";
 import { short } from "./units.js";
 
 const kArm = 30;  // of an axis [pixels]

@@ -1,4 +1,4 @@
-// What stands in the page: one JSON with all that is small, and chunks of packed numbers.
+// The data of the page: one JSON with all that is small, and chunks of packed numbers.
 import { bytesOfBase64, inflate, joinPlanes } from "./decode.js";
 
 export function runOfPage() {

@@ -2,9 +2,9 @@
 // once, and one rectangle brings the picture to the screen with the depth of each pixel. A software renderer would shade
 // every disc for itself. What is seen is what the shader of grains.js draws. While it plays, facets of the mechanism (facets.js) join them.
 import * as three from "three";
+import { kDepths } from "./facets.js";
 import { kLayerShade, kMoving } from "./shading.js";
 
-const kDepths = 16383;  // steps from the nearest to the farthest grain; 0 is nothing
 const kLights = 64, kColours = 128, kCells = 64;  // entries of the tables
 
 // A pixel: 6 bits of red, green and blue each, and 14 of the depth. Depths are steps; uNear, uStep: the first and one [m].
@@ -147,7 +147,7 @@ export class GrainPainter {
     for (let d = 0; d < count; ++d) order[places[steps[d]]++] = d;
   }
 
-  // Pixels whose centres lie in a disc and on which nothing nearer stands. Most grains are hidden: of those a row costs a look at one word or two.
+  // Pixels whose centres lie in a disc and show nothing nearer. Most grains are hidden: of those a row costs a look at one word or two.
   discsOf(count, share, odd, b, mix) {
     const { width, height, pixels, light, palette, free, words, discs, order, grain, steps } = this;
     for (let j = 0; j < count; ++j) {

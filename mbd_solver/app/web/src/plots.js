@@ -1,11 +1,12 @@
 // Plots of the history: any column, at most eight at once, one plot for each unit; zoom by dragging, back by a double
 // click, values under the pointer.
-import uPlot from "uplot";
-import { inks, kSeries, seriesColour } from "./colours.js";
+import { newChart, nameOfCurve } from "./chart.js";
+import { kSeries, seriesColour, whenInksChange } from "./colours.js";
 import { valueAt } from "./page.js";
 import { scaleFor, short } from "./units.js";
 
 const kMost = kSeries.length;
+const kRoundOff = 1e-12;  // of the largest value of a plot: shown as zero
 
 // Edges of the band of a column that is the mean of samples: columns of their own, as mbd_solver/app/difference/samples.h names them.
 const kEdges = [" 5 %", " 95 %"];
@@ -55,6 +56,10 @@ export class Plots {
       if (!place.querySelector(".chooser").contains(event.target)) this.found.hidden = true;
     }, { signal });
     new ResizeObserver(() => this.resize()).observe(this.drawn);
+    whenInksChange(() => {
+      for (const item of this.list.children) item.recolour();
+      for (const { plot } of this.plots) plot.redraw();
+    }, signal);
     this.draw();
   }
 
@@ -139,11 +144,11 @@ export class Plots {
   draw() {
     this.list.replaceChildren(
       ...this.chosen.map((name) => {
-        const item = document.createElement("li");
-        item.innerHTML = `<span class="dot" style="background:${this.colour(name)}"></span><span></span><output></output><button>\u00d7</button>`;
-        item.children[1].textContent = name;
-        item.querySelector("button").setAttribute("aria-label", `remove ${name}`);
-        item.querySelector("button").addEventListener("click", () => this.toggle(name));
+        const item = nameOfCurve(name, () => this.colour(name)), button = document.createElement("button");
+        button.textContent = "\u00d7";
+        button.setAttribute("aria-label", `remove ${name}`);
+        button.addEventListener("click", () => this.toggle(name));
+        item.append(button);
         return item;
       }),
     );
@@ -161,26 +166,17 @@ export class Plots {
   // differs: of the second run minus the first.
   plotOf(unit, differs = false) {
     const names = this.chosen.filter((name) => this.history.columns.get(name).unit === unit);
-    const scale = scaleFor(unit, differs ? this.largestDifference(names) : this.largestOf(names));
-    const font = "12px sans-serif", { ink, grid } = inks(), edges = differs ? [] : this.bandsOf(names);
+    const largest = differs ? this.largestDifference(names) : this.largestOf(names), scale = scaleFor(unit, largest);
+    const edges = differs ? [] : this.bandsOf(names);
     const firstEdge = 1 + 2 * names.length;  // behind the time and the curves of both runs
+    const ink = (name, opacity = "") => () => this.colour(name) + opacity;
     const options = {
-      width: 320,
-      height: 200,
-      legend: { show: false },
-      cursor: { sync: { key: "footfall" }, drag: { x: true, y: false, setScale: true }, points: { size: 6 } },
-      scales: { x: { time: false } },
-      axes: [
-        { font, labelFont: font, size: 34, stroke: ink, grid: { stroke: grid, width: 1 }, values: (_, ticks) => ticks.map((v) => short(v)) },
-        { font, labelFont: font, size: 58, stroke: ink, grid: { stroke: grid, width: 1 }, values: (_, ticks) => ticks.map((v) => short(v)) },
-      ],
       series: [
-        {},
-        ...names.map((name) => ({ label: name, stroke: this.colour(name), width: 1.6, points: { show: false } })),
-        ...(this.second && !differs ? names.map((name) => ({ label: name, stroke: this.colour(name), width: 1.4, dash: [6, 4], points: { show: false } })) : []),
-        ...edges.map(({ edge }) => ({ label: edge, stroke: "transparent", width: 0, points: { show: false } })),
+        ...names.map((name) => ({ label: name, stroke: ink(name) })),
+        ...(this.second && !differs ? names.map((name) => ({ label: name, stroke: ink(name), width: 1.4, dash: [6, 4] })) : []),
+        ...edges.map(({ edge }) => ({ label: edge, stroke: "transparent", width: 0 })),
       ],
-      bands: edges.flatMap(({ name, second }, k) => (k % 2 ? [] : [{ series: [firstEdge + k + 1, firstEdge + k], fill: `${this.colour(name)}${second ? "22" : "44"}` }])),
+      bands: edges.flatMap(({ name, second }, k) => (k % 2 ? [] : [{ series: [firstEdge + k + 1, firstEdge + k], fill: ink(name, second ? "22" : "44") }])),
       hooks: { setCursor: [(plot) => this.showValues(plot.cursor.idx)], setScale: [() => this.showTime(this.time)] },
     };
     const box = document.createElement("div");
@@ -191,7 +187,7 @@ export class Plots {
     heading.textContent = `${what}[${scale.unit || "-"}] over time [s]`;
     box.append(heading);
     this.drawn.append(box);
-    const plot = new uPlot(options, this.dataOf(names, scale.factor, differs), box);
+    const plot = newChart(box, this.dataOf(names, scale.factor, differs), options);
     const line = document.createElement("div");
     line.className = "now";
     plot.over.append(line);
@@ -201,7 +197,7 @@ export class Plots {
       const still = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 4;
       if (still && this.seek) this.seek(plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x"));
     });
-    return { plot, line, box, names, scale, differs };
+    return { plot, line, box, names, scale, differs, largest };
   }
 
   // The line of the picture's time; the values there, unless the pointer asks for others.
@@ -230,10 +226,10 @@ export class Plots {
     return low + 1 < time.length && time[low + 1] - t < t - time[low] ? low + 1 : low;
   }
   writeValues(row) {
-    for (const { names, scale, differs } of this.plots)
+    for (const { names, scale, differs, largest } of this.plots)
       for (const name of names) {
         if (differs) continue;
-        const word = (v) => (v === null ? "\u2013" : short(v * scale.factor)), value = this.history.columns.get(name).values[row];
+        const word = (v) => (v === null ? "\u2013" : short(Math.abs(v) < kRoundOff * largest ? 0 : v * scale.factor)), value = this.history.columns.get(name).values[row];
         const text = this.second ? `${word(this.ofFirst(name)[row])} | ${word(this.ofSecond(name)[row])}` : word(value);
         this.list.children[this.chosen.indexOf(name)].querySelector("output").textContent = `${text} ${scale.unit}`;
       }

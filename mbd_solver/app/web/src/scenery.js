@@ -1,4 +1,4 @@
-// What stands around: meshes of the script that no body moves, seen through, and the block of a bed without drawn grains.
+// The surroundings: meshes of the script that no body moves, seen through, and the block of a bed without drawn grains.
 import * as three from "three";
 import { joinPlanes } from "./decode.js";
 import { given, takeChunk } from "./page.js";

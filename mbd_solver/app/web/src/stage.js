@@ -4,11 +4,13 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Arrows } from "./arrows.js";
 import { Bodies } from "./bodies.js";
 import { inks } from "./colours.js";
+import { level, wayToEye } from "./eye.js";
 import { Facets } from "./facets.js";
 import { Grains } from "./grains.js";
 import { Marks } from "./marks.js";
 import { Overlay } from "./overlay.js";
-import { cross, dot, plus, unit } from "./solids.js";
+import { cross, dot, plus, unit } from "./shapes.js";
+import { Solids } from "./solids.js";
 import { Symbols } from "./symbols.js";
 
 const kAxes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
@@ -103,7 +105,8 @@ export class Stage {
       const own = new three.Box3();
       for (const spec of [this.run.bodies, this.run.marks]) if (spec) for (const end of ["low", "high"]) own.expandByPoint(new three.Vector3(...spec.view[end]));
       this.mechanism = own;
-      this.symbols = new Symbols(this.marks, this.bodies, this.run.bodyNames, own.getSize(new three.Vector3()).length() || this.size, this.up);
+      this.symbols = new Symbols(this.marks, this.bodies, this.run.bodyNames, own.getSize(new three.Vector3()).length() || this.size, this.up, new Solids({ ghost: 0.28 }), new Solids({ above: true }));
+      this.symbols.object = new three.Group().add(this.symbols.solids.object, this.symbols.tracks.object);
       this.scene.add(this.symbols.object);
     }
     this.hasFrames = true;
@@ -193,7 +196,7 @@ export class Stage {
       mesh(places, tints, [...ball.index.array]);
     }
   }
-  // The sheet under the lines of a plane; a slope stands on a wedge with a level foot. turn: from z to the plane's normal.
+  // The sheet under the lines of a plane; a slope has a wedge with a level foot under it. turn: from z to the plane's normal.
   ground(half, turn) {
     const h = half, up = new three.Vector3(...this.up).applyQuaternion(turn.clone().invert()).toArray();
     const corners = [[-h, -h, 0], [h, -h, 0], [h, h, 0], [-h, h, 0]], heights = corners.map((c) => dot(c, up)), lowest = Math.min(...heights);
@@ -212,16 +215,10 @@ export class Stage {
     return group;
   }
 
-  // Level axes: x as near to that of W as it can be, and up.
-  level() {
-    const x = unit(plus([1, 0, 0], this.up, -this.up[0]), [0, 1, 0]);
-    return { x, y: cross(this.up, x), z: this.up };
-  }
   // The eye at this azimuth and elevation [deg], so that all is seen; `zoom`: so many times nearer; `at`: the point that is looked at [m].
   look(azimuth, elevation, zoom = 1, at = null) {
     if (!this.scene) return;
-    const a = (azimuth * Math.PI) / 180, e = (elevation * Math.PI) / 180, { x, y, z } = this.level();
-    const from = [0, 1, 2].map((k) => Math.cos(e) * Math.cos(a) * x[k] + Math.cos(e) * Math.sin(a) * y[k] + Math.sin(e) * z[k]);
+    const from = wayToEye(azimuth, elevation, this.up);
     const centre = at ? new three.Vector3(...at) : this.box.getCenter(new three.Vector3());
     const half = Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(1, this.camera.aspect);
     this.camera.position.copy(centre).addScaledVector(new three.Vector3(...from), (kFar * this.size) / half / zoom);
@@ -239,7 +236,7 @@ export class Stage {
   }
   // Azimuth, elevation [deg], zoom and target of the eye as it is: what look() takes.
   eye() {
-    const way = this.camera.position.clone().sub(this.orbit.target), { x, y, z } = this.level(), d = way.toArray(), far = way.length();
+    const way = this.camera.position.clone().sub(this.orbit.target), { x, y, z } = level(this.up), d = way.toArray(), far = way.length();
     const half = Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(1, this.camera.aspect);
     return {
       azimuth: (Math.atan2(dot(d, y), dot(d, x)) * 180) / Math.PI,
@@ -284,7 +281,7 @@ export class Stage {
     if (this.grains) this.grains.material.uniforms.uPixels.value = this.renderer.domElement.height;
     this.wish();
   }
-  // While it plays, a slow machine draws fewer pixels; the full picture comes back when it stands. rate: pictures a second, 0 while unknown.
+  // While it plays, a slow machine draws fewer pixels; the full picture comes back when it stops. rate: pictures a second, 0 while unknown.
   // Returns whether the picture has another size now.
   suitRate(rate, playing) {
     if (!this.scene) return false;

@@ -1,6 +1,5 @@
 // Symbols of joints, struts, springs, drives, gears and forces, the brackets that hold them to their bodies, and tracks of points.
-import * as three from "three";
-import { Solids, across, between, cross, dot, length, minus, plus, unit } from "./solids.js";
+import { across, between, cross, dot, length, minus, plus, unit } from "./shapes.js";
 
 const kColour = {
   joint: "#1f4e79", axis: "#5b8db8", bracket: "#8b95a1", ground: "#6b6257", strut: "#5a6673", gas: "#56b4e9", mr: "#8e5bd0", honeycomb: "#d6a419",
@@ -19,13 +18,11 @@ export const kLayers = [
 ];
 
 export class Symbols {
-  // bodies: of bodies.js, or none. up: against gravity.
-  constructor(marks, bodies, bodyNames, size, up) {
-    Object.assign(this, { marks, bodies, up });
+  // bodies: of surface.js, or none. up: against gravity. solids, tracks: Shapes that take the symbols, and the track of a point.
+  constructor(marks, bodies, bodyNames, size, up, solids, tracks) {
+    Object.assign(this, { marks, bodies, up, solids, tracks });
     this.u = kUnit * size;
-    this.solids = new Solids({ ghost: 0.28 });
-    this.tracks = new Solids({ above: true });
-    this.object = new three.Group().add(this.solids.object, this.tracks.object);
+    this.object = { visible: true };
     this.on = Object.fromEntries(kLayers.map(({ name, on }) => [name, on]));
     this.layerOf = Object.fromEntries(kLayers.flatMap(({ name, kinds }) => kinds.map((kind) => [kind, name])));
     this.bodyNumber = new Map(bodyNames.map((name, i) => [name, i]));

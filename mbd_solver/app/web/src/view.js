@@ -1,4 +1,4 @@
-// view.html: the run in 3D, with a time slider and plots in step. All that is shown stands in the page.
+// view.html: the run in 3D, with a time slider and plots in step. The page holds all that it shows.
 import plotStyle from "uplot/dist/uPlot.min.css";
 import ownPlotStyle from "./plots.css";
 import style from "./view.css";
@@ -23,8 +23,8 @@ function fail(error) {
 // While it plays, numbers, slider and lines in the plots follow so often [ms]: to draw the page anew takes a software renderer longer than the
 // picture does.
 const kTold = 160;
-// Of a run in progress, what was added is shown so often [ms].
-const kGrown = 400;
+// Of a run in progress, what was added is shown so often [ms], and rests so much longer than it worked: the run has the processor.
+const kGrown = 1000, kRested = 30;
 
 // Between two frames the browser may draw and answer.
 const breath = () => new Promise((resolve) => setTimeout(resolve, 0));
@@ -117,7 +117,7 @@ function startLive(head, link) {
   word.textContent = "waiting for the first frames of the run";
   document.querySelector("header").append(word);
   document.body.dataset.state = "waiting";
-  let page = null, drawn = -Infinity, over = false;
+  let page = null, due = -Infinity, over = false;
   const live = new LiveRun(head, {
     async rebuild(run, history, shown) {
       const before = page, entries = before ? { ...before.controls.entries(), ...(before.player.live ? { t: undefined } : {}) } : link;
@@ -135,13 +135,13 @@ function startLive(head, link) {
     grown(scales) {
       if (!page) return;
       if (scales) page.controls.colourGrains();
-      const now = performance.now();
-      if (now - drawn < kGrown && !over) return;
-      drawn = now;
+      const start = performance.now();
+      if (start < due && !over) return;
       page.stage.arrows?.grow();
       page.controls.tellForces();
       page.plots?.grow();
       page.player.grow(live.end);
+      due = start + Math.max(kGrown, kRested * (performance.now() - start));
       Object.assign(document.body.dataset, { end: live.end, rows: live.rows, bodies: live.bodies.length, grains: live.grains.length });
     },
     told({ text, over: ended, lost }) {
