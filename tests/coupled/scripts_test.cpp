@@ -209,7 +209,7 @@ TEST(Script, ThermoShowsWhatThePartnerGets) {
 
 TEST(Script, PeriodicBoxesKeepImagesOfAMeshWhereTheyAre) {
   // A plate that slides out of the box at x = 0.3 and in again at x = -0.3 presses on a periodic carpet as
-  // one that stays inside: the same force, and the same slopes for scheme tangent.
+  // a path that stays inside: the same force, and the same slopes for scheme tangent.
   const auto force = [](const std::string& name, double place) {
     const RunFolder folder("scripts_periodic_" + name);
     write_stl((folder.path() / "plate.stl").string(), box({0.1, 0.3, 0.02}, 3));
