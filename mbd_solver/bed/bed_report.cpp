@@ -265,9 +265,9 @@ void require_inside_box(const Scene& scene, const Mechanism& mechanism) {
                            2.0 * *std::max_element(box.radius.begin(), box.radius.end());
       if (reach > follow_distance(box))
         throw InputError(code::kOutsideBox,
-                         "body \"" + entry.boundary.name() + "\" and a grain next to it reach " + number_text(reach, 3) +
-                             " m from the origin of body \"" + box.follow + "\" along " + "xy"[axis] +
-                             ", which the bed follows; expected at most particles.box.follow_distance, " +
+                         "body \"" + entry.boundary.name() + "\" and a grain next to it reach " +
+                             number_text(reach, 3) + " m from the origin of body \"" + box.follow + "\" along " +
+                             "xy"[axis] + ", which the bed follows; expected at most particles.box.follow_distance, " +
                              number_text(follow_distance(box), 3) +
                              " m: make the bed longer (particles.box.size), or follow a body in the middle");
     }

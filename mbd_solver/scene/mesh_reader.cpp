@@ -213,7 +213,8 @@ std::string read_apart(const std::string& file, std::size_t bytes, const std::fu
     problem = "ended its reader without a result";
   }
   if (!problem.empty())
-    throw InputError(kMeshDamaged, file + ": " + problem + "; the file is damaged or too large: export it again, or a part of it");
+    throw InputError(kMeshDamaged,
+                     file + ": " + problem + "; the file is damaged or too large: export it again, or a part of it");
   if (text.front() == kWrong) throw InputError(text.substr(1));
   return text.substr(1);
 }

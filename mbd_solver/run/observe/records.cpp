@@ -8,10 +8,10 @@
 #include <locale>
 #include <sstream>
 
+#include "coupler/base/codes.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/run_directory.h"
-#include "coupler/base/codes.h"
 #include "coupler/message_fields.h"
 
 namespace footfall {

@@ -13,11 +13,11 @@
 #include <sstream>
 #include <vector>
 
+#include "coupler/base/codes.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
-#include "coupler/base/codes.h"
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/run/codes.h"
 

@@ -18,10 +18,10 @@
 #include <filesystem>
 #include <iterator>
 
+#include "coupler/base/codes.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
-#include "coupler/base/codes.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/run/codes.h"
