@@ -594,7 +594,7 @@ std::string PageParts::elements(const std::string& script) const {
 
 std::string html_with_code(const std::string& text) {
   const std::vector<std::string> parts = split(text, '`');
-  const bool paired = parts.size() % 2 == 1;
+  const bool paired = std::count(text.begin(), text.end(), '`') % 2 == 0;
   std::string html;
   for (std::size_t i = 0; i < parts.size(); ++i)
     html += !paired ? (i > 0 ? "`" : "") + html_text(parts[i])
