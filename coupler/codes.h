@@ -49,7 +49,5 @@ inline constexpr MessageCode kCoupleMbdSyntax{"E0421", "couple-mbd-syntax"};
 inline constexpr MessageCode kCoupleMbdValue{"E0422", "couple-mbd-value"};
 // `fix couple/mbd` names a mesh twice. Name each mesh once.
 inline constexpr MessageCode kMeshNamedTwice{"E0423", "mesh-named-twice"};
-// The contact model of the grains cannot be computed with fast digits. Use Hertz contacts with history, with rolling model cdt or none, without cohesion; or stock digits.
-inline constexpr MessageCode kFastDigitsUnsupported{"E0439", "fast-digits-unsupported"};
 
 }  // namespace footfall::code

@@ -13,11 +13,10 @@ namespace {
 
 constexpr const char* kUsage =
     "expected: fix ID all couple/mbd every N|auto [patience SECONDS] [gravity scene|script] [end scene|script] "
-    "[lost SHARE] [outflow yes|no] [surface smooth|facets|round] [edge DEGREES] [damping_mass grain|pair] [digits "
-    "stock|fast] [mesh "
+    "[lost SHARE] [outflow yes|no] [surface smooth|facets|round] [edge DEGREES] [damping_mass grain|pair] [mesh "
     "MESH-ID BODY]...";
-const std::vector<std::string> kKeywords = {"every",   "patience", "gravity",      "end",    "lost", "outflow",
-                                            "surface", "edge",     "damping_mass", "digits", "mesh"};
+const std::vector<std::string> kKeywords = {"every",   "patience", "gravity", "end",          "lost",
+                                            "outflow", "surface",  "edge",    "damping_mass", "mesh"};
 constexpr int kMostSubsteps = 1000000;  // per window
 
 // Reads the words in order. Throws InputError, whose message begins with `fix`, for unexpected words.
@@ -107,9 +106,6 @@ CoupleMbdArguments::CoupleMbdArguments(int narg, const char* const* arg) {
     } else if (keyword == "damping_mass") {
       if (reader.value() != "grain" && reader.value() != "pair") reader.wrong_value("`grain` or `pair`");
       mass_of_pair = reader.value() == "pair";
-    } else if (keyword == "digits") {
-      if (reader.value() != "stock" && reader.value() != "fast") reader.wrong_value("`stock` or `fast`");
-      fast_digits = reader.value() == "fast";
     } else if (keyword == "edge") {
       const std::optional<double> degrees = positive_number(reader.value());
       if (!degrees || *degrees > 90.0) reader.wrong_value("an angle above 0 and at most 90 degrees");

@@ -33,8 +33,6 @@ struct CoupleMbdArguments {
   double edge_angle = 30.0 * M_PI / 180.0;  // `edge DEGREES`: facets at smaller angles form a smooth piece [rad]
   // `damping_mass grain|pair`: false: damping takes walls as infinitely heavy, as stock LIGGGHTS does.
   bool mass_of_pair = false;
-  // `digits stock|fast`: true: forces between grains differ from those of stock LIGGGHTS in their last digits.
-  bool fast_digits = false;
   std::vector<MeshOfBody> meshes;  // several may belong to one body
 };
 

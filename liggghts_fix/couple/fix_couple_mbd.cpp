@@ -19,7 +19,6 @@
 #include "liggghts_fix/couple/grain_checkpoint.h"
 #include "liggghts_fix/couple/script_checks.h"
 #include "liggghts_fix/liggghts_access.h"
-#include "liggghts_fix/replaced/fast_digits.h"
 #include "modify.h"
 #include "output.h"
 #include "signal_handling.h"
@@ -50,7 +49,6 @@ FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg)
   if (link_.started())
     throw InputError(code::kCouplingAfterRun,
                      arguments_.fix + "the coupling has run already and cannot be defined again");
-  if (arguments_.fast_digits) footfall::all_with_fast_digits().insert(lmp);
   if (arguments_.patience) link_.handshake().set_patience(*arguments_.patience);
   link_.grains().set_max_lost(arguments_.max_lost);
   if (arguments_.outflow) link_.grains().expect_outflow();
@@ -80,7 +78,6 @@ FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg)
 FixCoupleMbd::~FixCoupleMbd() {
   footfall::set_listener<footfall::DeferredBoundaryMotion>(lmp, nullptr);
   footfall::set_listener<footfall::SetUpListener>(lmp, nullptr);
-  footfall::all_with_fast_digits().erase(lmp);
 }
 
 int FixCoupleMbd::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst::FINAL_INTEGRATE | FixConst::END_OF_STEP; }
@@ -112,7 +109,6 @@ void FixCoupleMbd::init() {
   if (link_.bodies().count() == 0)
     throw InputError(code::kNoBodyCoupled,
                      where + "no body to couple: name meshes here, or beams with fix wall/gran/beam");
-  if (arguments_.fast_digits) check_fast_digits(*force, where);
   check_grains(lmp, where);
   const bool first_run = !link_.started();
   link_.start(describe_script());

@@ -23,13 +23,11 @@
 #include "fix_gravity.h"
 #include "fix_multisphere.h"
 #include "fix_wall_gran.h"
-#include "force.h"
 #include "input.h"
 #include "lammps.h"
 #include "liggghts_fix/codes.h"
 #include "liggghts_fix/liggghts_access.h"
 #include "modify.h"
-#include "pair_gran.h"
 #include "variable.h"
 
 namespace LAMMPS_NS {
@@ -71,22 +69,6 @@ constexpr std::array<std::string_view, 11> kAllowed = {
     "multisphere",    "bed/follow"};
 
 }  // namespace
-
-// --- Contact models.
-
-void check_fast_digits(Force& force, const std::string& where) {
-  auto* const pair = dynamic_cast<PairGran*>(force.pair);
-  const bool known = pair != nullptr && pair->contact_match("normal", "hertz") &&
-                     pair->contact_match("tangential", "history") && pair->contact_match("cohesion", "off") &&
-                     pair->contact_match("surface", "default") &&
-                     (pair->contact_match("rolling_friction", "off") || pair->contact_match("rolling_friction", "cdt"));
-  if (known) return;
-  throw footfall::InputError(code::kFastDigitsUnsupported,
-                             where +
-                                 "`digits fast` does not know the contact model of the script's pair_style; expected: "
-                                 "pair_style gran model hertz tangential history [rolling_friction cdt]; use this "
-                                 "model or `digits stock`");
-}
 
 // --- Grains.
 

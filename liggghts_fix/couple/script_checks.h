@@ -8,7 +8,6 @@
 
 namespace LAMMPS_NS {
 
-class Force;
 class LAMMPS;
 class Modify;
 
@@ -22,11 +21,6 @@ void check_grains(LAMMPS* lmp, const std::string& where);
 void warn_of_radius(LAMMPS* lmp, footfall::Start& script);
 // A warning where only fix multisphere integrates, and spheres belong to no clump: they do not move.
 void warn_of_spheres_at_rest(LAMMPS* lmp, footfall::Start& script);
-
-// --- Contact models.
-
-// Requires the models of which pair forces can be computed with `digits fast`. Throws InputError. where: as above.
-void check_fast_digits(Force& force, const std::string& where);
 
 // --- Fixes.
 

@@ -1,18 +1,14 @@
 // LIGGGHTS::PairStyles::Granular<hertz, tangential history, rolling off or cdt>::compute_force: the same forces, to the
 // bit, in less time. Pairs that do not touch are passed over after one comparison; those that touch are collected, and
 // their forces computed together, several in each instruction: every operation is taken from the contact models, in their
-// order, and forces are added to the grains in the order of the list. With `digits fast` of fix couple/mbd the models are
-// evaluated in single precision, in other last digits. What this does not know (energies per contact, heat, rigid bodies,
-// frozen grains, virials, a step without history) goes to LIGGGHTS' own function.
-
-#include <vector>
+// order, and forces are added to the grains in the order of the list. What this does not know (energies per contact, heat,
+// rigid bodies, frozen grains, virials, a step without history) goes to LIGGGHTS' own function.
 
 #include "atom.h"
 #include "contact_models.h"
 #include "force.h"
 #include "granular_pair_style.h"
-#include "liggghts_fix/replaced/fast_contacts.h"
-#include "liggghts_fix/replaced/fast_digits.h"
+#include "liggghts_fix/replaced/contact_kernel.h"
 #include "liggghts_fix/replaced/next_definition.h"
 #include "modify.h"
 #include "neigh_list.h"
@@ -225,113 +221,6 @@ class PairForces {
   ContactRows<double> contacts_{};
 };
 
-// The same in single precision, apart from differences of positions and from the sums that LIGGGHTS integrates.
-class FastPairForces {
- public:
-  void add(const Model& model, const LAMMPS_NS::Atom& atom, double dt, const LAMMPS_NS::NeighList& list,
-           const LAMMPS_NS::NeighList& contacts, int history_length) {
-    fetch(model, atom);
-    const FastGrain* const grains = grains_.data();
-    int count = 0;
-    for (int ii = 0; ii < list.inum; ++ii) {
-      const int i = list.ilist[ii];
-      const double x0 = grains[i].x[0], x1 = grains[i].x[1], x2 = grains[i].x[2], radius_i = grains[i].radius;
-      const int* neighbours = list.firstneigh[i];
-      const int pairs = list.numneigh[i];
-      int* flags = contacts.firstneigh[i];
-      double* history = contacts.firstdouble[i] + model.offset;
-      for (int jj = 0; jj < pairs; ++jj) {
-        const int j = neighbours[jj] & NEIGHMASK;
-        const FastGrain& other = grains[j];
-        const double d0 = x0 - other.x[0], d1 = x1 - other.x[1], d2 = x2 - other.x[2], radii = radius_i + other.radius;
-        const double excess = radii * radii - (d0 * d0 + d1 * d1 + d2 * d2);
-        const bool touches = excess > 0.0;
-        touching_[count] = {i, j, history + history_length * jj};
-        FastContacts::Record& record = contacts_.record[count];
-        record.delta[0] = static_cast<float>(d0);
-        record.delta[1] = static_cast<float>(d1);
-        record.delta[2] = static_cast<float>(d2);
-        record.excess = static_cast<float>(excess);
-        flags[jj] |= touches ? kTouches : 0;
-        count += touches;
-        if (count == kMost) {
-          add_touching(model, atom, dt, count);
-          count = 0;
-        }
-      }
-    }
-    if (count > 0) add_touching(model, atom, dt, count);
-    give(atom);
-  }
-
- private:
-  void fetch(const Model& model, const LAMMPS_NS::Atom& atom) {
-    const int all = atom.nlocal + atom.nghost;
-    grains_.resize(static_cast<std::size_t>(all));
-    loads_.assign(static_cast<std::size_t>(all), Eight{});
-    mixed_ = false;
-    const double *x = atom.x[0], *v = atom.v[0], *w = atom.omega[0], *radius = atom.radius, *mass = atom.rmass;
-    for (int i = 0; i < all; ++i) {
-      FastGrain& g = grains_[i];
-      for (int a = 0; a < 3; ++a) {
-        g.x[a] = x[3 * i + a];
-        g.motion[a] = static_cast<float>(v[3 * i + a]);
-        g.motion[3 + a] = static_cast<float>(w[3 * i + a]);
-      }
-      g.radius = radius[i];
-      g.motion[6] = static_cast<float>(radius[i]);
-      g.motion[7] = static_cast<float>(mass[i]);
-      mixed_ |= atom.type[i] != atom.type[0];
-    }
-    Materials<float>& materials = contacts_.rows.materials;
-    materials.forget();
-    if (!mixed_)
-      for (int k = 0; k < kMost; ++k) materials.set(k, model, atom.type[0], atom.type[0]);
-  }
-
-  void add_touching(const Model& m, const LAMMPS_NS::Atom& atom, double dt, int count) {
-    static const Compute<FastContacts> compute = best_compute<FastContacts>();
-    FastContacts& c = contacts_;
-    for (int k = 0; k < count; ++k) {
-      const auto [i, j, shear] = touching_[k];
-      __builtin_prefetch(touching_[k + kAhead].shear, 1);
-      __builtin_prefetch(&loads_[j], 1);
-      c.motion_i[k] = &grains_[i].motion;
-      c.motion_j[k] = &grains_[j].motion;
-      for (int a = 0; a < 3; ++a) c.record[k].shear[a] = static_cast<float>(shear[a]);
-      if (mixed_) c.rows.materials.set(k, m, atom.type[i], atom.type[j]);
-    }
-    for (c.count = count; c.count % 8 != 0; ++c.count) {  // to full rows, by repeating the last
-      c.motion_i[c.count] = c.motion_i[count - 1];
-      c.motion_j[c.count] = c.motion_j[count - 1];
-      c.record[c.count] = c.record[count - 1];
-    }
-    compute(c, dt, m);
-    for (int k = 0; k < count; ++k) {
-      const auto [i, j, shear] = touching_[k];
-      for (int a = 0; a < 3; ++a) shear[a] = c.record[k].shear[a];
-      loads_[i] += c.load_i[k];
-      loads_[j] += c.load_j[k];
-    }
-  }
-
-  void give(const LAMMPS_NS::Atom& atom) {
-    double *f = atom.f[0], *torque = atom.torque[0];
-    for (int i = 0; i < atom.nlocal; ++i) {
-      for (int a = 0; a < 3; ++a) {
-        f[3 * i + a] += loads_[i][a];
-        torque[3 * i + a] += loads_[i][3 + a];
-      }
-    }
-  }
-
-  std::vector<FastGrain> grains_;
-  std::vector<Eight> loads_;  // sums of the contacts of each grain: force, torque, 0, 0
-  bool mixed_ = false;        // grains of several types
-  Touching touching_[kMost + kAhead] = {};
-  FastContacts contacts_{};
-};
-
 // Whether all pairs can be computed here; see the top of this file.
 bool is_known(const Model& model, LAMMPS_NS::PairGran& pair, LAMMPS_NS::Atom& atom, LAMMPS_NS::Force& force,
               LAMMPS_NS::Neighbor& neighbor, LAMMPS_NS::Modify& modify, bool virial, bool per_contact) {
@@ -358,13 +247,8 @@ bool is_known(const Model& model, LAMMPS_NS::PairGran& pair, LAMMPS_NS::Atom& at
       return original(this, pair, eflag, vflag, addflag);                                                     \
     }                                                                                                         \
     pair->evflag = pair->vflag_fdotr = 0;                                                                     \
-    static footfall::PairForces exact; /* both keep their memory */                                           \
-    static footfall::FastPairForces fast;                                                                     \
-    const auto& histories = *pair->listgranhistory;                                                           \
-    if (footfall::has_fast_digits(lmp))                                                                       \
-      fast.add(model, *atom, update->dt, *pair->list, histories, pair->dnum());                               \
-    else                                                                                                      \
-      exact.add(model, *atom, update->dt, *pair->list, histories, pair->dnum());                              \
+    static footfall::PairForces forces; /* keeps its memory */                                                \
+    forces.add(model, *atom, update->dt, *pair->list, *pair->listgranhistory, pair->dnum());                  \
   }
 FOOTFALL_COMPUTE_FORCE(footfall::WithoutRolling,
                        "_ZN8LIGGGHTS10PairStyles8GranularINS_13ContactModels12ContactModelINS2_"

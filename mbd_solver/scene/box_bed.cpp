@@ -430,13 +430,6 @@ Variables continued_variables(const Scene& scene) {
   return all;
 }
 
-// Longer than kSkin: lists are made less often, and pairs that do not touch cost less than in stock digits.
-double fast_skin(const BoxSpec& box) {
-  constexpr double kShare = 0.5;  // of the smallest radius
-  const double usual = has_parts(box) ? 0.0 : 0.15 * (box.radius.front() + box.radius.back());  // of in.grains
-  return std::max(usual, kShare * smallest_radius(box));
-}
-
 Variables run_variables(const Scene& scene) {
   const BoxSpec& box = *scene.particles->box;
   const GrainMaterialSpec& m = box.material;
@@ -454,10 +447,6 @@ Variables run_variables(const Scene& scene) {
   all["body_cohesion"] = number(b.cohesion.value_or(m.cohesion));
   int meshes = 0, beams = 0;
   std::string bodies, ids, pairs = "gravity scene", chains;
-  if (box.digits == Digits::kFast) {
-    pairs += " digits fast";
-    all["skin"] = number(fast_skin(box));
-  }
   for (const BoundarySpec& boundary : scene.boundaries) {
     const std::string& name = boundary.body;
     if (boundary.surface) {

@@ -25,13 +25,6 @@ enum class Packing {
 };
 constexpr std::string_view name_of(Packing kind) { return name_in(kind, "loose", "dense"); }
 
-// Last digits of the forces between grains.
-enum class Digits {
-  kStock,  // of stock LIGGGHTS
-  kFast    // in single precision, with longer neighbour lists: in less time
-};
-constexpr std::string_view name_of(Digits kind) { return name_in(kind, "stock", "fast"); }
-
 // Along which sides a bed follows a body.
 enum class FollowDirections { kX, kY, kXY };
 constexpr std::string_view name_of(FollowDirections kind) { return name_in(kind, "x", "y", "xy"); }
@@ -133,7 +126,6 @@ struct BoxSpec : GrainSizesSpec {
   Packing packing = Packing::kLoose;
   PourSpec pour;
   int seed = 1;                     // each number >= 1 gives another sample of the bed
-  Digits digits = Digits::kStock;   // of the forces in the run; the bed is made with those of stock LIGGGHTS
   std::optional<double> headroom;   // of the simulation box above the surface [m]
   std::optional<double> margin;     // of the simulation box around the walls [m]
   std::optional<double> time_step;  // of the grains [s]; not given: by rayleigh_fraction

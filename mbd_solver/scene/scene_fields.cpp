@@ -559,7 +559,6 @@ static void visit_fields(FieldVisitor& v, BoxSpec& b) {
   v.field("time_step", &b.time_step, positive(Unit::kTime));
   v.field("rayleigh_fraction", &b.rayleigh_fraction, share);
   v.field("exchange_steps", &b.every, positive());
-  v.choice("digits", b.digits);
   v.field("frame_interval", &b.frames, not_negative(Unit::kTime));
   v.list("sources", b.sources);
   v.list("sinks", b.sinks);

@@ -28,7 +28,7 @@ opened() { # PAGE: its elements when it is ready
   timeout 280 chromium --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$profile" --host-resolver-rules="MAP * ~NOTFOUND" \
     --window-size=800,600 --virtual-time-budget=20000 --enable-logging=stderr --v=0 --dump-dom "file://$1" >"$profile/dom" 2>"$profile/log" || die "$1: chromium ended with $?"
   grep -q 'data-state="ready"' "$profile/dom" || { grep CONSOLE "$profile/log"; die "$1: the page did not get ready"; }
-  ! grep CONSOLE "$profile/log" || die "$1: the browser complains"
+  ! grep CONSOLE "$profile/log" | grep -v 'GPU stall due to ReadPixels' || die "$1: the browser complains"  # a test reads the picture back
   grep -q 'class="uplot' "$profile/dom" || die "$1: no plot"
 }
 for run in plate plane; do

@@ -9,7 +9,6 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "coupler/codes.h"
 #include "coupler/couple_mbd_arguments.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/box_bed.h"
@@ -212,7 +211,7 @@ void compare_with_bed(const ScriptText& script, const ScriptText& bed, const Par
   }
   for (const std::string& name : bed.names()) {
     const bool set = particles.variables.count(name) == 1 || particles.bed->variables.count(name) == 1;
-    if (!set || name == "dt" || name == "skin" || name == "gravity") continue;  // gravity is compared above
+    if (!set || name == "dt" || name == "gravity") continue;  // gravity is compared above
     const std::optional<double> here = as_number(bed.value(name)), there = as_number(script.value(name));
     if (here && there && *here != *there) differs("variable " + name, bed.value(name), script.value(name));
   }
@@ -775,11 +774,6 @@ bool check_box(const Scene& scene, Findings& findings) {
     check_names(scene, findings);
   }
   check_counts(at, box);
-  at.error_if(box.digits == Digits::kFast && (rolling_model_of(scene) == RollingModel::kEpsd2 ||
-                                              std::max(box.material.cohesion, box.bodies.cohesion.value_or(0.0)) > 0.0),
-              code::kFastDigitsUnsupported, "box.digits",
-              "fast digits know grains without cohesion, with rolling_model \"cdt\" or \"none\"; change "
-              "box.material, or use \"stock\"");
   check_material(at, "box.material.", box.material.poisson, box.material.young, box.material.restitution);
   check_material(at, "box.bodies.", box.bodies.poisson, box.bodies.young, box.bodies.restitution.value_or(1.0));
   const std::string periodic = box.follow.empty() ? "periodic = true" : "follow, which makes the bed periodic";

@@ -239,9 +239,6 @@ TEST(CoupleMbdArguments, SayHowGrainsTouch) {
   EXPECT_DOUBLE_EQ(parsed_fix("every 5 edge 45").edge_angle, M_PI / 4.0);
   EXPECT_FALSE(parsed_fix("every 5").mass_of_pair);
   EXPECT_TRUE(parsed_fix("every 5 damping_mass pair").mass_of_pair);
-  EXPECT_FALSE(parsed_fix("every 5").fast_digits);
-  EXPECT_FALSE(parsed_fix("every 5 digits stock").fast_digits);
-  EXPECT_TRUE(parsed_fix("every 5 digits fast").fast_digits);
   EXPECT_EQ(parsed_fix("every 1000000").every, 1000000);
 }
 
@@ -275,7 +272,6 @@ TEST(CoupleMbdArguments, NameTheWordThatIsWrong) {
                                                        {"every 5 edge 91", "91"},
                                                        {"every 5 edge sharp", "sharp"},
                                                        {"every 5 damping_mass wall", "wall"},
-                                                       {"every 5 digits few", "few"},
                                                        {"every 5 mesh pad1 foot mesh pad1 leg", "pad1"}};
   for (const auto& row : wrong)
     EXPECT_TRUE(test::names(test::error_of([&] { parsed_fix(row.first); }), {"fix m couple/mbd", row.second}))

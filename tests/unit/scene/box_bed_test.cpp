@@ -4,7 +4,6 @@
 #include <cmath>
 #include <set>
 
-#include "coupler/codes.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/particle_script.h"
@@ -92,21 +91,6 @@ TEST(BoxBed, BodiesAreCoupledAsTheSceneSays) {
   EXPECT_EQ(v.at("couples"), "gravity scene mesh mesh_plate plate");
   EXPECT_EQ(v.at("beams"), "body tine");
   EXPECT_EQ(v.at("every"), "auto");
-}
-
-// The bed is made with stock digits, so that both runs share it.
-TEST(BoxBed, FastDigitsAreOfTheRun) {
-  const SceneText text;
-  const std::string fast = "particles.box.digits=\"fast\"";
-  const Scene stock = text.read(kPlate), scene = text.read(kPlate, {fast});
-  EXPECT_EQ(scene.particles->variables.at("couples"), "gravity scene digits fast mesh mesh_plate plate");
-  EXPECT_EQ(scene.particles->variables.at("skin"), "0.004");  // half a radius
-  EXPECT_EQ(scene.particles->bed->variables, stock.particles->bed->variables);
-  EXPECT_TRUE(scene.warnings.empty()) << scene.warnings[0];
-  for (const char* const other :
-       {"particles.box.material.cohesion=10", "particles.box.material.rolling_model=\"epsd2\""})
-    EXPECT_NE(text.findings(kPlate, {fast, other}).find(code::kFastDigitsUnsupported.number), std::string::npos)
-        << other;
 }
 
 // Of one radius, with shares in the mass: the words of LIGGGHTS' templates, in quotes, and of their distribution.
