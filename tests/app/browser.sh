@@ -35,7 +35,7 @@ for run in plate plane; do
   opened "$out/$run/view.html"
   grep -q '<canvas data-engine=' "$profile/dom" || die "$run: no picture"
 done
-# A report shows its mechanism and figures; the pointer reads values, a drag zooms; on paper a dark page is light.
+# A report shows its mechanism and figures; the pointer reads values, a drag zooms, a double click shows all again; on paper a dark page is light.
 sed 's|<head>|<head><script>window.matchMedia = () => ({ matches: true, addEventListener() {} });</script>|' "$out/plate/report.html" >"$out/report.html"
 cat >>"$out/report.html" <<'JS'
 <script>
@@ -64,6 +64,9 @@ cat >>"$out/report.html" <<'JS'
   window.dispatchEvent(new Event("afterprint"));
   await turn();
   note("screen", dot.style.background === dark && plot.toDataURL() === zoomed);
+  mouse("dblclick", 100);
+  await turn();
+  note("back", plot.toDataURL() === whole);
 })();
 </script>
 JS
@@ -72,7 +75,7 @@ body=$(grep -o '<body[^>]*>' "$profile/dom")
 value() { sed -n "s/.* data-$1=\"\([^\"]*\)\".*/\1/p" <<<"$body"; }
 [[ $(value figures) =~ ^([0-9]+)\ of\ ([0-9]+)$ && ${BASH_REMATCH[1]} == "${BASH_REMATCH[2]}" && ${BASH_REMATCH[1]} -gt 3 ]] || die "figures of the report: $body"
 (($(value mechanism) > 10000)) || die "the report does not show its mechanism: $body"
-for name in values zoomed paper screen; do [[ $(value $name) == true ]] || die "report, $name: $body"; done
+for name in values zoomed paper screen back; do [[ $(value $name) == true ]] || die "report, $name: $body"; done
 # Two samples, of which the second has its numbers a tenth larger, next to one run: curves with a band.
 mkdir "$out/samples" "$out/louder"
 cp "$out/plate/summary.json" "$out/louder"

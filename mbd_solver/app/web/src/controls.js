@@ -150,7 +150,7 @@ export class Controls {
     this.notes = notes;
     rows.push(make("div", { class: "views" }, ...this.views, make("button", { onclick: () => this.writeLink(), title: "this moment and camera into the address of the page" }, "link")), this.legend,
       ...notes.map((text) => make("div", { class: "note" }, text)));
-    document.getElementById("footfall-panel").append(make("details", innerWidth > 700 ? { open: "" } : {}, make("summary", {}, "show"), ...rows));
+    document.getElementById("footfall-panel").append(make("details", innerWidth > 1500 ? { open: "" } : {}, make("summary", {}, "show"), ...rows));
     this.colourGrains();
     this.colourBodies();
   }
