@@ -331,5 +331,25 @@ TEST_F(Sdf, InertiaOfCollisions) {
   EXPECT_NEAR(a.inertia(2, 2), box * (1.0 + 4.0) / 12.0 + ball * (0.01 + 0.04) / 5.0, 1e-9 * box);
 }
 
+// sdformat takes 10 ms for a link; a reader of two thousand is not one that a damaged file holds up.
+TEST_F(Sdf, TwoThousandLinksAreRead) {
+  constexpr int kLinks = 2000;
+  std::string chain = link("b0");
+  for (int i = 1; i < kLinks; ++i) {
+    const std::string name = std::to_string(i), before = std::to_string(i - 1);
+    chain += link("b" + name, std::to_string(0.1 * i) + " 0 0 0 0 0") + "<joint name='j" + name +
+             "' type='revolute'><parent>b" + before + "</parent><child>b" + name +
+             "</child><axis><xyz>0 1 0</xyz></axis></joint>\n";
+  }
+  ImportArguments a;
+  a.file = write("chain.sdf", "<sdf version='1.9'><model name='m'>" + chain + "</model></sdf>");
+  a.out = file("chain");
+  a.quiet = true;
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(import_command(a), 0);
+  ::testing::internal::GetCapturedStdout();
+  EXPECT_TRUE(std::filesystem::exists(a.out));
+}
+
 }  // namespace
 }  // namespace footfall
