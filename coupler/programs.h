@@ -30,7 +30,7 @@ void note_failure(const std::string& reason = "");
 // The first reason in that file, with its code; empty: no program has failed, or none has given one.
 std::string noted_failure();
 
-// For mbd_solver: the socket of a program that controls the run (mbd_solver/run/leader.h).
+// For mbd_solver: the socket of a program that controls the run (mbd_solver/session/leader.h).
 inline constexpr const char* kLeader = "FOOTFALL_LEADER";
 
 }  // namespace footfall

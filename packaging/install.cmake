@@ -58,10 +58,10 @@ set_target_properties(coupler_mpi PROPERTIES EXPORT_NAME coupler)
 install(TARGETS footfall_options coupler_base coupler coupler_mpi EXPORT footfallCoupler
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/footfall COMPONENT development)
 add_library(mbd_solver_library INTERFACE)
-target_link_libraries(mbd_solver_library INTERFACE mbd_run coupler_mpi)
+target_link_libraries(mbd_solver_library INTERFACE mbd_session coupler_mpi)
 set_target_properties(mbd_solver_library PROPERTIES EXPORT_NAME mbd_solver)
 install(TARGETS mbd_base mbd_model mbd_fe mbd_dynamics mbd_integrator mbd_scene mbd_assemble mbd_coupling
-  mbd_output mbd_observe mbd_run mbd_solver_library EXPORT footfallMbdSolver
+  mbd_output mbd_observe mbd_session mbd_solver_library EXPORT footfallMbdSolver
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/footfall COMPONENT development)
 set(config ${CMAKE_INSTALL_LIBDIR}/cmake/footfall)
 foreach(part Coupler MbdSolver)

@@ -13,7 +13,7 @@
 #include "fix_mesh_surface.h"
 #include "fix_neighlist_mesh.h"
 #include "granular_wall.h"
-#include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/access/liggghts_access.h"
 #include "neighbor.h"
 #include "tri_mesh.h"
 

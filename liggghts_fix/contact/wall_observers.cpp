@@ -6,8 +6,8 @@
 
 #include "atom.h"
 #include "fix_wall_gran.h"
+#include "liggghts_fix/access/liggghts_access.h"
 #include "liggghts_fix/contact/fix_wall_gran_smooth.h"
-#include "liggghts_fix/liggghts_access.h"
 #include "liggghts_fix/link/scoped_values.h"
 
 namespace LAMMPS_NS {

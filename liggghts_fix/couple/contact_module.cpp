@@ -8,7 +8,7 @@
 
 #include "atom.h"
 #include "fix_mesh_surface.h"
-#include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/access/liggghts_access.h"
 #include "update.h"
 
 namespace LAMMPS_NS {

@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "coupler/base/errors.h"
-#include "liggghts_fix/codes.h"
-#include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/access/liggghts_access.h"
+#include "liggghts_fix/link/codes.h"
 #include "liggghts_fix/link/dem_link.h"
 #include "update.h"
 

@@ -19,7 +19,7 @@
 #include "coupler/base/number.h"
 #include "coupler/communicator.h"
 #include "domain.h"
-#include "liggghts_fix/codes.h"
+#include "liggghts_fix/link/codes.h"
 #include "region.h"
 #include "update.h"
 

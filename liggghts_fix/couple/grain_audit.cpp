@@ -20,10 +20,10 @@
 #include "fix_mesh_surface.h"
 #include "fix_multisphere.h"
 #include "fix_wall_gran.h"
-#include "liggghts_fix/codes.h"
+#include "liggghts_fix/access/liggghts_access.h"
 #include "liggghts_fix/contact/fix_wall_gran_beam.h"
 #include "liggghts_fix/contact/wall_observers.h"
-#include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/link/codes.h"
 #include "modify.h"
 #include "update.h"
 

@@ -1,28 +1,17 @@
 #pragma once
 // Energy of grains that are inserted, removed or changed otherwise than by forces: lines of the energy balance. theory 7.9.
 //
-//   E = sum of 1/2 m v^2 + 1/2 I w^2 - m g . x   (over the grains; clumps as rigid bodies)
-// is compared before and after everything that may create, delete, move or resize grains: fixes within a step, commands
+// The sum over the grains (access/grain_sum.h) is compared before and after everything that may create, delete, move or resize grains: fixes within a step, commands
 // between two runs, and LIGGGHTS' loss of grains that leave the box. Nothing is done in a script without such fixes.
 
 #include <optional>
 
+#include "liggghts_fix/access/grain_sum.h"
 #include "liggghts_fix/link/dem_link.h"
 #include "liggghts_fix/replaced/grain_change_listener.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
-
-// Sums over the grains of this rank.
-struct GrainSum {
-  double energy = 0.0;  // E [J]
-  double size = 0.0;    // the same without regard to sign [J]: round-off is relative to this
-  double mass = 0.0;    // [kg]
-  long count = 0;
-};
-// only_outside: grains beyond fixed sides of the box, which LIGGGHTS is about to lose. ahead: g has acted on the velocities for this
-// much less time [s]; at the exchange of grains half a step, because they have been advanced to the middle of the step.
-GrainSum sum_of_grains(LAMMPS* lmp, const Eigen::Vector3d& g, bool only_outside = false, double ahead = 0.0);
 
 class GrainChangeWatch final : protected Pointers, public footfall::GrainChangeListener {
  public:

@@ -17,7 +17,7 @@
 #include "fix_contact_history.h"
 #include "fix_contact_history_mesh.h"
 #include "lammps.h"
-#include "liggghts_fix/codes.h"
+#include "liggghts_fix/link/codes.h"
 #include "liggghts_fix/replaced/written_files.h"
 #include "modify.h"
 #include "write_restart.h"

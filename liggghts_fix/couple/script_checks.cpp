@@ -25,8 +25,8 @@
 #include "fix_wall_gran.h"
 #include "input.h"
 #include "lammps.h"
-#include "liggghts_fix/codes.h"
-#include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/access/liggghts_access.h"
+#include "liggghts_fix/link/codes.h"
 #include "modify.h"
 #include "variable.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "coupler/base/errors.h"
-#include "liggghts_fix/codes.h"
+#include "liggghts_fix/link/codes.h"
 
 namespace footfall {
 namespace {

@@ -7,7 +7,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "coupler/programs.h"
-#include "liggghts_fix/codes.h"
+#include "liggghts_fix/link/codes.h"
 
 namespace footfall {
 

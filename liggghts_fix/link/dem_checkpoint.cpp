@@ -5,7 +5,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/message_fields.h"
-#include "liggghts_fix/codes.h"
+#include "liggghts_fix/link/codes.h"
 
 namespace footfall {
 

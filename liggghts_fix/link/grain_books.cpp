@@ -8,7 +8,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "coupler/message_fields.h"
-#include "liggghts_fix/codes.h"
+#include "liggghts_fix/link/codes.h"
 #include "liggghts_fix/link/number.h"
 
 namespace footfall {

@@ -11,7 +11,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/interrupt.h"
 #include "coupler/message_fields.h"
-#include "liggghts_fix/codes.h"
+#include "liggghts_fix/link/codes.h"
 #include "liggghts_fix/link/number.h"
 
 namespace footfall {

@@ -3,7 +3,7 @@
 // at the bodies' positions in the scene, and the triangles of the restart file are ignored.
 
 #include "fix_mesh.h"
-#include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/access/liggghts_access.h"
 #include "liggghts_fix/replaced/next_definition.h"
 #include "modify.h"
 

@@ -2,7 +2,7 @@
 
 #include "input.h"
 #include "lammps.h"
-#include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/access/liggghts_access.h"
 #include "liggghts_fix/link/dem_link.h"
 #include "liggghts_fix/replaced/next_definition.h"
 

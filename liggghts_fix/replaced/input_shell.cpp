@@ -3,7 +3,7 @@
 #include "coupler/base/errors.h"
 #include "coupler/programs.h"
 #include "input.h"
-#include "liggghts_fix/codes.h"
+#include "liggghts_fix/link/codes.h"
 #include "liggghts_fix/replaced/next_definition.h"
 
 // Called on all ranks together.

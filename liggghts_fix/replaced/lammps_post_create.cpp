@@ -2,7 +2,7 @@
 // `clear`. All that the library's own function does is for packages that Debian leaves out (suffixes gpu and omp).
 
 #include "lammps.h"
-#include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/access/liggghts_access.h"
 #include "liggghts_fix/link/dem_link.h"
 
 void LAMMPS_NS::LAMMPS::post_create() {

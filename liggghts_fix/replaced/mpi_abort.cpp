@@ -7,7 +7,7 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/programs.h"
-#include "liggghts_fix/codes.h"
+#include "liggghts_fix/link/codes.h"
 #include "liggghts_fix/replaced/screen.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
 #include "coupler/programs.h"
-#include "liggghts_fix/codes.h"
+#include "liggghts_fix/link/codes.h"
 #include "liggghts_fix/replaced/next_definition.h"
 
 extern "C" FILE* popen(const char* command, const char* type) {

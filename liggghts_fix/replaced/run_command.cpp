@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "lammps.h"
-#include "liggghts_fix/liggghts_access.h"
+#include "liggghts_fix/access/liggghts_access.h"
 #include "liggghts_fix/link/dem_link.h"
 #include "liggghts_fix/replaced/next_definition.h"
 #include "modify.h"

@@ -20,9 +20,9 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/run_command.h"
 #include "mbd_solver/base/csv.h"
-#include "mbd_solver/bed/programs.h"
-#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/launch/programs.h"
 #include "mbd_solver/scene/particle_script.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 namespace {

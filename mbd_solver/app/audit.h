@@ -1,7 +1,7 @@
 #pragma once
 // footfall run --audit: does the momentum and energy that the grains lose agree with what mechanism, walls and gravity
 // receive? From two files that both programs write: DIR/audit/grains.csv (fix couple/mbd, its audit) and mechanism.csv
-// (run/observe/records.h).
+// (session/observe/records.h).
 
 #include <Eigen/Dense>
 #include <map>

@@ -28,17 +28,17 @@
 #include "mbd_solver/bed/bed_forecast.h"
 #include "mbd_solver/bed/bed_report.h"
 #include "mbd_solver/bed/liggghts_log.h"
-#include "mbd_solver/bed/program_watch.h"
-#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/launch/program_watch.h"
+#include "mbd_solver/launch/programs.h"
 #include "mbd_solver/model/control/fuzzy_controller.h"
-#include "mbd_solver/run/observe/start_check.h"
-#include "mbd_solver/run/observe/start_values.h"
-#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/foreign/foreign_code.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/session/observe/start_check.h"
+#include "mbd_solver/session/observe/start_values.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 namespace {

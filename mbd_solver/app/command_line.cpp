@@ -13,7 +13,7 @@
 #include "coupler/base/start.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
-#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/launch/programs.h"
 
 namespace footfall {
 namespace {

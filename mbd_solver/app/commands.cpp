@@ -23,7 +23,7 @@
 #include "mbd_solver/app/view_page.h"
 #include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/base/option_checks.h"
-#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/launch/programs.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/shipped_files.h"
 

@@ -28,15 +28,15 @@
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/bed/bed_measures.h"
-#include "mbd_solver/bed/confined_programs.h"
-#include "mbd_solver/bed/launch_limits.h"
 #include "mbd_solver/bed/liggghts_log.h"
-#include "mbd_solver/bed/program_watch.h"
-#include "mbd_solver/bed/programs.h"
 #include "mbd_solver/bed/script_safety.h"
-#include "mbd_solver/run/output/history.h"
-#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/launch/confined_programs.h"
+#include "mbd_solver/launch/launch_limits.h"
+#include "mbd_solver/launch/program_watch.h"
+#include "mbd_solver/launch/programs.h"
 #include "mbd_solver/scene/mesh_reader.h"
+#include "mbd_solver/session/output/history.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 

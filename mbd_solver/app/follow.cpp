@@ -18,8 +18,8 @@
 #include "mbd_solver/base/live_line.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/bed/liggghts_log.h"
-#include "mbd_solver/bed/programs.h"
-#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/launch/programs.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 

@@ -21,8 +21,8 @@
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/bed/codes.h"
-#include "mbd_solver/bed/programs.h"
-#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/launch/programs.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 namespace {

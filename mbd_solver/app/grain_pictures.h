@@ -11,7 +11,7 @@
 namespace footfall {
 
 // Struts, joints with their axes, and brackets from a joint or strut to its body where that is drawn elsewhere: of the marks
-// of a drawing (run/observe/marks.h). Nothing for a drawing without marks.
+// of a drawing (session/observe/marks.h). Nothing for a drawing without marks.
 void draw_marks(const VtkFrame& frame, DepthImage& image);
 
 struct PicturesArguments {

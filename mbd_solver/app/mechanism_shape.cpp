@@ -8,8 +8,8 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/app/codes.h"
-#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/scene/mesh_reader.h"
+#include "mbd_solver/session/output/history.h"
 
 namespace footfall {
 namespace {

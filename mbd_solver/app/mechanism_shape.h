@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "mbd_solver/fe/triangle_mesh.h"
-#include "mbd_solver/run/output/summary.h"
-#include "mbd_solver/run/output/vtk_writer.h"
+#include "mbd_solver/session/output/summary.h"
+#include "mbd_solver/session/output/vtk_writer.h"
 
 namespace footfall {
 

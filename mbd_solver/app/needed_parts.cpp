@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "mbd_solver/app/new_case.h"
-#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/toml_file.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 

@@ -14,7 +14,7 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/base/child_process.h"
 #include "mbd_solver/bed/codes.h"
-#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/launch/programs.h"
 #include "mbd_solver/scene/shipped_files.h"
 
 namespace footfall {

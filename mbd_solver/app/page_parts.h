@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mbd_solver/app/plot_script.h"
-#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/session/output/history.h"
 
 namespace footfall {
 

@@ -16,9 +16,9 @@
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/app/results.h"
 #include "mbd_solver/base/packed_bytes.h"
-#include "mbd_solver/run/output/history.h"
-#include "mbd_solver/run/output/summary.h"
-#include "mbd_solver/run/output/vtk_writer.h"
+#include "mbd_solver/session/output/history.h"
+#include "mbd_solver/session/output/summary.h"
+#include "mbd_solver/session/output/vtk_writer.h"
 
 namespace footfall {
 

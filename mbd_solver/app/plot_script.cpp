@@ -13,7 +13,7 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/base/quote.h"
-#include "mbd_solver/bed/program_watch.h"
+#include "mbd_solver/launch/program_watch.h"
 
 namespace footfall {
 

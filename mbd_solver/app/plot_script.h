@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "mbd_solver/base/kinds.h"
-#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/session/output/history.h"
 
 namespace footfall {
 

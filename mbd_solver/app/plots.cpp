@@ -19,9 +19,9 @@
 #include "mbd_solver/app/difference/samples.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/run_folder.h"
-#include "mbd_solver/bed/programs.h"
-#include "mbd_solver/run/output/spectra.h"
-#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/launch/programs.h"
+#include "mbd_solver/session/output/spectra.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 

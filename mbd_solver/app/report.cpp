@@ -23,9 +23,9 @@
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/packed_bytes.h"
 #include "mbd_solver/base/quote.h"
-#include "mbd_solver/run/output/history.h"
-#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/particle_script.h"
+#include "mbd_solver/session/output/history.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 

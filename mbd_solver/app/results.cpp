@@ -20,8 +20,8 @@
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/model/laws/strut_law.h"
-#include "mbd_solver/run/observe/requirements.h"
-#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/session/observe/requirements.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 namespace {

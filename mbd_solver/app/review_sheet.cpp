@@ -11,8 +11,8 @@
 #include "mbd_solver/app/plots.h"
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/run/output/history.h"
-#include "mbd_solver/run/output/peaks.h"
+#include "mbd_solver/session/output/history.h"
+#include "mbd_solver/session/output/peaks.h"
 
 namespace footfall {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/base/child_watch.h"
-#include "mbd_solver/run/output/checkpoint_folder.h"
 #include "mbd_solver/scene/scene.h"
+#include "mbd_solver/session/output/checkpoint_folder.h"
 
 namespace footfall {
 

@@ -15,8 +15,8 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/base/codes.h"
 #include "mbd_solver/bed/liggghts_log.h"
-#include "mbd_solver/run/observe/terrain_patch.h"
-#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/session/observe/terrain_patch.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 

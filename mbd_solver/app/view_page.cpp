@@ -19,9 +19,9 @@
 #include "mbd_solver/app/scenery/scenery.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed_frames.h"
-#include "mbd_solver/run/observe/terrain_patch.h"
-#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/force_spec.h"
+#include "mbd_solver/session/observe/terrain_patch.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 
@@ -58,7 +58,7 @@ std::set<int> stressed_bodies(const std::vector<MechanismShape>& frames) {
   return stressed;
 }
 
-// Four columns per mark (run/observe/marks.h); none in a drawing without them.
+// Four columns per mark (session/observe/marks.h); none in a drawing without them.
 Eigen::Matrix3Xd marks_of(const VtkFrame& frame) {
   for (const auto& [name, vectors] : frame.field_vectors)
     if (name == "marks") return vectors;

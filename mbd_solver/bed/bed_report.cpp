@@ -16,7 +16,7 @@
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_measures.h"
 #include "mbd_solver/bed/codes.h"
-#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/launch/programs.h"
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/grains/bed_parts.h"
 #include "mbd_solver/scene/grains/grain_sizes.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Codes of the messages of mbd_solver/bed: E0550 to E0579, W1550 to W0579.
+// Codes of the messages of mbd_solver/bed: E0550 to E0562, E0570 to E0573, W1550 to W1556.
 
 #include "coupler/base/errors.h"
 
@@ -36,7 +36,7 @@ inline constexpr MessageCode kMayLeaveBed{"W1555", "may-leave-bed"};
 // LIGGGHTS has so few grains per rank that more ranks cost time. Use the number of ranks that the message gives.
 inline constexpr MessageCode kFewGrainsPerRank{"W1556", "few-grains-per-rank"};
 
-// --- LIGGGHTS and other programs.
+// --- LIGGGHTS.
 
 // LIGGGHTS stopped with an error; the message names the command of the script. Correct it.
 inline constexpr MessageCode kLiggghtsStopped{"E0560", "liggghts-stopped"};
@@ -44,18 +44,8 @@ inline constexpr MessageCode kLiggghtsStopped{"E0560", "liggghts-stopped"};
 inline constexpr MessageCode kRestartDamaged{"E0561", "restart-damaged"};
 // A script runs a program or writes outside the folder of results. Change it, or trust it with --trust-script.
 inline constexpr MessageCode kUnsafeScript{"E0562", "unsafe-script"};
-// mpirun waits for programs that are gone. Free space in the temporary folder, and raise the limits of ulimit.
-inline constexpr MessageCode kProgramsGone{"E0568", "programs-gone"};
-// A program does not get on within the time limit. Correct what it is at, or raise coupling.timeout.
-inline constexpr MessageCode kProgramSilent{"E0569", "program-silent"};
-// A limit leaves mpirun no room for its own files. Free space in the folder, or raise the limit, that the message names.
-inline constexpr MessageCode kNoRoomToLaunch{"E0575", "no-room-to-launch"};
-// A program of footfall is missing. Build footfall again.
-inline constexpr MessageCode kProgramNotBuilt{"E0563", "program-not-built"};
 // A run has more LIGGGHTS processes than this machine has cores. Use fewer ranks.
 inline constexpr MessageCode kRanksBeyondCores{"W1553", "ranks-beyond-cores"};
-// A program of another Debian package is missing. Install the package.
-inline constexpr MessageCode kProgramNotInstalled{"E0564", "program-not-installed"};
 
 // --- Dumps of grains.
 

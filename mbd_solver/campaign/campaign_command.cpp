@@ -29,8 +29,8 @@
 #include "mbd_solver/campaign/campaign.h"
 #include "mbd_solver/campaign/campaign_page.h"
 #include "mbd_solver/campaign/worker_pool.h"
-#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/session/output/summary.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/run_store.h"
 

@@ -16,7 +16,7 @@
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
-#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/launch/programs.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/run_store.h"
 

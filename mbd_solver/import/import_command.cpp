@@ -10,11 +10,11 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/bed_forecast.h"
-#include "mbd_solver/bed/programs.h"
 #include "mbd_solver/import/codes.h"
-#include "mbd_solver/run/observe/start_check.h"
+#include "mbd_solver/launch/programs.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/session/observe/start_check.h"
 
 namespace footfall {
 namespace {

@@ -13,8 +13,8 @@
 #include "mbd_solver/app/needed_parts.h"
 #include "mbd_solver/app/new_case.h"
 #include "mbd_solver/base/child_process.h"
-#include "mbd_solver/bed/confined_programs.h"
-#include "mbd_solver/bed/programs.h"
+#include "mbd_solver/launch/confined_programs.h"
+#include "mbd_solver/launch/programs.h"
 
 using namespace footfall;
 

@@ -18,10 +18,10 @@
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/helper_process.h"
-#include "mbd_solver/embed/session.h"
 #include "mbd_solver/fmi/codes.h"
 #include "mbd_solver/fmi/model/exported_model.h"
-#include "mbd_solver/run/observe/spring_fit.h"
+#include "mbd_solver/session/observe/spring_fit.h"
+#include "mbd_solver/session/session.h"
 
 namespace {
 

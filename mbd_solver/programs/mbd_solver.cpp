@@ -26,12 +26,12 @@
 #include "coupler/transport_mpi.h"
 #include "mbd_solver/base/line_channel.h"
 #include "mbd_solver/base/option_checks.h"
-#include "mbd_solver/run/codes.h"
-#include "mbd_solver/run/output/checkpoint_folder.h"
-#include "mbd_solver/run/output/summary.h"
-#include "mbd_solver/run/run_scene.h"
-#include "mbd_solver/run/simulation.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/session/codes.h"
+#include "mbd_solver/session/output/checkpoint_folder.h"
+#include "mbd_solver/session/output/summary.h"
+#include "mbd_solver/session/run_scene.h"
+#include "mbd_solver/session/simulation.h"
 
 namespace {
 

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "coupler/base/text.h"
-#include "mbd_solver/embed/codes.h"
-#include "mbd_solver/embed/error_report.h"
-#include "mbd_solver/embed/session.h"
-#include "mbd_solver/run/output/former_names.h"
-#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/scene/scene_schema.h"
+#include "mbd_solver/session/codes.h"
+#include "mbd_solver/session/error_report.h"
+#include "mbd_solver/session/output/former_names.h"
+#include "mbd_solver/session/output/history.h"
+#include "mbd_solver/session/session.h"
 
 namespace py = pybind11;
 

@@ -146,7 +146,7 @@ struct LandingPointSpec {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  // in D [m]
 };
 
-// What is told of a landing: stability, slid distance, clearances (run/observe/landing.h).
+// What is told of a landing: stability, slid distance, clearances (session/observe/landing.h).
 struct LandingSpec {
   Source source;
   std::string base;               // whose tilt is told; empty: the heaviest body
@@ -154,7 +154,7 @@ struct LandingSpec {
   std::optional<Eigen::Vector3d>
       axis;  // of the base, upwards, in D; not given: the coordinate axis nearest to the vertical
   std::vector<LandingPointSpec> points;
-  // The run ends before end_time (run/observe/landing_end.h).
+  // The run ends before end_time (session/observe/landing_end.h).
   bool end_at_rest = false, end_when_tipped = false;
   double rest_speed = 0.02;  // [m/s] > 0
   double rest_time = 0.3;    // [s] > 0
@@ -164,7 +164,7 @@ struct LandingSpec {
 enum class Reduce { kMax, kMin, kLargest, kFinal };
 constexpr std::string_view name_of(Reduce kind) { return name_in(kind, "max", "min", "largest", "final"); }
 
-// A bound that the results of a run must keep (run/observe/requirements.h).
+// A bound that the results of a run must keep (session/observe/requirements.h).
 struct RequirementSpec {
   Source source;
   std::string name;
@@ -188,7 +188,7 @@ enum class SignalKind {
   kFuzzy,   // rules of a FuzzyLite file, over any inputs
   kFmu,     // computed by an FMU
   kPython,  // computed by a function of a Python file, once per period
-  kHost     // set by the program that leads the run (mbd_solver/embed), constant between its steps
+  kHost     // set by the program that leads the run (mbd_solver/session/session.h), constant between its steps
 };
 constexpr std::string_view name_of(SignalKind kind) {
   return name_in(kind, "expression", "pid", "lowpass", "lowpass2", "notch", "rate_limit", "saturation", "table",

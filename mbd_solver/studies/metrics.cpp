@@ -13,10 +13,10 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/bed/bed_measures.h"
-#include "mbd_solver/run/output/former_names.h"
-#include "mbd_solver/run/output/history.h"
-#include "mbd_solver/run/output/peaks.h"
-#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/session/output/former_names.h"
+#include "mbd_solver/session/output/history.h"
+#include "mbd_solver/session/output/peaks.h"
+#include "mbd_solver/session/output/summary.h"
 #include "mbd_solver/studies/codes.h"
 
 namespace footfall {

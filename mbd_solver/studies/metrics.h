@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/scene/findings.h"
+#include "mbd_solver/session/output/history.h"
 
 namespace footfall {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/scene/scene.h"
+#include "mbd_solver/session/output/history.h"
 
 namespace footfall {
 

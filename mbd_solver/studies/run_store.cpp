@@ -18,13 +18,13 @@
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/bed/bed.h"
-#include "mbd_solver/bed/programs.h"
-#include "mbd_solver/run/output/checkpoint_folder.h"
-#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/launch/programs.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/particle_script.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/scene_schema.h"
+#include "mbd_solver/session/output/checkpoint_folder.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 

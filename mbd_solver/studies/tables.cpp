@@ -12,7 +12,7 @@
 #include "mbd_solver/app/difference/samples.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/base/quote.h"
-#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/session/output/history.h"
 #include "mbd_solver/studies/results.h"
 
 namespace footfall {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "mbd_solver/assemble/grain_dump.h"
-#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/session/output/history.h"
 #include "tests/app/programs.h"
 
 namespace footfall {

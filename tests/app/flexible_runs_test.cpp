@@ -12,11 +12,11 @@
 
 #include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/fe/modal_body_file.h"
-#include "mbd_solver/run/output/history.h"
-#include "mbd_solver/run/output/peaks.h"
-#include "mbd_solver/run/output/summary.h"
-#include "mbd_solver/run/run_scene.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/session/output/history.h"
+#include "mbd_solver/session/output/peaks.h"
+#include "mbd_solver/session/output/summary.h"
+#include "mbd_solver/session/run_scene.h"
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {

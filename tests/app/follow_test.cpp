@@ -12,7 +12,7 @@
 
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/bed/bed_frames.h"
-#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/session/output/history.h"
 #include "tests/app/programs.h"
 
 namespace footfall {

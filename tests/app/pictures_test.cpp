@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "coupler/base/text.h"
-#include "mbd_solver/run/output/history.h"
-#include "mbd_solver/run/output/vtk_writer.h"
+#include "mbd_solver/session/output/history.h"
+#include "mbd_solver/session/output/vtk_writer.h"
 #include "tests/app/programs.h"
 
 namespace footfall {

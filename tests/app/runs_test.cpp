@@ -11,7 +11,7 @@
 
 #include "mbd_solver/app/new_case.h"
 #include "mbd_solver/bed/bed_frames.h"
-#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/session/output/history.h"
 #include "tests/app/programs.h"
 
 namespace footfall {

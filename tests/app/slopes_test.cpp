@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/session/output/history.h"
 #include "tests/app/programs.h"
 
 namespace footfall {

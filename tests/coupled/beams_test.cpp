@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "liggghts_fix/link/beam_chain.h"
-#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/session/output/history.h"
 #include "tests/coupled/coupled_run.h"
 #include "tests/coupled/tube.h"
 #include "tests/unit/liggghts_fix/random_beams.h"

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "liggghts_fix/codes.h"
+#include "liggghts_fix/link/codes.h"
 #include "tests/coupled/coupled_run.h"
 #include "tests/coupled/stl.h"
 

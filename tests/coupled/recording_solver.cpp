@@ -14,8 +14,8 @@
 #include "coupler/base/errors.h"
 #include "coupler/communicator.h"
 #include "coupler/transport_mpi.h"
-#include "mbd_solver/run/simulation.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/session/simulation.h"
 
 namespace {
 

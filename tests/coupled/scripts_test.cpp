@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "liggghts_fix/codes.h"
+#include "liggghts_fix/link/codes.h"
 #include "tests/coupled/coupled_run.h"
 #include "tests/support/refused.h"
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <map>
 
-#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/session/output/history.h"
 #include "tests/app/programs.h"
 
 namespace footfall {

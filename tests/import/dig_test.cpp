@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mbd_solver/bed/bed_frames.h"
-#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/session/output/history.h"
 #include "tests/support/run_folder.h"
 
 namespace footfall {

@@ -21,8 +21,8 @@
 
 #include "mbd_solver/import/mjcf_source.h"
 #include "mbd_solver/import/robot.h"
-#include "mbd_solver/run/simulation.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/session/simulation.h"
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {

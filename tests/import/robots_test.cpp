@@ -14,9 +14,9 @@
 #include "mbd_solver/bed/bed_report.h"
 #include "mbd_solver/import/import_command.h"
 #include "mbd_solver/import/robot.h"
-#include "mbd_solver/run/observe/start_check.h"
 #include "mbd_solver/scene/resolve.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/session/observe/start_check.h"
 #include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
 

@@ -11,7 +11,7 @@
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/mass_properties.h"
-#include "mbd_solver/run/settle.h"
+#include "mbd_solver/session/settle.h"
 #include "tests/physics/motion_of.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"

@@ -8,7 +8,7 @@ complain() { echo "$*"; failed=1; }
 
 styles=$(grep -ohE 'register_fix_style\(lmp, "[^"]+"' liggghts_fix/*.cpp | sed 's/.*"\(.*\)"/\1/')
 # The loop of make_meshes_resumable registers all styles that begin so.
-prefix=$(sed -n 's/.*style\.rfind("\([^"]*\)", 0) != 0) continue;.*/\1/p' liggghts_fix/liggghts_access.cpp)
+prefix=$(sed -n 's/.*style\.rfind("\([^"]*\)", 0) != 0) continue;.*/\1/p' liggghts_fix/access/liggghts_access.cpp)
 [[ -n $prefix ]] || complain "liggghts_access.cpp: the prefix of the meshes was not found"
 styles+=$'\n'$prefix
 (($(wc -l <<<"$styles") >= 5)) || complain "only these registered styles were found: $styles"
@@ -24,7 +24,7 @@ keywords_of() {
     insert/exact) grep -oE 'strcmp\(arg\[iarg\], "[a-z_]+"' liggghts_fix/couple/fix_insert_exact.cpp ;;
     remove/region) grep -oE 'strcmp\(arg\[i\], "[a-z_]+"' liggghts_fix/couple/fix_remove_region.cpp ;;
     bed/follow) grep -oE 'strcmp\(arg\[i\], "[a-z_]+"' liggghts_fix/couple/fix_bed_follow.cpp ;;
-    mesh/surface) grep -oE 'strcmp\(words\[3\], "[a-z_]+"' liggghts_fix/liggghts_access.cpp ;;
+    mesh/surface) grep -oE 'strcmp\(words\[3\], "[a-z_]+"' liggghts_fix/access/liggghts_access.cpp ;;
   esac | sed -E 's/.*"([a-z_]+)"/\1/' | sort -u
 }
 

@@ -12,7 +12,11 @@ MAY_INCLUDE = {
     "coupler/base": "",
     "coupler": "coupler/base",
     "liggghts_fix/link": "coupler",  # no headers of LIGGGHTS
-    "liggghts_fix": "liggghts_fix/link",
+    "liggghts_fix/access": "liggghts_fix/link",
+    "liggghts_fix/contact": "liggghts_fix/access",
+    "liggghts_fix/replaced": "liggghts_fix/access",
+    "liggghts_fix/couple": "liggghts_fix/contact liggghts_fix/replaced",
+    "liggghts_fix": "liggghts_fix/couple",
     "mbd_solver/base": "coupler/base",
     "mbd_solver/model": "mbd_solver/base coupler",
     "mbd_solver/fe": "mbd_solver/model",
@@ -21,21 +25,21 @@ MAY_INCLUDE = {
     "mbd_solver/scene": "mbd_solver/fe",
     "mbd_solver/assemble": "mbd_solver/scene",
     "mbd_solver/coupling": "mbd_solver/assemble mbd_solver/dynamics",
-    "mbd_solver/run/output": "mbd_solver/base coupler",
-    "mbd_solver/run/observe": "mbd_solver/coupling mbd_solver/run/output",
-    "mbd_solver/run": "mbd_solver/run/observe mbd_solver/integrator",
-    "mbd_solver/embed": "mbd_solver/run",
-    "mbd_solver/python": "mbd_solver/embed",
-    "mbd_solver/bed": "mbd_solver/assemble mbd_solver/run/output",
-    "mbd_solver/app": "mbd_solver/bed mbd_solver/run/observe",
+    "mbd_solver/session/output": "mbd_solver/base coupler",
+    "mbd_solver/session/observe": "mbd_solver/coupling mbd_solver/session/output",
+    "mbd_solver/session": "mbd_solver/session/observe mbd_solver/integrator",
+    "mbd_solver/python": "mbd_solver/session",
+    "mbd_solver/launch": "mbd_solver/scene",
+    "mbd_solver/bed": "mbd_solver/launch mbd_solver/assemble mbd_solver/session/output",
+    "mbd_solver/app": "mbd_solver/bed mbd_solver/session/observe",
     "mbd_solver/studies": "mbd_solver/app",
     "mbd_solver/campaign": "mbd_solver/studies",
     "mbd_solver/import": "mbd_solver/app",
     "mbd_solver/fmi": "mbd_solver/base",
-    "mbd_solver/fmi/model": "mbd_solver/fmi mbd_solver/embed",
+    "mbd_solver/fmi/model": "mbd_solver/fmi mbd_solver/session",
     "mbd_solver/fmi/export": "mbd_solver/fmi/model mbd_solver/app",
     "mbd_solver/fmi/library": "mbd_solver/fmi/model",
-    "mbd_solver/programs": "mbd_solver/run mbd_solver/studies mbd_solver/campaign mbd_solver/import mbd_solver/fmi/export",
+    "mbd_solver/programs": "mbd_solver/session mbd_solver/studies mbd_solver/campaign mbd_solver/import mbd_solver/fmi/export",
 }
 
 # What matches (a regular expression at the start of an include) may be included by these files only.
@@ -48,28 +52,28 @@ ONLY_IN = {
     r"fcl/": "mbd_solver/model/elements/surface_model.cpp mbd_solver/model/elements/contact_surface.cpp",
     r"openturns/": "mbd_solver/campaign/sampling.cpp mbd_solver/campaign/optimum.cpp",
     r"muParser": "mbd_solver/model/control/signal_chain.cpp",
-    r"pugixml": "mbd_solver/run/output/vtk_writer.cpp mbd_solver/import/xml_source.h mbd_solver/fmi/model_description.cpp",
+    r"pugixml": "mbd_solver/session/output/vtk_writer.cpp mbd_solver/import/xml_source.h mbd_solver/fmi/model_description.cpp",
     r"httplib\.h": "mbd_solver/app/live/page_server.cpp",
     r"zip\.h": "mbd_solver/fmi/fmu_file.cpp",
     r"mujoco/": "mbd_solver/import/mjcf_reader.cpp",
     r"(sdf|ignition)/": "mbd_solver/import/sdf/sdf_reader.cpp",
     r"pybind11/": "mbd_solver/python/module.cpp",
     r"zlib": "mbd_solver/base/packed_bytes.cpp",
-    r"mpi\.h": MPI_FILES + " liggghts_fix/replaced/comm_world.h liggghts_fix/replaced/mpi_abort.cpp liggghts_fix/liggghts_access.cpp",
+    r"mpi\.h": MPI_FILES + " liggghts_fix/replaced/comm_world.h liggghts_fix/replaced/mpi_abort.cpp liggghts_fix/access/liggghts_access.cpp",
     r"coupler/(communicator|polling_wait|abort_guard|transport_mpi)\.h": MPI_FILES + " liggghts_fix/replaced/popen.cpp liggghts_fix/replaced/fopen.cpp",
     r"(lammps|fix|fix_[a-z_]*|mesh_module|atom|modify|neighbor|comm|domain|update|error|input|tri_mesh|signal_handling)\.h":
-        "liggghts_fix/launcher.cpp liggghts_fix/liggghts_access.* liggghts_fix/couple/* liggghts_fix/contact/* liggghts_fix/replaced/*",
+        "liggghts_fix/launcher.cpp liggghts_fix/access/* liggghts_fix/couple/* liggghts_fix/contact/* liggghts_fix/replaced/*",
     # A scene without grains makes nothing of the coupling: all of it is made by CoupledRun, and that by the run alone.
     r"mbd_solver/coupling/(dem_partner|coupling_watch|window_choice)\.h": "mbd_solver/coupling/*",
-    r"mbd_solver/coupling/coupled_run\.h": "mbd_solver/coupling/* mbd_solver/run/loop/moving_mechanism.h",
-    r"mbd_solver/coupling/coupling_sample\.h": "mbd_solver/coupling/* mbd_solver/run/observe/sampler.h",
-    r"mbd_solver/run/(?!codes)[a-z_]*\.h": "mbd_solver/run/* mbd_solver/embed/* mbd_solver/programs/mbd_solver.cpp",
+    r"mbd_solver/coupling/coupled_run\.h": "mbd_solver/coupling/* mbd_solver/session/loop/moving_mechanism.h",
+    r"mbd_solver/coupling/coupling_sample\.h": "mbd_solver/coupling/* mbd_solver/session/observe/sampler.h",
+    r"mbd_solver/session/(?!codes|session|error_report)[a-z_]*\.h": "mbd_solver/session/* mbd_solver/programs/mbd_solver.cpp",
 }
 # Plain C++: only these files of coupler/base may use headers of the operating system.
 SYSTEM_FILES_OF_BASE = ("coupler/base/files.cpp coupler/base/confinement.cpp coupler/base/input_file.cpp coupler/base/number.cpp coupler/base/pulse.cpp"
                         " coupler/base/run_directory.cpp coupler/base/run_directory.h coupler/base/start.cpp coupler/base/interrupt.cpp")
 SYSTEM_HEADER = re.compile(r"[a-z_]+[/.]")
-COUPLED_RUN_IS_MADE_IN = "mbd_solver/run/loop/moving_mechanism.cpp"
+COUPLED_RUN_IS_MADE_IN = "mbd_solver/session/loop/moving_mechanism.cpp"
 
 root = pathlib.Path(__file__).resolve().parents[2]
 failed = False

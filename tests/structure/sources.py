@@ -26,7 +26,7 @@ OWN_READERS = {
     "mbd_solver/campaign/calibrate/evaluations.cpp": "lines of a text in memory, the last of which may be incomplete",
 }
 LIBRARIES = ("coupler", "mbd_solver/base", "mbd_solver/model", "mbd_solver/fe", "mbd_solver/dynamics", "mbd_solver/integrator", "mbd_solver/scene",
-             "mbd_solver/assemble", "mbd_solver/coupling", "mbd_solver/run", "mbd_solver/embed")
+             "mbd_solver/assemble", "mbd_solver/coupling", "mbd_solver/session")
 SWEEP_SCRIPTS = "mbd_solver/studies"
 failed = False
 
@@ -223,7 +223,7 @@ def named_files():
 
 def readmes():
     """A README of a folder begins with its heading, is not indented as code, and names files, folders and functions that exist: `link` (a stem or an
-    identifier) or link.cpp."""
+    identifier), link.cpp, or `../link/dem_link` (a path from the folder)."""
     stems, words, names = set(), set(), 0
     for path in (path for top in TOPS + ("tests", "inputs", "examples") for path in (root / top).rglob("*") if "node_modules" not in path.parts):
         stems.update((path.stem, path.name))
@@ -238,6 +238,11 @@ def readmes():
             names += 1
             if (name[0] or name[1]) not in (stems | words if name[0] else stems):
                 complain(f"{page.relative_to(root)} names {name[0] or name[1]}, which does not exist")
+        for name in re.findall(r"`(\.\./[\w./]+)`", text):
+            names += 1
+            path = page.parent / name
+            if not path.exists() and not any(path.parent.glob(path.name + ".*")):
+                complain(f"{page.relative_to(root)} names {name}, which does not exist")
     found("names in READMEs", range(names), 200)
 
 

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/run/observe/observation.h"
-#include "mbd_solver/run/simulation.h"
+#include "mbd_solver/session/observe/observation.h"
+#include "mbd_solver/session/simulation.h"
 #include "tests/support/scene_texts.h"
-#include "tests/unit/run/never.h"
 #include "tests/unit/scene/scene_text.h"
+#include "tests/unit/session/never.h"
 
 namespace footfall {
 namespace closed_forms {

@@ -12,7 +12,7 @@
 #include "mbd_solver/app/difference/sample_page.h"
 #include "mbd_solver/app/difference/samples.h"
 #include "mbd_solver/app/report.h"
-#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 

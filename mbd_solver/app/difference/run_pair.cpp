@@ -12,7 +12,7 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/run_folder.h"
-#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 

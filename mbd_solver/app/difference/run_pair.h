@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/session/output/history.h"
 
 namespace footfall {
 

@@ -15,7 +15,7 @@
 #include "mbd_solver/app/difference/run_pair.h"
 #include "mbd_solver/app/difference/samples.h"
 #include "mbd_solver/app/report.h"
-#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 

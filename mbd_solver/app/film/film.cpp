@@ -29,10 +29,10 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/bed/depth_image.h"
-#include "mbd_solver/bed/programs.h"
-#include "mbd_solver/run/observe/drawing.h"
-#include "mbd_solver/run/observe/terrain_patch.h"
+#include "mbd_solver/launch/programs.h"
 #include "mbd_solver/scene/scene_schema.h"
+#include "mbd_solver/session/observe/drawing.h"
+#include "mbd_solver/session/observe/terrain_patch.h"
 
 namespace footfall {
 

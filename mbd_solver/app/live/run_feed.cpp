@@ -13,9 +13,9 @@
 #include "mbd_solver/app/packed_series.h"
 #include "mbd_solver/app/scenery/scenery.h"
 #include "mbd_solver/bed/bed_frames.h"
-#include "mbd_solver/run/observe/terrain_patch.h"
-#include "mbd_solver/run/output/live_note.h"
-#include "mbd_solver/run/output/summary.h"
+#include "mbd_solver/session/observe/terrain_patch.h"
+#include "mbd_solver/session/output/live_note.h"
+#include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
 

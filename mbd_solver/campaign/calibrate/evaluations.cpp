@@ -13,7 +13,7 @@
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/fingerprint.h"
-#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/session/output/history.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/sweep_file.h"
 #include "mbd_solver/studies/tables.h"

@@ -14,13 +14,13 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/app/check_command.h"
 #include "mbd_solver/base/fingerprint.h"
-#include "mbd_solver/bed/programs.h"
-#include "mbd_solver/embed/session.h"
 #include "mbd_solver/fmi/codes.h"
 #include "mbd_solver/fmi/fmu_file.h"
+#include "mbd_solver/launch/programs.h"
 #include "mbd_solver/scene/foreign/foreign_code.h"
 #include "mbd_solver/scene/scene_schema.h"
 #include "mbd_solver/scene/shipped_files.h"
+#include "mbd_solver/session/session.h"
 
 namespace footfall {
 namespace {

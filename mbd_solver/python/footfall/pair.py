@@ -1,4 +1,4 @@
-"""The coupled pair, led from Python: `footfall run` with a socket on which mbd_solver asks what to do (mbd_solver/run/leader.h)."""
+"""The coupled pair, led from Python: `footfall run` with a socket on which mbd_solver asks what to do (mbd_solver/session/leader.h)."""
 
 import contextlib
 import json

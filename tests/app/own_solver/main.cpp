@@ -3,8 +3,8 @@
 #include <cstdlib>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/run/simulation.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/session/simulation.h"
 
 int main(int, char** argv) {
   const footfall::Scene scene = footfall::read_scene(argv[1], {});

@@ -16,9 +16,9 @@
 #include "mbd_solver/app/live/run_feed.h"
 #include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/app/scenery/scenery.h"
-#include "mbd_solver/run/output/live_note.h"
-#include "mbd_solver/run/output/summary.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/session/output/live_note.h"
+#include "mbd_solver/session/output/summary.h"
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {

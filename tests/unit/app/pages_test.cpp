@@ -20,7 +20,7 @@
 #include "mbd_solver/app/results.h"
 #include "mbd_solver/app/view_page.h"
 #include "mbd_solver/base/packed_bytes.h"
-#include "mbd_solver/run/output/history.h"
+#include "mbd_solver/session/output/history.h"
 #include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
 

@@ -17,9 +17,9 @@
 #include "mbd_solver/app/follow.h"
 #include "mbd_solver/app/new_case.h"
 #include "mbd_solver/app/paraview_files.h"
-#include "mbd_solver/run/output/history.h"
-#include "mbd_solver/run/output/summary.h"
-#include "mbd_solver/run/output/vtk_writer.h"
+#include "mbd_solver/session/output/history.h"
+#include "mbd_solver/session/output/summary.h"
+#include "mbd_solver/session/output/vtk_writer.h"
 #include "tests/support/refused.h"
 #include "tests/support/temporary_folder.h"
 

@@ -395,5 +395,26 @@ TEST_F(ScriptTrace, SaysWhatAnErrorMeansWhereThatIsKnown) {
   }
 }
 
+TEST_F(BedFiles, BedKeyHoldsScriptIncludesVariablesAndVersion) {
+  for (const std::string place : {"", "two words/"}) {
+    write(place + "walls.in", "fix floor all wall/gran\n");
+    BedSpec spec{write(place + "in.bed", "include ${here}/walls.in\nrun 100\n"), {{"depth", "0.4"}}};
+    const std::string key = bed_key(spec, "3.8.0");
+    EXPECT_EQ(bed_key(spec, "3.8.0"), key);
+    EXPECT_NE(bed_key(spec, "3.9.0"), key);
+    BedSpec deeper = spec;
+    deeper.variables["depth"] = "0.5";
+    EXPECT_NE(bed_key(deeper, "3.8.0"), key);
+    write(place + "walls.in", "fix floor all wall/gran model hertz\n");
+    EXPECT_NE(bed_key(spec, "3.8.0"), key) << "in \"" << place << "\"";
+  }
+}
+
+TEST_F(BedFiles, ErrorsOfALiggghtsLogAreFound) {
+  EXPECT_EQ(liggghts_errors(write("log", "Step Atoms\n0 10\nERROR: Unknown command: pair_stile (input.cpp:243)\n")),
+            "ERROR: Unknown command: pair_stile (input.cpp:243)");
+  EXPECT_EQ(liggghts_errors(write("good", "Step Atoms\nLoop time\n")), "");
+}
+
 }  // namespace
 }  // namespace footfall

@@ -8,7 +8,7 @@
 #include "coupler/base/interrupt.h"
 #include "coupler/schemes/registry.h"
 #include "coupler/transport_loopback.h"
-#include "liggghts_fix/codes.h"
+#include "liggghts_fix/link/codes.h"
 #include "liggghts_fix/link/dem_link.h"
 #include "liggghts_fix/link/grain_paths.h"
 #include "liggghts_fix/link/rank_shares.h"

@@ -10,9 +10,9 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/run/output/history.h"
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/scene_reader.h"
+#include "mbd_solver/session/output/history.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/fits.h"
 #include "mbd_solver/studies/rig.h"

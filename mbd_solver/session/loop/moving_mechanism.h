@@ -1,0 +1,85 @@
+#pragma once
+// A mechanism in motion: its present state, the rates that follow from state and inputs, and the
+// sample of both. The loops of a run (alone_loop.h, coupled_loop.h) advance it window by window;
+// whoever changes state or inputs renews rates and sample.
+
+#include <memory>
+#include <string>
+
+#include "coupler/archive.h"
+#include "coupler/transport.h"
+#include "mbd_solver/assemble/corners.h"
+#include "mbd_solver/assemble/mechanism.h"
+#include "mbd_solver/coupling/coupled_run.h"
+#include "mbd_solver/dynamics/equations.h"
+#include "mbd_solver/integrator/integrator.h"
+#include "mbd_solver/session/loop/instructions.h"
+#include "mbd_solver/session/loop/run_times.h"
+#include "mbd_solver/session/observe/sampler.h"
+
+namespace footfall {
+
+class MovingMechanism {
+ public:
+  // In the state of the assembly. The scene must outlive this. Throws InputError.
+  MovingMechanism(const Scene& scene, double t_end, bool with_grains);
+  // Grains take part: performs the handshake. Throws ProtocolError, PartnerError.
+  void couple(Transport& partner, const std::string& resume);
+
+  const Scene& scene() { return scene_; }
+  double t_end() { return t_end_; }            // [s]
+  void end_at(double time) { t_end_ = time; }  // earlier than so far [s]
+  Mechanism& mechanism() { return mechanism_; }
+  Assembly& assembly() { return assembly_; }
+  Equations& equations() { return equations_; }
+  Corners& corners() { return corners_; }  // of what the scene gives as functions of time
+  Integrator& integrator() { return *integrator_; }
+  CoupledRun* coupled() { return coupled_.get(); }  // null without grains
+  RunTimes& times() { return times_; }
+  Subject subject() const;
+  Kinematics kinematics() const;  // of the present state, accelerations zero
+
+  State& state() { return state_; }
+  Inputs& inputs() { return inputs_; }                        // of the window
+  Eigen::VectorXd& rates() { return rates_; }                 // [dq; dv; dz; lambda] at state().time
+  const Sample& sample() const { return sampler_.sample(); }  // of the last update_sample()
+  bool finished() const;                                      // the end time has been reached, or the script has ended
+  long window() const { return window_; }                     // windows completed
+  void count_window(long more) { window_ += more; }
+
+  void update_sample() { sampler_.update(window_, finished(), coupled_ ? &coupled_->sample() : nullptr); }
+  void renew() {  // rates, then the sample
+    equations_.saddle().accelerations(state_, inputs_, rates_);
+    update_sample();
+  }
+  void show(const State& state, const Eigen::VectorXd& rates) {
+    state_ = state;
+    rates_ = rates;
+    update_sample();
+  }
+  // From a state to this time [s]; sets state and rates, not the sample. Advance does so with
+  // pauses. Throws NumericalError.
+  void advance(const State& from, double time);
+  void check_finite() const;  // throws NumericalError
+
+  void visit(Archive& archive);                     // state, rates, inputs and windows
+  void resume(const IntegratorStatistics& so_far);  // after visit()
+
+ private:
+  const Scene& scene_;
+  double t_end_;  // [s]
+  Mechanism mechanism_;
+  Assembly assembly_;
+  Equations equations_;
+  Corners corners_;
+  std::unique_ptr<Integrator> integrator_;
+  State state_;
+  Inputs inputs_;
+  Eigen::VectorXd rates_;
+  Sampler sampler_;
+  std::unique_ptr<CoupledRun> coupled_;
+  long window_ = 0;
+  RunTimes times_;
+};
+
+}  // namespace footfall
