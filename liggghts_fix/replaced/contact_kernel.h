@@ -12,7 +12,7 @@
 
 namespace footfall {
 
-struct Model {
+struct PairModel {
   double** young;
   double** rigidity;
   double** damping;
@@ -129,7 +129,7 @@ struct Materials {
   int types[kMost] = {};  // pair of types of which these are; 0: none
 
   void forget() { std::fill(std::begin(types), std::end(types), 0); }
-  void set(int k, const Model& m, int i, int j) {  // types of grains
+  void set(int k, const PairModel& m, int i, int j) {  // types of grains
     const int pair = (i << 16) + j;
     if (types[k] == pair) return;
     types[k] = pair;
@@ -198,7 +198,7 @@ FOOTFALL_INLINE void compute(Contacts& all, typename Contacts::Number dt) {
 }
 
 template <bool kRolling, bool kTorsion, class Contacts>
-FOOTFALL_INLINE void compute(Contacts& c, typename Contacts::Number dt, const Model& m) {
+FOOTFALL_INLINE void compute(Contacts& c, typename Contacts::Number dt, const PairModel& m) {
   if (m.tangential_damping) {
     m.limit_force ? compute<kRolling, true, true, kTorsion>(c, dt) : compute<kRolling, true, false, kTorsion>(c, dt);
   } else {
@@ -207,7 +207,7 @@ FOOTFALL_INLINE void compute(Contacts& c, typename Contacts::Number dt, const Mo
 }
 
 template <class Real>
-FOOTFALL_INLINE void compute_any(ContactRows<Real>& c, double step, const Model& m) {
+FOOTFALL_INLINE void compute_any(ContactRows<Real>& c, double step, const PairModel& m) {
   const Real dt = static_cast<Real>(step);
   if (m.rolling == nullptr)
     compute<false, false>(c, dt, m);
@@ -221,21 +221,21 @@ FOOTFALL_INLINE void compute_any(ContactRows<Real>& c, double step, const Model&
 // function compute_any of their own.
 #ifdef __x86_64__
 template <class Contacts>
-__attribute__((target("avx512f,avx512vl,avx512dq"))) void compute_widest(Contacts& c, double dt, const Model& m) {
+__attribute__((target("avx512f,avx512vl,avx512dq"))) void compute_widest(Contacts& c, double dt, const PairModel& m) {
   compute_any(c, dt, m);
 }
 template <class Contacts>
-__attribute__((target("avx2"))) void compute_wide(Contacts& c, double dt, const Model& m) {
+__attribute__((target("avx2"))) void compute_wide(Contacts& c, double dt, const PairModel& m) {
   compute_any(c, dt, m);
 }
 #endif
 template <class Contacts>
-void compute_narrow(Contacts& c, double dt, const Model& m) {
+void compute_narrow(Contacts& c, double dt, const PairModel& m) {
   compute_any(c, dt, m);
 }
 
 template <class Contacts>
-using Compute = void (*)(Contacts&, double, const Model&);
+using Compute = void (*)(Contacts&, double, const PairModel&);
 template <class Contacts>
 Compute<Contacts> best_compute() {
 #ifdef __x86_64__

@@ -89,8 +89,8 @@ FOOTFALL_MEMBER(Relaxation, LAMMPS_NS::PairGran, LAMMPS_NS::FixRelaxContacts*, f
 
 namespace {
 
-Model model_of(const Hertz& hertz, const History& history) {
-  Model m{};
+PairModel model_of(const Hertz& hertz, const History& history) {
+  PairModel m{};
   m.young = hertz.*hand_out(Young{});
   m.rigidity = hertz.*hand_out(Shear{});
   m.damping = hertz.*hand_out(Damping{});
@@ -103,11 +103,11 @@ Model model_of(const Hertz& hertz, const History& history) {
               history.*hand_out(TangentialEnergy{}) || history.*hand_out(TangentialDissipated{}));
   return m;
 }
-Model model_of(const WithoutRolling& model) {
+PairModel model_of(const WithoutRolling& model) {
   return model_of(model.*hand_out(NormalOfWithout{}), model.*hand_out(TangentialOfWithout{}));
 }
-Model model_of(const WithCdt& model) {
-  Model m = model_of(model.*hand_out(NormalOfCdt{}), model.*hand_out(TangentialOfCdt{}));
+PairModel model_of(const WithCdt& model) {
+  PairModel m = model_of(model.*hand_out(NormalOfCdt{}), model.*hand_out(TangentialOfCdt{}));
   m.rolling = (model.*hand_out(RollingOfCdt{})).*hand_out(RollingFriction{});
   m.torsion = (model.*hand_out(RollingOfCdt{})).*hand_out(Torsion{});
   return m;
@@ -124,7 +124,7 @@ struct Touching {
 // The forces of all pairs of a list, to the bit of LIGGGHTS.
 class PairForces {
  public:
-  void add(const Model& model, const LAMMPS_NS::Atom& atom, double dt, const LAMMPS_NS::NeighList& list,
+  void add(const PairModel& model, const LAMMPS_NS::Atom& atom, double dt, const LAMMPS_NS::NeighList& list,
            const LAMMPS_NS::NeighList& contacts, int history_length) {
     ContactRows<double>& c = contacts_;
     c.materials.forget();
@@ -160,7 +160,7 @@ class PairForces {
   }
 
  private:
-  void add_touching(const Model& m, const LAMMPS_NS::Atom& atom, double dt, int count) {
+  void add_touching(const PairModel& m, const LAMMPS_NS::Atom& atom, double dt, int count) {
     static const Compute<ContactRows<double>> compute = best_compute<ContactRows<double>>();
     ContactRows<double>& c = contacts_;
     c.count = count;
@@ -222,7 +222,7 @@ class PairForces {
 };
 
 // Whether all pairs can be computed here; see the top of this file.
-bool is_known(const Model& model, LAMMPS_NS::PairGran& pair, LAMMPS_NS::Atom& atom, LAMMPS_NS::Force& force,
+bool is_known(const PairModel& model, LAMMPS_NS::PairGran& pair, LAMMPS_NS::Atom& atom, LAMMPS_NS::Force& force,
               LAMMPS_NS::Neighbor& neighbor, LAMMPS_NS::Modify& modify, bool virial, bool per_contact) {
   return model.known && !virial && !(per_contact && pair.cpl() != nullptr) && pair.computeflag() &&
          pair.shearupdate() && !pair.storeSumDelta() && !pair.storeContactForces() &&
@@ -240,7 +240,7 @@ bool is_known(const Model& model, LAMMPS_NS::PairGran& pair, LAMMPS_NS::Atom& at
   template <>                                                                                                 \
   void LIGGGHTS::PairStyles::Granular<of>::compute_force(LAMMPS_NS::PairGran* pair, int eflag, int vflag,     \
                                                          int addflag) {                                       \
-    const footfall::Model model = footfall::model_of(cmodel);                                                 \
+    const footfall::PairModel model = footfall::model_of(cmodel);                                             \
     if (!footfall::is_known(model, *pair, *atom, *force, *neighbor, *modify, eflag || vflag, addflag != 0)) { \
       using Original = void (*)(void*, LAMMPS_NS::PairGran*, int, int, int);                                  \
       static const auto original = footfall::next_definition<Original>(symbol);                               \

@@ -272,7 +272,7 @@ int trial_command(const RunArguments& given, double seconds) {
   SuspendedWatch suspended(scene.coupling.timeout);
   const std::string pulse = (fs::path(plan.out) / kLockFile).string();
   command.environment[kPulse] = fs::absolute(pulse).string();
-  ProgressWatch progress(scene.coupling.timeout, pulse, (fs::path(plan.out) / "history.csv").string(), plan.log);
+  ProgramWatch progress(scene.coupling.timeout, pulse, (fs::path(plan.out) / "history.csv").string(), plan.log);
   const ChildEnd end = run_child(command, kMbdProgram, [&] {
     memory = std::max(memory, memory_of_descendants());
     const std::string stuck = suspended();

@@ -613,7 +613,7 @@ void run_stock(const std::string& liggghts, const Json& particles, const fs::pat
   std::optional<SharedMemoryFolder> memory;
   if (!trusted) memory.emplace(command);
   const std::string log = (out / "liggghts.log").string();
-  ProgressWatch progress(limit, out.string(), "", log);
+  ProgramWatch progress(limit, out.string(), "", log);
   const ChildEnd end = run_child(command, "", [&] { return progress(); });
   if (!end.given_up.empty()) throw PartnerError("stock LIGGGHTS: " + end.given_up);
   if (!liggghts_errors(log).empty())

@@ -187,7 +187,7 @@ int run_command(const RunArguments& arguments) {
   const std::string begun = (fs::path(out) / "history.csv").string();
   const std::string pulse = (fs::path(out) / kLockFile).string();
   if (scene.touches_particles()) command.environment[kPulse] = fs::absolute(pulse).string();
-  ProgressWatch progress(scene.coupling.timeout + 2.0 * kLater, pulse, begun, log);
+  ProgramWatch progress(scene.coupling.timeout + 2.0 * kLater, pulse, begun, log);
   BedMaterialCheck material(plan.bed_log, log);
   leave_time_to_end(command);
   const SignalsHeld signals;  // the folder is put in order first

@@ -173,7 +173,7 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, bool trusted, double l
   const std::string pulse = (folder / ".pulse").string();
   write_whole_file_unsynced(pulse, "", kAdvice);
   command.environment[kPulse] = pulse;
-  ProgressWatch steps(limit, pulse, "", log);
+  ProgramWatch steps(limit, pulse, "", log);
   const double started = wall_clock();
   const auto show = [&] {
     const LogProgress progress = log_progress(log);

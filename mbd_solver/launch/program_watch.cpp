@@ -33,10 +33,10 @@ std::int64_t last_change(const std::string& path) {
 
 }  // namespace
 
-ProgressWatch::ProgressWatch(double limit, std::string pulse, std::string begun, std::string log)
+ProgramWatch::ProgramWatch(double limit, std::string pulse, std::string begun, std::string log)
     : limit_(limit), pulse_(std::move(pulse)), begun_(std::move(begun)), log_(std::move(log)), looked_(wall_clock()) {}
 
-std::string ProgressWatch::operator()() {
+std::string ProgramWatch::operator()() {
   const double now = wall_clock(), passed = now - looked_;
   if (passed < kBetweenLooks) return "";
   looked_ = now;
@@ -49,7 +49,7 @@ std::string ProgressWatch::operator()() {
 }
 
 // mpirun waits for ever when it cannot start its programs, or has not noticed their end.
-std::string ProgressWatch::gone_programs() {
+std::string ProgramWatch::gone_programs() {
   constexpr double kEnded = 10.0, kNeverStarted = 60.0;  // [s]
   if (count_descendants(false) > 1) {
     had_programs_ = true;
@@ -64,7 +64,7 @@ std::string ProgressWatch::gone_programs() {
                        "(ulimit -a)");
 }
 
-std::string ProgressWatch::silence() {
+std::string ProgramWatch::silence() {
   std::error_code none;
   if (!begun_.empty() && std::filesystem::exists(begun_, none)) {
     silent_ = 0.0;

@@ -8,12 +8,12 @@ namespace footfall {
 
 // For an mpirun: ends it when its programs are gone, or when nothing shows that they get on. The time of a suspended job
 // does not count.
-class ProgressWatch {
+class ProgramWatch {
  public:
   // limit [s]: how long the programs may be silent. pulse: the file or folder whose time shows that they are not; a
   // folder: the latest of its files. begun: once this file exists the programs watch each other; empty: they never do.
   // log: of LIGGGHTS; its last line names the present step.
-  ProgressWatch(double limit, std::string pulse, std::string begun, std::string log);
+  ProgramWatch(double limit, std::string pulse, std::string begun, std::string log);
   std::string operator()();
 
  private:

@@ -74,6 +74,23 @@ def opening_comments():
             complain(f"{file}: does not open with a comment")
 
 
+def one_class_of_a_name():
+    """Two classes of one name in one namespace make programs that link both call a function of the wrong one; no linker tells."""
+    places = {}
+    for file, text in sources.items():
+        space, hidden = "", False  # the namespace, and whether the lines are in one without a name
+        for line in text.split("\n"):
+            if opened := re.match(r"namespace(?: ([\w:]+))? \{", line):
+                space, hidden = opened[1] or space, hidden or not opened[1]
+            hidden = hidden and line != "}  // namespace"
+            if (one := re.match(r"(?:template <[^>]*> )?(?:class|struct|enum class) (\w+)(?: final)?(?: : [^{;]*)? \{", line)) and not hidden:
+                places.setdefault(f"{space}::{one[1]}", set()).add(file)
+    found("classes", places, 500)
+    for name, files in sorted(places.items()):
+        if len(files) > 1:
+            complain(f"{name} is defined in {', '.join(sorted(files))}: expected one class of a name")
+
+
 def keys_are_read():
     """A key that is read does something: every member that a description of keys fills is read elsewhere, by more than a check. Members are
     known by their names alone, so a function that shares its name with another member is not reported."""
@@ -269,6 +286,6 @@ def tests_leave_nothing():
             complain(f"{path.relative_to(root)}: left by a run; run programs in a folder of tests/support")
 
 
-for rule in (sizes, opening_comments, keys_are_read, force_elements_have_specimens, elements_have_types, quoting, one_child_process, model_is_constant, one_text_reader, locales, named_files, readmes, packages, tests_leave_nothing):
+for rule in (sizes, opening_comments, one_class_of_a_name, keys_are_read, force_elements_have_specimens, elements_have_types, quoting, one_child_process, model_is_constant, one_text_reader, locales, named_files, readmes, packages, tests_leave_nothing):
     rule()
 sys.exit(failed)

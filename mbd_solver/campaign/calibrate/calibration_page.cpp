@@ -25,7 +25,7 @@ std::string num(Number value, int digits = 6) {
 // A set that has its own column in the tables.
 struct NamedSet {
   std::string name;
-  const Evaluation* set;
+  const EvaluatedPoint* set;
 };
 
 // "0.9 to 1.1", "at least 2", "0.5".
@@ -101,11 +101,11 @@ void show_targets(StudyPage& page, const CalibrationSpec& spec, const std::vecto
     return joined(texts);
   };
   std::string text = "Targets met, of " + num(spec.targets.size()) + ": " +
-                     of_all([](const Evaluation& e) { return num(e.met()); }) +
-                     ". Misfit: " + of_all([](const Evaluation& e) { return num(e.misfit, 4); }) + ".";
+                     of_all([](const EvaluatedPoint& e) { return num(e.met()); }) +
+                     ". Misfit: " + of_all([](const EvaluatedPoint& e) { return num(e.misfit, 4); }) + ".";
   if (std::any_of(spec.targets.begin(), spec.targets.end(), [](const TargetSpec& t) { return t.weight != 1.0; }))
-    text +=
-        " Their weights together: " + of_all([&](const Evaluation& e) { return num(weight_met(spec, e), 4); }) + ".";
+    text += " Their weights together: " + of_all([&](const EvaluatedPoint& e) { return num(weight_met(spec, e), 4); }) +
+            ".";
   if (spec.cap > 0.0)
     text += " Distances above " + num(spec.cap) +
             " tolerances are cut to this value in the misfit; the best set meets the most targets.";
@@ -123,14 +123,14 @@ void show_targets(StudyPage& page, const CalibrationSpec& spec, const std::vecto
     Row row = {target.name, requirement_text(target), num(target.tolerance), num(target.weight)};
     for (const NamedSet& set : sets) row.push_back(value_text(target, set.set->targets[t]));
     double least = std::numeric_limits<double>::infinity();
-    for (const Evaluation* e : comparable)
+    for (const EvaluatedPoint* e : comparable)
       if (!e->targets[t].failed) least = std::min(least, e->targets[t].distance());
     append(row, {num(last.distance(), 3),
                  (last.is_met() ? "yes" : "no") +
                      (last.seeds > 1 ? ", " + num(last.seeds_met) + " of " + num(last.seeds) + " seeds" : ""),
                  num(least, 3),
                  num(std::count_if(comparable.begin(), comparable.end(),
-                                   [&](const Evaluation* e) { return e->targets[t].is_met(); })),
+                                   [&](const EvaluatedPoint* e) { return e->targets[t].is_met(); })),
                  target.origin});
     table.add(row);
   }
@@ -210,7 +210,7 @@ void show_search(StudyPage& page, const CalibrationSpec& spec, const Calibration
   for (std::size_t k = 0; k < o.stages.size(); ++k) {
     const StageOutcome& stage = o.stages[k];
     int runs = 0;
-    for (const Evaluation* e : stage.evaluations) runs += e->runs;
+    for (const EvaluatedPoint* e : stage.evaluations) runs += e->runs;
     table.add({std::string(name_of(spec.stages[k].method)), num(stage.evaluations.size()),
                num(spec.stages[k].evaluations), num(runs), num(stage.best, 5),
                stage.path.requested.empty() ? stage.path.end : "in progress"});
@@ -260,7 +260,7 @@ Table path_table(const CalibrationSpec& spec, const CalibrationOutcome& outcome)
   int number = 0;
   for (std::size_t k = 0; k < outcome.stages.size(); ++k) {
     double least = std::numeric_limits<double>::infinity();
-    for (const Evaluation* e : outcome.stages[k].evaluations) {
+    for (const EvaluatedPoint* e : outcome.stages[k].evaluations) {
       least = std::min(least, e->misfit);
       Row row = {num(++number), num(k + 1)};
       for (std::size_t i = 0; i < e->point.size(); ++i) row.push_back(spec.parameters[i].text(e->point[i]));

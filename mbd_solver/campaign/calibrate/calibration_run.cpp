@@ -16,7 +16,7 @@ const Fidelity kWholeOnce = {};  // for the time of the confirmation
 
 std::vector<UnitPoint> points_of(const Sets& sets) {
   std::vector<UnitPoint> points;
-  for (const Evaluation* e : sets) points.push_back(e->point);
+  for (const EvaluatedPoint* e : sets) points.push_back(e->point);
   return points;
 }
 
@@ -41,7 +41,8 @@ std::vector<std::string> CalibrationRun::prediction() const {
   std::vector<std::string> lines = {""};
   int all_sets = 0, all_runs = 0;
   double all_hours = 0.0;
-  const auto add = [&](const std::string& what, const Evaluation& like, int sets, int runs_per_set, bool sequential) {
+  const auto add = [&](const std::string& what, const EvaluatedPoint& like, int sets, int runs_per_set,
+                       bool sequential) {
     const int runs = sets * runs_per_set, jobs = evaluations_.jobs();
     const int rounds = sequential ? (runs_per_set + jobs - 1) / jobs * sets : (runs + jobs - 1) / jobs;
     const double hours = rounds * like.lasted / 3600.0;
@@ -50,11 +51,11 @@ std::vector<std::string> CalibrationRun::prediction() const {
                     std::to_string(runs) + " runs, " + number_text(hours, 3) + " h");
   };
   for (const StageSpec& stage : spec_.stages) {
-    const Evaluation& like = *evaluations_.known(fidelity_of(spec_, stage), start_of(spec_));
+    const EvaluatedPoint& like = *evaluations_.known(fidelity_of(spec_, stage), start_of(spec_));
     const bool sequential = stage.method == SearchMethod::kSbplx || stage.method == SearchMethod::kSurrogate;
     add("stage " + std::string(name_of(stage.method)), like, stage.evaluations, like.runs, sequential);
   }
-  const Evaluation &last = *outcome_.start, &whole = *evaluations_.known(kWholeOnce, start_of(spec_));
+  const EvaluatedPoint &last = *outcome_.start, &whole = *evaluations_.known(kWholeOnce, start_of(spec_));
   add("differences about the best set", last, 2 * static_cast<int>(spec_.parameters.size()), last.runs, false);
   const int tries = spec_.single_target * (static_cast<int>(spec_.targets.size()) - last.met());
   if (tries > 0) add("targets that are not met at the start, one by one", last, tries, std::min(2, last.runs), true);
@@ -78,12 +79,12 @@ bool CalibrationRun::carry_out_search(const StageSpec& stage, const Fidelity& fi
   }
   SearchQueries queries;
   queries.misfit = [&](const UnitPoint& set) -> std::optional<double> {
-    const Evaluation* e = evaluations_.known(fidelity, set);
+    const EvaluatedPoint* e = evaluations_.known(fidelity, set);
     if (!e) return {};
     return e->misfit;
   };
   queries.residuals = [&](const UnitPoint& set) {
-    const Evaluation* e = evaluations_.known(fidelity, set);
+    const EvaluatedPoint* e = evaluations_.known(fidelity, set);
     return e->message.empty() ? e->residuals(spec_) : std::vector<double>();
   };
   const std::size_t runs_per_set = spec_.scenes.size() * static_cast<std::size_t>(fidelity.seeds);
@@ -112,7 +113,7 @@ SurrogateQueries CalibrationRun::surrogate_queries(const Fidelity& fidelity, con
   };
   queries.numbers = [this, numbers, fidelity](const UnitPoint& set) -> std::optional<std::vector<double>> {
     if (!evaluations_.carry_out(fidelity, {set})) return {};
-    const Evaluation& e = *evaluations_.known(fidelity, set);
+    const EvaluatedPoint& e = *evaluations_.known(fidelity, set);
     std::vector<double> all;
     for (const auto& [t, row] : numbers) {
       if (e.targets[t].failed) return std::vector<double>();
@@ -164,7 +165,7 @@ bool CalibrationRun::confirm(UnitPoint at) {
     confirmed.push_back(evaluations_.known(whole, at));
     outcome_.confirmed = most_met(spec_, confirmed);
     at = adjusted(spec_, *outcome_.confirmed, about.sensitivity);
-    if (std::any_of(confirmed.begin(), confirmed.end(), [&](const Evaluation* e) { return e->point == at; })) break;
+    if (std::any_of(confirmed.begin(), confirmed.end(), [&](const EvaluatedPoint* e) { return e->point == at; })) break;
   }
   outcome_.confirmations = confirmed.size();
   if (!evaluations_.carry_out(searched, {outcome_.confirmed->point})) return false;
@@ -184,7 +185,7 @@ bool CalibrationRun::seek_single_targets() {
     Fidelity fidelity = fidelity_of(spec_, stage);
     fidelity.single_target = target;
     if (!evaluations_.carry_out(fidelity, points_of(sets))) return false;
-    const auto less = [&](const Evaluation* a, const Evaluation* b) {
+    const auto less = [&](const EvaluatedPoint* a, const EvaluatedPoint* b) {
       return a->targets[target].distance() < b->targets[target].distance();
     };
     SingleTarget found{target, 0, *std::min_element(sets.begin(), sets.end(), less)};
@@ -192,7 +193,7 @@ bool CalibrationRun::seek_single_targets() {
     if (!carry_out_search(stage, fidelity, found.nearest->point, sets, path)) return false;
     found.sets = path.sets.size() - 1;
     for (const UnitPoint& set : path.sets) {
-      const Evaluation* e = evaluations_.known(fidelity, set);
+      const EvaluatedPoint* e = evaluations_.known(fidelity, set);
       if (!e->targets[target].failed && less(e, found.nearest)) found.nearest = e;
     }
     outcome_.single_targets.push_back(found);
@@ -212,7 +213,7 @@ Sets CalibrationRun::comparable() const {
   Sets all = sets_like(spec_.stages[outcome_.stages.size() - 1]), sets;
   all.insert(all.end(), outcome_.around.begin(), outcome_.around.end());
   if (outcome_.best) all.push_back(outcome_.best);
-  for (const Evaluation* e : all)
+  for (const EvaluatedPoint* e : all)
     if (std::find(sets.begin(), sets.end(), e) == sets.end()) sets.push_back(e);
   return sets;
 }

@@ -20,15 +20,15 @@ struct StageOutcome {
 // The search for a target that no set met, without regard to the others.
 struct SingleTarget {
   std::size_t target = 0;
-  std::size_t sets = 0;                 // that were tried
-  const Evaluation* nearest = nullptr;  // of all sets
+  std::size_t sets = 0;                     // that were tried
+  const EvaluatedPoint* nearest = nullptr;  // of all sets
 };
 
 struct CalibrationOutcome {
-  const Evaluation* start = nullptr;      // with the runs of the last stage
-  const Evaluation* best = nullptr;       // likewise
-  const Evaluation* confirmed = nullptr;  // with whole runs: no settings of a stage, all seeds
-  std::size_t confirmations = 0;          // number of sets run whole; `confirmed` is the best of them
+  const EvaluatedPoint* start = nullptr;      // with the runs of the last stage
+  const EvaluatedPoint* best = nullptr;       // likewise
+  const EvaluatedPoint* confirmed = nullptr;  // with whole runs: no settings of a stage, all seeds
+  std::size_t confirmations = 0;              // number of sets run whole; `confirmed` is the best of them
   std::vector<StageOutcome> stages;
   Sets around;  // difference_sets
   Determination determination;

@@ -31,7 +31,7 @@ std::vector<UnitPoint> difference_sets(const CalibrationSpec& spec, const UnitPo
   return sets;
 }
 
-Determination determination_of(const CalibrationSpec& spec, const Evaluation& best, const Sets& around) {
+Determination determination_of(const CalibrationSpec& spec, const EvaluatedPoint& best, const Sets& around) {
   FOOTFALL_DEMAND(around.size() == 2 * best.point.size());
   const auto n = static_cast<Eigen::Index>(best.point.size());
   const std::vector<double> all = best.residuals(spec);
@@ -41,7 +41,7 @@ Determination determination_of(const CalibrationSpec& spec, const Evaluation& be
   d.sensitivity = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(spec.targets.size()), n);
   for (Eigen::Index i = 0, row = 0; i < n; ++i, row = 0) {
     const std::size_t at = i;
-    const Evaluation &up = *around[2 * at], &down = *around[2 * at + 1];
+    const EvaluatedPoint &up = *around[2 * at], &down = *around[2 * at + 1];
     const double width = up.point[at] - down.point[at];
     for (std::size_t t = 0; t < spec.targets.size(); ++t) {
       const TargetResult &a = up.targets[t], &b = down.targets[t];
@@ -87,7 +87,7 @@ Determination determination_of(const CalibrationSpec& spec, const Evaluation& be
   return d;
 }
 
-UnitPoint adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eigen::MatrixXd& sensitivity) {
+UnitPoint adjusted(const CalibrationSpec& spec, const EvaluatedPoint& whole, const Eigen::MatrixXd& sensitivity) {
   std::vector<TargetSpec> targets = spec.targets;
   for (TargetSpec& target : targets) {
     const double inside = std::min(kInsideBounds * target.tolerance, 0.5 * (target.most - target.least));
@@ -117,21 +117,21 @@ UnitPoint adjusted(const CalibrationSpec& spec, const Evaluation& whole, const E
   return phi(best) < phi(whole.point) - kBetter ? best : whole.point;
 }
 
-double weight_met(const CalibrationSpec& spec, const Evaluation& set) {
+double weight_met(const CalibrationSpec& spec, const EvaluatedPoint& set) {
   double sum = 0.0;
   for (std::size_t t = 0; t < spec.targets.size(); ++t) sum += set.targets[t].is_met() ? spec.targets[t].weight : 0.0;
   return sum;
 }
 
-const Evaluation* most_met(const CalibrationSpec& spec, const Sets& sets) {
-  return *std::min_element(sets.begin(), sets.end(), [&](const Evaluation* a, const Evaluation* b) {
+const EvaluatedPoint* most_met(const CalibrationSpec& spec, const Sets& sets) {
+  return *std::min_element(sets.begin(), sets.end(), [&](const EvaluatedPoint* a, const EvaluatedPoint* b) {
     return std::pair(-weight_met(spec, *a), a->misfit) < std::pair(-weight_met(spec, *b), b->misfit);
   });
 }
 
 Conflicts conflicts_of(const CalibrationSpec& spec, const Sets& sets) {
   const auto count = [&](std::size_t a, std::size_t b) {
-    return static_cast<int>(std::count_if(sets.begin(), sets.end(), [&](const Evaluation* e) {
+    return static_cast<int>(std::count_if(sets.begin(), sets.end(), [&](const EvaluatedPoint* e) {
       return e->targets[a].is_met() && e->targets[b].is_met();
     }));
   };

@@ -42,7 +42,7 @@ struct Determination {
 // The sets for the differences: best + and - step along each parameter, limited to the range.
 std::vector<UnitPoint> difference_sets(const CalibrationSpec& spec, const UnitPoint& best);
 // `around`: as difference_sets.
-Determination determination_of(const CalibrationSpec& spec, const Evaluation& best, const Sets& around);
+Determination determination_of(const CalibrationSpec& spec, const EvaluatedPoint& best, const Sets& around);
 
 // The set near the completely run set that should meet more targets, to first order; complete runs differ from the
 // cheaper runs of a search:
@@ -53,11 +53,12 @@ Determination determination_of(const CalibrationSpec& spec, const Evaluation& be
 // narrower, because a set on a bound is as likely outside as inside. Curves are left out. Returns the set of `whole` when no
 // step is better.
 constexpr double kInsideBounds = 0.5;  // [tolerances]
-UnitPoint adjusted(const CalibrationSpec& spec, const Evaluation& whole, const Eigen::MatrixXd& sensitivity);
+UnitPoint adjusted(const CalibrationSpec& spec, const EvaluatedPoint& whole, const Eigen::MatrixXd& sensitivity);
 
-double weight_met(const CalibrationSpec& spec, const Evaluation& set);  // sum of the weights of the targets it meets
+double weight_met(const CalibrationSpec& spec,
+                  const EvaluatedPoint& set);  // sum of the weights of the targets it meets
 // The set with the largest value; among equals the set with the least misfit.
-const Evaluation* most_met(const CalibrationSpec& spec, const Sets& sets);
+const EvaluatedPoint* most_met(const CalibrationSpec& spec, const Sets& sets);
 
 // Targets that no set meets, and pairs that some sets meet one by one, but none together.
 struct Conflicts {

@@ -202,12 +202,12 @@ Fidelity full_fidelity(const CalibrationSpec& spec) {
   return {{}, 0.0, spec.seeds ? static_cast<int>(spec.seeds->values.size()) : 1, {}};
 }
 
-int Evaluation::met() const {
+int EvaluatedPoint::met() const {
   return static_cast<int>(
       std::count_if(targets.begin(), targets.end(), [](const TargetResult& t) { return t.is_met(); }));
 }
 
-std::vector<double> Evaluation::residuals(const CalibrationSpec& spec) const {
+std::vector<double> EvaluatedPoint::residuals(const CalibrationSpec& spec) const {
   std::vector<double> all;
   for (std::size_t t = 0; t < targets.size(); ++t)
     for (const double r : targets[t].residuals) all.push_back(std::sqrt(spec.targets[t].weight) * capped(r, spec.cap));
@@ -259,12 +259,12 @@ RunRequest Evaluations::request(const Fidelity& fidelity, std::size_t scene, int
   return request;
 }
 
-const Evaluation* Evaluations::known(const Fidelity& fidelity, const UnitPoint& point) {
+const EvaluatedPoint* Evaluations::known(const Fidelity& fidelity, const UnitPoint& point) {
   const std::string name = key(fidelity, point);
   if (const auto found = known_.find(name); found != known_.end()) return &found->second;
   const double violation = violation_of(spec_, point);
   if (violation == 0.0) return nullptr;
-  Evaluation e = evaluation_of(fidelity, point, {});
+  EvaluatedPoint e = evaluation_of(fidelity, point, {});
   e.misfit = kViolated * (1.0 + violation);
   e.message = "violates a constraint";
   return &known_.emplace(name, e).first->second;
@@ -305,7 +305,7 @@ bool Evaluations::carry_out(const Fidelity& fidelity, const std::vector<UnitPoin
   const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   for (std::size_t k = 0; k < sets.size(); ++k) {
     if (known(fidelity, sets[k])) continue;
-    Evaluation e = evaluation_of(fidelity, sets[k], planned[k]);
+    EvaluatedPoint e = evaluation_of(fidelity, sets[k], planned[k]);
     if (left.size() == count) e.lasted = taken / std::ceil(static_cast<double>(left.size()) / jobs());
     known_.emplace(key(fidelity, sets[k]), e);
   }
@@ -317,9 +317,9 @@ const RunRecords::Entry* Evaluations::record(const Planned& planned) const {
   return records_.find(spec_.scenes[planned.scene].name, store_.portable_recipe(planned.run));
 }
 
-Evaluation Evaluations::evaluation_of(const Fidelity& fidelity, const UnitPoint& point,
-                                      const std::vector<Planned>& runs) {
-  Evaluation e;
+EvaluatedPoint Evaluations::evaluation_of(const Fidelity& fidelity, const UnitPoint& point,
+                                          const std::vector<Planned>& runs) {
+  EvaluatedPoint e;
   e.point = point;
   e.runs = static_cast<int>(runs.size());
   std::vector<std::vector<RunNumbers>> numbers(spec_.scenes.size());

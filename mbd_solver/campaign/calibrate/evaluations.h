@@ -90,7 +90,7 @@ struct Fidelity {
 Fidelity fidelity_of(const CalibrationSpec& spec, const StageSpec& stage);
 Fidelity full_fidelity(const CalibrationSpec& spec);  // without settings of a stage, all seeds
 
-struct Evaluation {
+struct EvaluatedPoint {
   UnitPoint point;
   double misfit = 0.0;                // Phi, of the required targets
   std::vector<TargetResult> targets;  // as CalibrationSpec::targets; others count as failed
@@ -102,7 +102,7 @@ struct Evaluation {
   std::vector<double> residuals(const CalibrationSpec& spec) const;  // sqrt(w) r of all targets
 };
 
-using Sets = std::vector<const Evaluation*>;
+using Sets = std::vector<const EvaluatedPoint*>;
 
 class Evaluations {
  public:
@@ -113,7 +113,7 @@ class Evaluations {
       : spec_(spec), store_(folder, true), records_(spec, records), jobs_(jobs), read_only_(read_only) {}
 
   // Null if its runs are not done yet. The misfit of a set that violates a constraint is kViolated (1 + violation).
-  const Evaluation* known(const Fidelity& fidelity, const UnitPoint& point);
+  const EvaluatedPoint* known(const Fidelity& fidelity, const UnitPoint& point);
   // Carries out the missing runs of the sets. False when interrupted. A scene that cannot be read is an InputError if
   // `must_be_read`; otherwise the set has failed. Throws PartnerError when a run was ended from outside.
   bool carry_out(const Fidelity& fidelity, const std::vector<UnitPoint>& sets, bool must_be_read = false);
@@ -136,14 +136,14 @@ class Evaluations {
   std::string key(const Fidelity& fidelity, const UnitPoint& point) const;
   RunRequest request(const Fidelity& fidelity, std::size_t scene, int seed, const UnitPoint& point) const;
   const RunRecords::Entry* record(const Planned& planned) const;  // null: none
-  Evaluation evaluation_of(const Fidelity& fidelity, const UnitPoint& point, const std::vector<Planned>& runs);
+  EvaluatedPoint evaluation_of(const Fidelity& fidelity, const UnitPoint& point, const std::vector<Planned>& runs);
 
   const CalibrationSpec& spec_;
   RunStore store_;
   RunRecords records_;
   int jobs_;
   bool read_only_;
-  std::map<std::string, Evaluation> known_;
+  std::map<std::string, EvaluatedPoint> known_;
   int runs_done_ = 0, runs_reused_ = 0;
 };
 

@@ -508,11 +508,11 @@ CalibrationSpec spec_of(std::size_t parameters, const std::vector<double>& wante
   return spec;
 }
 
-Evaluation evaluated(const CalibrationSpec& spec, const Model& model, const UnitPoint& shares) {
+EvaluatedPoint evaluated(const CalibrationSpec& spec, const Model& model, const UnitPoint& shares) {
   std::vector<double> p;
   for (std::size_t i = 0; i < shares.size(); ++i) p.push_back(spec.parameters[i].value(shares[i]));
   const std::vector<double> y = model(p);
-  Evaluation e;
+  EvaluatedPoint e;
   e.point = shares;
   for (std::size_t t = 0; t < y.size(); ++t) {
     TargetResult r;
@@ -526,10 +526,10 @@ Evaluation evaluated(const CalibrationSpec& spec, const Model& model, const Unit
 }
 
 Determination determined(const CalibrationSpec& spec, const Model& model, const UnitPoint& best) {
-  std::vector<Evaluation> sets;
+  std::vector<EvaluatedPoint> sets;
   for (const UnitPoint& set : difference_sets(spec, best)) sets.push_back(evaluated(spec, model, set));
-  std::vector<const Evaluation*> around;
-  for (const Evaluation& e : sets) around.push_back(&e);
+  std::vector<const EvaluatedPoint*> around;
+  for (const EvaluatedPoint& e : sets) around.push_back(&e);
   return determination_of(spec, evaluated(spec, model, best), around);
 }
 
@@ -620,7 +620,7 @@ TEST(Determination, SaysWhenTheSearchHasNotEnded) {
 // Two parameters with a range of 1; target 0 feels the first, target 1 both, target 2 the second.
 struct WholeRun {
   CalibrationSpec spec;
-  Evaluation whole;
+  EvaluatedPoint whole;
   Eigen::MatrixXd sensitivity = Eigen::MatrixXd::Zero(3, 2);
 
   WholeRun() {
@@ -689,20 +689,20 @@ TEST(Adjusted, KeepsConstraintsAndRanges) {
 // Sets that meet these targets, of `targets` targets with weight 1.
 struct SetsThatMeet {
   CalibrationSpec spec;
-  std::vector<Evaluation> evaluations;
-  std::vector<const Evaluation*> all;
+  std::vector<EvaluatedPoint> evaluations;
+  std::vector<const EvaluatedPoint*> all;
 
   SetsThatMeet(std::size_t targets, const std::vector<std::vector<std::size_t>>& sets) {
     spec.targets.resize(targets);
     for (const std::vector<std::size_t>& met : sets) {
-      Evaluation e;
+      EvaluatedPoint e;
       e.targets.resize(targets);
       for (TargetResult& target : e.targets) target.residuals = {5.0};
       for (const std::size_t t : met) e.targets[t].residuals = {0.0};
       e.misfit = 25.0 * static_cast<double>(targets - met.size());
       evaluations.push_back(e);
     }
-    for (const Evaluation& e : evaluations) all.push_back(&e);
+    for (const EvaluatedPoint& e : evaluations) all.push_back(&e);
   }
 };
 

@@ -14,13 +14,13 @@
 namespace footfall {
 namespace {
 
-using test::Random;
+using test::RandomNumbers;
 
 class ModalBoundaryOf : public testing::TestWithParam<int> {};  // number of modes
 INSTANTIATE_TEST_SUITE_P(Modes, ModalBoundaryOf, testing::Values(0, 1, 7));
 
 TEST_P(ModalBoundaryOf, ConservesVirtualWork) {
-  Random random(11);
+  RandomNumbers random(11);
   const ModalBoundary boundary = random.boundary(12, GetParam());
   for (int trial = 0; trial < 20; ++trial) {
     const BodyMotion motion = random.motion(GetParam());
@@ -41,7 +41,7 @@ TEST_P(ModalBoundaryOf, ConservesVirtualWork) {
 }
 
 TEST_P(ModalBoundaryOf, VelocitiesAreTheRatesOfPositions) {
-  Random random(12);
+  RandomNumbers random(12);
   const ModalBoundary boundary = random.boundary(9, GetParam());
   const BodyMotion motion = random.motion(GetParam());
   Eigen::Matrix3Xd v(3, 9), before(3, 9), after(3, 9);
@@ -60,7 +60,7 @@ TEST_P(ModalBoundaryOf, VelocitiesAreTheRatesOfPositions) {
 }
 
 TEST_P(ModalBoundaryOf, PointsAreWeightedMeansOfTheirNodes) {
-  Random random(13);
+  RandomNumbers random(13);
   const ModalBoundary boundary = random.boundary(8, GetParam());
   const BodyMotion motion = random.motion(GetParam());
   Eigen::Matrix3Xd x(3, 8), v(3, 8);
@@ -92,7 +92,7 @@ TEST(ModalBoundary, RigidBodyTurnsAboutItsOrigin) {
 }
 
 TEST(ModalBoundary, BarycentricWeightsGiveThePointBack) {
-  Random random(14);
+  RandomNumbers random(14);
   for (int trial = 0; trial < 100; ++trial) {
     const Eigen::Vector3d x0 = random.vector(), x1 = random.vector(), x2 = random.vector(), w = random.weights();
     const Eigen::Vector3d c = w[0] * x0 + w[1] * x1 + w[2] * x2;
@@ -124,7 +124,7 @@ TEST(ModalBoundary, RefusesWhatIsNoBoundary) {
 }
 
 TEST(BodyMotion, RotationVectorUndoesTurning) {
-  Random random(15);
+  RandomNumbers random(15);
   for (int trial = 0; trial < 50; ++trial) {
     const Eigen::Vector4d L = random.motion(0).L;
     Eigen::Vector3d theta = random.vector();
@@ -156,14 +156,14 @@ struct Beside {
     path = std::make_unique<BoundaryPath>(*scheme, stands);
   }
   std::unique_ptr<Scheme> scheme;
-  Random random;
+  RandomNumbers random;
   BodyMotion start;
   std::unique_ptr<BoundaryPath> path;
 };
 
 TEST_P(EveryScheme, PredictsVelocitiesThatAreTheRatesOfItsPositions) {
   const std::unique_ptr<Scheme> scheme = make_scheme(GetParam());
-  Random random(22);
+  RandomNumbers random(22);
   const BodyMotion start = random.motion(3);
   const double tau = 0.07, h = 1e-5;  // difference error h^2 = 1e-10 times third derivatives of about 100
   BodyMotion before(3), here(3), after(3);
@@ -356,7 +356,7 @@ TEST(Scheme, QuadraticPredictionIsThirdOrderInPositionOfASmoothMotion) {
   EXPECT_NEAR(std::log2(error(0.02) / error(0.01)), 3.0, 0.01);
 }
 
-GeneralizedForce random_force(Random& random, int modes) {
+GeneralizedForce random_force(RandomNumbers& random, int modes) {
   GeneralizedForce Q(modes);
   Q.F_W = 1000.0 * random.vector();
   Q.T_W = 100.0 * random.vector();
@@ -393,7 +393,7 @@ struct Window {
   static constexpr int n = 7;
   static constexpr double dt = 2e-3;
   std::unique_ptr<Scheme> scheme;
-  Random random;
+  RandomNumbers random;
   BodyMotion start;
   BoundaryPath path;
   LoadAverage average;
@@ -420,7 +420,7 @@ TEST(LoadAverage, WorkIsForceTimesWay) {
   // A constant force and moment in B on a turning, deforming body: work = F.dr + T_B.theta_B + Q.da, whatever
   // the substeps.
   const std::unique_ptr<Scheme> scheme = make_scheme("css-trapezoid");
-  Random random(33);
+  RandomNumbers random(33);
   BodyMotion start = random.motion(1);
   start.w = {0.0, 0.0, 4.0};
   BoundaryPath path(*scheme, start);
@@ -449,7 +449,7 @@ TEST(LoadAverage, WorkIsForceTimesWay) {
 TEST(LoadAverage, MomentThatTurnsWithTheBodyDoesNotDependOnTheWindow) {
   // theory, wrench frame. In W the mean of this moment over a turn of 0.4 rad would be shorter by sin(0.2) /
   // 0.2.
-  Random random(34);
+  RandomNumbers random(34);
   const std::unique_ptr<Scheme> scheme = make_scheme("css-trapezoid");
   BodyMotion start = random.motion(0);
   start.w = {4.0, 0.0, 0.0};
@@ -484,7 +484,7 @@ TEST(LoadAverage, IsLinearSoThatRanksMayAddUp) {
 
 TEST(LoadAverage, CountsTheWorkOfAJumpUnderTheStandingForce) {
   const std::unique_ptr<Scheme> scheme = make_scheme("frozen");
-  Random random(36);
+  RandomNumbers random(36);
   const BodyMotion start = random.motion(0);
   BodyMotion stands = start;
   stands.r -= Eigen::Vector3d(0.0, 0.0, 0.01);
@@ -505,7 +505,7 @@ TEST(LoadAverage, CountsTheWorkOfAJumpUnderTheStandingForce) {
 }
 
 TEST(LoadAverage, MeanActsInWAndTurnsItsMomentWithTheBody) {
-  Random random(37);
+  RandomNumbers random(37);
   MeanLoad mean(1);
   mean.F_W = {1, 2, 3};
   mean.T_B = {0, 0, 1};

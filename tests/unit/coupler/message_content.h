@@ -36,7 +36,7 @@ void walk(const std::string& path, const Shapes& shapes, const Visit& visit, T& 
 }
 
 // Of five nodes, none of them the last of a triangle or a segment: the next node is one too.
-inline ModalBoundary boundary_with_room(Random& random, int modes) {
+inline ModalBoundary boundary_with_room(RandomNumbers& random, int modes) {
   BoundaryParts parts = parts_of(random.boundary(5, modes));
   parts.triangles.resize(2);
   parts.segments = {{0, 2, 0.1, 0}, {1, 3, 0.2, 1}};
@@ -45,7 +45,7 @@ inline ModalBoundary boundary_with_room(Random& random, int modes) {
 
 // Every value random, lists of two items, `modes` modes.
 template <class Message>
-void randomize(Message& message, Random& random, int modes) {
+void randomize(Message& message, RandomNumbers& random, int modes) {
   const auto two_items = [&](const std::string&, auto& list) {
     using Item = typename std::decay_t<decltype(list)>::value_type;
     list.clear();

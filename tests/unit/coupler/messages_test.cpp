@@ -15,7 +15,7 @@
 namespace footfall {
 namespace {
 
-using test::Random;
+using test::RandomNumbers;
 
 template <class Message>
 class EveryMessage : public testing::Test {};
@@ -29,7 +29,7 @@ TYPED_TEST_SUITE(EveryMessage, TypesOf<AllMessages>::Type);
 
 template <class Message>
 Message random_message(int modes) {
-  Random random(45);
+  RandomNumbers random(45);
   Message message;
   test::randomize(message, random, modes);
   return message;
@@ -171,7 +171,7 @@ TYPED_TEST_SUITE(NotANumber, Exchanged);
 // Every number of a message in turn is made infinite or no number: the check says where it is, and nothing before
 // and after.
 TYPED_TEST(NotANumber, IsFoundWhereverItStands) {
-  Random random(46);
+  RandomNumbers random(46);
   TypeParam message;
   test::randomize(message, random, 3);
   EXPECT_EQ(first_not_finite(message), "");

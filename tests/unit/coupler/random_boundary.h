@@ -7,9 +7,9 @@
 
 namespace footfall::test {
 
-class Random {
+class RandomNumbers {
  public:
-  explicit Random(unsigned seed) : generator_(seed) {}
+  explicit RandomNumbers(unsigned seed) : generator_(seed) {}
   double number() { return std::uniform_real_distribution<double>(-1.0, 1.0)(generator_); }
   double share() { return 0.5 * (1.0 + number()); }
   int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(generator_); }

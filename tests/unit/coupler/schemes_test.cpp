@@ -59,7 +59,7 @@ TEST(Schemes, AnUnknownNameIsAnsweredWithAllKnownOnes) {
 class BothHalves : public testing::TestWithParam<std::string> {
  protected:
   const std::unique_ptr<Scheme> scheme = make_scheme(GetParam());
-  test::Random random{31};
+  test::RandomNumbers random{31};
 };
 std::string test_name(const testing::TestParamInfo<std::string>& scheme) {
   std::string name = scheme.param;

@@ -33,7 +33,7 @@ class EveryScheme : public testing::TestWithParam<std::string> {
   }
   const std::unique_ptr<Scheme> scheme = make_scheme(GetParam());
   const Body body{"ball", 10.0, Eigen::Vector3d(0.1, 0.2, 0.3).asDiagonal()};
-  test::Random random{41};
+  test::RandomNumbers random{41};
   BodyMotion computed;
   BodyWindow window;
   BodyLoad answer;

@@ -431,7 +431,7 @@ BodyLoad empty_load(int modes, std::size_t tangents) {
 }
 
 BodyLoad random_load(unsigned seed) {
-  test::Random random(seed);
+  test::RandomNumbers random(seed);
   BodyLoad load;
   test::randomize(load, random, 2);
   return load;
