@@ -19,10 +19,10 @@
 namespace footfall {
 namespace {
 
-// Returns 0 or errno. After a sync the content is on the disk before the file gets its name.
-int write_all(const GuardedPath& draft, const std::string& text, bool sync) {
-  draft.remove();  // of a program that was killed, or a link of someone else
-  const int file = draft.open(O_WRONLY | O_CREAT | O_EXCL);
+bool in_place = false;  // write_all_files_in_place
+
+// Returns 0 or errno. After a sync the content is on the disk before the file is closed.
+int write_all(int file, const std::string& text, bool sync) {
   if (file < 0) return errno;
   int problem = 0;
   for (std::size_t done = 0; problem == 0 && done < text.size();) {
@@ -36,12 +36,18 @@ int write_all(const GuardedPath& draft, const std::string& text, bool sync) {
   return problem;
 }
 
-void write_draft_and_rename(const std::string& path, const std::string& text, const std::string& advice, bool sync) {
+void write_file(const std::string& path, const std::string& text, const std::string& advice, bool sync) {
   const GuardedPath draft(path + ".part"), target(path);
-  int problem = write_all(draft, text, sync);
-  if (problem == 0) problem = draft.rename_to(target);
+  int problem = 0;
+  if (in_place) {
+    problem = write_all(target.open(O_WRONLY | O_CREAT | O_TRUNC), text, false);
+  } else {
+    draft.remove();  // of a program that was killed, or a link of someone else
+    problem = write_all(draft.open(O_WRONLY | O_CREAT | O_EXCL), text, sync);
+    if (problem == 0) problem = draft.rename_to(target);
+    if (problem != 0) draft.remove();
+  }
   if (problem == 0) return;
-  draft.remove();
   throw InputError(code::kFileNotWritten, path + ": cannot be written: " + reason_of(problem) + "; " + advice);
 }
 
@@ -70,11 +76,13 @@ std::optional<std::string> read_whole_file(const std::string& path) {
 }
 
 void write_whole_file(const std::string& path, const std::string& text, const std::string& advice) {
-  write_draft_and_rename(path, text, advice, true);
+  write_file(path, text, advice, true);
 }
 
+void write_all_files_in_place() { in_place = true; }
+
 void write_whole_file_unsynced(const std::string& path, const std::string& text, const std::string& advice) {
-  write_draft_and_rename(path, text, advice, false);
+  write_file(path, text, advice, false);
 }
 
 std::int64_t file_changed(const std::string& path) {

@@ -24,6 +24,10 @@ void write_whole_file(const std::string& path, const std::string& text,
 void write_whole_file_unsynced(const std::string& path, const std::string& text,
                                const std::string& advice = "choose another folder with --out");
 
+// From now on this process writes files in place and does not wait for the disk: another program reads them at once, and no one
+// before they are complete. New files cost more than a short run does.
+void write_all_files_in_place();
+
 // Time of the last change of the file (of the link itself, if it is one) or of its move to this place [ns since 1970].
 // Users cannot set this time. 0: there is no such file.
 std::int64_t file_changed(const std::string& path);

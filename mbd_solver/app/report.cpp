@@ -69,6 +69,16 @@ bool is_number(const std::string& text) {
   return read_number(text.substr(0, text.find(' ')), value);
 }
 
+// "[words](path)" is a link to a file below the page's folder; what could lead elsewhere is none.
+std::string cell_text(const std::string& cell) {
+  const std::size_t middle = cell.find("](");
+  if (cell.empty() || cell.front() != '[' || cell.back() != ')' || middle == std::string::npos ||
+      cell.find_first_of(":\\") != std::string::npos || cell[middle + 2] == '/')
+    return html_text(cell);
+  return "<a href=\"" + html_text(cell.substr(middle + 2, cell.size() - middle - 3)) + "\">" +
+         html_text(cell.substr(1, middle - 1)) + "</a>";
+}
+
 }  // namespace
 
 HtmlPage::HtmlPage(const std::string& title) : title_(title) {}
@@ -104,14 +114,19 @@ void HtmlPage::figures(const std::vector<Figure>& figures, const History& histor
 void HtmlPage::table(const std::vector<std::vector<std::string>>& rows, bool head,
                      const std::vector<std::string>& classes) {
   body_ += "<div class=\"t\"><table>\n";
+  // A column is aligned as most of what it holds.
+  std::vector<int> numbers;
+  for (std::size_t i = head ? 1 : 0; i < rows.size(); ++i)
+    for (std::size_t k = 0; k < rows[i].size(); ++k) {
+      numbers.resize(std::max(numbers.size(), k + 1));
+      if (!rows[i][k].empty()) numbers[k] += is_number(rows[i][k]) ? 1 : -1;
+    }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string cell = head && i == 0 ? "th" : "td";
     body_ += i < classes.size() && !classes[i].empty() ? "<tr class=\"" + classes[i] + "\">" : "<tr>";
     for (std::size_t k = 0; k < rows[i].size(); ++k) {
-      // A heading is aligned as the first number under it.
-      const std::size_t judged = head && i == 0 ? 1 : i;
-      const bool number = judged < rows.size() && k < rows[judged].size() && is_number(rows[judged][k]);
-      body_ += "<" + cell + (number ? " class=\"n\"" : "") + ">" + html_text(rows[i][k]) + "</" + cell + ">";
+      const bool number = k < numbers.size() && numbers[k] > 0;
+      body_ += "<" + cell + (number ? " class=\"n\"" : "") + ">" + cell_text(rows[i][k]) + "</" + cell + ">";
     }
     body_ += "</tr>\n";
   }
@@ -312,7 +327,7 @@ void show_view(const fs::path& folder, HtmlPage& page) {
   if (!has_frames(folder.string()) || !fs::exists(folder / "history.csv")) return;
   try {
     write_view({folder.string()});
-    page.link("view.html", "Play the run in 3D", "view.html, next to this page.");
+    page.link(kViewPage, "Play the run in 3D", "view.html, next to this page.");
   } catch (const InputError& error) {
     page.warning(std::string("The run cannot be played in 3D: ") + error.what());
   }

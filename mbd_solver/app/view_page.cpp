@@ -461,7 +461,8 @@ std::string view_of(const ViewArguments& a, const fs::path& folder) {
   add_history(history, first_columns(history, summary.value("observed_body", "")), parts);
   std::vector<std::string> notes = missing_of(summary, parts);
   notes.insert(notes.end(), limits.notes.begin(), limits.notes.end());
-  for (const std::string& note : notes) std::fprintf(stderr, "footfall: %s\n", note.c_str());
+  for (const std::string& note : a.quiet ? std::vector<std::string>() : notes)
+    std::fprintf(stderr, "footfall: %s\n", note.c_str());
   const std::string given = summary.value("scene", Json::object()).value("title", "");
   std::string shown = given.empty() ? folder.filename().string() : given;
   if (!a.other.empty()) {
@@ -492,7 +493,7 @@ std::string write_view(const ViewArguments& arguments) {
                      without_summary(arguments.run, "no summary.json and history.csv; expected the folder of a run"));
   const std::string text = with_summary_of(arguments.run, [&] { return view_of(arguments, folder); });
   const std::string file = arguments.file.empty()
-                               ? (folder / (arguments.other.empty() ? "view.html" : "view_pair.html")).string()
+                               ? (folder / (arguments.other.empty() ? kViewPage : "view_pair.html")).string()
                                : arguments.file;
   write_whole_file(file, text, "is the disk full?");
   return file;

@@ -41,11 +41,14 @@ void add_surroundings(const nlohmann::ordered_json& scene, PageParts& parts);
 std::string page_text(const std::string& title, const std::string& place, const nlohmann::ordered_json& summary,
                       const std::vector<std::string>& notes, const PageParts& parts);
 
+inline constexpr const char* kViewPage = "view.html";  // in the folder of a run
+
 struct ViewArguments {
   std::string run;         // folder of a run
   std::string other = "";  // of a second one, as a ghost; empty: none
   int frames = 0;          // dumps of grains, at most; 0: as many as fit into about 100 MB
   std::string file = "";   // of the page; empty: DIR/view.html, of two runs DIR/view_pair.html
+  bool quiet = false;      // what the page lacks is on the page alone
 };
 
 // Writes the page and returns its path. Throws InputError for a folder without a run, or damaged files.

@@ -24,6 +24,7 @@
 #include "coupler/base/number.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/results.h"
+#include "mbd_solver/app/view_page.h"
 #include "mbd_solver/base/live_line.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/campaign/campaign.h"
@@ -477,6 +478,15 @@ int search_rare(const SweepSpec& spec, const SweepArguments& a, const OutputFold
   return rows_without_number(*campaign) == 0 ? kExitDone : kExitFailed;
 }
 
+// The page of a kept run, unless it failed before there was anything to see.
+void write_view_of(const RepeatedRun& run) {
+  try {
+    if (!run.metrics.empty() && has_frames(run.folder)) write_view({run.folder, "", 0, "", true});
+  } catch (const InputError& e) {
+    warn_missing_file("page", e);
+  }
+}
+
 }  // namespace
 
 int check_campaign(const std::string& file) {
@@ -569,6 +579,7 @@ int campaign_command(const SweepArguments& a) {
   write_whole_file(output.path("runs.csv"), campaign_table(campaign).csv());
   std::vector<RepeatedRun> kept = rows_to_keep(campaign, static_cast<std::size_t>(campaign.spec().keep));
   if (!kept.empty() && !run.repeat(kept, "kept")) return study_interrupted();
+  for (const RepeatedRun& one : kept) write_view_of(one);
   std::vector<BetterModelResult> checks;
   for (std::size_t c = 0; c < campaign.cases() && campaign.spec().better_model && campaign.used() > 1; ++c) {
     checks.emplace_back();

@@ -12,7 +12,9 @@
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/plot_script.h"
+#include "mbd_solver/app/view_page.h"
 #include "mbd_solver/base/quote.h"
+#include "mbd_solver/launch/programs.h"
 
 namespace footfall {
 
@@ -290,7 +292,7 @@ Table origin_table(const Campaign& campaign, const std::string& command) {
   table.add({"file", spec.file});
   std::set<std::string> scenes;
   for (std::size_t c = 0; c < campaign.cases(); ++c) scenes.insert(campaign.first_valid(c).first.scene);
-  for (const std::string& scene : scenes) table.add({"scene", scene});
+  for (const std::string& scene : scenes) table.add({"scene", short_path(scene)});
   for (const std::string& setting : spec.settings) table.add({"setting", setting});
   table.add({"design, seed of the draws",
              std::string(name_of(spec.design)) + ", " + std::to_string(spec.seed) + " (seeds of runs: runs.csv)"});
@@ -471,7 +473,10 @@ Table kept_table(const Campaign& campaign, const std::vector<RepeatedRun>& kept)
     for (const int outcome : r.outcomes) cells.push_back(outcome < 0 ? "" : outcome > 0 ? "yes" : "no");
     for (std::size_t k = 0; k < spec.metrics.size(); ++k)
       cells.push_back(r.metrics.empty() ? "" : cell(r.metrics[k], 4));
-    cells.push_back("`footfall view " + run.folder + "`");
+    const std::filesystem::path folder = run.folder, page = folder / kViewPage;
+    const std::filesystem::path from_here = folder.parent_path().filename() / folder.filename() / kViewPage;
+    cells.push_back(std::filesystem::exists(page) ? "[play](" + from_here.string() + ")"
+                                                  : "`footfall view " + run.folder + "`");
     table.add(cells);
   }
   return table;

@@ -280,9 +280,11 @@ struct Chaos {
 Chaos chaos_of(const OT::Sample& x, const OT::Sample& y) {
   constexpr double kNorm = 0.75;           // of the degrees: interactions of high degree are left out
   constexpr std::size_t kMostTerms = 250;  // time grows with their square
+  constexpr std::size_t kDegree = 12;      // highest: few inputs have fewer terms
   const std::size_t width = x.getDimension();
-  const std::size_t terms = std::min(kMostTerms, std::max<std::size_t>(1 + width, x.getSize() / 2));
   const OT::HyperbolicAnisotropicEnumerateFunction enumerate(width, kNorm);
+  const std::size_t terms = std::min({kMostTerms, std::max<std::size_t>(1 + width, x.getSize() / 2),
+                                      static_cast<std::size_t>(enumerate.getMaximumDegreeCardinal(kDegree))});
   const OT::OrthogonalProductPolynomialFactory basis(
       OT::Collection<OT::OrthogonalUniVariatePolynomialFamily>(width, OT::LegendreFactory()), enumerate);
   OT::FunctionalChaosAlgorithm algorithm(

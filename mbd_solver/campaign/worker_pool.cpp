@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +15,7 @@
 #include "coupler/base/clock.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
+#include "coupler/base/run_directory.h"
 #include "mbd_solver/launch/programs.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/run_store.h"
@@ -82,8 +82,8 @@ void WorkerPool::start(const WorkerTask& task) {
   FOOTFALL_DEMAND(found != workers_.end());
   Worker& worker = *found;
   // If a run fails, files of the run before must not count as its results.
-  for (const char* file : {"summary.json", "history.csv", "peaks.csv"}) ::unlink((worker.folder + "/" + file).c_str());
-  if (::truncate((worker.folder + ".log").c_str(), 0) != 0) errno = 0;  // there is none yet
+  for (const char* file : {"/summary.json", "/history.csv", "/peaks.csv", ".log"})
+    if (const int old = GuardedPath(worker.folder + file).open(O_WRONLY | O_TRUNC); old >= 0) ::close(old);
   if (worker.process < 0) begin(worker);
   const std::string line = nlohmann::json{
       {"scene", task.scene},

@@ -18,6 +18,7 @@
 
 #include "coupler/abort_guard.h"
 #include "coupler/base/errors.h"
+#include "coupler/base/files.h"
 #include "coupler/base/interrupt.h"
 #include "coupler/base/start.h"
 #include "coupler/communicator.h"
@@ -164,6 +165,7 @@ int serve() {
   const int answers = ::dup(STDOUT_FILENO);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);  // whatever else is printed
   LineChannel lines(STDIN_FILENO, answers);
+  write_all_files_in_place();
   std::string line;
   for (;;) {
     const LineChannel::Heard heard = lines.receive(line, kLook);
@@ -178,6 +180,7 @@ int serve() {
           options.until = task.at("until").get<double>();
           options.quiet = true;
           options.keep_every = 0.0;
+          options.fleeting = true;
           options.trusted = task.value("trusted", false);
           const Scene scene =
               read_scene(task.at("scene").get<std::string>(), task.at("settings").get<std::vector<std::string>>());

@@ -101,6 +101,7 @@ class RunSession {
           files_.observe(sample);
         },
         [this](const Sample& sample) { files_.write_row(sample); });
+    if (options.fleeting) return;
     as_file_error([&] {
       const std::string file = std::filesystem::absolute(scene.file).lexically_normal().string();
       write_run_note(options.out, {scene.title, file, end_time(scene, options)});
@@ -126,10 +127,7 @@ class RunSession {
       std::fprintf(stderr, "mbd_solver: %s\n", reason.c_str());
     }
     finish_files();
-    as_file_error([&] {
-      const Subject subject = simulation_.subject();
-      write_end_state(options_.out, end_state_of(subject.mechanism, subject.layout, simulation_.state()));
-    });
+    if (!options_.fleeting) as_file_error([&] { write_end(); });
     for (const std::string& text : warnings_.at_end()) print_warning(scene_, text);
     if (!simulation_.finished()) {
       // The summary first: mpirun ends the programs soon after it has asked them to.
@@ -209,6 +207,11 @@ class RunSession {
     if (coupled_ && coupled_->script_has_ended()) return "the LIGGGHTS script ended the run, which `end script` allows";
     const LandingEnd* const landing = files_.observation().landing_end();
     return landing != nullptr && simulation_.instructions().end_requested() ? landing->reason() : "";
+  }
+
+  void write_end() {
+    const Subject subject = simulation_.subject();
+    write_end_state(options_.out, end_state_of(subject.mechanism, subject.layout, simulation_.state()));
   }
 
   void finish_files() {

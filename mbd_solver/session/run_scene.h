@@ -18,8 +18,10 @@ struct RunOptions {
   std::string checkpoint;   // folder of the checkpoint to resume from; empty: a new run
   // Wall-clock checkpoint interval where the scene has no checkpoint_interval [s]; 0: no checkpoints.
   double keep_every = kCheckpointEvery;
-  bool trusted = false;     // programs of the user that the scene names may run
-  double try_for = 0.0;     // a trial (progress.h): ends after so many wall-clock seconds; 0: not a trial
+  bool trusted = false;  // programs of the user that the scene names may run
+  double try_for = 0.0;  // a trial (progress.h): ends after so many wall-clock seconds; 0: not a trial
+  bool fleeting =
+      false;  // a row of a campaign, whose files are read at once and removed: no note of the run, no end state
   std::string mpi_version;  // of the library, for the summary; empty: not used
 };
 

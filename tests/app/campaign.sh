@@ -35,6 +35,8 @@ END
 cmp one/runs.csv two/runs.csv || fail "two workers have another table than one"
 (($(wc -l <one/runs.csv) == 81)) || fail "expected 80 rows and a head"
 [[ ! -e one/work ]] || fail "the folders of the workers are left"
+pages=$(grep -o 'href="kept/[^"]*"' one/report.html | cut -d '"' -f 2)
+[[ $(wc -w <<<"$pages") -ge 2 ]] && (cd one && ls $pages >/dev/null) || fail "the report has no links to the pages of kept runs: $pages"
 for k in 1 2 3 4 5 6; do
   "$footfall" sweep drawn.toml --jobs 2 --out killed >killed.txt 2>&1 &
   sleep 0.$((RANDOM % 9 + 1))

@@ -82,6 +82,15 @@ TEST(HtmlPage, EscapesWhatItIsGiven) {
   EXPECT_NE(text.find("<pre>plain\n<mark>length = 1  # [A] &lt;assumed&gt;</mark>\n"), std::string::npos);
 }
 
+TEST(HtmlPage, LinksFilesBelowItsFolderAlone) {
+  HtmlPage page("t");
+  page.table({{"to play it"}, {"[play](kept/row_1/view.html)"}, {"[a](javascript:b)"}, {"[a](//b/c)"}, {"[a](/b)"}});
+  const std::string text = page.text();
+  EXPECT_NE(text.find("<td><a href=\"kept/row_1/view.html\">play</a></td>"), std::string::npos) << text;
+  for (const char* const cell : {"[a](javascript:b)", "[a](//b/c)", "[a](/b)"})
+    EXPECT_NE(text.find("<td>" + std::string(cell) + "</td>"), std::string::npos) << cell;
+}
+
 // As warnings name options: `--set a=1`.
 TEST(HtmlPage, ShowsWhatIsBetweenBackticksAsCode) {
   HtmlPage page("t");
