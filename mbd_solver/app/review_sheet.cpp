@@ -117,11 +117,15 @@ void show_struts(const Json& scene, const std::vector<ColumnPeaks>& peaks, HtmlP
   Cells rows = {{"strut", "largest compression", "at", "largest tension", "at", "stroke in", "of available",
                  "stroke out", "of available"}};
   std::vector<std::string> classes = {""};
-  double longest = 0.0;  // stroke [m]
-  for (const Json& strut : list_in(scene, "struts"))
+  double longest = 0.0, highest = 0.0;  // stroke [m], force [N]
+  for (const Json& strut : list_in(scene, "struts")) {
     if (const ColumnPeaks* const stroke = peaks_of(peaks, strut.value("name", "") + ".stroke"))
       longest = std::max({longest, stroke->largest, -stroke->least});
+    if (const ColumnPeaks* const force = peaks_of(peaks, strut.value("name", "") + ".force"))
+      highest = std::max({highest, force->largest, -force->least});
+  }
   constexpr double kNoStroke = 1e-4;  // of it: elastic, or round-off
+  constexpr double kNoForce = 1e-6;   // of it: round-off
   for (const Json& strut : list_in(scene, "struts")) {
     const std::string name = strut.value("name", "");
     const ColumnPeaks *force = peaks_of(peaks, name + ".force"), *stroke = peaks_of(peaks, name + ".stroke");
@@ -129,8 +133,9 @@ void show_struts(const Json& scene, const std::vector<ColumnPeaks>& peaks, HtmlP
     std::vector<std::string> row = {name};
     for (const int sign : {1, -1}) {
       const double value = sign > 0 ? std::max(0.0, force->largest) : std::max(0.0, -force->least);
-      row.push_back(value > 0.0 ? readable(value, "N") : "none");
-      row.push_back(value > 0.0 ? number_text(sign > 0 ? force->largest_time : force->least_time, kDigits) + " s" : "");
+      const bool loaded = value > kNoForce * highest;
+      row.push_back(loaded ? readable(value, "N") : "none");
+      row.push_back(loaded ? number_text(sign > 0 ? force->largest_time : force->least_time, kDigits) + " s" : "");
     }
     bool used_up = false;
     for (const int sign : {1, -1}) {

@@ -86,13 +86,15 @@ void show_figures(const RunPair& pair, HtmlPage& page) {
 }
 
 void show_curves(const RunPair& pair, HtmlPage& page) {
+  const std::string kBeyond = " by more than a millionth of the largest value with its unit.";
   page.section("Curves");
   const std::vector<CurveDifference> found = curve_differences(pair.a.history, pair.b.history);
   const double end = std::min(pair.a.history.columns.front().back(), pair.b.history.columns.front().back());
   const std::string over = "Over the first " + number_text(end, 4) + " s, which both runs cover: ";
-  if (found.empty()) return page.paragraph(over + "no column of the histories differs.");
+  if (found.empty()) return page.paragraph(over + "no column of the histories differs" + kBeyond);
   page.paragraph(over + std::to_string(found.size()) + " of " + std::to_string(pair.a.history.names.size() - 1) +
-                 " columns differ. Share: root mean square of the difference over the range of both curves.");
+                 " columns differ" + kBeyond +
+                 " Share: root mean square of the difference over the range of both curves.");
   TableRows rows = {{"column", "largest difference", "at", "share"}};
   for (std::size_t i = 0; i < std::min(found.size(), kMostCurves); ++i)
     rows.push_back({found[i].name, readable(found[i].largest, found[i].unit), number_text(found[i].at, 4) + " s",

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "coupler/base/errors.h"
@@ -166,6 +167,13 @@ double value_at(const History& history, const std::vector<double>& column, doubl
 
 std::vector<CurveDifference> curve_differences(const History& a, const History& b) {
   std::vector<CurveDifference> found;
+  std::map<std::string, double> sizes;  // largest value of each unit
+  for (const History* history : {&a, &b})
+    for (std::size_t i = 1; i < history->names.size(); ++i)
+      for (const double value : history->columns[i]) {
+        double& size = sizes[history->units[i]];
+        size = std::max(size, std::abs(value));
+      }
   const std::vector<double>& time = a.columns.front();
   for (std::size_t i = 1; i < a.names.size(); ++i) {
     const int other = b.find(a.names[i]);
@@ -187,7 +195,7 @@ std::vector<CurveDifference> curve_differences(const History& a, const History& 
       squares += way * way;
       ++rows;
     }
-    if (rows == 0 || !(curve.largest > kRoundOff * std::max({std::abs(low), std::abs(high), 1e-30}))) continue;
+    if (rows == 0 || !(curve.largest > kVisible * sizes[curve.unit])) continue;
     curve.share = high > low ? std::sqrt(squares / static_cast<double>(rows)) / (high - low) : 0.0;
     found.push_back(std::move(curve));
   }

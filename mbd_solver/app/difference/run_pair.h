@@ -47,6 +47,8 @@ struct CurveDifference {
   double largest = 0.0, at = 0.0;  // |b - a|, and when [s]
   double share = 0.0;              // root mean square of b - a over the range of both
 };
+// Columns of both that differ by more than kVisible of the largest value with their unit; the largest share first.
+inline constexpr double kVisible = 1e-6;
 std::vector<CurveDifference> curve_differences(const History& a, const History& b);
 
 // The column of a history at time t [s], straight between rows; nan outside.

@@ -58,10 +58,11 @@ TEST(FigureDifferences, LeaveOutCostsAndEqualNumbers) {
 class Pair : public ::testing::Test, protected TemporaryFolder {
  protected:
   void write_run(const std::string& name, double step, double end, double size, double mass) const {
-    std::string rows = "# units: s,m,N\ntime,cabin.x,leg.force\n";
+    std::string rows = "# units: s,m,N,m\ntime,cabin.x,leg.force,leg.y\n";
     for (int k = 0; k * step <= end + 1e-9; ++k) {
       const double t = k * step;
-      rows += std::to_string(t) + "," + std::to_string(t + size * std::sin(2.0 * M_PI * t)) + ",7\n";
+      rows += std::to_string(t) + "," + std::to_string(t + size * std::sin(2.0 * M_PI * t)) + ",7," +
+              (size > 0.0 ? "1e-9" : "2e-9") + "\n";
     }
     write(name + "/history.csv", rows);
     write(name + "/summary.json",
@@ -76,7 +77,7 @@ class Pair : public ::testing::Test, protected TemporaryFolder {
 TEST_F(Pair, HasCurvesThatDiffer) {
   const RunPair pair(file("one"), file("two"));
   const std::vector<CurveDifference> found = curve_differences(pair.a.history, pair.b.history);
-  ASSERT_EQ(found.size(), 1u);  // not the force
+  ASSERT_EQ(found.size(), 1u);  // not the force, nor round-off
   EXPECT_EQ(found[0].name, "cabin.x");
   EXPECT_NEAR(found[0].largest, 0.1, 1e-3);                 // at a quarter of the period
   EXPECT_NEAR(found[0].share, 0.1 / std::sqrt(2.0), 1e-2);  // of a range of 1 m

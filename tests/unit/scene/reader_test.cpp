@@ -255,7 +255,7 @@ angle = { spring = { stiffness = 5 } }
     ASSERT_EQ(scene.bodies.size(), 4u);
     for (std::size_t k = 1; k <= 3; ++k) {
       EXPECT_EQ(scene.bodies[k].name, "leg_" + std::to_string(k));
-      EXPECT_EQ(scene.bodies[k].mass, k == 1 ? 1.0 : k + 0.5);
+      EXPECT_EQ(scene.bodies[k].mass, k == 1 ? 1.0 : static_cast<double>(k) + 0.5);
       EXPECT_EQ(scene.joints[k - 1].name, "hip_" + std::to_string(k));
       EXPECT_EQ(scene.joints[k - 1].bodies[1], "leg_" + std::to_string(k));
       EXPECT_EQ(scene.joints[k - 1].angle->spring->stiffness, k == 2 ? 0.1 : 5.0);
