@@ -147,6 +147,24 @@ TEST_P(OnRanks, NeighboursWithAnEmptyBinBetweenStandInTheList) {
 }
 
 // Some 6000 bins a grain: a swarm of small grains that fly into one another in a roomy box.
+// Formulas of what is computed here, of what is not, and of both.
+TEST_P(OnRanks, FormulasForEveryGrainGiveTheSameBits) {
+  const int ranks = GetParam();
+  const RunFolder folder("stock_formulas_" + std::to_string(ranks));
+  const auto script = [&](const std::string& name) {
+    return script_head("-0.03 0.03 -0.03 0.03 -0.03 0.03", ranks == 1 ? "1 1 1" : "2 1 1") +
+           "lattice sc 0.0062\nregion some block -0.02 0.02 -0.012 0.012 -0.01 0.01 units box\n"
+           "create_atoms 1 region some\nset type 1 diameter 0.006 density 2600\nneighbor 0.001 bin\n"
+           "velocity all ramp vx 3 -3 x -0.02 0.02 units box\nfix integr all nve/sphere\n"
+           "variable drag_x atom -mass*vx*9.81/(0.3+0.1)+1e-3*(x-y)/(2+z)\n"
+           "variable drag_y atom -0.02/1e-4*mass*vy+(x<0)*1e-4*sin(40*z)\n"
+           "variable drag_z atom -(mass*vz-1e-5)*sqrt(1+vx^2)-mass*v_drag_x/0.01\n"
+           "fix drag all addforce v_drag_x v_drag_y v_drag_z\n" +
+           thermo("ke") + dump_every(100, name) + "run 300\n";
+  };
+  expect_same_run(folder, ranks, script, {0, 100, 200, 300});
+}
+
 TEST_P(OnRanks, GrainsInARoomyBoxGiveTheSameBits) {
   const int ranks = GetParam();
   const RunFolder folder("stock_roomy_" + std::to_string(ranks));
