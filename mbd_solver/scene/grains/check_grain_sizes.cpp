@@ -212,9 +212,6 @@ void check_zone(const Scene& scene, const EntryFindings& at, const GrainZoneSpec
   at.error_if(zone.depth < kLeastZoneDepth * radius * (1.0 - 1e-9), kGrainZone, key + ".depth",
               "is " + number_text(zone.depth) + " m, expected at least two radii of its grains, " +
                   number_text(kLeastZoneDepth * radius) + " m");
-  at.error_if(
-      zone.depth > box.depth * (1.0 + 1e-9), kGrainZone, key + ".depth",
-      "is " + number_text(zone.depth) + " m, expected at most the depth of the bed, " + number_text(box.depth) + " m");
   for (const Eigen::Vector2d& place : zone_places(scene, zone))
     for (int c = 0; c < 2; ++c) {
       const std::size_t k = c;

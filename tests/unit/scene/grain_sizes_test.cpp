@@ -225,7 +225,7 @@ TEST(BedParts, OfTheLandingAreUnderItsPads) {
   for (const Eigen::Vector2d& place : zone_places(scene, box.zones[0])) EXPECT_NEAR(place.norm(), 1.75, 1e-6);
   EXPECT_DOUBLE_EQ(box_numbers(scene).time_step, 1e-4);
   EXPECT_EQ(scene.particles->bed->variables.at("dt"), "0.00015");
-  EXPECT_NEAR(box_numbers(scene).grains, 44000, 2500);  // 44 007 in the settled bed
+  EXPECT_NEAR(box_numbers(scene).grains, 23000, 1500);  // 22 730 in the settled bed
 }
 
 // A script with a gravity of its own: how to make it equal to the scene's. A slope is none of size.
