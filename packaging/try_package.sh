@@ -99,7 +99,7 @@ inside sh -c 'dpkg -s footfall' | grep -E '^(Version|Installed-Size|Depends)'
 files > "$root.files_installed"
 touch "$root/trial/installed"
 
-bed='--set particles.box.size=[3.2,3.2] --set particles.box.depth=0.2 --set particles.box.zones.0.size=[0.4,0.4] --set particles.box.zones.0.depth=0.06
+bed='--set particles.box.size=[3.2,3.2] --set particles.box.depth=0.2 --set particles.box.radius=0.05 --set particles.box.zones.0.size=[0.4,0.4] --set particles.box.zones.0.depth=0.06
   --set particles.box.pour.settle_time=0.05 --ranks 1'
 bed=$(tr '\n' ' ' <<< "$bed")
 echo "Landing as root"

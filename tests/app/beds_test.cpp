@@ -43,6 +43,7 @@ plots = false
 
 // The landing on a bed that is poured in seconds.
 const std::string kSmallLanding = R"(depth = 0.2
+radius = 0.05
 zones = [{ under = ["footpad_{leg}"], size = [0.4, 0.4], depth = 0.06, radius = 0.02 }]
 [particles.box.pour]
 settle_time = 0.05

@@ -49,7 +49,7 @@ as_user footfall run my_wheel --quiet --until 0.01 --out other --set particles.b
 cp "$work/box/in.bed" "$prefix/share/footfall/inputs/box/in.bed" && chmod -R a-w "$prefix" && touch "$work/before"
 # The landing itself, from the read-only folder, on a bed that is poured in seconds.
 as_user footfall run --until 0.01 --quiet --ranks 1 --out landing --set particles.box.size=[3.2,3.2] \
-  --set particles.box.depth=0.2 --set particles.box.zones.0.size=[0.4,0.4] --set particles.box.zones.0.depth=0.06 \
+  --set particles.box.depth=0.2 --set particles.box.radius=0.05 --set particles.box.zones.0.size=[0.4,0.4] --set particles.box.zones.0.depth=0.06 \
   --set particles.box.pour.settle_time=0.05 > "$work/said" 2>&1 || { cat "$work/said"; die "the landing does not run"; }
 grep -q '"status": "done"' "$work/here/landing/summary.json" || die "the landing is not done"
 code=0; as_user footfall test > "$work/said" 2>&1 || code=$?

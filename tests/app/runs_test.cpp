@@ -27,8 +27,9 @@ TEST_P(Example, IsCopiedCheckedAndRun) {
   // Smaller beds where pouring takes long; what readable.py looks at.
   const std::map<std::string, std::string> more = {
       {"lander",
-       "--set particles.box.size=[3.2,3.2] --set particles.box.depth=0.2 --set particles.box.zones.0.size=[0.4,0.4]"
-       " --set particles.box.zones.0.depth=0.06 --set particles.box.pour.settle_time=0.05 --ranks 1 --until 0.01"},
+       "--set particles.box.size=[3.2,3.2] --set particles.box.depth=0.2 --set particles.box.radius=0.05"
+       " --set particles.box.zones.0.size=[0.4,0.4] --set particles.box.zones.0.depth=0.06 --set "
+       "particles.box.pour.settle_time=0.05 --ranks 1 --until 0.01"},
       {"drop", app::kSmallSphere.substr(app::kSmallSphere.find(" --set")) + " --until 0.05"},
       {"flexible_rake", "--set particles.bed.variables.depth=0.06 --until 0.005"},
       {"wheel", "--set particles.box.frame_interval=0.01 --set output.vtk_interval=0.01 --until 0.04"}};

@@ -20,7 +20,7 @@ audit() {
     echo "$scene: $(tail -n 1 "$out/$name.txt")"
   fi
 }
-small_box=(--set particles.box.size=[3.2,3.2] --set particles.box.depth=0.2 --set particles.box.zones.0.size=[0.4,0.4] --set particles.box.zones.0.depth=0.06
+small_box=(--set particles.box.size=[3.2,3.2] --set particles.box.depth=0.2 --set particles.box.radius=0.05 --set particles.box.zones.0.size=[0.4,0.4] --set particles.box.zones.0.depth=0.06
   --set particles.box.pour.settle_time=0.05)
 small_bed=(--set particles.bed.variables.depth=0.1 --set particles.bed.variables.settle=0.2)
 audit inputs/accuracy/scenes/loose.toml --windows 100
