@@ -172,10 +172,12 @@ void Neighbor::granular_bin_no_newton(NeighList* list) {
     } else {
       const BinnedGrains::Bin* const bin = binned.bins() + of_grain;
       const BinnedGrain* const all = binned.grains().data();
+      const int bin_x = of_grain % mbinx + mbinxlo, bin_y = of_grain / mbinx % mbiny + mbinylo;
+      const int bin_z = of_grain / (mbinx * mbiny) + mbinzlo;
       // The place in the bin.
-      const double in_x = x[0] - bboxlo[0] - (of_grain % mbinx + mbinxlo) * binsizex;
-      const double in_y = x[1] - bboxlo[1] - (of_grain / mbinx % mbiny + mbinylo) * binsizey;
-      const double in_z = x[2] - bboxlo[2] - (of_grain / (mbinx * mbiny) + mbinzlo) * binsizez;
+      const double in_x = x[0] - bboxlo[0] - bin_x * binsizex;
+      const double in_y = x[1] - bboxlo[1] - bin_y * binsizey;
+      const double in_z = x[2] - bboxlo[2] - bin_z * binsizez;
       for (const BinRow& row : rows) {
         const BinnedGrains::Bin* const middle = bin + row.offset;
         const double reach = (own.radius + middle[row.first].largest) * contactDistanceFactor + skin;
