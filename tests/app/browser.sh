@@ -48,6 +48,7 @@ cat >>"$out/report.html" <<'JS'
   note("mechanism", pixels.filter((value, k) => k % 4 === 3 && value === 255).length);
   const over = all(".footfall-figures .u-over")[0], plot = over.closest(".u-wrap").querySelector("canvas"), { left, top } = over.getBoundingClientRect();
   const mouse = (kind, x, at = over) => at.dispatchEvent(new MouseEvent(kind, { clientX: left + x, clientY: top + 30, movementX: 1, bubbles: true }));
+  await turn();  // the plot takes the size of its place
   const whole = plot.toDataURL();
   mouse("mousemove", 100);
   await turn();
