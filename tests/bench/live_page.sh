@@ -1,26 +1,38 @@
 #!/usr/bin/env bash
-# What an open page of `run --view` costs the run: pairs without and with the page in a headless Chromium, in turn, and the medians of their
-# ratios: processor time (user + system) of the programs of the run, without footfall and the browser; processor time of footfall; wall-clock time of the run.
+# What an open page of `run --view` costs the run: pairs without and with the page in a headless Chromium that was started before, in turn, and the medians
+# of their ratios: processor time (user + system) of the programs of the run, without footfall and the browser; processor time of footfall; wall-clock time of the run.
 #   tests/bench/live_page.sh BUILD [-p PAIRS] [-t SECONDS] [-s SCENE] [-- extra words for footfall run]
 set -eu
 export LC_ALL=C.UTF-8  # decimal points of awk
 (( $# >= 1 )) || { sed -n '2,4p' "$0"; exit 2; }
-command -v chromium >/dev/null || { echo "live_page.sh: chromium is missing"; exit 77; }
+for program in chromium curl; do command -v $program >/dev/null || { echo "live_page.sh: $program is missing"; exit 77; }; done
 build=$(realpath "$1"); shift
 pairs=5 seconds=0.2 scene=$(cd "$(dirname "$0")/../.." && pwd)/inputs/landing_mr
 while getopts p:t:s: option; do
   case $option in p) pairs=$OPTARG ;; t) seconds=$OPTARG ;; s) scene=$OPTARG ;; *) exit 2 ;; esac
 done
 shift $((OPTIND - 1))
-work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
+work=$(mktemp -d) browser=''; trap '[[ -z $browser ]] || kill $browser; rm -rf "$work"' EXIT
 (( EUID )) || export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 run=("$build/bin/footfall" run "$scene" --ranks 1 --until "$seconds" --quiet --set output.plots=false "$@")
+
+# Starts the browser, without a page.
+start_browser() {
+  rm -rf "$work/profile"
+  chromium --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$work/profile" --remote-debugging-port=0 about:blank \
+    >"$work/browser" 2>&1 &
+  browser=$!
+  disown $browser
+  until [[ -s $work/profile/DevToolsActivePort ]]; do sleep 0.1; done
+  sleep 2
+}
 
 # "PROGRAMS FOOTFALL WALL" [s] of a run into the folder $1; with a second word the page is open. footfall's own processor time is read while it runs, ten times a second: it
 # hardly works at its end.
 measured() {
-  local out=$work/$1 view=${2:+--view} footfall='' browser='' own=0 address stat
+  local out=$work/$1 view=${2:+--view} footfall='' own=0 opened='' address stat
   rm -rf "$out" "$work/said"
+  [[ -z $view ]] || start_browser
   (
     TIMEFORMAT='%U %S'
     time "${run[@]}" $view --out "$out" >"$work/said" 2>&1
@@ -32,17 +44,15 @@ measured() {
       read -ra stat <<<"${stat##*) }"
       [[ ${stat[0]} == Z ]] || own=$((stat[11] + stat[12]))
     fi 2>/dev/null
-    if [[ -n $view && -z $browser ]] && address=$(grep -om1 'http://127[^ ]*' "$work/said"); then
-      chromium --headless --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$work/profile" --remote-debugging-port=0 "$address" \
-        >"$work/browser" 2>&1 &
-      browser=$!
-      disown $browser
+    if [[ -n $view && -z $opened ]] && address=$(grep -om1 'http://127[^ ]*' "$work/said"); then
+      opened=yes
+      curl -sfX PUT "http://127.0.0.1:$(head -n 1 "$work/profile/DevToolsActivePort")/json/new?$address" >/dev/null
     fi
     sleep 0.1
   done
   wait $shell || { cat "$work/said" >&2; exit 1; }
-  [[ -z $view || -n $browser ]] || { echo "live_page.sh: the run gave no address" >&2; exit 1; }
-  if [[ -n $browser ]]; then kill $browser; sleep 1; fi
+  [[ -z $view || -n $opened ]] || { echo "live_page.sh: the run gave no address" >&2; exit 1; }
+  if [[ -n $browser ]]; then kill $browser; browser=''; sleep 1; fi
   awk -v own="$own" -v tick="$(getconf CLK_TCK)" '{ printf "%.2f %.2f ", $1 + $2 - own / tick, own / tick }' "$work/time"
   sed -n 's/^ *"wall_s": \([0-9.e+-]*\),*/\1/p' "$out/summary.json"
 }

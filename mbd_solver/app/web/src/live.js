@@ -7,7 +7,9 @@ const kRoom = 0.3;           // of a box beyond what was seen, on each side
 const kSpare = 0.25;         // of the grains that may still come
 const kRows = 4200;          // of the history, for a run whose end is known
 const kMostNumbers = 3e8;    // of all frames of grains; beyond that every second frame goes
-const kSteps = 65534, kAbsent = 65535;
+const kSteps = 65534, kAbsent = 65535, kMostStress = 65535;
+const kFirst = 400;          // what comes so soon after the first event is shown together with it [ms]
+const kRested = 10;          // times as long as it took to build the page anew, nothing is built anew
 
 const unpack = async (text) => inflate(bytesOfBase64(text));
 
@@ -34,11 +36,16 @@ export class LiveRun {
     this.grains = [];
     this.end = 0;
     this.over = false;
+    this.first = this.due = performance.now() + kFirst;
     this.queue = Promise.resolve();
     this.events = new EventSource("events");
-    for (const kind of ["scene", "columns", "rows", "bodies", "grains", "state"])
-      this.events.addEventListener(kind, (event) => (this.queue = this.queue.then(() => this[`take_${kind}`](JSON.parse(event.data))).catch((error) => console.error(error))));
+    for (const kind of ["scene", "columns", "rows", "bodies", "grains", "state"]) this.events.addEventListener(kind, (event) => this.next(() => this[`take_${kind}`](JSON.parse(event.data))));
     this.events.onerror = () => this.over || this.told({ text: "no news from the run: the program that serves this page has ended, or is busy", lost: true });
+  }
+
+  // One after the other.
+  next(work) {
+    this.queue = this.queue.then(work).catch((error) => console.error(error));
   }
 
   async take_scene({ run, chunks }) {
@@ -101,8 +108,9 @@ export class LiveRun {
     this.bodies.push(raw);
     this.end = Math.max(this.end, raw.t);
     const spec = this.run?.bodies, has = this.stage?.bodies || this.stage?.marks;
-    const fits = has && !this.stale && (!raw.box || (spec && holds(spec.box, raw.box) && raw.stress <= spec.stress && raw.stressed.every((body) => spec.stressed.includes(body))));
-    if (!fits) return this.renew();
+    const fits = has && !this.stale && (!raw.box || (spec && holds(spec.box, raw.box) && raw.stressed.every((body) => spec.stressed.includes(body))));
+    if (!fits) return this.renew(!has);
+    const scaleEnds = raw.box && raw.stress > spec.stress;
     if (raw.box) {
       const values = this.bodyValues(raw, spec);
       spec.times.push(raw.t);
@@ -112,7 +120,7 @@ export class LiveRun {
       this.stage.marks.add(raw.t, raw.marks);
       this.stage.symbols.grow();
     }
-    this.grown();
+    return scaleEnds ? this.renewSoon() : this.grown();
   }
   bodyValues(raw, spec) {
     const n = raw.points, values = new Uint16Array(3 * n + (spec.stress > 0 ? raw.cells : 0));
@@ -120,7 +128,7 @@ export class LiveRun {
       const change = changed(raw.box, spec.box, axis);
       for (let i = axis * n; i < (axis + 1) * n; ++i) values[i] = change(raw.values[i]);
     }
-    if (raw.stress > 0) for (let i = 0; i < raw.cells; ++i) values[3 * n + i] = Math.round((raw.values[3 * n + i] * raw.stress) / spec.stress);
+    if (raw.stress > 0) for (let i = 0; i < raw.cells; ++i) values[3 * n + i] = Math.min(kMostStress, Math.round((raw.values[3 * n + i] * raw.stress) / spec.stress));
     return values;
   }
   bodiesSpec() {
@@ -154,12 +162,13 @@ export class LiveRun {
       this.stale = true;
     }
     const spec = this.run?.grains, drawn = this.stage?.grains;
-    const fits = drawn && !this.stale && holds(spec.box, box) && numbers.length === spec.numbers.length && numbers.every((number, j) => number.largest <= spec.numbers[j].largest) && this.placesFor(raw, drawn);
-    if (!fits) return this.renew();
+    const fits = drawn && !this.stale && holds(spec.box, box) && numbers.length === spec.numbers.length && this.placesFor(raw, drawn);
+    if (!fits) return this.renew(!drawn);
+    const scaleEnds = numbers.some((number, j) => number.largest > spec.numbers[j].largest);
     spec.times.push(raw.t);
     drawn.add(this.grainValues(raw, spec));
     numbers.forEach((number, j) => (spec.numbers[j].shown = Math.max(spec.numbers[j].shown, number.shown)));
-    this.grown(true);
+    return scaleEnds ? this.renewSoon() : this.grown(true);
   }
   // Gives places to grains that are new; false where there are none left.
   placesFor({ ids, radius, count }, drawn) {
@@ -215,12 +224,26 @@ export class LiveRun {
     return spec;
   }
 
-  // The page anew, of all that is known.
-  async renew() {
-    if (!this.history || this.rows < 2) {
-      this.stale = true;
-      return;
-    }
+  // What goes beyond the end of a scale has its last colour until then.
+  renewSoon() {
+    this.grown(true);
+    if (this.over || performance.now() >= this.due) return this.renew();
+    this.waitToRenew(this.due);
+  }
+  waitToRenew(due) {
+    this.waiting ??= setTimeout(() => {
+      this.waiting = undefined;
+      this.next(() => this.renew());
+    }, due - performance.now());
+  }
+  // The page anew, of all that is known, once it has rested; at once where it lacks bodies or grains.
+  async renew(lacks = false) {
+    this.stale = true;
+    if (!this.history || this.rows < 2) return;
+    const start = performance.now(), due = lacks ? this.first : this.due;
+    if (start < due && !this.over) return this.waitToRenew(due);
+    clearTimeout(this.waiting);
+    this.waiting = undefined;
     this.stale = false;
     if (!this.meshes) {
       this.meshes = new Map();
@@ -230,5 +253,6 @@ export class LiveRun {
     for (const [name, corners] of this.meshes) given.set(name, corners);
     this.run = { ...this.head, bodyNames: this.names ?? [], grains: this.grainsSpec(), bodies: this.bodiesSpec(), marks: this.marksSpec(), history: true };
     this.stage = await this.rebuild(this.run, this.history, this.shown);
+    this.due = start + (1 + kRested) * (performance.now() - start);
   }
 }

@@ -18,6 +18,7 @@ const kLowest = 0.4;    // pixels of the picture per pixel of the page
 const kFar = 0.47;       // half of what the eye sees, at zoom 1, of the size of all
 const kWanted = 33;     // pictures in a second
 const kTried = 1.1;     // times the size that played last, when it plays again
+const kLook = 10;       // so often it is asked whether a picture is there [ms]
 const kPaintedAtMost = 3e5;  // grains: of more, to place and sort them takes longer than to draw them
 
 export class Stage {
@@ -26,6 +27,7 @@ export class Stage {
     this.place = place;
     this.run = run;
     this.smooth = true;
+    this.held = false;  // draws nothing yet
     this.time = 0;
     this.controls = null;
     if (!run.grains && !run.bodies && !run.marks && !run.meshes?.length && !run.bed) return;
@@ -312,11 +314,11 @@ export class Stage {
   wish() {
     if (this.wished || !this.scene) return;
     this.wished = true;
-    requestAnimationFrame(() => this.draw());
+    requestAnimationFrame(() => this.wished && this.draw());
   }
   draw() {
     this.wished = false;
-    if (!this.scene || !this.hasFrames) return;
+    if (!this.scene || !this.hasFrames || this.held) return;
     this.camera.updateMatrixWorld();
     const { width, height } = this.renderer.domElement;
     const facets = this.facetsOfMechanism(width, height), shaders = facets === null;
@@ -325,5 +327,15 @@ export class Stage {
     this.grains?.paint(this.paints, this.camera, width, height, facets);
     this.renderer.render(this.scene, this.camera);
     this.overlay.show();
+  }
+  // Draws at once; resolves when the picture is there, which without a graphics card is long after it was asked for.
+  async drawn() {
+    this.draw();
+    const context = this.renderer?.getContext(), fence = context?.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (!fence) return;
+    context.flush();
+    do await new Promise((resolve) => setTimeout(resolve, kLook));
+    while (!context.isContextLost() && context.getSyncParameter(fence, context.SYNC_STATUS) !== context.SIGNALED);
+    context.deleteSync(fence);
   }
 }

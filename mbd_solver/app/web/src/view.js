@@ -23,18 +23,20 @@ function fail(error) {
 // While it plays, numbers, slider and lines in the plots follow so often [ms]: to draw the page anew takes a software renderer longer than the
 // picture does.
 const kTold = 160;
-// Of a run in progress, what was added is shown so often [ms], and rests so much longer than it worked: the run has the processor.
-const kGrown = 1000, kRested = 30;
+// Of a run in progress, what was added is shown so often [ms], and rests so much longer than it took: the run has the processor.
+const kGrown = 1000, kRested = 50;
 
 // Between two frames the browser may draw and answer.
 const breath = () => new Promise((resolve) => setTimeout(resolve, 0));
 
-// The page of this run. link: what it shows, as in its address. renderer: of a page that was built before, or none.
-async function build(run, history, link, shown, renderer) {
+// The page of this run. link: what it shows, as in its address. renderer: of a page that was built before, or none. held: nothing is drawn
+// yet.
+async function build(run, history, link, shown, { renderer, held = false } = {}) {
   const ended = new AbortController();
   const scenery = new Scenery(run);
   await scenery.load();
   const stage = new Stage(document.getElementById("footfall-stage"), run, renderer, scenery);
+  stage.held = held;
   await stage.loadFirst();
   stage.addForces(history);
   const times = [history.time, run.grains?.times ?? [], run.bodies?.times ?? [], run.marks?.times ?? [], run.other?.history.time ?? []].filter((t) => t.length > 0);
@@ -117,32 +119,37 @@ function startLive(head, link) {
   word.textContent = "waiting for the first frames of the run";
   document.querySelector("header").append(word);
   document.body.dataset.state = "waiting";
-  let page = null, due = -Infinity, over = false;
+  let page = null, due = -Infinity, over = false, scaled = false;
   const live = new LiveRun(head, {
     async rebuild(run, history, shown) {
       const before = page, entries = before ? { ...before.controls.entries(), ...(before.player.live ? { t: undefined } : {}) } : link;
       const follows = before ? before.player.live : link.t === undefined, chosen = before?.plots?.chosen ?? shown;
       before?.end();
-      page = await build(run, history, entries, chosen, before?.stage.renderer);
+      page = await build(run, history, entries, chosen, { renderer: before?.stage.renderer, held: true });
       await loadAll(page);
       page.player.follows = !over;
       page.controls.addLive();
       page.player.setLive(follows && !over);
       if (over) page.player.seek(page.player.end);
+      page.stage.held = false;
+      await page.stage.drawn();
       document.body.dataset.state = over ? "ready" : "live";
       return page.stage;
     },
-    grown(scales) {
-      if (!page) return;
-      if (scales) page.controls.colourGrains();
+    async grown(scales) {
+      scaled ||= scales === true;
       const start = performance.now();
-      if (start < due && !over) return;
+      if (!page || (!over && (start < due || document.hidden))) return;
+      due = Infinity;
+      if (scaled) page.controls.colourGrains();
+      scaled = false;
       page.stage.arrows?.grow();
       page.controls.tellForces();
       page.plots?.grow();
       page.player.grow(live.end);
-      due = start + Math.max(kGrown, kRested * (performance.now() - start));
       Object.assign(document.body.dataset, { end: live.end, rows: live.rows, bodies: live.bodies.length, grains: live.grains.length });
+      await page.stage.drawn();
+      due = start + Math.max(kGrown, kRested * (performance.now() - start));
     },
     told({ text, over: ended, lost }) {
       word.textContent = text;
@@ -158,6 +165,7 @@ function startLive(head, link) {
       page.controls.addLive();
     },
   });
+  document.addEventListener("visibilitychange", () => live.grown());
   window.footfallLive = live;
 }
 
