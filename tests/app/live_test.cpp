@@ -163,8 +163,8 @@ TEST_F(Live, ABrowserShowsIt) {
   PageCamera camera(address(), "", {800, 600});
   const auto number = [&](const std::string& what) { return camera.evaluate(what).get<double>(); };
   EXPECT_TRUE(comes_true([&] { return number("footfallLive.bodies.length") > 3; }));
-  EXPECT_TRUE(comes_true(
-      [&] { return number("footfall.stage.bodies.frames.length - footfallLive.bodies.length") == 0.0; }));
+  EXPECT_TRUE(
+      comes_true([&] { return number("footfall.stage.bodies.frames.length - footfallLive.bodies.length") == 0.0; }));
   const double before = number("footfall.player.end");
   EXPECT_TRUE(comes_true([&] { return number("footfall.player.end") > before; }));
   EXPECT_EQ(number("footfall.player.end - footfall.player.time"), 0.0) << "it stays at the end of the run";
