@@ -21,17 +21,22 @@ double extent(const ModalBody& body) {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+namespace {
+
 // sigma_v^2 = 1/2 ((xx - yy)^2 + (yy - zz)^2 + (zz - xx)^2) + 3 (xy^2 + yz^2 + zx^2)
+double von_mises(const Eigen::Matrix<double, 6, 1>& s) {
+  const double x = s(0) - s(1), y = s(1) - s(2), z = s(2) - s(0);
+  return std::sqrt(0.5 * (x * x + y * y + z * z) + 3.0 * s.tail<3>().squaredNorm());
+}
+
+}  // namespace
+
 VectorXd von_mises_of_points(const ModalBody& body, const VectorXd& a) {
   FOOTFALL_DEMAND(a.size() == body.mode_count());
   if (a.size() == 0 || body.stress_modes.rows() == 0) return VectorXd(0);
   const VectorXd sigma = body.stress_modes * a;
   VectorXd result(sigma.size() / 6);
-  for (Index p = 0; p < result.size(); ++p) {
-    const Eigen::Matrix<double, 6, 1> s = sigma.segment<6>(6 * p);
-    result(p) = std::sqrt(0.5 * (std::pow(s(0) - s(1), 2) + std::pow(s(1) - s(2), 2) + std::pow(s(2) - s(0), 2)) +
-                          3.0 * s.tail<3>().squaredNorm());
-  }
+  for (Index p = 0; p < result.size(); ++p) result(p) = von_mises(sigma.segment<6>(6 * p));
   return result;
 }
 
@@ -54,9 +59,29 @@ VectorXd von_mises_of_cells(const ModalBody& body, const VectorXd& a) {
   return result;
 }
 
-double von_mises(const ModalBody& body, const VectorXd& a) {
-  const VectorXd points = von_mises_of_points(body, a);
-  return points.size() == 0 ? 0.0 : points.maxCoeff();
+LargestStress::LargestStress(const ModalBody& body)
+    : body_(body), of_modes_(body.stress_modes.rows() / 6, body.stress_modes.cols()) {
+  for (Index p = 0; p < of_modes_.rows(); ++p)
+    for (Index k = 0; k < of_modes_.cols(); ++k) of_modes_(p, k) = von_mises(body.stress_modes.block<6, 1>(6 * p, k));
+}
+
+double LargestStress::of_point(Index point, const VectorXd& a) const {
+  return von_mises(body_.stress_modes.middleRows<6>(6 * point).lazyProduct(a));
+}
+
+double LargestStress::at(const VectorXd& a) {
+  FOOTFALL_DEMAND(a.size() == body_.mode_count());
+  if (a.size() == 0 || of_modes_.rows() == 0) return 0.0;
+  most_.noalias() = of_modes_ * a.cwiseAbs();
+  double largest = of_point(last_, a);
+  for (Index p = 0; p < most_.size(); ++p) {
+    if (!(most_[p] > largest)) continue;
+    const double here = of_point(p, a);
+    if (!(here > largest)) continue;
+    largest = here;
+    last_ = p;
+  }
+  return largest;
 }
 
 double largest_deflection(const ModalBody& body, const VectorXd& a) {

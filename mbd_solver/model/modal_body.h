@@ -63,8 +63,21 @@ double extent(const ModalBody& body);
 Eigen::VectorXd von_mises_of_points(const ModalBody& body, const Eigen::VectorXd& a);
 // Largest von Mises stress [Pa] of each triangle, then of each segment; empty if stress points do not belong to them.
 Eigen::VectorXd von_mises_of_cells(const ModalBody& body, const Eigen::VectorXd& a);
-// Largest von Mises stress [Pa]; 0 without stress points or modes.
-double von_mises(const ModalBody& body, const Eigen::VectorXd& a);
+// Largest von Mises stress of a body, asked for many states. A norm of sums is at most the sum of norms, so that most points need not be
+// evaluated:  sigma_v(sum_k a_k sigma_k) <= sum_k |a_k| sigma_v(sigma_k).
+class LargestStress {
+ public:
+  explicit LargestStress(const ModalBody& body);  // which must outlive this
+  double at(const Eigen::VectorXd& a);            // [Pa]; 0 without stress points or modes
+
+ private:
+  double of_point(Eigen::Index point, const Eigen::VectorXd& a) const;
+
+  const ModalBody& body_;
+  Eigen::MatrixXd of_modes_;  // P x s: of each mode alone [Pa per unit of a]
+  Eigen::VectorXd most_;      // bounds of the last state [Pa]
+  Eigen::Index last_ = 0;     // the point of the last state's largest
+};
 // Largest |Phi_j a| over the nodes [m].
 double largest_deflection(const ModalBody& body, const Eigen::VectorXd& a);
 

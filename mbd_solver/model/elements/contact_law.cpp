@@ -20,8 +20,6 @@ Approach approach(double u) {
   return {e, e};
 }
 
-constexpr double kStretch = 10.0;  // |clip(u)| / v_s at most: u there gives 99.5 % of mu f_n
-
 // Energy per k/m absorbed by a damped approach at u = d v, minus that returned at rebound speed w = d e v (times d^2).
 double restitution_defect(double u, double e) {
   const double w = e * u;
@@ -64,12 +62,6 @@ ContactLaw::Clipped ContactLaw::clip(const Eigen::Vector3d& u) const {
   if (size <= most) return {u, Eigen::Matrix3d::Identity()};
   const Eigen::Vector3d e = u / size;
   return {most * e, (most / size) * (Eigen::Matrix3d::Identity() - e * e.transpose())};
-}
-
-Eigen::Vector3d ContactLaw::clipped(const Eigen::Vector3d& u) const {
-  const double size = u.norm(), most = kStretch * slip_speed;
-  if (size <= most) return u;
-  return most * (u / size);
 }
 
 ContactLaw::Normal ContactLaw::normal_force(double overlap, double closing) const {

@@ -18,6 +18,8 @@ double contact_damping_for_restitution(double e, double impact_speed);
 double creep_speed(double mu, double slip_speed, double slope);
 
 struct ContactLaw {
+  static constexpr double kStretch = 10.0;  // |clip(u)| / v_s at most: u there gives 99.5 % of mu f_n
+
   double stiffness = 0.0;    // k of each point [N/m^1.5] > 0
   double damping = 0.0;      // d [s/m] >= 0
   double friction = 0.3;     // mu >= 0
@@ -33,7 +35,13 @@ struct ContactLaw {
   };
   // clip(u) = u where |u| <= 10 v_s, else 10 v_s u / |u|, and its derivative.
   Clipped clip(const Eigen::Vector3d& u) const;
-  Eigen::Vector3d clipped(const Eigen::Vector3d& u) const;  // the value alone
+  // The value alone, of a vector in space or along two tangents.
+  template <class Vector>
+  Vector clipped(const Vector& u) const {
+    const double size = u.norm(), most = kStretch * slip_speed;
+    if (size <= most) return u;
+    return most * (u / size);
+  }
 
   struct Normal {
     double elastic = 0.0;     // k delta^1.5 [N]

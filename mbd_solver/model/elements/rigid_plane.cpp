@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kRimPlaces = 12;     // m of an edge: the second lowest place is 0.13 R above the lowest
 constexpr double kUpright = 1e-9;  // s below which an edge lies flat and has no lowest place
-constexpr double kClear = 1e-9;    // a place above this height does not touch, round-off included [m]
+constexpr int kOnRim = -1;         // a contact at no point of the list
 
 // Of place k of an edge.
 double rim_cosine(int k) {
@@ -41,29 +41,49 @@ double rim_sine(int k) {
 
 }  // namespace
 
-// One point in contact: everything the force and its derivatives need.
+// Plane and motion as the body sees them: all sums over points are in B, as one product with all points.
+struct RigidPlane::Frame {
+  Frame(const BodyKinematics& body, const Parameters& plane, const Eigen::Matrix<double, 3, 2>& tangents)
+      : height(plane.normal.dot(body.r - plane.point)),
+        n(body.A.transpose() * plane.normal),
+        T(body.A.transpose() * tangents),
+        dr(body.A.transpose() * body.dr),
+        w(body.A.transpose() * body.w) {}
+
+  double height;                  // of Bo [m]
+  Eigen::Vector3d n;              // in B, as all below
+  Eigen::Matrix<double, 3, 2> T;  // the tangents
+  Eigen::Vector3d dr, w;          // [m/s], [rad/s]
+};
+
+// One point in contact: everything the force and its derivatives need. Vectors of two are along the tangents.
 struct RigidPlane::Contact {
-  MovingPoint p;
-  const Marker* marker = nullptr;
+  int point = kOnRim;  // of points_
+  int place = 0;       // its spring is the entries 2 place, 2 place + 1 of z
   double radius = 0.0;
   double overlap = 0.0;                              // delta [m]
-  double elastic = 0.0;                              // k delta^1.5 [N]
-  double normal_force = 0.0;                         // f_n [N]
-  double by_overlap = 0.0;                           // d f_n / d delta
-  double by_closing = 0.0;                           // d f_n / d delta'
   double closing = 0.0;                              // delta' [m/s]
-  int place = 0;                                     // its spring is the entries 2 place, 2 place + 1 of z
-  Eigen::Vector3d slip = Eigen::Vector3d::Zero();    // v_t [m/s]
-  Eigen::Vector3d spring = Eigen::Vector3d::Zero();  // xi / tau [m/s]
-  Eigen::Vector3d u = Eigen::Vector3d::Zero();       // v_t + xi / tau [m/s]
   double inverse_speed = 0.0;                        // 1 / sqrt(u^2 + v_s^2)
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   // on the body [N]
+  ContactLaw::Normal normal;                         // f_n [N] and its parts
+  Eigen::Vector3d s = Eigen::Vector3d::Zero();       // p, from Bo in B [m]
+  Eigen::Vector3d arm = Eigen::Vector3d::Zero();     // p - radius n, likewise
+  Eigen::Vector2d slip = Eigen::Vector2d::Zero();    // v_t [m/s]
+  Eigen::Vector2d spring = Eigen::Vector2d::Zero();  // xi / tau [m/s]
+  Eigen::Vector2d u = Eigen::Vector2d::Zero();       // v_t + xi / tau [m/s]
   Eigen::Matrix3d wander = Eigen::Matrix3d::Zero();  // G: p moves along its edge by G dtheta as the body turns [m]
+
+  // On the body, in the frame of n and T [N].
+  Eigen::Vector3d force(const Eigen::Vector3d& n, const Eigen::Matrix<double, 3, 2>& T, double friction) const {
+    return normal.force * (n - T * (friction * inverse_speed * u));
+  }
 };
 
 struct RigidPlane::Scratch : ElementScratch {
-  Scratch(const ForceElement& element, Eigen::Index n) : ElementScratch(element), X(3, n), by_x(3, n) {}
+  Scratch(const ForceElement& element, Eigen::Index n, Eigen::Index points)
+      : ElementScratch(element), X(3, n), by_x(3, n), s(points), ds(points), forces(points) {}
   Eigen::Matrix3Xd X, by_x;
+  Eigen::VectorXd s, ds, forces;  // of points of a flexible body: deformed, its rate, forces, in B
+  Marker on_rim;
 };
 
 RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const Parameters& parameters,
@@ -96,10 +116,17 @@ RigidPlane::RigidPlane(std::string name, std::vector<ContactPoint> points, const
     reach_ = std::max(reach_, rim.marker.s0.norm() + rim.radius);
   }
   tangents_ = axes_with_z(parameters_.normal).leftCols<2>();
+  const Eigen::Index count = static_cast<Eigen::Index>(points_.size());
+  s_.resize(3 * count);
+  S_.resize(3 * count, points_.empty() ? 0 : points_.front().marker.S.cols());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    s_.segment<3>(3 * i) = points_[i].marker.s0;
+    S_.middleRows<3>(3 * i) = points_[i].marker.S;
+  }
 }
 
 std::unique_ptr<ElementScratch> RigidPlane::scratch(SharedCopies&) const {
-  return std::make_unique<Scratch>(*this, 6 + (points_.empty() ? 0 : points_.front().marker.S.cols()));
+  return std::make_unique<Scratch>(*this, 6 + S_.cols(), S_.cols() > 0 ? s_.size() : 0);
 }
 
 bool RigidPlane::far(const BodyKinematics& body) const {
@@ -109,91 +136,96 @@ bool RigidPlane::far(const BodyKinematics& body) const {
 
 int RigidPlane::place_count() const { return static_cast<int>(points_.size() + kRimPlaces * rims_.size()); }
 
-bool RigidPlane::contact(const ElementInput& in, const Marker& marker, double radius, int place, Contact& out) const {
-  const Eigen::Vector3d& n = parameters_.normal;
-  out.p = MovingPoint(*in.pair.body[0], marker);
-  out.overlap = radius - n.dot(out.p.value() - parameters_.point);
-  if (out.overlap <= 0.0) return false;
-  out.marker = &marker;
-  out.radius = radius;
-  const Eigen::Vector3d velocity = out.p.rate() + radius * n.cross(in.pair.body[0]->w);  // w x (-radius n)
-  out.closing = -n.dot(velocity);
-  out.slip = velocity + out.closing * n;
-  out.place = place;
-  if (parameters_.stick_time > 0.0) out.spring = tangents_ * in.z.segment<2>(2 * place) / parameters_.stick_time;
-  out.u = out.slip + out.spring;
-
-  const ContactLaw::Normal normal = parameters_.normal_force(out.overlap, out.closing);
-  out.elastic = normal.elastic;
-  out.normal_force = normal.force;
-  out.by_overlap = normal.by_overlap;
-  out.by_closing = normal.by_closing;
-  out.inverse_speed = 1.0 / std::sqrt(out.u.squaredNorm() + parameters_.slip_speed * parameters_.slip_speed);
-  out.force = out.normal_force * (n - parameters_.friction * out.inverse_speed * out.u);
-  return true;
+// The rest of a contact, from point, place, radius, overlap and s. ds: its rate by the modes, in B.
+void RigidPlane::apply_law(const ElementInput& in, const Frame& frame, const Eigen::Vector3d& ds, Contact& at) const {
+  at.arm = at.s - at.radius * frame.n;
+  const Eigen::Vector3d velocity = frame.dr + frame.w.cross(at.arm) + ds;
+  at.closing = -frame.n.dot(velocity);
+  at.slip = frame.T.transpose() * velocity;
+  if (parameters_.stick_time > 0.0) at.spring = in.z.segment<2>(2 * at.place) / parameters_.stick_time;
+  at.u = at.slip + at.spring;
+  at.normal = parameters_.normal_force(at.overlap, at.closing);
+  at.inverse_speed = 1.0 / std::sqrt(at.u.squaredNorm() + parameters_.slip_speed * parameters_.slip_speed);
 }
 
 template <class Use>
-void RigidPlane::each_contact(const ElementInput& in, const ContactRim& rim, int first_place, Use use) const {
-  const BodyKinematics& body = *in.pair.body[0];
-  const Eigen::Vector3d& n = parameters_.normal;
-  const Eigen::Vector3d a = body.A * rim.marker.axes.col(2);
+void RigidPlane::each_contact_of_rim(const ElementInput& in, const Frame& frame, const ContactRim& rim, int first_place,
+                                     Use use) const {
+  const Eigen::Vector3d &n = frame.n, a = rim.marker.axes.col(2), &centre = rim.marker.s0;
   const Eigen::Vector3d down = n.dot(a) * a - n;
-  const double s = down.norm();
-  const Eigen::Vector3d centre = body.r + body.A * rim.marker.s0;
-  if (n.dot(centre - parameters_.point) > s * rim.radius) return;
+  const double s = down.norm(), height = frame.height + n.dot(centre);
+  if (height > s * rim.radius) return;
   const bool tilted = s > kUpright;
-  const Eigen::Vector3d e_0 = tilted ? Eigen::Vector3d(down / s) : Eigen::Vector3d(body.A * rim.marker.axes.col(0));
+  const Eigen::Vector3d e_0 = tilted ? Eigen::Vector3d(down / s) : Eigen::Vector3d(rim.marker.axes.col(0));
   const Eigen::Vector3d b = a.cross(e_0);
-  const double height = n.dot(centre - parameters_.point);
+  const Eigen::Matrix3d& A = in.pair.body[0]->A;
   Contact at;
-  Marker on_rim;
   for (int k = 0; k < kRimPlaces; ++k) {
     const Eigen::Vector3d e_k = rim_cosine(k) * e_0 + rim_sine(k) * b;
-    if (height + rim.radius * n.dot(e_k) > kClear) continue;
-    on_rim.s0 = rim.marker.s0 + rim.radius * (body.A.transpose() * e_k);
-    if (!contact(in, on_rim, 0.0, first_place + k, at)) continue;
+    at.s = centre + rim.radius * e_k;
+    at.overlap = -(frame.height + n.dot(at.s));
+    if (at.overlap <= 0.0) continue;
+    at.place = first_place + k;
+    apply_law(in, frame, Eigen::Vector3d::Zero(), at);
     // b stays horizontal while the body turns by dtheta: in addition the places turn about a by psi = -(b x n).dtheta / s.
-    if (tilted) at.wander = (-rim.radius / s) * a.cross(e_k) * b.cross(n).transpose();
-    use(at);
+    if (tilted) at.wander = (-rim.radius / s) * A * a.cross(e_k) * (A * b.cross(n)).transpose();
+    use(at, frame);
   }
 }
 
 template <class Use>
 void RigidPlane::each_contact(const ElementInput& in, Use use) const {
-  if (far(*in.pair.body[0])) return;
-  // Heights first: most points do not touch, and their velocities are not required.
   const BodyKinematics& body = *in.pair.body[0];
-  const Eigen::Vector3d n_B = body.A.transpose() * parameters_.normal;
-  const double height = parameters_.normal.dot(body.r - parameters_.point);
-  const double bent =
-      body.modes == 0 ? 0.0 : flexible_reach_ * body.a.norm();  // largest displacement of a point by the modes
-  Contact at;
-  int place = -1;
-  for (const ContactPoint& point : points_) {
-    const Marker& m = point.marker;
-    ++place;
-    double h = height + n_B.dot(m.s0);
-    if (h - bent - point.radius > kClear) continue;
-    for (Eigen::Index k = 0; k < m.S.cols(); ++k) h += n_B.dot(m.S.col(k)) * body.a[k];
-    if (h - point.radius <= kClear && contact(in, m, point.radius, place, at)) use(at);
+  if (far(body)) return;
+  const Frame frame(body, parameters_, tangents_);
+  Scratch& scratch = scratch_of<Scratch>(in);
+  const bool bends = S_.cols() > 0;
+  if (bends) {
+    scratch.s = s_;
+    scratch.s.noalias() += S_ * body.a;
   }
-  ++place;
+  bool rates_known = false;
+  const double* s = bends ? scratch.s.data() : s_.data();
+  Contact at;
+  for (std::size_t i = 0; i < points_.size(); ++i, s += 3) {
+    at.overlap = points_[i].radius - (frame.height + frame.n[0] * s[0] + frame.n[1] * s[1] + frame.n[2] * s[2]);
+    if (at.overlap <= 0.0) continue;
+    if (bends && !rates_known) scratch.ds.noalias() = S_ * body.da;
+    rates_known = true;
+    at.point = at.place = static_cast<int>(i);
+    at.radius = points_[i].radius;
+    at.s = {s[0], s[1], s[2]};
+    apply_law(in, frame, bends ? Eigen::Vector3d(scratch.ds.segment<3>(3 * at.point)) : Eigen::Vector3d::Zero(), at);
+    use(at, frame);
+  }
+  int place = static_cast<int>(points_.size());
   for (const ContactRim& rim : rims_) {
-    each_contact(in, rim, place, use);
+    each_contact_of_rim(in, frame, rim, place, use);
     place += kRimPlaces;
   }
 }
 
 void RigidPlane::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorXd> Q,
                            Eigen::Ref<Eigen::VectorXd> dz) const {
-  const bool springs = parameters_.stick_time > 0.0;
+  const bool springs = parameters_.stick_time > 0.0, bends = S_.cols() > 0;
   if (springs) dz = -in.z / parameters_.stick_time;
-  each_contact(in, [&](const Contact& at) {
-    at.p.add_transposed(at.force, Q);
-    Q.segment<3>(3) -= at.radius * parameters_.normal.cross(at.force);
-    if (springs) dz.segment<2>(2 * at.place) += tangents_.transpose() * parameters_.clipped(at.u);
+  Eigen::VectorXd& forces = scratch_of<Scratch>(in).forces;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = force;  // in B
+  bool any = false;
+  each_contact(in, [&](const Contact& at, const Frame& frame) {
+    if (bends && !any) forces.setZero();
+    any = true;
+    const Eigen::Vector3d f = at.force(frame.n, frame.T, parameters_.friction);
+    force += f;
+    moment += at.arm.cross(f);
+    if (bends) forces.segment<3>(3 * at.point) = f;
+    if (springs) dz.segment<2>(2 * at.place) += parameters_.clipped(at.u);
   });
+  if (!any) return;
+  const Eigen::Matrix3d& A = in.pair.body[0]->A;
+  Q.head<3>() += A * force;
+  Q.segment<3>(3) += A * moment;
+  if (bends) Q.segment(6, S_.cols()).noalias() += S_.transpose() * forces;
 }
 
 bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
@@ -205,24 +237,27 @@ bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out
   const Eigen::Matrix3d tangent = Eigen::Matrix3d::Identity() - n * n.transpose();
   const Eigen::Vector3d w = in.pair.body[0]->w;
   const double tau = parameters_.stick_time;
-  Eigen::Matrix3Xd &X = scratch_of<Scratch>(in).X, &by_x = scratch_of<Scratch>(in).by_x;
+  Scratch& scratch = scratch_of<Scratch>(in);
+  Eigen::Matrix3Xd &X = scratch.X, &by_x = scratch.by_x;
   bool any = tau > 0.0;
   if (any) out.ddz_dz.noalias() -= Eigen::Matrix2d::Identity().replicate(place_count(), 1) / tau;
-  each_contact(in, [&](const Contact& at) {
+  each_contact(in, [&](const Contact& at, const Frame&) {
     any = true;
-    const Eigen::Vector3d direction = n - mu * at.inverse_speed * at.u;
+    const double inverse = at.inverse_speed;
+    const Eigen::Vector3d u = tangents_ * at.u, direction = n - mu * inverse * u, force = at.force(n, tangents_, mu);
     const Eigen::Matrix3d friction_by_u =
-        (-mu * at.normal_force) * (at.inverse_speed * tangent -
-                                   (at.inverse_speed * at.inverse_speed * at.inverse_speed) * at.u * at.u.transpose());
-    const Eigen::Matrix3d by_u = -at.by_closing * direction * n.transpose() + friction_by_u;
-    const Eigen::Matrix3d by_p = -at.by_overlap * direction * n.transpose();
+        (-mu * at.normal.force) * (inverse * tangent - (inverse * inverse * inverse) * u * u.transpose());
+    const Eigen::Matrix3d by_u = -at.normal.by_closing * direction * n.transpose() + friction_by_u;
+    const Eigen::Matrix3d by_p = -at.normal.by_overlap * direction * n.transpose();
 
     X.setZero();
     by_x.setZero();
-    const KinematicVector p = KinematicVector::point(in.pair, 0, *at.marker);
+    if (at.point == kOnRim) scratch.on_rim.s0 = at.s;
+    const Marker& marker = at.point == kOnRim ? scratch.on_rim : points_[at.point].marker;
+    const KinematicVector p = KinematicVector::point(in.pair, 0, marker);
     p.add_jacobian(X);
     p.add_rate_jacobian(by_x);
-    const Eigen::Matrix<double, 2, 3> dxi_by_u = tangents_.transpose() * parameters_.clip(at.u).slope;
+    const Eigen::Matrix<double, 2, 3> dxi_by_u = tangents_.transpose() * parameters_.clip(u).slope;
     if (tau > 0.0) {
       out.ddz_dx.middleRows<2>(2 * at.place).noalias() += dxi_by_u.lazyProduct(by_x);
       out.ddz_dx.block<2, 3>(2 * at.place, 3) += dxi_by_u * skew(w) * at.wander;
@@ -242,41 +277,43 @@ bool RigidPlane::add_derivatives(const ElementInput& in, ElementDerivatives& out
       out.dQ_dz.middleCols<2>(2 * at.place).noalias() += X.transpose().lazyProduct(by_xi);
       out.ddz_dv.middleRows<2>(2 * at.place).noalias() += dxi_by_u.lazyProduct(X);
     }
-    p.add_second(at.force, out.dQ_dx);
-    out.dQ_dx.block<3, 3>(3, 3) -= skew(at.force) * at.wander;  // the moment p x f
+    p.add_second(force, out.dQ_dx);
+    out.dQ_dx.block<3, 3>(3, 3) -= skew(force) * at.wander;  // the moment p x f
   });
   return any;
 }
 
 void RigidPlane::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
   const double mu = parameters_.friction, tau = parameters_.stick_time, v_s = parameters_.slip_speed;
-  each_contact(in, [&](const Contact& at) {
-    stored[Stored::kContact] += 0.4 * at.elastic * at.overlap;
-    power[Dissipation::kContact] += (at.normal_force - at.elastic) * at.closing;
-    power[Dissipation::kFriction] += mu * at.normal_force * at.inverse_speed * at.u.dot(at.slip);
+  each_contact(in, [&](const Contact& at, const Frame&) {
+    const double elastic = at.normal.elastic, f_n = at.normal.force;
+    stored[Stored::kContact] += 0.4 * elastic * at.overlap;
+    power[Dissipation::kContact] += (f_n - elastic) * at.closing;
+    power[Dissipation::kFriction] += mu * f_n * at.inverse_speed * at.u.dot(at.slip);
     if (tau == 0.0) return;
     // Stored mu f psi(xi), f = k delta^1.5: its rate is not dissipated.
     const double root = std::sqrt(at.spring.squaredNorm() + v_s * v_s), psi = tau * (root - v_s);
-    const Eigen::Vector3d rate = parameters_.clipped(at.u) - at.spring;  // xi'
-    stored[Stored::kContact] += mu * at.elastic * psi;
+    const Eigen::Vector2d rate = parameters_.clipped(at.u) - at.spring;  // xi'
+    stored[Stored::kContact] += mu * elastic * psi;
     power[Dissipation::kFriction] -=
-        mu * (at.elastic * at.spring.dot(rate) / root + 1.5 * at.elastic / at.overlap * at.closing * psi);
+        mu * (elastic * at.spring.dot(rate) / root + 1.5 * elastic / at.overlap * at.closing * psi);
   });
 }
 
 Eigen::Matrix<double, 6, 1> RigidPlane::wrench(const ElementInput& in) const {
+  const Eigen::Matrix3d& A = in.pair.body[0]->A;
   Eigen::Matrix<double, 6, 1> out = Eigen::Matrix<double, 6, 1>::Zero();
-  each_contact(in, [&](const Contact& at) {
-    const Eigen::Vector3d arm = at.p.value() - in.pair.body[0]->r - at.radius * parameters_.normal;
-    out.head<3>() += at.force;
-    out.tail<3>() += arm.cross(at.force);
+  each_contact(in, [&](const Contact& at, const Frame& frame) {
+    const Eigen::Vector3d force = at.force(frame.n, frame.T, parameters_.friction);
+    out.head<3>() += A * force;
+    out.tail<3>() += A * at.arm.cross(force);
   });
   return out;
 }
 
 double RigidPlane::largest_overlap(const ElementInput& in) const {
   double largest = 0.0;
-  each_contact(in, [&](const Contact& at) { largest = std::max(largest, at.overlap); });
+  each_contact(in, [&](const Contact& at, const Frame&) { largest = std::max(largest, at.overlap); });
   return largest;
 }
 

@@ -59,18 +59,22 @@ class RigidPlane : public ContactElement {
 
  private:
   struct Scratch;
+  struct Frame;
   struct Contact;
   bool far(const BodyKinematics& body) const;  // bounding sphere clear of the plane
   int place_count() const;
-  bool contact(const ElementInput& in, const Marker& marker, double radius, int place, Contact& out) const;
+  void apply_law(const ElementInput& in, const Frame& frame, const Eigen::Vector3d& ds, Contact& at) const;
   template <class Use>
-  void each_contact(const ElementInput& in, Use use) const;  // use(contact) for every contact
+  void each_contact(const ElementInput& in, Use use) const;  // use(contact, frame) for every contact
   template <class Use>
-  void each_contact(const ElementInput& in, const ContactRim& rim, int first_place, Use use) const;
+  void each_contact_of_rim(const ElementInput& in, const Frame& frame, const ContactRim& rim, int first_place,
+                           Use use) const;
 
   std::vector<ContactPoint> points_;
   std::vector<ContactRim> rims_;
   Parameters parameters_;
+  Eigen::VectorXd s_;                     // of all points from Bo in B, undeformed [m]
+  Eigen::MatrixXd S_;                     // modes there
   Eigen::Matrix<double, 3, 2> tangents_;  // columns span the plane; xi is in these
   double reach_ = 0.0;                    // radius about Bo that encloses all undeformed spheres [m]
   double flexible_reach_ = 0.0;           // largest |S| of a point: reach grows by this times |a| [m per unit of a]

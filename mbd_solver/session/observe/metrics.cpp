@@ -10,7 +10,6 @@
 #include "mbd_solver/assemble/codes.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/elements/cable.h"
-#include "mbd_solver/model/modal_body.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/resolve.h"
 #include "mbd_solver/session/codes.h"
@@ -31,6 +30,7 @@ FlexibleBodies::FlexibleBodies(const Subject& subject) : model_(subject.mechanis
   const Scene& scene = subject.scene;
   for (const int i : bodies_) {
     const ModalBody& modal = *model_.body(i).modal();
+    stresses_.emplace_back(modal);
     Limits limits;
     limits.lowest = lowest_frequency(modal);
     limits.extent = extent(modal);
@@ -62,8 +62,8 @@ void FlexibleBodies::update(const Sample& sample) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const Body& body = model_.body(bodies_[k]);
     const BodyKinematics& at = sample.kinematics.of(bodies_[k]);
-    now_[k] = {body.inertia().strain_energy(at.a), largest_deflection(*body.modal(), at.a),
-               von_mises(*body.modal(), at.a), at.w.norm() / limits_[k].lowest};
+    now_[k] = {body.inertia().strain_energy(at.a), largest_deflection(*body.modal(), at.a), stresses_[k].at(at.a),
+               at.w.norm() / limits_[k].lowest};
     peak_[k].strain_energy = std::max(peak_[k].strain_energy, now_[k].strain_energy);
     peak_[k].deflection = std::max(peak_[k].deflection, now_[k].deflection);
     peak_[k].von_mises = std::max(peak_[k].von_mises, now_[k].von_mises);

@@ -6,6 +6,7 @@
 
 #include "coupler/archive.h"
 #include "mbd_solver/dynamics/energy_flow.h"
+#include "mbd_solver/model/modal_body.h"
 #include "mbd_solver/session/observe/sampler.h"
 #include "mbd_solver/session/observe/unheld_bodies.h"
 
@@ -50,6 +51,7 @@ class FlexibleBodies {
   std::vector<int> bodies_;  // in the model
   std::vector<FlexibleMetrics> now_, peak_;
   std::vector<Limits> limits_;
+  std::vector<LargestStress> stresses_;
   std::vector<std::string> warnings_;
 };
 

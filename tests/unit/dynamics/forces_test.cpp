@@ -164,11 +164,14 @@ TEST(RigidPlane, NeverPulls) {
   const Layout layout(model);
   Kinematics kinematics(model);
   State state = test::as_given(model).state;
+  SharedCopies shared;
+  const std::unique_ptr<ElementScratch> scratch = plane.scratch(shared);
   for (double speed : {-100.0, -1.0, 0.0, 1.0, 100.0}) {
     state.v[2] = speed;
     kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
-    EXPECT_GE(plane.wrench({kinematics.pair(ball, kGround), plane.initial_state(), Eigen::VectorXd()})[2], 0.0)
-        << speed;
+    ElementInput in{kinematics.pair(ball, kGround), plane.initial_state(), Eigen::VectorXd()};
+    in.scratch = scratch.get();
+    EXPECT_GE(plane.wrench(in)[2], 0.0) << speed;
   }
 }
 
