@@ -480,10 +480,9 @@ std::string view_of(const ViewArguments& a, const fs::path& folder) {
 std::string how_to_dump(const Json& scene) {
   if (!touches_grains(scene)) return "It has no grains.";
   return scene.value("particles", Json::object()).contains("box")
-             ? "Run it with --set particles.box.frame_interval=0.01."
-             : "Run it with --set particles.variables.frames=0.01 if its script has this variable; otherwise add to "
-               "the "
-               "script: dump grains all custom 500 ${out}/grains_*.txt id type x y z vx vy vz fx fy fz radius.";
+             ? "Run it with `--set particles.box.frame_interval=0.01`."
+             : "Run it with `--set particles.variables.frames=0.01` if its script has this variable; otherwise add to "
+               "the script: `dump grains all custom 500 ${out}/grains_*.txt id type x y z vx vy vz fx fy fz radius`.";
 }
 
 std::string write_view(const ViewArguments& arguments) {

@@ -257,6 +257,8 @@ inline constexpr MessageCode kShippedFile{"E0230", "shipped-file"};
 
 // The script does not use the variable, so its value has no effect. Remove it unless another script needs it.
 inline constexpr MessageCode kUnusedVariable{"W1135", "unused-variable"};
+// The scene has grains, a script or a box, and no ground, so the mechanism runs alone. Write ground.kind = "particles", or "none" if this is intended.
+inline constexpr MessageCode kGrainsNotUsed{"W1186", "grains-not-used"};
 // The key has no effect on this kind of controller. Remove it.
 inline constexpr MessageCode kUnusedKey{"W1141", "unused-key"};
 // A material is lighter than foam, mostly by a wrong unit. Use the suffix _g_cm3 for grams per cubic centimetre.

@@ -12,8 +12,8 @@ all=(soil_first soil_second grains_first grains_second)
 
 # HALF: the calibration with these targets alone; its page without pictures. Runs of the other half on the same ground are used again.
 half() {
-  local ground=${1%_*} half=${1#*_} file=paper other
-  [[ $ground != soil ]] || file=paper_on_soil
+  local ground=${1%_*} half=${1#*_} file other
+  file=paper_on_$ground
   other=$ground\_$([[ $half == first ]] && echo second || echo first)
   mkdir -p "$runs/$1"
   [[ -f $runs/$1/numbers.jsonl || ! -f $runs/$other/numbers.jsonl ]] || cp "$runs/$other/numbers.jsonl" "$runs/$1/numbers.jsonl"

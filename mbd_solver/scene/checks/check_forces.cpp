@@ -471,6 +471,10 @@ void check_contact(const Scene& scene, Findings& findings) {
   if (kind == GroundKind::kParticles && scene.particles && scene.particles->script.empty() && !scene.particles->box)
     findings.error(kMissingKey, scene.particles->source, "script",
                    "is missing; name a LIGGGHTS script, or give [particles.box] for a simple bed");
+  if (kind == GroundKind::kNone && scene.particles && !scene.ground.source.given("kind"))
+    findings.warning(kGrainsNotUsed, scene.particles->source, "",
+                     "has no effect, because the scene names no ground: the mechanism runs without LIGGGHTS. Add "
+                     "[ground] with kind = \"particles\", or with kind = \"none\" if this is intended");
   at.error_if(kind != GroundKind::kNone && scene.boundaries.empty(), kGroundIncomplete, "kind",
               "gives a ground that nothing touches; add [[boundaries]], or set kind = \"none\"");
   if (scene.initial.clearance && kind == GroundKind::kNone)

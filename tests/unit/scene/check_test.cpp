@@ -66,6 +66,16 @@ TEST(SceneCheck, GroundNeedsItsSectionAndSomethingThatTouchesIt) {
   EXPECT_NE(text.findings(kPendulum + "[ground]\nkind = \"plane\"\nplane = { young = 1e6, restitution = 1 }\n"), "");
 }
 
+TEST(SceneCheck, GrainsWithoutAGroundAreWarnedOf) {
+  const SceneText text;
+  const std::string grains = kPendulum + "[particles.box]\nsize = [1, 1]\ndepth = 0.1\nradius = 0.01\n";
+  const std::vector<std::string> warnings = text.read(grains).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], HasSubstr("particles: has no effect, because the scene names no ground"));
+  EXPECT_TRUE(text.read(grains + "[ground]\nkind = \"none\"\n").warnings.empty());
+  EXPECT_TRUE(text.read(grains, {"ground.kind=none"}).warnings.empty());
+}
+
 // The spline of a motion swings out near points that are not smooth, and continues beyond its end.
 TEST(SceneCheck, TellsWhereTheSplineOfAMotionLeavesItsPoints) {
   const auto warnings = [](const std::string& table) {

@@ -24,7 +24,8 @@ export function scaleFor(unit, largest) {
 export function short(value, digits = 4) {
   if (value === 0) return "0";
   const size = Math.abs(value);
-  return size >= 1e5 || size < 1e-3 ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits)));
+  const rounded = Number(value.toPrecision(digits));
+  return size >= 1e5 || size < 1e-3 ? rounded.toExponential() : String(rounded);
 }
 
 export function withUnit(value, unit) {
