@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Remakes docs/data/calibration/foretold: numbers fitted to one half of the statements of docs/paper.md foretell the other half. `first` is fitted to Table 2 and Figure 12,
 # `second` to Figures 13 to 15; targets of the other half have no weight.
-#   docs/data/remake/foretold.sh [RUNS [HALF...]]     RUNS: folder of the runs (default runs/foretold). HALF: soil_first soil_second (minutes each), grains_first grains_second (many hours each)
+#   docs/data/remake/foretold.sh [RUNS [HALF...]]     RUNS: folder of the runs (default runs/foretold). HALF: soil_first soil_second (minutes each), grains_first grains_second (ten minutes each on two cores, without beds)
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 . docs/data/remake/parts.sh
