@@ -229,6 +229,28 @@ TEST(PlateElement, PassesThePatchTestOfConstantCurvatureAndConstantStrain) {
   }
 }
 
+// Constant curvature, w = 1/2 (k_x x^2 + k_y y^2) + k_xy x y, stores 1/2 A E t^3 / (12 (1 - nu^2)) (k_x^2 + k_y^2 + 2 nu k_x k_y + 2 (1 - nu) k_xy^2).
+TEST(PlateElement, StoresTheExactEnergyOfConstantCurvature) {
+  const double t = 0.01, area = 0.5 * (1.3 * 0.8 - 0.2 * 0.1);
+  const Vector3d corners[3] = {{0, 0, 0}, {1.3, 0.1, 0}, {0.2, 0.8, 0}};
+  for (const double nu : {0.0, 0.33}) {
+    const Material material{1.0, 1e9, nu};
+    const Matrix18d K = PlateElement(corners[0], corners[1], corners[2], t, material).stiffness();
+    for (const Vector3d& k : {Vector3d(1e-3, 0, 0), Vector3d(0, 1e-3, 0), Vector3d(2e-3, 1e-3, -1e-3)}) {
+      Vector18d u = Vector18d::Zero();
+      for (int i = 0; i < 3; ++i) {
+        const double x = corners[i].x(), y = corners[i].y();
+        u(6 * i + 2) = 0.5 * (k[0] * x * x + k[1] * y * y) + k[2] * x * y;
+        u(6 * i + 3) = k[1] * y + k[2] * x;     // dw/dy
+        u(6 * i + 4) = -(k[0] * x + k[2] * y);  // -dw/dx
+      }
+      const double squares = k[0] * k[0] + k[1] * k[1] + 2.0 * nu * k[0] * k[1] + 2.0 * (1.0 - nu) * k[2] * k[2];
+      const double exact = 0.5 * area * material.young * t * t * t / (12.0 * (1.0 - nu * nu)) * squares;
+      EXPECT_NEAR(0.5 * u.dot(K * u), exact, 1e-11 * exact) << "nu " << nu << " curvature " << k.transpose();
+    }
+  }
+}
+
 // Felippa's optimality: a rectangle of any side ratio, made of two overlaid pairs of half-thickness
 // triangles, stores exactly the energy of in-plane bending, 1/2 E kappa^2 I a.
 TEST(PlateElement, MembraneStoresTheExactEnergyOfInPlaneBendingAtAnySideRatio) {
