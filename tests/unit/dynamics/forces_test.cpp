@@ -614,5 +614,35 @@ TEST(EnergyFlow, OfAFreeSpinIsItsKineticEnergy) {
   EXPECT_NEAR(flow_of(run, model, 1.0, 10), 0.5 * 0.2 * 9.0, 1e-9);  // round-off of 5000 J
 }
 
+// A scale by each of its parts: energy that flows, a spin that is over, a form that was large.
+TEST(EnergyFlow, IsTheSameFromACheckpoint) {
+  Model model;
+  BodyState spin;
+  spin.w = {0.0, 0.0, 3.0};
+  model.add_body(Body("top", 1.0, 0.2 * Eigen::Matrix3d::Identity()), spin);
+  const Layout layout(model);
+  Kinematics kinematics(model);
+  State state = test::as_given(model).state;
+  kinematics.load(layout, state.q, state.v, Eigen::VectorXd());
+  for (const auto& [kinetic, gravity] : {std::pair(3.0, 0.0), std::pair(0.0, 1e12), std::pair(0.01, 0.02)}) {
+    EnergyFlow flow(model), resumed(model);
+    StoredEnergy stored{};
+    stored[Stored::kKinetic] = kinetic;
+    stored[Stored::kGravity] = gravity;
+    flow.sample(stored, state, kinematics);
+    Archive saved;
+    flow.visit(saved);
+    Archive text("run.txt", saved.text());
+    resumed.visit(text);
+    text.finish();
+    EXPECT_GT(flow.scale(), 0.0);
+    EXPECT_EQ(resumed.scale(), flow.scale());
+    stored[Stored::kKinetic] = 0.5 * kinetic;
+    flow.sample(stored, state, kinematics);
+    resumed.sample(stored, state, kinematics);
+    EXPECT_EQ(resumed.scale(), flow.scale());
+  }
+}
+
 }  // namespace
 }  // namespace footfall

@@ -10,6 +10,7 @@
 #include "coupler/transport_loopback.h"
 #include "liggghts_fix/link/codes.h"
 #include "liggghts_fix/link/dem_link.h"
+#include "liggghts_fix/link/grain_books.h"
 #include "liggghts_fix/link/grain_paths.h"
 #include "liggghts_fix/link/rank_shares.h"
 #include "tests/support/refused.h"
@@ -548,6 +549,35 @@ TEST(RankShares, ClearedLoadIsEmptyAndKeepsItsShape) {
   clear(load);
   EXPECT_EQ(share_size(load), size);
   EXPECT_EQ(test::differences(load, empty_load(2, 2)), Names());
+}
+
+// Each number of every rank comes to its own sum, and a row begins anew.
+TEST(GrainBooks, AddTheChangesOfAllRanks) {
+  GrainBooks first, second;
+  const GrainChanges one{0.5, -0.25, 2.0, 0.125, 3.0, 5.0, 0.75, 7.0},
+      two{1.5, -1.25, 4.0, 0.375, 30.0, 50.0, 1.75, 70.0};
+  for (GrainBooks* books : {&first, &second}) {
+    books->begin();
+    books->count_changes();
+  }
+  first.changed(one);
+  second.changed(two);
+  std::vector<double> rows;
+  first.append_share(10, rows);
+  second.append_share(20, rows);
+  first.append_share(11, rows);  // of the next window: nothing has changed
+  Load load;
+  for (std::size_t k = 0; k < rows.size(); k += GrainBooks::row_size()) first.add_share(rows.data() + k, {}, 1e-5);
+  first.finish_window(0.0, load);
+  EXPECT_EQ(load.particles, 41);
+  EXPECT_EQ(load.changes.inserted, 2.0);
+  EXPECT_EQ(load.changes.left, -1.5);
+  EXPECT_EQ(load.changes.changed, 6.0);
+  EXPECT_EQ(load.changes.lost_mass, 0.5);
+  EXPECT_EQ(load.changes.added, 33.0);
+  EXPECT_EQ(load.changes.removed, 55.0);
+  EXPECT_EQ(load.changes.added_mass, 2.5);
+  EXPECT_EQ(load.changes.removed_mass, 77.0);
 }
 
 }  // namespace
