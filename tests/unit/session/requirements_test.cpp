@@ -9,6 +9,7 @@
 #include "mbd_solver/session/observe/observation.h"
 #include "mbd_solver/session/observe/requirements.h"
 #include "mbd_solver/session/observe/start_values.h"
+#include "mbd_solver/session/output/checkpoint_folder.h"
 #include "mbd_solver/session/output/summary.h"
 #include "mbd_solver/session/run_scene.h"
 #include "tests/support/refused.h"
@@ -132,6 +133,20 @@ TEST(Requirements, TellOfUnitsThatTheirNumberDoesNotHave) {
                                                       {"max_descent_m", "m"},
                                                       {"steps", "N"}};
   for (const auto& [value, unit] : fine) EXPECT_TRUE(warnings(value, unit).empty()) << value;
+}
+
+// The top is at 0.2 s; the run that is resumed at 0.25 s sees it no more.
+TEST(Requirements, RememberWhatWasBeforeACheckpoint) {
+  const SceneText folder;
+  const Scene scene = folder.read(kThrown + requirement("height", "ball.z.max - 3", "unit = \"m\"\nmost = 0.25\n"),
+                                  {"output.checkpoint_interval=0.25"});
+  RunOptions options;
+  options.out = (std::filesystem::path(scene.file).parent_path() / "out").string();
+  options.quiet = true;
+  ASSERT_EQ(run_scene(scene, options, nullptr, test::kNever), kExitDone);
+  options.checkpoint = newest_checkpoint(options.out);
+  ASSERT_EQ(run_scene(scene, options, nullptr, test::kNever), kExitDone);
+  EXPECT_NEAR(read_summary(options.out + "/summary.json").at("requirements")[0]["value"], 0.2, 5e-6);
 }
 
 }  // namespace
