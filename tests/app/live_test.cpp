@@ -23,7 +23,7 @@ using nlohmann::json;
 
 // Half a minute at most, for what the run and its page do in a moment on a quiet machine.
 template <class Done>
-bool comes_true(const Done& done, int tenths = 300) {
+bool comes_true(const Done& done, int tenths = 600) {
   for (int k = 0; k < tenths && !done(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   return done();
 }

@@ -9,7 +9,7 @@ const kRows = 4200;          // of the history, for a run whose end is known
 const kMostNumbers = 3e8;    // of all frames of grains; beyond that every second frame goes
 const kSteps = 65534, kAbsent = 65535, kMostStress = 65535;
 const kFirst = 400;          // what comes so soon after the first event is shown together with it [ms]
-const kRested = 10;          // times as long as it took to build the page anew, nothing is built anew
+const kRested = 10, kLongest = 10000;  // times as long as it took to build the page anew, nothing is built anew; at most [ms]
 
 const unpack = async (text) => inflate(bytesOfBase64(text));
 
@@ -253,6 +253,6 @@ export class LiveRun {
     for (const [name, corners] of this.meshes) given.set(name, corners);
     this.run = { ...this.head, bodyNames: this.names ?? [], grains: this.grainsSpec(), bodies: this.bodiesSpec(), marks: this.marksSpec(), history: true };
     this.stage = await this.rebuild(this.run, this.history, this.shown);
-    this.due = start + (1 + kRested) * (performance.now() - start);
+    this.due = performance.now() + Math.min(kLongest, kRested * (performance.now() - start));
   }
 }

@@ -23,8 +23,9 @@ function fail(error) {
 // While it plays, numbers, slider and lines in the plots follow so often [ms]: to draw the page anew takes a software renderer longer than the
 // picture does.
 const kTold = 160;
-// Of a run in progress, what was added is shown so often [ms], and rests so much longer than it took: the run has the processor.
-const kGrown = 1000, kRested = 50;
+// Of a run in progress, what was added is shown so often [ms], and rests so much longer than it took, though not for ever: the run has the
+// processor.
+const kGrown = 1000, kRested = 50, kLongest = 10000;
 
 // Between two frames the browser may draw and answer.
 const breath = () => new Promise((resolve) => setTimeout(resolve, 0));
@@ -149,7 +150,7 @@ function startLive(head, link) {
       page.player.grow(live.end);
       Object.assign(document.body.dataset, { end: live.end, rows: live.rows, bodies: live.bodies.length, grains: live.grains.length });
       await page.stage.drawn();
-      due = start + Math.max(kGrown, kRested * (performance.now() - start));
+      due = start + Math.min(kLongest, Math.max(kGrown, kRested * (performance.now() - start)));
     },
     told({ text, over: ended, lost }) {
       word.textContent = text;
