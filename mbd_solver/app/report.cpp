@@ -294,9 +294,11 @@ void add_metric(const Json& summary, const char* label, const char* key, double 
   if (meaning != nullptr) rows.back().emplace_back(meaning);
 }
 
+void show_end(const Json& summary, HtmlPage& page) {
+  if (summary.value("status", "unknown") != "done") page.warning("This run is not complete: " + end_text(summary));
+}
+
 void show_warnings(const Json& summary, HtmlPage& page) {
-  const std::string status = summary.value("status", "unknown");
-  if (status != "done") page.warning("This run is not complete: " + end_text(summary));
   for (const Json& text : summary.value("warnings", Json::array())) page.warning(text.get<std::string>());
   for (const Json& accepted : summary.value("accepted_warnings", Json::array()))
     page.warning("Accepted, as " + accepted.value("reason", "") + ": " + accepted.value("warning", ""));
@@ -459,6 +461,7 @@ std::string run_page(const std::string& run) {
   const std::string title = summary.contains("scene") ? summary.at("scene").value("title", "") : "";
   HtmlPage page(title.empty() ? folder.filename().string() : title);
   page.paragraph(about(folder, summary));
+  show_end(summary, page);
   show_requirements(summary, page);
   page.section("Sheet");
   show_mechanism(folder, summary, page);
