@@ -142,15 +142,18 @@ function startLive(head, link) {
       const start = performance.now();
       if (!page || (!over && (start < due || document.hidden))) return;
       due = Infinity;
-      if (scaled) page.controls.colourGrains();
-      scaled = false;
-      page.stage.arrows?.grow();
-      page.controls.tellForces();
-      page.plots?.grow();
-      page.player.grow(live.end);
-      Object.assign(document.body.dataset, { end: live.end, rows: live.rows, bodies: live.bodies.length, grains: live.grains.length });
-      await page.stage.drawn();
-      due = start + Math.min(kLongest, Math.max(kGrown, kRested * (performance.now() - start)));
+      try {
+        if (scaled) page.controls.colourGrains();
+        scaled = false;
+        page.stage.arrows?.grow();
+        page.controls.tellForces();
+        page.plots?.grow();
+        page.player.grow(live.end);
+        Object.assign(document.body.dataset, { end: live.end, rows: live.rows, bodies: live.bodies.length, grains: live.grains.length });
+        await page.stage.drawn();
+      } finally {
+        due = start + Math.min(kLongest, Math.max(kGrown, kRested * (performance.now() - start)));
+      }
     },
     told({ text, over: ended, lost }) {
       word.textContent = text;
