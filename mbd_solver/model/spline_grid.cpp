@@ -1,4 +1,4 @@
-// Four places are computed at once, each in its cell, where the field is a polynomial. Coefficients are stored for whole tiles.
+// Several places are computed at once, each in its cell, where the field is a polynomial. Coefficients are stored for whole tiles.
 
 #include "mbd_solver/model/spline_grid.h"
 
@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/lanes.h"
 
 namespace footfall {
 namespace {
@@ -17,42 +18,41 @@ constexpr int kPart = 16;  // cells of a map along each side of a part, of which
 constexpr int kTile = 64;  // cells along each side of a tile, of which the coefficients are found at once
 constexpr int kFade = 32;  // samples around a tile that have a share in its coefficients: the next has 0.27^32 = 5e-19
 
-// Four numbers in vector registers. Functions with them are in line: how they are handed over depends on the registers.
-using Four = double __attribute__((vector_size(4 * sizeof(double))));
-using Mask = long __attribute__((vector_size(4 * sizeof(double))));
-using FourInts = int __attribute__((vector_size(4 * sizeof(int))));
-#define FOOTFALL_IN_LINE inline __attribute__((always_inline))
-
 // From four coefficients of the spline to the powers of the place between them.
-FOOTFALL_IN_LINE void from_spline(Four& a, Four& b, Four& c, Four& d) {
-  const Four low = a - 2.0 * b + c, high = b - 2.0 * c + d, slope = 0.5 * (c - a);
+template <class Real>
+FOOTFALL_IN_LINE void from_spline(Real& a, Real& b, Real& c, Real& d) {
+  const Real low = a - 2.0 * b + c, high = b - 2.0 * c + d, slope = 0.5 * (c - a);
   a = b + (1.0 / 6.0) * low;
   b = slope;
   c = 0.5 * low;
   d = (1.0 / 6.0) * (high - low);
 }
-FOOTFALL_IN_LINE void transpose(Four* c) {
-  const Four a = __builtin_shufflevector(c[0], c[1], 0, 4, 2, 6), b = __builtin_shufflevector(c[0], c[1], 1, 5, 3, 7),
-             d = __builtin_shufflevector(c[2], c[3], 0, 4, 2, 6), e = __builtin_shufflevector(c[2], c[3], 1, 5, 3, 7);
-  c[0] = __builtin_shufflevector(a, d, 0, 1, 4, 5);
-  c[1] = __builtin_shufflevector(b, e, 0, 1, 4, 5);
-  c[2] = __builtin_shufflevector(a, d, 2, 3, 6, 7);
-  c[3] = __builtin_shufflevector(b, e, 2, 3, 6, 7);
-}
 // Of a cubic of these powers: the value, its first and half its second derivative.
-FOOTFALL_IN_LINE void evaluate(const Four& x, const Four& a, const Four& b, const Four& c, const Four& d, Four* out) {
-  const Four last = x * d;
+template <class Real>
+FOOTFALL_IN_LINE void evaluate(const Real& x, const Real& a, const Real& b, const Real& c, const Real& d, Real* out) {
+  const Real last = x * d;
   out[0] = a + x * (b + x * (c + last));
   out[1] = b + x * (2.0 * c + 3.0 * last);
   out[2] = c + 3.0 * last;
 }
-// Where the mask is set.
-FOOTFALL_IN_LINE void set(const Mask& mask, const Four& value, Four& out) {
-  out = (Four)((mask & (Mask)value) | (~mask & (Mask)out));
+// From four numbers of each place, out[number] of all places.
+using Four = Lanes<4>::Real;
+FOOTFALL_IN_LINE void transpose(const double* const* from, Lanes<4>::Real* out) {
+  Four c[4];
+  for (int k = 0; k < 4; ++k) std::memcpy(&c[k], from[k], sizeof(Four));
+  const Four a = __builtin_shufflevector(c[0], c[1], 0, 4, 2, 6), b = __builtin_shufflevector(c[0], c[1], 1, 5, 3, 7),
+             d = __builtin_shufflevector(c[2], c[3], 0, 4, 2, 6), e = __builtin_shufflevector(c[2], c[3], 1, 5, 3, 7);
+  out[0] = __builtin_shufflevector(a, d, 0, 1, 4, 5);
+  out[1] = __builtin_shufflevector(b, e, 0, 1, 4, 5);
+  out[2] = __builtin_shufflevector(a, d, 2, 3, 6, 7);
+  out[3] = __builtin_shufflevector(b, e, 2, 3, 6, 7);
 }
-FOOTFALL_IN_LINE bool any(const Mask& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
-
-FOOTFALL_IN_LINE void fill(double value, Four& out) { out = Four{value, value, value, value}; }
+FOOTFALL_IN_LINE void transpose(const double* const* from, Lanes<8>::Real* out) {
+  Four low[4], high[4];
+  transpose(from, low);
+  transpose(from + 4, high);
+  for (int k = 0; k < 4; ++k) out[k] = __builtin_shufflevector(low[k], high[k], 0, 1, 2, 3, 4, 5, 6, 7);
+}
 
 }  // namespace
 
@@ -66,49 +66,56 @@ struct SplineGrid::Tile {
 
 namespace {
 
-// Four places in cells of a map, which is a polynomial in each.
+// Places in cells of a map, which is a polynomial in each.
+template <class L>
 struct CellPlaces {
-  Four x, y;                // in cells, from 0 to 1
-  Four beyond_x, beyond_y;  // the edge of the map [cells]
-  Four c[16];               // c[4 j + i]: the factor of x^i y^j
+  typename L::Real x, y;                // in cells, from 0 to 1
+  typename L::Real beyond_x, beyond_y;  // the edge of the map [cells]
+  typename L::Real c[16];               // c[4 j + i]: the factor of x^i y^j
 };
 
 // Along one axis, from the first sample on [cells].
-FOOTFALL_IN_LINE void find_cells(const Four& u, int samples, FourInts& cell, Four& within, Four& beyond) {
-  Four inside, most;
-  fill(0.0, inside);  // also of what is not a number: no place
-  fill(samples - 1, most);
-  set(u > 0.0, u, inside);
-  set(inside > most, most, inside);
-  cell = __builtin_convertvector(inside, FourInts);
+template <class L>
+FOOTFALL_IN_LINE void find_cells(const typename L::Real& u, int samples, typename L::Ints& cell,
+                                 typename L::Real& within, typename L::Real& beyond) {
+  const typename L::Real none = L::all(0.0), most = L::all(samples - 1);
+  typename L::Real inside = u > 0.0 ? u : none;  // also of what is not a number: no place
+  inside = inside > most ? most : inside;
+  cell = __builtin_convertvector(inside, typename L::Ints);
   cell -= (cell == samples - 1) & 1;
-  within = inside - __builtin_convertvector(cell, Four);
+  within = inside - __builtin_convertvector(cell, typename L::Real);
   beyond = u - inside;
 }
 
-FOOTFALL_IN_LINE void find_places(SplineGrid& map, const Four& x, const Four& y, CellPlaces& at) {
+template <class L>
+FOOTFALL_IN_LINE void find_places(SplineGrid& map, const typename L::Real& x, const typename L::Real& y,
+                                  CellPlaces<L>& at) {
   const HeightGrid& grid = map.grid();
-  FourInts i, j;
-  find_cells((x - grid.first.x()) * map.by().x(), grid.columns, i, at.x, at.beyond_x);
-  find_cells((y - grid.first.y()) * map.by().y(), grid.rows, j, at.y, at.beyond_y);
-  for (int k = 0; k < 4; ++k) {
-    const SplineGrid::Tile& tile = map.tile(i[k] / kTile, j[k] / kTile);
-    const double* row = &tile.c[(j[k] % kTile) * tile.stride + i[k] % kTile];
-    for (int n = 0; n < 4; ++n, row += tile.stride) std::memcpy(&at.c[4 * n + k], row, sizeof(Four));
+  typename L::Ints i, j;
+  find_cells<L>((x - grid.first.x()) * map.by().x(), grid.columns, i, at.x, at.beyond_x);
+  find_cells<L>((y - grid.first.y()) * map.by().y(), grid.rows, j, at.y, at.beyond_y);
+  const double* rows[4][L::kCount];
+  for (int k = 0; k < L::kCount; ++k) {
+    const auto column = static_cast<unsigned>(i[k]), row = static_cast<unsigned>(j[k]);
+    const SplineGrid::Tile& tile = map.tile(static_cast<int>(column / kTile), static_cast<int>(row / kTile));
+    rows[0][k] = &tile.c[(row % kTile) * static_cast<unsigned>(tile.stride) + column % kTile];
+    for (int n = 1; n < 4; ++n) rows[n][k] = rows[n - 1][k] + tile.stride;
   }
   for (int n = 0; n < 4; ++n) {
-    Four* const c = at.c + 4 * n;
-    transpose(c);
+    typename L::Real* const c = at.c + 4 * n;
+    transpose(rows[n], c);
     from_spline(c[0], c[1], c[2], c[3]);
   }
   for (int n = 0; n < 4; ++n) from_spline(at.c[n], at.c[4 + n], at.c[8 + n], at.c[12 + n]);
 }
 
 // f[i][j]: the derivative, i times along x and j along y; half of it where i or j is two, a quarter where both are.
-FOOTFALL_IN_LINE void evaluate(const CellPlaces& at, const Four& x, const Four& y, Four (*f)[3]) {
-  Four along[4][3];
+template <class L>
+FOOTFALL_IN_LINE void evaluate(const CellPlaces<L>& at, const typename L::Real& x, const typename L::Real& y,
+                               typename L::Real (*f)[3]) {
+  typename L::Real along[4][3];
   for (int j = 0; j < 4; ++j) {
-    const Four* const c = at.c + 4 * j;
+    const typename L::Real* const c = at.c + 4 * j;
     evaluate(x, c[0], c[1], c[2], c[3], along[j]);
   }
   for (int i = 0; i < 3; ++i) evaluate(y, along[0][i], along[1][i], along[2][i], along[3][i], f[i]);
@@ -116,13 +123,12 @@ FOOTFALL_IN_LINE void evaluate(const CellPlaces& at, const Four& x, const Four& 
 
 // Beyond an edge nothing bends across it.
 FOOTFALL_IN_LINE void add_height(SplineGrid& map, double place_x, double place_y, Terrain::Height& out) {
+  using L = Lanes<4>;
   const double by_x = map.by().x(), by_y = map.by().y();
-  Four four_x, four_y, f[3][3];
-  fill(place_x, four_x);
-  fill(place_y, four_y);
-  CellPlaces at;
-  find_places(map, four_x, four_y, at);
-  evaluate(at, at.x, at.y, f);
+  CellPlaces<L> at;
+  find_places<L>(map, L::all(place_x), L::all(place_y), at);
+  L::Real f[3][3];
+  evaluate<L>(at, at.x, at.y, f);
   const double x = at.beyond_x[0], y = at.beyond_y[0];
   out.h += f[0][0][0] + x * f[1][0][0] + y * (f[0][1][0] + x * f[1][1][0]);
   out.slope.x() += (f[1][0][0] + y * f[1][1][0]) * by_x;
@@ -132,120 +138,117 @@ FOOTFALL_IN_LINE void add_height(SplineGrid& map, double place_x, double place_y
   out.bend[2] += f[1][1][0] * (by_x * by_y);
 }
 
-struct FeetSearch {
-  const Eigen::Vector3d* points;
-  std::size_t count;
-  Eigen::Vector3d origin;
-  Eigen::Vector2d slope;
-  bool only_below;
-  Terrain::Foot* feet;
-  Terrain::Near* near;
-  Terrain::Height* at;
-};
-
 // Newton's method of Terrain::descend(), each point for itself: from step to step most stay in their cells.
-FOOTFALL_IN_LINE void find_feet(SplineGrid& map, const FeetSearch& search) {
-  const double slope_x = search.slope.x(), slope_y = search.slope.y(), by_x = map.by().x(), by_y = map.by().y();
-  for (std::size_t first = 0; first < search.count; first += 4) {
-    const Eigen::Vector3d* p[4];
-    for (std::size_t k = 0; k < 4; ++k) p[k] = search.points + std::min(first + k, search.count - 1);
-    const Four place_x = Four{p[0]->x(), p[1]->x(), p[2]->x(), p[3]->x()} - search.origin.x(),
-               place_y = Four{p[0]->y(), p[1]->y(), p[2]->y(), p[3]->y()} - search.origin.y(),
-               z = Four{p[0]->z(), p[1]->z(), p[2]->z(), p[3]->z()};
-    CellPlaces at;
-    const Four height = search.origin.z() + slope_x * place_x + slope_y * place_y;
-    Four x, least, h_out, x_out, y_out, gx_out, gy_out, xx_out, yy_out, xy_out;
-    fill(0.0, x);
-    Four y = x;
-    least = h_out = x_out = y_out = gx_out = gy_out = xx_out = yy_out = xy_out = x;
+template <class L>
+FOOTFALL_IN_LINE void find_feet(SplineGrid& map, const SplineGrid::Frame& frame, bool only_below, Terrain::Feet& feet,
+                                Terrain::Height* fields) {
+  using Real = typename L::Real;
+  using Mask = typename L::Mask;
+  const double slope_x = frame.slope.x(), slope_y = frame.slope.y(), by_x = map.by().x(), by_y = map.by().y();
+  for (int first = 0; first < feet.count; first += L::kCount) {
+    const typename L::Vector p = L::load(feet.points.data() + first, feet.points.rows());
+    Real place_x = p.x - frame.origin.x(), place_y = p.y - frame.origin.y();
+    const Real height = frame.origin.z() + slope_x * place_x + slope_y * place_y;
+    if (!std::isinf(frame.period)) {
+      place_x -= frame.period * L::floor(place_x / frame.period);
+      place_y -= frame.period * L::floor(place_y / frame.period);
+    }
+    CellPlaces<L> at;
+    Real x = L::all(0.0), y = x, least = x, h_out = x, x_out = x, y_out = x, gx_out = x, gy_out = x;
+    Real xx_out = x, yy_out = x, xy_out = x;
     Mask open = x == x, above = ~open, found = above, moved = open;  // moved: to another cell
-    for (int i = 0; i < kFootSteps && any(open); ++i) {
+    for (int i = 0; i < kFootSteps && L::any(open); ++i) {
       if (i == 0) {
-        find_places(map, place_x, place_y, at);
+        find_places<L>(map, place_x, place_y, at);
         open = (at.beyond_x == 0.0) & (at.beyond_y == 0.0);
-      } else if (any(moved)) {
-        CellPlaces to;
-        find_places(map, place_x + x, place_y + y, to);
-        set(moved, to.x - x * by_x, at.x);
-        set(moved, to.y - y * by_y, at.y);
-        for (int k = 0; k < 16; ++k) set(moved, to.c[k], at.c[k]);
+        for (int k = feet.count - first; k < L::kCount; ++k) open[k] = 0;
+      } else if (L::any(moved)) {
+        CellPlaces<L> to;
+        find_places<L>(map, place_x + x, place_y + y, to);
+        at.x = moved ? to.x - x * by_x : at.x;
+        at.y = moved ? to.y - y * by_y : at.y;
+        for (int k = 0; k < 16; ++k) at.c[k] = moved ? to.c[k] : at.c[k];
         open &= ~moved | ((to.beyond_x == 0.0) & (to.beyond_y == 0.0));
       }
-      Four f[3][3];
-      evaluate(at, at.x + x * by_x, at.y + y * by_y, f);
-      const Four h = height + slope_x * x + slope_y * y + f[0][0], d = h - z;
-      const Four g_x = slope_x + f[1][0] * by_x, g_y = slope_y + f[0][1] * by_y;
-      const Four h_xx = f[2][0] * (2.0 * by_x * by_x), h_yy = f[0][2] * (2.0 * by_y * by_y),
+      Real f[3][3];
+      evaluate<L>(at, at.x + x * by_x, at.y + y * by_y, f);
+      const Real h = height + slope_x * x + slope_y * y + f[0][0], d = h - p.z;
+      const Real g_x = slope_x + f[1][0] * by_x, g_y = slope_y + f[0][1] * by_y;
+      const Real h_xx = f[2][0] * (2.0 * by_x * by_x), h_yy = f[0][2] * (2.0 * by_y * by_y),
                  h_xy = f[1][1] * (by_x * by_y);
-      const Four merit = x * x + y * y + d * d;
+      const Real merit = x * x + y * y + d * d;
       if (i > 0) {
         open &= merit <= least * (1.0 + 1e-12) + 1e-30;
-      } else if (search.only_below) {
+      } else if (only_below) {
         above = open & (d < -kAboveField);
         open &= ~above;
       }
       least = merit;
-      const Four r_x = x + d * g_x, r_y = y + d * g_y;
-      const Four xx = 1.0 + g_x * g_x + d * h_xx, xy = g_x * g_y + d * h_xy, yy = 1.0 + g_y * g_y + d * h_yy;
-      const Four determinant = xx * yy - xy * xy, inverse = 1.0 / determinant;
+      const Real r_x = x + d * g_x, r_y = y + d * g_y;
+      const Real xx = 1.0 + g_x * g_x + d * h_xx, xy = g_x * g_y + d * h_xy, yy = 1.0 + g_y * g_y + d * h_yy;
+      const Real determinant = xx * yy - xy * xy, inverse = 1.0 / determinant;
       open &= (xx > 0.0) & (determinant > 0.0);
-      const Four s_x = (xy * r_y - yy * r_x) * inverse, s_y = (xy * r_x - xx * r_y) * inverse;
+      const Real s_x = (xy * r_y - yy * r_x) * inverse, s_y = (xy * r_x - xx * r_y) * inverse;
       x += s_x;
       y += s_y;
       // What the field has beyond these terms of a last step is below round-off.
       const Mask last = open & (s_x * s_x + s_y * s_y <= kLastFootStep * kLastFootStep);
-      if (any(last)) {
-        set(last, x, x_out);
-        set(last, y, y_out);
-        set(last, h + g_x * s_x + g_y * s_y, h_out);
-        set(last, g_x + h_xx * s_x + h_xy * s_y, gx_out);
-        set(last, g_y + h_xy * s_x + h_yy * s_y, gy_out);
-        set(last, h_xx, xx_out);
-        set(last, h_yy, yy_out);
-        set(last, h_xy, xy_out);
+      if (L::any(last)) {
+        x_out = last ? x : x_out;
+        y_out = last ? y : y_out;
+        h_out = last ? h + g_x * s_x + g_y * s_y : h_out;
+        gx_out = last ? g_x + h_xx * s_x + h_xy * s_y : gx_out;
+        gy_out = last ? g_y + h_xy * s_x + h_yy * s_y : gy_out;
+        xx_out = last ? h_xx : xx_out;
+        yy_out = last ? h_yy : yy_out;
+        xy_out = last ? h_xy : xy_out;
       }
       found |= last;
-      const Four to_x = at.x + x * by_x, to_y = at.y + y * by_y;
+      const Real to_x = at.x + x * by_x, to_y = at.y + y * by_y;
       open &= ~last;
       moved = open & ~((to_x >= 0.0) & (to_x <= 1.0) & (to_y >= 0.0) & (to_y <= 1.0));
     }
-    Four length = 1.0 + gx_out * gx_out + gy_out * gy_out;
-    length = Four{std::sqrt(length[0]), std::sqrt(length[1]), std::sqrt(length[2]), std::sqrt(length[3])};
-    const Four n_z = 1.0 / length, n_x = -gx_out * n_z, n_y = -gy_out * n_z;
-    const Four distance = (gx_out * x_out + gy_out * y_out + (z - h_out)) * n_z;
-    const std::size_t end = std::min(first + 4, search.count);
-    for (std::size_t m = first; m < end; ++m) {
-      const auto k = static_cast<int>(m - first);
-      search.near[m] = found[k] ? Terrain::Near::kFoot : above[k] ? Terrain::Near::kAbove : Terrain::Near::kElsewhere;
-      Terrain::Foot& foot = search.feet[m];
-      foot.distance = distance[k];
-      foot.normal = {n_x[k], n_y[k], n_z[k]};
-      foot.place = {p[k]->x() + x_out[k], p[k]->y() + y_out[k]};
-      foot.rock = -1;
-      foot.sign = 1.0;
-      if (search.at != nullptr) search.at[m] = {h_out[k], {gx_out[k], gy_out[k]}, {xx_out[k], yy_out[k], xy_out[k]}};
+    const Real n_z = 1.0 / L::square_root(1.0 + gx_out * gx_out + gy_out * gy_out);
+    L::store((gx_out * x_out + gy_out * y_out + (p.z - h_out)) * n_z, feet.distance.data() + first);
+    L::store({-gx_out * n_z, -gy_out * n_z, n_z}, feet.normal.data() + first, feet.normal.rows());
+    L::store(p.x + x_out, feet.place.data() + first);
+    L::store(p.y + y_out, feet.place.data() + feet.place.rows() + first);
+    for (int k = 0; k < L::kCount && first + k < feet.count; ++k) {
+      feet.near[first + k] = found[k]   ? Terrain::Near::kFoot
+                             : above[k] ? Terrain::Near::kAbove
+                                        : Terrain::Near::kElsewhere;
+      if (fields != nullptr) fields[first + k] = {h_out[k], {gx_out[k], gy_out[k]}, {xx_out[k], yy_out[k], xy_out[k]}};
     }
   }
 }
 
-// Each with the registers that the machine has; without fused multiply-add, so that both round alike.
+// Each with the registers that the machine has.
 struct CellFunctions {
   void (*height)(SplineGrid&, double, double, Terrain::Height&);
-  void (*feet)(SplineGrid&, const FeetSearch&);
+  void (*feet)(SplineGrid&, const SplineGrid::Frame&, bool, Terrain::Feet&, Terrain::Height*);
 };
 #ifdef __x86_64__
-__attribute__((target("avx2"))) void add_height_wide(SplineGrid& map, double x, double y, Terrain::Height& out) {
+FOOTFALL_WIDE void add_height_wide(SplineGrid& map, double x, double y, Terrain::Height& out) {
   add_height(map, x, y, out);
 }
-__attribute__((target("avx2"))) void find_feet_wide(SplineGrid& map, const FeetSearch& search) {
-  find_feet(map, search);
+FOOTFALL_WIDE void find_feet_wide(SplineGrid& map, const SplineGrid::Frame& frame, bool only_below, Terrain::Feet& feet,
+                                  Terrain::Height* fields) {
+  find_feet<Lanes<4>>(map, frame, only_below, feet, fields);
+}
+FOOTFALL_WIDEST void find_feet_widest(SplineGrid& map, const SplineGrid::Frame& frame, bool only_below,
+                                      Terrain::Feet& feet, Terrain::Height* fields) {
+  find_feet<Lanes<8>>(map, frame, only_below, feet, fields);
 }
 #endif
 void add_height_narrow(SplineGrid& map, double x, double y, Terrain::Height& out) { add_height(map, x, y, out); }
-void find_feet_narrow(SplineGrid& map, const FeetSearch& search) { find_feet(map, search); }
+void find_feet_narrow(SplineGrid& map, const SplineGrid::Frame& frame, bool only_below, Terrain::Feet& feet,
+                      Terrain::Height* fields) {
+  find_feet<Lanes<4>>(map, frame, only_below, feet, fields);
+}
 CellFunctions best_cell_functions() {
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2")) return {add_height_wide, find_feet_wide};
+  if (registers_here() == Registers::kWidest) return {add_height_wide, find_feet_widest};
+  if (registers_here() == Registers::kWide) return {add_height_wide, find_feet_wide};
 #endif
   return {add_height_narrow, find_feet_narrow};
 }
@@ -288,10 +291,8 @@ void SplineGrid::add(const Eigen::Vector2d& place, Terrain::Height& out) {
   kFind.height(*this, place.x(), place.y(), out);
 }
 
-void SplineGrid::find_feet(const Eigen::Vector3d* points, std::size_t count, const Eigen::Vector3d& origin,
-                           const Eigen::Vector2d& slope, bool only_below, Terrain::Foot* feet, Terrain::Near* near,
-                           Terrain::Height* at) {
-  kFind.feet(*this, {points, count, origin, slope, only_below, feet, near, at});
+void SplineGrid::find_feet(const Frame& frame, bool only_below, Terrain::Feet& feet, Terrain::Height* at) {
+  kFind.feet(*this, frame, only_below, feet, at);
 }
 
 template <class Use>

@@ -1,6 +1,8 @@
 #pragma once
 // A map of heights as a cubic B-spline through its samples, as a terrain needs it: heights with derivatives, feet, bounds.
 
+#include <limits>
+
 #include "mbd_solver/model/terrain.h"
 
 namespace footfall {
@@ -18,11 +20,15 @@ class SplineGrid {
 
   void add(const Eigen::Vector2d& place, Terrain::Height& out);
 
-  // Feet of points of W on the field origin.z + slope.(x, y) + map, x and y from the origin, with the field there if `at` is not null;
-  // bends of existing feet remain. only_below: kAbove for points above the field. Where near is not kFoot the foot means nothing.
-  void find_feet(const Eigen::Vector3d* points, std::size_t count, const Eigen::Vector3d& origin,
-                 const Eigen::Vector2d& slope, bool only_below, Terrain::Foot* feet, Terrain::Near* near,
-                 Terrain::Height* at);
+  // Where the map lies: the field is origin.z + slope.(x, y) + map, x and y from the origin; along both axes it repeats after the period.
+  struct Frame {
+    Eigen::Vector3d origin;
+    Eigen::Vector2d slope;
+    double period = std::numeric_limits<double>::infinity();
+  };
+  // Feet of points, with the field there if `at` is not null. only_below: kAbove for points above the field. Where near is not kFoot the
+  // foot means nothing.
+  void find_feet(const Frame& frame, bool only_below, Terrain::Feet& feet, Terrain::Height* at);
 
   // The largest bend of all parts within the reach, or of the whole; outside the map the ground is extrapolated.
   double largest_bend(const Eigen::Vector2d& place, double reach);

@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "coupler/base/errors.h"
+#include "mbd_solver/base/lanes.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/spline_grid.h"
 
@@ -45,7 +46,8 @@ struct Terrain::Map {
   // Samples from waves[first] on; waves[first - 1] has the period.
   void sample(const std::vector<GroundWave>& waves, std::size_t first) {
     constexpr double kPerWave = 8.0;  // samples of the shortest wave
-    constexpr int kMargin = 14;       // samples beyond the period, in which the ends of the spline fade out (0.27^14)
+    constexpr int kMargin =
+        28;  // samples beyond the period, in which the ends of the spline fade out (0.27^28 = 1e-16)
     period = 2.0 * kPi / waves[first - 1].k.x();
     double k = 0.0;
     for (std::size_t i = first; i < waves.size(); ++i) k = std::max(k, waves[i].k.norm());
@@ -122,7 +124,8 @@ Terrain::Terrain(TerrainParts parts) : parts_(std::move(parts)) {
     }
     map_ = std::move(map);
   }
-  in_cells_ = map_ && map_->site && !map_->rough && parts_.craters.empty() && parts_.waves.empty();
+  in_cells_ =
+      map_ && map_->site.has_value() != map_->rough.has_value() && parts_.craters.empty() && parts_.waves.empty();
   if (parts_.map) grain_ = parts_.map->step.minCoeff();
   if (map_ && map_->rough) grain_ = std::min(grain_, map_->rough->grid().step.minCoeff());
   for (const Crater& crater : parts_.craters) grain_ = std::min(grain_, 0.1 * crater.radius);
@@ -324,39 +327,79 @@ bool Terrain::descend(const Eigen::Vector3d& p, const Eigen::Vector2d& start, He
   return minimum;
 }
 
-// Of a map alone, without the slope, in its cells.
-void Terrain::find_feet(const Eigen::Vector3d* points, std::size_t count, bool only_below, With with, Foot* out,
-                        Near* near) {
+void Terrain::Feet::add(const Eigen::Vector3d& point) {
+  if (count == points.rows()) {  // the new places are on the ground at the origin
+    const Eigen::Index room = 2 * count + kMostLanes;
+    points.conservativeResizeLike(Eigen::ArrayX3d::Zero(room, 3));
+    distance.setZero(room);
+    normal.setZero(room, 3);
+    place.setZero(room, 2);
+    near.resize(static_cast<std::size_t>(room));
+  }
+  points.row(count++) = point.transpose();
+}
+
+Terrain::Foot Terrain::Feet::of(int k, With with) const {
+  Foot out;
+  out.distance = distance[k];
+  out.normal = normal.row(k).transpose();
+  out.place = place.row(k).transpose();
+  if (with == With::kBend) out.bend = bend[k];
+  return out;
+}
+
+// Of one map or roughness alone, with the slope, in its cells.
+void Terrain::find_feet(Feet& feet, bool only_below, With with) {
   if (!in_cells_) {
-    std::fill_n(near, count, Near::kElsewhere);
+    std::fill_n(feet.near.begin(), feet.count, Near::kElsewhere);
     return;
   }
-  const bool bends = with == With::kBend;
-  std::vector<Height> at(bends ? count : 0);
-  map_->site->find_feet(points, count, parts_.origin, parts_.slope, only_below, out, near, bends ? at.data() : nullptr);
+  SplineGrid::Frame frame{parts_.origin, parts_.slope};
+  if (map_->rough) frame.period = map_->period;
+  SplineGrid& cells = map_->rough ? *map_->rough : *map_->site;
+  if (with == With::kNormal) return cells.find_feet(frame, only_below, feet, nullptr);
+  std::vector<Height> at(static_cast<std::size_t>(feet.count));
+  cells.find_feet(frame, only_below, feet, at.data());
+  feet.bend.resize(at.size());
   for (std::size_t k = 0; k < at.size(); ++k)
-    if (near[k] == Near::kFoot) out[k].bend = bend_of_foot(at[k].slope, at[k].bend, out[k].distance);
+    if (feet.near[k] == Near::kFoot)
+      feet.bend[k] = bend_of_foot(at[k].slope, at[k].bend, feet.distance[static_cast<Eigen::Index>(k)]);
+}
+
+// false: by descend(), which has ended in no minimum.
+bool Terrain::find_foot(const Eigen::Vector3d& p, Foot& out) {
+  one_.clear();
+  one_.add(p);
+  find_feet(one_, false, With::kBend);
+  if (one_.near[0] != Near::kFoot) return descend(p, p.head<2>(), at(p.x(), p.y()), With::kBend, out);
+  out = one_.of(0, With::kBend);
+  return true;
 }
 
 Terrain::Foot Terrain::foot(const Eigen::Vector3d& p) {
   Foot out;
-  Near near;
-  find_feet(&p, 1, false, With::kBend, &out, &near);
-  if (near != Near::kFoot) descend(p, p.head<2>(), at(p.x(), p.y()), With::kBend, out);
+  find_foot(p, out);
   return out;
 }
 
-void Terrain::below(const std::vector<Eigen::Vector3d>& points, With with, std::vector<Foot>& out,
-                    std::vector<Near>& near) {
-  out.resize(points.size());
-  near.resize(points.size());
-  find_feet(points.data(), points.size(), true, with, out.data(), near.data());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (near[k] != Near::kElsewhere) continue;
-    const Eigen::Vector3d& p = points[k];
+void Terrain::below(Feet& feet, With with) {
+  find_feet(feet, true, with);
+  Foot foot;
+  for (int k = 0; k < feet.count; ++k) {
+    Near& near = feet.near[k];
+    if (near != Near::kElsewhere) continue;
+    const Eigen::Vector3d p = feet.points.row(k);
     const Height here = at(p.x(), p.y());
-    near[k] = p.z() > here.h + kAboveField ? Near::kAbove : Near::kFoot;
-    if (near[k] == Near::kFoot) descend(p, p.head<2>(), here, with, out[k]);
+    near = p.z() > here.h + kAboveField ? Near::kAbove : Near::kFoot;
+    if (near == Near::kAbove) continue;
+    descend(p, p.head<2>(), here, with, foot);
+    feet.distance[k] = foot.distance;
+    feet.normal.row(k) = foot.normal.transpose();
+    feet.place.row(k) = foot.place.transpose();
+    if (with == With::kBend) {
+      feet.bend.resize(static_cast<std::size_t>(feet.count));
+      feet.bend[k] = foot.bend;
+    }
   }
 }
 
@@ -382,9 +425,7 @@ Terrain::Foot Terrain::foot(const Eigen::Vector3d& p, int rock) const {
 void Terrain::feet(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out) {
   out.clear();
   Foot one;
-  Near near;
-  find_feet(&p, 1, false, With::kBend, &one, &near);
-  const bool good = near == Near::kFoot || descend(p, p.head<2>(), at(p.x(), p.y()), With::kBend, one);
+  const bool good = find_foot(p, one);
   const double bend = radius == 0.0 ? 0.0 : bend_within(p.head<2>(), 2.0 * radius);
   if (radius == 0.0 || one.distance <= 0.0 || radius * bend < kBowl) {
     out.push_back(one);
@@ -556,7 +597,7 @@ Terrain::Lid Terrain::lid(const Eigen::Vector3d& centre, double reach) {
 }
 
 double Terrain::plane_above(const Eigen::Vector2d& centre, double reach, const Eigen::Vector2d& slope) {
-  if (!in_cells_) return std::numeric_limits<double>::infinity();
+  if (!in_cells_ || map_->rough) return std::numeric_limits<double>::infinity();
   const Eigen::Vector2d place = centre - parts_.origin.head<2>();
   return parts_.origin.z() + parts_.slope.dot(place) + map_->site->highest(place, reach, slope - parts_.slope);
 }

@@ -107,8 +107,21 @@ class Terrain {
   Foot foot(const Eigen::Vector3d& p);
   enum class With { kNormal, kBend };
   enum class Near { kAbove, kFoot, kElsewhere };  // kElsewhere: not in the cell of a map
-  // The feet of the points that are below the field, on demand without bend; kAbove for the others.
-  void below(const std::vector<Eigen::Vector3d>& points, With with, std::vector<Foot>& out, std::vector<Near>& near);
+  // Feet of many points, side by side: arrays have room for a multiple of kMostLanes.
+  struct Feet {
+    int count = 0;
+    Eigen::ArrayX3d points;             // in W [m]
+    std::vector<Near> near;             // what follows is of points with kFoot
+    Eigen::ArrayXd distance;            // as in Foot
+    Eigen::ArrayX3d normal;             // likewise
+    Eigen::ArrayX2d place;              // likewise
+    std::vector<Eigen::Matrix3d> bend;  // likewise, where it is asked for
+    void clear() { count = 0; }
+    void add(const Eigen::Vector3d& point);
+    Foot of(int k, With with) const;
+  };
+  // The feet of the points that are below the field; kAbove for the others.
+  void below(Feet& feet, With with);
   bool may_touch(const Eigen::Vector3d& p, double radius);  // false: a ball of this radius > 0 is above the field
   Foot foot(const Eigen::Vector3d& p, int rock) const;
   // Where a ball of this radius >= 0 about p touches the field: minima of the distance within the radius; overwrites out. Where the
@@ -129,7 +142,8 @@ class Terrain {
  private:
   struct Map;
   struct RockCells;
-  void find_feet(const Eigen::Vector3d* points, std::size_t count, bool only_below, With with, Foot* out, Near* near);
+  void find_feet(Feet& feet, bool only_below, With with);
+  bool find_foot(const Eigen::Vector3d& p, Foot& out);
   Height at_place(const Eigen::Vector2d& place, bool with_map);  // from the origin
   bool stationary(const Eigen::Vector3d& p, const Eigen::Vector2d& start, double reach, Foot& out);
   void find_all(const Eigen::Vector3d& p, double radius, std::vector<Foot>& out);
@@ -139,7 +153,8 @@ class Terrain {
 
   TerrainParts parts_;
   std::unique_ptr<Map> map_;
-  bool in_cells_ = false;  // the field is a map and a slope: in each cell a polynomial
+  Feet one_;               // of one point
+  bool in_cells_ = false;  // the field is a map or a roughness, and a slope: in each cell a polynomial
   std::vector<Sphere> spheres_;
   std::shared_ptr<const RockCells> rock_cells_;
   double grain_ = std::numeric_limits<double>::infinity();

@@ -10,8 +10,9 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/codes.h"
+#include "mbd_solver/model/edge_on_terrain.h"
+#include "mbd_solver/model/elements/contact_lanes.h"
 #include "mbd_solver/model/elements/curved_contact.h"
-#include "mbd_solver/model/elements/edge_on_terrain.h"
 #include "mbd_solver/model/kinematic_vector.h"
 #include "mbd_solver/model/rotation.h"
 
@@ -113,12 +114,12 @@ struct TerrainContact::Scratch : ElementScratch {
   Terrain::With known_with = Terrain::With::kNormal;
   std::vector<Contact> contacts;  // count of them
   std::size_t count = 0;
+  ContactLanes lanes;  // these instead, where the field alone touches and derivatives are not asked for
   std::vector<Way> ways;
   // Buffers.
   std::vector<Candidate> candidates;
-  std::vector<Eigen::Vector3d> places;  // of candidates [m]
-  std::vector<Terrain::Foot> feet, ball_feet;
-  std::vector<Terrain::Near> near;
+  Terrain::Feet feet;
+  std::vector<Terrain::Foot> ball_feet;
   Eigen::VectorXd s, ds, forces;  // of own points: deformed, its rate, forces in B
   bool ds_known = false;
   Marker on_rim;
@@ -268,22 +269,30 @@ bool TerrainContact::Scratch::clears_plane(const Eigen::Vector3d& p, double radi
 // The contacts of all candidates, in their order.
 void TerrainContact::touch(const ElementInput& in, const Terrain::Lid& lid, Terrain::With with,
                            Scratch& scratch) const {
-  const Eigen::Vector3d& r = in.pair.body[0]->r;
+  const BodyKinematics& body = *in.pair.body[0];
+  const Eigen::Vector3d& r = body.r;
   if (!scratch.flat) {
-    scratch.places.clear();
+    scratch.feet.clear();
     for (const Candidate& candidate : scratch.candidates)
-      if (candidate.field && candidate.radius == 0.0) scratch.places.push_back(r + candidate.d);
-    scratch.terrain->below(scratch.places, with, scratch.feet, scratch.near);
+      if (candidate.field && candidate.radius == 0.0) scratch.feet.add(r + candidate.d);
+    scratch.terrain->below(scratch.feet, with);
+    const bool points_alone = scratch.feet.count == static_cast<int>(scratch.candidates.size());
+    if (with == Terrain::With::kNormal && points_alone && lid.rocks.empty() && scratch.count == 0) {
+      touch_in_lanes(in, scratch);
+      scratch.candidates.clear();
+      return;
+    }
   }
   const bool bends = with == Terrain::With::kBend;
-  std::size_t next = 0;
+  int next = 0;
   for (const Candidate& candidate : scratch.candidates) {
     const Eigen::Vector3d p = r + candidate.d;
     if (!candidate.field) {
     } else if (scratch.flat) {
       add_contact(in, candidate, foot_on_plane(lid, candidate.d, p.z() - lid.height), bends, scratch);
     } else if (candidate.radius == 0.0) {
-      if (scratch.near[next] == Terrain::Near::kFoot) add_contact(in, candidate, scratch.feet[next], bends, scratch);
+      if (scratch.feet.near[next] == Terrain::Near::kFoot)
+        add_contact(in, candidate, scratch.feet.of(next, with), bends, scratch);
       ++next;
     } else if (scratch.terrain->may_touch(p, candidate.radius)) {
       scratch.terrain->feet(p, candidate.radius, scratch.ball_feet);
@@ -299,6 +308,22 @@ void TerrainContact::touch(const ElementInput& in, const Terrain::Lid& lid, Terr
     }
   }
   scratch.candidates.clear();
+}
+
+void TerrainContact::touch_in_lanes(const ElementInput& in, Scratch& scratch) const {
+  const BodyKinematics& body = *in.pair.body[0];
+  const Terrain::Feet& feet = scratch.feet;
+  for (int k = 0; k < feet.count; ++k) {
+    if (feet.near[k] != Terrain::Near::kFoot || !(feet.distance[k] < 0.0)) continue;
+    const Candidate& at = scratch.candidates[k];
+    Eigen::Vector3d dp = Eigen::Vector3d::Zero();
+    if (body.modes > 0) {
+      if (scratch.lanes.count() == 0) scratch.ds.noalias() = own_S_ * body.da;
+      dp.noalias() = body.A.lazyProduct(scratch.ds.segment<3>(3 * at.place));
+    }
+    scratch.lanes.add(at.place, at.share, at.d, dp, feet.normal.row(k).transpose(), -feet.distance[k]);
+  }
+  scratch.lanes.apply(law_, body.dr, body.w, in.z);
 }
 
 void TerrainContact::offer_face(const ElementInput& in, const Face& face, int part, int place, const Terrain::Lid& lid,
@@ -502,7 +527,7 @@ const Terrain::Lid& TerrainContact::lid_over(const Eigen::Vector3d& r, double re
   return scratch.lid;
 }
 
-// Of the same state and with the bends that are asked for: the same bits.
+// Of the same state and for the same purpose: what was asked before leaves no trace, not even in the last digit.
 bool TerrainContact::is_known(const ElementInput& in, Terrain::With with, Scratch& scratch) const {
   const BodyKinematics& body = *in.pair.body[0];
   scratch.state.clear();
@@ -518,7 +543,7 @@ bool TerrainContact::is_known(const ElementInput& in, Terrain::With with, Scratc
   add(in.z.data(), in.z.size());
   return scratch.state.size() == scratch.known_state.size() &&
          std::memcmp(scratch.state.data(), scratch.known_state.data(), scratch.state.size() * sizeof(double)) == 0 &&
-         (with == Terrain::With::kNormal || scratch.known_with == with);
+         scratch.known_with == with;
 }
 
 TerrainContact::Scratch& TerrainContact::find_contacts(const ElementInput& in, Terrain::With with) const {
@@ -526,6 +551,7 @@ TerrainContact::Scratch& TerrainContact::find_contacts(const ElementInput& in, T
   if (is_known(in, with, scratch)) return scratch;
   scratch.known_state.clear();
   scratch.count = 0;
+  scratch.lanes.clear();
   scratch.candidates.clear();
   scratch.ways.clear();
   scratch.ds_known = false;
@@ -587,11 +613,16 @@ void TerrainContact::add_force(const ElementInput& in, Eigen::Ref<Eigen::VectorX
     if (body.modes > 0) scratch.forces.segment<3>(3 * place).noalias() = body.A.transpose().lazyProduct(here);
     if (springs) dz.segment<2>(2 * place) += spring_drive(contacts, count);
   });
+  const ContactLanes& lanes = scratch.lanes;
   Q.head<3>() += force;
   Q.segment<3>(3) += moment;
-  if (body.modes == 0 || scratch.count == 0) return;
+  Q.head<6>() += lanes.wrench();
+  if (springs) lanes.add_drive(dz);
+  if (body.modes == 0 || (scratch.count == 0 && lanes.count() == 0)) return;
+  for (int i = 0; i < lanes.count(); ++i)
+    scratch.forces.segment<3>(3 * lanes.spring(i)).noalias() = body.A.transpose().lazyProduct(lanes.force(i));
   Q.segment(6, body.modes).noalias() += own_S_.transpose() * scratch.forces;
-  scratch.each_place([&](const Contact* contacts, int) { scratch.forces.segment<3>(3 * contacts->place).setZero(); });
+  scratch.forces.setZero();
 }
 
 bool TerrainContact::add_derivatives(const ElementInput& in, ElementDerivatives& out) const {
@@ -691,7 +722,8 @@ void TerrainContact::add_derivatives(const ElementInput& in, const Contact& at, 
 }
 
 void TerrainContact::add_energy(const ElementInput& in, StoredEnergy& stored, Dissipated& power) const {
-  const Scratch& scratch = find_contacts(in, Terrain::With::kNormal);
+  Scratch& scratch = find_contacts(in, Terrain::With::kNormal);
+  scratch.lanes.add_energy(law_, stored, power);
   scratch.each_place([&](const Contact* contacts, int count) {
     Eigen::Vector2d rate = Eigen::Vector2d::Zero();
     if (law_.stick_time > 0.0)
@@ -702,7 +734,7 @@ void TerrainContact::add_energy(const ElementInput& in, StoredEnergy& stored, Di
 
 Eigen::Matrix<double, 6, 1> TerrainContact::wrench(const ElementInput& in) const {
   const Scratch& scratch = find_contacts(in, Terrain::With::kNormal);
-  Eigen::Matrix<double, 6, 1> out = Eigen::Matrix<double, 6, 1>::Zero();
+  Eigen::Matrix<double, 6, 1> out = scratch.lanes.wrench();
   for (std::size_t i = 0; i < scratch.count; ++i) {
     const Contact& at = scratch.contacts[i];
     out.head<3>() += at.force;
@@ -714,7 +746,7 @@ Eigen::Matrix<double, 6, 1> TerrainContact::wrench(const ElementInput& in) const
 
 double TerrainContact::largest_overlap(const ElementInput& in) const {
   const Scratch& scratch = find_contacts(in, Terrain::With::kNormal);
-  double largest = 0.0;
+  double largest = scratch.lanes.largest_overlap();
   for (std::size_t i = 0; i < scratch.count; ++i) largest = std::max(largest, scratch.contacts[i].overlap);
   return largest;
 }

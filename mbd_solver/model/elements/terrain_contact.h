@@ -78,6 +78,7 @@ class TerrainContact : public ContactElement {
   void offer_face(const ElementInput& in, const Face& face, int part, int place, const Terrain::Lid& lid,
                   Scratch& scratch) const;
   void touch(const ElementInput& in, const Terrain::Lid& lid, Terrain::With with, Scratch& scratch) const;
+  void touch_in_lanes(const ElementInput& in, Scratch& scratch) const;
   void touch_standing_rim(const ElementInput& in, std::size_t index, int first_place, const Terrain::Lid& lid,
                           const Eigen::Vector3d& a, const Eigen::Vector3d& centre, const Eigen::Vector3d& n, bool bends,
                           Scratch& scratch) const;

@@ -129,24 +129,60 @@ TEST(Terrain, FeetInTheCellsOfAMapAreThoseOfTheWholeField) {
     const double x = 3.0 + random.number(-1.1, 1.1), y = -2.0 + random.number(-0.9, 0.9);
     points.emplace_back(x, y, cells.at(x, y).h + random.number(-0.03, 0.01));
   }
-  std::vector<Terrain::Foot> feet, other;
-  std::vector<Terrain::Near> near, other_near;
-  cells.below(points, Terrain::With::kBend, feet, near);
-  whole.below(points, Terrain::With::kBend, other, other_near);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    ASSERT_EQ(near[k], other_near[k]) << k;
-    if (near[k] != Terrain::Near::kFoot) continue;
-    // Both are exact to round-off of 1e-16 of numbers of 3 m, with bends of up to 2 per metre.
-    EXPECT_NEAR(feet[k].distance, other[k].distance, 1e-14) << k;
-    EXPECT_LT((feet[k].normal - other[k].normal).norm(), 1e-13) << k;
-    EXPECT_LT((feet[k].place - other[k].place).norm(), 1e-13) << k;
-    EXPECT_LT((feet[k].bend - other[k].bend).norm(), 1e-10) << k;
-    std::vector<Terrain::Foot> one;  // alone it is the same to the bit
-    std::vector<Terrain::Near> one_near;
-    cells.below({points[k]}, Terrain::With::kBend, one, one_near);
-    EXPECT_EQ(one[0].distance, feet[k].distance) << k;
-    EXPECT_EQ(one[0].bend, feet[k].bend) << k;
+  Terrain::Feet feet, other, one;
+  for (const Eigen::Vector3d& point : points) {
+    feet.add(point);
+    other.add(point);
   }
+  cells.below(feet, Terrain::With::kBend);
+  whole.below(other, Terrain::With::kBend);
+  for (int k = 0; k < feet.count; ++k) {
+    ASSERT_EQ(feet.near[k], other.near[k]) << k;
+    if (feet.near[k] != Terrain::Near::kFoot) continue;
+    const Terrain::Foot foot = feet.of(k, Terrain::With::kBend), expected = other.of(k, Terrain::With::kBend);
+    // Both are exact to round-off of 1e-16 of numbers of 3 m, with bends of up to 2 per metre.
+    EXPECT_NEAR(foot.distance, expected.distance, 1e-14) << k;
+    EXPECT_LT((foot.normal - expected.normal).norm(), 1e-13) << k;
+    EXPECT_LT((foot.place - expected.place).norm(), 1e-13) << k;
+    EXPECT_LT((foot.bend - expected.bend).norm(), 1e-10) << k;
+    one.clear();
+    one.add(points[k]);
+    cells.below(one, Terrain::With::kBend);  // alone it is the same to the bit
+    EXPECT_EQ(one.distance[0], foot.distance) << k;
+    EXPECT_EQ(one.bend[0], foot.bend) << k;
+  }
+}
+
+// Roughness alone is searched cell by cell within its period, which the points go beyond.
+TEST(Terrain, FeetOnARoughnessAreThoseOfTheWholeField) {
+  TerrainParts parts;
+  parts.origin = {0.2, 0.1, -0.3};
+  parts.slope = {0.0, 0.05};
+  parts.waves = {{{2.0 * kPi / 0.7, 0.0}, 0.0, 0.0},
+                 {{2.0 * kPi / 0.35, 2.0 * kPi / 0.7}, 0.005, 0.3},
+                 {{-2.0 * kPi / 0.7, 4.0 * kPi / 0.7}, 0.004, 1.1}};  // the first has the period of 0.7 m
+  TerrainParts more = parts;
+  more.craters = {{{100.0, 0.0}, 1.0, 0.1, 0.0}};
+  Terrain cells(parts), whole(more);
+  test::Random random(12);
+  Terrain::Feet feet, other;
+  for (int k = 0; k < 203; ++k) {
+    const double x = random.number(-2.0, 2.0), y = random.number(-2.0, 2.0);
+    for (Terrain::Feet* to : {&feet, &other}) to->add({x, y, cells.at(x, y).h + random.number(-0.02, 0.005)});
+    other.points.row(k) = feet.points.row(k);
+  }
+  cells.below(feet, Terrain::With::kNormal);
+  whole.below(other, Terrain::With::kNormal);
+  int found = 0;
+  for (int k = 0; k < feet.count; ++k) {
+    ASSERT_EQ(feet.near[k], other.near[k]) << k;
+    if (feet.near[k] != Terrain::Near::kFoot) continue;
+    ++found;
+    EXPECT_NEAR(feet.distance[k], other.distance[k], 1e-14) << k;  // round-off of 1e-16 of 3 m, as on a map
+    EXPECT_LT((feet.normal.row(k) - other.normal.row(k)).matrix().norm(), 1e-13) << k;
+    EXPECT_LT((feet.place.row(k) - other.place.row(k)).matrix().norm(), 1e-13) << k;
+  }
+  EXPECT_GT(found, 100);
 }
 
 TEST(Terrain, BallInAGrooveHasTwoFeet) {
@@ -543,6 +579,53 @@ TEST(TerrainContact, ResultsDoNotDependOnWhatWasAskedBefore) {
   const Eigen::MatrixXd K = derivatives(used);  // asks for more than the force did
   EXPECT_EQ(force(used, in), Q);
   EXPECT_EQ(derivatives(last), K);
+}
+
+// Contacts are computed side by side; one by one where a rock is near, also if it touches nothing.
+TEST(TerrainContact, SideBySideTheyAreWhatTheyAreOneByOne) {
+  TerrainParts alone;
+  alone.map = map_of(41, 41, 0.05, [](double x, double y) { return 2e-3 * std::sin(9.0 * x + y) * std::cos(7.0 * y); });
+  TerrainParts beside = alone;
+  beside.rocks = {{{0.3, 0.0}, 0.04, 0.0}};
+  const Body body("pad", 2.0, Eigen::Vector3d(0.1, 0.1, 0.2).asDiagonal());
+  Model model({0.0, 0.0, -1.62});
+  BodyState state;
+  state.r = {0.01, 0.02, -0.001};
+  state.L = quaternion_about(Eigen::Vector3d::UnitX(), 2e-3);
+  state.dr = {0.02, -0.01, -0.05};
+  state.w = {0.1, -0.2, 0.3};
+  model.add_body(body, state);
+  std::vector<ContactPoint> face;
+  for (int i = -2; i <= 2; ++i)
+    for (int j = -2; j <= 2; ++j) face.push_back({body_marker(0, body, 0.07 * Eigen::Vector3d(i, j, 0.0)), 0.0});
+  const std::vector<ContactRim> rims = {{body_marker(0, body, Eigen::Vector3d::Zero()), 0.25}};
+  ContactLaw law;
+  law.stiffness = 1e6;
+  law.damping = 0.4;
+  law.slip_speed = 1e-2;
+  const Assembly given = test::as_given(model);
+  Kinematics kinematics(model);
+  kinematics.load(Layout(model), given.state.q, given.state.v, Eigen::VectorXd());
+  test::Random random(29);
+  const Eigen::VectorXd z = random.vector_x(24, 1e-4), inputs;
+  std::vector<Eigen::VectorXd> results;
+  for (const TerrainParts& parts : {alone, beside}) {
+    const TerrainContact contact("ground", face, law, terrain_of(parts), rims);
+    const test::OwnScratch own(contact);
+    const ElementInput in = own.with({kinematics.pair(0, kGround), z, inputs});
+    Eigen::VectorXd Q = Eigen::VectorXd::Zero(6), dz(24), all(6 + 24 + 6 + 4);
+    contact.add_force(in, Q, dz);
+    StoredEnergy stored;
+    Dissipated power;
+    contact.add_energy(in, stored, power);
+    all << Q, dz, contact.wrench(in), stored[Stored::kContact], power[Dissipation::kContact],
+        power[Dissipation::kFriction], contact.largest_overlap(in);
+    EXPECT_FALSE(contact.touches_rock(in));
+    results.push_back(all);
+  }
+  EXPECT_GT(results[0].norm(), 100.0);
+  for (Eigen::Index k = 0; k < results[0].size(); ++k)  // sums of 37 contacts in another order
+    EXPECT_NEAR(results[0][k], results[1][k], 1e-12 * (std::abs(results[0][k]) + 1e-3)) << k;
 }
 
 TEST(TerrainContact, EnergyIsKeptOverRocks) {

@@ -1,7 +1,7 @@
 // Cells of the ground along the plane of the circle; those that may hold a place are quartered until the derivatives vary so little
 // that they hold one at most, which Newton's method finds.
 
-#include "mbd_solver/model/elements/edge_on_terrain.h"
+#include "mbd_solver/model/edge_on_terrain.h"
 
 #include <algorithm>
 #include <array>
