@@ -7,12 +7,12 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <string>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/start.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
+#include "mbd_solver/app/results.h"
 #include "mbd_solver/launch/programs.h"
 
 namespace footfall {
@@ -191,10 +191,8 @@ int run_command_line(int argc, char** argv, const std::vector<Subcommand>& comma
     const int exit_code = action();
     const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     if (written || output_is_unread()) return exit_code;
-    std::fprintf(stderr, "footfall: %s\n",
-                 with_code(code::kOutputNotWritten,
-                           "the standard output cannot be written in full; free space there, or send it elsewhere")
-                     .c_str());
+    print_error(code::kOutputNotWritten,
+                "the standard output cannot be written in full; free space there, or send it elsewhere");
     return exit_code == 0 ? kExitFailed : exit_code;
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
@@ -212,11 +210,8 @@ int run_command_line(int argc, char** argv, const std::vector<Subcommand>& comma
   } catch (const std::exception& e) {
     const std::string text = e.what(), library = "[json.exception.";
     if (text.rfind(library, 0) == 0) {
-      std::fprintf(stderr, "footfall: %s\n",
-                   with_code(code::kRunDamaged,
-                             "a JSON file that was read is incomplete: it was cut off or edited; repeat the run that "
-                             "wrote it")
-                       .c_str());
+      print_error(code::kRunDamaged,
+                  "a JSON file that was read is incomplete: it was cut off or edited; repeat the run that wrote it");
       return kExitBadInput;
     }
     std::fprintf(stderr, "footfall: %s\n", text.c_str());

@@ -8,11 +8,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/files.h"
 #include "coupler/base/number.h"
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/plot_script.h"
@@ -229,9 +226,8 @@ void row_by_size(const Json& summary, const char* label, const char* key, const 
 }
 
 bool touches_ground(const Json& summary) {
-  for (const Json& part : summary.value("active", Json::array())) {
+  for (const Json& part : summary.value("active", Json::array()))
     if (part == "plane" || part == "particles" || part == "soil") return true;
-  }
   return false;
 }
 
@@ -260,6 +256,10 @@ void print_requirements(const Json& summary) {
 }
 
 }  // namespace
+
+void print_error(const MessageCode& code, const std::string& text) {
+  std::fprintf(stderr, "footfall: %s\n", with_code(code, text).c_str());
+}
 
 void warn_missing_file(const std::string& file, const std::exception& error) {
   const std::string text = "no " + file + ": " + error.what();
@@ -300,9 +300,8 @@ void print_results(const std::string& out, const std::vector<std::string>& pictu
     if (const std::size_t count = summary.value(key, Json::array()).size(); count > 0)
       std::printf("  %zu %swarning%s: in summary.json\n", count, what, count == 1 ? "" : "s");
   std::printf("Files: %s\n", (fs::path(out) / "history.csv").c_str());
-  for (const char* name : {"summary.json", "ledger.csv", "liggghts.log", "vtk"}) {
+  for (const char* name : {"summary.json", "ledger.csv", "liggghts.log", "vtk"})
     if (fs::exists(fs::path(out) / name)) std::printf("       %s\n", (fs::path(out) / name).c_str());
-  }
   for (const std::string& picture : pictures) std::printf("       %s\n", picture.c_str());
 }
 

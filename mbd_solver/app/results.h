@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/base/errors.h"
 #include "mbd_solver/session/output/history.h"
 
 namespace footfall {
@@ -45,6 +46,9 @@ History energy_ledger(const History& run, const GrainEnergies& grains);
 
 // The energy that errors are related to [J]: in the first row without gravity, or the largest kinetic energy if larger.
 double reference_energy(const History& run);
+
+// On standard error: "footfall: TEXT [E0123 name]".
+void print_error(const MessageCode& code, const std::string& text);
 
 // Warns on standard error that a file after the run could not be made: with the code of `error`, or W1501.
 void warn_missing_file(const std::string& file, const std::exception& error);

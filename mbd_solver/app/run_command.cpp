@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -40,7 +39,6 @@
 #include "mbd_solver/scene/foreign/foreign_code.h"
 #include "mbd_solver/scene/particle_script.h"
 #include "mbd_solver/scene/scene_reader.h"
-#include "mbd_solver/session/output/checkpoint_folder.h"
 #include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
@@ -53,10 +51,6 @@ std::string status_of(const std::string& out) {
   const fs::path summary = fs::path(out) / "summary.json";
   if (!fs::exists(summary)) return "";
   return with_summary_of(out, [&] { return read_summary(summary.string()).value("status", ""); });
-}
-
-void print_error(const MessageCode& code, const std::string& text) {
-  std::fprintf(stderr, "footfall: %s\n", with_code(code, text).c_str());
 }
 
 // The run has written rows.
@@ -350,7 +344,7 @@ void warn_of_ranks(int ranks) {
   if (in_batch_job() || cores == 0 || ranks <= cores) return;
   const std::string text =
       std::to_string(ranks) + " ranks on " + std::to_string(cores) +
-      " cores: ranks that share a core wait for each other, and the run takes longer; use at most " + "--ranks " +
+      " cores: ranks that share a core wait for each other, and the run takes longer; use at most --ranks " +
       std::to_string(cores);
   std::fprintf(stderr, "footfall: warning: %s\n", with_code(code::kRanksBeyondCores, text).c_str());
 }
