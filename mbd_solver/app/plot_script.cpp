@@ -296,11 +296,16 @@ std::string plot_command(const Figure& figure, PlotStyle style) {
   return text.str();
 }
 
-}  // namespace
-
-namespace {
-constexpr std::size_t kDrawnSpans = 2000;  // more than a picture has pixels
+// Panels in rows below a title.
+std::string on_one_page(const std::string& title, int rows, int columns, PlotStyle style, const std::string& panels) {
+  return "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) + " title " +
+         gnuplot_text(title) + " noenhanced tc rgb " + gnuplot_text(paper_of(style).ink) + "\n" + kAligned + panels +
+         "unset multiplot\n";
 }
+
+constexpr std::size_t kDrawnSpans = 2000;  // more than a picture has pixels
+
+}  // namespace
 
 bool is_long(const History& history) { return history.column("time").size() > 2 * kDrawnSpans; }
 
@@ -309,10 +314,7 @@ void thin_figures(std::vector<Figure>& figures, const History& history, const st
   make_folder(folder);
   const std::vector<double>& time = history.column("time");
   const std::vector<std::size_t> rows = rows_to_draw(time, kDrawnSpans);
-  History drawn;
-  drawn.names = {"time"};
-  drawn.units = {"s"};
-  drawn.columns.resize(1);
+  History drawn{{"time"}, {"s"}, {{}}};
   for (const std::size_t row : rows) drawn.columns.front().push_back(time[row]);
   for (Figure& figure : figures) {
     const auto draw = [&](Formula& formula, const std::string& name) {
@@ -345,25 +347,19 @@ std::vector<std::string> write_plot_scripts(const std::string& folder, const std
   const int columns = 2, rows = (static_cast<int>(figures.size()) + columns - 1) / columns;
   constexpr int kPageHeight = 2121;  // of A4 on a width of 1500
   const int height = std::min(380 * rows, std::max(kPageHeight, 240 * rows));
-  const std::string layout = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(columns) +
-                             " title " + gnuplot_text(title) + " noenhanced tc rgb " +
-                             gnuplot_text(paper_of(style).ink) + "\n" + kAligned;
   names.push_back(write_drawing(folder, "overview", {1500, height}, style_of(style) + data_blocks(figures),
-                                layout + page + "unset multiplot\n", style, true));
+                                on_one_page(title, rows, columns, style, page), style, true));
   return names;
 }
 
 std::string write_page_script(const std::string& folder, const PlotPage& page) {
   make_folder(folder);
   const int count = static_cast<int>(page.figures.size()), rows = (count + page.columns - 1) / page.columns;
-  std::string drawing = kAligned;
-  for (const Figure& figure : page.figures) drawing += plot_command(figure, page.style);
-  if (count > 1)
-    drawing = "set multiplot layout " + std::to_string(rows) + "," + std::to_string(page.columns) + " title " +
-              gnuplot_text(page.title) + " noenhanced tc rgb " + gnuplot_text(paper_of(page.style).ink) + "\n" +
-              drawing + "unset multiplot\n";
+  std::string panels;
+  for (const Figure& figure : page.figures) panels += plot_command(figure, page.style);
   return write_drawing(folder, page.name, {page.width, page.height}, style_of(page.style) + data_blocks(page.figures),
-                       drawing, page.style, page.pdf);
+                       count > 1 ? on_one_page(page.title, rows, page.columns, page.style, panels) : kAligned + panels,
+                       page.style, page.pdf);
 }
 
 std::string write_surface_script(const std::string& folder, const SurfacePicture& picture) {

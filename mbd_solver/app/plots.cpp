@@ -7,7 +7,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <map>
 #include <optional>
 
 #include "coupler/base/errors.h"
@@ -15,9 +14,8 @@
 #include "coupler/base/run_directory.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
-#include "mbd_solver/app/difference/pair_plots.h"
+#include "mbd_solver/app/difference/pair_page.h"
 #include "mbd_solver/app/difference/samples.h"
-#include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/launch/programs.h"
 #include "mbd_solver/session/output/spectra.h"
@@ -53,16 +51,14 @@ double largest(const History& history, const std::string& name) {
 // Curves for every column that ends so, by the name before it.
 std::vector<Curve> curves_of(const History& history, const std::string& ending, double factor) {
   std::vector<Curve> curves;
-  for (const std::string& name : history.names) {
+  for (const std::string& name : history.names)
     if (ends_with(name, ending)) curves.push_back({name.substr(0, name.size() - ending.size()), of(name, factor)});
-  }
   return curves;
 }
 
 std::string first_accelerated(const History& history) {
-  for (const std::string& name : history.names) {
+  for (const std::string& name : history.names)
     if (ends_with(name, ".az")) return name.substr(0, name.size() - 3);
-  }
   return "";
 }
 
@@ -83,13 +79,11 @@ std::vector<Curve> energy_curves(const History& history, const std::string& star
   constexpr double kVisible = 2e-3;  // of the largest
   double scale = 0.0;
   std::vector<Curve> curves;
-  for (const std::string& name : history.names) {
+  for (const std::string& name : history.names)
     if (name.rfind(start, 0) == 0) scale = std::max(scale, largest(history, name));
-  }
-  for (const std::string& name : history.names) {
+  for (const std::string& name : history.names)
     if (name.rfind(start, 0) == 0 && largest(history, name) > kVisible * scale)
       curves.push_back({words_after_dot(name), of(name)});
-  }
   return curves;
 }
 
@@ -146,10 +140,6 @@ void add_split(const Figure& figure, std::vector<Figure>& out) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 // The axis "words [unit]" in a unit by the size of the curves, whose formulas give it in SI.
 void fit_unit(const History& history, const std::string& words, const std::string& unit, Figure& figure) {
   double size = 0.0;
@@ -159,10 +149,6 @@ void fit_unit(const History& history, const std::string& words, const std::strin
   for (Curve& curve : figure.curves) curve.formula.factor *= drawn.factor;
   figure.axis = words + " [" + drawn.name + "]";
 }
-
-}  // namespace
-
-namespace {
 
 // Leaves out curves that stay where they are, and all where what is drawn is round-off. The total of energies may be constant.
 void keep_what_moves(const History& history, std::vector<Curve>& curves) {
@@ -232,20 +218,6 @@ std::optional<double> touchdown_of(const History& history, const Json& summary) 
   if (first == 0 || first == history.columns.front().size()) return std::nullopt;
   return history.column("time")[first];
 }
-
-}  // namespace
-
-bool touches_nothing(const History& history) {
-  bool has_contacts = false;
-  for (const std::string& name : history.names) {
-    if (name.find(".contact.f") == std::string::npos) continue;
-    has_contacts = true;
-    if (largest(history, name) > 0.0) return false;
-  }
-  return has_contacts;
-}
-
-namespace {
 
 struct ColumnLimit {
   std::string column, text;
@@ -366,6 +338,16 @@ std::optional<std::pair<double, double>> free_place(const Mark& peak, const std:
 
 }  // namespace
 
+bool touches_nothing(const History& history) {
+  bool has_contacts = false;
+  for (const std::string& name : history.names) {
+    if (name.find(".contact.f") == std::string::npos) continue;
+    has_contacts = true;
+    if (largest(history, name) > 0.0) return false;
+  }
+  return has_contacts;
+}
+
 void mark_figures(const History& history, const Json& summary, std::vector<Figure>& figures) {
   if (history.columns.empty() || history.columns.front().empty()) return;
   const std::optional<double> touchdown = touchdown_of(history, summary);
@@ -424,12 +406,9 @@ Figure ledger_figure(const History& ledger) {
   }
   // Each band counts from its own lowest value: only changes of energy matter, and no band is negative.
   const auto height = [&](const Band& band) {
-    std::vector<double> value(ledger.columns.front().size(), 0.0);
-    for (const std::string& name : band.columns) {
-      const std::vector<double>& column_values = ledger.column(name);
-      for (std::size_t k = 0; k < value.size(); ++k) value[k] += column_values[k];
-    }
-    return value;
+    Formula sum;
+    for (const std::string& name : band.columns) sum.columns.emplace_back(1.0, name);
+    return sum.values(ledger);
   };
   double scale = 0.0;
   std::vector<std::pair<double, double>> range;
@@ -664,11 +643,8 @@ constexpr std::size_t kLongestFile = 60;  // characters of a picture's name
 std::string file_name(const std::vector<std::string>& words) {
   std::string name;
   for (const char c : joined(words, "-")) {
-    if (c == '*') {
-      name += "all";
-    } else {
-      name += std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' ? c : '_';
-    }
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-';
+    name += c == '*' ? "all" : std::string(1, plain ? c : '_');
   }
   return name.substr(0, kLongestFile);
 }
@@ -707,10 +683,6 @@ std::vector<std::string> column_list(const History& history) {
     lines.push_back(history.names[i] + " [" + history.units[i] + "]");
   return lines;
 }
-
-}  // namespace
-
-namespace {
 
 // The unit in which a spectrum of this column is drawn: g for accelerations.
 std::pair<double, std::string> spectrum_unit(const std::string& unit) {
@@ -869,14 +841,13 @@ std::vector<std::string> plot_columns(const ColumnPlot& plot) {
     if (plot.cfc > 0) {
       history = with_filtered(history, plot, file, columns);
       name += kFilteredMark + std::to_string(plot.cfc);
-      make_folder(plots.string());
-      write_history((plots / (name + ".csv")).string(), history);
     }
     page = page_of(name, title, panels_of(history, columns));
-    if (plot.cfc > 0)
-      for (Figure& figure : page.figures) figure.file = name + ".csv";
     mark_figures(history, summary, page.figures);
-    if (is_long(history)) thin_figures(page.figures, history, plots.string(), page.name + "_drawn");
+    if (plot.cfc > 0)
+      draw_from(history, name, plots, page);
+    else if (is_long(history))
+      thin_figures(page.figures, history, plots.string(), page.name + "_drawn");
   }
   return drawn(plot, std::move(page), plots);
 }

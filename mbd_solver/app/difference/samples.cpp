@@ -92,8 +92,8 @@ History drawn_part(const std::string& run, const std::vector<std::string>& colum
       throw InputError(code::kUnknownColumn,
                        "\"" + name + "\" is no column of " + run + "." + known_names("columns", name, all.names));
     part.names.push_back(name);
-    part.units.push_back(all.units[static_cast<std::size_t>(k)]);
-    part.columns.push_back(all.columns[static_cast<std::size_t>(k)]);
+    part.units.push_back(all.units[k]);
+    part.columns.push_back(all.columns[k]);
   }
   return part;
 }
@@ -187,7 +187,7 @@ std::vector<Figure> figures_of_bands(const std::vector<SampledCase>& cases, cons
       if (count > 1) curve.band = {one(k, kLow), one(k, kHigh)};
       figure.curves.push_back(std::move(curve));
     }
-    const DrawnUnit unit = drawn_unit(bands.units[static_cast<std::size_t>(bands.find(column_of(name, 0)))], largest);
+    const DrawnUnit unit = drawn_unit(bands.units[bands.find(column_of(name, 0))], largest);
     for (Curve& curve : figure.curves) {
       curve.formula.factor = unit.factor;
       for (Formula& edge : curve.band) edge.factor = unit.factor;

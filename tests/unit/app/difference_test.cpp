@@ -4,12 +4,11 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/app/compare_command.h"
 #include "mbd_solver/app/difference/difference_page.h"
-#include "mbd_solver/app/difference/pair_plots.h"
+#include "mbd_solver/app/difference/pair_page.h"
 #include "mbd_solver/app/difference/run_pair.h"
 #include "mbd_solver/app/difference/samples.h"
 #include "mbd_solver/app/film/film.h"
