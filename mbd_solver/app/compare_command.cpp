@@ -8,7 +8,6 @@
 #include <cstdarg>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -22,10 +21,10 @@
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/run_command.h"
 #include "mbd_solver/app/run_folder.h"
+#include "mbd_solver/base/child_watch.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/base/text_reader.h"
-#include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/bed/bed_measures.h"
 #include "mbd_solver/bed/liggghts_log.h"
@@ -35,7 +34,6 @@
 #include "mbd_solver/launch/program_watch.h"
 #include "mbd_solver/launch/programs.h"
 #include "mbd_solver/scene/mesh_reader.h"
-#include "mbd_solver/session/output/history.h"
 #include "mbd_solver/session/output/summary.h"
 
 namespace footfall {
@@ -103,8 +101,7 @@ std::vector<std::string> written_out(const std::vector<std::string>& lines, Vari
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const Words w = words_of(lines[i]);
     if (w.size() > 3 && w[0] == "variable" && w[2] == "index") {
-      std::string value;
-      for (std::size_t k = 3; k < w.size(); ++k) value += (k == 3 ? "" : " ") + w[k];
+      std::string value = joined(Words(w.begin() + 3, w.end()), " ");
       value.erase(std::remove(value.begin(), value.end(), '"'), value.end());
       variables.emplace(w[1], value);
       const Words label = i + 1 < lines.size() ? words_of(lines[i + 1]) : Words();
@@ -267,8 +264,7 @@ Replay stock_replay(const std::string& script, const std::string& motion, const 
       if (!style.empty() || (variables.count("follow") > 0 && variables.at("follow") == "1"))
         replay.notes.push_back(
             "fix bed/follow: the bed of stock LIGGGHTS does not follow, and a body that has gone its length meets its "
-            "own "
-            "rut");
+            "own rut");
     } else if (coupled && !w.empty() && w[0] == "run") {
       text << final_run(replay) << "\n";
       break;
@@ -586,7 +582,7 @@ void run_stock(const std::string& liggghts, const Json& particles, const fs::pat
                bool quiet) {
   require_room_to_launch(particles.value("ranks", 1));
   const std::string script = particles.at("script");
-  std::map<std::string, std::string> variables = particles.value("variables", std::map<std::string, std::string>{});
+  const Variables variables = particles.value("variables", Variables());
   const std::vector<std::string> rest = script_arguments(script, variables);
   std::vector<std::string> words = {"-in", (out / "in.stock").string()};
   words.insert(words.end(), rest.begin() + 2, rest.end());  // without -in SCRIPT
@@ -660,13 +656,11 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
   const double dt = summary.at("dt_dem_s");
   const fs::path out = fs::absolute(fs::path(run) / "compare").lexically_normal();
   if (other.empty()) {
-    require_one_word("the folder of the comparison", short_path(out.string()));
-    require_one_word("the script of the run", short_path(summary.at("scene").at("particles").value("script", "")));
-  }
-  if (other.empty() && !trust_script) {
     const Json& particles = summary.at("scene").at("particles");
-    require_safe_script(particles.value("script", ""),
-                        particles.value("variables", std::map<std::string, std::string>{}), {"out", "here"});
+    const std::string script = particles.value("script", "");
+    require_one_word("the folder of the comparison", short_path(out.string()));
+    require_one_word("the script of the run", short_path(script));
+    if (!trust_script) require_safe_script(script, particles.value("variables", Variables()), {"out", "here"});
   }
   const std::string liggghts = other.empty() ? installed_program("liggghts", "liggghts") : "";
   std::error_code ignored;
@@ -681,10 +675,10 @@ int compare(const std::string& run, const std::string& other, bool trust_script,
     const std::string motion = short_path((fs::path(run) / "motion").string());
     const Json& particles = summary.at("scene").at("particles");
     const Replay replay = stock_replay(particles.at("script"), motion, short_path(out.string()), dt,
-                                       particles.value("variables", std::map<std::string, std::string>{}));
+                                       particles.value("variables", Variables()));
     write(out / "in.stock", replay.script);
     for (const auto& [name, text] : replay.files) write(out / name, text);
-    run_stock(liggghts, summary.at("scene").at("particles"), out, trust_script, time_limit(summary), quiet);
+    run_stock(liggghts, particles, out, trust_script, time_limit(summary), quiet);
     bodies = replay.bodies;
     second = stock_run(out, bodies.size(), dt);
     remark = limits_of_replay(run, replay, bend);

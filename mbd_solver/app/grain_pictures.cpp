@@ -13,7 +13,6 @@
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
-#include "mbd_solver/app/mechanism_shape.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/app/view_page.h"
@@ -156,8 +155,7 @@ Eigen::Vector3d nearest_drawn(const VtkFrame& frame, int number, const Eigen::Ve
     if (key == "body") body = values;
   const auto corner = [&](int j) { return Eigen::Vector3d(frame.points.col(j)); };
   const auto is_of_body = [&](std::size_t cell) {
-    return static_cast<Eigen::Index>(cell) < body.size() &&
-           static_cast<int>(body(static_cast<Eigen::Index>(cell))) == number;
+    return static_cast<Eigen::Index>(cell) < body.size() && static_cast<int>(body(cell)) == number;
   };
   Eigen::Vector3d best = p;
   double least = std::numeric_limits<double>::infinity();

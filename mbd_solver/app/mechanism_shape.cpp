@@ -122,10 +122,9 @@ MechanismShape MechanismShapes::recorded_near(double t) const {
     }
     for (const Eigen::Vector3d& vertex : mesh.vertices) points.push_back(x + R * (vertex - x0));
   }
-  shape.frame.points.resize(3, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t j = 0; j < points.size(); ++j) shape.frame.points.col(static_cast<Eigen::Index>(j)) = points[j];
-  shape.frame.cell_numbers = {
-      {"body", Eigen::Map<const Eigen::VectorXd>(body.data(), static_cast<Eigen::Index>(body.size()))}};
+  shape.frame.points.resize(3, points.size());
+  for (std::size_t j = 0; j < points.size(); ++j) shape.frame.points.col(j) = points[j];
+  shape.frame.cell_numbers = {{"body", Eigen::Map<const Eigen::VectorXd>(body.data(), body.size())}};
   return shape;
 }
 

@@ -9,11 +9,9 @@
 #include <exception>
 #include <filesystem>
 
-#include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "mbd_solver/app/mechanism_shape.h"
 #include "mbd_solver/app/packed_series.h"
-#include "mbd_solver/app/report.h"
 #include "mbd_solver/app/results.h"
 #include "mbd_solver/base/packed_bytes.h"
 #include "mbd_solver/session/output/history.h"
@@ -69,6 +67,18 @@ std::string data_array(const char* type, const char* name, int components, const
 
 std::vector<float> singles(const Eigen::Matrix3Xd& x) { return {x.data(), x.data() + x.size()}; }
 
+// A dump in VTK's text format with no columns besides the columns of its .vtp, which takes a third of the room. Text dumps stay: scripts of
+// users read them.
+bool holds_all_of(const std::string& dump) {
+  if (fs::path(dump).extension() != ".vtk") return false;
+  const std::vector<std::string> columns = dumped_columns(dump);
+  return std::all_of(columns.begin(), columns.end(), [](const std::string& name) {
+    for (const char* known : {"id", "type", "radius", "x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz", "xu", "yu"})
+      if (name == known) return true;
+    return false;
+  });
+}
+
 }  // namespace
 
 std::string grain_polydata(const BedFrame& frame) {
@@ -86,22 +96,6 @@ std::string grain_polydata(const BedFrame& frame) {
   text += "</PointData>\n<Points>\n" + data_array("Float32", "Points", 3, singles(frame.x));
   return text + "</Points>\n</Piece>\n</PolyData>\n</VTKFile>\n";
 }
-
-namespace {
-
-// A dump in VTK's text format with no columns besides the columns of its .vtp, which takes a third of the room. Text dumps stay: scripts of
-// users read them.
-bool holds_all_of(const std::string& dump) {
-  if (fs::path(dump).extension() != ".vtk") return false;
-  const std::vector<std::string> columns = dumped_columns(dump);
-  return std::all_of(columns.begin(), columns.end(), [](const std::string& name) {
-    for (const char* known : {"id", "type", "radius", "x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz", "xu", "yu"})
-      if (name == known) return true;
-    return false;
-  });
-}
-
-}  // namespace
 
 void write_grain_series(const std::string& out) {
   try {

@@ -5,11 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
@@ -37,31 +34,24 @@ namespace {
 constexpr const char* kSheet =
     ":root{color-scheme:light dark;--page:#fff;--ink:#222;--soft:#666;--line:#e4e4e4;--rule:#ccc;--field:#f6f6f4;"
     "--warn:#fff0e0;--mark:#ffe9a8;--missed:#fbdcd8;--missed-ink:#8c1209;--met:#136b2b}"
-    "@media screen and "
-    "(prefers-color-scheme:dark){:root{--page:#16191d;--ink:#e4e6e8;--soft:#a3a9b0;--line:#333a42;--rule:#4a525c;"
-    "--field:#21262c;--warn:#3a2a17;--mark:#5c4a10;--missed:#4a1d1a;--missed-ink:#ffb4ab;--met:#7bd88f}"
-    "a{color:#8ab4f8}figure img{background:#fff}}"
-    "body{font:15px/1.5 sans-serif;color:var(--ink);background:var(--page);max-width:1000px;margin:2em auto;padding:0 "
-    "1em}"
-    "h1{font-size:1.7em}h2{margin-top:2em;border-bottom:1px solid var(--rule)}.t{overflow-x:auto;margin:1em 0}"
-    "table{border-collapse:collapse}td,th{padding:.2em .8em;border-bottom:1px solid var(--line);text-align:left}"
-    "td:first-child,th:first-child{padding-left:0}th{vertical-align:bottom}"
-    ".n{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}th.n{white-space:normal}p,h1{overflow-"
-    "wrap:anywhere}"
-    "pre{background:var(--field);padding:.8em;overflow-x:auto;font-size:12.5px;line-height:1.4}mark{background:var(--"
-    "mark);"
-    "color:inherit}figure{margin:1.2em 0}figure img{max-width:100%}figcaption,.about{color:var(--soft)}"
-    ".warning{background:var(--warn);border-left:4px solid #d55e00;padding:.4em .8em}"
-    "nav a{margin-right:1em;display:inline-block}summary{cursor:pointer}h3{margin:1.4em 0 .2em}"
+    "@media screen and (prefers-color-scheme:dark){:root{--page:#16191d;--ink:#e4e6e8;--soft:#a3a9b0;--line:#333a42;"
+    "--rule:#4a525c;--field:#21262c;--warn:#3a2a17;--mark:#5c4a10;--missed:#4a1d1a;--missed-ink:#ffb4ab;--met:#7bd88f}"
+    "a{color:#8ab4f8}figure img{background:#fff}}body{font:15px/1.5 sans-serif;color:var(--ink);"
+    "background:var(--page);max-width:1000px;margin:2em auto;padding:0 1em}h1{font-size:1.7em}h2{margin-top:2em;"
+    "border-bottom:1px solid var(--rule)}.t{overflow-x:auto;margin:1em 0}table{border-collapse:collapse}"
+    "td,th{padding:.2em .8em;border-bottom:1px solid var(--line);text-align:left}"
+    "td:first-child,th:first-child{padding-left:0}th{vertical-align:bottom}.n{text-align:right;white-space:nowrap;"
+    "font-variant-numeric:tabular-nums}th.n{white-space:normal}p,h1{overflow-wrap:anywhere}"
+    "pre{background:var(--field);padding:.8em;overflow-x:auto;font-size:12.5px;line-height:1.4}"
+    "mark{background:var(--mark);color:inherit}figure{margin:1.2em 0}figure img{max-width:100%}"
+    "figcaption,.about{color:var(--soft)}.warning{background:var(--warn);border-left:4px solid #d55e00;"
+    "padding:.4em .8em}nav a{margin-right:1em;display:inline-block}summary{cursor:pointer}h3{margin:1.4em 0 .2em}"
     "tr.missed td{background:var(--missed);color:var(--missed-ink);font-weight:600}tr.open td{background:var(--warn)}"
-    "tr.met td:last-child{color:var(--met)}"
-    "@media (max-width:600px){body{margin:1em auto;font-size:14px}h1{font-size:1.3em}td,th{padding:.2em "
-    ".5em}.n{white-space:normal}}"
-    "@media "
-    "print{:root{color-scheme:light}body{max-width:none;margin:0;font-size:10pt}nav,details{display:none}.t{overflow:"
-    "visible}.n{white-space:normal}h2,h3{break-"
-    "after:avoid}"
-    "table,figure,.warning{break-inside:avoid}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}}";
+    "tr.met td:last-child{color:var(--met)}@media (max-width:600px){body{margin:1em auto;font-size:14px}"
+    "h1{font-size:1.3em}td,th{padding:.2em .5em}.n{white-space:normal}}@media print{:root{color-scheme:light}"
+    "body{max-width:none;margin:0;font-size:10pt}nav,details{display:none}.t{overflow:visible}.n{white-space:normal}"
+    "h2,h3{break-after:avoid}table,figure,.warning{break-inside:avoid}*{-webkit-print-color-adjust:exact;"
+    "print-color-adjust:exact}}";
 
 // Begins with a number, as "12.5" and "3.2 %".
 bool is_number(const std::string& text) {
@@ -157,11 +147,9 @@ void HtmlPage::picture(const std::string& path, const std::string& caption) {
 }
 
 std::string HtmlPage::text() const {
-  return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
-         "charset=\"utf-8\"/>\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
-         "style-src "
-         "'unsafe-inline'; img-src data:\"/>\n"
+  return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n"
+         "<meta charset=\"utf-8\"/>\n<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+         "script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width\"/>\n" +
          (address_.empty() ? "" : "<meta http-equiv=\"refresh\" content=\"0;url=" + html_text(address_) + "\"/>\n") +
          "<title>" + html_text(title_) + "</title>\n<style>" + kSheet + "</style>\n</head>\n<body>\n<h1>" +
@@ -273,12 +261,11 @@ void show_scene(const Json& summary, HtmlPage& page) {
 void show_versions(const Json& summary, HtmlPage& page) {
   page.section("Versions");
   Rows rows;
-  const Json versions = summary.value("versions", Json::object());
-  for (const auto& [name, version] : versions.items())
-    rows.push_back({name, version.is_string() ? version.get<std::string>() : version.dump()});
-  const Json machine = summary.value("machine", Json::object());
-  for (const auto& [name, value] : machine.items())
-    rows.push_back({name, value.is_string() ? value.get<std::string>() : value.dump()});
+  for (const char* key : {"versions", "machine"}) {
+    const Json entries = summary.value(key, Json::object());
+    for (const auto& [name, value] : entries.items())
+      rows.push_back({name, value.is_string() ? value.get<std::string>() : value.dump()});
+  }
   rows.push_back({"integrator", summary.value("integrator", "unknown")});
   page.table(rows, false);
 }
@@ -403,8 +390,7 @@ void show_ledger(const fs::path& folder, HtmlPage& page) {
   page.paragraph(
       "Energy stored and dissipated in the mechanism, its work on the grains, and the energy of the grains. Without "
       "numerical errors the sum is constant. Energy dissipated by the grains is the rest of the work that they "
-      "received; "
-      "it includes the elastic energy of their contacts and may decrease by that much.");
+      "received; it includes the elastic energy of their contacts and may decrease by that much.");
   page.table(rows);
   if (const Figure figure = ledger_figure(ledger); !figure.curves.empty()) page.figures({figure}, ledger);
 }
@@ -414,10 +400,7 @@ void show_mechanism(const fs::path& folder, const Json& summary, HtmlPage& page)
   try {
     const MechanismShapes shapes(folder.string(), summary);
     if (shapes.empty()) return;
-    const double middle = 0.5 * summary.value("end_time_s", 0.0);
-    const double time = *std::min_element(shapes.times().begin(), shapes.times().end(), [&](double a, double b) {
-      return std::abs(a - middle) < std::abs(b - middle);
-    });
+    const double time = shapes.times()[nearest(shapes.times(), 0.5 * summary.value("end_time_s", 0.0))];
     PageParts& data = page.data();
     data.run["bodyNames"] = shapes.body_names();
     add_surroundings(summary.value("scene", Json::object()), data);
@@ -484,7 +467,7 @@ std::string run_page(const std::string& run) {
   show_pictures((folder / "plots").string(), "Plots", page, figures);
   if (fs::exists(folder / "compare/comparison.txt")) {
     page.section("Comparison with stock LIGGGHTS or another run");
-    page.preformatted(read_whole_file((folder / "compare/comparison.txt").string()).value_or(""));
+    page.preformatted(contents(folder / "compare/comparison.txt"));
     for (const std::string& picture : pictures_in((folder / "compare/plots").string())) page.picture(picture);
   }
   show_scene(summary, page);
@@ -507,11 +490,24 @@ std::string sweep_page(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
     if (entry.path().filename() == "summary.json") runs.push_back(entry.path().parent_path());
   std::sort(runs.begin(), runs.end());
+  Rows rows = {{"run", "status", "energy balance [%]", "coupling energy error [%]", "largest overlap [% of radius]",
+                "wall time [s]"}};
+  Json last;
   for (const fs::path& run : runs) {
+    const std::string name = fs::relative(run, folder).string();
     try {
-      judged.emplace_back(fs::relative(run, folder).string(), read_summary((run / "summary.json").string()));
-    } catch (const InputError&) {  // told in the table of runs
+      last = read_summary((run / "summary.json").string());
+    } catch (const InputError&) {  // one damaged run among many
+      rows.push_back({name, "damaged", "-", "-", "-", "-"});
+      continue;
     }
+    judged.emplace_back(name, last);
+    const auto percent = [&](const char* key) {
+      return last.contains(key) && last[key].is_number() ? short_text(100.0 * last[key].get<double>())
+                                                         : std::string("-");
+    };
+    rows.push_back({name, end_text(last), percent("energy_balance_relative"), percent("coupling_energy_error_relative"),
+                    percent("max_overlap_over_radius"), short_text(last.value("wall_s", 0.0))});
   }
   show_worst_cases(judged, page);
   for (const auto& [name, heading] :
@@ -522,24 +518,6 @@ std::string sweep_page(const fs::path& folder) {
   }
   show_pictures(folder.string(), "Plots", page);
   show_pictures((folder / "plots").string(), "Plots", page);
-  Rows rows = {{"run", "status", "energy balance [%]", "coupling energy error [%]", "largest overlap [% of radius]",
-                "wall time [s]"}};
-  Json last;
-  for (const fs::path& run : runs) {
-    try {
-      last = read_summary((run / "summary.json").string());
-    } catch (const InputError&) {  // one damaged run among many
-      rows.push_back({fs::relative(run, folder).string(), "damaged", "-", "-", "-", "-"});
-      continue;
-    }
-    const auto percent = [&](const char* key) {
-      return last.contains(key) && last[key].is_number() ? short_text(100.0 * last[key].get<double>())
-                                                         : std::string("-");
-    };
-    rows.push_back({fs::relative(run, folder).string(), end_text(last), percent("energy_balance_relative"),
-                    percent("coupling_energy_error_relative"), percent("max_overlap_over_radius"),
-                    short_text(last.value("wall_s", 0.0))});
-  }
   if (runs.empty()) return page.text();
   page.section("Quality of the results");
   page.table(rows);
@@ -577,22 +555,19 @@ constexpr std::size_t kSpans = 2000;  // of time, for histories with more than t
 // JSON that neither ends a script element nor has characters with a meaning in XML.
 std::string harmless(const Json& json) {
   std::string text;
-  for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace)) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else if (c == '>') {
-      text += "\\u003e";
-    } else if (c == '&') {
-      text += "\\u0026";
-    } else {
-      text += c;
-    }
-  }
+  for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace))
+    text += c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : c == '&' ? "\\u0026" : std::string(1, c);
   return text;
 }
 
 std::string element(const std::string& name, const std::string& type, const std::string& text) {
   return "<script type=\"" + type + "\" id=\"footfall-" + name + "\">" + text + "</script>\n";
+}
+
+Json marks_of(const std::vector<Mark>& marks) {
+  Json list = Json::array();
+  for (const Mark& mark : marks) list.push_back({{"time", mark.time}, {"value", mark.value}, {"text", mark.text}});
+  return list;
 }
 
 }  // namespace
@@ -641,16 +616,6 @@ void add_history(const History& history, const std::vector<std::string>& shown, 
   parts.chunks.emplace_back("history", packed_numbers(values));
 }
 
-namespace {
-
-Json marks_of(const std::vector<Mark>& marks) {
-  Json list = Json::array();
-  for (const Mark& mark : marks) list.push_back({{"time", mark.time}, {"value", mark.value}, {"text", mark.text}});
-  return list;
-}
-
-}  // namespace
-
 std::size_t add_figures(const std::vector<Figure>& figures, const History& history, PageParts& parts) {
   const std::vector<double>& time = history.column("time");
   const std::vector<std::size_t> rows = rows_to_draw(time, kSpans);
@@ -692,9 +657,8 @@ std::vector<std::string> first_columns(const History& history, const std::string
       if (ends_with(name, ending)) add(name);
     if (shown.size() > std::max<std::size_t>(before, 1)) break;
   }
-  if (shown.size() < 2) {
+  if (shown.size() < 2)
     for (const char* name : {"energy.kinetic", "energy.gravity", "energy.strain", "energy.total"}) add(name);
-  }
   return shown;
 }
 

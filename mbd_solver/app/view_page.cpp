@@ -2,7 +2,6 @@
 #include "mbd_solver/app/view_page.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <set>
@@ -13,7 +12,6 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/difference/pair_page.h"
 #include "mbd_solver/app/packed_series.h"
-#include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/app/scenery/scenery.h"
@@ -37,12 +35,13 @@ const Eigen::VectorXd* cell_numbers(const VtkFrame& frame, const std::string& na
   return nullptr;
 }
 
-// The times in the page: all drawn ones, or `most` of the recorded ones, evenly spread.
-std::vector<double> moments_of(const MechanismShapes& shapes, std::size_t most) {
-  const std::vector<double>& all = shapes.times();
-  if (shapes.drawn() || all.size() <= most) return all;
-  std::vector<double> chosen;
-  for (std::size_t i = 0; i < most; ++i) chosen.push_back(all[i * (all.size() - 1) / (most - 1)]);
+// `most` of all, evenly spread, with the first and the last.
+template <class One>
+std::vector<One> thinned(const std::vector<One>& all, std::size_t most) {
+  if (all.size() <= most) return all;
+  std::vector<One> chosen;
+  for (std::size_t i = 0; i < most; ++i)
+    chosen.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(1, most - 1)]);
   return chosen;
 }
 
@@ -117,9 +116,8 @@ void add_bodies(const std::string& run, const Json& summary, FrameLimits& limits
   if (!shapes.drawn())
     limits.notes.push_back(
         "The run drew no bodies: only coupled surfaces are shown, without bending. Run it with --set output.vtk=true "
-        "to "
-        "see all.");
-  const std::vector<double> times = moments_of(shapes, limits.moments);
+        "to see all.");
+  const std::vector<double> times = shapes.drawn() ? shapes.times() : thinned(shapes.times(), limits.moments);
   std::vector<MechanismShape> frames;
   for (const double t : times) {
     frames.push_back(shapes.near(t));
@@ -127,10 +125,9 @@ void add_bodies(const std::string& run, const Json& summary, FrameLimits& limits
     const VtkFrame& first = frames.front().frame;
     if (frame.points.cols() != first.points.cols() || frame.triangles.size() != first.triangles.size() ||
         frame.lines.size() != first.lines.size() || marks_of(frame).cols() != marks_of(first).cols())
-      throw InputError(code::kRunDamaged,
-                       run +
-                           ": drawings of the bodies with different numbers of points; the folder may "
-                           "hold files of two runs");
+      throw InputError(code::kRunDamaged, run +
+                                              ": drawings of the bodies with different numbers of points; "
+                                              "the folder may hold files of two runs");
     if (!frame.points.allFinite() || !marks_of(frame).allFinite())
       throw InputError(code::kRunDamaged, run + ": a drawing of the bodies has a point that is not finite");
   }
@@ -200,13 +197,13 @@ const Number kNumbers[] = {{"speed", "m/s", &BedFrame::v}, {"force", "N", &BedFr
 
 LeanFrame lean(const BedFrame& bed, const std::vector<Number>& numbers, const std::string& file) {
   LeanFrame frame{bed.id, bed.x.cast<float>(), {}, {bed.radius.begin(), bed.radius.end()}};
-  frame.numbers.resize(static_cast<Eigen::Index>(numbers.size()), bed.x.cols());
+  frame.numbers.resize(numbers.size(), bed.x.cols());
   for (std::size_t j = 0; j < numbers.size(); ++j) {
     const Eigen::Matrix3Xd& vectors = bed.*numbers[j].vector;
     if (vectors.cols() != bed.x.cols())
       throw InputError(code::kRunDamaged,
                        file + ": lacks the " + numbers[j].name + " of grains, which the first dump has");
-    frame.numbers.row(static_cast<Eigen::Index>(j)) = vectors.colwise().norm().cast<float>();
+    frame.numbers.row(j) = vectors.colwise().norm().cast<float>();
   }
   if (!frame.x.allFinite() || !frame.numbers.allFinite())
     throw InputError(code::kRunDamaged, file + ": has a number that is not finite");
@@ -221,15 +218,6 @@ double upper(std::vector<float> values) {
   return values[k];
 }
 
-// `most` of the dumps, evenly spread, with the first and the last.
-std::vector<std::pair<long, std::string>> thinned(const std::map<long, std::string>& dumps, std::size_t most) {
-  std::vector<std::pair<long, std::string>> all(dumps.begin(), dumps.end()), chosen;
-  if (all.size() <= most) return all;
-  for (std::size_t i = 0; i < most; ++i)
-    chosen.push_back(all[i * (all.size() - 1) / std::max<std::size_t>(1, most - 1)]);
-  return chosen;
-}
-
 std::size_t most_frames(const FrameLimits& limits, std::size_t grains) {
   const double room = limits.most_grains / static_cast<double>(std::max<std::size_t>(grains, 1));
   const std::size_t most = std::max<std::size_t>(2, static_cast<std::size_t>(room));
@@ -242,9 +230,11 @@ void for_each_place(const std::vector<int>& all, const LeanFrame& frame, const A
   std::size_t place = 0;
   for (std::size_t i = 0; i < frame.id.size(); ++i) {
     while (all[place] != frame.id[i]) ++place;
-    action(static_cast<Eigen::Index>(i), place);
+    action(i, place);
   }
 }
+
+using Dumps = std::vector<std::pair<long, std::string>>;  // step, file
 
 struct FrameBed {
   std::vector<double> times;  // [s]
@@ -253,7 +243,7 @@ struct FrameBed {
   std::vector<int> ids;  // of all frames, ascending
 };
 
-FrameBed read_bed(const std::vector<std::pair<long, std::string>>& dumps, double dt) {
+FrameBed read_bed(const Dumps& dumps, double dt) {
   FrameBed bed;
   for (const auto& [step, file] : dumps) {
     const BedFrame frame = read_bed_frame(file);
@@ -268,7 +258,7 @@ FrameBed read_bed(const std::vector<std::pair<long, std::string>>& dumps, double
     bed.ids = std::move(both);
   }
   for (LeanFrame& frame : bed.frames)
-    if (frame.x.cols() == 0) frame.numbers.resize(static_cast<Eigen::Index>(bed.numbers.size()), 0);
+    if (frame.x.cols() == 0) frame.numbers.resize(bed.numbers.size(), 0);
   return bed;
 }
 
@@ -303,8 +293,8 @@ void add_grains(const std::string& run, double dt, FrameLimits& limits, PagePart
 }
 
 void add_dumps(const std::map<long, std::string>& dumps, int count, double dt, FrameLimits& limits, PageParts& parts) {
-  const std::size_t most = most_frames(limits, static_cast<std::size_t>(count));
-  const FrameBed bed = read_bed(thinned(dumps, most), dt);
+  const std::size_t most = most_frames(limits, count);
+  const FrameBed bed = read_bed(thinned(Dumps(dumps.begin(), dumps.end()), most), dt);
   const std::size_t n = bed.ids.size();
   if (bed.frames.size() < dumps.size())
     limits.notes.push_back("The run dumped its grains " + std::to_string(dumps.size()) + " times; " +
@@ -321,7 +311,7 @@ void add_dumps(const std::map<long, std::string>& dumps, int count, double dt, F
   for (std::size_t j = 0; j < bed.numbers.size(); ++j) {
     double all = 0.0, most_of_all = 0.0;
     for (const LeanFrame& frame : bed.frames) {
-      const Eigen::VectorXf row = frame.numbers.row(static_cast<Eigen::Index>(j));
+      const Eigen::VectorXf row = frame.numbers.row(j);
       if (row.size() > 0) all = std::max(all, static_cast<double>(row.maxCoeff()));
       most_of_all = std::max(most_of_all, upper({row.begin(), row.end()}));
     }
@@ -347,8 +337,7 @@ void add_dumps(const std::map<long, std::string>& dumps, int count, double dt, F
       for (int axis = 0; axis < 3; ++axis)
         values[static_cast<std::size_t>(axis) * n + place] = box.number_of(axis, static_cast<double>(frame.x(axis, i)));
       for (std::size_t j = 0; j < bed.numbers.size(); ++j)
-        values[(3 + j) * n + place] =
-            root_number(static_cast<double>(frame.numbers(static_cast<Eigen::Index>(j), i)), largest[j]);
+        values[(3 + j) * n + place] = root_number(static_cast<double>(frame.numbers(j, i)), largest[j]);
     });
     parts.add_frame("grains", k, series.add(values));
   }
@@ -379,6 +368,51 @@ std::vector<std::string> missing_of(const Json& summary, const PageParts& parts)
                             "shape or a boundary."
                           : "No body of the scene has a shape or a boundary: only symbols are shown.");
   return missing;
+}
+
+// run.requirements: name, result, limits and verdict of each; run.peaks: name, value and time [s] (or null) of key numbers.
+void add_judgement(const Json& summary, PageParts& parts) {
+  parts.run["requirements"] = parts.run["peaks"] = Json::array();
+  const std::vector<std::string> lines = requirement_lines(summary);
+  const Json list = summary.value("requirements", Json::array());
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    parts.run["requirements"].push_back({lines[i], list.at(i).value("verdict", "")});
+  for (const KeyNumber& one : key_numbers(summary))
+    parts.run["peaks"].push_back({one.name, one.value, one.time >= 0.0 ? Json(one.time) : Json()});
+}
+
+std::string view_of(const ViewArguments& a, const fs::path& folder) {
+  const Json summary = read_summary((folder / "summary.json").string());
+  PageParts parts;
+  FrameLimits limits;
+  limits.frames = a.frames;
+  const double dt = summary.value("dt_dem_s", 0.0);
+  parts.run["grains"] = nullptr;
+  if (dt > 0.0) add_grains(folder.string(), dt, limits, parts);
+  add_bodies(folder.string(), summary, limits, parts);
+  if (const auto terrain = read_whole_file((folder / kTerrainFile).string()); terrain && parts.run["grains"].is_null())
+    parts.run["terrain"] = Json::parse(*terrain);
+  const Json scene = summary.value("scene", Json::object());
+  add_surroundings(scene, parts);
+  add_static_meshes(scene, parts, limits.notes);
+  if (parts.run["grains"].is_null() && touches_grains(scene)) add_bed_block(scene, parts);
+  const History history = read_history((folder / "history.csv").string());
+  if (history.column("time").empty()) throw InputError(code::kNoRun, without_summary(a.run, "history.csv has no rows"));
+  add_history(history, first_columns(history, summary.value("observed_body", "")), parts);
+  std::vector<std::string> notes = missing_of(summary, parts);
+  notes.insert(notes.end(), limits.notes.begin(), limits.notes.end());
+  for (const std::string& note : a.quiet ? std::vector<std::string>() : notes)
+    std::fprintf(stderr, "footfall: %s\n", note.c_str());
+  const std::string given = scene.value("title", "");
+  std::string shown = given.empty() ? folder.filename().string() : given;
+  if (!a.other.empty()) {
+    const RunPair pair(a.run, a.other);
+    add_second_run(pair, true, parts);
+    shown = pair.a.name + " and " + pair.b.name;
+  }
+  parts.run["title"] = shown;
+  add_judgement(summary, parts);
+  return page_text(shown, folder.filename().string(), summary, notes, parts);
 }
 
 }  // namespace
@@ -427,55 +461,6 @@ std::string page_text(const std::string& title, const std::string& place, const 
          "hidden=\"\"></div>\n" +
          parts.elements(kViewScript) + "</body>\n</html>\n";
 }
-
-namespace {
-
-// run.requirements: name, result, limits and verdict of each; run.peaks: name, value and time [s] (or null) of key numbers.
-void add_judgement(const Json& summary, PageParts& parts) {
-  parts.run["requirements"] = parts.run["peaks"] = Json::array();
-  const std::vector<std::string> lines = requirement_lines(summary);
-  const Json list = summary.value("requirements", Json::array());
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    parts.run["requirements"].push_back({lines[i], list.at(i).value("verdict", "")});
-  for (const KeyNumber& one : key_numbers(summary))
-    parts.run["peaks"].push_back({one.name, one.value, one.time >= 0.0 ? Json(one.time) : Json()});
-}
-
-std::string view_of(const ViewArguments& a, const fs::path& folder) {
-  const Json summary = read_summary((folder / "summary.json").string());
-  PageParts parts;
-  FrameLimits limits;
-  limits.frames = a.frames;
-  const double dt = summary.value("dt_dem_s", 0.0);
-  parts.run["grains"] = nullptr;
-  if (dt > 0.0) add_grains(folder.string(), dt, limits, parts);
-  add_bodies(folder.string(), summary, limits, parts);
-  if (const auto terrain = read_whole_file((folder / kTerrainFile).string()); terrain && parts.run["grains"].is_null())
-    parts.run["terrain"] = Json::parse(*terrain);
-  const Json scene = summary.value("scene", Json::object());
-  add_surroundings(scene, parts);
-  add_static_meshes(scene, parts, limits.notes);
-  if (parts.run["grains"].is_null() && touches_grains(scene)) add_bed_block(scene, parts);
-  const History history = read_history((folder / "history.csv").string());
-  if (history.column("time").empty()) throw InputError(code::kNoRun, without_summary(a.run, "history.csv has no rows"));
-  add_history(history, first_columns(history, summary.value("observed_body", "")), parts);
-  std::vector<std::string> notes = missing_of(summary, parts);
-  notes.insert(notes.end(), limits.notes.begin(), limits.notes.end());
-  for (const std::string& note : a.quiet ? std::vector<std::string>() : notes)
-    std::fprintf(stderr, "footfall: %s\n", note.c_str());
-  const std::string given = summary.value("scene", Json::object()).value("title", "");
-  std::string shown = given.empty() ? folder.filename().string() : given;
-  if (!a.other.empty()) {
-    const RunPair pair(a.run, a.other);
-    add_second_run(pair, true, parts);
-    shown = pair.a.name + " and " + pair.b.name;
-  }
-  parts.run["title"] = shown;
-  add_judgement(summary, parts);
-  return page_text(shown, folder.filename().string(), summary, notes, parts);
-}
-
-}  // namespace
 
 std::string how_to_dump(const Json& scene) {
   if (!touches_grains(scene)) return "It has no grains.";

@@ -4,7 +4,6 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,6 +18,7 @@
 #include "coupler/base/interrupt.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/codes.h"
+#include "mbd_solver/app/film/page_camera.h"
 #include "mbd_solver/app/grain_pictures.h"
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/app/scenery/scenery.h"
@@ -129,21 +129,10 @@ void require_followed(PageCamera& camera, const std::string& show) {
   }
 }
 
-// The page of a run in a folder of its own, with the first and the last time that it shows [s].
+// A page in a folder of its own.
 struct FilmPage {
   ScratchFolder folder{"footfall_film"};
   std::string file = folder.path() + "/view.html";
-};
-
-struct RunPage : FilmPage {
-  explicit RunPage(const FilmArguments& a) {
-    ViewArguments view;
-    view.run = a.run;
-    view.other = a.other;
-    view.frames = a.frames;
-    view.file = file;
-    write_view(view);
-  }
 };
 
 struct Span {
@@ -153,15 +142,14 @@ struct Span {
 // The page of a run before the camera, and the times that it shows.
 struct ShownRun {
   ShownRun(const FilmArguments& a, const PageSize& size)
-      : page(a),
-        camera(page.file, link_of(a), size),
+      : camera(write_view({a.run, a.other, a.frames, page.file}), link_of(a), size),
         times(camera.evaluate("[footfall.player.start, footfall.player.end]")),
         span{times.at(0).get<double>(), times.at(1).get<double>()} {
     // picture(t) draws at once; the page must not draw each time again with the next turn of the screen.
     camera.evaluate("void (footfall.stage.wish = () => {})");
     require_followed(camera, a.show);
   }
-  RunPage page;
+  FilmPage page;
   PageCamera camera;
   const Json times;
   const Span span;
@@ -360,8 +348,7 @@ Reference reference_of(Scene scene) {
   const VtkFrame& frame = reference.shape.frame;
   const Eigen::VectorXd& body = frame.cell_numbers[1].second;
   for (std::size_t k = 0; k < frame.lines.size(); ++k)
-    reference.shape.line_radius.push_back(
-        radius[static_cast<std::size_t>(body(static_cast<Eigen::Index>(frame.triangles.size() + k)))]);
+    reference.shape.line_radius.push_back(radius[static_cast<std::size_t>(body(frame.triangles.size() + k))]);
   return reference;
 }
 

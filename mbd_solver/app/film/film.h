@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/app/film/page_camera.h"
 #include "mbd_solver/scene/scene.h"
 
 namespace footfall {

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -207,7 +206,7 @@ std::string PageCamera::next_message() {
     if (poll(&ready, 1, 200) > 0) {
       const ssize_t n = ::read(from_, buffer.data(), buffer.size());
       if (n > 0)
-        received_.append(buffer.data(), static_cast<std::size_t>(n));
+        received_.append(buffer.data(), n);
       else if (n == 0 || errno != EINTR)
         fail("the browser has ended");
     }

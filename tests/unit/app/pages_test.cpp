@@ -1,7 +1,6 @@
 // Pages and pictures of a run.
 #include <gtest/gtest.h>
 #include <stdlib.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,6 @@
 #include "mbd_solver/app/plots.h"
 #include "mbd_solver/app/report.h"
 #include "mbd_solver/app/results.h"
-#include "mbd_solver/app/view_page.h"
 #include "mbd_solver/base/packed_bytes.h"
 #include "mbd_solver/session/output/history.h"
 #include "tests/support/refused.h"
@@ -205,35 +203,8 @@ TEST(FirstColumns, AreThoseThatAUserAsksForFirst) {
 
 // What a page holds is what the run wrote, to half a step. The way back here follows web/src/decode.js.
 
-std::string bytes_of_base64(const std::string& text) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t block = 0;
-  int count = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    block = (block << 6) | static_cast<std::uint32_t>(digits.find(c));
-    if (++count % 4 != 0) continue;
-    for (const int shift : {16, 8, 0}) bytes += static_cast<char>((block >> shift) & 255u);
-  }
-  if (count % 4 == 2) bytes += static_cast<char>((block >> 4) & 255u);
-  if (count % 4 == 3) {
-    bytes += static_cast<char>((block >> 10) & 255u);
-    bytes += static_cast<char>((block >> 2) & 255u);
-  }
-  return bytes;
-}
-
 std::string unpacked(const std::string& text, std::size_t size) {
-  const std::string packed = bytes_of_base64(text);
-  std::string bytes(size + 1, '\0');
-  uLongf length = static_cast<uLongf>(bytes.size());
-  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(bytes.data()), &length, reinterpret_cast<const Bytef*>(packed.data()),
-                       static_cast<uLong>(packed.size())),
-            Z_OK);
-  EXPECT_EQ(length, size);
-  bytes.resize(size);
-  return bytes;
+  return inflated(bytes_of_base64(text).value(), size).value();
 }
 
 std::uint32_t byte(const std::string& bytes, std::size_t i) { return static_cast<unsigned char>(bytes[i]); }
@@ -508,8 +479,7 @@ TEST(EnergyLedger, EnergyThatGrainsBringIsALineOfItsOwn) {
 
 TEST(EnergyLedger, AMechanismThatDoesNotCloseIsSeen) {
   History h = run(true);
-  for (const char* name : {"energy.kinetic", "energy.total"})
-    h.columns[static_cast<std::size_t>(h.find(name))][2] += 0.9;
+  for (const char* name : {"energy.kinetic", "energy.total"}) h.columns[h.find(name)][2] += 0.9;
   EXPECT_NEAR(energy_ledger(h, {}).column("closing_error").back(), 0.01, 1e-12);  // of 90 J
 }
 
