@@ -2,7 +2,6 @@
 // round-off.
 #include "mbd_solver/app/audit.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +9,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
-#include <map>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
@@ -18,7 +16,6 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/app/check_command.h"
 #include "mbd_solver/app/codes.h"
-#include "mbd_solver/app/run_command.h"
 #include "mbd_solver/base/csv.h"
 #include "mbd_solver/launch/programs.h"
 #include "mbd_solver/scene/particle_script.h"
@@ -313,28 +310,21 @@ void energies(const GrainsAudit& grains, const MechanismAudit& mechanism, std::v
   }
 }
 
-std::string entry_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", value);
-  return text;
+// Length of a window [s] from the script; 0 if only LIGGGHTS can compute it.
+double window_length(const Scene& scene) {
+  const ParticlesSpec& particles = *scene.particles;
+  const ScriptText script(particles.script, particles.variables);
+  double dt = 0.0, n = 0.0;
+  for (const ScriptCommand& command : script.commands()) {
+    const std::vector<std::string>& w = command.words;
+    if (w[0] == "timestep" && w.size() > 1) dt = read_number(w[1].c_str(), nullptr);
+    if (w[0] != "fix" || w.size() < 6 || w[3] != "couple/mbd") continue;
+    n = w[5] == "auto" ? scene.coupling.max_substeps : read_number(w[5].c_str(), nullptr);
+  }
+  return dt * n;
 }
 
 }  // namespace
-
-std::string verdict_text(AuditVerdict verdict) {
-  switch (verdict) {
-    case AuditVerdict::kHolds: return "holds";
-    case AuditVerdict::kWrong: return "WRONG";
-    case AuditVerdict::kNotExercised: return "nothing exchanged";
-    case AuditVerdict::kNotChecked: return "not checked";
-    case AuditVerdict::kReported: return "reported";
-  }
-  return "";
-}
-
-std::vector<AuditLine> audit_lines(const std::string& folder) {
-  return audit_lines(read_grains_audit(folder + "/grains.csv"), read_mechanism_audit(folder + "/mechanism.csv"));
-}
 
 std::vector<AuditLine> audit_lines(const GrainsAudit& grains, const MechanismAudit& mechanism) {
   std::vector<AuditLine> lines;
@@ -354,10 +344,10 @@ std::string audit_table(const std::vector<AuditLine>& lines) {
   for (const AuditLine& line : lines) {
     const bool measured = line.verdict == AuditVerdict::kHolds || line.verdict == AuditVerdict::kWrong;
     const bool reported = line.verdict == AuditVerdict::kReported;
-    rows.push_back({line.quantity, line.unit, measured || reported ? entry_text(line.defect) : "-",
-                    measured || reported ? entry_text(line.relative) : "-",
+    rows.push_back({line.quantity, line.unit, measured || reported ? number_text(line.defect, 2) : "-",
+                    measured || reported ? number_text(line.relative, 2) : "-",
                     line.window >= 0 && (measured || reported) ? std::to_string(line.window) : "-",
-                    measured ? entry_text(line.bound) : "-", verdict_text(line.verdict)});
+                    measured ? number_text(line.bound, 2) : "-", std::string(name_of(line.verdict))});
     if (!line.note.empty()) notes.push_back(line.quantity + ": " + line.note);
     holds += line.verdict == AuditVerdict::kHolds ? 1 : 0;
     wrong += line.verdict == AuditVerdict::kWrong ? 1 : 0;
@@ -379,26 +369,6 @@ bool audit_holds(const std::vector<AuditLine>& lines) {
   return std::none_of(lines.begin(), lines.end(),
                       [](const AuditLine& line) { return line.verdict == AuditVerdict::kWrong; });
 }
-
-namespace fs = std::filesystem;
-
-namespace {
-
-// Length of a window [s] from the script; 0 if only LIGGGHTS can compute it.
-double window_length(const Scene& scene) {
-  const ParticlesSpec& particles = *scene.particles;
-  const ScriptText script(particles.script, particles.variables);
-  double dt = 0.0, n = 0.0;
-  for (const ScriptCommand& command : script.commands()) {
-    const std::vector<std::string>& w = command.words;
-    if (w[0] == "timestep" && w.size() > 1) dt = read_number(w[1].c_str(), nullptr);
-    if (w[0] != "fix" || w.size() < 6 || w[3] != "couple/mbd") continue;
-    n = w[5] == "auto" ? scene.coupling.max_substeps : read_number(w[5].c_str(), nullptr);
-  }
-  return dt * n;
-}
-
-}  // namespace
 
 int audit_command(const RunArguments& arguments, int windows) {
   RunArguments run = arguments;
@@ -422,8 +392,9 @@ int audit_command(const RunArguments& arguments, int windows) {
   std::printf("audit: %s to t = %g s, in %s\n", short_path(scene.file).c_str(), run.until, run.out.c_str());
   std::fflush(stdout);
   if (const int code = run_command(run); code != kExitDone && code != kExitRequirements) return code;
-  const fs::path out = run.out;
-  const std::vector<AuditLine> lines = audit_lines((out / "audit").string());
+  const std::filesystem::path out = run.out;
+  const std::vector<AuditLine> lines = audit_lines(read_grains_audit((out / "audit/grains.csv").string()),
+                                                   read_mechanism_audit((out / "audit/mechanism.csv").string()));
   const std::string table = audit_table(lines);
   write_whole_file((out / "audit.txt").string(), table);
   std::printf("%s", table.c_str());

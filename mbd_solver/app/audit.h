@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mbd_solver/app/run_command.h"
+#include "mbd_solver/base/kinds.h"
 
 namespace footfall {
 
@@ -72,8 +73,9 @@ enum class AuditVerdict {
   kNotChecked,    // impossible; `note` gives the reason
   kReported       // a value without a bound
 };
-std::string verdict_text(AuditVerdict verdict);
-
+constexpr std::string_view name_of(AuditVerdict verdict) {
+  return name_in(verdict, "holds", "WRONG", "nothing exchanged", "not checked", "reported");
+}
 // One line of the table: of all windows the one with the largest error relative to its bound.
 struct AuditLine {
   std::string quantity;
@@ -92,8 +94,6 @@ inline constexpr double kAuditBound = 1e-10;
 // Of the momentum of the mechanism, which includes errors of time integration.
 inline constexpr double kMechanismBound = 1e-6;
 
-// folder: of the audit (grains.csv, mechanism.csv). Throws InputError when a file is missing or no such file.
-std::vector<AuditLine> audit_lines(const std::string& folder);
 std::vector<AuditLine> audit_lines(const GrainsAudit& grains, const MechanismAudit& mechanism);
 
 // As an aligned table with a summary in the last line.

@@ -2,8 +2,6 @@
 // after some seconds.
 #include "mbd_solver/app/check_command.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,7 +17,6 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/film/page_camera.h"
 #include "mbd_solver/app/plot_script.h"
-#include "mbd_solver/app/run_command.h"
 #include "mbd_solver/assemble/law_files.h"
 #include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/base/child_watch.h"
@@ -34,7 +31,6 @@
 #include "mbd_solver/scene/box_bed.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/foreign/foreign_code.h"
-#include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/session/observe/start_check.h"
 #include "mbd_solver/session/observe/start_values.h"
@@ -51,14 +47,16 @@ std::string grains_of_bed(const Scene& scene) {
   return bed_is_made(folder) && std::filesystem::exists(grains, error) ? grains : "";
 }
 
+void warn_about(const Scene& scene, const std::string& warning) {
+  if (!scene.accepts(warning)) std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
+}
+
 // Faults that only building the mechanism finds; grains are taken from the bed in the cache. Returns what it proposes.
 std::string check(Scene scene, bool judges) {
   std::string proposal;
   if (judges && scene.touches_particles() && scene.particles->grains.empty())
     scene.particles->grains = grains_of_bed(scene);
-  const auto warn = [&scene](const std::string& warning) {
-    if (!scene.accepts(warning)) std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
-  };
+  const auto warn = [&scene](const std::string& warning) { warn_about(scene, warning); };
   check_by_building(scene, judges, warn, [&](const Scene& placed, const Mechanism& mechanism) {
     require_inside_box(placed, mechanism);
     if (!judges) return;
@@ -95,7 +93,7 @@ void require_rest(const Scene& scene, const std::string& argument, const std::ve
                                "whether the mechanism comes to rest is not known: " +
                                (end.given_up.empty() ? "it failed to settle: " + said : end.given_up) +
                                ". The run finds out before its first step; support what may move, or remove settle");
-  if (!scene.accepts(warning)) std::fprintf(stderr, "footfall: warning: %s\n", warning.c_str());
+  warn_about(scene, warning);
 }
 
 // What the last run of the scene in runs/ says of its walls; empty if no run has watched them.
@@ -155,8 +153,7 @@ int check_command(const std::string& argument, const std::vector<std::string>& s
   for (std::size_t k = 0; k + rocks < scene.bodies.size(); ++k) mass += scene.bodies[k].mass;
   std::printf(
       "%s: no faults. %zu bodies (%g kg), %zu joints, %zu struts, %zu cables, %zu springs, %zu controllers, %zu "
-      "boundaries on "
-      "%s.\n",
+      "boundaries on %s.\n",
       scene.file.c_str(), scene.bodies.size(), mass, scene.joints.size(), scene.struts.size(), scene.cables.size(),
       scene.springs.size(), scene.controllers.size(), scene.boundaries.size(),
       grounds[static_cast<int>(scene.ground.kind)]);
@@ -167,14 +164,9 @@ int check_command(const std::string& argument, const std::vector<std::string>& s
   return kExitDone;
 }
 
-namespace {
-
-constexpr double kFewest = 0.25;  // least share of the trial's steps that are taken later
-constexpr double kGrown = 0.8;    // below this ratio of steps per simulated second, later to earlier, steps have grown
-
-}  // namespace
-
 RunTime expected_run_time(const nlohmann::ordered_json& trial, double t_end) {
+  constexpr double kFewest = 0.25;  // least share of the trial's steps that are taken later
+  constexpr double kGrown = 0.8;  // below this ratio of steps per simulated second, later to earlier, steps have grown
   const auto at = [&](const char* what, std::size_t mark) { return trial.at(what).at(mark).get<double>(); };
   const auto late = [&](const char* what) { return at(what, 2) - at(what, 1); };
   const auto early = [&](const char* what) { return at(what, 1) - at(what, 0); };
@@ -304,12 +296,7 @@ int trial_command(const RunArguments& given, double seconds) {
 
 namespace {
 
-struct Input {
-  const char* name;
-  const char* axis;
-};
-constexpr Input kAcceleration{"a", "a [g]"};
-constexpr Input kSecond[] = {{"da", "da [g in 0.1 s]"}, {"alpha", "alpha (pitch) [deg]"}};
+constexpr std::pair<const char*, const char*> kSecond[] = {{"da", "da [g in 0.1 s]"}, {"alpha", "alpha (pitch) [deg]"}};
 
 std::vector<std::string> write_scripts(const ControllerSpec& controller, const std::string& out) {
   const FuzzySystem system(read_fll(controller.file));
@@ -317,12 +304,12 @@ std::vector<std::string> write_scripts(const ControllerSpec& controller, const s
   for (int output : {0, 2}) {
     if (output >= system.output_count()) continue;
     const std::string name = "U" + std::to_string(output + 1);
-    for (const Input& second : kSecond) {
-      const ControlSurface surface = control_surface(system, output, kAcceleration.name, second.name);
-      SurfacePicture picture{controller.name + "_" + name + "_a_" + second.name,
+    for (const auto& [second, axis] : kSecond) {
+      const ControlSurface surface = control_surface(system, output, "a", second);
+      SurfacePicture picture{controller.name + "_" + name + "_a_" + second,
                              name + " of " + controller.name,
-                             kAcceleration.axis,
-                             second.axis,
+                             "a [g]",
+                             axis,
                              name + " [-]",
                              surface.first,
                              surface.second,

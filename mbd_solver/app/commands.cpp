@@ -311,9 +311,8 @@ Action plot(CLI::App& command) {
   command
       .add_option("COLUMN", a->columns,
                   "First, for two runs or sweeps over each other: the folder of the second. Columns of history.csv: "
-                  "cabin.az; "
-                  "patterns: 'leg_*_primary.stroke', 'struts.*.force'; cabin.v: all "
-                  "three axes. None: list them")
+                  "cabin.az; patterns: 'leg_*_primary.stroke', 'struts.*.force'; cabin.v: all three axes. None: list "
+                  "them")
       ->expected(0, -1);
   command.add_option("--out", a->out, "File of the picture, .png, .svg or .pdf (default: PNG and SVG, in DIR/plots)")
       ->type_name("FILE");

@@ -53,22 +53,13 @@ double largest_contact(const LastRow& row) {
 
 }  // namespace
 
-RunProgress progress_of_run(const std::string& run) {
-  HistoryTail history((fs::path(run) / "history.csv").string());
-  return progress_of_run(run, history);
-}
-
 RunProgress progress_of_run(const std::string& run, HistoryTail& history) {
   const fs::path folder(run);
   const bool ended = fs::exists(folder / "summary.json");
   if (!ended && !fs::exists(folder / kLockFile) && !fs::exists(folder / "history.csv"))
     throw InputError(code::kNoRun, run + ": holds neither a run in progress nor the results of one");
   RunProgress progress;
-  if (fs::exists(folder / kRunNote)) {
-    const RunNote note = read_run_note(run);
-    progress.title = note.title;
-    progress.end_time = note.end_time;
-  }
+  if (fs::exists(folder / kRunNote)) progress.end_time = read_run_note(run).end_time;
   history.read();
   const LastRow row = history.last();
   progress.rows = row.rows;
@@ -98,15 +89,9 @@ bool is_over(const RunProgress& progress) {
 }
 
 int exit_code(const RunProgress& progress) {
-  switch (progress.state) {
-    case RunProgress::State::kFailed:
-    case RunProgress::State::kGone: return kExitFailed;
-    case RunProgress::State::kInterrupted: return kExitInterrupted;
-    case RunProgress::State::kSettingUp:
-    case RunProgress::State::kRunning:
-    case RunProgress::State::kDone: break;
-  }
-  return kExitDone;
+  using State = RunProgress::State;
+  if (progress.state == State::kFailed || progress.state == State::kGone) return kExitFailed;
+  return progress.state == State::kInterrupted ? kExitInterrupted : kExitDone;
 }
 
 double share_of(const RunProgress& progress) {

@@ -21,7 +21,6 @@ int follow_run(const FollowArguments& arguments);
 struct RunProgress {
   enum class State { kSettingUp, kRunning, kDone, kFailed, kInterrupted, kGone };
   State state = State::kSettingUp;
-  std::string title;                  // of the scene; empty: not known yet
   std::string reason;                 // of a failure, else empty
   bool at_start = false;              // it has failed before its first step
   std::string preparation;            // what LIGGGHTS does before the first row
@@ -29,9 +28,8 @@ struct RunProgress {
   long rows = 0;
   double contact_force = 0.0;  // on the body with the largest one, in the last row [N]
 };
-// Of the run in this folder, in progress or ended. Throws InputError for a folder without a run.
-RunProgress progress_of_run(const std::string& run);
-// The same, reading only what the history has got since the last call.
+// Of the run in this folder, in progress or ended. Reads only what its history has got since the last call. Throws InputError for
+// a folder without a run.
 RunProgress progress_of_run(const std::string& run, HistoryTail& history);
 
 // The page of the run that this program has started (run --view).

@@ -3,7 +3,6 @@
 #include "mbd_solver/app/needed_parts.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -133,11 +132,6 @@ Texts needed_parts(const Texts& words) {
     parts.push_back("fmi");
   if (line.command == "new" && is_robot_file(line.from)) parts.push_back("import");
   return parts;
-}
-
-int print_needed_parts(const Texts& words) {
-  for (const std::string& part : needed_parts(words)) std::printf("%s\n", part.c_str());
-  return 0;
 }
 
 }  // namespace footfall

@@ -15,7 +15,4 @@ namespace footfall {
 // read or parsed needs nothing, as the command itself reports it.
 std::vector<std::string> needed_parts(const std::vector<std::string>& words);
 
-// Prints them, one a line. Returns the exit code, always 0.
-int print_needed_parts(const std::vector<std::string>& words);
-
 }  // namespace footfall

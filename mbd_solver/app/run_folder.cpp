@@ -109,6 +109,12 @@ void remove_files(const std::string& folder) {
     GuardedPath((fs::path(folder) / *parent).string()).remove();
 }
 
+// What LIGGGHTS has complained of, if it has.
+std::string reason_in_log(const fs::path& folder) {
+  const std::string errors = liggghts_errors((folder / "liggghts.log").string());
+  return errors.empty() ? "" : ". LIGGGHTS stopped: " + errors.substr(0, errors.find('\n'));
+}
+
 }  // namespace
 
 std::vector<std::string> files_of_run(const std::string& folder) {
@@ -148,16 +154,6 @@ RunFolder::RunFolder(const std::string& folder) {
       throw InputError(code::kFileInTheWay,
                        (fs::path(folder) / name).string() + ": cannot be written: " + reason_of(ELOOP));
 }
-
-namespace {
-
-// What LIGGGHTS has complained of, if it has.
-std::string reason_in_log(const fs::path& folder) {
-  const std::string errors = liggghts_errors((folder / "liggghts.log").string());
-  return errors.empty() ? "" : ". LIGGGHTS stopped: " + errors.substr(0, errors.find('\n'));
-}
-
-}  // namespace
 
 std::string without_summary(const std::string& folder, const std::string& expected) {
   const fs::path path(folder);

@@ -23,7 +23,10 @@ int main(int argc, char** argv) {
   try {
     if (word == "confined") return become_confined(argc, argv);
     keep_streams();
-    if (word == "needs") return print_needed_parts({argv + 2, argv + argc});
+    if (word == "needs") {
+      for (const std::string& part : needed_parts({argv + 2, argv + argc})) std::printf("%s\n", part.c_str());
+      return kExitDone;
+    }
     if (word == "help" && argc > 2) word = argv[2];
     // A file of drawn runs is checked by the program that carries it out.
     if (const std::vector<std::string> words = {argv + 1, argv + argc}; word == "check")

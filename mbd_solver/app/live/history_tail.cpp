@@ -45,17 +45,17 @@ std::string HistoryTail::read(std::size_t most) {
   std::ifstream in(file_, std::ios::binary);
   if (names_.empty()) {
     constexpr std::uintmax_t kLongestHead = 1 << 20;
-    std::string head(static_cast<std::size_t>(std::min(size, kLongestHead)), '\0');
+    std::string head(std::min(size, kLongestHead), '\0');
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+    head.resize(std::max<std::streamsize>(in.gcount(), 0));
     in.clear();
     read_head(head);
     if (names_.empty()) return "";
   }
-  std::string text(static_cast<std::size_t>(std::min<std::uintmax_t>(size - read_, most)), '\0');
+  std::string text(std::min<std::uintmax_t>(size - read_, most), '\0');
   in.seekg(static_cast<std::streamoff>(read_));
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  text.resize(std::max<std::streamsize>(in.gcount(), 0));
   text.resize(text.rfind('\n') + 1);  // 0 where there is no complete line
   if (text.empty()) return text;
   read_ += text.size();
@@ -70,12 +70,6 @@ LastRow HistoryTail::last() const {
   LastRow row{names_, {}, rows_};
   if (rows_ > 0) row.values = row_values(last_line_, names_.size(), file_);
   return row;
-}
-
-LastRow last_row(const std::string& history) {
-  HistoryTail tail(history);
-  tail.read();
-  return tail.last();
 }
 
 }  // namespace footfall

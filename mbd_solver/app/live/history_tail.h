@@ -41,7 +41,4 @@ class HistoryTail {
 // The numbers of a row. Throws InputError where there are not as many as names.
 std::vector<double> row_values(const std::string& line, std::size_t count, const std::string& file);
 
-// Of the whole file.
-LastRow last_row(const std::string& history);
-
 }  // namespace footfall

@@ -13,7 +13,6 @@
 #include <thread>
 
 #include "coupler/base/clock.h"
-#include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "mbd_solver/app/film/page_camera.h"
 #include "mbd_solver/app/live/page_server.h"
@@ -120,6 +119,15 @@ struct LivePage::Parts {
     }
   }
 
+  void stop() {
+    {
+      const std::lock_guard<std::mutex> lock(waiting);
+      ends = true;
+    }
+    wake.notify_all();
+    if (reader.joinable()) reader.join();
+  }
+
   std::mutex feeding;  // of the feed
   RunFeed feed;
   PageServer server;
@@ -141,14 +149,7 @@ LivePage::LivePage(const std::string& run) {
   parts->has_browser = open_browser(parts->server.address(), parts->folder.path());
 }
 
-LivePage::~LivePage() {
-  {
-    const std::lock_guard<std::mutex> lock(parts_->waiting);
-    parts_->ends = true;
-  }
-  parts_->wake.notify_all();
-  if (parts_->reader.joinable()) parts_->reader.join();
-}
+LivePage::~LivePage() { parts_->stop(); }
 
 std::string LivePage::announcement() const { return "Live page: " + parts_->server.address(); }
 
@@ -159,12 +160,7 @@ void LivePage::tell(const std::string& text, double share) {
 }
 
 void LivePage::finish(const std::string& text) {
-  {
-    const std::lock_guard<std::mutex> lock(parts_->waiting);
-    parts_->ends = true;
-  }
-  parts_->wake.notify_all();
-  parts_->reader.join();
+  parts_->stop();
   const auto wait = [&](double until, const auto& done) {
     while (!done() && wall_clock() < until) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   };

@@ -2,7 +2,6 @@
 // The page of a run in progress, in the browser of this machine: run --view and view --follow. A thread of the lowest priority
 // reads what the run has written, while a page is open; without one it reads nothing.
 
-#include <atomic>
 #include <memory>
 #include <string>
 

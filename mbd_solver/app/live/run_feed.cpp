@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <limits>
 
-#include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/app/mechanism_shape.h"
@@ -94,9 +93,8 @@ void RunFeed::add_row(const std::vector<double>& row) {
   const double length = end_time_ > 0.0 ? end_time_ / kSpansOfRun : kSpanOfUnknownEnd;
   const long number = static_cast<long>(std::clamp(row.front() / length, 0.0, 1e15));
   if (number != span_.number && span_.rows > 0) end_span();
-  if (span_.rows == 0) {
+  if (span_.rows == 0)
     span_ = {number, 0, row, row, row, std::vector<long>(row.size(), 0), std::vector<long>(row.size(), 0), 0.0};
-  }
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (row[i] < span_.low[i]) {
       span_.low[i] = row[i];

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <sstream>
 
 #include "coupler/base/errors.h"
@@ -30,58 +29,52 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void dump(const std::string& folder, int step) {
-  std::ofstream(folder + "/grains_" + std::to_string(step) + ".vtk")
-      << "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n1 2 3\n\nPOINT_DATA 1\nFIELD "
-         "FieldData 2\nid 1 1 int\n7\nradius 1 1 double\n0.1\n";
-}
+class GrainSeries : public ::testing::Test, protected TemporaryFolder {
+ protected:
+  const std::string folder = folder_.string();
+  // grains.pvd, after dumps every 10 ms and drawings of the bodies at these times.
+  std::vector<std::pair<double, std::string>> series(std::initializer_list<double> drawn) const {
+    for (const int step : {0, 100, 200, 300})
+      write("grains_" + std::to_string(step) + ".vtk",
+            "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n1 2 3\n\nPOINT_DATA 1\nFIELD "
+            "FieldData 2\nid 1 1 int\n7\nradius 1 1 double\n0.1\n");
+    VtkFrame frame;
+    frame.points = Eigen::Matrix3Xd::Zero(3, 1);
+    VtkSeries bodies(folder, "bodies");
+    for (const double t : drawn) bodies.write(t, frame);
+    write_grain_series(folder);
+    return read_vtk_series(folder + "/grains.pvd");
+  }
+};
 
-// Dumps every 10 ms; the bodies were drawn at the first window end behind each 10 ms, 0.2 ms later, but for the last.
-TEST(GrainSeries, StepsTogetherWithTheDrawingsOfTheBodies) {
-  const TemporaryFolder place;
-  const std::string folder = place.folder_.string();
-  for (const int step : {0, 100, 200, 300}) dump(folder, step);
+// The bodies were drawn at the first window end behind each 10 ms, 0.2 ms later, but for the last.
+TEST_F(GrainSeries, StepsTogetherWithTheDrawingsOfTheBodies) {
   write_summary(folder + "/summary.json", {{"dt_dem_s", 1e-4}, {"substeps_per_window", 3}});
-  VtkFrame frame;
-  frame.points = Eigen::Matrix3Xd::Zero(3, 1);
-  VtkSeries bodies(folder, "bodies");
-  for (const double t : {0.0, 0.0102, 0.0201}) bodies.write(t, frame);
-  write_grain_series(folder);
-  const auto series = read_vtk_series(folder + "/grains.pvd");
-  ASSERT_EQ(series.size(), 4u);
+  const auto found = series({0.0, 0.0102, 0.0201});
+  ASSERT_EQ(found.size(), 4u);
   const double expected[] = {0.0, 0.0102, 0.0201, 0.03};
   for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_NEAR(series[k].first, expected[k], 1e-12);
-    EXPECT_EQ(series[k].second, "grains_" + std::to_string(100 * k) + ".vtp");
-    EXPECT_TRUE(fs::exists(folder + "/" + series[k].second));
+    EXPECT_NEAR(found[k].first, expected[k], 1e-12);
+    EXPECT_EQ(found[k].second, "grains_" + std::to_string(100 * k) + ".vtp");
+    EXPECT_TRUE(fs::exists(folder + "/" + found[k].second));
   }
 }
 
 // The run chose windows of 4 substeps, then of 2: the drawings come 0.3 ms and 0.1 ms behind the dumps; the last one comes 0.3 ms behind,
 // which is no window of 2.
-TEST(GrainSeries, StepsTogetherWithTheDrawingsWhereTheRunChoseItsWindows) {
-  const TemporaryFolder place;
-  const std::string folder = place.folder_.string();
-  for (const int step : {0, 100, 200, 300}) dump(folder, step);
+TEST_F(GrainSeries, StepsTogetherWithTheDrawingsWhereTheRunChoseItsWindows) {
   write_summary(folder + "/summary.json", {{"dt_dem_s", 1e-4}, {"substeps_per_window", "auto"}});
   write_history(folder + "/history.csv",
                 {{"time", "coupling.substeps"}, {"s", "-"}, {{0.0, 0.0103, 0.0201, 0.0303}, {0.0, 4.0, 2.0, 2.0}}});
-  VtkFrame frame;
-  frame.points = Eigen::Matrix3Xd::Zero(3, 1);
-  VtkSeries bodies(folder, "bodies");
-  for (const double t : {0.0, 0.0103, 0.0201, 0.0303}) bodies.write(t, frame);
-  write_grain_series(folder);
-  const auto series = read_vtk_series(folder + "/grains.pvd");
-  ASSERT_EQ(series.size(), 4u);
+  const auto found = series({0.0, 0.0103, 0.0201, 0.0303});
+  ASSERT_EQ(found.size(), 4u);
   const double expected[] = {0.0, 0.0103, 0.0201, 0.03};
-  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(series[k].first, expected[k], 1e-12);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(found[k].first, expected[k], 1e-12);
 }
 
 // Single precision holds more than the six digits of a dump: the .vtp is the same bed, and takes its place. A dump with columns that a .vtp
 // does not hold stays, and so does a text, which scripts of users read.
-TEST(GrainSeries, TakeThePlaceOfDumpsThatTheyHoldWhole) {
-  const TemporaryFolder place;
-  const std::string folder = place.folder_.string();
+TEST_F(GrainSeries, TakeThePlaceOfDumpsThatTheyHoldWhole) {
   const std::string head =
       "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n1.25 -2.5 3.12345 4 5 6\n\nPOINT_DATA "
       "2\n";
@@ -114,9 +107,7 @@ TEST(GrainSeries, TakeThePlaceOfDumpsThatTheyHoldWhole) {
   }
 }
 
-TEST(GrainSeries, ARunWithoutGrainsGetsNone) {
-  const TemporaryFolder place;
-  const std::string folder = place.folder_.string();
+TEST_F(GrainSeries, ARunWithoutGrainsGetsNone) {
   write_summary(folder + "/summary.json", {{"status", "done"}});
   write_grain_series(folder);
   EXPECT_FALSE(fs::exists(folder + "/grains.pvd"));
@@ -226,46 +217,53 @@ class LastRowTest : public ::testing::Test, protected TemporaryFolder {};
 class RunLookTest : public ::testing::Test, protected TemporaryFolder {
  protected:
   const std::string run = folder_.string();
+  RunProgress look() const {
+    HistoryTail history(run + "/history.csv");
+    return progress_of_run(run, history);
+  }
 };
 
 constexpr const char* kHead =
     "# units: s,N,N,N,N,N,N\ntime,a.contact.fx,a.contact.fy,a.contact.fz,b.contact.fx,b.contact.fy,b.contact.fz\n";
 
 TEST_F(LastRowTest, ARowInWritingDoesNotCount) {
-  const std::string history = file("history.csv");
-  EXPECT_EQ(last_row(history).rows, 0);
+  const auto last_row = [&] {
+    HistoryTail tail(file("history.csv"));
+    tail.read();
+    return tail.last();
+  };
+  EXPECT_EQ(last_row().rows, 0);
   write("history.csv", kHead);
-  EXPECT_EQ(last_row(history).rows, 0);
+  EXPECT_EQ(last_row().rows, 0);
   write("history.csv", std::string(kHead) + "0,0,0,0,0,0,0\n0.25,3,0,4,0,0,1\n0.5,1,1");
-  const LastRow row = last_row(history);
+  const LastRow row = last_row();
   EXPECT_EQ(row.rows, 2);
   EXPECT_EQ(row.values.front(), 0.25);
 }
 
 TEST_F(RunLookTest, KnowsAtWhichPointARunIs) {
-  EXPECT_THROW(progress_of_run(run), InputError);
+  EXPECT_THROW(look(), InputError);
   write(".footfall.lock", std::to_string(getpid()) + "\n");
-  EXPECT_EQ(progress_of_run(run).state, RunProgress::State::kSettingUp);
+  EXPECT_EQ(look().state, RunProgress::State::kSettingUp);
   write("liggghts.log", "run 200\nStep Atoms KinEng\n50 10 1.5\n");
-  EXPECT_EQ(progress_of_run(run).preparation, "step 50 of 200 (25 %)");
+  EXPECT_EQ(look().preparation, "step 50 of 200 (25 %)");
   write_run_note(run, {"A landing", "/scene.toml", 1.0});
   write("history.csv", std::string(kHead) + "0,0,0,0,0,0,0\n0.25,3,0,4,0,0,1\n");
-  const RunProgress look = progress_of_run(run);
-  EXPECT_EQ(look.state, RunProgress::State::kRunning);
-  EXPECT_EQ(look.title, "A landing");
-  EXPECT_EQ(look.time, 0.25);
-  EXPECT_EQ(look.end_time, 1.0);
-  EXPECT_EQ(look.contact_force, 5.0);
+  const RunProgress seen = look();
+  EXPECT_EQ(seen.state, RunProgress::State::kRunning);
+  EXPECT_EQ(seen.time, 0.25);
+  EXPECT_EQ(seen.end_time, 1.0);
+  EXPECT_EQ(seen.contact_force, 5.0);
 }
 
 TEST_F(RunLookTest, TellsARunThatEndedFromOneThatWasKilled) {
   write(".footfall.lock", "0\n");
   write("history.csv", std::string(kHead) + "0,0,0,0,0,0,0\n");
-  EXPECT_EQ(progress_of_run(run).state, RunProgress::State::kGone);
+  EXPECT_EQ(look().state, RunProgress::State::kGone);
   write("summary.json", R"({"status": "failed", "reason": "a strut broke"})");
-  const RunProgress look = progress_of_run(run);
-  EXPECT_EQ(look.state, RunProgress::State::kFailed);
-  EXPECT_EQ(look.reason, "a strut broke");
+  const RunProgress seen = look();
+  EXPECT_EQ(seen.state, RunProgress::State::kFailed);
+  EXPECT_EQ(seen.reason, "a strut broke");
 }
 
 using Json = nlohmann::ordered_json;
