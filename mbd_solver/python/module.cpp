@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "coupler/base/text.h"
+#include "mbd_solver/base/kinds.h"
 #include "mbd_solver/scene/scene_schema.h"
 #include "mbd_solver/session/codes.h"
 #include "mbd_solver/session/error_report.h"
@@ -31,15 +32,8 @@ struct SceneSource {
   Scene read() const { return file.empty() ? read_scene_text(text, folder, settings) : read_scene(file, settings); }
 };
 
-const char* name_of(ErrorReport::Kind kind) {
-  switch (kind) {
-    case ErrorReport::Kind::kInput: return "InputError";
-    case ErrorReport::Kind::kNumerical: return "NumericalError";
-    case ErrorReport::Kind::kPartner: return "PartnerError";
-    case ErrorReport::Kind::kFile: return "FileError";
-    case ErrorReport::Kind::kInternal: return "InternalError";
-  }
-  return "InternalError";
+constexpr std::string_view name_of(ErrorReport::Kind kind) {
+  return name_in(kind, "InputError", "NumericalError", "PartnerError", "FileError", "InternalError");
 }
 
 // Text whose bytes may be no UTF-8, for example from a damaged file.

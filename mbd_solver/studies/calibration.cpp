@@ -2,9 +2,7 @@
 #include "mbd_solver/studies/calibration.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <set>
 
 #include "coupler/base/errors.h"
@@ -228,7 +226,7 @@ class CalibrationValidator : StudyValidator<CalibrationSpec> {
         for (const CalibrationParameter& p : spec_.parameters) {
           const auto found = std::find(csv.cells().begin(), csv.cells().end(), p.name);
           if (found == csv.cells().end()) csv.fail(code::kMissingKey, "has no column \"" + p.name + "\"");
-          columns.push_back(static_cast<std::size_t>(found - csv.cells().begin()));
+          columns.push_back(found - csv.cells().begin());
         }
         continue;
       }

@@ -116,7 +116,7 @@ constexpr int kShort = 3;
 std::string law_text(const FitSpec& fit, const PowerLaw& law) {
   std::string text = fit.label + " = " + number_text(law.factor, kShort);
   for (std::size_t k = 0; k < fit.factors.size(); ++k)
-    text += " (" + fit.factors[k].name + ")^" + fixed_text(law.exponents[static_cast<Eigen::Index>(k)], 2);
+    text += " (" + fit.factors[k].name + ")^" + fixed_text(law.exponents[k], 2);
   return text;
 }
 
@@ -263,8 +263,7 @@ FitData fit_data(const SweepSpec& spec, const FitSpec& fit, const Plan& plan, co
   };
   for (std::size_t i = 0; i < plan.runs.size(); ++i)
     if (results[i].end.done() && is_meant(plan.runs[i])) data.runs.push_back(i);
-  data.x =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(data.runs.size()), static_cast<Eigen::Index>(fit.factors.size()));
+  data.x = Eigen::MatrixXd::Zero(data.runs.size(), fit.factors.size());
   data.y.resize(data.x.rows());
   const auto positive = [&](double value, const std::string& what, std::size_t run) {
     if (!(value > 0.0))

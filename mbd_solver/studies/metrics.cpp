@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <numeric>
 #include <sstream>
 #include <tuple>
@@ -14,7 +13,6 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/bed/bed_measures.h"
 #include "mbd_solver/session/output/former_names.h"
-#include "mbd_solver/session/output/history.h"
 #include "mbd_solver/session/output/peaks.h"
 #include "mbd_solver/session/output/summary.h"
 #include "mbd_solver/studies/codes.h"
@@ -102,6 +100,21 @@ double value_of_requirement(const nlohmann::ordered_json& summary, const std::st
   return kNone;
 }
 
+double value_at(const std::vector<double>& times, const std::vector<double>& values, double t) {
+  const auto after = std::upper_bound(times.begin(), times.end(), t);
+  const std::size_t i = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(after - times.begin() - 1, 0, static_cast<std::ptrdiff_t>(times.size()) - 2));
+  const double u = (t - times[i]) / (times[i + 1] - times[i]);
+  return values[i] + u * (values[i + 1] - values[i]);
+}
+
+// Mean and standard deviation; 0 for one value.
+std::pair<double, double> mean_and_spread(const std::vector<double>& values) {
+  const Eigen::Map<const Eigen::ArrayXd> x(values.data(), values.size());
+  const double mean = x.mean(), freedoms = std::max(1.0, static_cast<double>(values.size()) - 1.0);
+  return {mean, std::sqrt((x - mean).square().sum() / freedoms)};
+}
+
 }  // namespace
 
 int count_peaks(const std::vector<double>& values, double least) {
@@ -185,25 +198,6 @@ std::vector<double> metrics_of_run(const std::vector<MetricSpec>& metrics, const
   return values;
 }
 
-namespace {
-
-double value_at(const std::vector<double>& times, const std::vector<double>& values, double t) {
-  const auto after = std::upper_bound(times.begin(), times.end(), t);
-  const std::size_t i = static_cast<std::size_t>(
-      std::clamp<std::ptrdiff_t>(after - times.begin() - 1, 0, static_cast<std::ptrdiff_t>(times.size()) - 2));
-  const double u = (t - times[i]) / (times[i + 1] - times[i]);
-  return values[i] + u * (values[i + 1] - values[i]);
-}
-
-// Mean and standard deviation; 0 for one value.
-std::pair<double, double> mean_and_spread(const std::vector<double>& values) {
-  const Eigen::Map<const Eigen::ArrayXd> x(values.data(), static_cast<Eigen::Index>(values.size()));
-  const double mean = x.mean(), freedoms = std::max(1.0, static_cast<double>(values.size()) - 1.0);
-  return {mean, std::sqrt((x - mean).square().sum() / freedoms)};
-}
-
-}  // namespace
-
 double history_error(const History& run, const History& reference, const std::vector<std::string>& columns, bool at_end,
                      double until) {
   const std::vector<double>& times = run.column("time");
@@ -211,7 +205,7 @@ double history_error(const History& run, const History& reference, const std::ve
   if (reference_times.size() < 2 || times.empty())
     throw InputError(code::kRunWithoutRows, "figures: a run without rows cannot be compared");
   const auto end = until > 0.0 ? std::upper_bound(times.begin(), times.end(), until * (1.0 + 1e-9)) : times.end();
-  const std::size_t count = std::max<std::size_t>(1, static_cast<std::size_t>(end - times.begin()));
+  const std::size_t count = std::max<std::size_t>(1, end - times.begin());
   double sum = 0.0;
   for (const std::string& name : columns) {
     const std::vector<double>& mine = run.column(name);

@@ -8,40 +8,35 @@
 #include <utility>
 #include <vector>
 
+#include "mbd_solver/base/kinds.h"
 #include "mbd_solver/scene/findings.h"
 #include "mbd_solver/session/output/history.h"
 
 namespace footfall {
 
-enum class Reduction { kMax, kMin, kFinal, kLargest, kDrop, kLoss, kPeaks, kVariation, kSteady };
-
+enum class Reduction {
+  kMax,
+  kMin,
+  kFinal,
+  kLargest,    // of the absolute values
+  kDrop,       // first value minus the least
+  kLoss,       // first value minus the last, over the first
+  kPeaks,      // maxima with a prominence of `prominence` times the largest value
+  kVariation,  // sum of |x_i+1 - x_i|
+  kSteady      // mean of the last 40 % of the rows, as in rigs
+};
 constexpr std::string_view name_of(Reduction reduction) {
-  switch (reduction) {
-    case Reduction::kMax: return "max";
-    case Reduction::kMin: return "min";
-    case Reduction::kFinal: return "final";
-    case Reduction::kLargest: return "largest";      // of the absolute values
-    case Reduction::kDrop: return "drop";            // first value minus the least
-    case Reduction::kLoss: return "loss";            // first value minus the last, over the first
-    case Reduction::kPeaks: return "peaks";          // maxima with a prominence of `prominence` times the largest value
-    case Reduction::kVariation: return "variation";  // sum of |x_i+1 - x_i|
-    case Reduction::kSteady: return "steady";        // mean of the last 40 % of the rows, as in rigs
-  }
-  return "";
+  return name_in(reduction, "max", "min", "final", "largest", "drop", "loss", "peaks", "variation", "steady");
 }
 
 // Against the reference.
-enum class ErrorKind { kRelative, kRms, kFinal, kItself };
-
-constexpr std::string_view name_of(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::kRelative: return "relative";  // difference of the metrics over the reference's metric
-    case ErrorKind::kRms: return "rms";            // of whole curves: history_error
-    case ErrorKind::kFinal: return "final";        // likewise at the last row
-    case ErrorKind::kItself: return "itself";      // the metric is an error, and needs no reference
-  }
-  return "";
-}
+enum class ErrorKind {
+  kRelative,  // difference of the metrics over the reference's metric
+  kRms,       // of whole curves: history_error
+  kFinal,     // likewise at the last row
+  kItself     // the metric is an error, and needs no reference
+};
+constexpr std::string_view name_of(ErrorKind kind) { return name_in(kind, "relative", "rms", "final", "itself"); }
 
 struct MetricSpec {
   std::string name;

@@ -12,10 +12,6 @@
 namespace footfall {
 namespace {
 
-std::size_t metric_index(const SweepSpec& spec, const std::string& name) {
-  return static_cast<std::size_t>(index_of(spec.metrics, name));
-}
-
 CaseResult case_of(const SweepSpec& spec, const PlannedCase& plan, const std::vector<RunResult>& runs) {
   CaseResult c;
   c.plan = plan;
@@ -41,7 +37,7 @@ CaseResult case_of(const SweepSpec& spec, const PlannedCase& plan, const std::ve
   }
   c.within_limits = !c.done.empty();
   for (const LimitSpec& limit : spec.limits)
-    c.within_limits = c.within_limits && c.metrics[metric_index(spec, limit.metric)].mean <= limit.most;
+    c.within_limits = c.within_limits && c.metrics[index_of(spec.metrics, limit.metric)].mean <= limit.most;
   return c;
 }
 
@@ -110,7 +106,7 @@ Results results_of(const SweepSpec& spec, const Plan& plan, const RunStore& stor
 std::vector<std::size_t> ranking(const SweepSpec& spec, const std::vector<CaseResult>& cases) {
   std::vector<std::size_t> order;
   if (spec.minimise.empty()) return order;
-  const std::size_t k = metric_index(spec, spec.minimise);
+  const int k = index_of(spec.metrics, spec.minimise);
   for (std::size_t i = 0; i < cases.size(); ++i)
     if (cases[i].within_limits && !cases[i].done.empty()) order.push_back(i);
   std::sort(order.begin(), order.end(),
@@ -128,7 +124,7 @@ double order_of(const std::vector<CaseResult>& cases, int curve, std::size_t met
 std::vector<CheckResult> check_results_of(const SweepSpec& spec, const std::vector<CaseResult>& cases) {
   std::vector<CheckResult> check_results;
   for (const CheckSpec& s : spec.checks) {
-    const std::size_t k = metric_index(spec, s.metric);
+    const int k = index_of(spec.metrics, s.metric);
     const int curve = index_of(spec.curves, s.curve);
     CheckResult o;
     for (const CaseResult& c : cases) {  // the short form leaves some out

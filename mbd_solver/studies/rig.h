@@ -63,9 +63,9 @@ struct Rig {
   RigSample (*evaluate)(const std::vector<RigRun>& runs);
   // Throws InputError, before anything runs, when the scene lacks something that the evaluation requires.
   void (*require)(const Scene& scene);
-  bool slow = true;  // half the speed is a check
-  std::vector<RigClaim> claims;
   std::vector<RigVariation> (*variations)(const Scene& scene, bool slow) = variations_of;
+  bool slow = true;  // half the speed is a check
+  std::vector<RigClaim> claims = {};
 };
 
 const std::vector<Rig>& all_rigs();

@@ -21,8 +21,6 @@
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/fits.h"
 #include "mbd_solver/studies/results.h"
-#include "mbd_solver/studies/rig.h"
-#include "mbd_solver/studies/sweep_command.h"
 #include "mbd_solver/studies/sweep_file.h"
 #include "mbd_solver/studies/tables.h"
 
@@ -90,7 +88,7 @@ std::string claim_lines(const Rig& rig, const RigVariant& own) {
     const auto found =
         std::find_if(answers.begin(), answers.end(), [&](const RigAnswer& a) { return a.name == claim.answer; });
     FOOTFALL_DEMAND(found != answers.end());
-    const RigStatistic s = statistic_of(own.samples, static_cast<std::size_t>(found - answers.begin()));
+    const RigStatistic s = statistic_of(own.samples, found - answers.begin());
     const bool met = s.mean >= claim.least && s.mean <= claim.most;
     text += "| " + claim.text + " (" + claim.source + ") | " + number_text(claim.least) + " to " +
             number_text(claim.most) + " | " + answer_text(s.mean) +
@@ -197,7 +195,7 @@ void set_samples(SweepSpec& spec, int samples) {
                                                "\"; add values to a copy and use --file");
     for (int k = given + 1; k <= samples; ++k)
       choices.push_back({std::to_string(k), "", filled(parameter.settings, std::to_string(k))});
-    choices.resize(static_cast<std::size_t>(samples));
+    choices.resize(samples);
     parameter.short_choices = parameter.choices;
     return;
   }

@@ -43,9 +43,20 @@ std::vector<double> sinkage_of(const RigRun& run, const History& history, const 
   return s;
 }
 
+Eigen::VectorXd vector_of(const std::vector<double>& x) {
+  return Eigen::Map<const Eigen::VectorXd>(x.data(), x.size());
+}
+
 std::vector<double> divided_by(std::vector<double> values, double divisor) {
   for (double& value : values) value /= divisor;
   return values;
+}
+
+// The rows 1, x of a line.
+Eigen::MatrixXd line_of(const std::vector<double>& x) {
+  Eigen::MatrixXd A = Eigen::MatrixXd::Ones(x.size(), 2);
+  A.col(1) = vector_of(x);
+  return A;
 }
 
 // Width, or radius, and area; half: half its height [m].
@@ -119,7 +130,7 @@ RigSample evaluate_plate(const std::vector<RigRun>& runs) {
   for (std::size_t i = 0; i < plates.size(); ++i) {
     const double depth = 0.25 * plates[i].b;
     sample.answers.push_back({"pressure at b / 4, b = " + number_text(plates[i].b) + " m", "Pa",
-                              std::exp(fit.c(static_cast<Eigen::Index>(i)) + fit.c(count) * std::log(depth))});
+                              std::exp(fit.c(i) + fit.c(count) * std::log(depth))});
   }
   return sample;
 }
@@ -140,16 +151,10 @@ RigSample evaluate_cone(const std::vector<RigRun>& runs) {
     const double deepest = *std::max_element(s.begin(), s.end());
     const Bins bins = binned(s, divided_by(history.column("cone.contact.fz"), area), 0.0, deepest, 2 * kBins);
     sample.curves.push_back({run.name, bins.x, bins.y});
-    std::vector<std::size_t> deep;
+    Bins deep;
     for (std::size_t i = 0; i < bins.x.size(); ++i)
-      if (bins.x[i] >= length) deep.push_back(i);
-    Eigen::MatrixXd A(static_cast<Eigen::Index>(deep.size()), 2);
-    Eigen::VectorXd q(static_cast<Eigen::Index>(deep.size()));
-    for (std::size_t i = 0; i < deep.size(); ++i) {
-      A.row(static_cast<Eigen::Index>(i)) << 1.0, bins.x[deep[i]];
-      q(static_cast<Eigen::Index>(i)) = bins.y[deep[i]];
-    }
-    const LineFit fit = least_squares(A, q);
+      if (bins.x[i] >= length) deep.x.push_back(bins.x[i]), deep.y.push_back(bins.y[i]);
+    const LineFit fit = least_squares(line_of(deep.x), vector_of(deep.y));
     const double at = 1.5 * length;
     sample.answers.push_back({"gradient G of the cone index", "Pa/m", fit.c(1)});
     sample.answers.push_back(
@@ -233,23 +238,19 @@ void require_shear(const Scene& scene) { mesh_of(scene, "ring", "ring.stl"); }
 RigSample evaluate_shear(const std::vector<RigRun>& runs) {
   RigSample sample;
   RigCurve line{"steady stress", {}, {}};
-  Eigen::MatrixXd A(static_cast<Eigen::Index>(runs.size()), 2);
-  Eigen::VectorXd tau(A.rows());
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const double scale = mesh_of(runs[i].scene, "ring", "ring.stl").scale;
+  for (const RigRun& run : runs) {
+    const double scale = mesh_of(run.scene, "ring", "ring.stl").scale;
     const double a = kInner * scale, b = kOuter * scale;
-    const History history = history_of(runs[i]);
-    const double sigma = late_mean(history, "ring.contact.fz", kSteady) / (kPi * (b * b - a * a));
-    const auto row = static_cast<Eigen::Index>(i);
-    tau(row) = 3.0 * std::abs(late_mean(history, "ring.contact.mz", kSteady)) / (2.0 * kPi * (b * b * b - a * a * a));
-    A.row(row) << 1.0, sigma;
-    line.x.push_back(sigma), line.y.push_back(tau(row));
+    const History history = history_of(run);
+    line.x.push_back(late_mean(history, "ring.contact.fz", kSteady) / (kPi * (b * b - a * a)));
+    line.y.push_back(3.0 * std::abs(late_mean(history, "ring.contact.mz", kSteady)) /
+                     (2.0 * kPi * (b * b * b - a * a * a)));
   }
-  const Eigen::Vector2d c = two_coefficients(A, tau);
+  const Eigen::Vector2d c = two_coefficients(line_of(line.x), vector_of(line.y));
   sample.curves = {line};
   sample.answers = {{"friction angle phi", "deg", std::atan(c(1)) * 180.0 / kPi}, {"cohesion c", "Pa", c(0)}};
-  for (Eigen::Index i = 0; i < A.rows(); ++i)
-    sample.answers.push_back({"tau / sigma, load " + std::to_string(i + 1), "", tau(i) / A(i, 1)});
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    sample.answers.push_back({"tau / sigma, load " + std::to_string(i + 1), "", line.y[i] / line.x[i]});
   return sample;
 }
 
@@ -283,26 +284,22 @@ void require_box(const Scene& scene) {
 RigSample evaluate_box(const std::vector<RigRun>& runs) {
   RigSample sample;
   RigCurve line{"stress in the plane", {}, {}};
-  Eigen::MatrixXd A(static_cast<Eigen::Index>(runs.size()), 2);
-  Eigen::VectorXd tau(A.rows());
   std::vector<RigAnswer> ratios;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const double area = std::pow(kInside * mesh_of(runs[i].scene, "tray", "box_tray.stl").scale, 2);
-    const History history = history_of(runs[i]);
+  for (const RigRun& run : runs) {
+    const double area = std::pow(kInside * mesh_of(run.scene, "tray", "box_tray.stl").scale, 2);
+    const History history = history_of(run);
     const double down = -late_mean(history, "tray.contact.fz", kDrawn);
     const double weight =
         down - late_mean(history, "frame.contact.fz", kDrawn) - late_mean(history, "lid.contact.fz", kDrawn);
     const double sigma = (down - 0.5 * weight) / area;
-    const auto row = static_cast<Eigen::Index>(i);
-    tau(row) = std::abs(late_mean(history, "tray.contact.fx", kDrawn)) / area;
-    A.row(row) << 1.0, sigma;
-    line.x.push_back(sigma), line.y.push_back(tau(row));
-    const std::string at = ", load of " + number_text(load_of(runs[i].scene), 4) + " N";
+    const double tau = std::abs(late_mean(history, "tray.contact.fx", kDrawn)) / area;
+    line.x.push_back(sigma), line.y.push_back(tau);
+    const std::string at = ", load of " + number_text(load_of(run.scene), 4) + " N";
     ratios.push_back({"sigma" + at, "Pa", sigma});
-    ratios.push_back({"tau / sigma" + at, "", tau(row) / sigma});
+    ratios.push_back({"tau / sigma" + at, "", tau / sigma});
   }
-  const Eigen::Vector2d c = two_coefficients(A, tau);
-  const LineFit fit = least_squares(A, tau);
+  const Eigen::Vector2d c = two_coefficients(line_of(line.x), vector_of(line.y));
+  const LineFit fit = least_squares(line_of(line.x), vector_of(line.y));
   sample.curves = {line};
   sample.answers = {{"friction angle phi", "deg", std::atan(c(1)) * 180.0 / kPi}, {"cohesion c", "Pa", c(0)}};
   if (fit.valid) sample.answers.push_back({"R^2", "", fit.r_squared});
@@ -372,16 +369,12 @@ struct FirstStop {
 // For three speeds or more; otherwise NaN.
 std::vector<RigAnswer> linear_depth(std::vector<FirstStop> stops) {
   std::sort(stops.begin(), stops.end(), [](const FirstStop& a, const FirstStop& b) { return a.speed < b.speed; });
-  const auto count = static_cast<Eigen::Index>(stops.size());
-  Eigen::MatrixXd A(count, 2);
-  Eigen::VectorXd depth(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const FirstStop& stop = stops[i];
-    A.row(i) << 1.0, stop.speed;
-    depth(i) = stop.depth;
-  }
-  const double ratio = count < 3 ? std::nan("") : stops.back().time / stops[stops.size() - 2].time;
-  return {{"R^2 of depth linear in speed", "", depth.allFinite() ? least_squares(A, depth).r_squared : std::nan("")},
+  std::vector<double> speeds, depths;
+  for (const FirstStop& stop : stops) speeds.push_back(stop.speed), depths.push_back(stop.depth);
+  const Eigen::VectorXd depth = vector_of(depths);
+  const double r_squared = depth.allFinite() ? least_squares(line_of(speeds), depth).r_squared : std::nan("");
+  const double ratio = stops.size() < 3 ? std::nan("") : stops.back().time / stops[stops.size() - 2].time;
+  return {{"R^2 of depth linear in speed", "", r_squared},
           {"time to the stop, largest speed over the next", "", ratio}};
 }
 
@@ -423,11 +416,11 @@ RigSample evaluate_sphere(const std::vector<RigRun>& runs) {
     stops.push_back({speed, stopped ? deepest : none, stopped ? history.columns.front()[stop] : none});
     depths.push_back({"depth at its first stop, impact at " + number_text(speed, 3) + " m/s", "m", stops.back().depth});
   }
-  Eigen::MatrixXd A(static_cast<Eigen::Index>(rows.size()), 2);
+  Eigen::MatrixXd A(rows.size(), 2);
   Eigen::VectorXd y(A.rows());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    A.row(static_cast<Eigen::Index>(i)) << rows[i][0], rows[i][1];
-    y(static_cast<Eigen::Index>(i)) = rows[i][2];
+    A.row(i) << rows[i][0], rows[i][1];
+    y(i) = rows[i][2];
   }
   const LineFit fit = least_squares(A, y);
   const RigRun& run = runs.front();
@@ -527,7 +520,7 @@ RigSample evaluate_rft(const std::vector<RigRun>& runs) {
       curve->x.push_back(theirs), curve->y.push_back(mine);
     }
   }
-  const Eigen::Map<const Eigen::VectorXd> t(theory.data(), static_cast<Eigen::Index>(theory.size()));
+  const Eigen::Map<const Eigen::VectorXd> t(theory.data(), theory.size());
   const Eigen::Map<const Eigen::VectorXd> m(measured.data(), t.size());
   const double zeta = t.dot(m) / t.squaredNorm();
   const double r2 = 1.0 - (m - zeta * t).squaredNorm() / (m.array() - m.mean()).square().sum();

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -19,7 +18,6 @@
 #include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/launch/programs.h"
-#include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/particle_script.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/scene_schema.h"
@@ -97,19 +95,6 @@ std::vector<std::string> words_of(const RunRequest& request, const std::string& 
   return words;
 }
 
-}  // namespace
-
-std::string recipe_of(const Scene& scene, double until) {
-  std::ostringstream text;
-  Json values = Json::parse(scene_json(scene));
-  if (!scene.touches_particles()) values.erase("particles");  // and its scripts
-  text << "until " << until << '\n' << values.dump() << '\n';
-  add_files(values, {}, text);
-  return text.str();
-}
-
-namespace {
-
 // False, 0, "" and empty lists are left out, so that a key that a later version adds with such a default changes no recipe.
 void leave_out_empty(Json& json) {
   const auto empty = [](const Json& value) {
@@ -124,6 +109,15 @@ void leave_out_empty(Json& json) {
 }
 
 }  // namespace
+
+std::string recipe_of(const Scene& scene, double until) {
+  std::ostringstream text;
+  Json values = Json::parse(scene_json(scene));
+  if (!scene.touches_particles()) values.erase("particles");  // and its scripts
+  text << "until " << until << '\n' << values.dump() << '\n';
+  add_files(values, {}, text);
+  return text.str();
+}
 
 std::string portable_recipe_of(const Scene& scene, double until) {
   std::ostringstream files;

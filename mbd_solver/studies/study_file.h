@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"

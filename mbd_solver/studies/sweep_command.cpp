@@ -18,16 +18,13 @@
 #include "mbd_solver/base/live_line.h"
 #include "mbd_solver/base/lock.h"
 #include "mbd_solver/base/quote.h"
-#include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/launch/programs.h"
 #include "mbd_solver/session/output/history.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/fits.h"
 #include "mbd_solver/studies/metrics.h"
-#include "mbd_solver/studies/results.h"
 #include "mbd_solver/studies/run_store.h"
-#include "mbd_solver/studies/tables.h"
 
 namespace footfall {
 
@@ -245,9 +242,7 @@ void print_settings(const RunRequest& run) {
 }
 
 int study_interrupted() {
-  std::fprintf(
-      stderr, "footfall: %s\n",
-      with_code(code::kStudyInterrupted, "interrupted; the same command resumes with the remaining runs").c_str());
+  print_error(code::kStudyInterrupted, "interrupted; the same command resumes with the remaining runs");
   return kExitInterrupted;
 }
 
@@ -269,7 +264,7 @@ int sweep_command(const SweepArguments& a) {
     throw InputError(code::kNoSuchRun,
                      "--only " + std::to_string(a.only) + ": expected a run from 0 to " + std::to_string(count - 1));
   std::vector<std::size_t> chosen(a.only < 0 ? plan.runs.size() : 1);
-  std::iota(chosen.begin(), chosen.end(), static_cast<std::size_t>(std::max(0, a.only)));
+  std::iota(chosen.begin(), chosen.end(), std::max(0, a.only));
   if (a.list) {
     for (const std::size_t i : chosen) {
       std::printf("%zu  %s\n", i, store.request(i).name.c_str());

@@ -5,7 +5,6 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <set>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/number.h"

@@ -18,28 +18,24 @@
 namespace footfall {
 
 // How the runs of a campaign are placed in the unit cube, before the distributions.
-enum class Design { kRandom, kLatinHypercube, kSobol };
-constexpr std::string_view name_of(Design design) {
-  switch (design) {
-    case Design::kRandom: return "random";                   // each row from its own seed
-    case Design::kLatinHypercube: return "latin_hypercube";  // one row in each of `runs` slices of every quantity
-    case Design::kSobol: return "sobol";                     // Sobol' sequence, shifted at random
-  }
-  return "";
-}
+enum class Design {
+  kRandom,          // each row from its own seed
+  kLatinHypercube,  // one row in each of `runs` slices of every quantity
+  kSobol            // Sobol' sequence, shifted at random
+};
+constexpr std::string_view name_of(Design design) { return name_in(design, "random", "latin_hypercube", "sobol"); }
 
-enum class DistributionKind { kNormal, kLognormal, kUniform, kTriangular, kWeibull, kDiscrete, kMeasured };
+enum class DistributionKind {
+  kNormal,
+  kLognormal,  // log(X - least) is normal
+  kUniform,
+  kTriangular,
+  kWeibull,   // P(X > least + x) = exp(-(x / scale)^shape)
+  kDiscrete,  // values or choices, with weights
+  kMeasured   // the numbers of a CSV file, each as likely as the others
+};
 constexpr std::string_view name_of(DistributionKind kind) {
-  switch (kind) {
-    case DistributionKind::kNormal: return "normal";
-    case DistributionKind::kLognormal: return "lognormal";  // log(X - least) is normal
-    case DistributionKind::kUniform: return "uniform";
-    case DistributionKind::kTriangular: return "triangular";
-    case DistributionKind::kWeibull: return "weibull";    // P(X > least + x) = exp(-(x / scale)^shape)
-    case DistributionKind::kDiscrete: return "discrete";  // values or choices, with weights
-    case DistributionKind::kMeasured: return "measured";  // the numbers of a CSV file, each as likely as the others
-  }
-  return "";
+  return name_in(kind, "normal", "lognormal", "uniform", "triangular", "weibull", "discrete", "measured");
 }
 
 // The distribution of a drawn parameter. A normal, lognormal or Weibull distribution with bounds is truncated there;

@@ -13,7 +13,6 @@
 #include "mbd_solver/app/plot_script.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/session/output/history.h"
-#include "mbd_solver/studies/results.h"
 
 namespace footfall {
 namespace {
@@ -23,6 +22,12 @@ std::string csv_field(const std::string& text) {
   std::string field = "\"";
   for (const char c : text) field += c == '"' ? std::string(2, '"') : std::string(1, c);
   return field + '"';
+}
+
+// Marks of Markdown, which the page in HTML would show.
+std::string unmarked(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), '`'), text.end());
+  return text;
 }
 
 }  // namespace
@@ -54,16 +59,6 @@ void StudyPage::section(const std::string& heading) {
   markdown_ += "\n## " + heading + "\n";
   html_.section(heading);
 }
-
-namespace {
-
-// Marks of Markdown, which the page in HTML would show.
-std::string unmarked(std::string text) {
-  text.erase(std::remove(text.begin(), text.end(), '`'), text.end());
-  return text;
-}
-
-}  // namespace
 
 void StudyPage::paragraph(const std::string& text) {
   markdown_ += "\n" + text + "\n";
@@ -108,6 +103,13 @@ std::string word_of(const CheckResult& check_result) {
 
 const std::string& about(const CheckSpec& s) { return s.curve.empty() ? s.of_case : s.curve; }
 
+// Is a case within the limits of the sweep file? No claim is made about runs that did not finish.
+std::string limits_text(const CaseResult& c) {
+  if (c.done.empty()) return c.code == 0 ? "not run" : "failed";
+  if (!c.within_limits) return "no";
+  return c.done.size() < c.plan.runs.size() ? "incomplete" : "yes";
+}
+
 }  // namespace
 
 Table run_table(const SweepSpec& spec, const Plan& plan, const Results& results) {
@@ -136,17 +138,6 @@ Table sample_table(const Results& results, const std::string& folder) {
       table.add({c.plan.name, std::filesystem::relative(results.runs[run].end.folder, folder).string()});
   return table;
 }
-
-namespace {
-
-// Is a case within the limits of the sweep file? No claim is made about runs that did not finish.
-std::string limits_text(const CaseResult& c) {
-  if (c.done.empty()) return c.code == 0 ? "not run" : "failed";
-  if (!c.within_limits) return "no";
-  return c.done.size() < c.plan.runs.size() ? "incomplete" : "yes";
-}
-
-}  // namespace
 
 Table case_table(const SweepSpec& spec, const std::vector<CaseResult>& cases) {
   std::vector<std::string> head = {"case", "runs", "within_limits"};
@@ -360,9 +351,8 @@ std::string error_page(const SweepSpec& spec, const Results& results, const std:
     return out.str();
   }
   out << "Mean and standard deviation over " << results.members
-      << " samples; then the error of the mean against the reference of the curve, and its standard error.\nRun times "
-         "in "
-         "s; processor time of all programs, without making the bed.\n\nMade by `"
+      << " samples; then the error of the mean against the reference of the curve, and its standard error.\n"
+         "Run times in s; processor time of all programs, without making the bed.\n\nMade by `"
       << command << "`.\n\n"
       << table.page() << recommendation_section(spec, results);
   return out.str();
@@ -416,10 +406,6 @@ std::string error_lines(const SweepSpec& spec, const Results& results, const std
   }
   return joined(lines, ", ");
 }
-
-}  // namespace
-
-namespace {
 
 // The curve of a case, and behind it the band of an ensemble, which reads FILE of `folder`.
 std::vector<std::string> plot_lines(const SampledCase& sampled, const std::string& column, const std::string& colour,

@@ -491,7 +491,7 @@ TEST(RigCommand, KnowsTheGravities) {
 // 1, 2, 3: mean 2, s = 1, t(2) = 4.30265.
 TEST(RigOutput, IntervalsAreStudents) {
   std::vector<RigSample> samples(3);
-  for (int k = 0; k < 3; ++k) samples[static_cast<std::size_t>(k)].answers = {{"x", "", k + 1.0}};
+  for (int k = 0; k < 3; ++k) samples[k].answers = {{"x", "", k + 1.0}};
   samples.push_back({{{"x", "", std::nan("")}}, {}});
   const RigStatistic s = statistic_of(samples, 0);
   EXPECT_EQ(s.samples, 3);

@@ -431,11 +431,15 @@ TEST(CountPeaks, ShoulderIsNoPeakAndARiseAtTheEndIsOne) {
   EXPECT_EQ(count_peaks({}, 0.3), 0);
 }
 
-TEST(FiguresOfRun, ReduceEveryColumnAndTakeTheExtremeOrTheMean) {
+// Of a run with these files.
+std::vector<double> metrics_of(const std::vector<MetricSpec>& metrics, const char* summary, const char* history) {
   const TemporaryFolder place;
-  const std::filesystem::path& folder = place.folder_;
-  std::ofstream(folder / "summary.json") << "{\"weight\": 2.0}";
-  std::ofstream(folder / "history.csv") << "# units: s,N,N\ntime,a,b\n0,1,5\n1,3,-1\n2,2,4\n";
+  std::ofstream(place.folder_ / "summary.json") << summary;
+  std::ofstream(place.folder_ / "history.csv") << history;
+  return metrics_of_run(metrics, place.folder_.string(), "file.toml");
+}
+
+TEST(FiguresOfRun, ReduceEveryColumnAndTakeTheExtremeOrTheMean) {
   const std::vector<std::string> both = {"a", "b"};
   std::vector<MetricSpec> figures(7);
   for (MetricSpec& figure : figures) figure.columns = both;
@@ -447,45 +451,35 @@ TEST(FiguresOfRun, ReduceEveryColumnAndTakeTheExtremeOrTheMean) {
   figures[5].average = true;
   figures[5].over = "weight";
   figures[6].reduction = Reduction::kDrop;
-  EXPECT_THAT(metrics_of_run(figures, folder.string(), "file.toml"),
-              ::testing::ElementsAre(5.0, 4.0, -1.0, 0.0, 4.0, 2.0, 6.0));
+  EXPECT_THAT(metrics_of(figures, "{\"weight\": 2.0}", "# units: s,N,N\ntime,a,b\n0,1,5\n1,3,-1\n2,2,4\n"),
+              ElementsAre(5.0, 4.0, -1.0, 0.0, 4.0, 2.0, 6.0));
 }
 
 // (first - last) / first.
 TEST(FiguresOfRun, LossIsTheShareOfTheFirstValueThatIsGone) {
-  const TemporaryFolder place;
-  const std::filesystem::path& folder = place.folder_;
-  std::ofstream(folder / "summary.json") << "{}";
-  std::ofstream(folder / "history.csv") << "# units: s,J\ntime,E\n0,8\n1,1\n2,2\n";
   MetricSpec figure;
   figure.columns = {"E"};
   figure.reduction = Reduction::kLoss;
-  EXPECT_THAT(metrics_of_run({figure}, folder.string(), "file.toml"), ::testing::ElementsAre(0.75));
+  EXPECT_THAT(metrics_of({figure}, "{}", "# units: s,J\ntime,E\n0,8\n1,1\n2,2\n"), ElementsAre(0.75));
 }
 
 // The last four of ten rows: (1 + 3 + 2 + 6) / 4.
 TEST(FiguresOfRun, SteadyIsTheMeanOfTheLastRows) {
-  const TemporaryFolder place;
-  const std::filesystem::path& folder = place.folder_;
-  std::ofstream(folder / "summary.json") << "{}";
-  std::ofstream(folder / "history.csv")
-      << "# units: s,N\ntime,a\n0,99\n1,99\n2,99\n3,99\n4,99\n5,99\n6,1\n7,3\n8,2\n9,6\n";
   MetricSpec figure;
   figure.columns = {"a"};
   figure.reduction = Reduction::kSteady;
-  EXPECT_THAT(metrics_of_run({figure}, folder.string(), "file.toml"), ::testing::ElementsAre(3.0));
+  const char* rows = "# units: s,N\ntime,a\n0,99\n1,99\n2,99\n3,99\n4,99\n5,99\n6,1\n7,3\n8,2\n9,6\n";
+  EXPECT_THAT(metrics_of({figure}, "{}", rows), ElementsAre(3.0));
 }
 
 TEST(FiguresOfRun, AreReducedColumnsOverAKeyOfTheSummary) {
-  const TemporaryFolder place;
-  const std::filesystem::path& folder = place.folder_;
-  std::ofstream(folder / "summary.json") << "{\"reference_energy_J\": 50.0}\n";
-  std::ofstream(folder / "history.csv") << "# units: s,J\ntime,work.contact\n0,0\n0.1,-20\n0.2,-10\n";
   MetricSpec figure;
   figure.columns = {"work.contact"};
   figure.reduction = Reduction::kLargest;
   figure.over = "reference_energy_J";
-  EXPECT_THAT(metrics_of_run({figure}, folder.string(), "file.toml"), ::testing::ElementsAre(0.4));
+  EXPECT_THAT(metrics_of({figure}, "{\"reference_energy_J\": 50.0}\n",
+                         "# units: s,J\ntime,work.contact\n0,0\n0.1,-20\n0.2,-10\n"),
+              ElementsAre(0.4));
 }
 
 // mbd_solver/studies/metrics.h: beds whose surface is a known line, and the figure of an experiment that is read from dumps.
@@ -548,8 +542,7 @@ TEST(BedSlope, IsAFigureOfARunFromItsLastDump) {
          << step << "\nITEM: NUMBER OF ATOMS\n"
          << bed.count() << "\nITEM: ATOMS id x y z radius\n";
     for (int i = 0; i < bed.count(); ++i)
-      dump << bed.id[static_cast<std::size_t>(i)] << ' ' << bed.x(0, i) << " 0 " << bed.x(2, i) << ' ' << kGrain
-           << '\n';
+      dump << bed.id[i] << ' ' << bed.x(0, i) << " 0 " << bed.x(2, i) << ' ' << kGrain << '\n';
   }
   EXPECT_NEAR(metrics_of_run({figure}, folder.string(), "file.toml")[0], std::atan(0.5) * 180.0 / kPi, kDegree);
 }
