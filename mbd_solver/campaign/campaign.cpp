@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <limits>
-#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -40,16 +38,10 @@ std::string text_of(const ParameterSpec& p, double value) {
 
 bool CampaignRow::is_lost() const { return code >= WorkerAnswer::kLost || code == kExitInterrupted; }
 
-Campaign::Campaign(const SweepSpec& spec, bool short_form)
-    : Campaign(spec, short_form, Draws(shortened(spec, short_form))) {}
-
-Campaign::Campaign(const SweepSpec& spec, bool short_form, std::vector<std::vector<double>> points)
-    : Campaign(spec, short_form, Draws(spec, std::move(points))) {}
-
-Campaign::Campaign(const SweepSpec& spec, bool short_form, Draws draws)
+Campaign::Campaign(const SweepSpec& spec, bool short_form, const std::vector<std::vector<double>>* points)
     : spec_(shortened(spec, short_form)),
+      draws_(spec_, points),
       plan_(plan_of(spec_, short_form)),
-      draws_(std::move(draws)),
       rows_(draws_.count() * plan_.runs.size()),
       tallies_(plan_.runs.size(), std::vector<Tally>(spec_.outcomes.size())) {}
 

@@ -29,9 +29,8 @@ struct CampaignRow {
 
 class Campaign {
  public:
-  Campaign(const SweepSpec& spec, bool short_form);
-  // A campaign with draws at these points, for rare events.
-  Campaign(const SweepSpec& spec, bool short_form, std::vector<std::vector<double>> points);
+  // `points`: those of the draws, for rare events.
+  Campaign(const SweepSpec& spec, bool short_form, const std::vector<std::vector<double>>* points = nullptr);
 
   const SweepSpec& spec() const { return spec_; }
   const Draws& draws() const { return draws_; }
@@ -67,13 +66,12 @@ class Campaign {
   std::string recipe() const;
 
  private:
-  Campaign(const SweepSpec& spec, bool short_form, Draws draws);
   std::map<std::string, double> values_of(std::size_t draw) const;  // for formulas
   void look_for_end();
 
   SweepSpec spec_;
-  Plan plan_;
   Draws draws_;
+  Plan plan_;
   std::vector<CampaignRow> rows_;
   std::size_t used_ = 0;                     // draws, from the first, all of whose rows are done
   bool stopped_ = false;                     // the intervals are as narrow as required

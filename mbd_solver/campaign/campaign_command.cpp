@@ -1,7 +1,6 @@
 // Rows without grains go to workers, rows on grains are runs of their own; each result is a line of the journal at once.
 // Then rows worth looking at are repeated with all their files, the check is run, and tables and pictures are written.
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,7 +14,6 @@
 #include <numeric>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <thread>
 
 #include "coupler/base/clock.h"
@@ -30,7 +28,6 @@
 #include "mbd_solver/campaign/campaign.h"
 #include "mbd_solver/campaign/campaign_page.h"
 #include "mbd_solver/campaign/worker_pool.h"
-#include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/session/output/summary.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/run_store.h"
@@ -188,13 +185,10 @@ class CampaignRun {
       std::printf("%zu runs in %s s: %s runs per second, %d at once\n", done_ - before_, number_text(spent, 4).c_str(),
                   number_text(static_cast<double>(done_ - before_) / spent, 3).c_str(), jobs_);
     if (lost_now > 0)
-      std::fprintf(
-          stderr, "footfall: %s\n",
-          with_code(code::kRunEndedFromOutside,
-                    std::to_string(lost_now) +
-                        " of the runs have no result, because their programs were ended from outside (by a signal, or "
-                        "for lack of memory); start the same command again, which repeats them")
-              .c_str());
+      print_error(code::kRunEndedFromOutside,
+                  std::to_string(lost_now) +
+                      " of the runs have no result, because their programs were ended from outside (by a signal, or "
+                      "for lack of memory); start the same command again, which repeats them");
     return whole;
   }
 
@@ -208,31 +202,23 @@ class CampaignRun {
         run.folder = store.folder(numbers.back());
       } catch (const std::exception& e) {  // a row that cannot be run has only its message
         run.folder.clear();
-        numbers.push_back(static_cast<std::size_t>(-1));
       }
     }
-    std::vector<std::size_t> valid;
-    for (const std::size_t n : numbers)
-      if (n != static_cast<std::size_t>(-1)) valid.push_back(n);
-    const std::vector<std::size_t> left = store.left(valid);
+    runs.erase(std::remove_if(runs.begin(), runs.end(), [](const RepeatedRun& r) { return r.folder.empty(); }),
+               runs.end());
+    const std::vector<std::size_t> left = store.left(numbers);
     if (!left.empty()) std::printf("runs to repeat with all their files: %zu\n", left.size());
     std::fflush(stdout);
     if (!store.carry_out(left, jobs_, [](std::size_t) {})) return false;
     for (std::size_t k = 0; k < runs.size(); ++k) {
-      if (runs[k].folder.empty()) continue;
       if (store.end_of(numbers[k]).code == kExitDone)
         runs[k].metrics = metrics_of_run(campaign_.spec().metrics, runs[k].folder, campaign_.spec().file);
       if (same(runs[k])) continue;
       ++differing_;
-      std::fprintf(
-          stderr, "footfall: %s\n",
-          with_code(code::kRowDiffers, runs[k].folder + " has other figures than row " + std::to_string(runs[k].row) +
-                                           " of runs.csv, expected the same digits: programs or files have "
-                                           "changed meanwhile; start again in another folder (--out)")
-              .c_str());
+      print_error(code::kRowDiffers, runs[k].folder + " has other figures than row " + std::to_string(runs[k].row) +
+                                         " of runs.csv, expected the same digits: programs or files have changed "
+                                         "meanwhile; start again in another folder (--out)");
     }
-    runs.erase(std::remove_if(runs.begin(), runs.end(), [](const RepeatedRun& r) { return r.folder.empty(); }),
-               runs.end());
     return true;
   }
   int differing() const { return differing_; }
@@ -250,9 +236,8 @@ class CampaignRun {
   }
 
   bool on_grains() const {
-    for (std::size_t c = 0; c < campaign_.cases(); ++c) {
+    for (std::size_t c = 0; c < campaign_.cases(); ++c)
       if (campaign_.first_valid(c).second.touches_particles()) return true;
-    }
     return false;
   }
 
@@ -420,15 +405,12 @@ bool report_statements(const SweepSpec& spec) {
         text += (hits > 0 ? ", " : " ") + std::to_string(runs_for(*o.at_most, hits)) + " runs if it happens " +
                 (hits > 0 ? std::to_string(hits) + " times" : "never");
       const long allowed = hits_allowed(*o.at_most, spec.runs);
-      if (allowed >= 0)
+      if (allowed >= 0) {
         text += "; in " + std::to_string(spec.runs) + " runs it may happen " + std::to_string(allowed) + " times";
-      if (allowed < 0) {
+      } else {
         all = false;
-        std::fprintf(
-            stderr, "footfall: %s\n",
-            with_code(code::kTooFewRuns, text + "; expected runs = " + std::to_string(runs_for(*o.at_most, 0)) +
-                                             " or more in " + spec.file)
-                .c_str());
+        print_error(code::kTooFewRuns,
+                    text + "; expected runs = " + std::to_string(runs_for(*o.at_most, 0)) + " or more in " + spec.file);
         continue;
       }
     }
@@ -438,6 +420,12 @@ bool report_statements(const SweepSpec& spec) {
   if (tolerance_place(count, kToleranceShare) >= count)
     std::printf("Limits of figures that 95 %% of runs keep, with 95 %% confidence, take 59 runs.\n");
   return all;
+}
+
+void publish(const StudyPage& page, const OutputFolder& output) {
+  write_page(page, output);
+  std::printf("%s%s\n%s\n%s\n", page.markdown().c_str(), output.path("runs.csv").c_str(),
+              output.path(output.name + ".md").c_str(), output.path("report.html").c_str());
 }
 
 // Each batch of runs depends on the results before it, which the journal has after an interruption.
@@ -459,7 +447,7 @@ int search_rare(const SweepSpec& spec, const SweepArguments& a, const OutputFold
   std::optional<Campaign> campaign;
   while (!batch.empty()) {
     points.insert(points.end(), batch.begin(), batch.end());
-    campaign.emplace(spec, false, points);
+    campaign.emplace(spec, false, &points);
     CampaignRun run(*campaign, output.folder, jobs);
     if (!run.run(0, campaign->size(), "", campaign->recipe())) return study_interrupted();
     std::vector<double> values;
@@ -471,10 +459,7 @@ int search_rare(const SweepSpec& spec, const SweepArguments& a, const OutputFold
     batch = search.next(values);
   }
   write_whole_file(output.path("runs.csv"), campaign_table(*campaign).csv());
-  const StudyPage page = rare_page(*campaign, search, output.command);
-  write_page(page, output);
-  std::printf("%s%s\n%s\n%s\n", page.markdown().c_str(), output.path("runs.csv").c_str(),
-              output.path(output.name + ".md").c_str(), output.path("report.html").c_str());
+  publish(rare_page(*campaign, search, output.command), output);
   return rows_without_number(*campaign) == 0 ? kExitDone : kExitFailed;
 }
 
@@ -501,10 +486,9 @@ int check_campaign(const std::string& file) {
 int campaign_command(const SweepArguments& a) {
   SweepSpec spec = read_sweep_file(a.file);
   spec.trusted = a.trust_script;
-  if (spec.rare && !a.short_form) {
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    return search_rare(spec, a, OutputFolder(a), a.jobs > 0 ? a.jobs : cores);
-  }
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int jobs = a.jobs > 0 ? a.jobs : cores;
+  if (spec.rare && !a.short_form) return search_rare(spec, a, OutputFolder(a), jobs);
   Campaign campaign(with_requirements(spec, a.short_form), a.short_form);
   const OutputFolder output(a);
   const std::string& folder = output.folder;
@@ -539,8 +523,6 @@ int campaign_command(const SweepArguments& a) {
          std::to_string(campaign.size()) + " runs in " + std::to_string(elements) + " elements"});
     return kExitDone;
   }
-  const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int jobs = a.jobs > 0 ? a.jobs : machine;
   if (a.beds) {
     const std::size_t element = a.only < 0 ? 0 : static_cast<std::size_t>(a.only), parts = a.only < 0 ? 1 : elements;
     return make_beds(campaign, folder, element * campaign.size() / parts, (element + 1) * campaign.size() / parts);
@@ -567,17 +549,15 @@ int campaign_command(const SweepArguments& a) {
   if (a.merge) {
     read_journals(folder, recipe, campaign);
     if (campaign.used() < campaign.draws().count() && !campaign.stopped_early())
-      std::fprintf(stderr, "footfall: %s\n",
-                   with_code(code::kRowsMissing,
-                             "the first row that is not done is of draw " + std::to_string(campaign.used()) + " of " +
-                                 std::to_string(campaign.draws().count()) + "; tables have the draws before it")
-                       .c_str());
+      print_error(code::kRowsMissing, "the first row that is not done is of draw " + std::to_string(campaign.used()) +
+                                          " of " + std::to_string(campaign.draws().count()) +
+                                          "; tables have the draws before it");
   } else if (!run.run(0, campaign.size(), "", recipe)) {
     return study_interrupted();
   }
   // The table first: the next steps take time, and need no repetition of runs when they are interrupted.
   write_whole_file(output.path("runs.csv"), campaign_table(campaign).csv());
-  std::vector<RepeatedRun> kept = rows_to_keep(campaign, static_cast<std::size_t>(campaign.spec().keep));
+  std::vector<RepeatedRun> kept = rows_to_keep(campaign, campaign.spec().keep);
   if (!kept.empty() && !run.repeat(kept, "kept")) return study_interrupted();
   for (const RepeatedRun& one : kept) write_view_of(one);
   std::vector<BetterModelResult> checks;
@@ -593,16 +573,11 @@ int campaign_command(const SweepArguments& a) {
     warn_missing_file("picture", e);
   }
   if (const std::size_t unknown = rows_without_number(campaign); unknown > 0)
-    std::fprintf(stderr, "footfall: %s\n",
-                 with_code(code::kRowsUnknown,
-                           std::to_string(unknown) + " of " + std::to_string(campaign.used() * campaign.cases()) +
-                               " rows have no result, or a figure without a number; probabilities and percentiles "
-                               "are bounded as if these had any value, and the page lists the causes")
-                     .c_str());
-  const StudyPage page = campaign_page(campaign, kept, checks, output.command, pictures);
-  write_page(page, output);
-  std::printf("%s%s\n%s\n%s\n", page.markdown().c_str(), output.path("runs.csv").c_str(),
-              output.path(output.name + ".md").c_str(), output.path("report.html").c_str());
+    print_error(code::kRowsUnknown,
+                std::to_string(unknown) + " of " + std::to_string(campaign.used() * campaign.cases()) +
+                    " rows have no result, or a figure without a number; probabilities and percentiles are bounded as "
+                    "if these had any value, and the page lists the causes");
+  publish(campaign_page(campaign, kept, checks, output.command, pictures), output);
   if (run.differing() > 0 || rows_without_number(campaign) > 0) return kExitFailed;
   return statements_shown(campaign) ? kExitDone : kExitRequirements;
 }

@@ -78,15 +78,15 @@ std::vector<double> chances(const Campaign& campaign, std::size_t outcome, const
   const std::size_t width = campaign.draws().parameters().size();
   // Squares as well, if there are enough runs for them.
   const bool squares = rows.size() > 20 * (1 + 2 * width);
-  Eigen::MatrixXd x(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(1 + (squares ? 2 : 1) * width));
+  Eigen::MatrixXd x(rows.size(), 1 + (squares ? 2 : 1) * width);
   Eigen::VectorXd y(x.rows());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     x(at, 0) = 1.0;
     for (std::size_t k = 0; k < width; ++k) {
       const double u = 2.0 * campaign.draws().positions(campaign.draw_of(rows[i]))[k] - 1.0;
-      x(at, static_cast<Eigen::Index>(1 + k)) = u;
-      if (squares) x(at, static_cast<Eigen::Index>(1 + width + k)) = u * u;
+      x(at, 1 + k) = u;
+      if (squares) x(at, 1 + width + k) = u * u;
     }
     y[at] = campaign.row(rows[i]).outcomes[outcome] > 0 ? 1.0 : 0.0;
   }
@@ -435,13 +435,13 @@ Table moments_table(const Campaign& campaign) {
     for (std::size_t k = 0; k < spec.outcomes.size(); ++k) {
       const Tally& tally = campaign.tally(c, k);
       if (std::min(tally.hits, tally.misses) < kEnough) continue;
-      Eigen::MatrixXd x(tally.hits + tally.misses, static_cast<Eigen::Index>(places.size()));
+      Eigen::MatrixXd x(tally.hits + tally.misses, places.size());
       Eigen::VectorXd y(x.rows());
       Eigen::Index at = 0;
       for (const std::size_t row : rows_of_case(campaign, c)) {
         if (campaign.row(row).outcomes[k] < 0) continue;
         for (std::size_t j = 0; j < places.size(); ++j)
-          x(at, static_cast<Eigen::Index>(j)) = campaign.drawn_number(campaign.draw_of(row), places[j]);
+          x(at, j) = campaign.drawn_number(campaign.draw_of(row), places[j]);
         y[at++] = campaign.row(row).outcomes[k];
       }
       std::vector<Moments> moments;
@@ -624,8 +624,7 @@ StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>
     if (!spec.outcomes.empty()) page.table(pair_table(campaign));
     page.table(paired_figures_table(campaign));
     page.paragraph(
-        "Only pairs that differ distinguish the cases. McNemar p: the chance of counts as unlike as \"only "
-        "first\" "
+        "Only pairs that differ distinguish the cases. McNemar p: the chance of counts as unlike as \"only first\" "
         "and \"only second\" if the cases were alike.");
   }
   if (const Table unknown = unknown_table(campaign); unknown.rows().size() > 1) {
@@ -657,8 +656,7 @@ StudyPage campaign_page(const Campaign& campaign, const std::vector<RepeatedRun>
     page.table(moments);
     page.paragraph(
         "Percentage points with 95 % intervals, estimated from the runs of this campaign, for small changes of one "
-        "input "
-        "whose other moment stays.");
+        "input whose other moment stays.");
   }
   page.section("Inputs");
   page.table(input_table(campaign));
@@ -698,7 +696,7 @@ std::vector<std::string> draw_campaign(const Campaign& campaign, const std::stri
     const double width = (high - low) / count;
     std::vector<std::string> lines;
     for (std::size_t c = 0; c < all.size(); ++c) {
-      std::vector<int> in_bin(static_cast<std::size_t>(count), 0);
+      std::vector<int> in_bin(count, 0);
       for (const double value : all[c]) ++in_bin[std::min(count - 1, static_cast<int>((value - low) / width))];
       for (int b = 0; b < count; ++b)
         bins << k << ',' << c << ',' << number_text(low + (b + 0.5) * width, 8) << ','

@@ -26,9 +26,7 @@ constexpr double kRounded = 1e12;  // positions between the bounds are rounded t
 Numbers numbers_of(const OT::Point& p) { return {p.begin(), p.end()}; }
 Numbers numbers_of(const Eigen::VectorXd& p) { return {p.begin(), p.end()}; }
 OT::Point point_of(const Numbers& x) { return OT::Point(OT::Collection<double>(x.begin(), x.end())); }
-Eigen::VectorXd vector_of(const Numbers& x) {
-  return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
-}
+Eigen::VectorXd vector_of(const Numbers& x) { return Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()); }
 
 class OurEvaluation : public OT::EvaluationImplementation {
  public:
@@ -103,12 +101,10 @@ class Continued {
       for (std::size_t k = 0; k < rows_; ++k) push += r.back()[k] * (up[k] - down[k]);
       // At a bound that keeps the number from less |r|^2 only the others move.
       if ((x[i] <= task_.least[i] && push > 0.0) || (x[i] >= task_.most[i] && push < 0.0)) continue;
-      for (std::size_t k = 0; k < rows_; ++k)
-        d(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) = (up[k] - down[k]) / width;
+      for (std::size_t k = 0; k < rows_; ++k) d(k, i) = (up[k] - down[k]) / width;
     }
     for (std::size_t i = 0; i < x.size(); ++i)
-      if (x[i] < task_.least[i] || x[i] > task_.most[i])
-        d(static_cast<Eigen::Index>(rows_ + i), static_cast<Eigen::Index>(i)) = slope(i);
+      if (x[i] < task_.least[i] || x[i] > task_.most[i]) d(rows_ + i, i) = slope(i);
     return 0;
   }
 
@@ -140,9 +136,9 @@ void run(OT::OptimizationAlgorithmImplementation& search, const Numbers& start, 
   OT::Log::Show(OT::Log::NONE);
   search.setStartingPoint(point_of(start));
 #if OPENTURNS_VERSION >= 102300  // 1.23, which renamed it
-  search.setMaximumCallsNumber(static_cast<std::size_t>(evaluations));
+  search.setMaximumCallsNumber(evaluations);
 #else
-  search.setMaximumEvaluationNumber(static_cast<std::size_t>(evaluations));
+  search.setMaximumEvaluationNumber(evaluations);
 #endif
   try {
     search.run();

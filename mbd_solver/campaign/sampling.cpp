@@ -49,28 +49,6 @@ OT::ComposedDistribution unit_cube(std::size_t width) {
   return OT::ComposedDistribution(OT::Collection<OT::Distribution>(width, OT::Uniform(0.0, 1.0)));
 }
 
-}  // namespace
-
-std::vector<std::vector<double>> latin_hypercube(std::size_t count, std::size_t width, std::uint64_t seed) {
-  OT::RandomGenerator::SetSeed(static_cast<std::size_t>(seed));
-  OT::LHSExperiment design(unit_cube(width), count);
-  design.setAlwaysShuffle(true);
-  const OT::Sample sample = design.generate();
-  std::vector<std::vector<double>> rows(count, std::vector<double>(width));
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = 0; k < width; ++k) rows[i][k] = sample(i, k);
-  return rows;
-}
-
-double two_sided_quantile(double confidence, int degrees) {
-  const double share = 0.5 * (1.0 + confidence);
-  return degrees > 0 ? OT::DistFunc::qStudent(degrees, share) : OT::DistFunc::qNormal(share);
-}
-
-double beta_quantile(double a, double b, double share) { return OT::DistFunc::qBeta(a, b, share); }
-
-namespace {
-
 constexpr std::uint32_t kSeeds = 0x7fffffffU;  // 2^31 - 1, as a mask
 
 OT::Distribution truncated(const OT::Distribution& whole, const DistributionSpec& d) {
@@ -151,6 +129,24 @@ std::vector<std::vector<double>> design_of(const SweepSpec& spec, std::size_t wi
 
 }  // namespace
 
+std::vector<std::vector<double>> latin_hypercube(std::size_t count, std::size_t width, std::uint64_t seed) {
+  OT::RandomGenerator::SetSeed(seed);
+  OT::LHSExperiment design(unit_cube(width), count);
+  design.setAlwaysShuffle(true);
+  const OT::Sample sample = design.generate();
+  std::vector<std::vector<double>> rows(count, std::vector<double>(width));
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < width; ++k) rows[i][k] = sample(i, k);
+  return rows;
+}
+
+double two_sided_quantile(double confidence, int degrees) {
+  const double share = 0.5 * (1.0 + confidence);
+  return degrees > 0 ? OT::DistFunc::qStudent(degrees, share) : OT::DistFunc::qNormal(share);
+}
+
+double beta_quantile(double a, double b, double share) { return OT::DistFunc::qBeta(a, b, share); }
+
 std::string openturns_version() { return OT::PlatformInfo::GetVersion(); }
 
 std::uint32_t scattered(std::uint32_t base, std::uint32_t place) {
@@ -164,10 +160,6 @@ std::uint32_t scattered(std::uint32_t base, std::uint32_t place) {
 }
 
 std::uint32_t Draws::seed(std::size_t run) const { return scattered(base_, static_cast<std::uint32_t>(run)); }
-
-Draws::Draws(const SweepSpec& spec) : Draws(spec, nullptr) {}
-
-Draws::Draws(const SweepSpec& spec, std::vector<std::vector<double>> points) : Draws(spec, &points) {}
 
 Draws::Draws(const SweepSpec& spec, const std::vector<std::vector<double>>* points)
     : base_(scattered(0x1234567U, static_cast<std::uint32_t>(spec.seed) * 0x9e3779b1U & kSeeds)) {
@@ -325,8 +317,7 @@ void add_indices(const Chaos& chaos, std::size_t width, Sensitivity& s) {
 
 // Products of orthonormal Legendre polynomials at the rows of x, a column per term.
 Eigen::MatrixXd terms_at(const Chaos& chaos, const std::vector<std::vector<double>>& x) {
-  Eigen::MatrixXd a =
-      Eigen::MatrixXd::Ones(static_cast<Eigen::Index>(x.size()), static_cast<Eigen::Index>(chaos.degrees.size()));
+  Eigen::MatrixXd a = Eigen::MatrixXd::Ones(x.size(), chaos.degrees.size());
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t k = 0; k < x[i].size(); ++k) {
       std::size_t most = 0;
@@ -340,8 +331,7 @@ Eigen::MatrixXd terms_at(const Chaos& chaos, const std::vector<std::vector<doubl
       }
       for (std::size_t j = 0; j < chaos.degrees.size(); ++j) {
         const std::size_t n = chaos.degrees[j][k];
-        a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) *=
-            std::sqrt(2.0 * static_cast<double>(n) + 1.0) * p[n];
+        a(i, j) *= std::sqrt(2.0 * static_cast<double>(n) + 1.0) * p[n];
       }
     }
   return a;

@@ -17,10 +17,9 @@ namespace footfall {
 // The drawn values of all runs. A run has the same values in every case.
 class Draws {
  public:
-  // Throws InputError when the correlations contradict each other.
-  explicit Draws(const SweepSpec& spec);
-  // Draws at these points of the unit cube, before correlations, instead of the design.
-  Draws(const SweepSpec& spec, std::vector<std::vector<double>> points);
+  // `points`: of the unit cube, before correlations, instead of the design. Throws InputError when the correlations
+  // contradict each other.
+  explicit Draws(const SweepSpec& spec, const std::vector<std::vector<double>>* points = nullptr);
 
   std::size_t count() const { return values_.size(); }                                 // runs of a case
   const std::vector<std::size_t>& parameters() const { return parameters_; }           // of SweepSpec::parameters
@@ -31,7 +30,6 @@ class Draws {
   Moments moments(std::size_t place) const { return moments_[place]; }  // of the distribution of a parameter
 
  private:
-  Draws(const SweepSpec& spec, const std::vector<std::vector<double>>* points);
   void draw_whole_rows(const SweepSpec& spec);
 
   std::vector<std::size_t> parameters_;

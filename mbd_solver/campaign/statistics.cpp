@@ -15,6 +15,14 @@ namespace {
 constexpr double kTail = 0.025;                    // beyond each end of an interval of 95 %
 constexpr double kOneSided = 0.95;                 // of bounds on one side
 constexpr double kDeviations = 1.959963984540054;  // of the normal distribution, 95 % on both sides
+
+// Bonett and Price: p_b = (b + 1) / (n + 2), p_c likewise, (p_c - p_b) -+ z sqrt((p_b + p_c - (p_c - p_b)^2) / (n + 2)).
+std::pair<double, double> difference_bounds(double b, double c, double n) {
+  const double p_b = (b + 1.0) / (n + 2.0), p_c = (c + 1.0) / (n + 2.0), d = p_c - p_b;
+  const double half = kDeviations * std::sqrt((p_b + p_c - d * d) / (n + 2.0));
+  return {std::max(-1.0, d - half), std::min(1.0, d + half)};
+}
+
 }  // namespace
 
 double quantile(std::vector<double> values, double share) {
@@ -65,17 +73,6 @@ void PairTally::add(int first, int second) {
   else
     ++(second > 0 ? second_only : neither);
 }
-
-namespace {
-
-// Bonett and Price: p_b = (b + 1) / (n + 2), p_c likewise, (p_c - p_b) -+ z sqrt((p_b + p_c - (p_c - p_b)^2) / (n + 2)).
-std::pair<double, double> difference_bounds(double b, double c, double n) {
-  const double p_b = (b + 1.0) / (n + 2.0), p_c = (c + 1.0) / (n + 2.0), d = p_c - p_b;
-  const double half = kDeviations * std::sqrt((p_b + p_c - d * d) / (n + 2.0));
-  return {std::max(-1.0, d - half), std::min(1.0, d + half)};
-}
-
-}  // namespace
 
 Probability PairTally::difference() const {
   const auto n = static_cast<double>(runs()), b = static_cast<double>(first_only), c = static_cast<double>(second_only),

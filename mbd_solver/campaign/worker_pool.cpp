@@ -29,7 +29,7 @@ constexpr int kPoll = 200;  // [ms]
 }
 
 WorkerPool::WorkerPool(std::string folder, int workers, int time_limit)
-    : folder_(std::move(folder)), time_limit_(time_limit), workers_(static_cast<std::size_t>(std::max(1, workers))) {
+    : folder_(std::move(folder)), time_limit_(time_limit), workers_(std::max(1, workers)) {
   std::signal(SIGPIPE, SIG_IGN);  // a worker that is gone is noticed by its answer
   for (std::size_t k = 0; k < workers_.size(); ++k) {
     workers_[k].folder = (fs::path(folder_) / std::to_string(k)).string();

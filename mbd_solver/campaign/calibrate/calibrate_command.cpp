@@ -12,7 +12,6 @@
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/campaign/calibrate/calibration_page.h"
 #include "mbd_solver/campaign/calibrate/calibration_run.h"
-#include "mbd_solver/launch/programs.h"
 #include "mbd_solver/studies/codes.h"
 #include "mbd_solver/studies/sweep_command.h"
 

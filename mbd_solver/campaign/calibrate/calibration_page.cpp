@@ -145,8 +145,7 @@ void show_matrix(StudyPage& page, const CalibrationSpec& spec, const std::string
   Table table(head);
   for (std::size_t k = 0; k < names.size(); ++k) {
     Row row = {names[k]};
-    for (std::size_t i = 0; i < spec.parameters.size(); ++i)
-      row.push_back(text(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)));
+    for (std::size_t i = 0; i < spec.parameters.size(); ++i) row.push_back(text(k, i));
     table.add(row);
   }
   page.table(table);

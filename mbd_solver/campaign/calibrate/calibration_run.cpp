@@ -2,7 +2,6 @@
 #include "mbd_solver/campaign/calibrate/calibration_run.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "coupler/base/errors.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/text.h"
 #include "mbd_solver/campaign/optimum.h"
 #include "mbd_solver/campaign/sampling.h"
 
@@ -35,10 +34,10 @@ Determination determination_of(const CalibrationSpec& spec, const EvaluatedPoint
   FOOTFALL_DEMAND(around.size() == 2 * best.point.size());
   const auto n = static_cast<Eigen::Index>(best.point.size());
   const std::vector<double> all = best.residuals(spec);
-  const Eigen::Map<const Eigen::VectorXd> r(all.data(), static_cast<Eigen::Index>(all.size()));
+  const Eigen::Map<const Eigen::VectorXd> r(all.data(), all.size());
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(r.size(), n);  // rows as in r, a column per parameter
   Determination d;
-  d.sensitivity = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(spec.targets.size()), n);
+  d.sensitivity = Eigen::MatrixXd::Zero(spec.targets.size(), n);
   for (Eigen::Index i = 0, row = 0; i < n; ++i, row = 0) {
     const std::size_t at = i;
     const EvaluatedPoint &up = *around[2 * at], &down = *around[2 * at + 1];
@@ -52,7 +51,7 @@ Determination determination_of(const CalibrationSpec& spec, const EvaluatedPoint
         if (failed) continue;
         jacobian(row, i) = std::sqrt(spec.targets[t].weight) *
                            (capped(a.residuals[k], spec.cap) - capped(b.residuals[k], spec.cap)) / width;
-        double& slope = d.sensitivity(static_cast<Eigen::Index>(t), i);
+        double& slope = d.sensitivity(t, i);
         slope = (a.values[k] - b.values[k]) / width / spec.targets[t].tolerance;
         squares += slope * slope / static_cast<double>(rows);
         if (rows > 1) slope = std::sqrt(squares);
@@ -100,14 +99,13 @@ UnitPoint adjusted(const CalibrationSpec& spec, const EvaluatedPoint& whole, con
     task.most.push_back(std::min(1.0, share + spec.step));
   }
   const auto phi = [&](const UnitPoint& u) {
-    Eigen::VectorXd step(static_cast<Eigen::Index>(u.size()));
-    for (std::size_t i = 0; i < u.size(); ++i) step[static_cast<Eigen::Index>(i)] = u[i] - whole.point[i];
+    Eigen::VectorXd step(u.size());
+    for (std::size_t i = 0; i < u.size(); ++i) step[i] = u[i] - whole.point[i];
     if (violation_of(spec, u) > 0.0) return kForbidden;
     double sum = step.squaredNorm() / (spec.step * spec.step);
     for (std::size_t t = 0; t < targets.size(); ++t) {
       if (targets[t].is_curve() || whole.targets[t].failed) continue;
-      const double y = whole.targets[t].values.front() +
-                       targets[t].tolerance * sensitivity.row(static_cast<Eigen::Index>(t)).dot(step);
+      const double y = whole.targets[t].values.front() + targets[t].tolerance * sensitivity.row(t).dot(step);
       const double r = capped(residual_of(targets[t], y), spec.cap);
       sum += targets[t].weight * r * r;
     }

@@ -12,16 +12,13 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/app/codes.h"
 #include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_measures.h"
 #include "mbd_solver/campaign/optimum.h"
 #include "mbd_solver/campaign/sampling.h"
 #include "mbd_solver/scene/scene_reader.h"
-#include "mbd_solver/scene/shipped_files.h"
 #include "mbd_solver/studies/codes.h"
-#include "mbd_solver/studies/sweep_command.h"
 #include "mbd_solver/studies/sweep_file.h"
 #include "mbd_solver/studies/tables.h"
 
@@ -158,11 +155,11 @@ Binned means_of(const PadRun& run, const std::vector<Eigen::Vector3d>& force) {
   const std::size_t from = first_touch(run), rows = run.place.size();
   const auto bins = std::min<std::size_t>(kFitBins, rows - from);
   Binned out;
-  out.value = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * bins));
+  out.value = Eigen::VectorXd::Zero(3 * bins);
   for (std::size_t b = 0; b < bins; ++b) {
     const std::size_t begin = from + (rows - from) * b / bins, end = from + (rows - from) * (b + 1) / bins;
     for (std::size_t row = begin; row < end; ++row)
-      out.value.segment<3>(static_cast<Eigen::Index>(3 * b)) += force[row] / static_cast<double>(end - begin);
+      out.value.segment<3>(3 * b) += force[row] / static_cast<double>(end - begin);
     out.time_share.push_back((static_cast<double>(b) + 0.5) / static_cast<double>(bins));
   }
   return out;
@@ -193,8 +190,8 @@ class Problem {
         targets_(std::move(targets)) {}
 
   Eigen::VectorXd start() const {
-    Eigen::VectorXd x(static_cast<Eigen::Index>(unknowns_.size()));
-    for (std::size_t k = 0; k < unknowns_.size(); ++k) x[static_cast<Eigen::Index>(k)] = std::log(unknowns_[k].start);
+    Eigen::VectorXd x(unknowns_.size());
+    for (std::size_t k = 0; k < unknowns_.size(); ++k) x[k] = std::log(unknowns_[k].start);
     return x;
   }
   // skip: a target that is left out; -1: none.
@@ -238,7 +235,7 @@ class Problem {
   }
   std::vector<Eigen::Index> all_unknowns() const {
     std::vector<Eigen::Index> all;
-    for (std::size_t k = 0; k < unknowns_.size(); ++k) all.push_back(static_cast<Eigen::Index>(k));
+    for (std::size_t k = 0; k < unknowns_.size(); ++k) all.push_back(k);
     return all;
   }
   // Those away from their bounds: at a bound a search only loses its way.
@@ -271,8 +268,8 @@ class Problem {
 };
 
 Eigen::VectorXd values_of(const GroundFit& fit) {
-  Eigen::VectorXd x(static_cast<Eigen::Index>(fit.numbers.size()));
-  for (std::size_t k = 0; k < fit.numbers.size(); ++k) x[static_cast<Eigen::Index>(k)] = fit.numbers[k].value;
+  Eigen::VectorXd x(fit.numbers.size());
+  for (std::size_t k = 0; k < fit.numbers.size(); ++k) x[k] = fit.numbers[k].value;
   return x;
 }
 
@@ -391,10 +388,10 @@ MeasuredBed measured_bed(const Scene& scene, const Eigen::Vector2d& centre, doub
                                            "radius of its grains, as inputs/regolith/in.bed does");
   const std::vector<GrainPlace> grains = read_grains(file);
   BedFrame bed;
-  bed.x.resize(3, static_cast<Eigen::Index>(grains.size()));
+  bed.x.resize(3, grains.size());
   for (std::size_t i = 0; i < grains.size(); ++i) {
     bed.id.push_back(static_cast<int>(i));
-    bed.x.col(static_cast<Eigen::Index>(i)) = grains[i].centre;
+    bed.x.col(i) = grains[i].centre;
     bed.radius.push_back(grains[i].radius);
   }
   MeasuredBed out;
@@ -411,8 +408,8 @@ MeasuredBed measured_bed(const Scene& scene, const Eigen::Vector2d& centre, doub
     area += ring;
   }
   for (std::size_t i = 0; i < grains.size(); ++i)
-    if ((bed.x.col(static_cast<Eigen::Index>(i)).head<2>() - centre).norm() < half)
-      out.highest = std::max(out.highest, bed.x(2, static_cast<Eigen::Index>(i)) + bed.radius[i]);
+    if ((bed.x.col(i).head<2>() - centre).norm() < half)
+      out.highest = std::max(out.highest, bed.x(2, i) + bed.radius[i]);
   if (!(area > 0.0)) throw InputError(code::kGroundFit, scene.file + ": there are no grains under the pad");
   out.surface /= area;
   const double depth = std::min(half, 0.5 * (out.surface - bed.x.row(2).minCoeff()));

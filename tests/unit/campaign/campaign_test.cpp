@@ -6,7 +6,6 @@
 #include <cmath>
 #include <csignal>
 #include <numeric>
-#include <random>
 #include <set>
 
 #include "coupler/base/errors.h"
@@ -163,7 +162,7 @@ TEST(IntervalsOfAQuantile, CoverTheMedianInNinetyFiveOfAHundredCampaigns) {
     std::vector<double> a = column(Draws(drawn_sweep({uniform("a", 0.0, 1.0)}, 101, Design::kRandom, seed)), 0);
     std::sort(a.begin(), a.end());
     const auto [low, high] = quantile_bounds(a.size(), 0.5);
-    covered += a[static_cast<std::size_t>(low)] <= 0.5 && 0.5 <= a[static_cast<std::size_t>(high)] ? 1 : 0;
+    covered += a[low] <= 0.5 && 0.5 <= a[high] ? 1 : 0;
   }
   EXPECT_NEAR(covered / 200.0, 0.95, 0.045);        // three deviations; the places are whole, so that it is a bit above
   EXPECT_EQ(quantile_bounds(10, 0.99).second, 10);  // no bound above
@@ -178,7 +177,7 @@ TEST(BoundariesOf, AnEventThatIsCertainAreWithinTheirBand) {
     Eigen::MatrixXd x(100, 3);
     Eigen::VectorXd y(100);
     for (Eigen::Index i = 0; i < 100; ++i) {
-      const double u = v[static_cast<std::size_t>(i)];
+      const double u = v[i];
       x.row(i) << 1.0, u, u * u;
       y[i] = u > -0.04 ? 1.0 : 0.0;
     }

@@ -87,8 +87,7 @@ TEST(CoverageOf, QuantilesAndToleranceLimits) {
       std::mt19937_64 engine = engine_of(k);
       const Numbers values = sorted_exponentials(engine);
       const auto [low, high] = quantile_bounds(kRuns, share);
-      row.add(low < 0 ? 0.0 : values[static_cast<std::size_t>(low)], -std::log1p(-share),
-              high >= kRuns ? HUGE_VAL : values[static_cast<std::size_t>(high)]);
+      row.add(low < 0 ? 0.0 : values[low], -std::log1p(-share), high >= kRuns ? HUGE_VAL : values[high]);
     }
   }
   Row above("tolerance limit: 95 % of the runs are below", "95 %"), below("tolerance limit: 95 % are above", "95 %");
@@ -127,7 +126,7 @@ TEST(CoverageOf, PairedDifferences) {
     for (int i = 0; i < kRuns; ++i) differences.push_back(0.3 + draw(engine) - 0.5 * draw(engine));
     std::sort(differences.begin(), differences.end());
     const auto [low, high] = quantile_bounds(kRuns, 0.5);
-    row.add(differences[static_cast<std::size_t>(low)], 0.3, differences[static_cast<std::size_t>(high)]);
+    row.add(differences[low], 0.3, differences[high]);
   }
 }
 

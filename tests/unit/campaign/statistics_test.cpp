@@ -8,7 +8,6 @@
 
 #include "mbd_solver/campaign/sampling.h"
 #include "mbd_solver/campaign/statistics.h"
-#include "tests/unit/campaign/drawn_parameters.h"
 
 namespace footfall {
 namespace {
@@ -37,7 +36,7 @@ TEST(IntervalsOfAProbability, HoldInAtLeastNinetyFiveOfAHundredCampaignsWhatever
       probabilities.push_back(std::exp(std::log(0.05 / trials) + k / 400.0 * std::log(0.5 * trials / 0.05)));
     for (const double p : probabilities) {
       const double held = coverage(trials, p, [&](int x) {
-        const Probability& i = intervals[static_cast<std::size_t>(x)];
+        const Probability& i = intervals[x];
         return i.low <= p && p <= i.high;
       });
       EXPECT_GE(held, 0.95 - kRoundOff) << trials << " runs, p = " << p;
@@ -116,7 +115,7 @@ TEST(ToleranceLimits, AreThoseOfWilks) {
   EXPECT_EQ(tolerance_place(92, 0.95), 91U);
   EXPECT_EQ(tolerance_place(93, 0.95), 91U);
   for (const int count : {59, 100, 200, 500}) {
-    const auto place = static_cast<int>(tolerance_place(static_cast<std::size_t>(count), 0.95));
+    const auto place = static_cast<int>(tolerance_place(count, 0.95));
     EXPECT_GE(coverage(count, 0.95, [&](int below) { return below <= place; }), 0.95 - 1e-9) << count;
     EXPECT_LT(coverage(count, 0.95, [&](int below) { return below <= place - 1; }), 0.95) << count;
   }
