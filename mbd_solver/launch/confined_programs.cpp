@@ -47,9 +47,7 @@ int become_confined(int argc, char** argv) {
     rights.writable.push_back(folder);
   }
   std::string why = confine(rights);
-  if (why.empty()) {
-    why = become_program(argv[2], {argv + 2, argv + argc});
-  }
+  if (why.empty()) why = become_program(argv[2], {argv + 2, argv + argc});
   const std::string text = std::string(argv[2]) + ": cannot be confined to the files of its script (" + why +
                            "); read the script, and if you trust it, add --trust-script";
   std::fprintf(stderr, "footfall: %s\n", with_code(code::kNotConfined, text).c_str());

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "mbd_solver/base/child_process.h"
-#include "mbd_solver/scene/scene.h"
 
 namespace footfall {
 

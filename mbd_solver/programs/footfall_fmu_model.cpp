@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -149,7 +148,7 @@ class Model {
       const bool own = name == kBalanceColumn || name == kErrorColumn;
       if (!own && found == columns.end())
         throw std::runtime_error("the output \"" + name + "\" is no column with these parameters");
-      places_.push_back(static_cast<std::size_t>(found - columns.begin()));
+      places_.push_back(found - columns.begin());
     }
   }
 

@@ -4,7 +4,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/child_watch.h"
