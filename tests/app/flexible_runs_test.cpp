@@ -46,6 +46,17 @@ class Drawing {
 
 double largest(const std::vector<double>& x) { return *std::max_element(x.begin(), x.end()); }
 
+// Runs the scene; its summary.
+nlohmann::ordered_json summary_of_run(const Scene& scene, const std::string& out, double until = 0.0) {
+  RunOptions options;
+  options.out = out;
+  options.until = until;
+  options.quiet = true;
+  const volatile std::sig_atomic_t never = 0;
+  EXPECT_EQ(run_scene(scene, options, nullptr, never), 0);
+  return read_summary(out + "/summary.json");
+}
+
 class FlexibleOutput : public ::testing::Test {
  protected:
   // The flexible lander on the rigid plane, past first touch, every body recorded, pictures every 5 ms.
@@ -54,14 +65,8 @@ class FlexibleOutput : public ::testing::Test {
     folder = place->folder_.string();
     scene = read_scene(FOOTFALL_SOURCE_DIR "/inputs/rigid_plane",
                        {"output.vtk=true", "output.vtk_interval=5e-3", "output.interval=5e-3", "output.bodies=[]"});
-    RunOptions options;
-    options.out = folder;
-    options.until = 0.01;
-    options.quiet = true;
-    const volatile std::sig_atomic_t never = 0;
-    ASSERT_EQ(run_scene(scene, options, nullptr, never), 0);
+    summary = summary_of_run(scene, folder, 0.01);
     history = read_history(folder + "/history.csv");
-    summary = read_summary(folder + "/summary.json");
   }
   static void TearDownTestSuite() { place.reset(); }
 
@@ -81,12 +86,7 @@ nlohmann::ordered_json FlexibleOutput::summary;
 TEST(Steps, OfARigidLanderAreFew) {
   const TemporaryFolder place;
   const Scene scene = read_scene(FOOTFALL_SOURCE_DIR "/tests/bench/simbody/scene.toml", {"solver.rtol=1e-6"});
-  RunOptions options;
-  options.out = place.folder_.string();
-  options.quiet = true;
-  const volatile std::sig_atomic_t never = 0;
-  ASSERT_EQ(run_scene(scene, options, nullptr, never), 0);
-  EXPECT_LT(read_summary(options.out + "/summary.json").at("steps").get<int>(), 250);  // 355 of the third order
+  EXPECT_LT(summary_of_run(scene, place.folder_.string()).at("steps").get<int>(), 250);  // 355 of the third order
 }
 
 TEST_F(FlexibleOutput, StrainEnergiesOfTheBodiesAddUpToThatOfTheScene) {
@@ -208,13 +208,7 @@ class FlexibleScene : public ::testing::Test, protected TemporaryFolder {
  protected:
   // Runs scene.toml with these settings; the summary.
   nlohmann::ordered_json run(const std::vector<std::string>& settings, const std::string& out = "out") const {
-    const Scene scene = read_scene(file("scene.toml"), settings);
-    RunOptions options;
-    options.out = file(out);
-    options.quiet = true;
-    const volatile std::sig_atomic_t never = 0;
-    EXPECT_EQ(run_scene(scene, options, nullptr, never), 0);
-    return read_summary(file(out) + "/summary.json");
+    return summary_of_run(read_scene(file("scene.toml"), settings), file(out));
   }
   // Warnings that name the rod.
   static int warnings(const nlohmann::ordered_json& summary) {

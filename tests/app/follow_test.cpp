@@ -158,8 +158,8 @@ std::map<std::string, DriveMean> driven(const History& history, double from, dou
     for (std::size_t i = 0; i < time.size(); ++i) {
       const int part = static_cast<int>(std::floor(kParts * (time[i] - from) / (to - from)));
       if (part < 0 || part >= kParts) continue;
-      sums[static_cast<std::size_t>(part)] += values[i];
-      ++counts[static_cast<std::size_t>(part)];
+      sums[part] += values[i];
+      ++counts[part];
     }
     double mean = 0.0, square = 0.0;
     for (std::size_t k = 0; k < kParts; ++k) {

@@ -311,12 +311,15 @@ class EnergyBalance : public Pictures {
  protected:
   nlohmann::json run(const std::string& restitution, int ranks) const {
     const std::string out = "r" + restitution + "_" + std::to_string(ranks);
-    folder.done("run " + app::kPlate + " --set particles.script='\"" + app::kPlate + "/energy.in\"'" +
-                " --set particles.variables.dt=2e-5 --set particles.variables.every=1 --set output.interval=1e-4" +
-                " --set particles.variables.energy_every=5e-4 --set output.vtk=false" +
-                " --set particles.variables.restitution=" + restitution + " --quiet --out " + out + " --ranks " +
-                std::to_string(ranks));
+    start(app::kPlate + "/energy.in", ranks, "--out " + out + " --set particles.variables.restitution=" + restitution);
     return folder.summary(out)["ledger"];
+  }
+  // Of the plate with this script.
+  void start(const std::string& script, int ranks, const std::string& options) const {
+    folder.done("run " + app::kPlate + " --set particles.script='\"" + script + "\"'" +
+                " --set particles.variables.dt=2e-5 --set particles.variables.every=1 --set output.interval=1e-4" +
+                " --set particles.variables.energy_every=5e-4 --set output.vtk=false --quiet --force --ranks " +
+                std::to_string(ranks) + " " + options);
   }
   std::vector<double> dissipated(const std::string& out) const {
     return read_history(folder.file(out + "/ledger.csv")).column("grains.dissipated");
@@ -350,9 +353,17 @@ TEST_F(EnergyBalance, HoldsWhatGrainsDissipate) {
 
 // Grains rain, one is given another velocity and place and is deleted, one leaves the box: energies that no contact has
 // exchanged. The elastic grains again keep all that they received.
-using ChangedGrains = EnergyBalance;
+class ChangedGrains : public EnergyBalance {
+ protected:
+  static std::string plate(const std::string& file) { return "include " + app::kPlate + "/" + file + "\n"; }
+  // Its ledger; the run is `run`.
+  History ledger_of(const std::string& script, int ranks) const {
+    start(folder.file(script), ranks, "--out run");
+    return read_history(folder.file("run/ledger.csv"));
+  }
+};
+
 TEST_F(ChangedGrains, AreLinesOfTheBalance) {
-  const auto plate = [](const std::string& file) { return "include " + app::kPlate + "/" + file + "\n"; };
   folder.write(
       "in.rain",
       "variable gravity index 9.81\nvariable out index .\n" + plate("box.lammps") +
@@ -374,12 +385,7 @@ TEST_F(ChangedGrains, AreLinesOfTheBalance) {
           "/regolith/energy.lammps\nthermo_modify lost ignore\nrun 1000\nvelocity lone set 2 0 0\n"
           "displace_atoms lone move 0 0 0.05 units box\nrun 600\ndelete_atoms group lone\nrun 100000\n");
   for (const int ranks : {1, 2}) {
-    folder.done("run " + app::kPlate + " --set particles.script='\"" + folder.file("in.rain") +
-                "\"' --set particles.variables.dt=2e-5" +
-                " --set particles.variables.every=1 --set output.interval=1e-4 --set output.vtk=false" +
-                " --set particles.variables.energy_every=5e-4 --quiet --force --out run --ranks " +
-                std::to_string(ranks));
-    const History ledger = read_history(folder.file("run/ledger.csv"));
+    const History ledger = ledger_of("in.rain", ranks);
     const auto last = [&](const char* name) { return ledger.column(name).back(); };
     const double m = 2600 * 4.0 / 3.0 * M_PI * 8e-6, g = 9.81, v = g * 0.02;  // after 1000 steps of 0.02 ms
     const double set = 0.5 * m * (4.0 - v * v) + m * g * 0.05;
@@ -399,7 +405,6 @@ TEST_F(ChangedGrains, AreLinesOfTheBalance) {
 
 // One grain is lifted from the first step on, and becomes twice as heavy between two runs; another grows as it falls.
 TEST_F(ChangedGrains, AreLiftedGrownAndSet) {
-  const auto plate = [](const std::string& file) { return "include " + app::kPlate + "/" + file + "\n"; };
   folder.write("in.grow", "variable gravity index 9.81\nvariable out index .\n" + plate("box.lammps") +
                               "fix restitution all property/global coefficientRestitution peratomtypepair 2 1 1 1 1\n"
                               "fix friction all property/global coefficientFriction peratomtypepair 2 0 0 0 0\n"
@@ -411,12 +416,7 @@ TEST_F(ChangedGrains, AreLiftedGrownAndSet) {
                               plate("couple.lammps") + "include " + app::kInputs +
                               "/regolith/energy.lammps\nrun 1000\nset group lifted density 5200\nrun 100000\n");
   for (const int ranks : {1, 2}) {
-    folder.done("run " + app::kPlate + " --set particles.script='\"" + folder.file("in.grow") +
-                "\"' --set particles.variables.dt=2e-5" +
-                " --set particles.variables.every=1 --set output.interval=1e-4 --set output.vtk=false" +
-                " --set particles.variables.energy_every=5e-4 --quiet --force --out run --ranks " +
-                std::to_string(ranks));
-    const History ledger = read_history(folder.file("run/ledger.csv"));
+    const History ledger = ledger_of("in.grow", ranks);
     const double volume = 2600 * 4.0 / 3.0 * M_PI, m = volume * 8e-6, g = 9.81, half_v2 = 0.5 * 0.25;
     const double lifted = m * (half_v2 + g * 0.5 * 0.02) + 2 * m * g * 0.5 * 0.03;  // from rest, to 0.02 s, to 0.05 s
     const double set = m * (half_v2 + g * 0.11);

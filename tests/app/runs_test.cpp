@@ -22,6 +22,19 @@ using app::holds;
 
 class Example : public ::testing::TestWithParam<std::string> {};
 
+// Of the rows from `start` until before `end` [s].
+double mean_of(const std::vector<double>& time, const std::vector<double>& values, double start,
+               double end = INFINITY) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    if (time[k] < start || time[k] >= end) continue;
+    sum += values[k];
+    ++count;
+  }
+  return sum / count;
+}
+
 TEST_P(Example, IsCopiedCheckedAndRun) {
   const std::string& name = GetParam();
   // Smaller beds where pouring takes long; what readable.py looks at.
@@ -302,15 +315,8 @@ until = 0.21
   EXPECT_EQ(folder.summary("run")["particles"].get<long>(),
             atoms_in(folder.read("run/liggghts.log")).front().second + grains);
   // Its force at the end is their weight.
-  const std::vector<double>&t = run.column("time"), &fz = run.column("tray.contact.fz");
-  double mean = 0.0;
-  int rows = 0;
-  for (std::size_t k = 0; k < t.size(); ++k)
-    if (t[k] > 0.5) {
-      mean -= fz[k];
-      ++rows;
-    }
-  EXPECT_NEAR(mean / rows, grains * m * g, 0.1 * grains * m * g);  // of rows, between which it rattles
+  const double mean = -mean_of(run.column("time"), run.column("tray.contact.fz"), 0.5);
+  EXPECT_NEAR(mean, grains * m * g, 0.1 * grains * m * g);  // of rows, between which it rattles
 }
 
 // A pendulum of 1 s, and another from the end of its first half: the same motion, with a body more.
@@ -354,18 +360,8 @@ TEST(SmallScenes, HaveTheNumbersOfTheirPage) {
                 name);
   }
   const History winch = read_history(folder.file("run_winch/history.csv"));
-  const auto mean_after = [](const History& run, const std::string& column, double start) {
-    double sum = 0.0;
-    int count = 0;
-    for (std::size_t i = 0; i < run.columns[0].size(); ++i) {
-      if (run.columns[0][i] < start) continue;
-      sum += run.column(column)[i];
-      ++count;
-    }
-    return sum / count;
-  };
   // The swing adds less than 2 % to the mean; the drum takes up 0.05 m times 4 rad/s from 0.5 s on, and half of it before.
-  EXPECT_NEAR(mean_after(winch, "rope.force", 1.0), 98.1, 2.0);
+  EXPECT_NEAR(mean_of(winch.columns[0], winch.column("rope.force"), 1.0), 98.1, 2.0);
   EXPECT_NEAR(winch.column("rope.length").front() - winch.column("rope.length").back(), 0.2 * 3.75, 0.005);
   const History tripod = read_history(folder.file("run_tripod/history.csv"));
   double weight = 0.0;
@@ -415,9 +411,8 @@ TEST(SmallScenes, OfGrainsBalance) {
     const auto fastest =
         std::min_element(speed.begin() + static_cast<long>(k) - 3, speed.begin() + static_cast<long>(k)) -
         speed.begin();
-    const double v = -speed[static_cast<std::size_t>(fastest)],
-                 H = *std::max_element(height.begin() + fastest - 200, height.begin() + fastest) -
-                     height[static_cast<std::size_t>(fastest)];
+    const double v = -speed[fastest],
+                 H = *std::max_element(height.begin() + fastest - 200, height.begin() + fastest) - height[fastest];
     EXPECT_NEAR(v, std::sqrt(2.0 * g * H), 0.03 * v) << t[k];  // a row is 0.7 % of it
     const auto deepest = static_cast<std::size_t>(
         std::min_element(z.begin() + static_cast<long>(k), z.begin() + static_cast<long>(k) + 150) - z.begin());
@@ -438,15 +433,7 @@ TEST(SmallScenes, OfGrainsBalance) {
   // phi = 33 degrees, d = 61 mm, and by less than twelve times that: it is only three grains deep, lifts what is next to it and
   // pushes a heap.
   const History blade = run("blade");
-  const std::vector<double>&when = blade.column("time"), &fx = blade.column("blade.contact.fx");
-  double force = 0.0;
-  int rows = 0;
-  for (std::size_t k = 0; k < when.size(); ++k)
-    if (when[k] >= 0.38 && when[k] < 0.5) {
-      force -= fx[k];
-      ++rows;
-    }
-  force /= rows;
+  const double force = -mean_of(blade.column("time"), blade.column("blade.contact.fx"), 0.38, 0.5);
   const double depth = folder.summary("blade")["max_sinkage_m"].get<double>();
   const double passive = 0.5 * 3.4 * 2600 * 0.6 * g * depth * depth * 0.16;
   EXPECT_GT(force, passive);
@@ -456,20 +443,14 @@ TEST(SmallScenes, OfGrainsBalance) {
   // 0.3 kg 0.02 m) + 0.01 N m. Means of 0.1 s, in which the source adds 0.6 N times 0.1 m: within 20 %.
   const History board = run("seesaw");
   const std::vector<double>&angle = board.column("hinge.angle"), &time = board.column("time");
-  const auto turning = [&](std::size_t k) {
-    return board.column("board.contact.my")[k] - board.column("board.x")[k] * board.column("board.contact.fz")[k] +
-           (board.column("board.z")[k] - 0.15) * board.column("board.contact.fx")[k];
-  };
+  std::vector<double> turning;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    turning.push_back(board.column("board.contact.my")[k] -
+                      board.column("board.x")[k] * board.column("board.contact.fz")[k] +
+                      (board.column("board.z")[k] - 0.15) * board.column("board.contact.fx")[k]);
   std::size_t tips = 0;
   while (tips + 1 < angle.size() && angle[tips] < 0.01) ++tips;
-  double torque = 0.0;
-  int count = 0;
-  for (std::size_t k = 0; k < tips; ++k)
-    if (time[k] >= time[tips] - 0.1) {
-      torque += turning(k);
-      ++count;
-    }
-  EXPECT_NEAR(torque / count, g * (0.5 * 0.1 - 0.3 * 0.02) + 0.01, 0.09);
+  EXPECT_NEAR(mean_of(time, turning, time[tips] - 0.1, time[tips]), g * (0.5 * 0.1 - 0.3 * 0.02) + 0.01, 0.09);
   EXPECT_NEAR(time[tips], 1.0, 0.15);
   EXPECT_GT(*std::max_element(angle.begin(), angle.end()), 0.5);
   EXPECT_LT(angle.back(), 0.05);  // it has returned

@@ -1,8 +1,6 @@
 // A program of somebody else that uses the multibody solver: reads a scene, moves its mechanism to a time, says where a body is.
 #include <cstdio>
-#include <cstdlib>
 
-#include "coupler/base/errors.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/session/simulation.h"
 
