@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <random>
 #include <set>
@@ -135,6 +134,12 @@ TEST(HtmlPage, HoldsItsFiguresAsNumbers) {
 }
 
 // What the scripts of a page read.
+
+void add_column(History& history, const std::string& name, const std::string& unit, const std::vector<double>& values) {
+  history.names.push_back(name);
+  history.units.push_back(unit);
+  history.columns.push_back(values);
+}
 
 History history_of(const std::vector<std::string>& names, std::size_t rows) {
   History history{names, std::vector<std::string>(names.size(), "m"), {}};
@@ -330,11 +335,7 @@ using Names = std::vector<std::string>;
 
 History history_of(const std::vector<std::pair<std::string, std::string>>& columns, double value = 1.0) {
   History history{{"time"}, {"s"}, {{0.0, 1.0}}};
-  for (const auto& [name, unit] : columns) {
-    history.names.push_back(name);
-    history.units.push_back(unit);
-    history.columns.push_back({0.0, value});
-  }
+  for (const auto& [name, unit] : columns) add_column(history, name, unit, {0.0, value});
   return history;
 }
 
@@ -428,11 +429,7 @@ TEST(ColumnChoice, NoPanelHasTwoSeriesOfOneColourOrTwoUnits) {
 // A mechanism of 100 J loses 10 J/s in a damper and 20 J/s to grains; 1 J/s of that is lost in the interface.
 History run(bool grains) {
   History h;
-  const auto add = [&](const char* name, std::vector<double> values) {
-    h.names.emplace_back(name);
-    h.units.emplace_back("J");
-    h.columns.push_back(std::move(values));
-  };
+  const auto add = [&](const char* name, const std::vector<double>& values) { add_column(h, name, "J", values); };
   const double out = grains ? 20.0 : 0.0;
   add("time", {0, 1, 2});
   add("energy.kinetic", {90, 80 - out, 70 - 2 * out});
@@ -462,14 +459,10 @@ TEST(EnergyLedger, TheRestOfTheWorkIsDissipatedInTheGrains) {
 // 6 J come with grains in the middle, and 1 J leaves with others: neither is dissipated.
 TEST(EnergyLedger, EnergyThatGrainsBringIsALineOfItsOwn) {
   History h = run(true);
-  for (const auto& [name, values] :
-       std::map<std::string, std::vector<double>>{{"coupling.grains_inserted", {0, 6, 6}},
-                                                  {"coupling.grains_left", {0, 0, -1}},
-                                                  {"coupling.grains_changed", {0, 0, 0}}}) {
-    h.names.push_back(name);
-    h.units.emplace_back("J");
-    h.columns.push_back(values);
-  }
+  for (const auto& [name, values] : std::map<std::string, std::vector<double>>{{"coupling.grains_inserted", {0, 6, 6}},
+                                                                               {"coupling.grains_left", {0, 0, -1}},
+                                                                               {"coupling.grains_changed", {0, 0, 0}}})
+    add_column(h, name, "J", values);
   const History ledger = energy_ledger(h, {{0, 1, 2}, {3, 13, 16}, {50, 48, 46}});
   EXPECT_DOUBLE_EQ(ledger.column("grains.inserted")[2], 6.0);
   EXPECT_DOUBLE_EQ(ledger.column("grains.left")[2], -1.0);
@@ -504,11 +497,7 @@ TEST(EnergyLedger, BandsOfItsPictureAreNeverNegative) {
 
 class GrainFile : public ::testing::Test, protected TemporaryFolder {
  protected:
-  std::string write(const std::string& text) const {
-    const std::string path = (folder_ / "grains_energy.txt").string();
-    std::ofstream(path) << text;
-    return path;
-  }
+  std::string write(const std::string& text) const { return TemporaryFolder::write("grains_energy.txt", text); }
 };
 
 TEST_F(GrainFile, KineticIsOfTranslationAndRotation) {
@@ -567,11 +556,8 @@ TEST(Figures, ShowWhatTheHistoryHoldsAndLeaveOutTheRest) {
 // The work of contacts on the mechanism is negative where it loses energy to grains.
 TEST(Figures, ShowTheEnergyThatGoesToTheGrains) {
   History h = plotted_history();
-  for (const auto& [name, end] : {std::pair("work.contact", -3000.0), std::pair("coupling.energy_error", 0.0)}) {
-    h.names.push_back(name);
-    h.units.push_back("J");
-    h.columns.push_back({0.0, end});
-  }
+  for (const auto& [name, end] : {std::pair("work.contact", -3000.0), std::pair("coupling.energy_error", 0.0)})
+    add_column(h, name, "J", {0.0, end});
   std::vector<double> to_grains;  // [kJ]
   for (const Figure& figure : standard_figures(h, ""))
     for (const auto& curve : figure.curves)
@@ -600,11 +586,9 @@ TEST(Figures, ChooseUnitsBySize) {
 TEST(Figures, MarkTouchdownPeaksAndLimits) {
   History h{{"time", "cabin.z", "cabin.vz", "cabin.az", "leg.stroke"}, {"s", "m", "m/s", "m/s2", "m"}, {}};
   h.columns = {{0.0, 0.1, 0.2, 0.3}, {1, 1, 1, 1}, {0, 0, 0, 0}, {-1.6, -1.6, 19.6133, 5}, {0, 0, 0.2, 0.1}};
-  for (const std::string axis : {"x", "y", "z"}) {
-    h.names.push_back("pad.contact.f" + axis);
-    h.units.emplace_back("N");
-    h.columns.push_back(axis == "z" ? std::vector<double>{0, 0, 90, 50} : std::vector<double>(4, 0.0));
-  }
+  for (const std::string axis : {"x", "y", "z"})
+    add_column(h, "pad.contact.f" + axis, "N",
+               axis == "z" ? std::vector<double>{0, 0, 90, 50} : std::vector<double>(4, 0.0));
   const nlohmann::ordered_json summary = {
       {"scene",
        {{"requirements",

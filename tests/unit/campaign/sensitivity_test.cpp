@@ -43,14 +43,16 @@ const std::vector<KnownFunction> kFunctions = {
      {0.5576, 0.4424, 0.2437}},
 };
 
-Sensitivity sensitivity_of(const KnownFunction& known, double shift, int seed, int runs) {
-  const Draws draws(drawn_sweep({uniform("a", -1.0, 1.0), uniform("b", -1.0, 1.0), uniform("c", -1.0, 1.0)}, runs,
-                                Design::kLatinHypercube, seed));
+// Of the function and what is added to it in each run.
+Sensitivity sensitivity_of(const KnownFunction& known, const std::function<double()>& added, int seed, int runs,
+                           Design design = Design::kLatinHypercube) {
+  const Draws draws(
+      drawn_sweep({uniform("a", -1.0, 1.0), uniform("b", -1.0, 1.0), uniform("c", -1.0, 1.0)}, runs, design, seed));
   std::vector<Numbers> x;
   Numbers y;
   for (std::size_t i = 0; i < draws.count(); ++i) {
     x.push_back(draws.positions(i));
-    y.push_back(known.f(draws.values(i)) + shift);
+    y.push_back(known.f(draws.values(i)) + added());
   }
   return sobol_indices(x, y);
 }
@@ -60,7 +62,8 @@ TEST(SensitivityOf, FunctionsWithKnownIndicesIsTheirs) {
   constexpr double kOfPolynomials = 0.02;
   for (const KnownFunction& known : kFunctions)
     for (const int seed : {1, 2}) {
-      const Sensitivity s = sensitivity_of(known, 0.0, seed, 1000);
+      const Sensitivity s = sensitivity_of(
+          known, [] { return 0.0; }, seed, 1000);
       ASSERT_EQ(s.total.size(), 3U);
       EXPECT_GT(s.explained, 0.98) << known.name;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -74,9 +77,11 @@ TEST(SensitivityOf, FunctionsWithKnownIndicesIsTheirs) {
 TEST(SensitivityOf, AFunctionAndOneWithAConstantAddedIsTheSame) {
   constexpr double kRoundOff = 1e-6;
   for (const KnownFunction& known : kFunctions) {
-    const Sensitivity s = sensitivity_of(known, 0.0, 1, 300);
+    const Sensitivity s = sensitivity_of(
+        known, [] { return 0.0; }, 1, 300);
     for (const double shift : {-1.0, 1e4}) {
-      const Sensitivity shifted = sensitivity_of(known, shift, 1, 300);
+      const Sensitivity shifted = sensitivity_of(
+          known, [&] { return shift; }, 1, 300);
       for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_NEAR(shifted.first[k], s.first[k], kRoundOff) << known.name << ' ' << shift;
         EXPECT_NEAR(shifted.total[k], s.total[k], kRoundOff) << known.name << ' ' << shift;
@@ -97,15 +102,8 @@ TEST(SensitivityOf, FunctionsWithNoiseIsWithinItsIntervals) {
     for (int seed = 1; seed <= kCampaigns; ++seed) {
       std::mt19937_64 engine(static_cast<std::uint64_t>(seed));
       std::normal_distribution<double> noise(0.0, std::sqrt(variances[f] * kShare / (1.0 - kShare)));
-      const Draws draws(drawn_sweep({uniform("a", -1.0, 1.0), uniform("b", -1.0, 1.0), uniform("c", -1.0, 1.0)}, kRuns,
-                                    Design::kRandom, seed));
-      std::vector<Numbers> x;
-      Numbers y;
-      for (std::size_t i = 0; i < draws.count(); ++i) {
-        x.push_back(draws.positions(i));
-        y.push_back(known.f(draws.values(i)) + noise(engine));
-      }
-      const Sensitivity s = sobol_indices(x, y);
+      const Sensitivity s = sensitivity_of(
+          known, [&] { return noise(engine); }, seed, kRuns, Design::kRandom);
       for (std::size_t k = 0; k < 3; ++k) {
         const double first = (1.0 - kShare) * known.first[k], total = (1.0 - kShare) * known.total[k];
         held[0][k] += s.first_interval[k].first <= first && first <= s.first_interval[k].second;
