@@ -546,7 +546,7 @@ std::string write_report(const std::string& folder) {
   return file.string();
 }
 
-// ---- the data of a page (page_parts.h)
+// ---- the data of a page
 
 namespace {
 

@@ -12,7 +12,6 @@
 #include "mbd_solver/app/codes.h"
 #include "mbd_solver/app/difference/pair_page.h"
 #include "mbd_solver/app/packed_series.h"
-#include "mbd_solver/app/report.h"
 #include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/app/scenery/scenery.h"
 #include "mbd_solver/base/quote.h"

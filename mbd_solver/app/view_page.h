@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mbd_solver/app/mechanism_shape.h"
-#include "mbd_solver/app/page_parts.h"
+#include "mbd_solver/app/report.h"
 
 namespace footfall {
 

@@ -14,7 +14,6 @@
 #include "mbd_solver/app/difference/pair_page.h"
 #include "mbd_solver/app/difference/run_pair.h"
 #include "mbd_solver/app/difference/samples.h"
-#include "mbd_solver/app/report.h"
 #include "mbd_solver/session/output/summary.h"
 
 namespace footfall {

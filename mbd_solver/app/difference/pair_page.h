@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "mbd_solver/app/difference/run_pair.h"
-#include "mbd_solver/app/page_parts.h"
 #include "mbd_solver/app/plots.h"
+#include "mbd_solver/app/report.h"
 
 namespace footfall {
 
