@@ -2,7 +2,6 @@
 
 #include "coupler/archive.h"
 
-#include <cstdio>
 #include <cstdlib>
 
 #include "coupler/base/errors.h"
@@ -44,8 +43,8 @@ void Archive::finish() const {
   if (restores_ && next_ < text_.size()) fail("expected the end of the file");
 }
 
-void Archive::begin(const char* name) {
-  const std::string full = path_ + name;
+void Archive::begin(std::string_view name) {
+  const std::string full = path_ + std::string(name);
   if (!restores_) {
     text_ += full;
     return;
@@ -73,19 +72,19 @@ void Archive::end() {
   ++line_;
 }
 
-void Archive::operator()(const char* name, bool& value) {
+void Archive::operator()(std::string_view name, bool& value) {
   long number = value ? 1 : 0;
   (*this)(name, number);
   value = number != 0;
 }
 
-void Archive::operator()(const char* name, int& value) {
+void Archive::operator()(std::string_view name, int& value) {
   long number = value;
   (*this)(name, number);
   value = static_cast<int>(number);
 }
 
-void Archive::operator()(const char* name, long& value) {
+void Archive::operator()(std::string_view name, long& value) {
   begin(name);
   if (restores_) {
     const std::string text = word();
@@ -98,12 +97,12 @@ void Archive::operator()(const char* name, long& value) {
   end();
 }
 
-void Archive::operator()(const char* name, double& value) {
+void Archive::operator()(std::string_view name, double& value) {
   begin(name);
   numbers(&value, 1);
 }
 
-void Archive::operator()(const char* name, std::string& value) {
+void Archive::operator()(std::string_view name, std::string& value) {
   begin(name);
   if (restores_) {
     if (next_ >= text_.size() || text_[next_] != ' ') fail("a text is missing");
@@ -116,7 +115,7 @@ void Archive::operator()(const char* name, std::string& value) {
   end();
 }
 
-void Archive::operator()(const char* name, std::vector<bool>& value) {
+void Archive::operator()(std::string_view name, std::vector<bool>& value) {
   std::string marks;
   for (const bool mark : value) marks += mark ? '1' : '0';
   (*this)(name, marks);
@@ -126,7 +125,7 @@ void Archive::operator()(const char* name, std::vector<bool>& value) {
   for (const char mark : marks) value.push_back(mark == '1');
 }
 
-void Archive::shape(const char* name, Eigen::Index& rows, Eigen::Index& cols, std::array<int, 2> fixed) {
+void Archive::shape(std::string_view name, Eigen::Index& rows, Eigen::Index& cols, std::array<int, 2> fixed) {
   begin(name);
   if (!restores_) {
     text_ += " " + std::to_string(rows) + " " + std::to_string(cols);

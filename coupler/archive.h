@@ -5,7 +5,8 @@
 //     archive("window", window_);
 //     archive("bodies", bodies_);
 //   }
-// and the same lines save and restore it. Structs with a list of fields (field_list.h) need no visit().
+// and the same lines save and restore it; archive.members<&Exchange::window_, &Exchange::bodies_>(*this) says the same.
+// Structs with a list of fields (field_list.h) need no visit().
 //
 // One value per line: the names of the parts that contain it, its own name, then its numbers, floating-point ones in
 // hexadecimal. Restoring requires the same names in the same order, and vectors of the length that they have already,
@@ -16,6 +17,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -34,42 +36,42 @@ class Archive {
   void finish() const;
 
   // Each throws InputError "file:line: ..." when the text has something else there.
-  void operator()(const char* name, bool& value);
-  void operator()(const char* name, int& value);
-  void operator()(const char* name, long& value);
-  void operator()(const char* name, double& value);
-  void operator()(const char* name, std::string& value);
-  void operator()(const char* name, std::vector<bool>& value);
+  void operator()(std::string_view name, bool& value);
+  void operator()(std::string_view name, int& value);
+  void operator()(std::string_view name, long& value);
+  void operator()(std::string_view name, double& value);
+  void operator()(std::string_view name, std::string& value);
+  void operator()(std::string_view name, std::vector<bool>& value);
   template <class Derived>
-  void operator()(const char* name, Eigen::PlainObjectBase<Derived>& value) {
+  void operator()(std::string_view name, Eigen::PlainObjectBase<Derived>& value) {
     Eigen::Index rows = value.rows(), cols = value.cols();
     shape(name, rows, cols, {Derived::RowsAtCompileTime, Derived::ColsAtCompileTime});
     if (restores_) value.resize(rows, cols);
     numbers(value.data(), value.size());
   }
   template <class Item, std::size_t count>
-  void operator()(const char* name, std::array<Item, count>& value) {
+  void operator()(std::string_view name, std::array<Item, count>& value) {
     for (std::size_t i = 0; i < count; ++i) item(name, i, value[i]);
   }
   template <class Item>
-  void operator()(const char* name, std::vector<Item>& value) {
+  void operator()(std::string_view name, std::vector<Item>& value) {
     long count = static_cast<long>(value.size());
-    (*this)((std::string(name) + ".count").c_str(), count);
+    (*this)(std::string(name) + ".count", count);
     if (restores_) value.resize(static_cast<std::size_t>(checked_count(count, value.size())));
     for (std::size_t i = 0; i < value.size(); ++i) item(name, i, value[i]);
   }
   template <class Item>
-  void operator()(const char* name, std::optional<Item>& value) {
+  void operator()(std::string_view name, std::optional<Item>& value) {
     bool there = value.has_value();
-    (*this)((std::string(name) + ".there").c_str(), there);
+    (*this)(std::string(name) + ".there", there);
     if (restores_) value = there ? std::optional<Item>(Item()) : std::nullopt;
     if (there) (*this)(name, *value);
   }
   template <class Struct>
-  auto operator()(const char* name, Struct& value)
+  auto operator()(std::string_view name, Struct& value)
       -> std::enable_if_t<std::is_class_v<Struct> && !std::is_base_of_v<Eigen::EigenBase<Struct>, Struct>> {
     const std::size_t outside = path_.size();
-    path_ += std::string(name) + "/";
+    path_.append(name).append("/");
     if constexpr (kHasFields<Struct>) {
       for_each_field<Struct>([&](const auto& field) { (*this)(field.name, value.*field.member); });
     } else {
@@ -77,17 +79,21 @@ class Archive {
     }
     path_.resize(outside);
   }
+  template <auto... kMembers, class Struct>
+  void members(Struct& value) {
+    ((*this)(name_of_member<kMembers>(), value.*kMembers), ...);
+  }
 
  private:
   template <class Item>
-  void item(const char* name, std::size_t i, Item& value) {
-    (*this)((std::string(name) + "." + std::to_string(i)).c_str(), value);
+  void item(std::string_view name, std::size_t i, Item& value) {
+    (*this)(std::string(name) + "." + std::to_string(i), value);
   }
-  void begin(const char* name);  // begins a line: writes its name, or requires it
-  std::string word();            // restoring: the next word of the line
-  void end();                    // ends the line
+  void begin(std::string_view name);  // begins a line: writes its name, or requires it
+  std::string word();                 // restoring: the next word of the line
+  void end();                         // ends the line
   // Begins a line. fixed: rows and columns of the type, or Eigen::Dynamic.
-  void shape(const char* name, Eigen::Index& rows, Eigen::Index& cols, std::array<int, 2> fixed);
+  void shape(std::string_view name, Eigen::Index& rows, Eigen::Index& cols, std::array<int, 2> fixed);
   void numbers(double* values, Eigen::Index count);  // and ends the line
   long checked_count(long count, std::size_t present) const;
   [[noreturn]] void fail(const std::string& what) const;

@@ -8,10 +8,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "coupler/base/errors.h"
 #include "coupler/base/field_list.h"
 #include "coupler/base/text.h"
-#include "coupler/codes.h"
 #include "coupler/message_fields.h"
 
 namespace footfall {
@@ -259,7 +257,8 @@ Found search(const T& value) {
     for_each_field<T>([&](const auto& field) {
       if (first.bad) return;
       if constexpr (!kInHead<std::decay_t<decltype(field)>>)
-        if (Found found = search(value.*field.member); found.bad) first = {true, "." + (field.name + found.place)};
+        if (Found found = search(value.*field.member); found.bad)
+          first = {true, "." + std::string(field.name) + found.place};
     });
     return first;
   }

@@ -50,8 +50,7 @@ BoundaryPath::BoundaryPath(const Scheme& scheme, const BodyMotion& initial)
       left_open_(initial.mode_count()) {}
 
 template <>
-inline constexpr auto kFields<BoundaryStep> =
-    std::tuple{Field{"r", &BoundaryStep::r}, Field{"theta_W", &BoundaryStep::theta_W}, Field{"a", &BoundaryStep::a}};
+inline constexpr auto kFields<BoundaryStep> = kFieldsOf<&BoundaryStep::r, &BoundaryStep::theta_W, &BoundaryStep::a>;
 
 void BoundaryPath::Carried::visit(Archive& archive) {
   archive("gap", gap);
@@ -61,13 +60,8 @@ void BoundaryPath::Carried::visit(Archive& archive) {
 
 // All other members are set anew in each window.
 void BoundaryPath::visit(Archive& archive) {
-  archive("pose", pose_);
-  archive("travelled", travelled_);
-  archive("amplitude", amplitude_);
-  archive("carried", carried_);
-  archive("n", n_);
-  archive("dt", dt_);
-  archive("is_known", is_known_);
+  archive.members<&BoundaryPath::pose_, &BoundaryPath::travelled_, &BoundaryPath::amplitude_, &BoundaryPath::carried_,
+                  &BoundaryPath::n_, &BoundaryPath::dt_, &BoundaryPath::is_known_>(*this);
 }
 
 void BoundaryPath::begin_window(const BodyMotion& start, int n, double dt, int closing, const KnownPath& known) {

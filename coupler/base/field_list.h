@@ -3,24 +3,40 @@
 // one:
 //
 //   template <>
-//   inline constexpr auto kFields<Start> = std::tuple{Field{"dt", &Start::dt}, Field{"n", &Start::n}};
+//   inline constexpr auto kFields<Start> = kFieldsOf<&Start::dt, &Start::n>;
 //
 // A list with fewer or more entries than its struct has members does not compile.
 
 #include <cstddef>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace footfall {
 
 template <class Struct, class Type>
 struct Field {
-  const char* name;
+  std::string_view name;
   Type Struct::*member;
 };
 template <class Struct, class Type>
-Field(const char*, Type Struct::*) -> Field<Struct, Type>;
+Field(std::string_view, Type Struct::*) -> Field<Struct, Type>;
+
+// The name of a member without the underscore at its end, from what the compiler writes:
+// "[... kMember = &footfall::Start::dt; ...]".
+template <auto kMember>
+constexpr std::string_view name_of_member() {
+  const std::string_view text = __PRETTY_FUNCTION__;
+  const std::size_t end = text.find_first_of(";]", text.find("kMember = "));
+  const std::size_t begin = text.rfind("::", end) + 2;
+  return text.substr(begin, end - begin - (text[end - 1] == '_' ? 1 : 0));
+}
+static_assert(name_of_member<&std::pair<int, int>::second>() == "second");
+
+template <auto... kMembers>
+inline constexpr auto kFieldsOf = std::tuple{Field{name_of_member<kMembers>(), kMembers}...};
 
 // The list of a struct, a tuple of fields; nullptr for structs without a list.
 template <class Struct>

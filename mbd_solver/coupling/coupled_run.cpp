@@ -70,9 +70,8 @@ std::vector<CoupledBody> bodies_with_boundary(const Mechanism& mechanism, const 
 
 template <>
 inline constexpr auto kFields<CouplingSample> =
-    std::tuple{Field{"substeps", &CouplingSample::substeps}, Field{"estimate", &CouplingSample::estimate},
-               Field{"energy_residual", &CouplingSample::energy_residual}, Field{"omega_h", &CouplingSample::omega_h},
-               Field{"changes", &CouplingSample::changes}};
+    kFieldsOf<&CouplingSample::substeps, &CouplingSample::estimate, &CouplingSample::energy_residual,
+              &CouplingSample::omega_h, &CouplingSample::changes>;
 
 CoupledRun::CoupledRun(const Scene& scene, const Mechanism& mechanism, const Assembly& assembly, Equations& equations,
                        const Kinematics& start, double t_end, Transport& transport, const std::string& resume)

@@ -51,19 +51,13 @@ WindowChoice::WindowChoice(const CouplingSpec& spec, double dt, double weight, c
     : spec_(spec), dt_(dt), limit_(limit), force_scale_(weight) {}
 
 void WindowChoice::History::visit(Archive& archive) {
-  archive("stiffness", stiffness);
-  archive("response", response);
-  archive("grain_omega2", grain_omega2);
-  archive("touched", touched);
-  archive("force", force);
-  archive("place", place);
+  archive.members<&History::stiffness, &History::response, &History::grain_omega2, &History::touched, &History::force,
+                  &History::place>(*this);
 }
 
 void WindowChoice::visit(Archive& archive) {
-  archive("force_scale", force_scale_);
-  archive("history", history_);
-  archive("estimate", estimate_);
-  archive("n", n_);
+  archive.members<&WindowChoice::force_scale_, &WindowChoice::history_, &WindowChoice::estimate_, &WindowChoice::n_>(
+      *this);
 }
 
 double WindowChoice::response(const Body& body, History& history) {

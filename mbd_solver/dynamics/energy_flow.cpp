@@ -46,19 +46,12 @@ void EnergyFlow::sample(const StoredEnergy& stored, const State& state, const Ki
 }
 
 void EnergyFlow::Forms::visit(Archive& archive) {
-  archive("stored", stored);
-  archive("dissipated", dissipated);
-  archive("load_work", load_work);
-  archive("supplied", supplied);
+  archive.members<&Forms::stored, &Forms::dissipated, &Forms::load_work, &Forms::supplied>(*this);
 }
 
 void EnergyFlow::visit(Archive& archive) {
-  archive("started", started_);
-  archive("V0", V0_);
-  archive("last", last_);
-  archive("flow", flow_);
-  archive("largest_kinetic", largest_kinetic_);
-  archive("largest_form", largest_form_);
+  archive.members<&EnergyFlow::started_, &EnergyFlow::V0_, &EnergyFlow::last_, &EnergyFlow::flow_,
+                  &EnergyFlow::largest_kinetic_, &EnergyFlow::largest_form_>(*this);
 }
 
 double EnergyFlow::scale() const { return std::max({flow_, largest_kinetic_, kRoundOff * largest_form_}); }

@@ -1,7 +1,6 @@
 // A row per column: name, unit, least value and its time, largest value and its time.
 #include "mbd_solver/session/output/peaks.h"
 
-#include <cmath>
 #include <filesystem>
 
 #include "coupler/base/errors.h"
@@ -18,10 +17,8 @@ constexpr std::size_t kWidth = 6;
 }  // namespace
 
 void ColumnPeaks::visit(Archive& archive) {
-  archive("least", least);
-  archive("least_time", least_time);
-  archive("largest", largest);
-  archive("largest_time", largest_time);
+  archive.members<&ColumnPeaks::least, &ColumnPeaks::least_time, &ColumnPeaks::largest, &ColumnPeaks::largest_time>(
+      *this);
 }
 
 Peaks::Peaks(const std::vector<std::string>& names, const std::vector<std::string>& units) {

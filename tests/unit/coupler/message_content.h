@@ -28,7 +28,7 @@ void walk(const std::string& path, const Shapes& shapes, const Visit& visit, T& 
       walk(path + "[" + std::to_string(i) + "]", shapes, visit, value[i], others[i]...);
   } else if constexpr (kHasFields<Plain>) {
     for_each_field<Plain>([&](const auto& field) {
-      walk(path + "." + field.name, shapes, visit, value.*field.member, others.*field.member...);
+      walk(path + "." + std::string(field.name), shapes, visit, value.*field.member, others.*field.member...);
     });
   } else {
     visit(path, value, others...);
