@@ -37,9 +37,9 @@ double ConstantLoadScheme::pending_work(const AnsweredLoads& loads, const Predic
 
 MapState ConstantLoadScheme::window_map(double omega_h, int n, const MapState& z) const {
   const double K = omega_h * omega_h, x = z[0], v = z[1], a = z[2], gap = z[3] - z[0];
-  const double velocity = path_degree() >= 1 ? v : 0.0, acceleration = path_degree() >= 2 ? a : 0.0;
+  const double velocity = path_degree_ >= 1 ? v : 0.0, acceleration = path_degree_ >= 2 ? a : 0.0;
   // mean f = trapezoid + end_step (f(1) - f(0)).
-  const double end_step = 0.5 * (weights().closing - weights().opening) / n;
+  const double end_step = 0.5 * (weights_.closing - weights_.opening) / n;
   const double mean_tau = 0.5 + end_step, mean_tau2 = 1.0 / 3.0 + 1.0 / (6.0 * n * n) + end_step,
                mean_g = 0.5 / (1.0 * n * n) - end_step;
   // A boundary that jumps does so after the force at the start of the window.
@@ -50,14 +50,18 @@ MapState ConstantLoadScheme::window_map(double omega_h, int n, const MapState& z
   return out;
 }
 
-void CssTrapezoid::predict(const BodyMotion& start, double tau, BodyMotion& out) const {
-  predict_linear(start, tau, out);
-}
-
-void Css::predict(const BodyMotion& start, double tau, BodyMotion& out) const { predict_linear(start, tau, out); }
-
-// r + dr tau + ddr tau^2/2,  exp(w tau + dw tau^2/2) L,  a + da tau + dda tau^2/2.
-void Quadratic::predict(const BodyMotion& start, double tau, BodyMotion& out) const {
+void ConstantLoadScheme::predict(const BodyMotion& start, double tau, BodyMotion& out) const {
+  if (path_degree_ == 1) return predict_linear(start, tau, out);
+  if (path_degree_ == 0) {
+    out.r = start.r;
+    out.L = start.L;
+    out.a = start.a;
+    out.dr.setZero();
+    out.w.setZero();
+    out.da.setZero();
+    return;
+  }
+  // r + dr tau + ddr tau^2/2,  exp(w tau + dw tau^2/2) L,  a + da tau + dda tau^2/2.
   const double half = 0.5 * tau;
   const Eigen::Vector3d theta = tau * (start.w + half * start.dw);
   out.r = start.r + tau * (start.dr + half * start.ddr);
@@ -66,15 +70,6 @@ void Quadratic::predict(const BodyMotion& start, double tau, BodyMotion& out) co
   out.dr = start.dr + tau * start.ddr;
   out.w = angular_velocity(theta, start.w + tau * start.dw);
   out.da = start.da + tau * start.dda;
-}
-
-void Frozen::predict(const BodyMotion& start, double, BodyMotion& out) const {
-  out.r = start.r;
-  out.L = start.L;
-  out.a = start.a;
-  out.dr.setZero();
-  out.w.setZero();
-  out.da.setZero();
 }
 
 }  // namespace footfall

@@ -8,6 +8,10 @@ namespace footfall {
 
 class ConstantLoadScheme : public Scheme {
  public:
+  std::string_view name() const override { return name_; }
+  void predict(const BodyMotion& start, double tau, BodyMotion& out) const override;
+  StepWeights weights() const override { return weights_; }
+  bool continuous_path() const override { return path_degree_ > 0; }
   bool requires_tangent() const override { return false; }
   // The path has the rates of the computed state.
   void set_path_rates(const Matrix6d&, const BodyLoad&, double, BodyMotion&) const override {}
@@ -22,62 +26,40 @@ class ConstantLoadScheme : public Scheme {
   //   x' = x + v + f/2,  v' = v + f,  a' = f
   MapState window_map(double omega_h, int n, const MapState& z) const override;
 
+ protected:
+  // path_degree: highest power of tau in the path: 0 at rest, 1 with velocity, 2 with acceleration.
+  ConstantLoadScheme(std::string_view name, int path_degree, StepWeights weights)
+      : name_(name), path_degree_(path_degree), weights_(weights) {}
+
  private:
-  // Highest power of tau in the path: 0 at rest, 1 with velocity, 2 with acceleration.
-  virtual int path_degree() const = 0;
+  std::string_view name_;
+  int path_degree_;
+  StepWeights weights_;
 };
 
 // `css-trapezoid`: the straight path, and the mean whose impulse velocity Verlet applies. The default.
-class CssTrapezoid : public ConstantLoadScheme {
- public:
+struct CssTrapezoid : ConstantLoadScheme {
   static constexpr std::string_view kName = "css-trapezoid";
-  std::string_view name() const override { return kName; }
-  void predict(const BodyMotion& start, double tau, BodyMotion& out) const override;
-  StepWeights weights() const override { return {0.5, 0.5}; }
-  bool continuous_path() const override { return true; }
-
- private:
-  int path_degree() const override { return 1; }
+  CssTrapezoid() : ConstantLoadScheme(kName, 1, {0.5, 0.5}) {}
 };
 
 // `css`: the straight path, and the mean over steps 1..n as published [Lin25 35].
-class Css : public ConstantLoadScheme {
- public:
+struct Css : ConstantLoadScheme {
   static constexpr std::string_view kName = "css";
-  std::string_view name() const override { return kName; }
-  void predict(const BodyMotion& start, double tau, BodyMotion& out) const override;
-  StepWeights weights() const override { return {0.0, 1.0}; }
-  bool continuous_path() const override { return true; }
-
- private:
-  int path_degree() const override { return 1; }
+  Css() : ConstantLoadScheme(kName, 1, {0.0, 1.0}) {}
 };
 
 // `quadratic`: as css-trapezoid, with half the accelerations times tau^2 in the path.
-class Quadratic : public ConstantLoadScheme {
- public:
+struct Quadratic : ConstantLoadScheme {
   static constexpr std::string_view kName = "quadratic";
-  std::string_view name() const override { return kName; }
-  void predict(const BodyMotion& start, double tau, BodyMotion& out) const override;
-  StepWeights weights() const override { return {0.5, 0.5}; }
-  bool continuous_path() const override { return true; }
-
- private:
-  int path_degree() const override { return 2; }
+  Quadratic() : ConstantLoadScheme(kName, 2, {0.5, 0.5}) {}
 };
 
 // `frozen`: the boundary rests in its pose at t_k during the whole window. For teaching and tests only: it creates
 // energy.
-class Frozen : public ConstantLoadScheme {
- public:
+struct Frozen : ConstantLoadScheme {
   static constexpr std::string_view kName = "frozen";
-  std::string_view name() const override { return kName; }
-  void predict(const BodyMotion& start, double tau, BodyMotion& out) const override;
-  StepWeights weights() const override { return {0.5, 0.5}; }
-  bool continuous_path() const override { return false; }
-
- private:
-  int path_degree() const override { return 0; }
+  Frozen() : ConstantLoadScheme(kName, 0, {0.5, 0.5}) {}
 };
 
 }  // namespace footfall

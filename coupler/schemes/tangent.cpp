@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupler/schemes/scheme.h"
-
 namespace footfall {
 namespace {
 
