@@ -2,8 +2,6 @@
 
 #include "coupler/couple_mbd_arguments.h"
 
-#include <cmath>
-
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "coupler/codes.h"

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "coupler/base/errors.h"
 #include "coupler/messages.h"
 #include "coupler/transport.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Carries bytes to the partner program. Two kinds: MPI between two programs, loopback between two threads of one.
+// Carries bytes to the partner program: MPI between two programs; tests have a loopback between two threads of one.
 
 #include <string>
 

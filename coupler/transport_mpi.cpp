@@ -4,8 +4,6 @@
 #include "coupler/transport_mpi.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <thread>
@@ -16,7 +14,6 @@
 #include "coupler/base/interrupt.h"
 #include "coupler/base/text.h"
 #include "coupler/codes.h"
-#include "coupler/communicator.h"
 #include "coupler/polling_wait.h"
 #include "coupler/programs.h"
 

@@ -13,6 +13,8 @@
 #include <cstring>
 #include <ctime>
 
+#include "coupler/base/errors.h"
+
 namespace footfall {
 namespace {
 

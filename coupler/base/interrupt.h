@@ -4,8 +4,6 @@
 
 #include <csignal>
 
-#include "coupler/base/errors.h"
-
 namespace footfall {
 
 // From here on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGUSR1 end this program with kExitInterrupted: at once while there

@@ -12,7 +12,6 @@
 #include <string>
 
 #include "coupler/base/codes.h"
-#include "coupler/base/errors.h"
 
 namespace footfall {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <thread>
 
-#include "coupler/transport_loopback.h"
 #include "liggghts_fix/link/dem_link.h"
 #include "tests/coupled/two_mass.h"
+#include "tests/support/transport_loopback.h"
 
 namespace footfall::test {
 namespace two_mass {

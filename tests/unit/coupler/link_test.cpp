@@ -12,8 +12,8 @@
 #include "coupler/link.h"
 #include "coupler/messages.h"
 #include "coupler/polling_wait.h"
-#include "coupler/transport_loopback.h"
 #include "tests/support/refused.h"
+#include "tests/support/transport_loopback.h"
 
 namespace footfall {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "coupler/link.h"
-#include "coupler/transport_loopback.h"
+#include "tests/support/transport_loopback.h"
 
 namespace footfall::test {
 

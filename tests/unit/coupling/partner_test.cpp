@@ -12,7 +12,6 @@
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "coupler/schemes/registry.h"
-#include "coupler/transport_loopback.h"
 #include "mbd_solver/assemble/mechanism.h"
 #include "mbd_solver/coupling/codes.h"
 #include "mbd_solver/coupling/contact_mass.h"
@@ -20,6 +19,7 @@
 #include "mbd_solver/coupling/dem_partner.h"
 #include "mbd_solver/dynamics/assembly.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/transport_loopback.h"
 #include "tests/unit/coupling/loopback_grains.h"
 #include "tests/unit/scene/scene_text.h"
 

@@ -7,13 +7,13 @@
 #include "coupler/base/clock.h"
 #include "coupler/base/interrupt.h"
 #include "coupler/schemes/registry.h"
-#include "coupler/transport_loopback.h"
 #include "liggghts_fix/link/codes.h"
 #include "liggghts_fix/link/dem_link.h"
 #include "liggghts_fix/link/grain_books.h"
 #include "liggghts_fix/link/grain_paths.h"
 #include "liggghts_fix/link/rank_shares.h"
 #include "tests/support/refused.h"
+#include "tests/support/transport_loopback.h"
 #include "tests/unit/coupler/message_content.h"
 
 namespace footfall {
