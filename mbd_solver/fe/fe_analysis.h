@@ -1,6 +1,6 @@
 #pragma once
-// Statics and vibration of a finite-element model on supports, the reference for reduced models; parts of matrices by degree
-// of freedom, and rigid-body motions.
+// Statics of a finite-element model on supports, the reference for reduced models; parts of matrices by degree of freedom,
+// and rigid-body motions.
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
@@ -29,17 +29,8 @@ Eigen::MatrixXd rigid_motions(const FeModel& model, const Eigen::Vector3d& centr
 // stiffness".
 double elastic_scale(const FeModel& model);
 
-// Six numbers per node: forces [N] and moments [N m] at the nodes of a pressure [Pa] on all triangles against their normals.
-Eigen::VectorXd pressure_load(const FeModel& model, double pressure);
-
 // 6N displacements [m, rad] under the load (6N), with the listed degrees of freedom (6 j + i) held at zero. Throws InputError
 // if the supports leave the body free to move.
 Eigen::VectorXd static_solution(const FeModel& model, const std::vector<int>& fixed, const Eigen::VectorXd& load);
-
-// The lowest natural frequencies on these supports [Hz]; a free body has six zeros first.
-Eigen::VectorXd natural_frequencies(const FeModel& model, const std::vector<int>& fixed, int count);
-
-// The six degrees of freedom of a node, or only the given components (0..5).
-std::vector<int> node_dofs(int node, const std::vector<int>& components = {0, 1, 2, 3, 4, 5});
 
 }  // namespace footfall

@@ -48,4 +48,10 @@ struct FrdModes {
 };
 FrdModes parse_frd_modes(const std::string& bytes, const std::string& file, const FeMesh& mesh);
 
+// The surface of a mesh of another finite-element code.
+
+// The outer faces of solids, counter-clockwise seen from outside, else all faces of shells; elements with nodes on edges are
+// cut there, so that all nodes of the surface are corners. Indices of points.
+std::vector<Eigen::Vector3i> skin_of(const FeMesh& mesh);
+
 }  // namespace footfall

@@ -8,14 +8,12 @@
 #include <locale>
 #include <numeric>
 #include <sstream>
-#include <string>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/number.h"
 #include "mbd_solver/base/codes.h"
 #include "mbd_solver/fe/elements.h"
 #include "mbd_solver/fe/fe_analysis.h"
-#include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/rotation.h"
 
@@ -143,23 +141,6 @@ FeModel beam_model(const std::vector<Vector3d>& nodes, const std::vector<BeamMem
   model.stiffness = assembled(6 * count, 6 * count, stiffness);
   model.stress = assembled(6 * kBeamStressPoints * static_cast<int>(model.segments.size()), 6 * count, stress);
   return model;
-}
-
-FeModel straight_beam(const Vector3d& from, const Vector3d& to, int n, const BeamSection& section,
-                      const Material& material) {
-  if (n < 1) throw InputError(code::kFeModel, "beam: " + std::to_string(n) + " elements, expected at least 1.");
-  std::vector<Vector3d> nodes;
-  std::vector<BeamMember> members;
-  for (int i = 0; i <= n; ++i) {
-    nodes.push_back(from + (to - from) * (static_cast<double>(i) / n));
-    if (i > 0) {
-      BeamMember member;
-      member.first = i - 1;
-      member.second = i;
-      members.push_back(member);
-    }
-  }
-  return beam_model(nodes, members, {section}, material);
 }
 
 FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& material, const std::string& where) {

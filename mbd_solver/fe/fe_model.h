@@ -61,10 +61,6 @@ struct BeamMember {
 FeModel beam_model(const std::vector<Eigen::Vector3d>& nodes, const std::vector<BeamMember>& members,
                    const std::vector<BeamSection>& sections, const Material& material);
 
-// Nodes 0..n from one end to the other, n + 1 ... 2 n the middles of the n elements.
-FeModel straight_beam(const Eigen::Vector3d& from, const Eigen::Vector3d& to, int n, const BeamSection& section,
-                      const Material& material);
-
 // Thin shell on a connected triangle mesh (its mid-surface); a third of each triangle's mass at each corner, no rotary
 // inertia.
 FeModel plate_model(const TriangleMesh& mesh, double thickness, const Material& material,

@@ -192,8 +192,12 @@ class MshFile {
     const long a = in_.integer(), b = in_.integer();
     return first_4_ ? std::pair{b, a} : std::pair{a, b};
   }
+  void node(long tag) {
+    Vector3d x;
+    for (int k = 0; k < 3; ++k) x(k) = in_.real();
+    mesh_.add_node(tag, x, [&](const std::string& what) { in_.fail(what); });
+  }
   void nodes() {
-    const auto fail = [&](const std::string& what) { in_.fail(what); };
     const long blocks = blocks_ahead();
     for (long b = 0; b < blocks; ++b) {
       const long dimension = entity().first, parametric = in_.integer(), count = in_.count(in_.size(), 6);
@@ -201,25 +205,16 @@ class MshFile {
       std::vector<long> tags;
       for (long i = 0; i < count && !first_4_; ++i) tags.push_back(in_.size());
       for (long i = 0; i < count; ++i) {
-        const long tag = first_4_ ? in_.integer() : tags[i];
-        Vector3d x;
-        for (int k = 0; k < 3; ++k) x(k) = in_.real();
+        node(first_4_ ? in_.integer() : tags[i]);
         for (long k = 0; parametric != 0 && k < dimension; ++k) in_.real();
-        mesh_.add_node(tag, x, fail);
       }
     }
     in_.require_end("Nodes");
   }
   void old_nodes() {
-    const auto fail = [&](const std::string& what) { in_.fail(what); };
     const long count = in_.count(in_.whole_word(), 6);
     in_.begin_data();
-    for (long i = 0; i < count; ++i) {
-      const long tag = in_.integer();
-      Vector3d x;
-      for (int k = 0; k < 3; ++k) x(k) = in_.real();
-      mesh_.add_node(tag, x, fail);
-    }
+    for (long i = 0; i < count; ++i) node(in_.integer());
     in_.require_end("Nodes");
   }
   void elements() {

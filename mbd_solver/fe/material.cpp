@@ -2,7 +2,6 @@
 
 #include "mbd_solver/fe/material.h"
 
-#include <algorithm>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -66,33 +65,6 @@ BeamSection tube_section(double outer_diameter, double wall) {
 BeamSection rod_section(double diameter) {
   require_positive_constant(diameter, "diameter [m]");
   return ring(0.0, 0.5 * diameter);
-}
-
-// Saint-Venant, long side a, short side b, twist rate g, sums over odd n:
-//   torque / (G g) = a b^3/3 (1 - 192 b/(pi^5 a) sum tanh(n pi a/(2b)) / n^5)
-//   tau_max / (G g) = b (1 - 8/pi^2 sum 1 / (n^2 cosh(n pi a/(2b))))   in the middle of the long side
-BeamSection rectangle_section(double width, double height) {
-  require_positive_constant(width, "width [m]");
-  require_positive_constant(height, "height [m]");
-  BeamSection section;
-  section.area = width * height;
-  section.bending_y = width * std::pow(height, 3) / 12.0;
-  section.bending_z = height * std::pow(width, 3) / 12.0;
-  const double a = std::max(width, height);
-  const double b = std::min(width, height);
-  double twist = 0.0;
-  double shear = 0.0;
-  for (int n = 1; n < 200; n += 2) {
-    const double x = std::min(n * kPi * a / (2.0 * b), 700.0);  // cosh must not overflow
-    twist += std::tanh(x) / std::pow(n, 5);
-    shear += 1.0 / (n * n * std::cosh(x));
-  }
-  section.torsion = a * b * b * b / 3.0 * (1.0 - 192.0 * b / (std::pow(kPi, 5) * a) * twist);
-  section.torsion_modulus = section.torsion / (b * (1.0 - 8.0 / (kPi * kPi) * shear));
-  const double y = 0.5 * width;
-  const double z = 0.5 * height;
-  section.fibres = {Eigen::Vector2d(y, z), Eigen::Vector2d(-y, z), Eigen::Vector2d(-y, -z), Eigen::Vector2d(y, -z)};
-  return section;
 }
 
 BeamSection general_section(double area, double bending_y, double bending_z, double torsion, double radius) {

@@ -31,8 +31,6 @@ struct BeamSection {
 // All lengths in m; all throw InputError on values that are no section.
 BeamSection tube_section(double outer_diameter, double wall);
 BeamSection rod_section(double diameter);
-// Solid rectangle, width along y, height along z; torsion by Saint-Venant's series.
-BeamSection rectangle_section(double width, double height);
 // Any section: radius is the distance of the outer fibre from the axis, for stresses only; shear stress is
 // torque radius / torsion.
 BeamSection general_section(double area, double bending_y, double bending_z, double torsion, double radius);

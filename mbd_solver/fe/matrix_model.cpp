@@ -7,17 +7,13 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <map>
-#include <optional>
 #include <set>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/number.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/fe_mesh.h"
-#include "mbd_solver/fe/mesh_skin.h"
 #include "mbd_solver/fe/model_text.h"
 #include "mbd_solver/fe/spider.h"
 #include "mbd_solver/model/codes.h"
@@ -605,15 +601,6 @@ FeModel read_matrix_model(const MatrixFiles& files) {
     add_spider(model, nodes, spec.kind, spec.point ? &*spec.point : nullptr, "\"" + spec.node_set + "\"");
   }
   return model;
-}
-
-FeModel read_matrix_market(const std::string& stiffness_path, const std::string& mass_path,
-                           const std::string& nodes_path) {
-  MatrixFiles files;
-  files.stiffness = stiffness_path;
-  files.mass = mass_path;
-  files.nodes = nodes_path;
-  return read_matrix_model(files);
 }
 
 }  // namespace footfall

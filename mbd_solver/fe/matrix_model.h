@@ -50,8 +50,4 @@ struct MatrixFiles {
 // A free body in SI units. Throws InputError with path:line.
 FeModel read_matrix_model(const MatrixFiles& files);
 
-// The same without interfaces and stresses.
-FeModel read_matrix_market(const std::string& stiffness_path, const std::string& mass_path,
-                           const std::string& nodes_path);
-
 }  // namespace footfall

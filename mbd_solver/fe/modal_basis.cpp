@@ -4,6 +4,7 @@
 #include "mbd_solver/fe/modal_basis.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,6 @@
 #include <locale>
 #include <numeric>
 #include <sstream>
-#include <vector>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/number.h"
@@ -20,9 +20,7 @@
 #include "mbd_solver/fe/codes.h"
 #include "mbd_solver/fe/eigen_solver.h"
 #include "mbd_solver/fe/fe_analysis.h"
-#include "mbd_solver/fe/fe_model.h"
 #include "mbd_solver/fe/spider.h"
-#include "mbd_solver/fe/static_error.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/mass_properties.h"
 
@@ -33,6 +31,161 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
+
+constexpr double kShift = 1e-4;          // of the elastic scale; see balanced_solution
+constexpr int kPasses = 5;               // error 1e-4 to the sixth power, with a scale 100 times too high 1e-12
+constexpr double kSameDirection = 1e-9;  // smaller singular values relative to the largest are round-off
+constexpr double kOnlyRigid = 1e-6;      // a smaller rest of a balanced unit load counts as zero
+
+// A free body with its interface, on the same degrees of freedom.
+struct HeldBody {
+  const Sparse &K, &M;
+  const MatrixXd& rigid;         // n x 6: its rigid-body motions, translations first
+  const std::vector<int>& held;  // degrees of freedom of the interface; not empty
+  double scale;                  // about the first elastic lambda [1/s2]
+};
+
+// Rows and columns of one size, so that metres and radians can be compared.
+MatrixXd scaled(MatrixXd x) {
+  for (Index j = 0; j < x.cols(); ++j)
+    if (const double size = x.col(j).norm(); size > 0.0) x.col(j) /= size;
+  return x;
+}
+
+// y with A y = 0, orthonormal columns.
+MatrixXd null_space(const MatrixXd& A) {
+  const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeFullV);
+  const VectorXd& sigma = svd.singularValues();
+  const Index rank = (sigma.array() > kSameDirection * sigma(0)).count();
+  return svd.matrixV().rightCols(A.cols() - rank);
+}
+
+// x with K x = load, up to motions without strain. K may be singular if load does no work on these motions. M: mass, scale:
+// about the first elastic lambda [1/s2]; they do not influence the solution. Throws InputError if K has negative directions.
+// A slightly shifted matrix and refinement find it: each pass reduces the error by the factor
+// shift / (first elastic lambda + shift).
+MatrixXd balanced_solution(const Sparse& K, const Sparse& M, const MatrixXd& load, double scale) {
+  const Eigen::SimplicialLDLT<Sparse> factor(Sparse(K + kShift * scale * M));
+  if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0.0))
+    throw InputError(code::kStiffness, "stiffness is not positive definite with the interface held.");
+  MatrixXd x = factor.solve(load);
+  for (int pass = 0; pass < kPasses; ++pass) x += factor.solve(load - K * x);
+  return x;
+}
+
+// Columns: the unit loads at the interface, each balanced by others there: (I - Q Q^T) e_i, Q an orthonormal basis of
+// the rigid-body motions of the interface.
+MatrixXd interface_loads(const HeldBody& body) {
+  const MatrixXd R_b = gathered(body.rigid, body.held);
+  const Eigen::JacobiSVD<MatrixXd> svd(scaled(R_b), Eigen::ComputeThinU);
+  const VectorXd& sigma = svd.singularValues();
+  const MatrixXd Q = svd.matrixU().leftCols((sigma.array() > kSameDirection * sigma(0)).count());
+  const Index n = R_b.rows();
+  const MatrixXd balanced = MatrixXd::Identity(n, n) - Q * Q.transpose();
+  std::vector<int> some;
+  for (Index i = 0; i < n; ++i)
+    if (balanced.col(i).norm() > kOnlyRigid) some.push_back(static_cast<int>(i));
+  return scattered(gathered(balanced, some).transpose(), body.held, body.K.rows());
+}
+
+// Number of independent rigid-body motions that the interface holds, 0 to 6.
+int held_motions(const HeldBody& body) {
+  return 6 - static_cast<int>(null_space(gathered(scaled(body.rigid), body.held)).cols());
+}
+
+// The largest relative error, 0 to 1, of static deflections of a body with the elastic `shapes` (n x s, s > 0) against
+// the full model: unit forces and moments at the interface, each balanced by others there: deflection at the loads,
+// max_i 1 - c_i' / c_i with c = f . K^+ f of the model and c' = (Phi^T f) . (Phi^T K Phi)^-1 (Phi^T f) of the shapes.
+double interface_error(const HeldBody& body, const MatrixXd& shapes) {
+  const MatrixXd f = interface_loads(body);
+  if (f.cols() == 0) return 0.0;
+  const VectorXd exact = f.cwiseProduct(balanced_solution(body.K, body.M, f, body.scale)).colwise().sum();
+  const MatrixXd unit = scaled(shapes), Q = unit.transpose() * f;
+  const MatrixXd K = unit.transpose() * (body.K * unit);
+  const VectorXd found = Q.cwiseProduct(K.ldlt().solve(Q)).colwise().sum();
+  return (1.0 - found.array() / exact.array()).maxCoeff();
+}
+
+// The same for weight, held at the interface, along each axis: mean deflection, over that along the softest axis;
+// f = M r for translations r, without the part that swings the body about an interface that does not hold it.
+double weight_error(const HeldBody& body, const MatrixXd& shapes) {
+  std::vector<int> all(static_cast<std::size_t>(body.K.rows()));
+  std::iota(all.begin(), all.end(), 0);
+  const std::vector<int> inside = other_dofs(all, body.held);
+  if (inside.empty()) return 0.0;
+  const Sparse K = selected(body.K, inside, inside), M = selected(body.M, inside, inside);
+  const MatrixXd rigid = scaled(body.rigid), R = gathered(rigid, inside);
+  const MatrixXd swing = R * null_space(gathered(rigid, body.held));
+  MatrixXd f = M * R.leftCols<3>();
+  if (swing.cols() > 0) {
+    const MatrixXd M_swing = M * swing;
+    f -= M_swing * (swing.transpose() * M_swing).ldlt().solve(swing.transpose() * f);
+  }
+  const VectorXd exact = f.cwiseProduct(balanced_solution(K, M, f, body.scale)).colwise().sum();
+
+  // Motions of frame and shapes with the interface at rest.
+  MatrixXd V(body.rigid.rows(), 6 + shapes.cols());
+  V << body.rigid, shapes;
+  V = scaled(V);
+  const MatrixXd W = gathered(V, inside) * null_space(gathered(V, body.held));
+  VectorXd found = VectorXd::Zero(3);
+  if (W.cols() > 0) {
+    const Modes modes = all_modes(W.transpose() * (K * W), W.transpose() * (M * W), body.scale);
+    for (Index k = 0; k < modes.lambda.size(); ++k)
+      if (modes.lambda(k) > kNoStiffness * body.scale)
+        found += (f.transpose() * (W * modes.shapes.col(k))).cwiseAbs2() / modes.lambda(k);
+  }
+  return exact.maxCoeff() > 0.0 ? (exact - found).maxCoeff() / exact.maxCoeff() : 0.0;
+}
+
+// Of loads at joints and struts, and of weight: each balanced, they are solved with the full model and within the basis.
+double static_error(const HeldBody& body, const MatrixXd& shapes) {
+  FOOTFALL_DEMAND(!body.held.empty() && shapes.cols() > 0 && shapes.rows() == body.K.rows());
+  return std::max({0.0, interface_error(body, shapes), weight_error(body, shapes)});
+}
+
+// --- Modes of equal frequency.
+
+constexpr double kOneFrequency = 1e-9;  // relative difference of equal lambdas
+constexpr double kApart = 1e-3;         // of the largest eigenvalue of B
+
+// sum_i i e_i e_i^T, i = 1, 2, 3: distinguishes motions along the principal axes e_i.
+Eigen::Matrix3d axis_weight(const Eigen::Matrix3d& principal_axes) {
+  return principal_axes * Eigen::Vector3d(1.0, 2.0, 3.0).asDiagonal() * principal_axes.transpose();
+}
+
+// W, 6N x 6N: the node's mass times axis_weight for its displacement, nothing for its rotation [kg].
+Eigen::SparseMatrix<double> axis_weights(const FeModel& model) {
+  const Eigen::Matrix3d weight = axis_weight(principal_axes(mass_properties(model).inertia));
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int j = 0; j < model.node_count(); ++j)
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) entries.emplace_back(6 * j + a, 6 * j + b, model.node_mass(j) * weight(a, b));
+  const Index size = 6 * model.node_count() + model.extra;
+  Eigen::SparseMatrix<double> W(size, size);
+  W.setFromTriplets(entries.begin(), entries.end());
+  return W;
+}
+
+// Y (s x s, orthogonal): modes of equal frequency among the shapes X Y move along one axis each, where possible. lambda: s,
+// rising [1/s2]; B = X^T W X, s x s. Within each group of equal frequency Y holds eigenvectors of B, if its eigenvalues are
+// distinct; elsewhere Y is the identity.
+MatrixXd along_axes(const VectorXd& lambda, const MatrixXd& B) {
+  const Index modes = lambda.size();
+  MatrixXd Y = MatrixXd::Identity(modes, modes);
+  for (Index first = 0, end = 0; first < modes; first = end) {
+    for (end = first + 1; end < modes && lambda(end) - lambda(end - 1) <= kOneFrequency * lambda(end);) ++end;
+    const Index size = end - first;
+    if (size == 1) continue;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(B.block(first, first, size, size));
+    const VectorXd along = eigen.eigenvalues();  // rising
+    const bool apart = (along.tail(size - 1) - along.head(size - 1)).minCoeff() > kApart * along(size - 1);
+    if (apart) Y.block(first, first, size, size) = eigen.eigenvectors();
+  }
+  return Y;
+}
+
+// --- The reduction.
 
 constexpr double kTwoPi = 2.0 * kPi;
 constexpr double kRigidMode = 1e-2;  // of the elastic scale: files print modes with six digits
@@ -519,45 +672,6 @@ ReducedBody orthonormalised(ModalBody body, const MatrixXd& stiffness, const Bas
                   who + ": no elastic mode is below the frequency limit; the body is rigid. Increase the limit."));
   result.body = std::move(body);
   return result;
-}
-
-// --- Modes of equal frequency.
-
-namespace {
-
-constexpr double kApart = 1e-3;  // of the largest eigenvalue of B
-
-}  // namespace
-
-Matrix3d axis_weight(const Matrix3d& principal_axes) {
-  return principal_axes * Eigen::Vector3d(1.0, 2.0, 3.0).asDiagonal() * principal_axes.transpose();
-}
-
-Eigen::SparseMatrix<double> axis_weights(const FeModel& model) {
-  const Matrix3d weight = axis_weight(principal_axes(mass_properties(model).inertia));
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int j = 0; j < model.node_count(); ++j)
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b) entries.emplace_back(6 * j + a, 6 * j + b, model.node_mass(j) * weight(a, b));
-  const Index size = 6 * model.node_count() + model.extra;
-  Eigen::SparseMatrix<double> W(size, size);
-  W.setFromTriplets(entries.begin(), entries.end());
-  return W;
-}
-
-MatrixXd along_axes(const VectorXd& lambda, const MatrixXd& B) {
-  const Index modes = lambda.size();
-  MatrixXd Y = MatrixXd::Identity(modes, modes);
-  for (Index first = 0, end = 0; first < modes; first = end) {
-    for (end = first + 1; end < modes && lambda(end) - lambda(end - 1) <= kOneFrequency * lambda(end);) ++end;
-    const Index size = end - first;
-    if (size == 1) continue;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(B.block(first, first, size, size));
-    const VectorXd along = eigen.eigenvalues();  // rising
-    const bool apart = (along.tail(size - 1) - along.head(size - 1)).minCoeff() > kApart * along(size - 1);
-    if (apart) Y.block(first, first, size, size) = eigen.eigenvectors();
-  }
-  return Y;
 }
 
 }  // namespace footfall

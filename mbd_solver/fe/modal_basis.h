@@ -69,17 +69,4 @@ Eigen::VectorXd frequencies(const ModalBody& body);
 ReducedBody orthonormalised(ModalBody raw, const Eigen::MatrixXd& stiffness, const BasisOptions& options,
                             const std::vector<bool>* turning = nullptr);
 
-constexpr double kOneFrequency = 1e-9;  // relative difference of equal lambdas
-
-// sum_i i e_i e_i^T, i = 1, 2, 3: distinguishes motions along the principal axes e_i.
-Eigen::Matrix3d axis_weight(const Eigen::Matrix3d& principal_axes);
-
-// W, 6N x 6N: the node's mass times axis_weight for its displacement, nothing for its rotation [kg].
-Eigen::SparseMatrix<double> axis_weights(const FeModel& model);
-
-// Y (s x s, orthogonal): modes of equal frequency among the shapes X Y move along one axis each, where possible. lambda: s,
-// rising [1/s2]; B = X^T W X, s x s. Within each group of equal frequency Y holds eigenvectors of B, if its eigenvalues are
-// distinct; elsewhere Y is the identity.
-Eigen::MatrixXd along_axes(const Eigen::VectorXd& lambda, const Eigen::MatrixXd& B);
-
 }  // namespace footfall

@@ -46,7 +46,7 @@ void check_mesh(const TriangleMesh& mesh, const MeshDemands& demands, const std:
 //   integral of x x^T = sum V_k / 20 (a a^T + b b^T + c c^T + s s^T),   s = a + b + c
 // density [kg/m3]. A shell within another shell is a cavity if it faces inward.
 // Throws InputError beginning with `where`: defects of check_mesh, a surface that is not closed or not consistently
-// oriented, and shells that bound no solid (solid_shells.h).
+// oriented, and shells that bound no solid (require_solid).
 MassProperties polyhedron_properties(const TriangleMesh& mesh, double density, const std::string& where);
 
 }  // namespace footfall

@@ -29,7 +29,7 @@ struct ModalBody {
   Eigen::MatrixXd Psi;        // 3N x s rotational mode shapes [rad per unit of a]
   Eigen::VectorXd stiffness;  // s: omega_k^2 [1/s2] (mass-orthonormal modes)
   Eigen::VectorXd damping;    // s: 2 zeta_k omega_k [1/s]
-  // Largest relative error of static deflection against the full model (fe/static_error.h); empty if nothing is attached
+  // Largest relative error of static deflection against the full model (fe/modal_basis.cpp); empty if nothing is attached
   // or the model is not known.
   std::optional<double> static_error;
   // Stress recovery: sigma = stress_modes * a, six components (xx yy zz xy yz zx, element axes) per stress point.

@@ -14,7 +14,6 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/fe/fe_mesh.h"
-#include "mbd_solver/fe/mesh_skin.h"
 #include "mbd_solver/scene/codes.h"
 
 namespace footfall {

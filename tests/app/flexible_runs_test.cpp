@@ -17,6 +17,7 @@
 #include "mbd_solver/session/output/peaks.h"
 #include "mbd_solver/session/output/summary.h"
 #include "mbd_solver/session/run_scene.h"
+#include "tests/support/fe_reference.h"
 #include "tests/support/temporary_folder.h"
 
 namespace footfall {
@@ -291,7 +292,7 @@ void write_matrix(const std::string& path, const Eigen::SparseMatrix<double>& ma
 // The same rod once as a shape and once as the matrices of its finite-element model, and as the reduced model of a
 // file.
 TEST_F(FlexibleScene, FromMatricesOrFromAFileMovesAsTheOneFromItsShape) {
-  const FeModel model = straight_beam({0, 0, 0}, {1, 0, 0}, 8, rod_section(0.01), Material{7850.0, 207e9, 0.3});
+  const FeModel model = test::straight_beam({0, 0, 0}, {1, 0, 0}, 8, rod_section(0.01), Material{7850.0, 207e9, 0.3});
   write_matrix(file("K.mtx"), model.stiffness);
   write_matrix(file("M.mtx"), mass_matrix(model));
   {

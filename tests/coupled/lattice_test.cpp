@@ -12,6 +12,7 @@
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/scene/scene_reader.h"
 #include "tests/coupled/coupled_run.h"
+#include "tests/support/fe_reference.h"
 #include "tests/support/linear_algebra.h"
 
 namespace footfall::test {
@@ -427,7 +428,7 @@ TEST(PlateOnLattice, AtRestTheModalForceIsThatOfTheContactsAndBendsThePlateAsThe
     ASSERT_TRUE(found);
   }
   // Balanced loads: supports that only hold the rigid motion carry nothing.
-  std::vector<int> held = node_dofs(0, {0, 1, 2, 5});
+  std::vector<int> held = test::node_dofs(0, {0, 1, 2, 5});
   held.push_back(6 * (fine.node_count() - 1) + 2);
   held.push_back(6 * (fine.node_count() - 1 - 3 * kRings) + 2);
   const VectorXd u = static_solution(fine, held, load);

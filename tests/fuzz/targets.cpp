@@ -15,7 +15,6 @@
 #include "mbd_solver/assemble/law_files.h"
 #include "mbd_solver/fe/fe_mesh.h"
 #include "mbd_solver/fe/matrix_model.h"
-#include "mbd_solver/fe/mesh_skin.h"
 #include "mbd_solver/fe/modal_body_file.h"
 #include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/mesh_reader.h"
@@ -77,7 +76,7 @@ void mtx(const std::string& bytes) {
   as_file("matrix.mtx", bytes, [&](const std::string& path) {
     const std::size_t at = bytes.find("\nnodes");
     const std::string nodes = file_of("nodes", at == std::string::npos ? "0 0 0\n" : bytes.substr(at + 6));
-    read_matrix_market(path, path, nodes);
+    read_matrix_model({path, path, nodes});
   });
 }
 // Rows of the matrices of a bar of two nodes, as CalculiX lists them.

@@ -13,6 +13,7 @@
 #include "mbd_solver/model/mass_properties.h"
 #include "mbd_solver/session/settle.h"
 #include "tests/physics/motion_of.h"
+#include "tests/support/fe_reference.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"
 #include "tests/unit/scene/scene_text.h"
@@ -189,7 +190,7 @@ struct SliderCrank {
     options.interface_nodes = {0};
     options.pinned_nodes = {kElements};
     modal = std::make_shared<const ModalBody>(
-        reduce(straight_beam(pin, wrist, kElements, rod_section(kRodDiameter), steel), options, "rod").body);
+        reduce(test::straight_beam(pin, wrist, kElements, rod_section(kRodDiameter), steel), options, "rod").body);
     const Body flexible("rod", modal);
     state.r = 0.5 * (pin + wrist);
     rod = model.add_body(young > 0.0 ? flexible : Body("rod", flexible.mass(), flexible.rigid_inertia()), state);

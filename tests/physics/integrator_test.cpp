@@ -6,7 +6,6 @@
 #include <string>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/laws/gas_spring.h"
 #include "mbd_solver/model/laws/springs.h"
 #include "tests/physics/mechanisms.h"
 #include "tests/physics/motion_of.h"

@@ -11,6 +11,7 @@
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/modal_basis.h"
+#include "tests/support/fe_reference.h"
 
 namespace footfall {
 namespace structures {
@@ -55,16 +56,16 @@ double exact_frequency(Support support, int k, const BeamSection& s) {
 // The first five bending frequencies; every one comes twice, for y and z.
 VectorXd computed(Support support, int elements, const BeamSection& section) {
   const Vector3d end = kLength * Vector3d(2.0, -1.0, 2.0) / 3.0;  // any direction
-  const FeModel model = straight_beam(Vector3d::Zero(), end, elements, section, kSteel);
+  const FeModel model = test::straight_beam(Vector3d::Zero(), end, elements, section, kSteel);
   std::vector<int> fixed;
-  if (support == Support::kCantilever) fixed = node_dofs(0);
+  if (support == Support::kCantilever) fixed = test::node_dofs(0);
   if (support == Support::kPinned) {
-    fixed = node_dofs(0, {0, 1, 2});
-    for (int dof : node_dofs(elements, {0, 1, 2})) fixed.push_back(dof);
+    fixed = test::node_dofs(0, {0, 1, 2});
+    for (int dof : test::node_dofs(elements, {0, 1, 2})) fixed.push_back(dof);
   }
   // What these supports leave free besides bending: six rigid motions, or the turn about the axis.
   const int rigid = support == Support::kFree ? 6 : support == Support::kPinned ? 1 : 0;
-  const VectorXd f = natural_frequencies(model, fixed, rigid + 10);
+  const VectorXd f = test::natural_frequencies(model, fixed, rigid + 10);
   VectorXd result(5);
   for (int k = 0; k < 5; ++k) result(k) = f(rigid + 2 * k);
   return result;
@@ -89,7 +90,7 @@ TEST(BeamFrequencies, OfAFlexibleBodyWithFreeModesAreEulerBernoullis) {
   BasisOptions options;
   options.kind = BasisKind::kFreeFree;
   options.mode_count = 10;
-  const FeModel model = straight_beam(Vector3d::Zero(), Vector3d(0, 0, kLength), 12, section, kSteel);
+  const FeModel model = test::straight_beam(Vector3d::Zero(), Vector3d(0, 0, kLength), 12, section, kSteel);
   const VectorXd f = frequencies(reduce(model, options, "beam").body);
   for (int k = 1; k <= 5; ++k) {
     const double exact = exact_frequency(Support::kFree, k, section);
@@ -115,11 +116,11 @@ TEST(BeamFrequencies, ConvergeWithTheFourthPowerOfTheElementLength) {
 }
 
 TEST(BeamFrequencies, OfAxialAndTorsionalVibrationAreThoseOfTheRod) {
-  const FeModel model = straight_beam(Vector3d::Zero(), Vector3d(kLength, 0, 0), 16, rod_section(0.02), kSteel);
+  const FeModel model = test::straight_beam(Vector3d::Zero(), Vector3d(kLength, 0, 0), 16, rod_section(0.02), kSteel);
   std::vector<int> bending;  // held, so that only stretch and twist are left
   for (int j = 0; j < model.node_count(); ++j)
-    for (int dof : node_dofs(j, {1, 2, 4, 5})) bending.push_back(dof);
-  const VectorXd f = natural_frequencies(model, bending, 4);
+    for (int dof : test::node_dofs(j, {1, 2, 4, 5})) bending.push_back(dof);
+  const VectorXd f = test::natural_frequencies(model, bending, 4);
   const double torsion = std::sqrt(kSteel.shear_modulus() / kSteel.density) / (2.0 * kLength);
   const double axial = std::sqrt(kSteel.young / kSteel.density) / (2.0 * kLength);
   const double lumping = 2e-3;  // (k h)^2 / 12 of two-node elements
@@ -132,15 +133,15 @@ TEST(BeamDeflection, UnderPointLoadsIsExactAtTheNodes) {
   const double P = 10.0, EI = kSteel.young * s.bending_y, L = kLength;
   const double round_off = 1e-8;  // short elements are 1e6 times as stiff as the beam
   const int n = 10;
-  const FeModel model = straight_beam(Vector3d::Zero(), Vector3d(L, 0, 0), n, s, kSteel);
+  const FeModel model = test::straight_beam(Vector3d::Zero(), Vector3d(L, 0, 0), n, s, kSteel);
   VectorXd load = VectorXd::Zero(6 * model.node_count());
   load(6 * n + 2) = P;
-  const VectorXd cantilever = static_solution(model, node_dofs(0), load);
+  const VectorXd cantilever = static_solution(model, test::node_dofs(0), load);
   EXPECT_NEAR(cantilever(6 * n + 2), P * L * L * L / (3.0 * EI), round_off * P / EI);
   EXPECT_NEAR(cantilever(6 * (n / 2) + 2), 5.0 * P * L * L * L / (48.0 * EI), round_off * P / EI);
 
-  std::vector<int> pins = node_dofs(0, {0, 1, 2, 3});
-  for (int dof : node_dofs(n, {1, 2})) pins.push_back(dof);
+  std::vector<int> pins = test::node_dofs(0, {0, 1, 2, 3});
+  for (int dof : test::node_dofs(n, {1, 2})) pins.push_back(dof);
   load.setZero();
   load(6 * (n / 2) + 2) = P;
   EXPECT_NEAR(static_solution(model, pins, load)(6 * (n / 2) + 2), P * L * L * L / (48.0 * EI), round_off * P / EI);
@@ -152,14 +153,14 @@ TEST(BeamDeflection, UnderItsWeightConvergesToTheDistributedLoad) {
   const BeamSection s = rod_section(0.01);
   const double g = 9.81, L = kLength, q = kSteel.density * s.area * g, EI = kSteel.young * s.bending_y;
   const int n = 8;
-  const FeModel model = straight_beam(Vector3d::Zero(), Vector3d(L, 0, 0), n, s, kSteel);
+  const FeModel model = test::straight_beam(Vector3d::Zero(), Vector3d(L, 0, 0), n, s, kSteel);
   VectorXd load = VectorXd::Zero(6 * model.node_count());
   for (int j = 0; j < model.node_count(); ++j) load(6 * j + 2) = g * model.node_mass(j);
   const double simpson = 1e-4;  // error h^4 / 2880 times a fourth derivative of order one
   const double cantilever = q * std::pow(L, 4) / (8.0 * EI);
-  EXPECT_NEAR(static_solution(model, node_dofs(0), load)(6 * n + 2), cantilever, simpson * cantilever);
-  std::vector<int> pins = node_dofs(0, {0, 1, 2, 3});
-  for (int dof : node_dofs(n, {1, 2})) pins.push_back(dof);
+  EXPECT_NEAR(static_solution(model, test::node_dofs(0), load)(6 * n + 2), cantilever, simpson * cantilever);
+  std::vector<int> pins = test::node_dofs(0, {0, 1, 2, 3});
+  for (int dof : test::node_dofs(n, {1, 2})) pins.push_back(dof);
   const double pinned = 5.0 * q * std::pow(L, 4) / (384.0 * EI);
   EXPECT_NEAR(static_solution(model, pins, load)(6 * (n / 2) + 2), pinned, simpson * pinned);
 }
@@ -236,7 +237,7 @@ FeModel plate(int rings) { return plate_model(disc_mesh(kRadius, kRadius / rings
 std::vector<int> clamped_rim(const FeModel& model, int rings) {
   std::vector<int> fixed;
   for (int j = model.node_count() - 6 * rings; j < model.node_count(); ++j)
-    for (int dof : node_dofs(j)) fixed.push_back(dof);
+    for (int dof : test::node_dofs(j)) fixed.push_back(dof);
   return fixed;
 }
 
@@ -270,7 +271,7 @@ TEST(PlateFrequencies, OfTheClampedAndTheFreeRoundPlateAreWithinOnePercent) {
   const FeModel model = plate(rings);
   const double tolerance = 0.01;
   const std::vector<double> clamped = exact_parameters(clamped_equation, 5);
-  const VectorXd fc = distinct(natural_frequencies(model, clamped_rim(model, rings), 8), kClampedPairs);
+  const VectorXd fc = distinct(test::natural_frequencies(model, clamped_rim(model, rings), 8), kClampedPairs);
   // Free, as a flexible body is made.
   BasisOptions options;
   options.kind = BasisKind::kFreeFree;
@@ -292,8 +293,8 @@ TEST(PlateFrequencies, ConvergeWithTheSquareOfTheEdgeLength) {
   const double free = hertz(exact_parameters(free_equation, 1)[0]);
   const auto errors = [&](int rings) {
     const FeModel model = plate(rings);
-    return std::pair{std::abs(natural_frequencies(model, clamped_rim(model, rings), 1)(0) / clamped - 1.0),
-                     std::abs(natural_frequencies(model, {}, 7)(6) / free - 1.0)};
+    return std::pair{std::abs(test::natural_frequencies(model, clamped_rim(model, rings), 1)(0) / clamped - 1.0),
+                     std::abs(test::natural_frequencies(model, {}, 7)(6) / free - 1.0)};
   };
   const auto [clamped_coarse, free_coarse] = errors(6);
   const auto [clamped_fine, free_fine] = errors(12);
@@ -312,7 +313,7 @@ TEST(PlateDeflection, UnderPressureAndPointLoadIsThatOfTheClampedPlate) {
   const FeModel model = plate(rings);
   const std::vector<int> rim = clamped_rim(model, rings);
   const double p = 1000.0, P = 10.0, D = rigidity();
-  const double pressed = -static_solution(model, rim, pressure_load(model, p))(2);
+  const double pressed = -static_solution(model, rim, test::pressure_load(model, p))(2);
   VectorXd load = VectorXd::Zero(6 * model.node_count());
   load(2) = P;
   const double pushed = static_solution(model, rim, load)(2);

@@ -1,4 +1,5 @@
 #include "tests/validation/famous_mechanisms.h"
+#include "tests/support/fe_reference.h"
 
 #include <algorithm>
 #include <cmath>
@@ -214,7 +215,7 @@ Model spin_up_beam(int parts) {
     const std::string name = "part_" + std::to_string(i + 1);
     BodyState state;
     state.r = {0.5 * (from + to), 0.0, 0.0};
-    model.add_body(Body(name, reduced(straight_beam({from, 0, 0}, {to, 0, 0}, elements, section, material),
+    model.add_body(Body(name, reduced(test::straight_beam({from, 0, 0}, {to, 0, 0}, elements, section, material),
                                       {0, elements}, 1, 0.05, name)),
                    state);
   }
@@ -247,7 +248,7 @@ const Material kLightSteel{7.85, 207e9, 0.3};
 }  // namespace
 
 Model jeffcott_rotor(double speed) {
-  FeModel shaft = straight_beam({0, 0, 0}, {kShaft, 0, 0}, 4, rod_section(kThick), kLightSteel);
+  FeModel shaft = test::straight_beam({0, 0, 0}, {kShaft, 0, 0}, 4, rod_section(kThick), kLightSteel);
   shaft.node_mass(2) += kDisc;
   shaft.node_inertia[2] += Vector3d(0.09, 0.047, 0.047).asDiagonal();
   BasisOptions options;

@@ -8,6 +8,7 @@
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "mbd_solver/model/modal_body.h"
+#include "tests/support/fe_reference.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"
@@ -106,8 +107,8 @@ struct Spinning {
     constexpr int kBeamElements = 10;
     const double x0 = clamped ? 0.0 : -0.5;
     const FeModel beam =
-        straight_beam(Eigen::Vector3d(x0 * kBeamLength, 0, 0), Eigen::Vector3d((x0 + 1.0) * kBeamLength, 0, 0),
-                      kBeamElements, rod_section(kBeamDiameter), kBeamSteel);
+        test::straight_beam(Eigen::Vector3d(x0 * kBeamLength, 0, 0), Eigen::Vector3d((x0 + 1.0) * kBeamLength, 0, 0),
+                            kBeamElements, rod_section(kBeamDiameter), kBeamSteel);
     BasisOptions options;
     options.mode_count = 10;
     options.damping_ratio = {0.0};
@@ -227,7 +228,7 @@ TEST(SpinningBar, StretchesByItsCentrifugalLoad) {
   for (bool about_end : {true, false}) {
     const double x0 = about_end ? 0.0 : -0.5 * L;
     const FeModel bar =
-        straight_beam(Eigen::Vector3d(x0, 0, 0), Eigen::Vector3d(x0 + L, 0, 0), 8, rod_section(0.06), kBeamSteel);
+        test::straight_beam(Eigen::Vector3d(x0, 0, 0), Eigen::Vector3d(x0 + L, 0, 0), 8, rod_section(0.06), kBeamSteel);
     BasisOptions options;
     options.mode_count = 6;
     options.damping_ratio = {0.7};  // so that it settles
@@ -329,8 +330,8 @@ struct Bent {
 };
 
 Bent bend(double load) {
-  const FeModel beam = straight_beam(Eigen::Vector3d::Zero(), Eigen::Vector3d(kStripLength, 0, 0), 10,
-                                     rod_section(kStripDiameter), kStripSteel);
+  const FeModel beam = test::straight_beam(Eigen::Vector3d::Zero(), Eigen::Vector3d(kStripLength, 0, 0), 10,
+                                           rod_section(kStripDiameter), kStripSteel);
   BasisOptions options;
   options.mode_count = 6;
   options.damping_ratio = {1.0};  // so that it settles

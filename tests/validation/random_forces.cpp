@@ -6,7 +6,6 @@
 #include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/model/laws/friction.h"
-#include "mbd_solver/model/laws/gas_spring.h"
 #include "mbd_solver/model/laws/honeycomb.h"
 #include "mbd_solver/model/laws/motor.h"
 #include "mbd_solver/model/laws/mr_damper.h"

@@ -10,6 +10,7 @@
 #include "mbd_solver/fe/fe_model.h"
 #include "mbd_solver/fe/mesh_generator.h"
 #include "mbd_solver/fe/triangle_mesh.h"
+#include "tests/support/fe_reference.h"
 #include "tests/unit/fe/steel_frame.h"
 
 namespace footfall {
@@ -407,7 +408,7 @@ TEST(StraightBeam, HasTheExactMassPropertiesOfACylinder) {
   const double d = 0.05, L = 0.8;
   const Vector3d from(0.1, 0.2, 0.3), axis = Vector3d(1, -2, 0.5).normalized();
   for (int n : {1, 2, 5}) {
-    const MassProperties body = mass_properties(straight_beam(from, from + L * axis, n, rod_section(d), kSteel));
+    const MassProperties body = mass_properties(test::straight_beam(from, from + L * axis, n, rod_section(d), kSteel));
     const double m = kSteel.density * kPi / 4.0 * d * d * L;
     const double along = m * d * d / 8.0, across = m * (d * d / 16.0 + L * L / 12.0);
     const Matrix3d J = across * Matrix3d::Identity() + (along - across) * axis * axis.transpose();
@@ -441,7 +442,7 @@ TEST(Frame, OfTwoMembersAtARightAngleDeflectsAsWorkedOutByHand) {
   const FeModel model = beam_model({{0, 0, 0}, {0, 0, h}, {b, 0, h}}, {member(0, 1), member(1, 2)}, {section}, kSteel);
   VectorXd load = VectorXd::Zero(6 * model.node_count());
   load(6 * 2 + 2) = -P;
-  const VectorXd u = static_solution(model, node_dofs(0), load);
+  const VectorXd u = static_solution(model, test::node_dofs(0), load);
   const double EI = kSteel.young * section.bending_y;
   const double exact = P * b * b * h / EI + P * b * b * b / (3.0 * EI) + P * h / (kSteel.young * section.area);
   EXPECT_NEAR(-u(6 * 2 + 2), exact, 1e-9 * exact);
@@ -463,7 +464,7 @@ TEST(BeamModel, RefusesFramesThatAreNoBody) {
   BeamMember turned = member(0, 1);
   turned.up = Vector3d(0, 0, std::nan(""));
   EXPECT_NE(with({turned}), "");
-  EXPECT_THROW(straight_beam(nodes[0], nodes[1], 0, sections[0], kSteel), InputError);
+  EXPECT_THROW(test::straight_beam(nodes[0], nodes[1], 0, sections[0], kSteel), InputError);
 }
 
 TEST(PlateModel, RefusesBadMeshesAndThickness) {
@@ -480,14 +481,14 @@ TEST(PlateModel, RefusesBadMeshesAndThickness) {
 }
 
 TEST(StaticSolution, RefusesABodyThatIsNotHeld) {
-  const FeModel model = straight_beam({0, 0, 0}, {1, 0, 0}, 2, rod_section(0.01), kSteel);
+  const FeModel model = test::straight_beam({0, 0, 0}, {1, 0, 0}, 2, rod_section(0.01), kSteel);
   const VectorXd load = VectorXd::Ones(6 * model.node_count());
-  EXPECT_THROW(static_solution(model, node_dofs(0, {0, 1, 2}), load), InputError);
-  EXPECT_NO_THROW(static_solution(model, node_dofs(0), load));
+  EXPECT_THROW(static_solution(model, test::node_dofs(0, {0, 1, 2}), load), InputError);
+  EXPECT_NO_THROW(static_solution(model, test::node_dofs(0), load));
 }
 
 TEST(NodeLookup, FindsTheNearestNodeAndRefusesJointsAwayFromAny) {
-  FeModel model = straight_beam({0, 0, 0}, {1, 0, 0}, 4, rod_section(0.01), kSteel);
+  FeModel model = test::straight_beam({0, 0, 0}, {1, 0, 0}, 4, rod_section(0.01), kSteel);
   EXPECT_EQ(nearest_node(model, Vector3d(0.26, 0.1, 0)), 1);
   EXPECT_EQ(nearest_node(model, Vector3d(0.38, 0, 0)), 6) << "the middle of the second element";
   EXPECT_EQ(joint_node(model, Vector3d(1.0, 0, 1e-4), 1e-3, true), 4);

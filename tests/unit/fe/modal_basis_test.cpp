@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <cstdio>
 #include <utility>
 
 #include "coupler/base/errors.h"
@@ -19,6 +17,7 @@
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/modal_body.h"
 #include "mbd_solver/model/modal_inertia.h"
+#include "tests/support/fe_reference.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/unit/fe/steel_frame.h"
 
@@ -32,7 +31,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-FeModel strut() { return straight_beam({0.2, 0.1, 0.0}, {0.7, 0.4, 1.0}, 8, tube_section(0.05, 0.008), kSteel); }
+FeModel strut() { return test::straight_beam({0.2, 0.1, 0.0}, {0.7, 0.4, 1.0}, 8, tube_section(0.05, 0.008), kSteel); }
 FeModel pad() { return plate_model(disc_mesh(0.2, 0.05), 0.008, kSteel); }
 FeModel dish() { return plate_model(dish_mesh(0.2, 0.04, 0.05), 0.004, kSteel); }
 
@@ -98,7 +97,7 @@ TEST(ModalBasis, KeepsTheContractForEveryModelAndBasis) {
 TEST(ModalBasis, FreeFreeModesAreTheNaturalFrequenciesOfTheModel) {
   const double tolerance = 1e-7;  // round-off of stiffness: short elements are 1e7 times as stiff as the first mode
   for (const FeModel& model : {strut(), pad(), dish()}) {
-    const VectorXd f = natural_frequencies(model, {}, 14).tail(8);
+    const VectorXd f = test::natural_frequencies(model, {}, 14).tail(8);
     const ReducedBody reduced = reduce(model, free_free(8), "body");
     EXPECT_LT((frequencies(reduced.body) - f).cwiseQuotient(f).cwiseAbs().maxCoeff(), tolerance);
     // Without interface Craig-Bampton is the same.
@@ -123,7 +122,7 @@ TEST(ModalBasis, CraigBamptonAnswersJointForcesExactly) {
       load.segment<3>(51) = moment;
       load.segment<3>(0) = -force;
       load.segment<3>(3) = -moment - (p1 - p0).cross(force);
-      const double exact = load.dot(static_solution(model, node_dofs(0), load));
+      const double exact = load.dot(static_solution(model, test::node_dofs(0), load));
       const ModalBody& body = reduced.body;
       const VectorXd Q = body.Phi.middleRows(24, 3).transpose() * load.segment<3>(48) +
                          body.Phi.topRows(3).transpose() * load.segment<3>(0) +
@@ -141,7 +140,7 @@ TEST(ModalBasis, ARodHasTheSameModesInEveryDirection) {
   const Vector3d along = Vector3d(0.64, -0.48, 0.6);
   const Matrix3d R = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitX(), along).toRotationMatrix();
   const auto rod = [](const Vector3d& to, int n) {
-    return straight_beam(Vector3d::Zero(), to, n, tube_section(0.05, 0.008), kSteel);
+    return test::straight_beam(Vector3d::Zero(), to, n, tube_section(0.05, 0.008), kSteel);
   };
   for (const auto& [elements, modes] : {std::pair{8, 4}, {8, 5}, {60, 7}})
     for (const BasisOptions& options :
@@ -184,7 +183,7 @@ TEST(ModalBasis, CraigBamptonKeepsEveryStaticShapeBesideTheModesAskedFor) {
 // A beam clamped at both ends under its weight: the first mode has (integral of phi)^2 / lambda = 0.8309^2 / 500.56 of
 // L^5 / 720, phi of unit norm: all but 0.69 percent of the mean sag. Nothing else errs.
 TEST(StaticError, OfABeamClampedAtBothEndsIsTheSagThatItsModesLack) {
-  const FeModel model = straight_beam({0, 0, 0}, {1, 0, 0}, 16, rod_section(0.01), kSteel);
+  const FeModel model = test::straight_beam({0, 0, 0}, {1, 0, 0}, 16, rod_section(0.01), kSteel);
   const double lumping = 2e-4;
   const ReducedBody two = reduce(model, craig_bampton(2, {0, 16}), "beam");
   ASSERT_TRUE(two.body.static_error);
@@ -197,7 +196,7 @@ TEST(StaticError, OfABeamClampedAtBothEndsIsTheSagThatItsModesLack) {
 
 // Without static shapes the response to loads at the joints errs, and that is warned of.
 TEST(StaticError, AtTheAttachmentsIsWarnedOf) {
-  const FeModel model = straight_beam({0, 0, 0}, {1, 0, 0}, 16, rod_section(0.01), kSteel);
+  const FeModel model = test::straight_beam({0, 0, 0}, {1, 0, 0}, 16, rod_section(0.01), kSteel);
   BasisOptions free = craig_bampton(1, {0, 16});
   free.kind = BasisKind::kFreeFree;
   const ReducedBody one = reduce(model, free, "beam");
@@ -240,7 +239,7 @@ TEST(ModalBasis, PinnedInterfaceSpendsNoModesOnLocalKinks) {
 // near each other.
 TEST(ModalBasis, ManagesWiresAndThinShells) {
   const double d = 0.0005, L = 2.0;
-  const FeModel wire = straight_beam({0, 0, 0}, {L, 0, 0}, 64, rod_section(d), kSteel);
+  const FeModel wire = test::straight_beam({0, 0, 0}, {L, 0, 0}, 64, rod_section(d), kSteel);
   const double x = 4.730040745;  // cos x cosh x = 1
   const double exact = x * x / (2.0 * kPi * L * L) * std::sqrt(kSteel.young / kSteel.density) * d / 4.0;
   for (const BasisOptions& options : {free_free(6), craig_bampton(12, {0, 64})}) {
@@ -271,7 +270,7 @@ TEST(ModalBasis, FrequencyLimitLeavesOutHigherModes) {
   options.kind = BasisKind::kCraigBampton;
   options.pinned_nodes = {0};
   // Held at its pin the plate turns freely: three zeros. A pin alone has no elastic static shape.
-  const VectorXd held = natural_frequencies(model, node_dofs(0, {0, 1, 2}), 20);
+  const VectorXd held = test::natural_frequencies(model, test::node_dofs(0, {0, 1, 2}), 20);
   EXPECT_EQ(reduce(model, options, "pad").body.mode_count(),
             static_cast<int>((held.array() <= *options.max_frequency).count()) - 3);
   options.mode_count = 4;
@@ -310,7 +309,7 @@ TEST(ModalBasis, DampingIsTwoZetaOmega) {
 }
 
 TEST(ModalBasis, TakesAllModesThereAreButNotOneMore) {
-  const FeModel model = straight_beam({0, 0, 0}, {1, 0, 0}, 1, tube_section(0.05, 0.005), kSteel);
+  const FeModel model = test::straight_beam({0, 0, 0}, {1, 0, 0}, 1, tube_section(0.05, 0.005), kSteel);
   const int available = 6 * 3 - 6;  // three nodes with rotary inertia
   EXPECT_EQ(reduce(model, free_free(available), "rod").body.mode_count(), available);
   EXPECT_TRUE(names(error_of([&] { reduce(model, free_free(available + 1), "rod"); }), {"13 modes", "12"}));
@@ -337,7 +336,7 @@ TEST(ModalBasis, RefusesModelsThatAreNoFreeBody) {
   model = good;
   model.node_inertia[2](0, 0) = -1.0;
   EXPECT_TRUE(names(with(model), {"leg", "node 2"}));
-  model = straight_beam({0, 0, 0}, {1, 0, 0}, 8, rod_section(0.02), kSteel);
+  model = test::straight_beam({0, 0, 0}, {1, 0, 0}, 8, rod_section(0.02), kSteel);
   for (Matrix3d& J : model.node_inertia) J.setZero();
   EXPECT_NE(with(model), "");
   model = good;
@@ -368,8 +367,8 @@ TEST(ModalBasis, RefusesModelsThatAreNoFreeBody) {
 
 // Two struts in one model with a common ball joint: connected by stiffness, but free to fold.
 TEST(ModalBasis, RefusesAMechanism) {
-  const FeModel a = straight_beam({0, 0, 0}, {1, 0, 0}, 2, rod_section(0.02), kSteel);
-  const FeModel b = straight_beam({1, 0, 0}, {1, 1, 0}, 2, rod_section(0.02), kSteel);
+  const FeModel a = test::straight_beam({0, 0, 0}, {1, 0, 0}, 2, rod_section(0.02), kSteel);
+  const FeModel b = test::straight_beam({1, 0, 0}, {1, 1, 0}, 2, rod_section(0.02), kSteel);
   const int n = a.node_count();
   FeModel both;
   both.nodes.resize(3, 2 * n);
@@ -403,11 +402,11 @@ TEST(ModalBasis, RefusesAMechanism) {
 
 TEST(ModalBasis, WarnsWhenUnitsAreOffByAThousand) {
   const BeamSection section = rod_section(0.02);
-  const FeModel soft = straight_beam({0, 0, 0}, {50.0, 0, 0}, 8, section, Material{7850.0, 207e3, 0.3});
+  const FeModel soft = test::straight_beam({0, 0, 0}, {50.0, 0, 0}, 8, section, Material{7850.0, 207e3, 0.3});
   ReducedBody reduced = reduce(soft, free_free(2), "leg");
   ASSERT_EQ(reduced.warnings.size(), 1u);
   EXPECT_TRUE(names(reduced.warnings[0], {"leg"}));
-  const FeModel small = straight_beam({0, 0, 0}, {1e-3, 0, 0}, 8, rod_section(1e-3), Material{7.85, 207e9, 0.3});
+  const FeModel small = test::straight_beam({0, 0, 0}, {1e-3, 0, 0}, 8, rod_section(1e-3), Material{7.85, 207e9, 0.3});
   EXPECT_EQ(reduce(small, free_free(2), "leg").warnings.size(), 1u);
   EXPECT_TRUE(reduce(strut(), free_free(2), "leg").warnings.empty());
 }

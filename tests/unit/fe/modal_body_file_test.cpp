@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
 #include "coupler/base/errors.h"
@@ -13,6 +12,7 @@
 #include "mbd_solver/fe/turned_model.h"
 #include "mbd_solver/model/body.h"
 #include "mbd_solver/model/modal_inertia.h"
+#include "tests/support/fe_reference.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/fe/steel_frame.h"
@@ -192,7 +192,7 @@ TEST(MatrixMarket, OfALumpedModelGivesTheSameBody) {
   const TemporaryFile nodes(node_list(model));
   for (bool symmetric : {true, false}) {
     const TemporaryFile K(matrix_market(model.stiffness, symmetric)), M(matrix_market(mass_matrix(model), symmetric));
-    const FeModel read = read_matrix_market(K.path(), M.path(), nodes.path());
+    const FeModel read = read_matrix_model({K.path(), M.path(), nodes.path()});
     const VectorXd exact = frequencies(reduce(model, modes(6), "frame").body);
     EXPECT_LT((frequencies(reduce(read, modes(6), "frame").body) - exact).norm(), 1e-9 * exact.norm());
     EXPECT_LT((mass_properties(read).inertia - mass_properties(model).inertia).norm(), 1e-12);
@@ -219,7 +219,7 @@ TEST(MatrixMarket, OfASolidWithConsistentMassIsReducedWithThatMass) {
   for (const Vector3d& x : p) list << x.transpose() << '\n';
   const TemporaryFile nodes(list.str()), Kfile(matrix_market(K.sparseView(), true)),
       Mfile(matrix_market(M.sparseView(), true));
-  const FeModel model = read_matrix_market(Kfile.path(), Mfile.path(), nodes.path());
+  const FeModel model = read_matrix_model({Kfile.path(), Mfile.path(), nodes.path()});
   EXPECT_FALSE(model.rotations);
   const MassProperties body = mass_properties(model);
   EXPECT_NEAR(body.mass, 8.0, 1e-12);
@@ -312,7 +312,7 @@ FeModel model_of(const Matrices& given, double y = 0.0) {
   for (const double x : given.x) list << x << ' ' << y << " 1\n";
   const auto text = [](const MatrixXd& m) { return matrix_market((0.5 * (m + m.transpose())).sparseView(), true); };
   const TemporaryFile nodes(list.str()), K(text(given.K)), M(text(given.M));
-  return read_matrix_market(K.path(), M.path(), nodes.path());
+  return read_matrix_model({K.path(), M.path(), nodes.path()});
 }
 
 // Diagonal terms, scaled to the mass (Hinton, Rock and Zienkiewicz 1976).
@@ -427,7 +427,7 @@ TEST(CoupledMass, ThatIsNoneIsRefused) {
   EXPECT_TRUE(names(refusal([&] { reduce(model_of(bar), modes(2), "bar"); }), {"node 0"}));
   // One triangle, and one entry of the other.
   const TemporaryFile nodes("0 0 0\n"), K("%%MatrixMarket matrix coordinate real symmetric\n3 3 2\n2 1 1.0\n1 2 1.0\n");
-  EXPECT_TRUE(names(refusal([&] { read_matrix_market(K.path(), K.path(), nodes.path()); }), {":4:"}));
+  EXPECT_TRUE(names(refusal([&] { read_matrix_model({K.path(), K.path(), nodes.path()}); }), {":4:"}));
 }
 
 // Copies of a coupled model are reduced once and turned.
@@ -485,12 +485,12 @@ TEST(CoupledMass, WithNodesInMillimetresGetsAWordOfUnits) {
 }
 
 TEST(MatrixMarket, NamesFileAndLineOfWhatIsWrong) {
-  const FeModel model = straight_beam({0, 0, 0}, {1, 0, 0}, 1, rod_section(0.02), kSteel);
+  const FeModel model = test::straight_beam({0, 0, 0}, {1, 0, 0}, 1, rod_section(0.02), kSteel);
   const std::string K = matrix_market(model.stiffness, true), M = matrix_market(mass_matrix(model), true);
   const std::string nodes = node_list(model);
   const auto read = [&](const std::string& k, const std::string& m, const std::string& n) {
     const TemporaryFile kf(k), mf(m), nf(n);
-    return refusal([&] { read_matrix_market(kf.path(), mf.path(), nf.path()); });
+    return refusal([&] { read_matrix_model({kf.path(), mf.path(), nf.path()}); });
   };
   EXPECT_EQ(read(K, M, nodes), "");
   const std::string coordinate = "%%MatrixMarket matrix coordinate real general\n";

@@ -13,13 +13,13 @@
 #include "mbd_solver/fe/fe_analysis.h"
 #include "mbd_solver/fe/fe_mesh.h"
 #include "mbd_solver/fe/matrix_model.h"
-#include "mbd_solver/fe/mesh_skin.h"
 #include "mbd_solver/fe/modal_basis.h"
 #include "mbd_solver/fe/model_text.h"
 #include "mbd_solver/fe/spider.h"
 #include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/model/body.h"
 #include "mbd_solver/model/modal_inertia.h"
+#include "tests/support/fe_reference.h"
 #include "tests/support/linear_algebra.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/fe/steel_frame.h"
@@ -124,7 +124,7 @@ TEST(CalculixModels, HaveTheFrequenciesThatCalculixFinds) {
       EXPECT_LT(largest_difference(frequencies(reduced.body), results.frequencies.at(kind + "free")), kPrinted)
           << sample.name << kind;
       EXPECT_TRUE(reduced.warnings.empty()) << sample.name << reduced.warnings.front();
-      const VectorXd held = natural_frequencies(model, held_dofs(mesh, sample.root), 10);
+      const VectorXd held = test::natural_frequencies(model, held_dofs(mesh, sample.root), 10);
       EXPECT_LT(largest_difference(held, results.frequencies.at(kind + "held")), kPrinted) << sample.name << kind;
     }
 }
@@ -500,7 +500,7 @@ TEST(Interfaces, ThatAreRigidHoldAsTheirSetDoes) {
   ASSERT_EQ(model.spiders.size(), 1u);
   EXPECT_LT(model.nodes.col(0).norm(), 1e-12) << "in the mean of the set";
   const FeModel independent = constrained(model).model;
-  const VectorXd held = natural_frequencies(independent, node_dofs(0), 10);
+  const VectorXd held = test::natural_frequencies(independent, test::node_dofs(0), 10);
   EXPECT_LT(largest_difference(held, results_of("leg").frequencies.at("held")), kPrinted);
   // In a reduced body, every node of the set moves with it.
   BasisOptions options = free_modes(6);
@@ -566,7 +566,7 @@ TEST(Interfaces, MayBeSeveral) {
   const Constrained independent = constrained(model);
   VectorXd load = VectorXd::Zero(model.stiffness.rows());
   load(6 * tip + 2) = -10.0 * static_cast<double>(results.deflections.size());
-  const VectorXd found = static_solution(independent.model, node_dofs(root), load);
+  const VectorXd found = static_solution(independent.model, test::node_dofs(root), load);
   EXPECT_LT((found.segment<3>(6 * tip) - mean).norm(), 1e-5 * mean.norm());
 }
 
