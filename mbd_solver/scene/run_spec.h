@@ -154,7 +154,7 @@ struct LandingSpec {
   std::optional<Eigen::Vector3d>
       axis;  // of the base, upwards, in D; not given: the coordinate axis nearest to the vertical
   std::vector<LandingPointSpec> points;
-  // The run ends before end_time (session/observe/landing_end.h).
+  // The run ends before end_time (session/observe/landing.h).
   bool end_at_rest = false, end_when_tipped = false;
   double rest_speed = 0.02;  // [m/s] > 0
   double rest_time = 0.3;    // [s] > 0

@@ -10,7 +10,6 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/model/rotation.h"
 #include "mbd_solver/session/codes.h"
 
 namespace footfall {

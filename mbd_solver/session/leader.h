@@ -15,7 +15,6 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "mbd_solver/base/line_channel.h"
 #include "mbd_solver/session/observe/observation.h"

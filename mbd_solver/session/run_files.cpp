@@ -47,28 +47,6 @@ RunFiles::RunFiles(const Simulation& simulation, const std::string& folder, Begi
     write_whole_file(folder_ + kTerrainFile, terrain, "is the disk full?");
 }
 
-namespace {
-
-// A file that cannot be written is no mistake of the scene any more.
-template <class Write>
-void with_file_error(const Write& write) {
-  try {
-    write();
-  } catch (const InputError& error) {
-    throw FileError(error.what());
-  }
-}
-
-}  // namespace
-
-void RunFiles::write(const Sample& sample) {
-  with_file_error([&] { write_due(sample); });
-}
-
-void RunFiles::write_row(const Sample& sample) {
-  with_file_error([&] { write_due_row(sample); });
-}
-
 const std::vector<double>& RunFiles::see_row(const Sample& sample) {
   const std::vector<double>& row = observation_.row(sample);
   peaks_.see(row);
@@ -85,18 +63,22 @@ void RunFiles::observe(const Sample& sample) {
   }
 }
 
-void RunFiles::write_due_row(const Sample& sample) {
-  const bool due = row_clock_.take_turn(sample.state.time) || sample.last;
-  const std::vector<double>& row = see_row(sample);
-  if (due) history_.write(row);
+void RunFiles::write_row(const Sample& sample) {
+  as_file_error([&] {
+    const bool due = row_clock_.take_turn(sample.state.time) || sample.last;
+    const std::vector<double>& row = see_row(sample);
+    if (due) history_.write(row);
+  });
 }
 
-void RunFiles::write_due(const Sample& sample) {
-  write_due_row(sample);
-  if (motion_) motion_->write(sample);
-  if (audit_) audit_->write(sample);
-  if (drawing_ && picture_clock_.take_turn(sample.state.time))
-    pictures_.write(sample.state.time, drawing_->frame(sample));
+void RunFiles::write(const Sample& sample) {
+  write_row(sample);
+  as_file_error([&] {
+    if (motion_) motion_->write(sample);
+    if (audit_) audit_->write(sample);
+    if (drawing_ && picture_clock_.take_turn(sample.state.time))
+      pictures_.write(sample.state.time, drawing_->frame(sample));
+  });
 }
 
 void RunFiles::flush() {

@@ -16,6 +16,16 @@
 
 namespace footfall {
 
+// A file that cannot be written during a run is not a mistake of the scene.
+template <class Write>
+auto as_file_error(const Write& write) {
+  try {
+    return write();
+  } catch (const InputError& error) {
+    throw FileError(error.what());
+  }
+}
+
 class RunFiles {
  public:
   // Creates the folder. The simulation must outlive this. kResume: the files exist, and visit() restores where they
@@ -32,8 +42,6 @@ class RunFiles {
 
  private:
   const std::vector<double>& see_row(const Sample& sample);  // for peaks and requirements
-  void write_due(const Sample& sample);
-  void write_due_row(const Sample& sample);
 
   std::string folder_;
   Observation observation_;

@@ -16,12 +16,10 @@
 #include "mbd_solver/session/leader.h"
 #include "mbd_solver/session/observe/carry_over.h"
 #include "mbd_solver/session/observe/start_values.h"
-#include "mbd_solver/session/output/live_note.h"
 #include "mbd_solver/session/output/summary.h"
 #include "mbd_solver/session/progress.h"
 #include "mbd_solver/session/run_files.h"
 #include "mbd_solver/session/run_summary.h"
-#include "mbd_solver/session/run_warnings.h"
 
 namespace footfall {
 namespace {
@@ -31,16 +29,6 @@ constexpr double kRest = 300.0;
 
 void print_warning(const Scene& scene, const std::string& text) {
   if (!scene.accepts(text)) std::fprintf(stderr, "mbd_solver: warning: %s\n", text.c_str());
-}
-
-// A file that cannot be written during a run is not a mistake of the scene.
-template <class Write>
-auto as_file_error(const Write& write) {
-  try {
-    return write();
-  } catch (const InputError& error) {
-    throw FileError(error.what());
-  }
 }
 
 // For writing after an error: a second error is not reported.

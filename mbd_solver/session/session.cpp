@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cmath>
 #include <csignal>
-#include <limits>
 #include <shared_mutex>
 #include <thread>
 #include <unordered_map>
@@ -20,7 +19,6 @@
 #include "mbd_solver/scene/scene_schema.h"
 #include "mbd_solver/session/codes.h"
 #include "mbd_solver/session/run_summary.h"
-#include "mbd_solver/session/run_warnings.h"
 #include "mbd_solver/session/simulation.h"
 
 namespace footfall {
@@ -187,13 +185,15 @@ struct Session::Run {
 // For the time of a call that reads.
 class Session::Reading {
  public:
-  explicit Reading(Run& run) {
+  explicit Reading(Run& run) : run_(run) {
     if (run.changer == std::this_thread::get_id()) return;
     lock_ = std::shared_lock(run.use, std::try_to_lock);
     if (!lock_) run.refuse_use();
   }
+  const Run* operator->() const { return &run_; }
 
  private:
+  const Run& run_;
   std::shared_lock<std::shared_mutex> lock_;
 };
 
@@ -221,27 +221,12 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
 const Scene& Session::scene() const { return run_->scene; }
-double Session::time() const {
-  const Reading reading(*run_);
-  return run_->time;
-}
+double Session::time() const { return Reading(*run_)->time; }
 double Session::end_time() const { return run_->scene.end_time; }
-bool Session::finished() const {
-  const Reading reading(*run_);
-  return run_->has_ended();
-}
-Eigen::VectorXd Session::q() const {
-  const Reading reading(*run_);
-  return run_->q;
-}
-Eigen::VectorXd Session::v() const {
-  const Reading reading(*run_);
-  return run_->v;
-}
-Eigen::VectorXd Session::z() const {
-  const Reading reading(*run_);
-  return run_->z;
-}
+bool Session::finished() const { return Reading(*run_)->has_ended(); }
+Eigen::VectorXd Session::q() const { return Reading(*run_)->q; }
+Eigen::VectorXd Session::v() const { return Reading(*run_)->v; }
+Eigen::VectorXd Session::z() const { return Reading(*run_)->z; }
 
 void Session::step_to(double until, const std::function<bool()>& asked) {
   Run& run = *run_;
@@ -264,10 +249,7 @@ void Session::step_to(double until, const std::function<bool()>& asked) {
 
 const std::vector<std::string>& Session::names() const { return run_->names; }
 const std::vector<std::string>& Session::units() const { return run_->units; }
-std::vector<double> Session::row() const {
-  const Reading reading(*run_);
-  return run_->row;
-}
+std::vector<double> Session::row() const { return Reading(*run_)->row; }
 
 std::size_t Session::column(const std::string& name) const {
   const auto found = run_->places.find(name);
@@ -279,8 +261,7 @@ std::size_t Session::column(const std::string& name) const {
 
 double Session::value(const std::string& name) const {
   const std::size_t place = column(name);
-  const Reading reading(*run_);
-  return run_->row[place];
+  return Reading(*run_)->row[place];
 }
 
 std::vector<std::string> Session::signals() const {
@@ -333,8 +314,7 @@ std::string Session::save() {
   const Changing changing(run);
   if (run.failed)
     throw InputError(code::kCannotGoOn, "a simulation that has failed has no state to save; restore an earlier state");
-  if (run.has_ended()) return run.head() + run.archived();
-  run.pause();
+  if (!run.has_ended()) run.pause();
   return run.head() + run.archived();
 }
 
@@ -359,14 +339,8 @@ void Session::restore(const std::string& state) {
   run.begin();
 }
 
-double Session::energy_balance() const {
-  const Reading reading(*run_);
-  return run_->metrics.metrics().energy_balance_relative();
-}
-double Session::summed_error() const {
-  const Reading reading(*run_);
-  return run_->simulation.integrator().statistics().summed_error;
-}
+double Session::energy_balance() const { return Reading(*run_)->metrics.metrics().energy_balance_relative(); }
+double Session::summed_error() const { return Reading(*run_)->simulation.integrator().statistics().summed_error; }
 
 std::vector<std::string> Session::warnings() const {
   const Reading reading(*run_);
@@ -377,10 +351,7 @@ std::vector<std::string> Session::warnings() const {
   return all;
 }
 
-std::vector<std::string> Session::notes() const {
-  const Reading reading(*run_);
-  return run_->simulation.assembly().notes;
-}
+std::vector<std::string> Session::notes() const { return Reading(*run_)->simulation.assembly().notes; }
 
 std::string Session::summary() const {
   const Reading reading(*run_);

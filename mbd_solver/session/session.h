@@ -11,13 +11,11 @@
 // under way that changes it (step_to, set, save, restore), every call of another thread throws InputError.
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "mbd_solver/scene/scene.h"
-#include "mbd_solver/scene/scene_reader.h"
 
 namespace footfall {
 

@@ -4,7 +4,6 @@
 #include "mbd_solver/session/settle.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "coupler/base/errors.h"

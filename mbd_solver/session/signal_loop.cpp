@@ -269,12 +269,8 @@ void SignalLoop::sample_due(const Sample& sample, Eigen::VectorXd& values) {
 }
 
 void SignalLoop::visit(Archive& archive) {
-  archive("samples", samples_);
-  archive("condition_samples", condition_samples_);
-  archive("was_active", was_active_);
-  archive("z", z_);
-  archive("readings", readings_);
-  archive("condition_readings", condition_readings_);
+  archive.members<&SignalLoop::samples_, &SignalLoop::condition_samples_, &SignalLoop::was_active_, &SignalLoop::z_,
+                  &SignalLoop::readings_, &SignalLoop::condition_readings_>(*this);
   for (std::size_t k = 0; k < chain_.size(); ++k) archive(chain_.node(k).name.c_str(), *chain_.node(k).block);
 }
 

@@ -5,7 +5,6 @@
 // Simulation locates that instant to kEventTime between rows and samples (with grains: at the end of the window).
 
 #include <array>
-#include <memory>
 #include <vector>
 
 #include "coupler/archive.h"

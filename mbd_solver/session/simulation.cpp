@@ -11,7 +11,7 @@
 #include "mbd_solver/dynamics/turn_follower.h"
 #include "mbd_solver/session/codes.h"
 #include "mbd_solver/session/loop/coupled_loop.h"
-#include "mbd_solver/session/loop/solver_options.h"
+#include "mbd_solver/session/loop/moving_mechanism.h"
 #include "mbd_solver/session/observe/attached_damping.h"
 #include "mbd_solver/session/observe/carry_over.h"
 #include "mbd_solver/session/observe/observation.h"

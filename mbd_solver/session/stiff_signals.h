@@ -2,7 +2,6 @@
 // Signals of other programs (FMUs, Python files) that close a loop of force and motion: a spring in an FMU on a body here. Held values
 // feed such a motion, the more the larger omega H is; a run reports it.
 
-#include <memory>
 #include <string>
 #include <vector>
 

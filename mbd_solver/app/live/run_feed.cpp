@@ -13,7 +13,6 @@
 #include "mbd_solver/app/scenery/scenery.h"
 #include "mbd_solver/bed/bed_frames.h"
 #include "mbd_solver/session/observe/terrain_patch.h"
-#include "mbd_solver/session/output/live_note.h"
 #include "mbd_solver/session/output/summary.h"
 
 namespace footfall {

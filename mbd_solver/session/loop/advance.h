@@ -2,7 +2,6 @@
 // A mechanism on its way through a window: it pauses at rows and steps. Steps of the integrator end
 // at corners of what the scene gives as functions of time.
 
-#include "mbd_solver/assemble/corners.h"
 #include "mbd_solver/integrator/integrator.h"
 #include "mbd_solver/session/loop/instructions.h"
 

@@ -3,12 +3,67 @@
 // samples are read on the way. While every sample changes an input, windows end at samples, so that
 // no step is cut.
 
-#include "mbd_solver/session/event_watch.h"
+#include <algorithm>
+#include <cmath>
+
 #include "mbd_solver/session/loop/advance.h"
 #include "mbd_solver/session/loop/run_loop.h"
-#include "mbd_solver/session/loop/step_middles.h"
 
 namespace footfall {
+
+// The middles of steps without grains, where a peak may exceed the values at the ends: a rate that comes
+// near its largest so far is beyond both of its ends, by more than kBeyond of it.
+class StepMiddles {
+ public:
+  bool are_peaks(StepView& step) {
+    step.at(step.end(), state_, end_);
+    step.at(0.5 * (step.begin() + step.end()), state_, rates_);
+    if (largest_.size() == 0) largest_ = Eigen::VectorXd::Zero(end_.size());
+    largest_ = largest_.cwiseMax(end_.cwiseAbs()).cwiseMax(rates_.cwiseAbs());
+    const bool known = time_ == step.begin();
+    bool peaks = !known;
+    const double round_off = kRoundOff * largest_.maxCoeff();
+    for (Eigen::Index i = 0; i < rates_.size() && !peaks; ++i) {
+      const double low = std::min(begin_[i], end_[i]), high = std::max(begin_[i], end_[i]);
+      peaks = std::max(rates_[i] - high, low - rates_[i]) > kBeyond * largest_[i] + round_off &&
+              std::abs(rates_[i]) > kNear * largest_[i];
+    }
+    begin_.swap(end_);
+    time_ = step.end();
+    return peaks;
+  }
+  const State& state() const { return state_; }  // in the middle of the last step
+  const Eigen::VectorXd& rates() const { return rates_; }
+
+ private:
+  static constexpr double kBeyond = 1e-3, kNear = 0.5;  // [-]
+  static constexpr double kRoundOff = 1e-10;            // of the largest rate of all [-]
+
+  State state_;
+  Eigen::VectorXd rates_, begin_, end_, largest_;
+  double time_ = -1.0;  // of the last end [s]
+};
+
+// Detects windows so short that the run would never end: the time does not change at all, or too little.
+class WindowWatch {
+ public:
+  static constexpr long kWatched = 20000;       // windows
+  static constexpr double kMostWindows = 1e12;  // that may remain at the present rate
+  explicit WindowWatch(double time) : since_(time) {}
+  // At the begin of each window of a run to t_end [s].
+  bool is_stuck(double time, double t_end) {
+    if (++windows_ < kWatched) return false;
+    windows_ = 0;
+    moved_ = time - since_;
+    since_ = time;
+    return t_end - time > kMostWindows / kWatched * moved_;
+  }
+  double moved() const { return moved_; }  // over the windows that were watched last [s]
+
+ private:
+  double since_, moved_ = 0.0;  // [s]
+  long windows_ = 0;
+};
 
 // Where a run pauses.
 enum class Reached {

@@ -4,15 +4,34 @@
 // bisection, also where it holds only between two steps; with grains an event takes effect at the
 // end of the window (event_foresight.h). Events with a period take effect at their samples.
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 
-#include "mbd_solver/session/event_watch.h"
 #include "mbd_solver/session/loop/event_foresight.h"
 #include "mbd_solver/session/loop/moving_mechanism.h"
 #include "mbd_solver/session/signal_loop.h"
 
 namespace footfall {
+
+// Detects events that follow each other faster than the motion can change: without hysteresis the conditions of two states may
+// become true in turn at once, and the run would never end.
+class EventWatch {
+ public:
+  // After an event without a period, at `time` of a run to t_end [s]. Throws NumericalError that names the events.
+  void count(const std::string& event, double time, double t_end);
+
+ private:
+  static constexpr std::size_t kWatched = 300;  // events
+  static constexpr double kMostEvents = 1e6;    // that may remain at the present rate
+  static constexpr double kShortest = 1e-5;     // mean interval of events that are no chatter [s]
+
+  std::array<std::string, kWatched> names_;
+  std::size_t count_ = 0;
+  double since_ = 0.0;  // time of the first that is watched [s]
+};
 
 class EventFinder {
  public:

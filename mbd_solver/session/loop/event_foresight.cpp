@@ -9,8 +9,7 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/session/loop/event_finder.h"
-#include "mbd_solver/session/loop/load_fields.h"
-#include "mbd_solver/session/loop/solver_options.h"
+#include "mbd_solver/session/loop/moving_mechanism.h"
 
 namespace footfall {
 namespace {
@@ -134,10 +133,8 @@ void EventForesight::tell_of_late_event(const std::string& event, const Eigen::V
 }
 
 void EventForesight::visit(Archive& archive) {
-  archive("loads_before", loads_before_);
-  archive("last_length", last_length_);
-  archive("length_before", length_before_);
-  archive("largest_kinetic", largest_kinetic_);
+  archive.members<&EventForesight::loads_before_, &EventForesight::last_length_, &EventForesight::length_before_,
+                  &EventForesight::largest_kinetic_>(*this);
 }
 
 }  // namespace footfall

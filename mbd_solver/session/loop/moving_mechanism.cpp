@@ -7,25 +7,51 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/session/codes.h"
 #include "mbd_solver/session/loop/advance.h"
-#include "mbd_solver/session/loop/load_fields.h"
-#include "mbd_solver/session/loop/solver_options.h"
 #include "mbd_solver/session/observe/start_values.h"
 
 namespace footfall {
+namespace {
+
+// Without grains: third order for windows of one step, fifth order for longer ones, where it takes
+// longer steps (window_order). With grains windows are short, and their own error is of second
+// order.
+int order_of(OneStepMethod method, bool with_grains) {
+  switch (method) {
+    case OneStepMethod::kAuto: return with_grains ? 2 : 3;
+    case OneStepMethod::kTrBdf2: return 2;
+    case OneStepMethod::kEsdirk3: return 3;
+    case OneStepMethod::kEsdirk5: return 5;
+  }
+  FOOTFALL_DEMAND(false);
+}
+
+}  // namespace
+
+Baumgarte baumgarte_of(const SolverSpec& spec) {
+  if (spec.drift == DriftKind::kProjection) return {};
+  return {spec.baumgarte_velocity, spec.baumgarte_position};
+}
+
+IntegratorOptions integrator_options(const SolverSpec& spec, bool with_grains) {
+  IntegratorOptions options;
+  options.order = order_of(spec.method, with_grains);
+  if (spec.method == OneStepMethod::kAuto) {
+    options.window_order = with_grains ? 3 : 5;
+    if (!spec.error_control && !with_grains) options.order = 5;  // fixed steps: one order for all windows
+  }
+  options.rtol = spec.rtol;
+  options.atol = spec.atol_position();
+  options.atol_velocity = spec.atol_velocity();
+  options.max_step = spec.max_step;
+  options.error_control = spec.error_control;
+  options.projection = spec.drift == DriftKind::kProjection;
+  return options;
+}
 
 template <>
-inline constexpr auto kFields<State> = std::tuple{Field{"time", &State::time},
-                                                  Field{"q", &State::q},
-                                                  Field{"v", &State::v},
-                                                  Field{"z", &State::z},
-                                                  Field{"dissipated", &State::dissipated},
-                                                  Field{"load_work", &State::load_work},
-                                                  Field{"supplied", &State::supplied},
-                                                  Field{"work_error", &State::work_error},
-                                                  Field{"angles", &State::angles},
-                                                  Field{"uncertain_angle", &State::uncertain_angle},
-                                                  Field{"memory", &State::memory},
-                                                  Field{"step", &State::step}};
+inline constexpr auto kFields<State> =
+    kFieldsOf<&State::time, &State::q, &State::v, &State::z, &State::dissipated, &State::load_work, &State::supplied,
+              &State::work_error, &State::angles, &State::uncertain_angle, &State::memory, &State::step>;
 
 MovingMechanism::MovingMechanism(const Scene& scene, double t_end, bool with_grains)
     : scene_(scene),

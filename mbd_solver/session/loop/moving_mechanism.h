@@ -13,11 +13,40 @@
 #include "mbd_solver/coupling/coupled_run.h"
 #include "mbd_solver/dynamics/equations.h"
 #include "mbd_solver/integrator/integrator.h"
-#include "mbd_solver/session/loop/instructions.h"
-#include "mbd_solver/session/loop/run_times.h"
+#include "mbd_solver/scene/scene.h"
 #include "mbd_solver/session/observe/sampler.h"
 
 namespace footfall {
+
+// From the table [solver] of a scene to the options of integrators and equations.
+
+Baumgarte baumgarte_of(const SolverSpec& spec);
+IntegratorOptions integrator_options(const SolverSpec& spec, bool with_grains);
+
+// Loads and inputs in an archive.
+template <>
+inline constexpr auto kFields<TangentLoad> =
+    kFieldsOf<&TangentLoad::K, &TangentLoad::C, &TangentLoad::r_mean, &TangentLoad::L_mean, &TangentLoad::v_mean>;
+
+template <>
+inline constexpr auto kFields<ExternalLoad> =
+    kFieldsOf<&ExternalLoad::F_W, &ExternalLoad::T_B, &ExternalLoad::Q_a, &ExternalLoad::tangent>;
+
+template <>
+inline constexpr auto kFields<Inputs> = kFieldsOf<&Inputs::loads, &Inputs::values>;
+
+// Where the wall time of a run goes.
+struct RunTimes {
+  double total = 0.0;       // wall time of the loop [s]
+  double mbd = 0.0;         // in the integrator [s]
+  double overlapped = 0.0;  // in output and controllers while the grains move [s]
+  double control = 0.0;     // in controllers [s]; with grains a part of the one above
+  double checkpoint = 0.0;  // in checkpoints: waiting for the DEM side, writing files [s]
+};
+
+template <>
+inline constexpr auto kFields<RunTimes> =
+    kFieldsOf<&RunTimes::total, &RunTimes::mbd, &RunTimes::overlapped, &RunTimes::control, &RunTimes::checkpoint>;
 
 class MovingMechanism {
  public:

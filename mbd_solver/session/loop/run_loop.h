@@ -3,16 +3,37 @@
 
 #include <csignal>
 #include <functional>
+#include <memory>
+#include <vector>
 
+#include "coupler/messages.h"
+#include "mbd_solver/session/collision_watch.h"
 #include "mbd_solver/session/loop/checkpointer.h"
 #include "mbd_solver/session/loop/event_finder.h"
 #include "mbd_solver/session/loop/event_foresight.h"
 #include "mbd_solver/session/loop/instructions.h"
 #include "mbd_solver/session/loop/moving_mechanism.h"
 #include "mbd_solver/session/loop/sampled_inputs.h"
-#include "mbd_solver/session/loop/surface_watch.h"
 
 namespace footfall {
+
+// Surfaces that must not meet during a run: of bodies, and the static walls of the script,
+// without walls that it has removed.
+class SurfaceWatch {
+ public:
+  explicit SurfaceWatch(MovingMechanism& moving) : moving_(moving) {}
+  // reference: the mechanism as assembled. The walls of the script act on the mechanism from now
+  // on. Adds its notes to the assembly's.
+  void start(const Kinematics& reference);
+  void begin();  // at the present sample, in which a run begins or resumes
+  void check();  // the present sample; throws NumericalError
+  const CollisionWatch* collisions() const { return collisions_.get(); }  // null where surfaces cannot meet
+
+ private:
+  MovingMechanism& moving_;
+  std::vector<StaticWall> walls_;
+  std::unique_ptr<CollisionWatch> collisions_;
+};
 
 struct RunParts {
   RunParts(const Scene& scene, double t_end, bool with_grains)

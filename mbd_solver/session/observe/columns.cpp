@@ -4,10 +4,8 @@
 #include "mbd_solver/session/observe/columns.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "mbd_solver/model/control/continuous_signals.h"
-#include "mbd_solver/model/elements/cable.h"
 #include "mbd_solver/model/elements/forces.h"
 #include "mbd_solver/model/elements/strut.h"
 

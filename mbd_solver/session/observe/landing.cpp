@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "coupler/base/errors.h"
+#include "coupler/base/text.h"
 #include "mbd_solver/model/elements/strut.h"
 #include "mbd_solver/session/codes.h"
 
@@ -16,7 +17,7 @@ namespace footfall {
 
 template <>
 inline constexpr auto kFields<LandingWatch::Extreme> =
-    std::tuple{Field{"value", &LandingWatch::Extreme::value}, Field{"time", &LandingWatch::Extreme::time}};
+    kFieldsOf<&LandingWatch::Extreme::value, &LandingWatch::Extreme::time>;
 
 namespace {
 
@@ -330,16 +331,61 @@ std::vector<LandingWatch::First> LandingWatch::struts_at_stops() const {
 }
 
 void LandingWatch::visit(Archive& archive) {
-  archive("touched", touched_);
-  archive("touched_at", touched_at_);
-  archive("stopped", stopped_);
+  archive.members<&LandingWatch::touched_, &LandingWatch::touched_at_, &LandingWatch::stopped_, &LandingWatch::rests_,
+                  &LandingWatch::any_contact_, &LandingWatch::started_, &LandingWatch::least_distance_,
+                  &LandingWatch::least_margin_, &LandingWatch::largest_tilt_, &LandingWatch::least_clearance_>(*this);
+}
+
+namespace {
+
+constexpr int kStands = 3;  // pads
+
+}  // namespace
+
+LandingEnd::LandingEnd(const Subject& subject, const LandingWatch& landing)
+    : spec_(*subject.scene.landing), base_(landing.base_body()), bodies_(landing.bodies()) {
+  const Model& model = subject.mechanism.model;
+  const Eigen::Vector3d r_base = model.initial(base_).r;
+  for (const int i : bodies_) length_ = std::max(length_, (model.initial(i).r - r_base).norm());
+  const Body& base = model.body(base_);
+  length_ += std::sqrt(base.rigid_inertia().selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff() / base.mass());
+}
+
+bool LandingEnd::moves(const Sample& sample, const LandingWatch& landing) const {
+  bool touches = false;
+  for (const int i : bodies_) {
+    if (!(sample.kinematics.of(i).dr.norm() <= spec_.rest_speed)) return true;
+    touches = touches || !sample.contact[i].F_W.isZero(0.0);
+  }
+  if (!(sample.kinematics.of(base_).w.norm() * length_ <= spec_.rest_speed)) return true;
+  return landing.now().pads_touching < kStands && !(touches && landing.tipped());
+}
+
+// Two clocks, each set back by what contradicts its state.
+void LandingEnd::update(const Sample& sample, const LandingWatch& landing) {
+  const double time = sample.state.time;
+  if (moves(sample, landing)) moved_ = std::max(moved_, time);
+  if (!landing.now().fallen) upright_ = std::max(upright_, time);
+  if (is_over()) return;
+  rests_ = spec_.end_at_rest && time - moved_ >= spec_.rest_time;
+  tipped_ = !rests_ && spec_.end_when_tipped && time - upright_ >= spec_.rest_time;
+}
+
+std::string LandingEnd::reason() const {
+  const std::string time = number_text(spec_.rest_time, 3) + " s";
+  if (rests_)
+    return "the lander is at rest: for " + time + " nothing of it moved faster than " +
+           number_text(spec_.rest_speed, 3) + " m/s";
+  if (tipped_)
+    return "the lander has tipped over: for " + time + " it was beyond its pads without the energy to return";
+  return "";
+}
+
+void LandingEnd::visit(Archive& archive) {
+  archive("moved", moved_);
+  archive("upright", upright_);
   archive("rests", rests_);
-  archive("any_contact", any_contact_);
-  archive("started", started_);
-  archive("least_distance", least_distance_);
-  archive("least_margin", least_margin_);
-  archive("largest_tilt", largest_tilt_);
-  archive("least_clearance", least_clearance_);
+  archive("fallen", tipped_);
 }
 
 }  // namespace footfall

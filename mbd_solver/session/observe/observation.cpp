@@ -2,7 +2,6 @@
 
 #include "mbd_solver/session/observe/observation.h"
 
-#include <optional>
 #include <set>
 
 #include "coupler/base/errors.h"

@@ -7,7 +7,7 @@
 
 #include "coupler/archive.h"
 #include "mbd_solver/session/observe/columns.h"
-#include "mbd_solver/session/observe/landing_end.h"
+#include "mbd_solver/session/observe/landing.h"
 #include "mbd_solver/session/observe/metrics.h"
 #include "mbd_solver/session/observe/sampler.h"
 

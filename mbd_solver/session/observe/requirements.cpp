@@ -85,7 +85,6 @@ double reduced_column(const std::vector<double>& column, Reduce reduce) {
     case Reduce::kFinal: return column.back();
   }
   FOOTFALL_DEMAND(false);
-  return 0.0;
 }
 
 // Of the expression `text`; throws NumericalError with the reason why there is none.
@@ -198,57 +197,17 @@ void judge_ledger(Json& summary, const History& history, const History& ledger) 
 }
 
 const std::vector<std::string>& summary_figures() {
-  static const std::vector<std::string> names = {"end_time_s",
-                                                 "peak_acceleration_g",
-                                                 "peak_acceleration_time_s",
-                                                 "max_descent_m",
-                                                 "max_descent_time_s",
-                                                 "max_sinkage_m",
-                                                 "max_sinkage_time_s",
-                                                 "max_contact_force_N",
-                                                 "max_contact_force_time_s",
-                                                 "max_step_force_N",
-                                                 "max_step_force_time_s",
-                                                 "creep_speed_m_s",
-                                                 "stability_distance_m",
-                                                 "stability_distance_time_s",
-                                                 "tip_energy_margin_J",
-                                                 "tip_energy_margin_time_s",
-                                                 "tipped",
-                                                 "max_tilt_rad",
-                                                 "max_tilt_time_s",
-                                                 "final_tilt_rad",
-                                                 "slid_distance_m",
-                                                 "pads_touched",
-                                                 "struts_at_stops",
-                                                 "reference_energy_J",
-                                                 "energy_flow_J",
-                                                 "energy_balance_relative",
-                                                 "drift_position",
-                                                 "drift_velocity",
-                                                 "drift_removed_position",
-                                                 "drift_removed_velocity",
-                                                 "coupling_energy_error_relative",
-                                                 "max_overlap_over_radius",
-                                                 "particles",
-                                                 "grains_lost",
-                                                 "grains_lost_kg",
-                                                 "dt_dem_s",
-                                                 "steps",
-                                                 "windows",
-                                                 "rejected_steps",
-                                                 "newton_failures",
-                                                 "residuals",
-                                                 "jacobians",
-                                                 "factorizations",
-                                                 "wall_s",
-                                                 "dem_wall_s",
-                                                 "waited_wall_s",
-                                                 "mbd_wall_s",
-                                                 "mbd_beside_wall_s",
-                                                 "control_wall_s",
-                                                 "checkpoint_wall_s",
-                                                 "exchange_wall_s"};
+  static const std::vector<std::string> names = split(
+      "end_time_s peak_acceleration_g peak_acceleration_time_s max_descent_m max_descent_time_s max_sinkage_m "
+      "max_sinkage_time_s max_contact_force_N max_contact_force_time_s max_step_force_N max_step_force_time_s "
+      "creep_speed_m_s stability_distance_m stability_distance_time_s tip_energy_margin_J "
+      "tip_energy_margin_time_s tipped max_tilt_rad max_tilt_time_s final_tilt_rad slid_distance_m "
+      "pads_touched struts_at_stops reference_energy_J energy_flow_J energy_balance_relative drift_position "
+      "drift_velocity drift_removed_position drift_removed_velocity coupling_energy_error_relative "
+      "max_overlap_over_radius particles grains_lost grains_lost_kg dt_dem_s steps windows rejected_steps "
+      "newton_failures residuals jacobians factorizations wall_s dem_wall_s waited_wall_s mbd_wall_s "
+      "mbd_beside_wall_s control_wall_s checkpoint_wall_s exchange_wall_s",
+      ' ');
   return names;
 }
 
@@ -267,14 +226,10 @@ double Requirements::Range::reduced(Reduce reduce) const {
     case Reduce::kFinal: return last;
   }
   FOOTFALL_DEMAND(false);
-  return 0.0;
 }
 
 void Requirements::Range::visit(Archive& archive) {
-  archive("least", least);
-  archive("largest", largest);
-  archive("last", last);
-  archive("seen", seen);
+  archive.members<&Range::least, &Range::largest, &Range::last, &Range::seen>(*this);
 }
 
 Requirements::Requirements(const Scene& scene, std::vector<std::string> columns)

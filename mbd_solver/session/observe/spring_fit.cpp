@@ -2,8 +2,6 @@
 
 #include "mbd_solver/session/observe/spring_fit.h"
 
-#include <cmath>
-
 namespace footfall {
 namespace {
 

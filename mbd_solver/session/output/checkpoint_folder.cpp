@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <filesystem>
 #include <sstream>
-#include <vector>
 
 #include "coupler/base/codes.h"
 #include "coupler/base/errors.h"

@@ -2,7 +2,6 @@
 // history.csv: one row of numbers per output time. The first line is "# units: s,m,...", the second the column names.
 
 #include <chrono>
-#include <cstdint>
 #include <fstream>
 #include <string>
 #include <vector>

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <thread>
 
@@ -21,7 +20,6 @@
 #include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/session/codes.h"
 #include "mbd_solver/session/output/former_names.h"
-#include "mbd_solver/session/output/live_note.h"
 
 namespace footfall {
 

@@ -9,7 +9,6 @@
 #include <pugixml.hpp>
 #include <sstream>
 #include <string_view>
-#include <utility>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"

@@ -16,7 +16,6 @@
 #include "mbd_solver/app/run_folder.h"
 #include "mbd_solver/app/scenery/scenery.h"
 #include "mbd_solver/scene/scene_reader.h"
-#include "mbd_solver/session/output/live_note.h"
 #include "mbd_solver/session/output/summary.h"
 #include "tests/support/temporary_folder.h"
 

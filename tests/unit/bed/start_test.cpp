@@ -4,7 +4,7 @@
 
 #include "mbd_solver/bed/bed_forecast.h"
 #include "mbd_solver/bed/bed_report.h"
-#include "mbd_solver/session/observe/start_overlaps.h"
+#include "mbd_solver/session/observe/start_check.h"
 #include "tests/unit/scene/scene_text.h"
 
 namespace footfall {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
 
 #include "mbd_solver/base/pi.h"
@@ -12,7 +11,6 @@
 #include "mbd_solver/session/observe/start_values.h"
 #include "mbd_solver/session/output/history.h"
 #include "mbd_solver/session/output/summary.h"
-#include "mbd_solver/session/run_scene.h"
 #include "tests/support/refused.h"
 #include "tests/unit/session/recorded.h"
 #include "tests/unit/session/small_machine.h"

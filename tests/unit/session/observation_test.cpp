@@ -11,7 +11,6 @@
 #include <optional>
 #include <set>
 
-#include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/session/observe/columns.h"

@@ -1,7 +1,6 @@
 // Pulses of given functions of time, shorter than steps, in every notation: none is passed over.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>

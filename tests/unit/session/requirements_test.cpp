@@ -1,12 +1,10 @@
 // Requirements of a scene: met, missed, and without a value.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
 #include <string>
 
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/session/observe/observation.h"
 #include "mbd_solver/session/observe/requirements.h"
 #include "mbd_solver/session/observe/start_values.h"
 #include "mbd_solver/session/output/checkpoint_folder.h"

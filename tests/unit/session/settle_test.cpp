@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <csignal>
 
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/session/simulation.h"

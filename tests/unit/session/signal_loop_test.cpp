@@ -1,7 +1,5 @@
 // Signals, states and events in runs whose motion is known in closed form.
 
-#include "mbd_solver/session/signal_loop.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

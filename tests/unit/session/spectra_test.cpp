@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/session/output/spectra.h"
 #include "tests/support/refused.h"
