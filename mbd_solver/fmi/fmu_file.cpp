@@ -11,7 +11,6 @@
 #include <functional>
 #include <memory>
 #include <set>
-#include <vector>
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/budget.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "coupler/base/text.h"
 #include "mbd_solver/fmi/fmi3_interface.h"
@@ -69,35 +68,13 @@ class Instance3 final : public FmuInstanceOf<Fmi3> {
   }
 
   void set(const FmuVariable& v, const std::vector<double>& values) override {
-    const std::string& type = v.type;
-    if (type == "Float64") return set_as<fmi3Float64>(v, values);
-    if (type == "Float32") return set_as<fmi3Float32>(v, values);
-    if (type == "Int8") return set_as<fmi3Int8>(v, values);
-    if (type == "UInt8") return set_as<fmi3UInt8>(v, values);
-    if (type == "Int16") return set_as<fmi3Int16>(v, values);
-    if (type == "UInt16") return set_as<fmi3UInt16>(v, values);
-    if (type == "Int32") return set_as<fmi3Int32>(v, values);
-    if (type == "UInt32") return set_as<fmi3UInt32>(v, values);
-    if (type == "Int64" || type == "Enumeration") return set_as<fmi3Int64>(v, values, "Int64");
-    if (type == "UInt64") return set_as<fmi3UInt64>(v, values);
-    if (type == "Boolean") return set_as<fmi3Boolean>(v, values);
-    throw FmuError("its variable \"" + v.name + "\" is of the type " + type + ", which cannot be set");
+    by_type(v, "set", [&](auto value, const std::string& type) { set_as<decltype(value)>(v, values, type); });
   }
 
   std::vector<double> get(const FmuVariable& v, std::size_t count) override {
-    const std::string& type = v.type;
-    if (type == "Float64") return get_as<fmi3Float64>(v, count);
-    if (type == "Float32") return get_as<fmi3Float32>(v, count);
-    if (type == "Int8") return get_as<fmi3Int8>(v, count);
-    if (type == "UInt8") return get_as<fmi3UInt8>(v, count);
-    if (type == "Int16") return get_as<fmi3Int16>(v, count);
-    if (type == "UInt16") return get_as<fmi3UInt16>(v, count);
-    if (type == "Int32") return get_as<fmi3Int32>(v, count);
-    if (type == "UInt32") return get_as<fmi3UInt32>(v, count);
-    if (type == "Int64" || type == "Enumeration") return get_as<fmi3Int64>(v, count, "Int64");
-    if (type == "UInt64") return get_as<fmi3UInt64>(v, count);
-    if (type == "Boolean") return get_as<fmi3Boolean>(v, count);
-    throw FmuError("its variable \"" + v.name + "\" is of the type " + type + ", which cannot be read");
+    std::vector<double> values;
+    by_type(v, "read", [&](auto value, const std::string& type) { values = get_as<decltype(value)>(v, count, type); });
+    return values;
   }
 
   void set_text(const FmuVariable& v, const std::string& value) override {
@@ -107,18 +84,35 @@ class Instance3 final : public FmuInstanceOf<Fmi3> {
   }
 
  private:
+  // use(value of its type, name of the type in functions)
+  template <class Use>
+  static void by_type(const FmuVariable& v, const char* what, const Use& use) {
+    const std::string& type = v.type;
+    if (type == "Float64") return use(fmi3Float64(), type);
+    if (type == "Float32") return use(fmi3Float32(), type);
+    if (type == "Int8") return use(fmi3Int8(), type);
+    if (type == "UInt8") return use(fmi3UInt8(), type);
+    if (type == "Int16") return use(fmi3Int16(), type);
+    if (type == "UInt16") return use(fmi3UInt16(), type);
+    if (type == "Int32") return use(fmi3Int32(), type);
+    if (type == "UInt32") return use(fmi3UInt32(), type);
+    if (type == "Int64" || type == "Enumeration") return use(fmi3Int64(), "Int64");
+    if (type == "UInt64") return use(fmi3UInt64(), type);
+    if (type == "Boolean") return use(fmi3Boolean(), type);
+    throw FmuError("its variable \"" + v.name + "\" is of the type " + type + ", which cannot be " + what);
+  }
   template <class Value>
-  void set_as(const FmuVariable& v, const std::vector<double>& values, const char* type = nullptr) {
+  void set_as(const FmuVariable& v, const std::vector<double>& values, const std::string& type) {
     const std::unique_ptr<Value[]> list(new Value[values.size()]);
     for (std::size_t i = 0; i < values.size(); ++i) list[i] = value_as<Value>(v, values[i]);
     const fmi3ValueReference reference = v.reference;
-    call<fmi3SetTYPE<Value>>("Set" + (type ? type : v.type), &reference, 1, list.get(), values.size());
+    call<fmi3SetTYPE<Value>>("Set" + type, &reference, 1, list.get(), values.size());
   }
   template <class Value>
-  std::vector<double> get_as(const FmuVariable& v, std::size_t count, const char* type = nullptr) {
+  std::vector<double> get_as(const FmuVariable& v, std::size_t count, const std::string& type) {
     const std::unique_ptr<Value[]> list(new Value[count]());
     const fmi3ValueReference reference = v.reference;
-    call<fmi3GetTYPE<Value>>("Get" + (type ? type : v.type), &reference, 1, list.get(), count);
+    call<fmi3GetTYPE<Value>>("Get" + type, &reference, 1, list.get(), count);
     return {list.get(), list.get() + count};
   }
 

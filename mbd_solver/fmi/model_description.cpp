@@ -1,13 +1,11 @@
 // pugixml reads modelDescription.xml of FMI 3.0 and 2.0: attributes of the model, and its variables in one form.
 
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <pugixml.hpp>
 #include <set>
 
 #include "coupler/base/number.h"
-#include "coupler/base/text.h"
 #include "mbd_solver/base/budget.h"
 #include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/fmi/fmu_file.h"

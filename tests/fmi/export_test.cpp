@@ -8,7 +8,6 @@
 #include <cctype>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -23,7 +22,6 @@
 #include "mbd_solver/fmi/export/fmu_command.h"
 #include "mbd_solver/fmi/fmi3_interface.h"
 #include "mbd_solver/fmi/fmu_file.h"
-#include "mbd_solver/fmi/fmu_instance.h"
 #include "tests/app/programs.h"
 #include "tests/fmi/asked_fmu.h"
 #include "tests/fmi/led_fmu.h"

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <map>
 
-#include "mbd_solver/session/output/history.h"
 #include "tests/app/programs.h"
 
 namespace footfall {

@@ -11,7 +11,6 @@
 #include <set>
 
 #include "coupler/base/files.h"
-#include "coupler/base/text.h"
 #include "mbd_solver/app/check_command.h"
 #include "mbd_solver/base/fingerprint.h"
 #include "mbd_solver/fmi/codes.h"

@@ -10,11 +10,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <map>
 #include <memory>
 
 #include "coupler/base/files.h"
+#include "mbd_solver/base/exact_number.h"
 #include "mbd_solver/base/helper_process.h"
 #include "mbd_solver/fmi/fmi3_interface.h"
 #include "mbd_solver/fmi/model/exported_model.h"
@@ -457,32 +457,22 @@ FMI3 fmi3Status fmi3DeserializeFMUState(fmi3Instance i, const fmi3Byte* bytes, s
   FMI3 fmi3Status name(fmi3Instance instance, ...) {                                                       \
     return guarded_call(instance, [](Instance&) { throw std::runtime_error(#name " is not supported"); }); \
   }
-NOT_SUPPORTED(fmi3GetFloat32)
-NOT_SUPPORTED(fmi3SetFloat32)
-NOT_SUPPORTED(fmi3GetInt8)
-NOT_SUPPORTED(fmi3SetInt8)
-NOT_SUPPORTED(fmi3GetUInt8)
-NOT_SUPPORTED(fmi3SetUInt8)
-NOT_SUPPORTED(fmi3GetInt16)
-NOT_SUPPORTED(fmi3SetInt16)
-NOT_SUPPORTED(fmi3GetUInt16)
-NOT_SUPPORTED(fmi3SetUInt16)
-NOT_SUPPORTED(fmi3GetInt32)
-NOT_SUPPORTED(fmi3SetInt32)
-NOT_SUPPORTED(fmi3GetUInt32)
-NOT_SUPPORTED(fmi3SetUInt32)
-NOT_SUPPORTED(fmi3GetInt64)
-NOT_SUPPORTED(fmi3SetInt64)
-NOT_SUPPORTED(fmi3GetUInt64)
-NOT_SUPPORTED(fmi3SetUInt64)
-NOT_SUPPORTED(fmi3GetBoolean)
-NOT_SUPPORTED(fmi3SetBoolean)
-NOT_SUPPORTED(fmi3GetString)
-NOT_SUPPORTED(fmi3SetString)
-NOT_SUPPORTED(fmi3GetBinary)
-NOT_SUPPORTED(fmi3SetBinary)
-NOT_SUPPORTED(fmi3GetClock)
-NOT_SUPPORTED(fmi3SetClock)
+#define NO_ACCESS(type)        \
+  NOT_SUPPORTED(fmi3Get##type) \
+  NOT_SUPPORTED(fmi3Set##type)
+NO_ACCESS(Float32)
+NO_ACCESS(Int8)
+NO_ACCESS(UInt8)
+NO_ACCESS(Int16)
+NO_ACCESS(UInt16)
+NO_ACCESS(Int32)
+NO_ACCESS(UInt32)
+NO_ACCESS(Int64)
+NO_ACCESS(UInt64)
+NO_ACCESS(Boolean)
+NO_ACCESS(String)
+NO_ACCESS(Binary)
+NO_ACCESS(Clock)
 NOT_SUPPORTED(fmi3GetNumberOfVariableDependencies)
 NOT_SUPPORTED(fmi3GetVariableDependencies)
 NOT_SUPPORTED(fmi3GetDirectionalDerivative)
@@ -491,14 +481,10 @@ NOT_SUPPORTED(fmi3EnterConfigurationMode)
 NOT_SUPPORTED(fmi3ExitConfigurationMode)
 NOT_SUPPORTED(fmi3EnterEventMode)
 NOT_SUPPORTED(fmi3EnterStepMode)
-NOT_SUPPORTED(fmi3GetIntervalDecimal)
-NOT_SUPPORTED(fmi3GetIntervalFraction)
-NOT_SUPPORTED(fmi3GetShiftDecimal)
-NOT_SUPPORTED(fmi3GetShiftFraction)
-NOT_SUPPORTED(fmi3SetIntervalDecimal)
-NOT_SUPPORTED(fmi3SetIntervalFraction)
-NOT_SUPPORTED(fmi3SetShiftDecimal)
-NOT_SUPPORTED(fmi3SetShiftFraction)
+NO_ACCESS(IntervalDecimal)
+NO_ACCESS(IntervalFraction)
+NO_ACCESS(ShiftDecimal)
+NO_ACCESS(ShiftFraction)
 NOT_SUPPORTED(fmi3EvaluateDiscreteStates)
 NOT_SUPPORTED(fmi3UpdateDiscreteStates)
 NOT_SUPPORTED(fmi3EnterContinuousTimeMode)

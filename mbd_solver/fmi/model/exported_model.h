@@ -12,8 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/base/exact_number.h"
-
 namespace footfall {
 
 struct ExportedVariable {
