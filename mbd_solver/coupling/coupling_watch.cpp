@@ -6,13 +6,89 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <regex>
 #include <utility>
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/coupling/codes.h"
+#include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
+namespace {
+
+// A variable of the script with a plain number.
+struct ScriptNumber {
+  std::string name;  // empty: none
+  double value = 0.0;
+};
+
+// The number in the first command whose text matches; the pattern's first group is the name.
+ScriptNumber number_of(const ScriptText& script, const std::string& pattern) {
+  const std::regex line(pattern);
+  std::smatch match;
+  for (const ScriptCommand& command : script.commands()) {
+    if (!std::regex_search(command.text, match, line)) continue;
+    const std::string name = match[1];
+    if (const std::optional<double> value = as_number(script.value(name))) return {name, *value};
+  }
+  return {};
+}
+
+std::string set(const std::string& key, const std::string& value) { return "--set " + key + "=" + value; }
+std::string set(const ScriptNumber& number, double factor) {
+  return set("particles.variables." + number.name, number_text(factor * number.value, 2));
+}
+std::string as_typed(const std::string& words) { return "`" + words + "`"; }
+
+std::string interval_of_script(const ParticlesSpec& particles, int n) {
+  const ScriptText script(particles.script, particles.variables);
+  const ScriptNumber every = number_of(script, R"(couple/mbd\s.*\bevery\s+\$\{?(\w+))");
+  const std::string steps = std::to_string(n);
+  return as_typed(every.name.empty() ? "every " + steps : set("particles.variables." + every.name, steps));
+}
+
+std::string stiffer_script(const ParticlesSpec& particles, double f) {
+  const ScriptText script(particles.script, particles.variables);
+  const ScriptNumber modulus = number_of(script, R"(youngsModulus\s+peratomtype\s.*?\$\{?(\w+))"),
+                     step = number_of(script, R"(^\s*timestep\s+\$\{?(\w+))");
+  const std::string times = number_text(f, 2);
+  if (modulus.name.empty() || step.name.empty())
+    return "multiply Young's modulus of the grains by " + times + " and divide the time step by " +
+           number_text(std::sqrt(f), 2);
+  return as_typed(set(modulus, f) + " " + set(step, 1.0 / std::sqrt(f))) + " (Young's modulus times " + times + ")";
+}
+
+std::string stiffer_box(const BoxSpec& box, double f) {
+  std::string words = set("particles.box.material.young", number_text(f * box.material.young, 2));
+  if (box.time_step) words += " " + set("particles.box.time_step", number_text(*box.time_step / std::sqrt(f), 2));
+  return as_typed(words) + " (Young's modulus times " + number_text(f, 2) + ")";
+}
+
+}  // namespace
+
+// Keys of a box, or variables of the user's script that set the interval, the modulus and the time step.
+CouplingAdvice coupling_advice(const Scene& scene, bool chooses_windows) {
+  const ParticlesSpec& particles = *scene.particles;
+  CouplingAdvice advice;
+  if (chooses_windows) {
+    advice.interval = [](int n) { return as_typed(set("coupling.max_substeps", std::to_string(n))); };
+  } else if (particles.box) {
+    advice.interval = [](int n) { return as_typed(set("particles.box.exchange_steps", std::to_string(n))); };
+  } else {
+    advice.interval = [&particles](int n) { return interval_of_script(particles, n); };
+  }
+  if (particles.box) {
+    advice.shorter_step = "a smaller particles.box.time_step";
+    advice.stiffer = [&particles](double f) { return stiffer_box(*particles.box, f); };
+  } else {
+    advice.shorter_step = "a smaller timestep in the script";
+    advice.stiffer = [&particles](double f) { return stiffer_script(particles, f); };
+  }
+  return advice;
+}
+
 namespace {
 
 constexpr int kChatterWindows = 16;     // alternations in a row that no impact shows
@@ -69,55 +145,24 @@ std::string CouplingWatch::shorter(double n, int& advised) const {
 }
 
 void CouplingWatch::Touch::visit(Archive& archive) {
-  archive("contact_time", contact_time);
-  archive("most_contacts", most_contacts);
-  archive("longest_H", longest_H);
-  archive("impulse", impulse);
+  archive.members<&Touch::contact_time, &Touch::most_contacts, &Touch::longest_H, &Touch::impulse>(*this);
 }
 
 void CouplingWatch::Work::visit(Archive& archive) {
-  archive("sum", sum);
-  archive("largest", largest);
-  archive("smallest", smallest);
-  archive("kinetic", kinetic);
-  archive("surplus", surplus);
-  archive("grain", grain);
+  archive.members<&Work::sum, &Work::largest, &Work::smallest, &Work::kinetic, &Work::surplus, &Work::grain>(*this);
 }
 
 void CouplingWatch::Peak::visit(Archive& archive) {
-  archive("force", force);
-  archive("time", time);
-  archive("steps", steps);
-  archive("n", n);
+  archive.members<&Peak::force, &Peak::time, &Peak::steps, &Peak::n>(*this);
 }
 
 void CouplingWatch::Record::visit(Archive& archive) {
-  archive("omega_h", omega_h);
-  archive("largest_omega_h", largest_omega_h);
-  archive("most_excess", most_excess);
-  archive("worst_omega_h", worst_omega_h);
-  archive("worst_n", worst_n);
-  archive("led", led);
-  archive("work", work);
-  archive("touch", touch);
-  archive("touches", touches);
-  archive("impulse", impulse);
-  archive("unresolved", unresolved);
-  archive("shortest", shortest);
-  archive("surplus", surplus);
-  archive("given", given);
-  archive("force", force);
-  archive("change", change);
-  archive("sizes", sizes);
-  archive("largest_force", largest_force);
-  archive("peak", peak);
-  archive("inner_peak", inner_peak);
-  archive("smoothed", smoothed);
-  archive("smoothed_n", smoothed_n);
-  archive("error", error);
-  archive("error_before", error_before);
-  archive("error_n", error_n);
-  archive("alternations", alternations);
+  archive.members<&Record::omega_h, &Record::largest_omega_h, &Record::most_excess, &Record::worst_omega_h,
+                  &Record::worst_n, &Record::led, &Record::work, &Record::touch, &Record::touches, &Record::impulse,
+                  &Record::unresolved, &Record::shortest, &Record::surplus, &Record::given, &Record::force,
+                  &Record::change, &Record::sizes, &Record::largest_force, &Record::peak, &Record::inner_peak,
+                  &Record::smoothed, &Record::smoothed_n, &Record::error, &Record::error_before, &Record::error_n,
+                  &Record::alternations>(*this);
 }
 
 void CouplingWatch::visit(Archive& archive) {
@@ -137,17 +182,12 @@ void CouplingWatch::visit(Archive& archive) {
   archive("deepest_time", deepest_.time);
   archive("deepest", deepest_.body);
   archive("starts_in_bed", deepest_.starts_in_bed);
-  archive("dt", dt_);
-  archive("n_before", n_before_);
-  archive("n_longest", n_longest_);
-  archive("lengths", lengths_);
-  archive("advised", advised_);
+  archive.members<&CouplingWatch::dt_, &CouplingWatch::n_before_, &CouplingWatch::n_longest_, &CouplingWatch::lengths_,
+                  &CouplingWatch::advised_>(*this);
   archive("largest_overlap", deepest_.overlap);
   archive("largest_patch", deepest_.patch);
-  archive("largest_force", largest_force_);
-  archive("largest_impulse", largest_impulse_);
-  archive("surplus_windows", surplus_windows_);
-  archive("warnings", warnings_);
+  archive.members<&CouplingWatch::largest_force_, &CouplingWatch::largest_impulse_, &CouplingWatch::surplus_windows_,
+                  &CouplingWatch::warnings_>(*this);
 }
 
 std::vector<double> CouplingWatch::omega_h() const {

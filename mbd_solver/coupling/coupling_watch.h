@@ -2,6 +2,7 @@
 // How well the two programs agree, measured in every window: energy that the interface creates or dissipates, omega H
 // of each body, forces that alternate. theory 7.9.
 
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -9,10 +10,22 @@
 #include "coupler/archive.h"
 #include "coupler/messages.h"
 #include "coupler/schemes/window_map.h"
-#include "mbd_solver/coupling/coupling_advice.h"
 #include "mbd_solver/scene/run_spec.h"
+#include "mbd_solver/scene/scene.h"
 
 namespace footfall {
+
+// Settings by which the user of a scene can correct a coupling interval that is too long, or grains that are too soft.
+struct CouplingAdvice {
+  // Windows of n DEM steps: "`--set particles.variables.every=2`", or "`every 2`" where no variable sets them.
+  std::function<std::string(int n)> interval;
+  std::string shorter_step;  // of the grains: "a smaller timestep in the script"
+  // Grains f times as stiff. Their time step shrinks by sqrt(f), as the Rayleigh time does.
+  std::function<std::string(double f)> stiffer;
+};
+
+// scene: must outlive the advice, which reads the script only when advice is needed.
+CouplingAdvice coupling_advice(const Scene& scene, bool chooses_windows);
 
 // The energy of the interface is compared with the energy that the contacts exchange, whatever the mechanism does:
 //   E = sum over bodies of the larger of

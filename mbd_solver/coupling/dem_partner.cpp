@@ -7,7 +7,6 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "coupler/messages.h"
 #include "mbd_solver/coupling/codes.h"
 
 namespace footfall {

@@ -13,15 +13,80 @@
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/dynamics/codes.h"
-#include "mbd_solver/dynamics/constraint_rows.h"
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/dynamics/turn_follower.h"
 #include "mbd_solver/model/elements/gear.h"
-#include "mbd_solver/model/elements/joint_coordinate.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {
+
+constexpr double kContradiction = 1e-8;  // larger remaining gaps cannot be closed [m or rad]
+constexpr int kMostClosingSteps = 30;
+constexpr double kAssembled = 1e-12;  // accuracy in double precision for mechanisms of metres [m or rad]
+// While the joints are open by a gap g, redundant conditions appear independent to about g; they must not influence the
+// closing.
+constexpr double kClosingRank = 1e-5;
+
+// The angles of gears (state.z) now; with dx, after this step of the bodies.
+void follow_turns(const Model& model, const Layout& layout, const Kinematics& kinematics, const Eigen::VectorXd* dx,
+                  State& state) {
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const int z = layout.joint_turns[j];
+    if (z < 0) continue;
+    const Joint& joint = model.joint(j);
+    const PairMotion pair = kinematics.pair(joint.m1.body, joint.m2.body);
+    const JointCoordinate q(Coordinate::kAngle, pair, joint.m1, joint.m2);
+    state.z[z] = nearest_turn(q.value(), state.z[z]);
+    if (dx == nullptr) continue;
+    Eigen::VectorXd q_x = Eigen::VectorXd::Zero(pair.size());
+    q.add_gradient(1.0, q_x);
+    const int bodies[2] = {joint.m1.body, joint.m2.body};
+    for (int i = 0; i < 2; ++i) {
+      const int n = pair.body[i]->size();
+      if (n > 0) state.z[z] += q_x.segment(pair.offset(i), n).dot(dx->segment(layout.body_v[bodies[i]], n));
+    }
+  }
+}
+
+// Gauss-Newton with the smallest correction, until the gaps no longer fall; angles of gears follow. `rows` are evaluated at
+// `state` before and after.
+void close_joints(const Model& model, const Layout& layout, ConstraintRows& rows, State& state) {
+  double last = HUGE_VAL;
+  for (int i = 0; i < kMostClosingSteps; ++i) {
+    const double now = rows.phi.lpNorm<Eigen::Infinity>();
+    if (now <= 1e-15 || (now <= kAssembled && now >= 0.5 * last)) break;
+    last = now;
+    const Eigen::VectorXd dx = rows.correction(rows.phi, kClosingRank);
+    follow_turns(model, layout, rows.kinematics(), &dx, state);
+    add_increment(layout, dx, state.q);
+    rows.evaluate(state);
+  }
+  follow_turns(model, layout, rows.kinematics(), nullptr, state);
+}
+
+// Names of joints, quoted.
+std::string joint_names(const Model& model, const std::vector<int>& joints) {
+  std::string out;
+  for (int joint : joints) out += (out.empty() ? "\"" : ", \"") + model.joint(joint).name + "\"";
+  return out;
+}
+
+// Throws InputError naming the joints with the largest entries of `defect` (one per row) if these exceed round-off of `scale`:
+// the joints contradict each other, `what` by a number of `unit`.
+void check_contradiction(const Model& model, const Layout& layout, const Eigen::VectorXd& defect, double scale,
+                         const std::string& what, const std::string& unit) {
+  const double largest = defect.lpNorm<Eigen::Infinity>();
+  if (largest <= kContradiction * scale) return;
+  std::vector<int> worst;
+  for (int row = 0; row < defect.size(); ++row) {
+    const int joint = layout.row_joint[row];
+    if (std::abs(defect[row]) > 0.1 * largest && (worst.empty() || worst.back() != joint)) worst.push_back(joint);
+  }
+  throw InputError(code::kJointsContradict, "joints " + joint_names(model, worst) + " contradict each other: " + what +
+                                                " by " + number_text(largest, 3) + " " + unit +
+                                                ". Move one of them, or free one of its directions.");
+}
 
 // A joint of another model with the same bodies.
 void add_joint(Joint joint, Model& out) {
@@ -29,6 +94,82 @@ void add_joint(Joint joint, Model& out) {
     joint.turn_counter =
         out.add_force(std::make_unique<TurnCounter>("turns/" + joint.name, joint.m1, joint.m2)).index();
   out.add_joint(std::move(joint));
+}
+
+void add_joints(const Model& model, Model& out) {
+  for (int j = 0; j < model.joint_count(); ++j) add_joint(model.joint(j), out);
+}
+
+Model unbendable(const Model& model) {
+  Model out;
+  for (int i = 0; i < model.body_count(); ++i) {
+    const Body& body = model.body(i);
+    BodyState start = model.initial(i);
+    if (body.mode_count() == 0) {
+      out.add_body(body, start);
+      continue;
+    }
+    ModalBody modal = *body.modal();
+    for (Eigen::MatrixXd* shapes : {&modal.Phi, &modal.Psi, &modal.stress_modes}) shapes->resize(shapes->rows(), 0);
+    modal.stiffness.resize(0);
+    modal.damping.resize(0);
+    start.a.resize(0);
+    start.da.resize(0);
+    out.add_body(Body(body.name(), std::make_shared<const ModalBody>(std::move(modal))), start);
+  }
+  add_joints(model, out);
+  return out;
+}
+
+// The bodies and joints of a model, and of its forces the counters of turns.
+Model without_forces(const Model& model) {
+  Model out;
+  for (int i = 0; i < model.body_count(); ++i) out.add_body(model.body(i), model.initial(i));
+  add_joints(model, out);
+  return out;
+}
+
+// Closes the joints of a model without forces by moving its bodies without bending them: in the metric of masses a stiff body
+// bends as easily as it turns, and the smallest motion alone would leave it with large forces.
+class UnbentClosing {
+ public:
+  // layout: of the model. Both must outlive this object.
+  UnbentClosing(const Model& model, const Layout& layout)
+      : layout_(layout), model_(unbendable(model)), rigid_(model_), rows_(model_, rigid_) {
+    for (int i = 0; i < model.body_count(); ++i) bends_ = bends_ || model.body(i).mode_count() > 0;
+  }
+  // Does not change the state if this is not sufficient, or if no body can bend.
+  void close(State& state) {
+    if (!bends_) return;
+    State moved = state;
+    moved.q.resize(rigid_.q_size);
+    moved.v = Eigen::VectorXd::Zero(rigid_.v_size);
+    for (std::size_t i = 0; i < layout_.body_q.size(); ++i)
+      moved.q.segment<7>(rigid_.body_q[i]) = state.q.segment<7>(layout_.body_q[i]);
+    rows_.evaluate(moved);
+    close_joints(model_, rigid_, rows_, moved);
+    if (rows_.phi.lpNorm<Eigen::Infinity>() > kContradiction) return;
+    for (std::size_t i = 0; i < layout_.body_q.size(); ++i)
+      state.q.segment<7>(layout_.body_q[i]) = moved.q.segment<7>(rigid_.body_q[i]);
+    state.z = moved.z;
+  }
+
+ private:
+  const Layout& layout_;
+  Model model_;  // the same bodies and joints, and none of the bodies can bend
+  Layout rigid_;
+  ConstraintRows rows_;
+  bool bends_ = false;
+};
+
+// The same for the initial positions of a model.
+void close_unbent(const Model& model, State& state) {
+  const Model joints_alone = without_forces(model);
+  const Layout layout(joints_alone);
+  State closed = state;
+  closed.z = Eigen::VectorXd::Zero(layout.z_size);
+  UnbentClosing(joints_alone, layout).close(closed);
+  state.q = closed.q;
 }
 
 constexpr double kStartStep = 0.05;  // of a coordinate on its way to its start value [rad or m]
@@ -73,8 +214,8 @@ void put_back_first_body(const Model& model, const Layout& layout, State& state)
   }
 }
 
-}  // namespace
-
+// Moves the coordinates to their values in small steps, so that loops remain on their branch. The joints of `state` are
+// closed before and after. Throws InputError if they cannot be closed.
 void move_to_start(const Model& model, const std::vector<StartCoordinate>& start, State& state) {
   const Model on_the_way = model_on_the_way(model, start);
   const Layout layout(on_the_way), all(model);
@@ -100,138 +241,6 @@ void move_to_start(const Model& model, const std::vector<StartCoordinate>& start
   state.z = std::move(z);
   put_back_first_body(model, layout, state);
 }
-
-namespace {
-
-void add_joints(const Model& model, Model& out) {
-  for (int j = 0; j < model.joint_count(); ++j) add_joint(model.joint(j), out);
-}
-
-Model unbendable(const Model& model) {
-  Model out;
-  for (int i = 0; i < model.body_count(); ++i) {
-    const Body& body = model.body(i);
-    BodyState start = model.initial(i);
-    if (body.mode_count() == 0) {
-      out.add_body(body, start);
-      continue;
-    }
-    ModalBody modal = *body.modal();
-    for (Eigen::MatrixXd* shapes : {&modal.Phi, &modal.Psi, &modal.stress_modes}) shapes->resize(shapes->rows(), 0);
-    modal.stiffness.resize(0);
-    modal.damping.resize(0);
-    start.a.resize(0);
-    start.da.resize(0);
-    out.add_body(Body(body.name(), std::make_shared<const ModalBody>(std::move(modal))), start);
-  }
-  add_joints(model, out);
-  return out;
-}
-
-}  // namespace
-
-Model without_forces(const Model& model) {
-  Model out;
-  for (int i = 0; i < model.body_count(); ++i) out.add_body(model.body(i), model.initial(i));
-  add_joints(model, out);
-  return out;
-}
-
-UnbentClosing::UnbentClosing(const Model& model, const Layout& layout)
-    : layout_(layout), model_(unbendable(model)), rigid_(model_), rows_(model_, rigid_) {
-  for (int i = 0; i < model.body_count(); ++i) bends_ = bends_ || model.body(i).mode_count() > 0;
-}
-
-void UnbentClosing::close(State& state) {
-  if (!bends_) return;
-  State moved = state;
-  moved.q.resize(rigid_.q_size);
-  moved.v = Eigen::VectorXd::Zero(rigid_.v_size);
-  for (std::size_t i = 0; i < layout_.body_q.size(); ++i)
-    moved.q.segment<7>(rigid_.body_q[i]) = state.q.segment<7>(layout_.body_q[i]);
-  rows_.evaluate(moved);
-  close_joints(model_, rigid_, rows_, moved);
-  if (rows_.phi.lpNorm<Eigen::Infinity>() > kContradiction) return;
-  for (std::size_t i = 0; i < layout_.body_q.size(); ++i)
-    state.q.segment<7>(layout_.body_q[i]) = moved.q.segment<7>(rigid_.body_q[i]);
-  state.z = moved.z;
-}
-
-void close_unbent(const Model& model, State& state) {
-  const Model joints_alone = without_forces(model);
-  const Layout layout(joints_alone);
-  State closed = state;
-  closed.z = Eigen::VectorXd::Zero(layout.z_size);
-  UnbentClosing(joints_alone, layout).close(closed);
-  state.q = closed.q;
-}
-
-namespace {
-
-constexpr int kMostClosingSteps = 30;
-constexpr double kAssembled = 1e-12;  // accuracy in double precision for mechanisms of metres [m or rad]
-// While the joints are open by a gap g, redundant conditions appear independent to about g; they must not influence the
-// closing.
-constexpr double kClosingRank = 1e-5;
-
-// The angles of gears (state.z) now; with dx, after this step of the bodies.
-void follow_turns(const Model& model, const Layout& layout, const Kinematics& kinematics, const Eigen::VectorXd* dx,
-                  State& state) {
-  for (int j = 0; j < model.joint_count(); ++j) {
-    const int z = layout.joint_turns[j];
-    if (z < 0) continue;
-    const Joint& joint = model.joint(j);
-    const PairMotion pair = kinematics.pair(joint.m1.body, joint.m2.body);
-    const JointCoordinate q(Coordinate::kAngle, pair, joint.m1, joint.m2);
-    state.z[z] = nearest_turn(q.value(), state.z[z]);
-    if (dx == nullptr) continue;
-    Eigen::VectorXd q_x = Eigen::VectorXd::Zero(pair.size());
-    q.add_gradient(1.0, q_x);
-    const int bodies[2] = {joint.m1.body, joint.m2.body};
-    for (int i = 0; i < 2; ++i) {
-      const int n = pair.body[i]->size();
-      if (n > 0) state.z[z] += q_x.segment(pair.offset(i), n).dot(dx->segment(layout.body_v[bodies[i]], n));
-    }
-  }
-}
-
-}  // namespace
-
-void close_joints(const Model& model, const Layout& layout, ConstraintRows& rows, State& state) {
-  double last = HUGE_VAL;
-  for (int i = 0; i < kMostClosingSteps; ++i) {
-    const double now = rows.phi.lpNorm<Eigen::Infinity>();
-    if (now <= 1e-15 || (now <= kAssembled && now >= 0.5 * last)) break;
-    last = now;
-    const Eigen::VectorXd dx = rows.correction(rows.phi, kClosingRank);
-    follow_turns(model, layout, rows.kinematics(), &dx, state);
-    add_increment(layout, dx, state.q);
-    rows.evaluate(state);
-  }
-  follow_turns(model, layout, rows.kinematics(), nullptr, state);
-}
-
-void check_contradiction(const Model& model, const Layout& layout, const Eigen::VectorXd& defect, double scale,
-                         const std::string& what, const std::string& unit) {
-  const double largest = defect.lpNorm<Eigen::Infinity>();
-  if (largest <= kContradiction * scale) return;
-  std::vector<int> worst;
-  for (int row = 0; row < defect.size(); ++row) {
-    const int joint = layout.row_joint[row];
-    if (std::abs(defect[row]) > 0.1 * largest && (worst.empty() || worst.back() != joint)) worst.push_back(joint);
-  }
-  throw InputError(code::kJointsContradict, "joints " + joint_names(model, worst) + " contradict each other: " + what +
-                                                " by " + number_text(largest, 3) + " " + unit +
-                                                ". Move one of them, or free one of its directions.");
-}
-
-std::string joint_names(const Model& model, const std::vector<int>& joints) {
-  std::string out;
-  for (int joint : joints) out += (out.empty() ? "\"" : ", \"") + model.joint(joint).name + "\"";
-  return out;
-}
-
-namespace {
 
 constexpr double kReportedGap = 1e-5;  // larger gaps are reported [m or rad]
 

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include "mbd_solver/model/body.h"
+#include "mbd_solver/model/kinematic_vector.h"
 #include "mbd_solver/model/state.h"
 
 namespace footfall {

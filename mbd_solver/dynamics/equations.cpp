@@ -3,14 +3,9 @@
 #include "mbd_solver/dynamics/equations.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
-#include <vector>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/dynamics/body_force.h"
-#include "mbd_solver/dynamics/jacobian_pattern.h"
-#include "mbd_solver/model/control/continuous_signals.h"
 #include "mbd_solver/model/rotation.h"
 
 namespace footfall {

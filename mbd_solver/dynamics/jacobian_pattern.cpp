@@ -2,7 +2,6 @@
 
 #include "mbd_solver/dynamics/jacobian_pattern.h"
 
-#include <algorithm>
 #include <map>
 #include <set>
 

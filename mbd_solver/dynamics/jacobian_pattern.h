@@ -2,7 +2,6 @@
 // The sparse matrices of the equations of motion and the places of all bodies, joints and force elements in them. Patterns are
 // built once from a list of blocks; values are written without a search.
 
-#include <array>
 #include <vector>
 
 #include "mbd_solver/dynamics/kinematics.h"

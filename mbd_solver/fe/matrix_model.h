@@ -41,10 +41,10 @@ struct InterfaceSpec {
 
 struct MatrixFiles {
   std::string stiffness, mass, nodes;
-  std::string rows;    // .dof; empty: the file next to a .sti
-  std::string stress;  // .frd with modes and their stresses; may be empty
+  std::string rows = {};    // .dof; empty: the file next to a .sti
+  std::string stress = {};  // .frd with modes and their stresses; may be empty
   UnitSystem units = UnitSystem::kMetre;
-  std::vector<InterfaceSpec> interfaces;
+  std::vector<InterfaceSpec> interfaces = {};
 };
 
 // A free body in SI units. Throws InputError with path:line.

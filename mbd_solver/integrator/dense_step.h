@@ -2,8 +2,6 @@
 // The continuous extension of a step that has been accepted (DenseWeights): states within it, and
 // where a mode changes.
 
-#include <limits>
-
 #include "mbd_solver/integrator/step_stages.h"
 
 namespace footfall {

@@ -19,9 +19,7 @@
 #include <exception>
 #include <limits>
 #include <locale>
-#include <memory>
 #include <sstream>
-#include <string>
 #include <utility>
 
 #include "coupler/base/errors.h"

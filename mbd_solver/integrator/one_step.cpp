@@ -3,18 +3,15 @@
 #include "mbd_solver/integrator/one_step.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <locale>
 #include <sstream>
 #include <utility>
 
-#include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/integrator/codes.h"
-#include "mbd_solver/integrator/step_control.h"
 
 namespace footfall {
 namespace {

@@ -4,15 +4,37 @@
 //   stage i:  known = y + h sum_{j<i} a_ij K_j,   Y_i = known + h gamma K_i,   F(t + c_i h, Y_i, K_i) = 0
 //   estimate: e = h sum (b - b^)_i K_i, filtered by the iteration matrix, so that stiff parts do not shrink the step
 
+#include <Eigen/Dense>
 #include <vector>
 
 #include "mbd_solver/integrator/error_norm.h"
 #include "mbd_solver/integrator/integrator.h"
-#include "mbd_solver/integrator/rate_predictor.h"
 #include "mbd_solver/integrator/stage_newton.h"
 #include "mbd_solver/integrator/tableau.h"
 
 namespace footfall {
+
+// Predicts the rates of a stage from the rates of earlier stages and of the step before.
+class RatePredictor {
+ public:
+  // stages: the smallest number of stages of a method in use; size: of y.
+  RatePredictor(int stages, Eigen::Index size);
+
+  bool has_step() const { return h_ > 0.0; }
+  double step() const { return h_; }                   // of the last step [s]
+  const Tableau* tableau() const { return tableau_; }  // of the last step
+  void forget() { h_ = 0.0; }
+
+  // K[stage], for a step h [s].
+  void predict(const Tableau& tableau, int stage, double h, std::vector<Eigen::VectorXd>& K) const;
+  // After an accepted step: takes the rates of its stages; K[0] becomes the rates of its end.
+  void accept(const Tableau& tableau, double h, std::vector<Eigen::VectorXd>& K);
+
+ private:
+  std::vector<Eigen::VectorXd> before_;  // rates of the last step: its first stages, then its end
+  const Tableau* tableau_ = nullptr;
+  double h_ = 0.0;  // 0: no step before
+};
 
 // The trial step. A caller that moves to its end makes the last stage the first stage.
 struct StepData {

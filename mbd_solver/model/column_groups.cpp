@@ -2,8 +2,6 @@
 
 #include "mbd_solver/model/column_groups.h"
 
-#include <algorithm>
-
 namespace footfall {
 namespace {
 

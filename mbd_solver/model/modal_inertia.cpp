@@ -9,7 +9,6 @@
 #include "coupler/base/number.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/mass_properties.h"
-#include "mbd_solver/model/rotation.h"
 
 namespace footfall {
 namespace {

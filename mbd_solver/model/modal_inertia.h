@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 
-#include "mbd_solver/model/body_kinematics.h"
 #include "mbd_solver/model/column_groups.h"
 #include "mbd_solver/model/modal_body.h"
 #include "mbd_solver/model/rotation.h"

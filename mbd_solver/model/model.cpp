@@ -2,8 +2,6 @@
 
 #include "mbd_solver/model/model.h"
 
-#include <cmath>
-
 #include "coupler/base/errors.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/rotation.h"

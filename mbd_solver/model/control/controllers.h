@@ -3,9 +3,7 @@
 // a residual; between two samples their outputs are constants of the model.
 
 #include <Eigen/Dense>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace footfall {
 

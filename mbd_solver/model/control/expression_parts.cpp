@@ -4,7 +4,6 @@
 #include "coupler/base/number.h"
 
 #include <cctype>
-#include <cstdlib>
 #include <initializer_list>
 #include <utility>
 

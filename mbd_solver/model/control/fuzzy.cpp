@@ -7,13 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <sstream>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/base/parameter_check.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/control/fuzzy_table.h"
 

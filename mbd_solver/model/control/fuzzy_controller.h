@@ -1,7 +1,6 @@
 #pragma once
 // The fuzzy controller, and control surfaces of its rules.
 
-#include <memory>
 #include <optional>
 #include <string_view>
 

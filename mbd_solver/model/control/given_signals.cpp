@@ -4,7 +4,6 @@
 #include "mbd_solver/model/control/given_signals.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -190,7 +189,6 @@ GivenSignals::Scan::Shape GivenSignals::Scan::shape_of(const ExpressionPart& par
     case PartKind::kPrefix: return part.name == "!" ? stepped() : smooth(highest);
   }
   FOOTFALL_DEMAND(false);
-  return {};
 }
 
 double GivenSignals::Scan::class_of(Classes classes, double g) {

@@ -2,9 +2,7 @@
 
 #include "mbd_solver/model/control/signal_blocks.h"
 
-#include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/elements/joint_coordinate.h"
 

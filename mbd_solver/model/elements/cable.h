@@ -13,7 +13,6 @@
 // Forces are derivatives of V whatever the angle at which a span leaves the plane of its round. A pulley whose wrap
 // theta_out - theta_in falls below zero is not touched. Inner states count the turns, as in torsional springs.
 
-#include <utility>
 #include <vector>
 
 #include "mbd_solver/model/force_element.h"

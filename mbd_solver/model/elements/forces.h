@@ -1,7 +1,6 @@
 #pragma once
 // Forces and torques at a marker, and on a coordinate of a joint.
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>

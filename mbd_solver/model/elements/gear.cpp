@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "coupler/base/errors.h"
-#include "mbd_solver/model/elements/joint_coordinate.h"
 
 namespace footfall {
 

@@ -2,8 +2,6 @@
 
 #include "mbd_solver/model/elements/joint_coordinate.h"
 
-#include <cmath>
-
 namespace footfall {
 
 JointCoordinate::JointCoordinate(Coordinate kind, const PairMotion& pair, const Marker& m1, const Marker& m2)

@@ -25,13 +25,7 @@ enum class Coordinate {
   kDisplacementY   // along y1 [m]
 };
 constexpr std::string_view name_of(Coordinate coordinate) {
-  switch (coordinate) {
-    case Coordinate::kAngle: return "angle";
-    case Coordinate::kDisplacement: return "displacement";
-    case Coordinate::kDisplacementX: return "displacement_x";
-    case Coordinate::kDisplacementY: return "displacement_y";
-  }
-  return {};
+  return name_in(coordinate, "angle", "displacement", "displacement_x", "displacement_y");
 }
 // The axis of marker 1 of the rotation or displacement: 0, 1, 2.
 constexpr int axis_of(Coordinate coordinate) {

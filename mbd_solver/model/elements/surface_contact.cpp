@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/model/elements/curved_contact.h"

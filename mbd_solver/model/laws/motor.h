@@ -22,15 +22,7 @@ enum class MotorKind {
   kPosition,  // controls the joint's coordinate to `command`
   kBrake      // no motor: Brake of laws/friction.h, engaged by `command` in [0, 1]
 };
-constexpr std::string_view name_of(MotorKind kind) {
-  switch (kind) {
-    case MotorKind::kTorque: return "torque";
-    case MotorKind::kSpeed: return "speed";
-    case MotorKind::kPosition: return "position";
-    case MotorKind::kBrake: return "brake";
-  }
-  return {};
-}
+constexpr std::string_view name_of(MotorKind kind) { return name_in(kind, "torque", "speed", "position", "brake"); }
 
 // Units of an angle x; of a displacement read m for rad of the joint.
 struct MotorParameters {

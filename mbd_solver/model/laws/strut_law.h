@@ -3,8 +3,6 @@
 
 #include <Eigen/Dense>
 #include <array>
-#include <memory>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,14 +19,7 @@ enum class Stored {
   kContact  // elastic energy of rigid-plane contacts
 };
 constexpr std::string_view name_of(Stored kind) {
-  switch (kind) {
-    case Stored::kKinetic: return "kinetic";
-    case Stored::kGravity: return "gravity";
-    case Stored::kStrain: return "strain";
-    case Stored::kGas: return "gas";
-    case Stored::kContact: return "contact";
-  }
-  return {};
+  return name_in(kind, "kinetic", "gravity", "strain", "gas", "contact");
 }
 
 // Kinds of dissipation: dissipated.<name> of history.csv.
@@ -45,19 +36,8 @@ enum class Dissipation {
   kSoilInertia
 };
 constexpr std::string_view name_of(Dissipation kind) {
-  switch (kind) {
-    case Dissipation::kMrViscous: return "mr_viscous";
-    case Dissipation::kMrYield: return "mr_yield";
-    case Dissipation::kHoneycomb: return "honeycomb";
-    case Dissipation::kDamper: return "damper";
-    case Dissipation::kStop: return "stop";
-    case Dissipation::kModal: return "modal";
-    case Dissipation::kFriction: return "friction";
-    case Dissipation::kContact: return "contact";
-    case Dissipation::kSoil: return "soil";
-    case Dissipation::kSoilInertia: return "soil_inertia";
-  }
-  return {};
+  return name_in(kind, "mr_viscous", "mr_yield", "honeycomb", "damper", "stop", "modal", "friction", "contact", "soil",
+                 "soil_inertia");
 }
 
 // Sources of energy other than contacts with grains: work.<name> of history.csv.
@@ -66,14 +46,7 @@ enum class Supply {
   kForce,   // forces and torques of the scene
   kDrive    // drives of joints
 };
-constexpr std::string_view name_of(Supply source) {
-  switch (source) {
-    case Supply::kMotion: return "motion";
-    case Supply::kForce: return "force";
-    case Supply::kDrive: return "drive";
-  }
-  return {};
-}
+constexpr std::string_view name_of(Supply source) { return name_in(source, "motion", "force", "drive"); }
 
 // One number for each kind.
 template <class Kind>

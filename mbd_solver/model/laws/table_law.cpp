@@ -7,7 +7,6 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
-#include "mbd_solver/base/parameter_check.h"
 #include "mbd_solver/model/codes.h"
 
 namespace footfall {

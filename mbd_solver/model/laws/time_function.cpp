@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"

@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <regex>
 #include <set>
 
-#include "coupler/base/errors.h"
 #include "coupler/messages.h"
 #include "coupler/schemes/registry.h"
 #include "coupler/schemes/tangent.h"

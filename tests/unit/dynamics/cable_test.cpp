@@ -8,7 +8,6 @@
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/pi.h"
-#include "mbd_solver/model/codes.h"
 #include "mbd_solver/model/control/continuous_signals.h"
 #include "mbd_solver/model/elements/cable.h"
 #include "mbd_solver/model/elements/forces.h"

@@ -8,7 +8,6 @@
 #include "mbd_solver/model/elements/gear.h"
 #include "mbd_solver/model/elements/joint_coordinate.h"
 #include "mbd_solver/model/elements/rolling.h"
-#include "mbd_solver/model/rotation.h"
 #include "tests/support/refused.h"
 #include "tests/unit/dynamics/run.h"
 

@@ -1,8 +1,6 @@
 // mbd_solver/model/rotation.h, mass_properties.h, laws/time_function.h, dynamics/body_force.h: small parts against
 // their definitions.
 
-#include <cmath>
-
 #include "coupler/base/errors.h"
 #include "mbd_solver/dynamics/body_force.h"
 #include "mbd_solver/model/mass_properties.h"

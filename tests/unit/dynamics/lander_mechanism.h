@@ -11,7 +11,6 @@
 #include "mbd_solver/model/elements/bushing.h"
 #include "mbd_solver/model/elements/rigid_plane.h"
 #include "mbd_solver/model/elements/strut.h"
-#include "mbd_solver/model/laws/gas_spring.h"
 #include "mbd_solver/model/laws/honeycomb.h"
 #include "mbd_solver/model/laws/mr_damper.h"
 #include "mbd_solver/model/laws/springs.h"

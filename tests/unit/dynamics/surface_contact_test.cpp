@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/mass_properties.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"

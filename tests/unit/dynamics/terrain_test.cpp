@@ -8,7 +8,6 @@
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/dynamics/kinematics.h"
 #include "mbd_solver/model/elements/terrain_contact.h"
-#include "mbd_solver/model/mass_properties.h"
 #include "tests/unit/dynamics/jacobian_check.h"
 #include "tests/unit/dynamics/random_model.h"
 #include "tests/unit/dynamics/run.h"

@@ -2,12 +2,10 @@
 // Mechanisms with a smooth motion and no exact solution, for tests of integrators: loops of two to four rigid bodies from
 // the ground to the ground, with springs and dampers.
 
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "mbd_solver/model/laws/springs.h"
-#include "mbd_solver/model/rotation.h"
 #include "tests/unit/dynamics/random_model.h"
 
 namespace footfall::test {

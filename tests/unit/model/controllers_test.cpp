@@ -1,9 +1,7 @@
 // Controllers and the filter of their accelerations.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/model/control/controllers.h"

@@ -2,14 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/assemble/law_files.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/laws/curves.h"
 #include "mbd_solver/model/laws/friction.h"
-#include "mbd_solver/model/laws/gas_spring.h"
 #include "mbd_solver/model/laws/motor.h"
 #include "mbd_solver/model/laws/springs.h"
 #include "mbd_solver/model/laws/table_law.h"

@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/model/column_groups.h"
