@@ -15,10 +15,6 @@
 
 namespace footfall {
 
-template <>
-inline constexpr auto kFields<LandingWatch::Extreme> =
-    kFieldsOf<&LandingWatch::Extreme::value, &LandingWatch::Extreme::time>;
-
 namespace {
 
 constexpr double kVertical = 1e-9;  // an edge or an area this small, over the size of the lander, has no direction [-]
@@ -52,7 +48,7 @@ std::vector<std::size_t> hull_of(const std::vector<Eigen::Vector2d>& points) {
   return hull;
 }
 
-void see_least(LandingWatch::Extreme& extreme, double value, double time, bool first) {
+void see_least(Peak& extreme, double value, double time, bool first) {
   if (first || value < extreme.value) extreme = {value, time};
 }
 

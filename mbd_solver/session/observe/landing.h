@@ -45,6 +45,19 @@ struct LandingValues {
   std::vector<double> clearance;  // of each point above the ground [m]
 };
 
+// An extreme value so far, and its time [s].
+struct Peak {
+  double value = 0.0, time = 0.0;
+  void see(double now, double at) {
+    if (!(now > value)) return;
+    value = now;
+    time = at;
+  }
+};
+
+template <>
+inline constexpr auto kFields<Peak> = kFieldsOf<&Peak::value, &Peak::time>;
+
 class LandingWatch {
  public:
   // The scene has [landing]. Throws InputError for pads that span no area. What the subject views must outlive this.
@@ -60,14 +73,11 @@ class LandingWatch {
   const std::vector<std::string>& pads() const { return pad_names_; }
 
   // Since the first contact of a pad; before any, since the start.
-  struct Extreme {
-    double value = 0.0, time = 0.0;  // [s]
-  };
-  const Extreme& least_distance() const { return least_distance_; }
-  const Extreme& least_margin() const { return least_margin_; }
-  const Extreme& largest_tilt() const { return largest_tilt_; }
+  const Peak& least_distance() const { return least_distance_; }
+  const Peak& least_margin() const { return least_margin_; }
+  const Peak& largest_tilt() const { return largest_tilt_; }
   // Since the start.
-  const Extreme& least_clearance(std::size_t point) const { return least_clearance_[point]; }
+  const Peak& least_clearance(std::size_t point) const { return least_clearance_[point]; }
   // The mass centre is beyond the plane of two neighbouring pads, also of a lander that lies on its back.
   bool tipped() const { return now_.stability_distance < 0.0; }
 
@@ -114,8 +124,8 @@ class LandingWatch {
   std::vector<Eigen::Vector3d> touched_at_;
   std::vector<bool> rests_;  // per strut: at the start on the stop of its extended end, as gas holds it there
   bool any_contact_ = false, started_ = false;
-  Extreme least_distance_, least_margin_, largest_tilt_;
-  std::vector<Extreme> least_clearance_;
+  Peak least_distance_, least_margin_, largest_tilt_;
+  std::vector<Peak> least_clearance_;
 };
 
 // When a landing is over, as [landing] has it: at rest, or tipped over.

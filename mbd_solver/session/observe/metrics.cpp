@@ -220,9 +220,6 @@ void GripWatch::update(const Sample& sample) {
 }
 
 template <>
-inline constexpr auto kFields<Peak> = kFieldsOf<&Peak::value, &Peak::time>;
-
-template <>
 inline constexpr auto kFields<Metrics> =
     kFieldsOf<&Metrics::peak_acceleration, &Metrics::max_descent, &Metrics::max_penetration,
               &Metrics::max_contact_force, &Metrics::reference_energy, &Metrics::energy_flow, &Metrics::energy_balance,

@@ -142,16 +142,6 @@ class GripWatch {
 // Largest acceptable error of the energy balance, of the energy exchanged: usual tolerances reach less.
 inline constexpr double kGoodBalance = 0.01;
 
-// A largest value so far, and its time [s].
-struct Peak {
-  double value = 0.0, time = 0.0;
-  void see(double now, double at) {
-    if (!(now > value)) return;
-    value = now;
-    time = at;
-  }
-};
-
 // Peaks of a run for summary.json: over every step, not only over the rows that are written.
 
 struct Metrics {

@@ -15,7 +15,16 @@
 #include "coupler/message_fields.h"
 
 namespace footfall {
+namespace {
 
+// Of all bodies together, in W.
+struct MomentumSum {
+  double mass = 0.0;                                 // [kg]
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero();  // sum of m v [N s]
+  double size = 0.0;                                 // sum of |m v| [N s]
+};
+
+// For flexible bodies summed over nodes: m_j (dr + w x A rho_j + A Phi_j da), rho_j = rho0_j + Phi_j a (theory 1.2).
 MomentumSum momentum_of(const Model& model, const Kinematics& kinematics) {
   MomentumSum sum;
   const auto add = [&sum](double m, const Eigen::Vector3d& v) {
@@ -44,6 +53,8 @@ MomentumSum momentum_of(const Model& model, const Kinematics& kinematics) {
   return sum;
 }
 
+// Whether only gravity and grains act on the mechanism: no joint and no force element is attached to the ground, and no
+// force is applied.
 bool is_free(const Model& model) {
   for (int i = 0; i < model.joint_count(); ++i)
     if (model.joint(i).m1.body == kGround || model.joint(i).m2.body == kGround) return false;
@@ -52,6 +63,8 @@ bool is_free(const Model& model) {
       if (body == kGround) return false;
   return true;
 }
+
+}  // namespace
 
 MomentumRecord::MomentumRecord(const Subject& subject, const std::string& folder)
     : subject_(subject), path_(folder + "/mechanism.csv") {

@@ -13,19 +13,6 @@
 
 namespace footfall {
 
-// Of all bodies together, in W.
-struct MomentumSum {
-  double mass = 0.0;                                 // [kg]
-  Eigen::Vector3d linear = Eigen::Vector3d::Zero();  // sum of m v [N s]
-  double size = 0.0;                                 // sum of |m v| [N s]
-};
-// For flexible bodies summed over nodes: m_j (dr + w x A rho_j + A Phi_j da), rho_j = rho0_j + Phi_j a (theory 1.2).
-MomentumSum momentum_of(const Model& model, const Kinematics& kinematics);
-
-// Whether only gravity and grains act on the mechanism: no joint and no force element is attached to the ground, and no
-// force is applied.
-bool is_free(const Model& model);
-
 // A row at the start and after every window, with 17 digits:
 //   time, px, py, pz, size, mass, gx, gy, gz (gravity [m/s2]), free (1 or 0), reacts (1: scheme `tangent`, whose loads
 //   move with the body within the window),
