@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "coupler/base/concat.h"
+
 namespace footfall {
 
 // A stable name of one kind of message. number: "E0123" (errors) or "W0123" (warnings); name: "unknown-body". Each
@@ -15,9 +17,10 @@ struct MessageCode {
   const char* name;
 };
 
-// text + " [E0123 unknown-body]".
-inline std::string with_code(const MessageCode& code, const std::string& text) {
-  return text + " [" + code.number + " " + code.name + "]";
+// The pieces of the text, then " [E0123 unknown-body]".
+template <class... Pieces>
+std::string with_code(const MessageCode& code, const Pieces&... text) {
+  return concat(text..., " [", code.number, " ", code.name, "]");
 }
 
 // Does the text end with a code? Reasons that come from the partner program usually do.
@@ -36,7 +39,8 @@ inline std::string with_addition(const std::string& text, const std::string& mor
 // Common base of the errors below: a text for users that ends with its code.
 class CodedError : public std::runtime_error {
  public:
-  CodedError(const MessageCode& code, const std::string& text) : std::runtime_error(with_code(code, text)) {}
+  template <class... Pieces>
+  CodedError(const MessageCode& code, const Pieces&... text) : std::runtime_error(with_code(code, text...)) {}
   // `text` ends with its code already: an error caught below and given its place.
   explicit CodedError(const std::string& text) : std::runtime_error(text) {}
 };
