@@ -50,11 +50,9 @@ std::vector<std::string> environment_of(const Command& command) {
 void require_words(const std::vector<std::string>& words) {
   for (const std::string& word : words)
     if (std::any_of(word.begin(), word.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }))
-      throw InputError(
-          code::kControlCharacter,
-          words[0] + ": is not started: the word \"" + visible(word) +
-              "\" of its command line has a control character (a line end, a tab); rename the file or folder, "
-              "or correct the value");
+      throw InputError(code::kControlCharacter, words[0], ": is not started: the word \"", visible(word),
+                       "\" of its command line has a control character (a line end, a tab); rename the file or folder, "
+                       "or correct the value");
 }
 
 void die_with_parent(Orphan orphan, pid_t parent) {
@@ -105,7 +103,7 @@ pid_t start_program(const Command& command, const Files& files, Orphan orphan) {
   const std::string named = program_in_path(command.words[0]), program = named.empty() ? command.words[0] : named;
   const pid_t parent = getpid(), child = fork();
   if (child < 0)
-    throw InputError(code::kProgramNotStarted, "cannot start " + command.words[0] + ": " + std::strerror(errno));
+    throw InputError(code::kProgramNotStarted, "cannot start ", command.words[0], ": ", std::strerror(errno));
   if (child > 0) return child;
   setpgid(0, 0);
   die_with_parent(orphan, parent);

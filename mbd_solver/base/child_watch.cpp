@@ -8,11 +8,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -20,45 +18,15 @@
 #include <set>
 
 #include "coupler/base/clock.h"
+#include "coupler/base/concat.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/interrupt.h"
-#include "coupler/base/text.h"
 #include "mbd_solver/base/codes.h"
 
 namespace footfall {
 namespace {
 
 constexpr std::chrono::nanoseconds kTick = std::chrono::milliseconds(200);
-
-}  // namespace
-
-double processor_time(const rusage& usage) {
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-SignalsHeld::SignalsHeld() {
-  sigemptyset(&held_);
-  for (int signal : {SIGINT, SIGTERM, SIGQUIT, SIGUSR1, SIGCHLD}) sigaddset(&held_, signal);
-  if (!is_ignored(SIGHUP)) sigaddset(&held_, SIGHUP);  // nohup
-  sigprocmask(SIG_BLOCK, &held_, &old_);
-}
-
-SignalsHeld::~SignalsHeld() { sigprocmask(SIG_SETMASK, &old_, nullptr); }
-
-int SignalsHeld::wait() const {
-  const timespec tick{0, kTick.count()};
-  const int signal = sigtimedwait(&held_, nullptr, &tick);
-  return signal > 0 && signal != SIGCHLD ? signal : 0;
-}
-
-void SignalsHeld::ignore() const {
-  for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGUSR1, SIGHUP}) std::signal(signal, SIG_IGN);
-}
-
-namespace {
 
 using Clock = std::chrono::steady_clock;
 // Ten seconds in all, from a signal to the last process.
@@ -98,10 +66,10 @@ std::vector<pid_t> descendants(bool only_suspended = false) {
 // Wakes a launcher whose programs have all ended: after mpirun has requested their end, it looks again only seconds
 // later. SIGCHLD wakes it and is harmless to other programs.
 void wake_launcher_without_children(pid_t launcher) {
-  const std::string folder = "/proc/" + std::to_string(launcher);
-  std::ifstream children(folder + "/task/" + std::to_string(launcher) + "/children");
+  const std::string folder = concat("/proc/", launcher);
+  std::ifstream children(concat(folder, "/task/", launcher, "/children"));
   for (pid_t child = 0; children >> child;) {
-    std::ifstream stat("/proc/" + std::to_string(child) + "/stat");
+    std::ifstream stat(concat("/proc/", child, "/stat"));
     std::string line;
     std::getline(stat, line);
     const std::size_t end = line.rfind(')');
@@ -112,7 +80,7 @@ void wake_launcher_without_children(pid_t launcher) {
 
 std::string program_of(pid_t pid) {
   std::error_code gone;
-  return std::filesystem::read_symlink("/proc/" + std::to_string(pid) + "/exe", gone).filename();
+  return std::filesystem::read_symlink(concat("/proc/", pid, "/exe"), gone).filename();
 }
 
 void send_all(const std::vector<pid_t>& pids, int signal) {
@@ -154,6 +122,32 @@ bool reap(pid_t pid, int& status, double& cpu) {
 
 }  // namespace
 
+double processor_time(const rusage& usage) {
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+SignalsHeld::SignalsHeld() {
+  sigemptyset(&held_);
+  for (int signal : {SIGINT, SIGTERM, SIGQUIT, SIGUSR1, SIGCHLD}) sigaddset(&held_, signal);
+  if (!is_ignored(SIGHUP)) sigaddset(&held_, SIGHUP);  // nohup
+  sigprocmask(SIG_BLOCK, &held_, &old_);
+}
+
+SignalsHeld::~SignalsHeld() { sigprocmask(SIG_SETMASK, &old_, nullptr); }
+
+int SignalsHeld::wait() const {
+  const timespec tick{0, kTick.count()};
+  const int signal = sigtimedwait(&held_, nullptr, &tick);
+  return signal > 0 && signal != SIGCHLD ? signal : 0;
+}
+
+void SignalsHeld::ignore() const {
+  for (const int signal : {SIGINT, SIGTERM, SIGQUIT, SIGUSR1, SIGHUP}) std::signal(signal, SIG_IGN);
+}
+
 int count_descendants(bool only_suspended) { return static_cast<int>(descendants(only_suspended).size()); }
 
 std::string SuspendedWatch::operator()() {
@@ -165,9 +159,8 @@ std::string SuspendedWatch::operator()() {
   since_ = since;
   for (const auto& [pid, start] : since_)
     if (now - start > limit_)
-      return with_code(code::kProgramSuspended, program_of(pid) + " (process " + std::to_string(pid) +
-                                                    ") has been suspended (SIGSTOP) for " + number_text(limit_) +
-                                                    " s, and the other programs wait for it");
+      return with_code(code::kProgramSuspended, program_of(pid), " (process ", pid,
+                       ") has been suspended (SIGSTOP) for ", limit_, " s, and the other programs wait for it");
   return "";
 }
 
@@ -217,14 +210,14 @@ ChildEnd run_child(const Command& command, const std::string& graceful, const st
   end.code = exit_code_of(status);
   end.crashed = WIFSIGNALED(status) && is_fault(WTERMSIG(status));
   if (end.code == kCannotStart)
-    throw InputError(code::kProgramNotStarted, "cannot start " + command.words[0] + "; is it installed?");
+    throw InputError(code::kProgramNotStarted, "cannot start ", command.words[0], "; is it installed?");
   return end;
 }
 
 double memory_of_descendants() {
   double sum = 0.0;
   for (const pid_t pid : descendants()) {
-    std::ifstream status("/proc/" + std::to_string(pid) + "/status");
+    std::ifstream status(concat("/proc/", pid, "/status"));
     for (std::string word; status >> word;)
       if (double kilobytes = 0.0; word == "RssAnon:" && status >> kilobytes) sum += 1024.0 * kilobytes;
   }

@@ -42,8 +42,8 @@ bool CsvReader::split_quoted() {
     if (at == content.size()) {
       content += text_.ending();
       if (!text_.next())
-        throw InputError(code::kTableCell,
-                         where + ": a cell begins with a quote and never ends, expected another quote");
+        throw InputError(code::kTableCell, where,
+                         ": a cell begins with a quote and never ends, expected another quote");
       bytes.take(text_.line().size() + 1);
       content += text_.line();
     }
@@ -77,8 +77,7 @@ bool CsvReader::split_quoted() {
 double CsvReader::number(std::size_t column) const { return text_.number(cells_.at(column), code::kTableCell); }
 
 void CsvReader::require_width(std::size_t cells) const {
-  if (cells_.size() != cells)
-    fail(code::kTableWidth, "has " + std::to_string(cells_.size()) + " cells, expected " + std::to_string(cells));
+  if (cells_.size() != cells) fail(code::kTableWidth, "has ", cells_.size(), " cells, expected ", cells);
 }
 
 }  // namespace footfall

@@ -37,7 +37,10 @@ class CsvReader {
   // The file ends within this line, or with it.
   bool is_unfinished() const { return *text_.ending() == '\0'; }
   // InputError at this line.
-  [[noreturn]] void fail(const MessageCode& code, const std::string& what) const { text_.fail(code, what); }
+  template <class... Pieces>
+  [[noreturn]] void fail(const MessageCode& code, const Pieces&... what) const {
+    text_.fail(code, what...);
+  }
 
  private:
   bool split_quoted();  // of a line with quotes; false if it has no cells

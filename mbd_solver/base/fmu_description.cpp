@@ -66,13 +66,12 @@ FmuElement find_element(const FmuDescription& description, const std::string& na
   if (const FmuVariable* const whole_variable = description.find(name)) {
     if (whole_variable->dimensions.empty()) return {whole_variable, 0, ""};
     const std::vector<long> sizes = description.sizes(*whole_variable, starts);
-    std::vector<std::string> words, last;
+    std::vector<std::string> words;
     for (const long size : sizes) words.push_back(std::to_string(size));
-    for (const long size : sizes) last.push_back(std::to_string(size));
     const std::vector<std::string> first(sizes.size(), "1");
     return {whole_variable, 0,
             "is an array of " + joined(words, " x ") + "; name its elements, " + name + "[" + joined(first, ",") +
-                "] to " + name + "[" + joined(last, ",") + "]"};
+                "] to " + name + "[" + joined(words, ",") + "]"};
   }
   const std::size_t bracket = name.rfind('[');
   if (bracket == std::string::npos || name.back() != ']') return {};

@@ -109,10 +109,9 @@ std::string HelperProcess::how_it_ended() {
   if (ended != child_) return "closed its output without an answer";
   child_ = -1;
   if (WIFSIGNALED(status))
-    return "crashed: it was ended by signal " + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) +
-           ")";
+    return concat("crashed: it was ended by signal ", WTERMSIG(status), " (", strsignal(WTERMSIG(status)), ")");
   if (WEXITSTATUS(status) == kCannotStart) return "cannot be started: there is no such program, or it may not be run";
-  return "ended with exit code " + std::to_string(WEXITSTATUS(status));
+  return concat("ended with exit code ", WEXITSTATUS(status));
 }
 
 void HelperProcess::give_up(std::string why) {
@@ -128,7 +127,7 @@ void HelperProcess::give_up(std::string why) {
 void HelperProcess::wait_for(int file, short events) {
   for (;;) {
     const double left = asked_ + patience_ - wall_clock();
-    if (left <= 0.0) give_up("did not answer within its time limit of " + number_text(patience_) + " s");
+    if (left <= 0.0) give_up(concat("did not answer within its time limit of ", patience_, " s"));
     pollfd files[2] = {{file, events, 0}, {errors_, POLLIN, 0}};
     const int ready = poll(files, errors_ >= 0 ? 2 : 1, static_cast<int>(std::ceil(std::min(left, 60.0) * 1e3)));
     if (ready < 0 && errno != EINTR) give_up(std::string("cannot be waited for: ") + std::strerror(errno));

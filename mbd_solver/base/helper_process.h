@@ -8,7 +8,6 @@
 #include <sys/types.h>
 
 #include <string>
-#include <vector>
 
 #include "coupler/base/errors.h"
 #include "mbd_solver/base/child_process.h"

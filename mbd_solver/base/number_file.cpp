@@ -151,10 +151,9 @@ void NumberFile::read(std::size_t first, std::size_t count, double* out) const {
   struct stat about {};
   if (fstat(file_, &about) != 0 || static_cast<std::size_t>(about.st_size) != size_ ||
       about.st_mtim.tv_sec * std::int64_t{1000000000} + about.st_mtim.tv_nsec != written_)
-    throw FileError(code::kFileChanged,
-                    path_ +
-                        ": was changed while it was in use; start the run again, and leave the file as it is "
-                        "until the run has ended");
+    throw FileError(
+        code::kFileChanged, path_,
+        ": was changed while it was in use; start the run again, and leave the file as it is until the run has ended");
   const auto page_of = [&](std::size_t word) {
     return static_cast<std::size_t>(std::upper_bound(before_.begin(), before_.end(), word) - before_.begin() - 1);
   };

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/text.h"
 #include "mbd_solver/base/codes.h"
 
 namespace footfall {
@@ -14,10 +14,9 @@ namespace {
 
 [[noreturn]] void refuse(std::string_view law, std::string_view name, double value, std::string_view unit,
                          const std::string& expected) {
-  const std::string suffix = unit.empty() ? std::string() : " " + std::string(unit);
-  throw InputError(code::kParameterOutOfRange, std::string(law) + ": " + std::string(name) + " is " +
-                                                   number_text(value) + suffix + "; expected " + expected + suffix +
-                                                   ".");
+  const std::string suffix = unit.empty() ? std::string() : concat(" ", unit);
+  throw InputError(code::kParameterOutOfRange, law, ": ", name, " is ", value, suffix, "; expected ", expected, suffix,
+                   ".");
 }
 
 }  // namespace
@@ -36,8 +35,7 @@ void require_finite(std::string_view law, std::string_view name, double value, s
 
 void require_within(std::string_view law, std::string_view name, double value, double low, double high,
                     std::string_view unit) {
-  if (!(value >= low && value <= high))
-    refuse(law, name, value, unit, "a number from " + number_text(low) + " to " + number_text(high));
+  if (!(value >= low && value <= high)) refuse(law, name, value, unit, concat("a number from ", low, " to ", high));
 }
 
 }  // namespace footfall

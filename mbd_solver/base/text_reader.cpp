@@ -182,8 +182,4 @@ long TextReader::whole(std::string_view field, long low, long high) const {
   fail(in_quotes(field) + ", expected a whole number from " + std::to_string(low) + " to " + std::to_string(high));
 }
 
-void TextReader::fail(const MessageCode& code, const std::string& what) const {
-  throw InputError(code, place() + ": " + what);
-}
-
 }  // namespace footfall

@@ -77,8 +77,14 @@ class TextReader {
   const std::string& name() const { return name_; }
   std::string place() const { return name_ + ":" + std::to_string(number_of_line()); }  // "file:12"
   // Throw InputError "file:12: WHAT".
-  [[noreturn]] void fail(const std::string& what) const { fail(code_, what); }
-  [[noreturn]] void fail(const MessageCode& code, const std::string& what) const;
+  template <class... Pieces>
+  [[noreturn]] void fail(const Pieces&... what) const {
+    fail(code_, what...);
+  }
+  template <class... Pieces>
+  [[noreturn]] void fail(const MessageCode& code, const Pieces&... what) const {
+    throw InputError(code, place(), ": ", what...);
+  }
 
  private:
   TextReader() = default;

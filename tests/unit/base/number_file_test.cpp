@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <charconv>
-#include <cmath>
 #include <fstream>
 #include <random>
 #include <string>

@@ -3,12 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <clocale>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
-#include <locale>
 #include <sstream>
 #include <string>
 
