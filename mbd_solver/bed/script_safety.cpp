@@ -13,7 +13,6 @@
 #include "coupler/base/errors.h"
 #include "mbd_solver/bed/codes.h"
 #include "mbd_solver/scene/particle_script.h"
-#include "mbd_solver/scene/script_words.h"
 
 namespace footfall {
 namespace {

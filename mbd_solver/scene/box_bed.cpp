@@ -17,7 +17,6 @@
 #include "mbd_solver/scene/shipped_files.h"
 
 namespace footfall {
-
 namespace {
 
 const double kApart = std::sqrt(3.0);  // of touching centres, over the radius
@@ -65,66 +64,7 @@ Lens lens_of(double h) {
   return {2.0 * kPi * (plain(1.0) - plain(h)), 2.0 * kPi * along, 0.5 * kPi * (squared(1.0) - squared(h))};
 }
 
-}  // namespace
-
-Clump clump_of(ClumpShape shape, double equal_radius) {
-  const Eigen::Matrix3Xd x = unit_centres(shape);
-  const double sphere = 4.0 / 3.0 * kPi;
-  Clump clump;
-  Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
-  for (Eigen::Index i = 0; i < x.cols(); ++i) {
-    clump.volume += sphere;
-    S += sphere * (Eigen::Matrix3d::Identity() / 5.0 + x.col(i) * x.col(i).transpose());
-    for (Eigen::Index j = 0; j < i; ++j) {
-      const Eigen::Vector3d apart = x.col(i) - x.col(j), middle = 0.5 * (x.col(i) + x.col(j));
-      if (apart.norm() >= 2.0) continue;
-      const Lens lens = lens_of(0.5 * apart.norm());
-      const Eigen::Matrix3d along = apart.normalized() * apart.normalized().transpose();
-      clump.volume -= lens.volume;
-      S -= lens.across * (Eigen::Matrix3d::Identity() - along) + lens.along * along +
-           lens.volume * middle * middle.transpose();
-    }
-  }
-  const double scale = equal_radius * std::cbrt(sphere / clump.volume);  // radius of the spheres [m]
-  clump.centres = scale * x;
-  clump.radius = scale;
-  clump.volume *= std::pow(scale, 3);
-  clump.inertia = std::pow(scale, 5) * (S.trace() * Eigen::Matrix3d::Identity() - S);
-  // Zeros by symmetry, which another compiler may miss by round-off: these numbers identify a cached bed.
-  constexpr double kRoundOff = 1e-13;
-  clump.centres = (clump.centres.array().abs() < kRoundOff * scale).select(0.0, clump.centres);
-  clump.inertia = (clump.inertia.array().abs() < kRoundOff * clump.inertia.trace()).select(0.0, clump.inertia);
-  return clump;
-}
-
-ClumpShape clump_shape(const std::string& name) {
-  const std::vector<std::string> names = names_of<ClumpShape>();
-  for (std::size_t k = 0; k < names.size(); ++k)
-    if (names[k] == name) return static_cast<ClumpShape>(k);
-  throw InputError(code::kUnknownClump, "unknown clump \"" + name + "\"." + known_names("clumps", name, names));
-}
-
-// Rayleigh time and Hertz contact time.
-double rayleigh_time(const ElasticGrain& g) {
-  const double shear = g.young / (2.0 * (1.0 + g.poisson));
-  return kPi * g.radius * std::sqrt(g.density / shear) / (0.1631 * g.poisson + 0.8766);
-}
-
-double hertz_time(const ElasticGrain& g, double speed) {
-  const double mass = 0.5 * g.density * 4.0 / 3.0 * kPi * g.radius * g.radius * g.radius;
-  const double young = g.young / (2.0 * (1.0 - g.poisson * g.poisson));
-  return 2.87 * std::pow(mass * mass / (0.5 * g.radius * young * young * speed), 0.2);
-}
-
-double rounded_down(double value) {
-  constexpr double kRoundOff = 1e-9;  // 8.8e-5 remains 8.8e-5
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return std::floor(value / unit + kRoundOff) * unit;
-}
-
 // From the numbers of [particles.box] to the variables of inputs/box/in.bed and in.grains.
-
-namespace {
 
 using Variables = std::map<std::string, std::string>;
 
@@ -191,9 +131,9 @@ std::string contact_model(const Scene& scene) {
   const GrainMaterialSpec& m = box.material;
   std::string model = "hertz tangential history";
   if (std::max(m.cohesion, box.bodies.cohesion.value_or(0.0)) > 0.0)
-    model += " cohesion " + std::string(name_of(m.cohesion_model));
+    model += concat(" cohesion ", name_of(m.cohesion_model));
   if (const RollingModel rolling = rolling_model_of(scene); rolling != RollingModel::kNone)
-    model += " rolling_friction " + std::string(name_of(rolling));
+    model += concat(" rolling_friction ", name_of(rolling));
   return model;
 }
 
@@ -204,9 +144,10 @@ void add_clumps(const BoxSpec& box, Variables& all) {
   std::string words, mix = std::to_string(clumps.size());
   for (std::size_t k = 0; k < clumps.size(); ++k) {
     const std::size_t shapes = box.clumps.size();
-    words += std::string(k == 0 ? "" : " ") + "'" + clump_words(clumps[k], box.material.density) + "'";
-    mix += " clump_" + std::to_string(k + 1) + " " +
-           number(share_of(box.shares, k / shapes, box.radius.size()) * share_of(box.clump_shares, k % shapes, shapes));
+    words += concat(k == 0 ? "" : " ", "'", clump_words(clumps[k], box.material.density), "'");
+    mix += concat(
+        " clump_", k + 1, " ",
+        number(share_of(box.shares, k / shapes, box.radius.size()) * share_of(box.clump_shares, k % shapes, shapes)));
     level = std::max(level, clumps[k].radius);
   }
   all["clump_words"] = words;
@@ -365,18 +306,17 @@ void add_sources_and_sinks(const Scene& scene, Variables& all) {
     const double rate = source_rate(box, source);
     const bool by_mass = source.rate && box.radius.size() > 1;  // of equal grains the number says the same
     add_to_list(boxes, block_of(source));
-    add_to_list(flows,
-                (by_mass ? "massrate " + number(*source.rate) : "particlerate " + number(rate)) + " insert_every " +
-                    std::to_string(steps_between(source, rate, mean_grain_mass(box) / box.material.density, dt)) +
-                    " vel constant " + number(source.velocity.x()) + " " + number(source.velocity.y()) + " " +
-                    number(source.velocity.z()));
+    add_to_list(
+        flows, concat(by_mass ? "massrate " + number(*source.rate) : "particlerate " + number(rate), " insert_every ",
+                      steps_between(source, rate, mean_grain_mass(box) / box.material.density, dt), " vel constant ",
+                      number(source.velocity.x()), " ", number(source.velocity.y()), " ", number(source.velocity.z())));
     add_to_list(times, times_of(source));
   }
   if (!box.sources.empty()) {
     std::string radii, mix = std::to_string(box.radius.size());
     for (std::size_t i = 0; i < box.radius.size(); ++i) {
       radii += (i == 0 ? "" : " ") + number(box.radius[i]);
-      mix += " source_grain_" + std::to_string(i + 1) + " " + number(share_of(box.shares, i, box.radius.size()));
+      mix += concat(" source_grain_", i + 1, " ", number(share_of(box.shares, i, box.radius.size())));
     }
     if (box.radius.size() == 1) radii += " " + radii, mix = "1 source_grain_1 1.0";
     all["source_radii"] = radii;
@@ -391,7 +331,7 @@ void add_sources_and_sinks(const Scene& scene, Variables& all) {
   const int every = std::max(1, static_cast<int>(std::lround(kSinkPeriod / dt)));
   for (const GrainRegionSpec& sink : box.sinks) {
     add_to_list(boxes, block_of(sink));
-    add_to_list(times, "every " + std::to_string(every) + " " + times_of(sink));
+    add_to_list(times, concat("every ", every, " ", times_of(sink)));
   }
   if (box.sinks.empty()) return;
   all["sink_count"] = std::to_string(box.sinks.size());
@@ -410,10 +350,10 @@ std::string grains_at_end(const Scene& scene) {
     if (fs::is_regular_file(entry.path() / "grains.restart", ignored)) newest = std::max(newest, std::stol(name));
   }
   if (newest < 0)
-    throw InputError(code::kNoEndGrains, "initial.from: \"" + scene.initial.from +
-                                             "\" has no grains of its end; run that scene with output.keep_grains = "
-                                             "true, or remove [particles.box] here");
-  return scene.initial.from + "/checkpoint/" + std::to_string(newest) + "/grains.restart";
+    throw InputError(
+        code::kNoEndGrains, "initial.from: \"", scene.initial.from,
+        "\" has no grains of its end; run that scene with output.keep_grains = true, or remove [particles.box] here");
+  return concat(scene.initial.from, "/checkpoint/", newest, "/grains.restart");
 }
 
 // Size and time of the file tell one end from another, by which the bed is found again.
@@ -421,8 +361,8 @@ Variables continued_variables(const Scene& scene) {
   Variables all = common_variables(scene);
   const std::string file = grains_at_end(scene);
   all["grains"] = file;
-  all["stamp"] = std::to_string(std::filesystem::file_size(file)) + "_" +
-                 std::to_string(std::filesystem::last_write_time(file).time_since_epoch().count());
+  all["stamp"] =
+      concat(std::filesystem::file_size(file), "_", std::filesystem::last_write_time(file).time_since_epoch().count());
   const BoxSpec& box = *scene.particles->box;
   all["dt"] = number(box_numbers(scene).time_step);
   all["friction"] = number(box.material.friction);
@@ -466,16 +406,71 @@ Variables run_variables(const Scene& scene) {
   add_sources_and_sinks(scene, all);
   if (!box.follow.empty()) {
     all["follow"] = "1";
-    all["follow_words"] = "body " + box.follow + " directions " + std::string(name_of(box.follow_directions)) +
-                          " distance " + number(follow_distance(box));
+    all["follow_words"] = concat("body ", box.follow, " directions ", name_of(box.follow_directions), " distance ",
+                                 number(follow_distance(box)));
   }
   return all;
 }
 
 }  // namespace
 
+Clump clump_of(ClumpShape shape, double equal_radius) {
+  const Eigen::Matrix3Xd x = unit_centres(shape);
+  const double sphere = 4.0 / 3.0 * kPi;
+  Clump clump;
+  Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
+  for (Eigen::Index i = 0; i < x.cols(); ++i) {
+    clump.volume += sphere;
+    S += sphere * (Eigen::Matrix3d::Identity() / 5.0 + x.col(i) * x.col(i).transpose());
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const Eigen::Vector3d apart = x.col(i) - x.col(j), middle = 0.5 * (x.col(i) + x.col(j));
+      if (apart.norm() >= 2.0) continue;
+      const Lens lens = lens_of(0.5 * apart.norm());
+      const Eigen::Matrix3d along = apart.normalized() * apart.normalized().transpose();
+      clump.volume -= lens.volume;
+      S -= lens.across * (Eigen::Matrix3d::Identity() - along) + lens.along * along +
+           lens.volume * middle * middle.transpose();
+    }
+  }
+  const double scale = equal_radius * std::cbrt(sphere / clump.volume);  // radius of the spheres [m]
+  clump.centres = scale * x;
+  clump.radius = scale;
+  clump.volume *= std::pow(scale, 3);
+  clump.inertia = std::pow(scale, 5) * (S.trace() * Eigen::Matrix3d::Identity() - S);
+  // Zeros by symmetry, which another compiler may miss by round-off: these numbers identify a cached bed.
+  constexpr double kRoundOff = 1e-13;
+  clump.centres = (clump.centres.array().abs() < kRoundOff * scale).select(0.0, clump.centres);
+  clump.inertia = (clump.inertia.array().abs() < kRoundOff * clump.inertia.trace()).select(0.0, clump.inertia);
+  return clump;
+}
+
+ClumpShape clump_shape(const std::string& name) {
+  const std::vector<std::string> names = names_of<ClumpShape>();
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (names[k] == name) return static_cast<ClumpShape>(k);
+  throw InputError(code::kUnknownClump, "unknown clump \"", name, "\".", known_names("clumps", name, names));
+}
+
+// Rayleigh time and Hertz contact time.
+double rayleigh_time(const ElasticGrain& g) {
+  const double shear = g.young / (2.0 * (1.0 + g.poisson));
+  return kPi * g.radius * std::sqrt(g.density / shear) / (0.1631 * g.poisson + 0.8766);
+}
+
+double hertz_time(const ElasticGrain& g, double speed) {
+  const double mass = 0.5 * g.density * 4.0 / 3.0 * kPi * g.radius * g.radius * g.radius;
+  const double young = g.young / (2.0 * (1.0 - g.poisson * g.poisson));
+  return 2.87 * std::pow(mass * mass / (0.5 * g.radius * young * young * speed), 0.2);
+}
+
+double rounded_down(double value) {
+  constexpr double kRoundOff = 1e-9;  // 8.8e-5 remains 8.8e-5
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::floor(value / unit + kRoundOff) * unit;
+}
+
 std::string clump_words(const Clump& clump, double density) {
-  std::string words = "nspheres " + std::to_string(clump.centres.cols()) + " ntry 1000000 spheres";
+  std::string words = concat("nspheres ", clump.centres.cols(), " ntry 1000000 spheres");
   for (Eigen::Index i = 0; i < clump.centres.cols(); ++i) {
     for (int c = 0; c < 3; ++c) words += " " + number(clump.centres(c, i));
     words += " " + number(clump.radius);
@@ -593,25 +588,16 @@ void fill_missing(ConfigNode& own, const ConfigNode& soil, int line) {
   }
 }
 
-std::vector<std::string> known_soils() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(shipped_file("inputs/soils")))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 void add_soil(ConfigNode& scene, Findings& findings) {
   ConfigNode* particles = scene.find("particles");
   const ConfigNode* soil = particles ? particles->find("soil") : nullptr;
   if (!soil || soil->kind != ConfigNode::Kind::kText) return;  // another type is reported by the reader
   const int line = soil->line;
   const std::string name = soil->text;
-  const std::vector<std::string> names = known_soils();
+  const std::vector<std::string> names = shipped_tables("inputs/soils");
   if (std::find(names.begin(), names.end(), name) == names.end()) {
-    findings.error(
-        code::kUnknownSoil, line, "particles.soil",
-        "unknown soil \"" + name + "\"." + known_names("soils", name, names) + " They are files of inputs/soils");
+    findings.error(code::kUnknownSoil, line, "particles.soil", "unknown soil \"", name, "\".",
+                   known_names("soils", name, names), " They are files of inputs/soils");
     return;
   }
   ConfigNode* box = particles->find("box");

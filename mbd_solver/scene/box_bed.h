@@ -120,14 +120,9 @@ std::string box_script(const std::string& name);
 
 // particles.soil = "grc-1-dense": a bed with the numbers of a published soil. inputs/soils/NAME.toml holds keys of
 // [particles.box] with the source of each. Keys of the scene take precedence.
-class Findings;
-
 // Adds the soil's keys to the table particles.box where the scene has none. Does nothing without particles.soil. An unknown
 // soil, or one without a box, is a finding.
 void add_soil(ConfigNode& scene, Findings& findings);
-
-// The names of inputs/soils, sorted.
-std::vector<std::string> known_soils();
 
 // Adds keys that are not there yet; their line is the line of the key that named the soil.
 void fill_missing(ConfigNode& own, const ConfigNode& soil, int line);
@@ -135,6 +130,5 @@ void fill_missing(ConfigNode& own, const ConfigNode& soil, int line);
 // The same for ground.soil, a file in `folder` or a name in inputs/grounds (ground_soil.cpp): its table [law] goes under
 // [ground.law].
 void add_ground_soil(ConfigNode& scene, const std::string& folder, Findings& findings);
-std::vector<std::string> known_grounds();
 
 }  // namespace footfall

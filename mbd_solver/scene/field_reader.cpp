@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/budget.h"
 #include "mbd_solver/base/csv.h"
@@ -86,7 +87,7 @@ static std::string check_range(double value, const Rule& rule) {
   if (!std::isfinite(value)) {
     expected = "a finite number";
   } else if (value != 0.0 && !(std::abs(value) >= kSmallest && std::abs(value) <= kLargest)) {
-    expected = "0 or a magnitude from " + number_text(kSmallest) + " to " + number_text(kLargest);
+    expected = concat("0 or a magnitude from ", kSmallest, " to ", kLargest);
   } else if (rule.range == Range::kPositive && !(value > 0.0)) {
     expected = "more than 0";
   } else if (rule.range == Range::kNotNegative && !(value >= 0.0)) {
@@ -96,22 +97,21 @@ static std::string check_range(double value, const Rule& rule) {
   }
   if (expected.empty()) return "";
   const std::string unit = unit_name(rule.unit);
-  return with_code(kOutOfRange,
-                   "is " + number_text(value) + (unit.empty() ? "" : " " + unit) + ", expected " + expected);
+  return with_code(kOutOfRange, "is ", value, unit.empty() ? "" : " " + unit, ", expected ", expected);
 }
 
 // The numbers of a list of known length (count 0: any length), range-checked; `expected` replaces "a list of 3 numbers".
 static std::string read_numbers(const ConfigNode& node, const ValueContext& c, std::size_t count,
                                 std::vector<double>& values, std::string expected = "") {
   if (expected.empty())
-    expected = with_unit(count ? "a list of " + std::to_string(count) + " numbers" : "a list of numbers", c.rule);
+    expected = with_unit(count ? concat("a list of ", count, " numbers") : "a list of numbers", c.rule);
   if (node.kind != ConfigNode::Kind::kList || (count && node.list.size() != count)) return is_expected(node, expected);
   std::vector<double> result;
   for (const ConfigNode& item : node.list) {
     if (!item.is_number()) return with_code(kWrongType, "contains " + item.description() + ", expected " + expected);
     result.push_back(item.number * c.factor);
     const std::string problem = check_range(result.back(), c.rule);
-    if (!problem.empty()) return "number " + std::to_string(result.size()) + " " + problem;
+    if (!problem.empty()) return concat("number ", result.size(), " ", problem);
   }
   values = std::move(result);
   return "";
@@ -127,7 +127,7 @@ std::string read_list(const ConfigNode& node, const ValueContext& c, const std::
     T value{};
     const std::string problem = read_value(item, c, value);
     result.push_back(value);
-    if (!problem.empty()) return "entry " + std::to_string(result.size()) + " " + problem;
+    if (!problem.empty()) return concat("entry ", result.size(), " ", problem);
   }
   target = std::move(result);
   return "";
@@ -203,9 +203,8 @@ static std::string read_value(const ConfigNode& node, const ValueContext& c, std
   if (node.kind != Kind::kText) return is_expected(node, "text in quotes");
   if (node.text.empty() && c.rule.required) return with_code(kMissingKey, "is empty, expected a name");
   if (c.rule.meaning == Meaning::kName && !node.text.empty() && !is_plain_name(without_braces(node.text)))
-    return with_code(kBadName, "is " + node.description() + ", expected a name of at most " +
-                                   std::to_string(kLongestName) +
-                                   " letters, digits, _ - and . (not first): it becomes a column and a file");
+    return with_code(kBadName, "is ", node.description(), ", expected a name of at most ", kLongestName,
+                     " letters, digits, _ - and . (not first): it becomes a column and a file");
   target = node.text;
   return "";
 }
@@ -267,13 +266,11 @@ static std::string read_value(const ConfigNode& node, const ValueContext& c, std
       result.emplace_back(item.list[0].number, item.list[1].number * c.factor);
     }
   }
-  if (result.size() < 2)
-    return with_code(kWrongCount, "has " + std::to_string(result.size()) + " rows, expected at least two");
+  if (result.size() < 2) return with_code(kWrongCount, "has ", result.size(), " rows, expected at least two");
   for (std::size_t i = 1; i < result.size(); ++i) {
     if (!(result[i][0] > result[i - 1][0]))
-      return with_code(kNotRising, "does not rise: row " + std::to_string(i + 1) + " begins with " +
-                                       number_text(result[i][0]) + " after " + number_text(result[i - 1][0]) +
-                                       "; expected a rising first column");
+      return with_code(kNotRising, "does not rise: row ", i + 1, " begins with ", result[i][0], " after ",
+                       result[i - 1][0], "; expected a rising first column");
   }
   target = std::move(result);
   return "";
@@ -420,7 +417,7 @@ static std::string read_value(const ConfigNode& node, const ValueContext&, Eigen
   }
   const Eigen::Quaterniond q(v[0], v[1], v[2], v[3]);
   if (std::abs(q.norm() - 1.0) > 1e-3)
-    return with_code(kOutOfRange, "quaternion has the length " + number_text(q.norm()) + ", expected 1");
+    return with_code(kOutOfRange, "quaternion has the length ", q.norm(), ", expected 1");
   target = q.normalized();
   return "";
 }
@@ -532,7 +529,7 @@ class FieldReader final : public FieldVisitor {
     std::string label = list.named ? list.node->table[i].first : node.entry_name();
     if (label.empty()) label = std::to_string(index);
     push(list.key + "." + label, node);
-    frames_.back().local = frames_[frames_.size() - 2].local + list.key + "." + std::to_string(index) + ".";
+    frames_.back().local = concat(frames_[frames_.size() - 2].local, list.key, ".", index, ".");
   }
 
   void end_item() override { pop(); }
@@ -606,8 +603,8 @@ class FieldReader final : public FieldVisitor {
       Source at;
       at.path = frame.path;
       at.line = chosen.node->line;
-      findings_.warning(kSecondSpelling, at, spelt,
-                        "is read as \"" + chosen.written + "\", the spelling of this key; write that");
+      findings_.warning(kSecondSpelling, at, spelt, "is read as \"", chosen.written,
+                        "\", the spelling of this key; write that");
     }
     if (frame.source) frame.source->lines[frame.local + key] = chosen.node->line;
     if (frame.source && chosen.written != key) frame.source->in_other_units.insert(frame.local + key);
@@ -643,11 +640,9 @@ class FieldReader final : public FieldVisitor {
     at.path = frames_.back().path;
     at.line = given.node->line;
     const std::size_t dot = written.rfind('.');
-    findings_.warning(kAngleInDegrees, at, written,
-                      "is " + number_text(largest) + " rad, " + number_text(largest / (2.0 * kPi), 3) +
-                          " turns; if degrees are meant, write " +
-                          written.substr(dot == std::string::npos ? 0 : dot + 1) +
-                          "_deg, which also ends this warning for so many turns");
+    findings_.warning(kAngleInDegrees, at, written, "is ", largest, " rad, ", number_text(largest / (2.0 * kPi), 3),
+                      " turns; if degrees are meant, write ", written.substr(dot == std::string::npos ? 0 : dot + 1),
+                      "_deg, which also ends this warning for so many turns");
   }
 
   void report_unknown_keys() {

@@ -209,7 +209,7 @@ void FieldVisitor::list(const std::string& key, std::vector<T>& items, bool name
   const int count = begin_list(key, named, static_cast<int>(items.size()));
   std::vector<T> unused(1);  // as above
   const bool only_keys = count < 0;
-  if (!only_keys) items.resize(static_cast<std::size_t>(count));
+  if (!only_keys) items.resize(count);
   std::vector<T>& visited = only_keys ? unused : items;
   for (int i = 0; i < static_cast<int>(visited.size()); ++i) {
     T& item = visited[i];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "coupler/base/concat.h"
 #include "mbd_solver/scene/findings.h"
 
 namespace footfall {
@@ -26,7 +27,7 @@ std::string join_path(const std::string& path, const std::string& key) {
 
 std::string place_of(const std::string& file, int line, const std::string& path) {
   if (line == Source::kFromSet) return "--set " + path + ": ";
-  const std::string where = line > 0 ? file + ":" + std::to_string(line) : file;
+  const std::string where = line > 0 ? concat(file, ":", line) : file;
   return where + ": " + (path.empty() ? "" : path + ": ");
 }
 
@@ -48,27 +49,19 @@ void Findings::coded_error(const Source& source, const std::string& key, const s
   coded_error(source.line_of(key), join_path(source.path, key), what);
 }
 
-void Findings::error(const MessageCode& code, int line, const std::string& path, const std::string& what) {
-  coded_error(line, path, with_code(code, what));
-}
-
-void Findings::error(const MessageCode& code, const Source& source, const std::string& key, const std::string& what) {
-  coded_error(source, key, with_code(code, what));
-}
-
-void Findings::warning(const MessageCode& code, const Source& source, const std::string& key, const std::string& what) {
+void Findings::coded_warning(const Source& source, const std::string& key, const std::string& what) {
   if (warnings_.size() == kMost) {
     ++more_warnings_;
   } else {
-    warnings_.push_back(with_code(code, place_of(file_, source, key) + what));
+    warnings_.push_back(place_of(file_, source, key) + what);
   }
 }
 
 std::vector<std::string> Findings::warnings() const {
   std::vector<std::string> all = warnings_;
   if (more_warnings_ > 0)
-    all.push_back(with_code(code::kMoreWarnings, file_ + ": and " + std::to_string(more_warnings_) +
-                                                     " more warnings; mend the first ones, and check again"));
+    all.push_back(with_code(code::kMoreWarnings, file_, ": and ", more_warnings_,
+                            " more warnings; mend the first ones, and check again"));
   return all;
 }
 
@@ -79,8 +72,8 @@ void Findings::throw_if_errors() const {
   std::string text;
   for (const Finding& f : sorted) text += (text.empty() ? "" : "\n") + f.text;
   if (more_errors_ > 0)
-    text += "\n" + with_code(code::kMoreErrors, file_ + ": and " + std::to_string(more_errors_) +
-                                                    " more errors; correct the first ones, and check again");
+    text += "\n" + with_code(code::kMoreErrors, file_, ": and ", more_errors_,
+                             " more errors; correct the first ones, and check again");
   throw InputError(text);
 }
 

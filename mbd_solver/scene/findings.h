@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/errors.h"
 #include "mbd_solver/scene/codes.h"
 
@@ -45,12 +46,22 @@ class Findings {
   explicit Findings(std::string file) : file_(std::move(file)) {}
 
   // `key`: within the entry that `source` describes; empty: the entry itself.
-  void error(const MessageCode& code, const Source& source, const std::string& key, const std::string& what);
-  void error(const MessageCode& code, int line, const std::string& path, const std::string& what);
-  void warning(const MessageCode& code, const Source& source, const std::string& key, const std::string& what);
-  // The text ends with a code already, from an error caught here.
+  template <class... Pieces>  // of the message (coupler/base/concat.h)
+  void error(const MessageCode& code, const Source& source, const std::string& key, const Pieces&... what) {
+    coded_error(source, key, with_code(code, what...));
+  }
+  template <class... Pieces>
+  void error(const MessageCode& code, int line, const std::string& path, const Pieces&... what) {
+    coded_error(line, path, with_code(code, what...));
+  }
+  template <class... Pieces>
+  void warning(const MessageCode& code, const Source& source, const std::string& key, const Pieces&... what) {
+    coded_warning(source, key, with_code(code, what...));
+  }
+  // The text ends with a code already.
   void coded_error(const Source& source, const std::string& key, const std::string& what);
   void coded_error(int line, const std::string& path, const std::string& what);
+  void coded_warning(const Source& source, const std::string& key, const std::string& what);
 
   bool has_errors() const { return !errors_.empty(); }
   int error_count() const { return static_cast<int>(errors_.size()) + more_errors_; }
@@ -84,29 +95,31 @@ class EntryFindings {
   EntryFindings(Findings& findings, const Source& source) : findings_(findings), source_(source) {}
   EntryFindings(Findings&, Source&&) = delete;
 
-  void error(const MessageCode& code, const std::string& key, const std::string& what) const {
-    findings_.error(code, source_, key, what);
+  template <class... Pieces>
+  void error(const MessageCode& code, const std::string& key, const Pieces&... what) const {
+    findings_.error(code, source_, key, what...);
   }
-  void error_if(bool wrong, const MessageCode& code, const std::string& key, const std::string& what) const {
-    if (wrong) error(code, key, what);
+  template <class... Pieces>
+  void error_if(bool wrong, const MessageCode& code, const std::string& key, const Pieces&... what) const {
+    if (wrong) error(code, key, what...);
   }
   // "KEY is missing; why".
-  void missing(const std::string& key, const std::string& why) const {
-    error(code::kMissingKey, key, "is missing; " + why);
-  }
-  void missing_if(bool wrong, const std::string& key, const std::string& why) const {
-    if (wrong) missing(key, why);
+  template <class... Pieces>
+  void missing_if(bool wrong, const std::string& key, const Pieces&... why) const {
+    error_if(wrong, code::kMissingKey, key, "is missing; ", why...);
   }
   // on: "a mesh from a file".
-  void no_effect_if(bool wrong, const std::string& key, const std::string& on) const {
-    error_if(wrong, code::kKeyWithoutEffect, key, "has no effect on " + on + "; remove it");
+  template <class... Pieces>
+  void no_effect_if(bool wrong, const std::string& key, const Pieces&... on) const {
+    error_if(wrong, code::kKeyWithoutEffect, key, "has no effect on ", on..., "; remove it");
   }
   // by: "the controller".
   void given_twice_if(bool wrong, const std::string& key, const std::string& by) const {
-    error_if(wrong, code::kConflictingKeys, key, "is given by " + by + " as well; keep one of the two");
+    error_if(wrong, code::kConflictingKeys, key, "is given by ", by, " as well; keep one of the two");
   }
-  void warning(const MessageCode& code, const std::string& key, const std::string& what) const {
-    findings_.warning(code, source_, key, what);
+  template <class... Pieces>
+  void warning(const MessageCode& code, const std::string& key, const Pieces&... what) const {
+    findings_.warning(code, source_, key, what...);
   }
   Findings& all() const { return findings_; }
   const Source& source() const { return source_; }

@@ -1,6 +1,6 @@
 // Text is read word by word, binary numbers byte by byte; nothing is reserved that a head announces.
 
-#include "mbd_solver/scene/mesh_file.h"
+#include "mbd_solver/scene/mesh_reader.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,6 @@
 #include <limits>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/text.h"
 #include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/fe/fe_mesh.h"
 #include "mbd_solver/scene/codes.h"
@@ -40,13 +39,13 @@ class MeshText : public TextReader {
 
   std::string_view require(std::string_view expected) {
     std::string_view word;
-    if (!next_word(word)) fail("the file ends here, expected " + std::string(expected) + ": it is cut off" + kAgain);
+    if (!next_word(word)) fail("the file ends here, expected ", expected, ": it is cut off", kAgain);
     return word;
   }
   void require_keyword(std::string_view keyword) {
     const std::string_view word = require(in_quotes(keyword));
     if (word != keyword && lower(word) != keyword)
-      fail("is " + in_quotes(word) + ", expected " + in_quotes(keyword) + kAgain);
+      fail("is ", in_quotes(word), ", expected ", in_quotes(keyword), kAgain);
   }
 
   double number(std::string_view word) const {
@@ -54,13 +53,13 @@ class MeshText : public TextReader {
     const bool is_number = read_number(word, value);
     if (is_number && std::isfinite(value)) return value;
     if (word.find(',') != std::string_view::npos)
-      fail(in_quotes(word) +
+      fail(in_quotes(word),
            " has a comma, expected numbers with a decimal point, between blanks; export the mesh with them");
     fail(in_quotes(word) + (is_number ? " is a coordinate that is no finite number" : " is no number") + kAgain);
   }
   long whole(std::string_view word) const {
     const double value = number(word);
-    if (value != std::floor(value) || std::abs(value) > 1e15) fail(in_quotes(word) + " is no whole number" + kAgain);
+    if (value != std::floor(value) || std::abs(value) > 1e15) fail(in_quotes(word), " is no whole number", kAgain);
     return static_cast<long>(value);
   }
 };
@@ -73,8 +72,7 @@ class Digits {
     const std::size_t point = std::min(word.find('.'), exponent), first = word.find_first_of("123456789");
     if (value == 0.0 || first >= exponent) return;
     const auto count = [&](std::size_t from) {
-      return std::count_if(word.begin() + static_cast<std::ptrdiff_t>(from),
-                           word.begin() + static_cast<std::ptrdiff_t>(exponent),
+      return std::count_if(word.begin() + from, word.begin() + exponent,
                            [](unsigned char c) { return std::isdigit(c) != 0; });
     };
     double power = 0.0;
@@ -152,8 +150,8 @@ bool add_polygon(std::vector<int> corners, TriangleMesh& mesh) {
     }
     if (ear == n) return false;
     mesh.triangles.emplace_back(corners[(ear + n - 1) % n], corners[ear], corners[(ear + 1) % n]);
-    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(ear));
-    p.erase(p.begin() + static_cast<std::ptrdiff_t>(ear));
+    corners.erase(corners.begin() + ear);
+    p.erase(p.begin() + ear);
   }
   mesh.triangles.emplace_back(corners[0], corners[1], corners[2]);
   return true;
@@ -162,15 +160,12 @@ bool add_polygon(std::vector<int> corners, TriangleMesh& mesh) {
 // Corners within 0 ... vertices - 1, at least three of them.
 template <class Fail>
 void add_face(const std::vector<int>& corners, TriangleMesh& mesh, const Fail& fail) {
-  if (corners.size() < 3)
-    fail("a face has " + std::to_string(corners.size()) + " corners, expected at least three" + kAgain);
+  if (corners.size() < 3) fail("a face has ", corners.size(), " corners, expected at least three", kAgain);
   for (const int n : corners)
     if (n < 0 || n >= static_cast<int>(mesh.vertices.size()))
-      fail("a face has corner " + std::to_string(n) + " (from 0) of " + std::to_string(mesh.vertices.size()) +
-           " vertices" + kAgain);
+      fail("a face has corner ", n, " (from 0) of ", mesh.vertices.size(), " vertices", kAgain);
   if (!add_polygon(corners, mesh))
-    fail("a face of " + std::to_string(corners.size()) +
-         " corners has no area or crosses itself; export the mesh in triangles");
+    fail("a face of ", corners.size(), " corners has no area or crosses itself; export the mesh in triangles");
 }
 
 // --- STL.
@@ -189,17 +184,14 @@ Number little_endian(const std::string& bytes, std::size_t at) {
 }
 
 MeshFile binary_stl(const std::string& bytes, const std::string& file) {
-  const auto fail = [&](const std::string& what) { throw InputError(code::kMeshDamaged, file + ": " + what + kAgain); };
+  const auto fail = [&](const auto&... what) { throw InputError(code::kMeshDamaged, file, ": ", what..., kAgain); };
   if (bytes.size() < kStlHead)
-    fail("has " + std::to_string(bytes.size()) +
+    fail("has ", bytes.size(),
          " bytes, expected text that begins with \"solid\", or at least 84 bytes of a binary STL");
   const std::size_t count = little_endian<std::uint32_t>(bytes, 80), held = (bytes.size() - kStlHead) / kStlTriangle;
   if (count > held)
-    fail("announces " + std::to_string(count) + " triangles, but ends after " + std::to_string(held) +
-         ": the file is cut off, or its count is wrong");
-  if (count < held)
-    fail("announces " + std::to_string(count) + " triangles, but has " + std::to_string(held) +
-         ": expected the same number");
+    fail("announces ", count, " triangles, but ends after ", held, ": the file is cut off, or its count is wrong");
+  if (count < held) fail("announces ", count, " triangles, but has ", held, ": expected the same number");
   MeshFile result;
   result.mesh.vertices.reserve(3 * count);
   double largest = 0.0;
@@ -210,7 +202,7 @@ MeshFile binary_stl(const std::string& bytes, const std::string& file) {
       for (std::size_t i = 0; i < 3; ++i)
         x(static_cast<Eigen::Index>(i)) =
             little_endian<float>(bytes, kStlHead + kStlTriangle * t + 12 * (corner + 1) + 4 * i);
-      if (!x.allFinite()) fail("triangle " + std::to_string(t) + " has a coordinate that is no finite number");
+      if (!x.allFinite()) fail("triangle ", t, " has a coordinate that is no finite number");
       largest = std::max(largest, x.cwiseAbs().maxCoeff());
       result.mesh.vertices.push_back(x);
     }
@@ -233,7 +225,7 @@ MeshFile text_stl(const std::string& bytes, const std::string& file) {
     const std::string keyword = lower(word);
     if (!within) {
       if (keyword != "solid")
-        words.fail("is " + in_quotes(word) + " after \"endsolid\", expected another \"solid\"" + kAgain);
+        words.fail("is ", in_quotes(word), " after \"endsolid\", expected another \"solid\"", kAgain);
       within = true;
       words.next();
     } else if (keyword == "endsolid") {
@@ -255,16 +247,15 @@ MeshFile text_stl(const std::string& bytes, const std::string& file) {
         }
       }
       const std::string_view end = words.require("\"endloop\"");
-      if (lower(end) == "vertex")
-        words.fail("a facet has more than three corners, expected triangles" + std::string(kAgain));
-      if (lower(end) != "endloop") words.fail("is " + in_quotes(end) + ", expected \"endloop\"" + kAgain);
+      if (lower(end) == "vertex") words.fail("a facet has more than three corners, expected triangles", kAgain);
+      if (lower(end) != "endloop") words.fail("is ", in_quotes(end), ", expected \"endloop\"", kAgain);
       words.require_keyword("endfacet");
       mesh.triangles.emplace_back(first, first + 1, first + 2);
     } else {
-      words.fail("is " + in_quotes(word) + ", expected \"facet\" or \"endsolid\"" + kAgain);
+      words.fail("is ", in_quotes(word), ", expected \"facet\" or \"endsolid\"", kAgain);
     }
   }
-  if (within) words.fail("the file ends without \"endsolid\": it is cut off" + std::string(kAgain));
+  if (within) words.fail("the file ends without \"endsolid\": it is cut off", kAgain);
   result.spacing = digits.spacing(mesh);
   return result;
 }
@@ -304,7 +295,7 @@ MeshFile obj(const std::string& bytes, const std::string& file) {
   MeshFile result;
   TriangleMesh& mesh = result.mesh;
   Digits digits;
-  const auto fail = [&](const std::string& what) { words.fail(what); };
+  const auto fail = [&](const auto&... what) { words.fail(what...); };
   bool more = true;
   for (std::string_view keyword, word; more; more = words.next()) {
     if (!words.word_in_line(keyword) || keyword[0] == '#') continue;
@@ -315,7 +306,7 @@ MeshFile obj(const std::string& bytes, const std::string& file) {
         if (numbers.size() <= 3) digits.add(static_cast<int>(numbers.size()) - 1, word, numbers.back());
       }
       if (numbers.size() != 3 && numbers.size() != 4 && numbers.size() != 6 && numbers.size() != 7)  // weight, colour
-        fail("a vertex has " + std::to_string(numbers.size()) + " numbers, expected three" + kAgain);
+        fail("a vertex has ", numbers.size(), " numbers, expected three", kAgain);
       mesh.vertices.emplace_back(numbers[0], numbers[1], numbers[2]);
     } else if (keyword == "f") {
       std::vector<int> corners;
@@ -323,12 +314,12 @@ MeshFile obj(const std::string& bytes, const std::string& file) {
         const long n = words.whole(word.substr(0, word.find('/')));  // from 1, or from the last one backwards
         const long corner = n > 0 ? n - 1 : static_cast<long>(mesh.vertices.size()) + n;
         if (n == 0 || corner < 0 || corner > std::numeric_limits<int>::max())
-          fail(in_quotes(word) + " is no vertex" + kAgain);
+          fail(in_quotes(word), " is no vertex", kAgain);
         corners.push_back(static_cast<int>(corner));
       }
       add_face(corners, mesh, fail);
     } else if (!is_ignored_in_obj(keyword)) {
-      fail("begins with " + in_quotes(keyword) + ", expected polygons (v, f); export the mesh in triangles");
+      fail("begins with ", in_quotes(keyword), ", expected polygons (v, f); export the mesh in triangles");
     }
   }
   result.spacing = digits.spacing(mesh);
@@ -374,7 +365,7 @@ class PlyNumbers {
     }
     const std::size_t size = size_of_type(type);
     if (bytes_.size() - at_ < size)
-      fail("the file ends within the elements that its head announces: it is cut off" + std::string(kAgain));
+      fail("the file ends within the elements that its head announces: it is cut off", kAgain);
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < size; ++i)
       bits = bits << 8 | static_cast<unsigned char>(bytes_[at_ + (big_ ? i : size - 1 - i)]);
@@ -387,11 +378,12 @@ class PlyNumbers {
   void require_end() {
     std::string_view word;
     if (text_ ? words_.next_word(word) : bytes_.find_first_not_of(" \r\n", at_) != std::string::npos)
-      fail("more elements than the head announces" + std::string(kAgain));
+      fail("more elements than the head announces", kAgain);
   }
-  [[noreturn]] void fail(const std::string& what) const {
-    if (text_) words_.fail(what);
-    throw InputError(code::kMeshDamaged, file_ + ": " + what);
+  template <class... Pieces>
+  [[noreturn]] void fail(const Pieces&... what) const {
+    if (text_) words_.fail(what...);
+    throw InputError(code::kMeshDamaged, file_, ": ", what...);
   }
 
  private:
@@ -429,28 +421,27 @@ std::string ply_head(MeshText& words, std::size_t bytes, std::vector<PlyElement>
   std::string format;
   words.require_keyword("ply");
   for (;;) {
-    if (!words.next()) words.fail("the file ends without \"end_header\": it is cut off" + std::string(kAgain));
+    if (!words.next()) words.fail("the file ends without \"end_header\": it is cut off", kAgain);
     if (!words.word_in_line(word) || word == "comment" || word == "obj_info") continue;
     const auto in_line = [&](const std::string& what) {
       std::string_view found;
-      if (!words.word_in_line(found)) words.fail("the line ends, expected " + what + kAgain);
+      if (!words.word_in_line(found)) words.fail("the line ends, expected ", what, kAgain);
       return std::string(found);
     };
     if (word == "end_header") {
-      if (format.empty()) words.fail("no line \"format\" in the head" + std::string(kAgain));
+      if (format.empty()) words.fail("no line \"format\" in the head", kAgain);
       return format;
     }
     if (word == "format") {
       format = in_line("a format");
       if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
-        words.fail("the format is " + in_quotes(format) + ", expected ascii or binary" + kAgain);
+        words.fail("the format is ", in_quotes(format), ", expected ascii or binary", kAgain);
     } else if (word == "element") {
       PlyElement& element = elements.emplace_back();
       element.name = in_line("a name");
       const long count = words.whole(in_line("a number"));
       if (count < 0 || static_cast<std::size_t>(count) > bytes)  // each takes a byte at least
-        words.fail("announces " + std::to_string(count) + " elements in a file of " + std::to_string(bytes) + " bytes" +
-                   kAgain);
+        words.fail("announces ", count, " elements in a file of ", bytes, " bytes", kAgain);
       element.count = static_cast<std::size_t>(count);
     } else if (word == "property" && !elements.empty()) {
       PlyProperty property;
@@ -461,11 +452,10 @@ std::string ply_head(MeshText& words, std::size_t bytes, std::vector<PlyElement>
       }
       property.name = in_line("a name");
       for (const std::string& type : {property.type, property.count_type})
-        if (!type.empty() && size_of_type(type) == 0)
-          words.fail("the type " + in_quotes(type) + " is unknown" + kAgain);
+        if (!type.empty() && size_of_type(type) == 0) words.fail("the type ", in_quotes(type), " is unknown", kAgain);
       elements.back().properties.push_back(property);
     } else {
-      words.fail("begins with " + in_quotes(word) + ", expected element, property, comment or end_header" + kAgain);
+      words.fail("begins with ", in_quotes(word), ", expected element, property, comment or end_header", kAgain);
     }
   }
 }
@@ -479,13 +469,13 @@ MeshFile ply(const std::string& bytes, const std::string& file) {
   TriangleMesh& mesh = result.mesh;
   Digits digits;
   double largest = 0.0;
-  const auto fail = [&](const std::string& what) { numbers.fail(what); };
+  const auto fail = [&](const auto&... what) { numbers.fail(what...); };
   for (const PlyElement& element : elements) {
     const bool vertices = element.name == "vertex", faces = element.name == "face";
     if (!vertices && !faces && element.count > 0 && element.name == "tristrips")
       fail("has strips of triangles, expected faces; export the mesh in triangles");
     if (element.properties.empty() && element.count > 0)
-      fail("element " + in_quotes(element.name) + " has no properties" + kAgain);
+      fail("element ", in_quotes(element.name), " has no properties", kAgain);
     for (std::size_t e = 0; e < element.count; ++e) {
       Vector3d x = Vector3d::Zero();
       std::vector<int> corners;
@@ -496,8 +486,7 @@ MeshFile ply(const std::string& bytes, const std::string& file) {
           const double value = numbers.next(property.type);
           const int axis = property.name == "x" ? 0 : property.name == "y" ? 1 : property.name == "z" ? 2 : -1;
           if (!vertices || axis < 0) continue;
-          if (!std::isfinite(value))
-            fail("vertex " + std::to_string(e) + " has a coordinate that is no finite number" + kAgain);
+          if (!std::isfinite(value)) fail("vertex ", e, " has a coordinate that is no finite number", kAgain);
           x(axis) = value;
           ++found;
           result.single =
@@ -506,18 +495,16 @@ MeshFile ply(const std::string& bytes, const std::string& file) {
           continue;
         }
         const double count = numbers.next(property.count_type);
-        if (!(count >= 0.0) || count != std::floor(count))
-          fail("a list of " + number_text(count) + " numbers" + kAgain);
+        if (!(count >= 0.0) || count != std::floor(count)) fail("a list of ", count, " numbers", kAgain);
         for (double i = 0.0; i < count; ++i) {
           const double value = numbers.next(property.type);
           if (!is_corners) continue;
-          if (!(std::abs(value) < 1e9) || value != std::floor(value))
-            fail("a face has corner " + number_text(value) + kAgain);
+          if (!(std::abs(value) < 1e9) || value != std::floor(value)) fail("a face has corner ", value, kAgain);
           corners.push_back(static_cast<int>(value));
         }
       }
       if (vertices) {
-        if (found != 3) fail("vertices have " + std::to_string(found) + " of the properties x, y, z" + kAgain);
+        if (found != 3) fail("vertices have ", found, " of the properties x, y, z", kAgain);
         largest = std::max(largest, x.cwiseAbs().maxCoeff());
         mesh.vertices.push_back(x);
       }
@@ -536,7 +523,7 @@ MeshFile off(const std::string& bytes, const std::string& file) {
   MeshFile result;
   TriangleMesh& mesh = result.mesh;
   Digits digits;
-  const auto fail = [&](const std::string& what) { words.fail(what); };
+  const auto fail = [&](const auto&... what) { words.fail(what...); };
   // The first word of the next line that is no comment.
   const auto begin = [&](std::string_view expected) {
     for (;;) {
@@ -547,23 +534,22 @@ MeshFile off(const std::string& bytes, const std::string& file) {
   };
   const auto in_line = [&](const std::string& expected) {
     std::string_view word;
-    if (!words.word_in_line(word)) fail("the line ends, expected " + expected + kAgain);
+    if (!words.word_in_line(word)) fail("the line ends, expected ", expected, kAgain);
     return word;
   };
   std::string_view word = begin("\"OFF\" and the numbers of vertices and faces");
   const std::string head = lower(word);
   if (head.size() >= 3 && head.compare(head.size() - 3, 3, "off") == 0) {
     if (head.find('4') != std::string::npos || head[0] == 'n')
-      if (head != "noff") fail("is " + in_quotes(word) + ", expected vertices of three coordinates" + kAgain);
+      if (head != "noff") fail("is ", in_quotes(word), ", expected vertices of three coordinates", kAgain);
     std::string_view more;
-    if (words.word_in_line(more) && lower(more) == "binary") fail("is binary, expected text" + std::string(kAgain));
+    if (words.word_in_line(more) && lower(more) == "binary") fail("is binary, expected text", kAgain);
     word = more.empty() || more[0] == '#' ? (words.next(), begin("the numbers of vertices and faces")) : more;
   }
   const long vertices = words.whole(word), faces = words.whole(in_line("the number of faces"));
   if (vertices < 0 || faces < 0 || static_cast<std::size_t>(vertices) > bytes.size() ||
       static_cast<std::size_t>(faces) > bytes.size())
-    fail("announces " + std::to_string(vertices) + " vertices and " + std::to_string(faces) + " faces in a file of " +
-         std::to_string(bytes.size()) + " bytes" + kAgain);
+    fail("announces ", vertices, " vertices and ", faces, " faces in a file of ", bytes.size(), " bytes", kAgain);
   words.next();
   for (long v = 0; v < vertices; ++v) {
     Vector3d& x = mesh.vertices.emplace_back();
@@ -577,20 +563,18 @@ MeshFile off(const std::string& bytes, const std::string& file) {
   for (long f = 0; f < faces; ++f) {
     const long corners = words.whole(begin("a face"));
     if (corners < 0 || static_cast<std::size_t>(corners) > bytes.size())
-      fail("a face has " + std::to_string(corners) + " corners" + kAgain);
+      fail("a face has ", corners, " corners", kAgain);
     std::vector<int> face;
     for (long i = 0; i < corners; ++i) {
       const long n = words.whole(in_line("the corners of a face"));
-      if (n < 0 || n >= vertices)
-        fail("a face has corner " + std::to_string(n) + " (from 0) of " + std::to_string(vertices) + " vertices" +
-             kAgain);
+      if (n < 0 || n >= vertices) fail("a face has corner ", n, " (from 0) of ", vertices, " vertices", kAgain);
       face.push_back(static_cast<int>(n));
     }
     if (corners >= 3) add_face(face, mesh, fail);  // points and lines are no surface
     words.next();
   }
   while (words.next_word(word)) {
-    if (word[0] != '#') fail("more elements than the head announces" + std::string(kAgain));
+    if (word[0] != '#') fail("more elements than the head announces", kAgain);
     words.next();
   }
   result.spacing = digits.spacing(mesh);

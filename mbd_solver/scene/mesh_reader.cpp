@@ -6,8 +6,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
@@ -15,12 +13,11 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <new>
 #include <optional>
-#include <sstream>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
@@ -32,11 +29,9 @@
 #include "mbd_solver/fe/triangle_mesh.h"
 #include "mbd_solver/model/rotation.h"
 #include "mbd_solver/scene/codes.h"
-#include "mbd_solver/scene/mesh_file.h"
 #include "mbd_solver/scene/mesh_reader.h"
 
 namespace footfall {
-
 using namespace code;
 
 namespace {
@@ -65,8 +60,8 @@ std::uintmax_t checked_size(const std::string& file) {
   if (error) throw InputError(kFileNotReadable, file + ": cannot be read: " + error.message());
   if (bytes == 0) throw InputError(kMeshEmpty, file + ": is empty, expected a mesh");
   if (bytes > kMostBytes)
-    throw InputError(kMeshTooLarge, file + ": has " + std::to_string(bytes >> 20) + " MB, expected a mesh of at most " +
-                                        std::to_string(kMostBytes >> 20) + " MB");
+    throw InputError(kMeshTooLarge, file, ": has ", bytes >> 20, " MB, expected a mesh of at most ", kMostBytes >> 20,
+                     " MB");
   return bytes;
 }
 
@@ -76,8 +71,7 @@ void demand_affordable(const std::string& file, std::size_t triangles, std::size
                                  ? ": every node costs time in every step; use a coarser mesh, or let it be "
                                    "decimated by  surface = { triangles = 5000 }  of its boundary"
                                  : "; use a coarser mesh";
-  throw InputError(kMeshTooLarge, file + ": has " + std::to_string(triangles) + " triangles, expected at most " +
-                                      std::to_string(most) + remedy);
+  throw InputError(kMeshTooLarge, file, ": has ", triangles, " triangles, expected at most ", most, remedy);
 }
 
 MeshFile parsed(const std::string& file, std::uintmax_t size, std::size_t most) {
@@ -131,26 +125,19 @@ TriangleMesh read_at_most(const std::string& file, double scale, std::size_t mos
     for (const int corner : triangle) box.extend(mesh.vertices[corner]);
   const double across = box.diagonal().norm();
   if (!(kWeldTolerance * across > 0.0 && std::isfinite(across)))
-    throw InputError(kMeshEmpty, file + ": has an extent of " + number_text(across) + " m, expected a surface");
+    throw InputError(kMeshEmpty, file, ": has an extent of ", across, " m, expected a surface");
   TriangleMesh result = welded(mesh, kWeldTolerance * across);
   const double spacing = read.spacing * scale;
   if (spacing > kCoarse * across)
-    result.notes.push_back(
-        file + ": its coordinates, up to " +
-        number_text(box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff()) + " m, have a last digit of " +
-        number_text(spacing, 2) + " m, and the mesh measures " + number_text(across, 3) +
-        " m; export it near the origin, or as text with more digits, and move it here with \"position\"");
+    result.notes.push_back(concat(
+        file, ": its coordinates, up to ", box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff(),
+        " m, have a last digit of ", number_text(spacing, 2), " m, and the mesh measures ", number_text(across, 3),
+        " m; export it near the origin, or as text with more digits, and move it here with \"position\""));
   if (read.single && spacing > kLost * across) throw InputError(kMeshDigits, result.notes.front());
   return result;
 }
 
-}  // namespace
-
-TriangleMesh read_mesh(const std::string& file, double scale) { return read_at_most(file, scale, kMostTriangles); }
-
 // A fork with limits of time and memory; the result comes back through a file in memory.
-
-namespace {
 
 constexpr rlim_t kSeconds = 5;                    // of processor time, and one more for each
 constexpr std::size_t kBytesPerSecond = 1000000;  // of the file (a slow machine reads ten times as many)
@@ -190,38 +177,7 @@ int answer(int result, const std::string& file, std::size_t bytes, const std::fu
   return ::write(result, text.data(), text.size()) == static_cast<ssize_t>(text.size()) ? 0 : 1;
 }
 
-}  // namespace
-
-std::string read_apart(const std::string& file, std::size_t bytes, const std::function<std::string()>& read) {
-  const auto failed = [&] {
-    return InputError(code::kFileNotReadable, file + ": cannot be read: " + std::strerror(errno));
-  };
-  const int result = memfd_create("footfall", MFD_CLOEXEC);
-  if (result < 0) throw failed();
-  const pid_t child = start_copy([&] { return answer(result, file, bytes, read); }, Orphan::kIsKilled);
-  const int code = wait_for_end(child), ended_by = code > 128 ? code - 128 : 0;
-  std::string text(static_cast<std::size_t>(std::max<off_t>(0, lseek(result, 0, SEEK_END))), '\0');
-  const bool whole = pread(result, &text[0], text.size(), 0) == static_cast<ssize_t>(text.size());
-  close(result);
-  if (child < 0 || !whole) throw failed();
-  std::string problem;
-  if (ended_by == SIGXCPU || ended_by == SIGKILL) {
-    problem = "was not read within " + std::to_string(seconds_for(bytes)) + " s";
-  } else if (ended_by != 0) {
-    problem = std::string("crashed its reader (") + strsignal(ended_by) + ")";
-  } else if (text.empty()) {
-    problem = "ended its reader without a result";
-  }
-  if (!problem.empty())
-    throw InputError(kMeshDamaged,
-                     file + ": " + problem + "; the file is damaged or too large: export it again, or a part of it");
-  if (text.front() == kWrong) throw InputError(text.substr(1));
-  return text.substr(1);
-}
-
 // Meshes of shapes, by the generators of mbd_solver/fe, and of files; tubes and spheres are made here.
-
-namespace {
 
 constexpr double kDefaultElements = 10.0;  // elements along the largest size of a shape, when no element size is given
 
@@ -241,7 +197,51 @@ double largest_size(const ShapeSpec& s) {
   FOOTFALL_DEMAND(false);
 }
 
+// As few triangles as asked, with a note on what that changes.
+TriangleMesh decimated_surface(const TriangleMesh& mesh, std::size_t most, const std::string& where) {
+  Decimation result = decimated(mesh, most);
+  const std::size_t left = result.mesh.triangles.size();
+  if (left > kMostTriangles) demand_affordable(where, left, kMostTriangles);
+  result.mesh.decimation =
+      concat(where, ": decimated from ", mesh.triangles.size(), " to ", left,
+             " triangles; the largest distance between both surfaces is ", number_text(result.distance, 3),
+             " m, the enclosed volume differs by ", number_text(100.0 * result.volume_change, 2), " %");
+  if (left > most)
+    result.mesh.decimation += concat(
+        "; fewer than ", left, " would turn triangles over, make needles or change how pieces and holes are connected");
+  return result.mesh;
+}
+
 }  // namespace
+
+TriangleMesh read_mesh(const std::string& file, double scale) { return read_at_most(file, scale, kMostTriangles); }
+
+std::string read_apart(const std::string& file, std::size_t bytes, const std::function<std::string()>& read) {
+  const auto failed = [&] {
+    return InputError(code::kFileNotReadable, file + ": cannot be read: " + std::strerror(errno));
+  };
+  const int result = memfd_create("footfall", MFD_CLOEXEC);
+  if (result < 0) throw failed();
+  const pid_t child = start_copy([&] { return answer(result, file, bytes, read); }, Orphan::kIsKilled);
+  const int code = wait_for_end(child), ended_by = code > 128 ? code - 128 : 0;
+  std::string text(static_cast<std::size_t>(std::max<off_t>(0, lseek(result, 0, SEEK_END))), '\0');
+  const bool whole = pread(result, &text[0], text.size(), 0) == static_cast<ssize_t>(text.size());
+  close(result);
+  if (child < 0 || !whole) throw failed();
+  std::string problem;
+  if (ended_by == SIGXCPU || ended_by == SIGKILL) {
+    problem = concat("was not read within ", seconds_for(bytes), " s");
+  } else if (ended_by != 0) {
+    problem = concat("crashed its reader (", strsignal(ended_by), ")");
+  } else if (text.empty()) {
+    problem = "ended its reader without a result";
+  }
+  if (!problem.empty())
+    throw InputError(kMeshDamaged,
+                     file + ": " + problem + "; the file is damaged or too large: export it again, or a part of it");
+  if (text.front() == kWrong) throw InputError(text.substr(1));
+  return text.substr(1);
+}
 
 TriangleMesh mesh_of_shape(const ShapeSpec& shape) {
   return moved(read_at_most(shape.file, shape.scale, kMostRead), shape.orientation.toRotationMatrix(), shape.position);
@@ -335,25 +335,6 @@ TriangleMesh sphere_mesh(double radius, double edge) {
 bool has_model_mesh(const BodySpec& body) {
   return body.flexible && !body.flexible->node_file.empty() && is_fe_mesh_name(body.flexible->node_file);
 }
-
-namespace {
-
-// As few triangles as asked, with a note on what that changes.
-TriangleMesh decimated_surface(const TriangleMesh& mesh, std::size_t most, const std::string& where) {
-  Decimation result = decimated(mesh, most);
-  const std::size_t left = result.mesh.triangles.size();
-  if (left > kMostTriangles) demand_affordable(where, left, kMostTriangles);
-  result.mesh.decimation = where + ": decimated from " + std::to_string(mesh.triangles.size()) + " to " +
-                           std::to_string(left) + " triangles; the largest distance between both surfaces is " +
-                           number_text(result.distance, 3) + " m, the enclosed volume differs by " +
-                           number_text(100.0 * result.volume_change, 2) + " %";
-  if (left > most)
-    result.mesh.decimation += "; fewer than " + std::to_string(left) +
-                              " would turn triangles over, make needles or change how pieces and holes are connected";
-  return result.mesh;
-}
-
-}  // namespace
 
 TriangleMesh boundary_surface(const Scene& scene, const BoundarySpec& boundary) {
   if (!boundary.surface) return {};

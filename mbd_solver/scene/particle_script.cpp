@@ -13,9 +13,11 @@
 #include "mbd_solver/base/text_reader.h"
 #include "mbd_solver/scene/codes.h"
 #include "mbd_solver/scene/particle_script.h"
-#include "mbd_solver/scene/script_words.h"
 
 namespace footfall {
+// The line of a fix mesh/surface as one scale, turn and displacement, and the boundaries that take it.
+using namespace code;
+
 namespace {
 
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
@@ -35,6 +37,27 @@ std::string shown(std::string word) {
   for (char& c : word)
     if (c > 0 && static_cast<std::size_t>(c) <= kSplitting.size()) c = kSplitting[c - 1];
   return word;
+}
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+[[noreturn]] void fail(const std::string& what) { throw InputError(kScriptMesh, what); }
+
+// Word `at` as a number. Throws InputError.
+double number_at(const Words& words, std::size_t at) {
+  const std::string word = at < words.size() ? words[at] : "";
+  const std::optional<double> value = as_number(word);
+  if (!value) fail("has \"" + word + "\", expected a number");
+  return *value;
+}
+
+Eigen::Vector3d vector_at(const Words& words, std::size_t at) {
+  return {number_at(words, at), number_at(words, at + 1), number_at(words, at + 2)};
+}
+
+bool is_mesh(const ScriptCommand& command) {
+  return command.words.size() > 3 && command.words[0] == "fix" && command.words[3].rfind("mesh/surface", 0) == 0;
 }
 
 }  // namespace
@@ -230,34 +253,6 @@ std::string ScriptText::substitute(const std::string& text) {
   }
   return result.append(text, from);
 }
-
-// The line of a fix mesh/surface as one scale, turn and displacement, and the boundaries that take it.
-using namespace code;
-
-namespace {
-
-namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
-
-[[noreturn]] void fail(const std::string& what) { throw InputError(kScriptMesh, what); }
-
-// Word `at` as a number. Throws InputError.
-double number_at(const Words& words, std::size_t at) {
-  const std::string word = at < words.size() ? words[at] : "";
-  const std::optional<double> value = as_number(word);
-  if (!value) fail("has \"" + word + "\", expected a number");
-  return *value;
-}
-
-Eigen::Vector3d vector_at(const Words& words, std::size_t at) {
-  return {number_at(words, at), number_at(words, at + 1), number_at(words, at + 2)};
-}
-
-bool is_mesh(const ScriptCommand& command) {
-  return command.words.size() > 3 && command.words[0] == "fix" && command.words[3].rfind("mesh/surface", 0) == 0;
-}
-
-}  // namespace
 
 SurfaceSpec mesh_in_script(const ScriptCommand& command, const std::string& here) {
   const Words& w = command.words;

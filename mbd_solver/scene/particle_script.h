@@ -39,6 +39,9 @@ bool names_file(const std::string& value);
 // with "-" in front an option, unless it is a number.
 std::string fault_of_variable(const std::string& name, const std::string& value);
 
+// As LIGGGHTS splits a line: outside of quotes blanks separate words, and `#` begins a comment.
+std::vector<std::string> script_words(const std::string& text);
+
 class ScriptText {
  public:
   // `variables`: as -var on the command line; `here`, the script's folder, is added. Throws InputError where files that include
@@ -88,13 +91,5 @@ SurfaceSpec mesh_in_script(const ScriptCommand& command, const std::string& here
 
 // Fills every surface with from_script = "ID" from the script's mesh of this id. A line that cannot be used is a finding.
 void resolve_script_meshes(Scene& scene, Findings& findings);
-
-// The LIGGGHTS script as text: the parts of check_script. Each reports only what is certain for any value of variables, any
-// branch and any loop.
-// Lines that couple: their words, the meshes and bodies that they name, and that a `run` follows.
-void check_coupling(const ScriptText& script, const Scene& scene, Findings& findings);
-
-// Meshes from files that are drawn a thousand times too large for the box.
-void check_script_meshes(const ScriptText& script, const Scene& scene, Findings& findings);
 
 }  // namespace footfall

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/fe/matrix_model.h"
@@ -26,6 +27,7 @@
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
+using namespace code;
 
 namespace {
 
@@ -40,9 +42,8 @@ void resolve_paths(Scene& scene, Findings& findings) {
     const bool folder = at.source() == &scene.initial.source && key == "from";
     const char* const wrong = !fs::exists(full, ignored) ? "does not exist" : folder ? "is none" : "is no plain file";
     if (folder ? !fs::is_directory(full, ignored) : !fs::is_regular_file(full, ignored))
-      findings.error(code::kNoFile, *at.source(), at.local(key),
-                     "the " + std::string(folder ? "folder" : "file") + " \"" + *path + "\" " + wrong + " (" +
-                         full.string() + "); paths are relative to the scene's folder");
+      findings.error(code::kNoFile, *at.source(), at.local(key), "the ", folder ? "folder" : "file", " \"", *path,
+                     "\" ", wrong, " (", full.string(), "); paths are relative to the scene's folder");
     *path = full.string();
   });
   visit_fields(walk, scene);
@@ -59,56 +60,6 @@ void resolve_joint_points(Scene& scene, Findings& findings) {
   }
 }
 
-}  // namespace
-
-double total_mass(const Scene& scene) {
-  double sum = 0.0;
-  for (const BodySpec& body : scene.bodies) sum += body.mass;
-  return sum;
-}
-
-bool stands_still(const Scene& scene, const std::string& body) {
-  if (!scene.initial.groups || body == "ground") return false;
-  const InitialGroupsSpec& groups = *scene.initial.groups;
-  const bool chosen = !groups.still.empty();  // the other group is given otherwise
-  const std::vector<std::string>& names = chosen ? groups.still : groups.moving;
-  return (std::find(names.begin(), names.end(), body) != names.end()) == chosen;
-}
-
-Eigen::Vector3d mass_centre(const Scene& scene) {
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-  double mass = 0.0;
-  for (const BodySpec& body : scene.bodies) {
-    if (stands_still(scene, body.name)) continue;
-    moment += body.mass * body.position;
-    mass += body.mass;
-  }
-  return mass > 0.0 ? Eigen::Vector3d(moment / mass) : Eigen::Vector3d::Zero();
-}
-
-void resolve_scene(Scene& scene, Findings& findings) {
-  apply_arrays(scene, findings);
-  resolve_paths(scene, findings);
-  resolve_joint_points(scene, findings);
-  resolve_segments(scene, findings);
-  resolve_script_meshes(scene, findings);
-  resolve_masses(scene, findings);
-  if (scene.particles && scene.particles->box) resolve_grain_sizes(scene, findings);
-  resolve_terrain(scene, findings);
-  resolve_box(scene, findings);
-  scene.solver.atol = scene.solver.atol_position();
-  if (!scene.flexible) {
-    for (BodySpec& body : scene.bodies) {
-      if (body.flexible) body.flexible->enabled = false;
-    }
-  }
-}
-
-// Mass, mass centre and inertia of every body.
-using namespace code;
-
-namespace {
-
 bool check_shape(const BodySpec& body, Findings& findings) {
   const ShapeSpec& shape = *body.shape;
   const EntryFindings at(findings, body.source);
@@ -117,7 +68,7 @@ bool check_shape(const BodySpec& body, Findings& findings) {
   const std::string kind(name_of(shape.kind));
   const int before = findings.error_count();
   for (const std::string& key : keys.required)
-    at.missing_if(!at.given("shape." + key), "shape." + key, "a " + kind + " needs it");
+    at.missing_if(!at.given("shape." + key), "shape." + key, "a ", kind, " needs it");
   for (const auto& [path, line] : body.source.lines) {
     const std::string key = path.rfind("shape.", 0) == 0 ? path.substr(6) : "kind";
     at.no_effect_if(key != "kind" && !is_in(keys.required, key) && !is_in(keys.optional, key), path, "a " + kind);
@@ -129,13 +80,12 @@ bool check_shape(const BodySpec& body, Findings& findings) {
       shape.kind == ShapeKind::kTube || shape.kind == ShapeKind::kRod || shape.kind == ShapeKind::kCapsule;
   at.error_if(long_body && !((shape.to - shape.from).norm() > 0.0), kShape, "shape.to",
               "is the same point as \"from\", expected a different one");
-  at.error_if(
-      shape.kind == ShapeKind::kTube && 2.0 * shape.wall > shape.diameter, kShape, "shape.wall",
-      "is " + number_text(shape.wall) + " m, expected at most half the diameter; for a solid bar use kind = \"rod\"");
-  at.error_if(shape.kind == ShapeKind::kDish && shape.depth > shape.radius, kShape, "shape.depth",
-              "is " + number_text(shape.depth) + " m, expected at most the radius");
-  at.error_if(shape.kind == ShapeKind::kPoints && shape.points.size() < 3, kShape, "shape.points",
-              "contains " + std::to_string(shape.points.size()) + " points, expected at least three, not on one line");
+  at.error_if(shape.kind == ShapeKind::kTube && 2.0 * shape.wall > shape.diameter, kShape, "shape.wall", "is ",
+              shape.wall, " m, expected at most half the diameter; for a solid bar use kind = \"rod\"");
+  at.error_if(shape.kind == ShapeKind::kDish && shape.depth > shape.radius, kShape, "shape.depth", "is ", shape.depth,
+              " m, expected at most the radius");
+  at.error_if(shape.kind == ShapeKind::kPoints && shape.points.size() < 3, kShape, "shape.points", "contains ",
+              shape.points.size(), " points, expected at least three, not on one line");
   return findings.error_count() == before;
 }
 
@@ -281,17 +231,16 @@ void resolve_remainder(Scene& scene, Findings& findings) {
     if (!body.mass_is_remainder) {
       others += body.mass;
     } else if (rest) {
-      findings.error(kTotalMass, body.source, "mass",
-                     "is the remainder, as for \"" + rest->name + "\"; only one body can have it");
+      findings.error(kTotalMass, body.source, "mass", "is the remainder, as for \"", rest->name,
+                     "\"; only one body can have it");
     } else {
       rest = &body;
     }
   }
   if (!rest) {
     if (scene.total_mass && std::abs(others - *scene.total_mass) > 1e-6 * *scene.total_mass && !findings.has_errors())
-      findings.error(kTotalMass, scene.source, "total_mass",
-                     "is " + number_text(*scene.total_mass) + " kg, but the bodies weigh " + number_text(others) +
-                         " kg; remove it, or let one body have mass = \"remainder\"");
+      findings.error(kTotalMass, scene.source, "total_mass", "is ", *scene.total_mass, " kg, but the bodies weigh ",
+                     others, " kg; remove it, or let one body have mass = \"remainder\"");
     return;
   }
   const EntryFindings at(findings, rest->source);
@@ -299,9 +248,8 @@ void resolve_remainder(Scene& scene, Findings& findings) {
   if (!scene.total_mass) {
     at.error(kNeedsOtherKey, "mass", "is the remainder of total_mass, which is missing at the top of the scene");
   } else if (!(mass > 0.0)) {
-    at.error(kTotalMass, "mass",
-             "is the remainder, but the other bodies weigh " + number_text(others) + " kg of the total_mass of " +
-                 number_text(*scene.total_mass) + " kg");
+    at.error(kTotalMass, "mass", "is the remainder, but the other bodies weigh ", others, " kg of the total_mass of ",
+             *scene.total_mass, " kg");
   } else {
     rest->mass = mass;
     if (!rest->source.given("inertia")) rest->inertia *= mass;
@@ -313,18 +261,15 @@ void check_inertia(const BodySpec& body, Findings& findings) {
   const Eigen::Vector3d e = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(body.inertia).eigenvalues();
   const EntryFindings at(findings, body.source);
   if (!(e[0] > 0.0)) {
-    at.error(kInertia, "inertia",
-             "is not positive definite (smallest principal value " + number_text(e[0]) +
-                 " kg m2), expected [Ixx, Iyy, Izz] > 0, in kg m2 about the mass centre");
+    at.error(kInertia, "inertia", "is not positive definite (smallest principal value ", e[0],
+             " kg m2), expected [Ixx, Iyy, Izz] > 0, in kg m2 about the mass centre");
   } else if (e[2] > (e[0] + e[1]) * (1.0 + 1e-9)) {
-    at.error(kInertia, "inertia",
-             "has a largest principal value of " + number_text(e[2]) +
-                 " kg m2, expected at most the sum of the other two, " + number_text(e[0] + e[1]) + " kg m2");
+    at.error(kInertia, "inertia", "has a largest principal value of ", e[2],
+             " kg m2, expected at most the sum of the other two, ", e[0] + e[1], " kg m2");
   }
 }
 
-}  // namespace
-
+// Mass, mass centre and inertia of every body: from numbers, or from shape and material; "remainder" last.
 void resolve_masses(Scene& scene, Findings& findings) {
   bool known = true;
   for (BodySpec& body : scene.bodies) known = resolve_body(scene, body, findings) && known;
@@ -336,8 +281,6 @@ void resolve_masses(Scene& scene, Findings& findings) {
 }
 
 // Walks that copy an entry, turn it, and replace "{array}" in its texts.
-
-namespace {
 
 constexpr int kMostCopies = 1000;
 
@@ -362,8 +305,8 @@ struct Copies {
   bool makes(int k) const {
     if (mark.empty()) return any;
     const std::string body = mark.substr(mark.find_first_of("=!"));
-    const bool named = body.find(body.front() + std::to_string(k) + "!") != std::string::npos ||
-                       body.find(body.front() + std::to_string(k) + "}") != std::string::npos;
+    const bool named = body.find(concat(body.front(), k, "!")) != std::string::npos ||
+                       body.find(concat(body.front(), k, "}")) != std::string::npos;
     return body.front() == '=' ? named : !named;
   }
 };
@@ -457,22 +400,24 @@ void report_unknown_arrays(Scene& scene, const std::vector<std::string>& arrays,
       const std::size_t open = text.find('{');
       if (open == std::string::npos) return;
       const std::string name = text.substr(open + 1, text.find('}', open) - open - 1);
-      findings.error(code::kUnknownArray, *at.source(), at.local(key),
-                     "\"" + text + "\" names no array." + known_names("arrays", name, arrays));
+      findings.error(code::kUnknownArray, *at.source(), at.local(key), "\"", text, "\" names no array.",
+                     known_names("arrays", name, arrays));
     });
   });
   visit_fields(walk, scene);
 }
 
-}  // namespace
-
+// Replaces every entry (body, joint, strut, spring, force, drive, gear, boundary, contact, initial velocity) in which
+// "{leg}" occurs by `count` copies: "{leg}" becomes 1, 2, ...; points, directions and orientations turn about the array's
+// axis through the origin of D. In lists of names elsewhere a name with "{leg}" becomes all of its names. Braces that name
+// no array are findings.
 void apply_arrays(Scene& scene, Findings& findings) {
   std::vector<std::string> names;
   for (const ArraySpec& array : scene.arrays) {
     names.push_back(array.name);
     if (array.count > kMostCopies) {
-      findings.error(code::kTooManyCopies, array.source, "count",
-                     "is " + std::to_string(array.count) + ", expected at most " + std::to_string(kMostCopies));
+      findings.error(code::kTooManyCopies, array.source, "count", "is ", array.count, ", expected at most ",
+                     kMostCopies);
       continue;
     }
     copy_entries(scene.bodies, array);
@@ -494,8 +439,6 @@ void apply_arrays(Scene& scene, Findings& findings) {
 // flexible.segments = N: a tube or rod as N bodies in a row with fixed joints. Each bends little in its own frame, so that
 // the frames describe what linear modes in one floating frame omit: stiffening by tension, and large bending. theory 1.4.
 
-namespace {
-
 // In addition to the static shapes, which describe most of a short segment.
 constexpr int kModesOfASegment = 2;
 
@@ -504,7 +447,7 @@ struct Cut {
   int count = 1;
   Eigen::Vector3d from, axis;  // axis: whole length [m]
 
-  std::string name(int k) const { return whole.name + "_" + std::to_string(k + 1); }
+  std::string name(int k) const { return concat(whole.name, "_", k + 1); }
   Eigen::Vector3d at(int k) const { return from + axis * k / count; }
   Eigen::Vector3d centre(int k) const { return from + axis * (k + 0.5) / count; }
   // The segment that a point of D belongs to; at a cut, the earlier one.
@@ -555,7 +498,7 @@ void join(Scene& scene, const Cut& cut) {
   for (int k = 1; k < cut.count; ++k) {
     JointSpec joint;
     joint.source = cut.whole.source;
-    joint.name = cut.name(k - 1) + "_" + std::to_string(k + 1);
+    joint.name = concat(cut.name(k - 1), "_", k + 1);
     joint.type = JointType::kFixed;
     joint.bodies = {cut.name(k - 1), cut.name(k)};
     joint.point_a = joint.point_b = cut.at(k);
@@ -579,14 +522,14 @@ void attach(Scene& scene, const Cut& cut, Findings& findings) {
   for (SpringSpec& spring : scene.springs) {
     const bool acts = spring.bodies[0] == cut.whole.name || spring.bodies[1] == cut.whole.name;
     if (acts && !spring.source.given("point"))
-      findings.error(kPointOfAction, spring.source, "point",
-                     "is missing; \"" + cut.whole.name + "\" is in segments, of which one is turned");
+      findings.error(kPointOfAction, spring.source, "point", "is missing; \"", cut.whole.name,
+                     "\" is in segments, of which one is turned");
     for (std::string& name : spring.bodies) pick(name, spring.point);
   }
   for (ForceSpec& force : scene.forces) {
     if (force.body == cut.whole.name && !force.point)
-      findings.error(kPointOfAction, force.source, "point",
-                     "is missing; \"" + cut.whole.name + "\" is in segments, of which one is pushed");
+      findings.error(kPointOfAction, force.source, "point", "is missing; \"", cut.whole.name,
+                     "\" is in segments, of which one is pushed");
     else
       pick(force.body, force.point.value_or(Eigen::Vector3d::Zero()));
   }
@@ -622,13 +565,11 @@ void cut_boundaries(Scene& scene, const Cut& cut, Findings& findings) {
   for (const BoundarySpec& boundary : scene.boundaries) {
     if (boundary.body != cut.whole.name) continue;
     if (boundary.surface && !boundary.surface->file.empty())
-      findings.error(kSegments, boundary.source, "surface.file",
-                     "is one surface, but \"" + cut.whole.name +
-                         "\" is in segments; use beams, or give each segment (" + cut.name(0) + ", ...) a surface");
+      findings.error(kSegments, boundary.source, "surface.file", "is one surface, but \"", cut.whole.name,
+                     "\" is in segments; use beams, or give each segment (", cut.name(0), ", ...) a surface");
     if (boundary.beams && !boundary.beams->points.empty())
-      findings.error(
-          kSegments, boundary.source, "beams.points",
-          "are one chain, but \"" + cut.whole.name + "\" is in segments; remove them: beams follow the axis");
+      findings.error(kSegments, boundary.source, "beams.points", "are one chain, but \"", cut.whole.name,
+                     "\" is in segments; remove them: beams follow the axis");
   }
   repeat(scene.boundaries, cut, [&](BoundarySpec& boundary, int) {
     if (boundary.beams) boundary.beams->segments = (boundary.beams->segments + cut.count - 1) / cut.count;
@@ -647,8 +588,8 @@ void cut_initial_velocities(Scene& scene, const Cut& cut) {
   });
 }
 
-}  // namespace
-
+// A body with flexible.segments = N becomes N bodies "NAME_1" ... "NAME_N" with fixed joints between them; joints, struts,
+// springs and forces on it act on the segment at their point.
 void resolve_segments(Scene& scene, Findings& findings) {
   std::vector<BodySpec> bodies;
   for (const BodySpec& body : scene.bodies) {
@@ -666,15 +607,13 @@ void resolve_segments(Scene& scene, Findings& findings) {
     replace_name(scene.output.bodies, cut);
     for (const ControllerSpec& controller : scene.controllers)
       if (controller.body == body.name)
-        findings.error(kUnknownBody, controller.source, "body",
-                       "\"" + body.name + "\" is in segments; name one of them, such as \"" + cut.name(0) + "\"");
+        findings.error(kUnknownBody, controller.source, "body", "\"", body.name,
+                       "\" is in segments; name one of them, such as \"", cut.name(0), "\"");
   }
   scene.bodies = std::move(bodies);
 }
 
 // The coordinates that types of joints leave free, and the members of specs that belong to them.
-
-namespace {
 
 template <class T, class Owner>
 const std::optional<T>& one_of(const Owner& owner, Coordinate coordinate) {
@@ -689,6 +628,49 @@ const std::optional<T>& one_of(const Owner& owner, Coordinate coordinate) {
 }
 
 }  // namespace
+
+double total_mass(const Scene& scene) {
+  double sum = 0.0;
+  for (const BodySpec& body : scene.bodies) sum += body.mass;
+  return sum;
+}
+
+bool stands_still(const Scene& scene, const std::string& body) {
+  if (!scene.initial.groups || body == "ground") return false;
+  const InitialGroupsSpec& groups = *scene.initial.groups;
+  const bool chosen = !groups.still.empty();  // the other group is given otherwise
+  const std::vector<std::string>& names = chosen ? groups.still : groups.moving;
+  return (std::find(names.begin(), names.end(), body) != names.end()) == chosen;
+}
+
+Eigen::Vector3d mass_centre(const Scene& scene) {
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  double mass = 0.0;
+  for (const BodySpec& body : scene.bodies) {
+    if (stands_still(scene, body.name)) continue;
+    moment += body.mass * body.position;
+    mass += body.mass;
+  }
+  return mass > 0.0 ? Eigen::Vector3d(moment / mass) : Eigen::Vector3d::Zero();
+}
+
+void resolve_scene(Scene& scene, Findings& findings) {
+  apply_arrays(scene, findings);
+  resolve_paths(scene, findings);
+  resolve_joint_points(scene, findings);
+  resolve_segments(scene, findings);
+  resolve_script_meshes(scene, findings);
+  resolve_masses(scene, findings);
+  if (scene.particles && scene.particles->box) resolve_grain_sizes(scene, findings);
+  resolve_terrain(scene, findings);
+  resolve_box(scene, findings);
+  scene.solver.atol = scene.solver.atol_position();
+  if (!scene.flexible) {
+    for (BodySpec& body : scene.bodies) {
+      if (body.flexible) body.flexible->enabled = false;
+    }
+  }
+}
 
 std::vector<Coordinate> coordinates_of(JointType type) {
   const JointTraits traits = traits_of(type);
@@ -709,8 +691,7 @@ bool has_coordinate(JointType type, Coordinate coordinate) {
 
 std::string coordinate_names(JointType type) {
   std::vector<std::string> names;
-  for (const Coordinate coordinate : coordinates_of(type))
-    names.push_back("\"" + std::string(name_of(coordinate)) + "\"");
+  for (const Coordinate coordinate : coordinates_of(type)) names.push_back(concat("\"", name_of(coordinate), "\""));
   if (names.size() < 2) return joined(names);
   const std::string last = names.back();
   names.pop_back();

@@ -6,20 +6,10 @@
 
 namespace footfall {
 
-// Replaces every entry (body, joint, strut, spring, force, drive, gear, boundary, contact, initial velocity) in which
-// "{leg}" occurs by `count` copies: "{leg}" becomes 1, 2, ...; points, directions and orientations turn about the array's
-// axis through the origin of D. In lists of names elsewhere a name with "{leg}" becomes all of its names. Braces that name
-// no array are findings.
-void apply_arrays(Scene& scene, Findings& findings);
-
 // Completes a scene that was read: copies of arrays, paths, points of joints, mass, centre and inertia of every body,
 // and the scripts of a bed that is given by numbers.
 // Errors become findings.
 void resolve_scene(Scene& scene, Findings& findings);
-
-// A body with flexible.segments = N becomes N bodies "NAME_1" ... "NAME_N" with fixed joints between them; joints, struts,
-// springs and forces on it act on the segment at their point.
-void resolve_segments(Scene& scene, Findings& findings);
 
 // The surface of the ground: a level or tilted one becomes point and normal of plane and soil; a map is read.
 void resolve_terrain(Scene& scene, Findings& findings);
@@ -27,9 +17,9 @@ void resolve_terrain(Scene& scene, Findings& findings);
 std::shared_ptr<Terrain> terrain_of(const TerrainSpec& terrain);
 // Of a field of rocks, whose sizes are checked.
 double expected_rocks(const RockFieldSpec& field);
-
-// Mass, mass centre and inertia of every body: from numbers, or from shape and material; "remainder" last.
-void resolve_masses(Scene& scene, Findings& findings);
+// Samples of a map from its file, counted from its origin. Throws InputError, naming file and line: not readable, another
+// header, rows of other lengths, holes, values that are no numbers, too many samples.
+std::shared_ptr<const HeightGrid> read_height_map(const TerrainMapSpec& map);
 
 // True for a body that [initial] does not place or move (InitialGroupsSpec); not for "ground".
 bool stands_still(const Scene& scene, const std::string& body);

@@ -18,13 +18,7 @@ namespace footfall {
 void check_scene(const Scene& scene, Findings& findings);
 
 // Its parts.
-void check_bodies(const Scene& scene, Findings& findings);
-void check_joints(const Scene& scene, Findings& findings);
-void check_initial_joints(const Scene& scene, Findings& findings);
-void check_drives(const Scene& scene, Findings& findings);
-void check_gears(const Scene& scene, Findings& findings);
 void check_struts(const Scene& scene, Findings& findings);
-void check_from(const Scene& scene, Findings& findings);
 void check_cables(const Scene& scene, Findings& findings);
 void check_springs(const Scene& scene, Findings& findings);
 void check_forces(const Scene& scene, Findings& findings);
@@ -39,8 +33,6 @@ void check_accepted(const Scene& scene, Findings& findings);
 void check_landing(const Scene& scene, Findings& findings);
 void check_contact(const Scene& scene, Findings& findings);
 void check_soil(const Scene& scene, Findings& findings);
-// Counts and sizes beyond reason.
-void check_limits(const Scene& scene, Findings& findings);
 // Warnings about numbers that are possible, but mostly mistakes in a unit; of a scene without errors.
 void check_plausible(const Scene& scene, Findings& findings);
 // The LIGGGHTS script as text: its time step, and that it couples at all.
@@ -73,9 +65,6 @@ void check_body_name(const Scene& scene, const EntryFindings& at, const std::str
 void check_signal_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name);
 // Both bodies exist, at most one is the ground, and they differ; skipped where the names were not given.
 void check_pair(const Scene& scene, const EntryFindings& at, const std::array<std::string, 2>& bodies);
-// The joint of this name; null, with a finding, where there is none.
-const JointSpec* find_joint(const Scene& scene, const EntryFindings& at, const std::string& key,
-                            const std::string& name);
 // min < max; `within`: the keys around them, "stops.". The message gives angles in degrees.
 void check_min_below_max(const EntryFindings& at, const std::string& within, double min, double max, Unit unit);
 // A function of time: an amplitude has a frequency, times of a table rise.

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "mbd_solver/scene/findings.h"
 #include "mbd_solver/scene/scene.h"
 #include "mbd_solver/scene/toml_file.h"
 
@@ -25,9 +24,5 @@ std::string scene_file(const std::string& argument);
 
 // large.toml in its folder: the same scene on more and finer grains. Throws InputError if there is none.
 std::string large_scene_file(const std::string& argument);
-
-// knee = 0.3 in [initial.joints]: the one coordinate of a joint, short for [initial.joints.knee] angle = 0.3.
-// Makes tables of the numbers. Values that no joint accepts are reported and dropped.
-void expand_initial_joints(ConfigNode& root, Findings& findings);
 
 }  // namespace footfall

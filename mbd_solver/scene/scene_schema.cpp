@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <type_traits>
 
 #include "mbd_solver/scene/field_reader.h"
 #include "mbd_solver/scene/joint_spec.h"
@@ -24,7 +23,7 @@ static Json to_json(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 static Json to_json(const Eigen::Quaterniond& q) { return {{"quaternion", {q.w(), q.x(), q.y(), q.z()}}}; }
 static Json to_json(const Eigen::Matrix3d& m) { return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(2, 0)}; }
 static Json to_json(const std::map<std::string, std::string>& v) { return v.empty() ? Json::object() : Json(v); }
-static Json to_json(const Choice& v) { return v.names[static_cast<std::size_t>(v.value)]; }
+static Json to_json(const Choice& v) { return v.names[v.value]; }
 static Json to_json(const NumberOrWord& v) { return *v.number; }
 static Json to_json(const PerAxis& v) {
   const Eigen::Vector3d& k = *v.values;

@@ -36,10 +36,10 @@ std::string ConfigNode::entry_name() const {
 std::string ConfigNode::description() const {
   switch (kind) {
     case Kind::kTable: return "a table";
-    case Kind::kList: return "a list of " + std::to_string(list.size());
+    case Kind::kList: return concat("a list of ", list.size());
     case Kind::kText: return "text \"" + text + "\"";
     case Kind::kInteger:
-    case Kind::kNumber: return "the number " + number_text(number);
+    case Kind::kNumber: return concat("the number ", number);
     case Kind::kFlag: return flag ? "true" : "false";
     case Kind::kOther: break;
   }
@@ -73,7 +73,7 @@ int own_copy(ConfigNode& list, const std::string& name, const ArrayCounts& array
         const char* const key = copy.find("name") ? "name" : "body";
         copy.find(key)->text = before + "{" + array + "=" + number + "}" + behind;
         list.list[i].find(key)->text = pattern.substr(0, end) + "!" + number + pattern.substr(end);
-        list.list.insert(list.list.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(copy));
+        list.list.insert(list.list.begin() + i + 1, std::move(copy));
         return static_cast<int>(i) + 1;
       }
     }
@@ -176,11 +176,10 @@ void lay_over(ConfigNode& base, const ConfigNode& own, const ArrayCounts& arrays
 void require_scene(const ConfigNode& own, const std::string& file) {
   const ConfigNode* scene = own.find("scene");
   if (!scene || scene->kind != ConfigNode::Kind::kText || own.find("bodies") || own.find("base")) return;
-  throw InputError(
-      kNotAScene,
-      place_of(file, scene->line, "scene") + "this file is an experiment with the scene \"" + scene->text +
-          "\", expected a scene; run it with the command that its first lines name, such as footfall sweep " + file +
-          ", or give that scene");
+  throw InputError(kNotAScene, place_of(file, scene->line, "scene"), "this file is an experiment with the scene \"",
+                   scene->text,
+                   "\", expected a scene; run it with the command that its first lines name, such as footfall sweep ",
+                   file, ", or give that scene");
 }
 
 // "frames_ms" with the second spelling "frames" of "frame_interval": "frame_interval_ms".
@@ -202,7 +201,7 @@ void rename_key(ConfigNode& table, const std::string& second, const std::string&
       name = renamed;
       value.spelt = written;
       if (i < same) --same;
-      table.table.erase(table.table.begin() + static_cast<std::ptrdiff_t>(i--));
+      table.table.erase(table.table.begin() + i--);
       continue;
     }
     same = i;
@@ -239,11 +238,11 @@ ConfigNode with_base(ConfigNode own, const std::string& file, int depth) {
   if (!base_key) return own;
   const std::string where = place_of(file, base_key->line, "base");
   if (base_key->kind != ConfigNode::Kind::kText)
-    throw InputError(kBadBase,
-                     where + "is " + base_key->description() + ", expected the path of another scene, in quotes");
+    throw InputError(kBadBase, where, "is ", base_key->description(),
+                     ", expected the path of another scene, in quotes");
   if (depth == kLongestChain)
-    throw InputError(kBadBase, where + "leads through more than " + std::to_string(kLongestChain) +
-                                   " scenes; check that none is its own base");
+    throw InputError(kBadBase, where, "leads through more than ", kLongestChain,
+                     " scenes; check that none is its own base");
   const fs::path target = fs::path(file).parent_path() / base_key->text;
   ConfigNode base;
   try {

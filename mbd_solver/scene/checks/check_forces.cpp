@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/control/signal_chain.h"
@@ -13,7 +14,6 @@
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
-
 using namespace code;
 
 namespace {
@@ -21,15 +21,13 @@ namespace {
 // U rising from 0 to 1, the second column not negative and never falling.
 void check_voltage_table(const EntryFindings& at, const std::string& key, const std::vector<Eigen::Vector2d>& table) {
   if (table.empty()) return;
-  at.error_if(table.front()[0] != 0.0 || table.back()[0] != 1.0, kVoltageTable, key,
-              "covers U from " + number_text(table.front()[0]) + " to " + number_text(table.back()[0]) +
-                  ", expected from 0 to 1");
+  at.error_if(table.front()[0] != 0.0 || table.back()[0] != 1.0, kVoltageTable, key, "covers U from ", table.front()[0],
+              " to ", table.back()[0], ", expected from 0 to 1");
   for (std::size_t i = 0; i < table.size(); ++i) {
     const double before = i ? table[i - 1][1] : 0.0;
     if (table[i][1] >= before) continue;
-    at.error(kVoltageTable, key,
-             "falls to " + number_text(table[i][1]) + " at U = " + number_text(table[i][0]) +
-                 ", expected values that never fall as U rises");
+    at.error(kVoltageTable, key, "falls to ", table[i][1], " at U = ", table[i][0],
+             ", expected values that never fall as U rises");
     return;
   }
 }
@@ -73,16 +71,14 @@ void check_honeycomb(const HoneycombSpec& h, const EntryFindings& at) {
   at.error_if(!h.compression && !h.tension, kEmptyEntry, "honeycomb",
               "acts neither in compression nor in tension; allow one of them");
   for (std::size_t i = 1; i < h.stages.size(); ++i)
-    at.error_if(h.stages[i].crush_force < h.stages[i - 1].crush_force, kHoneycomb, "honeycomb.stages",
-                "stage " + std::to_string(i + 1) +
-                    " is softer than the one before; the softest crushes first, so list it first");
-  at.error_if(h.bottom_out_stiffness >= h.elastic_stiffness, kHoneycomb, "honeycomb.bottom_out_stiffness",
-              "is " + number_text(h.bottom_out_stiffness) + " N/m, expected less than elastic_stiffness, " +
-                  number_text(h.elastic_stiffness) + " N/m");
+    at.error_if(h.stages[i].crush_force < h.stages[i - 1].crush_force, kHoneycomb, "honeycomb.stages", "stage ", i + 1,
+                " is softer than the one before; the softest crushes first, so list it first");
+  at.error_if(h.bottom_out_stiffness >= h.elastic_stiffness, kHoneycomb, "honeycomb.bottom_out_stiffness", "is ",
+              h.bottom_out_stiffness, " N/m, expected less than elastic_stiffness, ", h.elastic_stiffness, " N/m");
   for (const HoneycombStage& stage : h.stages)
     at.error_if(stage.crush_length > 0.0 && stage.crush_length < h.transition_length, kHoneycomb,
-                "honeycomb.transition_length",
-                "is " + number_text(h.transition_length) + " m, expected at most the length of the shortest stage");
+                "honeycomb.transition_length", "is ", h.transition_length,
+                " m, expected at most the length of the shortest stage");
 }
 
 void check_stops(const StrutSpec& strut, const EntryFindings& at) {
@@ -96,11 +92,11 @@ void check_stops(const StrutSpec& strut, const EntryFindings& at) {
   const double diameter = strut.gas->piston_diameter;
   const double limit = strut.gas->initial_volume / (0.25 * kPi * diameter * diameter);
   const std::string text =
-      "the gas is compressed to nothing at a stroke of " + number_text(limit) + " m (volume / piston area)";
+      concat("the gas is compressed to nothing at a stroke of ", limit, " m (volume / piston area)");
   if (!strut.stops || !strut.stops->largest_stroke) {
-    at.error(kGasVolume, "stops.max", "is missing; " + text + ", so the strut needs a stop before it");
+    at.error(kGasVolume, "stops.max", "is missing; ", text, ", so the strut needs a stop before it");
   } else if (*strut.stops->largest_stroke >= limit) {
-    at.error(kGasVolume, "stops.max", "is " + number_text(*strut.stops->largest_stroke) + " m, but " + text);
+    at.error(kGasVolume, "stops.max", "is ", *strut.stops->largest_stroke, " m, but ", text);
   }
 }
 
@@ -108,32 +104,6 @@ bool is_flexible(const Scene& scene, const std::string& name) {
   const BodySpec* body = scene.body(name);
   return body != nullptr && body->flexible && body->flexible->enabled;
 }
-
-}  // namespace
-
-void check_struts(const Scene& scene, Findings& findings) {
-  check_unique_names(scene.struts, "strut", findings);
-  const std::vector<OutputName> outputs = outputs_of(scene);
-  const NameIndex index;
-  for (const StrutSpec& strut : scene.struts) {
-    const EntryFindings at(findings, strut.source);
-    check_pair(scene, at, strut.bodies);
-    at.error_if(at.given("points") && !((strut.points[1] - strut.points[0]).norm() > 0.0), kShape, "points",
-                "are the same; a strut needs two different ones");
-    bool any = false;
-    std::vector<std::string> sections;
-    each_law(strut, [&](const char* key, const auto& law) {
-      any = any || law;
-      sections.emplace_back(key);
-    });
-    at.error_if(!any, kEmptyEntry, "", "has no force law; give at least one of " + joined(sections));
-    if (strut.mr) check_mr(scene, *strut.mr, outputs, index, at);
-    if (strut.honeycomb) check_honeycomb(*strut.honeycomb, at);
-    check_stops(strut, at);
-  }
-}
-
-namespace {
 
 constexpr double kMostFleet = 0.5;  // rad, between a span and the plane of its pulley
 
@@ -147,129 +117,18 @@ std::string fault_of_guide(const CableSpec& cable, std::size_t i) {
   for (const std::size_t other : {i - 1, i + 1}) {  // i - 1 of the first is beyond the end
     if (other >= cable.path.size()) continue;
     const Eigen::Vector3d d = cable.path[other].point - guide.point;
-    if (d.isZero(0.0)) return "is at the same place as guide " + std::to_string(other + 1);
+    if (d.isZero(0.0)) return concat("is at the same place as guide ", other + 1);
     if (!guide.axis) continue;
     const double fleet = std::asin(std::min(1.0, std::abs(d.normalized().dot(*guide.axis))));
     if (fleet > kMostFleet)
-      return "has its centre " + number_text(fleet * 180.0 / kPi, 3) + " degrees out of the line to guide " +
-             std::to_string(other + 1) + ", seen in the plane of the pulley; expected at most " +
-             number_text(kMostFleet * 180.0 / kPi, 2) + ": turn its axis, or add a guide between them";
+      return concat("has its centre ", number_text(fleet * 180.0 / kPi, 3), " degrees out of the line to guide ",
+                    other + 1, ", seen in the plane of the pulley; expected at most ",
+                    number_text(kMostFleet * 180.0 / kPi, 2), ": turn its axis, or add a guide between them");
   }
   return "";
 }
 
-}  // namespace
-
-void check_cables(const Scene& scene, Findings& findings) {
-  check_unique_names(scene.cables, "cable", findings);
-  for (const CableSpec& cable : scene.cables) {
-    const EntryFindings at(findings, cable.source);
-    at.missing_if(cable.path.size() < 2, "path", "expected two guides or more, each with body and point");
-    at.missing_if(!cable.stiffness && !cable.EA, "stiffness", "give stiffness [N/m] or EA [N]");
-    at.error_if(cable.stiffness && cable.EA, kConflictingKeys, "EA",
-                "gives the stiffness of the cable, as does stiffness; keep one of the two");
-    at.error_if((cable.length ? 1 : 0) + (cable.slack ? 1 : 0) + (cable.tension ? 1 : 0) > 1, kConflictingKeys,
-                cable.tension ? "tension" : "slack", "follows from another of length, slack and tension; keep one");
-    if (cable.path.size() < 2) continue;
-    at.error_if(cable.length && cable.ends().size() > 2, kConflictingKeys, "length",
-                "belongs to a single cable, but a pulley with grip = true divides it; give slack or tension");
-    bool known = true, moves = false;
-    for (const CableGuideSpec& guide : cable.path) {
-      if (guide.body != "ground") check_body_name(scene, at, "path", guide.body);
-      moves = moves || guide.body != "ground";
-    }
-    at.error_if(!moves, kCablePath, "path", "names the ground alone; a cable acts on one body at least");
-    for (std::size_t i = 0; i < cable.path.size(); ++i) {
-      const std::string fault = fault_of_guide(cable, i);
-      if (fault.empty()) continue;
-      known = false;
-      at.error(kCablePath, "path", "guide " + std::to_string(i + 1) + " " + fault);
-    }
-    if (!known) continue;
-    std::vector<CablePlace> places;
-    for (const CableGuideSpec& guide : cable.path)
-      places.push_back({guide.point, guide.axis.value_or(Eigen::Vector3d::UnitZ()), guide.radius});
-    double spans = 0.0;
-    try {
-      touch(places, spans);
-    } catch (const NumericalError& error) {
-      at.error(kCablePath, "path", error.what());
-    }
-  }
-}
-
-void check_springs(const Scene& scene, Findings& findings) {
-  check_unique_names(scene.springs, "spring", findings);
-  for (const SpringSpec& spring : scene.springs) {
-    if (!spring.source.good("kind")) continue;
-    const EntryFindings at(findings, spring.source);
-    check_pair(scene, at, spring.bodies);
-    const bool torsion = spring.kind == SpringKind::kTorsion, bushing = spring.kind == SpringKind::kBushing;
-    const auto flexible = std::find_if(spring.bodies.begin(), spring.bodies.end(),
-                                       [&](const std::string& name) { return is_flexible(scene, name); });
-    if (torsion && !at.given("point") && flexible != spring.bodies.end())
-      at.error(kPointOfAction, "point", "is missing; \"" + *flexible + "\" is flexible and is turned at a point");
-    at.missing_if(torsion && !at.given("axis"), "axis", "a torsion spring turns about it");
-    at.missing_if(bushing && !at.given("point"), "point", "a bushing acts there");
-    check_kind_keys(at, spring.kind, "spring");
-    const auto uniform = [](const Eigen::Vector3d& k) { return k.x() == k.y() && k.y() == k.z(); };
-    at.error_if(!bushing && !(uniform(spring.stiffness) && uniform(spring.damping)), kWrongCount,
-                uniform(spring.damping) ? "stiffness" : "damping",
-                "is a list, expected one number; only a bushing has a value for each axis");
-    at.error_if(bushing && std::abs(spring.axis.dot(spring.axis2)) > 0.999, kJointGeometry, "axis2",
-                "is parallel to axis, expected the x direction of the bushing, perpendicular to its z = axis");
-    at.error_if(
-        (spring.stiffness + spring.damping + spring.rotational_stiffness + spring.rotational_damping).isZero(0.0),
-        kEmptyEntry, "", "has neither stiffness nor damping; give one of them");
-  }
-}
-
-void check_forces(const Scene& scene, Findings& findings) {
-  check_unique_names(scene.forces, "force", findings);
-  for (const ForceSpec& force : scene.forces) {
-    const EntryFindings at(findings, force.source);
-    check_body_name(scene, at, "body", force.body);
-    check_function(at, "force", force.force);
-    check_function(at, "torque", force.torque);
-    if (force.force) check_signal_name(scene, at, "force.signal", force.force->signal);
-    if (force.torque) check_signal_name(scene, at, "torque.signal", force.torque->signal);
-    at.error_if(!force.force && !force.torque, kEmptyEntry, "",
-                "has neither force nor torque; for example force = { polynomial = [10] } [N]");
-    at.error_if(!force.point && is_flexible(scene, force.body), kPointOfAction, "point",
-                "is missing; \"" + force.body + "\" is flexible and is pushed at a point");
-  }
-}
-
-void check_controllers(const Scene& scene, Findings& findings) {
-  check_unique_names(scene.controllers, "controller", findings);
-  for (const ControllerSpec& c : scene.controllers) {
-    if (!c.source.good("kind")) continue;
-    const EntryFindings at(findings, c.source);
-    const std::size_t outputs = c.outputs.size();
-    check_body_name(scene, at, "body", c.body);
-    at.error_if(at.given("outputs") && outputs == 0, kWrongCount, "outputs",
-                "is empty; expected names such as [\"U1\", \"U2\"]");
-    for (auto it = c.outputs.begin(); it != c.outputs.end(); ++it)
-      at.error_if(std::find(c.outputs.begin(), it, *it) != it, kListedTwice, "outputs",
-                  "contains \"" + *it + "\" twice");
-    for (const std::string& key : keys_of_other_kinds(c.kind))
-      if (c.source.written_together("kind", key))
-        at.warning(kUnusedKey, key, "has no effect on this kind of controller");
-    const bool constant = c.kind == ControllerKind::kConstant, fuzzy = c.kind == ControllerKind::kFuzzy;
-    at.missing_if(fuzzy && c.file.empty(), "file", "a fuzzy controller is read from an .fll file");
-    at.error_if(constant && c.voltages.size() != 1 && c.voltages.size() != outputs, kWrongCount, "voltages",
-                "contains " + std::to_string(c.voltages.size()) + " numbers, expected one, or one per output (" +
-                    std::to_string(outputs) + ")");
-    at.error_if(fuzzy && (c.grid.size() != 4 || *std::min_element(c.grid.begin(), c.grid.end()) < 2), kWrongCount,
-                "grid", "is no grid; expected four numbers of at least 2: points along a, da, alpha, beta");
-    at.error_if(c.kind == ControllerKind::kSkyhook && c.skyhook.off > c.skyhook.on, kRangeReversed, "off",
-                "is more than on, expected at most on");
-  }
-}
-
 // Boundaries, contacts, ground and particles.
-
-namespace {
 
 bool is_flexible(const BodySpec& body) { return body.flexible && body.flexible->enabled; }
 
@@ -277,22 +136,22 @@ void check_surface(const BodySpec& body, const SurfaceSpec& surface, const Entry
   const bool own_mesh =
       has_model_mesh(body) || (is_flexible(body) && (!body.flexible->mesh.empty() || !body.flexible->file.empty()));
   const bool from_file = !surface.file.empty();
-  at.error_if(
-      !from_file && !own_mesh && (!body.shape || body.shape->kind == ShapeKind::kPoints), kNoSurface, "surface",
-      "cannot be generated: body \"" + body.name + "\" has no shape with a surface; give surface.file or a shape");
+  at.error_if(!from_file && !own_mesh && (!body.shape || body.shape->kind == ShapeKind::kPoints), kNoSurface, "surface",
+              "cannot be generated: body \"", body.name,
+              "\" has no shape with a surface; give surface.file or a shape");
   const bool shape_is_mesh = body.shape && body.shape->kind == ShapeKind::kMesh && !own_mesh;
   at.no_effect_if((from_file || shape_is_mesh) && at.given("surface.element_size") && surface.from_script.empty(),
                   "surface.element_size", "a mesh from a file");
   at.error_if(!from_file && !shape_is_mesh && at.given("surface.triangles"), kKeyWithoutEffect, "surface.triangles",
-              "belongs to a mesh from a file, which the surface of \"" + body.name +
-                  "\" is not; give element_size, or remove it");
+              "belongs to a mesh from a file, which the surface of \"", body.name,
+              "\" is not; give element_size, or remove it");
   for (const char* key : {"surface.scale", "surface.position", "surface.orientation"})
     at.error_if(!from_file && at.given(key), kKeyWithoutEffect, key, "belongs to a surface from a file; remove it");
   if (!at.given("surface.faces")) return;
   const bool drawn = !from_file && body.shape && !own_mesh;
   const bool disc = drawn && body.shape->kind == ShapeKind::kDisc, dish = drawn && body.shape->kind == ShapeKind::kDish;
-  at.error_if(!disc && !dish, kKeyWithoutEffect, "surface.faces",
-              "belongs to a disc or dish, which the surface of \"" + body.name + "\" is not; remove it");
+  at.error_if(!disc && !dish, kKeyWithoutEffect, "surface.faces", "belongs to a disc or dish, which the surface of \"",
+              body.name, "\" is not; remove it");
   at.error_if(dish && surface.faces == SurfaceFaces::kBoth, kUnknownChoice, "surface.faces",
               "is \"both\", but a dish has its mid-surface only; expected \"middle\"");
 }
@@ -347,12 +206,11 @@ void check_area_of_face(const Scene& scene, const BodySpec& body, const SurfaceS
   const auto share = [](int corners) { return corners / (2.0 * kPi) * std::sin(2.0 * kPi / corners); };
   const int corners = kPerRing * std::max(1, static_cast<int>(std::ceil(way / edge.length - 1e-9)));
   if (share(corners) >= 1.0 - kLostArea) return;
-  at.warning(kPolygonArea, "surface",
-             "makes the round face of \"" + body.name + "\" a polygon of " + std::to_string(corners) +
-                 " corners, with " + number_text(100.0 * share(corners), 3) +
-                 " % of the area of the circle, and grains carry it by so much less; give " + edge.key + " = " +
-                 number_text(way / kRings, 3) + " (" + std::to_string(kPerRing * kRings) + " corners, " +
-                 number_text(100.0 * share(kPerRing * kRings), 3) + " %) or less");
+  at.warning(kPolygonArea, "surface", "makes the round face of \"", body.name, "\" a polygon of ", corners,
+             " corners, with ", number_text(100.0 * share(corners), 3),
+             " % of the area of the circle, and grains carry it by so much less; give ", edge.key, " = ",
+             number_text(way / kRings, 3), " (", kPerRing * kRings, " corners, ",
+             number_text(100.0 * share(kPerRing * kRings), 3), " %) or less");
 }
 
 void check_boundary(const Scene& scene, const BoundarySpec& boundary, const EntryFindings& at) {
@@ -377,15 +235,14 @@ void check_law(const Scene& scene, const std::string& prefix, const ContactLawSp
   at.missing_if(law.restitution && *law.restitution < 1.0 && !law.impact_speed && scene.initial.velocity.isZero(),
                 prefix + "impact_speed",
                 "the coefficient of restitution holds at one impact speed, and initial.velocity does not give it");
-  at.error_if(!(law.poisson > -1.0 && law.poisson < 0.5), kOutOfRange, prefix + "poisson",
-              "is " + number_text(law.poisson) + ", expected more than -1 and less than 0.5");
+  at.error_if(!(law.poisson > -1.0 && law.poisson < 0.5), kOutOfRange, prefix + "poisson", "is ", law.poisson,
+              ", expected more than -1 and less than 0.5");
 }
 
 void check_has_boundary(const Scene& scene, const EntryFindings& at, const char* key, const std::string& name) {
   if (scene.boundary_of(name) == nullptr)
-    at.error(
-        kUnknownBoundary, key,
-        "\"" + name + "\" has no entry in [[boundaries]]." + known_names("boundaries", name, boundary_names(scene)));
+    at.error(kUnknownBoundary, key, "\"", name, "\" has no entry in [[boundaries]].",
+             known_names("boundaries", name, boundary_names(scene)));
 }
 
 // A flexible body in a scene that is not rigid as a whole.
@@ -396,15 +253,14 @@ bool deforms(const Scene& scene, const std::string& name) {
 
 void check_between(const Scene& scene, const ContactSpec& contact, const EntryFindings& at) {
   if (contact.between.size() != 2) {
-    at.error(kWrongCount, "between",
-             "contains " + std::to_string(contact.between.size()) +
-                 " names, expected two bodies, or a body and \"plane\" (or walls = true instead)");
+    at.error(kWrongCount, "between", "contains ", contact.between.size(),
+             " names, expected two bodies, or a body and \"plane\" (or walls = true instead)");
     return;
   }
   const std::string &first = contact.between[0], &second = contact.between[1];
   check_has_boundary(scene, at, "between", first);
   if (!contact.with_plane()) check_has_boundary(scene, at, "between", second);
-  at.error_if(first == second, kListedTwice, "between", "contains \"" + first + "\" twice");
+  at.error_if(first == second, kListedTwice, "between", "contains \"", first, "\" twice");
   at.error_if(contact.ignore && contact.with_plane(), kConflictingKeys, "ignore",
               "is for two bodies; a body without contact with a plane needs no entry");
   at.error_if(!contact.ignore && deforms(scene, first) && deforms(scene, second), kFlexibleContact, "between",
@@ -446,44 +302,7 @@ void check_contacts(const Scene& scene, Findings& findings) {
   }
 }
 
-}  // namespace
-
-void check_contact(const Scene& scene, Findings& findings) {
-  for (const BoundarySpec& boundary : scene.boundaries) {
-    const EntryFindings at(findings, boundary.source);
-    check_body_name(scene, at, "body", boundary.body);
-    at.error_if(!boundary.body.empty() && scene.boundary_of(boundary.body) != &boundary, kListedTwice, "body",
-                "\"" + boundary.body + "\" already has a boundary; put surface and beams into one entry");
-    check_boundary(scene, boundary, at);
-  }
-  check_contacts(scene, findings);
-  const GroundKind kind = scene.ground.kind;
-  const EntryFindings at(findings, scene.ground.source);
-  if (scene.ground.plane) {
-    check_law(scene, "plane.", *scene.ground.plane, at);
-    for (const std::string& name : scene.ground.plane->bodies) check_has_boundary(scene, at, "plane.bodies", name);
-  }
-  check_soil(scene, findings);
-  at.error_if(kind == GroundKind::kPlane && !scene.ground.plane, kGroundIncomplete, "plane",
-              "is missing; ground.kind = \"plane\" needs [ground.plane]");
-  at.error_if(kind == GroundKind::kParticles && !scene.particles, kGroundIncomplete, "kind",
-              "is \"particles\", but there is no [particles] section with a script or a box");
-  if (kind == GroundKind::kParticles && scene.particles && scene.particles->script.empty() && !scene.particles->box)
-    findings.error(kMissingKey, scene.particles->source, "script",
-                   "is missing; name a LIGGGHTS script, or give [particles.box] for a simple bed");
-  if (kind == GroundKind::kNone && scene.particles && !scene.ground.source.given("kind"))
-    findings.warning(kGrainsNotUsed, scene.particles->source, "",
-                     "has no effect, because the scene names no ground: the mechanism runs without LIGGGHTS. Add "
-                     "[ground] with kind = \"particles\", or with kind = \"none\" if this is intended");
-  at.error_if(kind != GroundKind::kNone && scene.boundaries.empty(), kGroundIncomplete, "kind",
-              "gives a ground that nothing touches; add [[boundaries]], or set kind = \"none\"");
-  if (scene.initial.clearance && kind == GroundKind::kNone)
-    findings.error(kGroundIncomplete, scene.initial.source, "clearance",
-                   "is measured from the ground, but ground.kind is \"none\"; remove it, or give a ground");
-}
-
 // Signals, states and events.
-namespace {
 
 // "signal.pitch" with the prefix "signal.": "pitch".
 bool cut_prefix(const std::string& text, const std::string& prefix, std::string& rest) {
@@ -523,8 +342,7 @@ void check_rising(const EntryFindings& at, const std::string& key, const std::ve
   at.error_if(x.size() < 2, kWrongCount, key, "has fewer than two values, expected at least two, rising");
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (x[i] > x[i - 1]) continue;
-    at.error(kNotRising, key,
-             "has " + number_text(x[i]) + " after " + number_text(x[i - 1]) + ", expected rising values");
+    at.error(kNotRising, key, "has ", x[i], " after ", x[i - 1], ", expected rising values");
     return;
   }
 }
@@ -554,9 +372,8 @@ void check_table(const SignalSpec& s, const EntryFindings& at) {
   check_rising(at, "x", s.x);
   check_rising(at, "x2", s.x2);
   at.missing_if(s.input2.empty(), "input2", "this kind of signal has two inputs");
-  at.error_if(s.values.size() != s.x.size() * s.x2.size(), kWrongCount, "values",
-              "contains " + std::to_string(s.values.size()) + " numbers, expected one for each pair of x and x2 (" +
-                  std::to_string(s.x.size() * s.x2.size()) + ")");
+  at.error_if(s.values.size() != s.x.size() * s.x2.size(), kWrongCount, "values", "contains ", s.values.size(),
+              " numbers, expected one for each pair of x and x2 (", s.x.size() * s.x2.size(), ")");
 }
 
 void check_signal(const Scene& scene, const SignalSpec& s, const EntryFindings& at) {
@@ -605,12 +422,173 @@ void check_states(const Scene& scene, Findings& findings) {
     }
     check_state_name(scene, at, "to", event.to);
     for (const std::string& state : event.from) check_state_name(scene, at, "from", state);
-    at.error_if(is_in(event.from, event.to), kListedTwice, "from",
-                "contains \"" + event.to + "\", to which the event changes; remove it");
+    at.error_if(is_in(event.from, event.to), kListedTwice, "from", "contains \"", event.to,
+                "\", to which the event changes; remove it");
   }
 }
 
 }  // namespace
+
+void check_struts(const Scene& scene, Findings& findings) {
+  check_unique_names(scene.struts, "strut", findings);
+  const std::vector<OutputName> outputs = outputs_of(scene);
+  const NameIndex index;
+  for (const StrutSpec& strut : scene.struts) {
+    const EntryFindings at(findings, strut.source);
+    check_pair(scene, at, strut.bodies);
+    at.error_if(at.given("points") && !((strut.points[1] - strut.points[0]).norm() > 0.0), kShape, "points",
+                "are the same; a strut needs two different ones");
+    bool any = false;
+    std::vector<std::string> sections;
+    each_law(strut, [&](const char* key, const auto& law) {
+      any = any || law;
+      sections.emplace_back(key);
+    });
+    at.error_if(!any, kEmptyEntry, "", "has no force law; give at least one of ", joined(sections));
+    if (strut.mr) check_mr(scene, *strut.mr, outputs, index, at);
+    if (strut.honeycomb) check_honeycomb(*strut.honeycomb, at);
+    check_stops(strut, at);
+  }
+}
+
+void check_cables(const Scene& scene, Findings& findings) {
+  check_unique_names(scene.cables, "cable", findings);
+  for (const CableSpec& cable : scene.cables) {
+    const EntryFindings at(findings, cable.source);
+    at.missing_if(cable.path.size() < 2, "path", "expected two guides or more, each with body and point");
+    at.missing_if(!cable.stiffness && !cable.EA, "stiffness", "give stiffness [N/m] or EA [N]");
+    at.error_if(cable.stiffness && cable.EA, kConflictingKeys, "EA",
+                "gives the stiffness of the cable, as does stiffness; keep one of the two");
+    at.error_if((cable.length ? 1 : 0) + (cable.slack ? 1 : 0) + (cable.tension ? 1 : 0) > 1, kConflictingKeys,
+                cable.tension ? "tension" : "slack", "follows from another of length, slack and tension; keep one");
+    if (cable.path.size() < 2) continue;
+    at.error_if(cable.length && cable.ends().size() > 2, kConflictingKeys, "length",
+                "belongs to a single cable, but a pulley with grip = true divides it; give slack or tension");
+    bool known = true, moves = false;
+    for (const CableGuideSpec& guide : cable.path) {
+      if (guide.body != "ground") check_body_name(scene, at, "path", guide.body);
+      moves = moves || guide.body != "ground";
+    }
+    at.error_if(!moves, kCablePath, "path", "names the ground alone; a cable acts on one body at least");
+    for (std::size_t i = 0; i < cable.path.size(); ++i) {
+      const std::string fault = fault_of_guide(cable, i);
+      if (fault.empty()) continue;
+      known = false;
+      at.error(kCablePath, "path", "guide ", i + 1, " ", fault);
+    }
+    if (!known) continue;
+    std::vector<CablePlace> places;
+    for (const CableGuideSpec& guide : cable.path)
+      places.push_back({guide.point, guide.axis.value_or(Eigen::Vector3d::UnitZ()), guide.radius});
+    double spans = 0.0;
+    try {
+      touch(places, spans);
+    } catch (const NumericalError& error) {
+      at.error(kCablePath, "path", error.what());
+    }
+  }
+}
+
+void check_springs(const Scene& scene, Findings& findings) {
+  check_unique_names(scene.springs, "spring", findings);
+  for (const SpringSpec& spring : scene.springs) {
+    if (!spring.source.good("kind")) continue;
+    const EntryFindings at(findings, spring.source);
+    check_pair(scene, at, spring.bodies);
+    const bool torsion = spring.kind == SpringKind::kTorsion, bushing = spring.kind == SpringKind::kBushing;
+    const auto flexible = std::find_if(spring.bodies.begin(), spring.bodies.end(),
+                                       [&](const std::string& name) { return is_flexible(scene, name); });
+    if (torsion && !at.given("point") && flexible != spring.bodies.end())
+      at.error(kPointOfAction, "point", "is missing; \"", *flexible, "\" is flexible and is turned at a point");
+    at.missing_if(torsion && !at.given("axis"), "axis", "a torsion spring turns about it");
+    at.missing_if(bushing && !at.given("point"), "point", "a bushing acts there");
+    check_kind_keys(at, spring.kind, "spring");
+    const auto uniform = [](const Eigen::Vector3d& k) { return k.x() == k.y() && k.y() == k.z(); };
+    at.error_if(!bushing && !(uniform(spring.stiffness) && uniform(spring.damping)), kWrongCount,
+                uniform(spring.damping) ? "stiffness" : "damping",
+                "is a list, expected one number; only a bushing has a value for each axis");
+    at.error_if(bushing && std::abs(spring.axis.dot(spring.axis2)) > 0.999, kJointGeometry, "axis2",
+                "is parallel to axis, expected the x direction of the bushing, perpendicular to its z = axis");
+    at.error_if(
+        (spring.stiffness + spring.damping + spring.rotational_stiffness + spring.rotational_damping).isZero(0.0),
+        kEmptyEntry, "", "has neither stiffness nor damping; give one of them");
+  }
+}
+
+void check_forces(const Scene& scene, Findings& findings) {
+  check_unique_names(scene.forces, "force", findings);
+  for (const ForceSpec& force : scene.forces) {
+    const EntryFindings at(findings, force.source);
+    check_body_name(scene, at, "body", force.body);
+    check_function(at, "force", force.force);
+    check_function(at, "torque", force.torque);
+    if (force.force) check_signal_name(scene, at, "force.signal", force.force->signal);
+    if (force.torque) check_signal_name(scene, at, "torque.signal", force.torque->signal);
+    at.error_if(!force.force && !force.torque, kEmptyEntry, "",
+                "has neither force nor torque; for example force = { polynomial = [10] } [N]");
+    at.error_if(!force.point && is_flexible(scene, force.body), kPointOfAction, "point", "is missing; \"", force.body,
+                "\" is flexible and is pushed at a point");
+  }
+}
+
+void check_controllers(const Scene& scene, Findings& findings) {
+  check_unique_names(scene.controllers, "controller", findings);
+  for (const ControllerSpec& c : scene.controllers) {
+    if (!c.source.good("kind")) continue;
+    const EntryFindings at(findings, c.source);
+    const std::size_t outputs = c.outputs.size();
+    check_body_name(scene, at, "body", c.body);
+    at.error_if(at.given("outputs") && outputs == 0, kWrongCount, "outputs",
+                "is empty; expected names such as [\"U1\", \"U2\"]");
+    for (auto it = c.outputs.begin(); it != c.outputs.end(); ++it)
+      at.error_if(std::find(c.outputs.begin(), it, *it) != it, kListedTwice, "outputs", "contains \"", *it, "\" twice");
+    for (const std::string& key : keys_of_other_kinds(c.kind))
+      if (c.source.written_together("kind", key))
+        at.warning(kUnusedKey, key, "has no effect on this kind of controller");
+    const bool constant = c.kind == ControllerKind::kConstant, fuzzy = c.kind == ControllerKind::kFuzzy;
+    at.missing_if(fuzzy && c.file.empty(), "file", "a fuzzy controller is read from an .fll file");
+    at.error_if(constant && c.voltages.size() != 1 && c.voltages.size() != outputs, kWrongCount, "voltages",
+                "contains ", c.voltages.size(), " numbers, expected one, or one per output (", outputs, ")");
+    at.error_if(fuzzy && (c.grid.size() != 4 || *std::min_element(c.grid.begin(), c.grid.end()) < 2), kWrongCount,
+                "grid", "is no grid; expected four numbers of at least 2: points along a, da, alpha, beta");
+    at.error_if(c.kind == ControllerKind::kSkyhook && c.skyhook.off > c.skyhook.on, kRangeReversed, "off",
+                "is more than on, expected at most on");
+  }
+}
+
+void check_contact(const Scene& scene, Findings& findings) {
+  for (const BoundarySpec& boundary : scene.boundaries) {
+    const EntryFindings at(findings, boundary.source);
+    check_body_name(scene, at, "body", boundary.body);
+    at.error_if(!boundary.body.empty() && scene.boundary_of(boundary.body) != &boundary, kListedTwice, "body", "\"",
+                boundary.body, "\" already has a boundary; put surface and beams into one entry");
+    check_boundary(scene, boundary, at);
+  }
+  check_contacts(scene, findings);
+  const GroundKind kind = scene.ground.kind;
+  const EntryFindings at(findings, scene.ground.source);
+  if (scene.ground.plane) {
+    check_law(scene, "plane.", *scene.ground.plane, at);
+    for (const std::string& name : scene.ground.plane->bodies) check_has_boundary(scene, at, "plane.bodies", name);
+  }
+  check_soil(scene, findings);
+  at.error_if(kind == GroundKind::kPlane && !scene.ground.plane, kGroundIncomplete, "plane",
+              "is missing; ground.kind = \"plane\" needs [ground.plane]");
+  at.error_if(kind == GroundKind::kParticles && !scene.particles, kGroundIncomplete, "kind",
+              "is \"particles\", but there is no [particles] section with a script or a box");
+  if (kind == GroundKind::kParticles && scene.particles && scene.particles->script.empty() && !scene.particles->box)
+    findings.error(kMissingKey, scene.particles->source, "script",
+                   "is missing; name a LIGGGHTS script, or give [particles.box] for a simple bed");
+  if (kind == GroundKind::kNone && scene.particles && !scene.ground.source.given("kind"))
+    findings.warning(kGrainsNotUsed, scene.particles->source, "",
+                     "has no effect, because the scene names no ground: the mechanism runs without LIGGGHTS. Add "
+                     "[ground] with kind = \"particles\", or with kind = \"none\" if this is intended");
+  at.error_if(kind != GroundKind::kNone && scene.boundaries.empty(), kGroundIncomplete, "kind",
+              "gives a ground that nothing touches; add [[boundaries]], or set kind = \"none\"");
+  if (scene.initial.clearance && kind == GroundKind::kNone)
+    findings.error(kGroundIncomplete, scene.initial.source, "clearance",
+                   "is measured from the ground, but ground.kind is \"none\"; remove it, or give a ground");
+}
 
 void check_signals(const Scene& scene, Findings& findings) {
   check_unique_names(scene.signals, "signal", findings);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "coupler/couple_mbd_arguments.h"
@@ -20,7 +21,6 @@
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
-
 using namespace code;
 
 namespace {
@@ -39,13 +39,12 @@ void check_time_step(const ScriptText& script, const ParticlesSpec& particles, F
   if (step == nullptr) return;
   const double dt = *as_number(step->words[1]);
   if (dt <= particles.max_time_step * (1.0 + 1e-9)) return;
-  const std::string whose = particles.box
-                                ? "the time step of the grains, box.time_step, is " + number_text(dt) + " s"
-                                : "the script's time step is " + number_text(dt) + " s (" + step->place() + ")";
-  findings.error(kScriptTimeStep, particles.source, "max_time_step",
-                 whose + ", expected at most " + number_text(particles.max_time_step) +
-                     " s: on this kind of soil twice that runs without any message and is wrong by tens of per cent. "
-                     "Reduce the time step, or set a larger max_time_step if these grains are known to allow it");
+  const std::string whose = particles.box ? concat("the time step of the grains, box.time_step, is ", dt, " s")
+                                          : concat("the script's time step is ", dt, " s (", step->place(), ")");
+  findings.error(kScriptTimeStep, particles.source, "max_time_step", whose, ", expected at most ",
+                 particles.max_time_step,
+                 " s: on this kind of soil twice that runs without any message and is wrong by tens of per cent. "
+                 "Reduce the time step, or set a larger max_time_step if these grains are known to allow it");
 }
 
 // A script that reads a settled bed, and a scene that does not say how it is made.
@@ -58,11 +57,10 @@ void check_bed_is_given(const ScriptText& script, const ParticlesSpec& particles
     const bool unknown = w[1].find("${") != std::string::npos;
     std::error_code ignored;
     if (unknown ? w[1].find("${bed}") == std::string::npos : std::filesystem::exists(w[1], ignored)) continue;
-    findings.error(kScriptBed, particles.source, "script",
-                   command.place() + " reads a settled bed, " + w[1] +
-                       (unknown ? ", whose variable has no value" : ", which does not exist") +
-                       "; add [particles.bed] with the script that makes it (script = \"in.bed\"), or name a restart "
-                       "file: variables = { bed = \"FILE\" }");
+    findings.error(kScriptBed, particles.source, "script", command.place(), " reads a settled bed, ", w[1],
+                   unknown ? ", whose variable has no value" : ", which does not exist",
+                   "; add [particles.bed] with the script that makes it (script = \"in.bed\"), or name a restart file: "
+                   "variables = { bed = \"FILE\" }");
   }
 }
 
@@ -83,7 +81,7 @@ void check_values(const std::map<std::string, std::string>& variables, const std
       if (next == variables.end()) break;
       chain += " -> " + next->first;
       if (next->first == name) {
-        at.error(kVariableCircle, key + "." + name, "the variable refers to itself: " + chain + "; give it a value");
+        at.error(kVariableCircle, key + "." + name, "the variable refers to itself: ", chain, "; give it a value");
         return;
       }
       text = &next->second;
@@ -111,20 +109,17 @@ void check_variables(const ScriptText& script, const std::map<std::string, std::
 void check_units(const ScriptText& script, const EntryFindings& at) {
   for (const ScriptCommand& command : script.commands())
     if (command.words[0] == "units" && !command.conditional && !command.is_computed() && command.words.size() == 2)
-      at.error_if(command.words[1] != "si", kScriptNotSi, "script",
-                  command.place() + " sets `units " + command.words[1] +
-                      "`, expected `units si`: masses, lengths and times of the mechanism are in kg, m and s");
+      at.error_if(command.words[1] != "si", kScriptNotSi, "script", command.place(), " sets `units ", command.words[1],
+                  "`, expected `units si`: masses, lengths and times of the mechanism are in kg, m and s");
 }
 
-std::string gravity_text(const Eigen::Vector3d& v) {
-  return "[" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + "] m/s2";
-}
+std::string gravity_text(const Eigen::Vector3d& v) { return concat("[", v[0], ", ", v[1], ", ", v[2], "] m/s2"); }
 
 // How to set the size of the script's gravity, if only the size differs and a variable of its name is there.
 std::string gravity_variable(const ScriptText& script, const Scene& scene, const Eigen::Vector3d& g) {
   const bool parallel = (g.normalized() - scene.gravity.normalized()).norm() < 1e-6;
   if (!parallel || script.names().count("gravity") == 0) return "";
-  const std::string size = "variables.gravity=" + number_text(scene.gravity.norm());
+  const std::string size = concat("variables.gravity=", scene.gravity.norm());
   return ": --set particles." + size + (scene.particles->bed ? " --set particles.bed." + size : "");
 }
 
@@ -151,10 +146,9 @@ void check_gravity(const ScriptText& script, const Scene& scene, const EntryFind
   }
   if (only == nullptr && grains_move && script.whole() && script.straight() && !scene.gravity.isZero(0.0)) {
     const Eigen::Vector3d down = scene.gravity.normalized();
-    at.warning(kNoGrainGravity, "script",
-               "has no fix gravity, so the grains have no weight; the scene's gravity is " +
-                   gravity_text(scene.gravity) + ". Add  fix gravity all gravity " + number_text(scene.gravity.norm()) +
-                   " vector " + number_text(down[0]) + " " + number_text(down[1]) + " " + number_text(down[2]));
+    at.warning(kNoGrainGravity, "script", "has no fix gravity, so the grains have no weight; the scene's gravity is ",
+               gravity_text(scene.gravity), ". Add  fix gravity all gravity ", scene.gravity.norm(), " vector ",
+               down[0], " ", down[1], " ", down[2]);
   }
   if (only == nullptr || only->words.size() != 9 || only->words[5] != "vector") return;
   Eigen::Vector3d direction;
@@ -167,11 +161,10 @@ void check_gravity(const ScriptText& script, const Scene& scene, const EntryFind
   if (!size || direction.isZero(0.0)) return;
   const Eigen::Vector3d g = *size * direction.normalized();
   at.error_if((g - scene.gravity).norm() > 1e-6 * scene.gravity.norm(), kScriptGravity, "script",
-              "the gravity of the grains is " + gravity_text(g) + " (" + only->place() +
-                  "), the gravity of the scene " + gravity_text(scene.gravity) + "; make them agree" +
-                  gravity_variable(script, scene, g) +
-                  ". A bed by [particles.box] takes the gravity of the scene, of a slope as well. If the grains are "
-                  "meant to have another gravity, write  fix ID all couple/mbd every N gravity script ...");
+              "the gravity of the grains is ", gravity_text(g), " (", only->place(), "), the gravity of the scene ",
+              gravity_text(scene.gravity), "; make them agree", gravity_variable(script, scene, g),
+              ". A bed by [particles.box] takes the gravity of the scene, of a slope as well. If the grains are meant "
+              "to have another gravity, write  fix ID all couple/mbd every N gravity script ...");
 }
 
 // The words of the last `fix ID all gravity ...` and of the elastic constants, by their meaning. (Friction differs on
@@ -200,9 +193,8 @@ std::map<std::string, std::string> conditions(const ScriptText& script) {
 void compare_with_bed(const ScriptText& script, const ScriptText& bed, const ParticlesSpec& particles,
                       const EntryFindings& at) {
   const auto differs = [&](const std::string& what, const std::string& of_bed, const std::string& of_run) {
-    at.warning(kBedDiffers, "bed",
-               "the bed is made with " + what + " = " + of_bed + ", the run has " + of_run +
-                   ", so the grains do not rest as they would in the run; make them agree unless this is intended");
+    at.warning(kBedDiffers, "bed", "the bed is made with ", what, " = ", of_bed, ", the run has ", of_run,
+               ", so the grains do not rest as they would in the run; make them agree unless this is intended");
   };
   const std::map<std::string, std::string> of_bed = conditions(bed), of_run = conditions(script);
   for (const auto& [what, value] : of_bed) {
@@ -227,42 +219,11 @@ std::optional<ScriptText> script_of(const std::string& file, const std::map<std:
                                     const std::string& key, const EntryFindings& at) {
   ScriptText script(file, variables);
   if (script.circle().empty()) return script;
-  at.error(kScriptCircle, key, script.circle() + " includes a file that includes this line again");
+  at.error(kScriptCircle, key, script.circle(), " includes a file that includes this line again");
   return std::nullopt;
 }
 
-}  // namespace
-
-void check_script(const Scene& scene, Findings& findings) {
-  const ParticlesSpec& particles = *scene.particles;
-  const EntryFindings at(findings, particles.source);
-  if (!is_file(particles.script)) return;  // reported with its path
-  const std::optional<ScriptText> script = script_of(particles.script, particles.variables, "script", at);
-  if (!script) return;
-  const bool couples = std::any_of(script->commands().begin(), script->commands().end(),
-                                   [](const ScriptCommand& command) { return command.is_fix("couple/mbd"); });
-  at.error_if(!couples && script->whole(), kScriptNotCoupled, "script",
-              "has no line \"fix ID all couple/mbd ...\" (in " + particles.script +
-                  " and the files it includes), so the mechanism would never meet the grains; add one, or set "
-                  "ground.kind to \"none\" or \"plane\"");
-  if (couples) check_time_step(*script, particles, findings);
-  check_coupling(*script, scene, findings);
-  check_script_meshes(*script, scene, findings);
-  check_bed_is_given(*script, particles, findings);
-  check_units(*script, at);
-  check_gravity(*script, scene, at);
-  check_values(particles.variables, "variables", at);
-  check_variables(*script, particles.variables, "variables", at);
-  if (!particles.bed || !is_file(particles.bed->script)) return;
-  const std::optional<ScriptText> bed = script_of(particles.bed->script, particles.bed->variables, "bed.script", at);
-  if (!bed) return;
-  check_values(particles.bed->variables, "bed.variables", at);
-  check_variables(*bed, particles.bed->variables, "bed.variables", at);
-  compare_with_bed(*script, *bed, particles, at);
-}
-
 // Lines of the LIGGGHTS script that couple: their words, and the bodies and meshes that they name.
-namespace {
 
 using Names = std::vector<std::string>;
 
@@ -303,9 +264,8 @@ void check_bodies_named(const ScriptCommand& command, bool straight, const Names
   // The script of [particles.box] names the bodies of the scene itself, and none where nothing has a boundary.
   for (const std::string& body : named)
     if (!is_in(known, body) && !(known.empty() && at.given("box")))
-      at.error(kScriptName, "script",
-               command.place() + " names the body \"" + body + "\", which has no boundary in this scene." +
-                   known_names("boundaries", body, known));
+      at.error(kScriptName, "script", command.place(), " names the body \"", body,
+               "\", which has no boundary in this scene.", known_names("boundaries", body, known));
 }
 
 // A mesh that no line before this one makes. A loop, or a file that is not read, may make any.
@@ -319,10 +279,8 @@ void check_meshes_named(const ScriptText& script, const EntryFindings& at) {
     if (!command.is_fix("couple/mbd") || command.conditional) continue;
     for (const std::string& mesh : named_after("mesh", 1, command))
       if (!is_in(meshes, mesh))
-        at.error(kScriptName, "script",
-                 command.place() + " couples the mesh \"" + mesh +
-                     "\", but no line above it is a fix mesh/surface of this id." +
-                     known_names("meshes", mesh, meshes));
+        at.error(kScriptName, "script", command.place(), " couples the mesh \"", mesh,
+                 "\", but no line above it is a fix mesh/surface of this id.", known_names("meshes", mesh, meshes));
   }
 }
 
@@ -338,10 +296,9 @@ void check_run_follows(const ScriptText& script, const EntryFindings& at) {
     if (coupling != nullptr && may_run(command)) return;
   }
   if (coupling != nullptr)
-    at.error(kScriptNoRun, "script",
-             coupling->place() +
-                 " couples, but no run follows this line, so nothing would move; add a last line  run 1000000000  (the "
-                 "scene ends it)");
+    at.error(kScriptNoRun, "script", coupling->place(),
+             " couples, but no run follows this line, so nothing would move; add a last line  run 1000000000  (the "
+             "scene ends it)");
 }
 
 // LIGGGHTS refuses it while a fix counts steps, as the coupling does.
@@ -352,9 +309,8 @@ void check_steps_continue(const ScriptText& script, const EntryFindings& at) {
     if (command.is_fix("couple/mbd")) coupling = command.conditional ? nullptr : &command;
     if (w[0] == "clear" || w[0] == "unfix") coupling = nullptr;
     if (w[0] == "reset_timestep" && coupling != nullptr && !command.conditional)
-      at.error(kScriptResetsSteps, "script",
-               command.place() + " resets the steps that the coupling (" + coupling->place() +
-                   ") counts, which LIGGGHTS refuses; move reset_timestep above fix couple/mbd");
+      at.error(kScriptResetsSteps, "script", command.place(), " resets the steps that the coupling (",
+               coupling->place(), ") counts, which LIGGGHTS refuses; move reset_timestep above fix couple/mbd");
   }
 }
 
@@ -374,11 +330,11 @@ void check_moduli(const ScriptText& script, const EntryFindings& at) {
       const bool soft = *young < kSoft;
       const char* const word = soft ? "soft_particles" : "hard_particles";
       if (allows(word)) continue;
-      at.error(kLiggghtsRange, "script",
-               command.place() + " has a Young's modulus of " + number_text(*young) + " Pa; LIGGGHTS refuses " +
-                   (soft ? "less than 5e6, because grains so soft overlap much under small loads"
-                         : "more than 1e9, because grains so stiff need very small time steps") +
-                   ". If it is meant, write  " + word + " yes  below `units si`");
+      at.error(kLiggghtsRange, "script", command.place(), " has a Young's modulus of ", *young,
+               " Pa; LIGGGHTS refuses ",
+               soft ? "less than 5e6, because grains so soft overlap much under small loads"
+                    : "more than 1e9, because grains so stiff need very small time steps",
+               ". If it is meant, write  ", word, " yes  below `units si`");
       return;
     }
   }
@@ -415,15 +371,13 @@ void check_bed_stands(const ScriptText& script, const Scene& scene, const EntryF
   if (!nearest) return;
   const double tilt = std::acos(std::min(1.0, *nearest)) * 180.0 / kPi;
   if (tilt <= kStands) return;
-  at.warning(kBedFlows, "script",
-             "the bed flows: gravity " + gravity_text(scene.gravity) + " is tilted by " + number_text(tilt, 3) +
-                 " degrees against the plane wall that faces it most, and grains stand at most at " +
-                 number_text(kStands) +
-                 " degrees; correct gravity, or add the wall on which the bed lies (fix wall/gran ... primitive)");
+  at.warning(kBedFlows, "script", "the bed flows: gravity ", gravity_text(scene.gravity), " is tilted by ",
+             number_text(tilt, 3), " degrees against the plane wall that faces it most, and grains stand at most at ",
+             kStands, " degrees; correct gravity, or add the wall on which the bed lies (fix wall/gran ... primitive)");
 }
 
-}  // namespace
-
+// Lines that couple: their words, the meshes and bodies that they name, and that a `run` follows. Reports only what is certain
+// for any value of variables, any branch and any loop.
 void check_coupling(const ScriptText& script, const Scene& scene, Findings& findings) {
   const EntryFindings at(findings, scene.particles->source);
   check_bed_stands(script, scene, at);
@@ -442,8 +396,6 @@ void check_coupling(const ScriptText& script, const Scene& scene, Findings& find
 }
 
 // Meshes of the LIGGGHTS script against its simulation box: drawn in millimetres, they are a thousand times too large.
-
-namespace {
 
 using Box = Eigen::AlignedBox3d;
 
@@ -502,8 +454,7 @@ std::string size_text(const Box& box) {
   return number_text(size[0], 3) + " x " + number_text(size[1], 3) + " x " + number_text(size[2], 3) + " m";
 }
 
-}  // namespace
-
+// Meshes from files that are drawn a thousand times too large for the box.
 void check_script_meshes(const ScriptText& script, const Scene& scene, Findings& findings) {
   const ParticlesSpec& particles = *scene.particles;
   std::optional<Box> box = simulation_box(script);
@@ -530,8 +481,6 @@ void check_script_meshes(const ScriptText& script, const Scene& scene, Findings&
 
 // What [particles.box] cannot be: values that LIGGGHTS refuses, sizes that do not suit the grains, too many grains.
 
-namespace {
-
 constexpr double kMostGrains = 5e6;
 constexpr double kLeastDepth = 4.0, kLeastSize = 8.0;  // of the bed, over the largest radius
 constexpr double kSteepest = 30.0;                     // of gravity against -z [deg]
@@ -545,52 +494,46 @@ constexpr std::size_t kMostTemplates = 12;  // of clumps, in inputs/box/in.bed
 const char* const kNoOther = "; LIGGGHTS accepts no other";
 
 void check_material(const EntryFindings& at, const std::string& of, double poisson, double young, double restitution) {
-  at.error_if(!(poisson >= 0.0 && poisson < 0.5), kLiggghtsRange, of + "poisson",
-              "is " + number_text(poisson) + ", expected 0 or more and less than 0.5" + kNoOther);
+  at.error_if(!(poisson >= 0.0 && poisson < 0.5), kLiggghtsRange, of + "poisson", "is ", poisson,
+              ", expected 0 or more and less than 0.5", kNoOther);
   if (young > 0.0 && young < kSoftest) {  // 0 was refused by the reader
-    at.error(kOutOfRange, of + "young",
-             "is " + number_text(young) + " Pa, expected at least 1e4; is it in MPa? Then write young_MPa");
+    at.error(kOutOfRange, of + "young", "is ", young, " Pa, expected at least 1e4; is it in MPa? Then write young_MPa");
   } else if (young < kSoft) {
-    at.warning(kSoftMaterial, of + "young",
-               "is " + number_text(young) +
-                   " Pa; LIGGGHTS takes less than 5e6 for a mistake, because grains so soft overlap much under small "
-                   "loads, and their first peak of force is too low. The run allows it (soft_particles yes): watch "
-                   "max_overlap_over_radius in the summary, which should stay below 5 %");
+    at.warning(kSoftMaterial, of + "young", "is ", young,
+               " Pa; LIGGGHTS takes less than 5e6 for a mistake, because grains so soft overlap much under small "
+               "loads, and their first peak of force is too low. The run allows it (soft_particles yes): watch "
+               "max_overlap_over_radius in the summary, which should stay below 5 %");
   }
-  at.error_if(restitution <= kLeastRestitution, kLiggghtsRange, of + "restitution",
-              "is " + number_text(restitution) + ", expected more than 0.05, at most 1" + kNoOther);
+  at.error_if(restitution <= kLeastRestitution, kLiggghtsRange, of + "restitution", "is ", restitution,
+              ", expected more than 0.05, at most 1", kNoOther);
 }
 
 void check_counts(const EntryFindings& at, const BoxSpec& box) {
-  const auto has = [](std::size_t count, const char* what = " numbers") {
-    return "has " + std::to_string(count) + what;
-  };
+  const auto has = [](std::size_t count, const char* what = " numbers") { return concat("has ", count, what); };
   // An empty list next to another finding was refused by the reader.
   const auto check = [&](const char* key, const std::vector<double>& list, std::size_t fewest, const char* expected) {
     const bool good = (list.size() >= fewest && list.size() <= 2) || (list.empty() && at.all().has_errors());
-    at.error_if(!good, kWrongCount, key, has(list.size()) + ", expected " + expected);
+    at.error_if(!good, kWrongCount, key, has(list.size()), ", expected ", expected);
   };
   check("box.size", box.size, 2, "[along x, along y] in m");
   check("box.centre", box.centre, 2, "[x, y] in m");
   const std::vector<std::string> shapes = names_of<ClumpShape>();
   for (const std::string& name : box.clumps)
     if (!is_in(shapes, name))
-      at.error(kUnknownClump, "box.clumps", "unknown clump \"" + name + "\"." + known_names("clumps", name, shapes));
+      at.error(kUnknownClump, "box.clumps", "unknown clump \"", name, "\".", known_names("clumps", name, shapes));
   at.error_if(!has_parts(box) && box.clumps.size() * box.radius.size() > kMostTemplates, kTooLarge, "box.clumps",
-              has(box.clumps.size(), " shapes") + " and radius " + std::to_string(box.radius.size()) +
-                  " numbers, expected at most twelve combinations");
+              has(box.clumps.size(), " shapes"), " and radius ", box.radius.size(),
+              " numbers, expected at most twelve combinations");
   at.error_if(!box.clump_shares.empty() && box.clump_shares.size() != box.clumps.size(), kWrongCount,
-              "box.clump_shares",
-              has(box.clump_shares.size()) + " for " + std::to_string(box.clumps.size()) +
-                  " clumps, expected one for each, or no shares");
+              "box.clump_shares", has(box.clump_shares.size()), " for ", box.clumps.size(),
+              " clumps, expected one for each, or no shares");
 }
 
 void check_against_grains(const EntryFindings& at, const BoxSpec& box) {
   const double radius = *std::max_element(box.radius.begin(), box.radius.end());
   const auto check = [&](const char* key, double value, double least, const char* count) {
-    at.error_if(value < least * radius * (1.0 - 1e-9), kBoxSize, key,
-                "is " + number_text(value) + " m, expected at least " + count + " radii of the grains, " +
-                    number_text(least * radius) + " m");
+    at.error_if(value < least * radius * (1.0 - 1e-9), kBoxSize, key, "is ", value, " m, expected at least ", count,
+                " radii of the grains, ", least * radius, " m");
   };
   check("box.depth", box.depth, kLeastDepth, "four");
   check("box.size", *std::min_element(box.size.begin(), box.size.end()), kLeastSize, "eight");
@@ -601,12 +544,12 @@ void check_box_time_step(const Scene& scene, const EntryFindings& at) {
   if (!box.time_step) return;
   const BoxNumbers n = box_numbers(scene);
   const double most = box.rayleigh_fraction * std::min(n.rayleigh, 0.5 * n.hertz);
-  at.error_if(!at.given("max_time_step") && *box.time_step > most * (1.0 + 1e-9), kBoxTimeStep, "box.time_step",
-              "is " + number_text(*box.time_step) + " s, " + share_text(*box.time_step / n.rayleigh) +
-                  " of the Rayleigh time and " + share_text(*box.time_step / n.hertz) +
-                  " of the Hertz time of these grains, expected at most " + number_text(most, 3) +
-                  " s; larger steps give wrong results without any message. Remove it, or state "
-                  "particles.max_time_step if the step is known to be right");
+  at.error_if(!at.given("max_time_step") && *box.time_step > most * (1.0 + 1e-9), kBoxTimeStep, "box.time_step", "is ",
+              *box.time_step, " s, ", share_text(*box.time_step / n.rayleigh), " of the Rayleigh time and ",
+              share_text(*box.time_step / n.hertz), " of the Hertz time of these grains, expected at most ",
+              number_text(most, 3),
+              " s; larger steps give wrong results without any message. Remove it, or state particles.max_time_step if "
+              "the step is known to be right");
 }
 
 // Whole columns of the bed down to a depth, in a part of the bed only.
@@ -621,12 +564,10 @@ void check_pit(const EntryFindings& at, const BoxSpec& box) {
   for (const double x : box.pit) ends.push_back(number_text(x));
   at.error_if(box.pit.size() != 2 || !(box.pit[0] < box.pit[1]) || box.pit[1] <= left || box.pit[0] >= right ||
                   (box.pit[0] <= left && box.pit[1] >= right),
-              kBoxPit, "box.pit",
-              "is [" + joined(ends) + "], expected [x_1, x_2] in m, x_1 < x_2, a part of the bed from x = " +
-                  number_text(left) + " to " + number_text(right));
-  at.error_if(!(box.pit_depth > 0.0 && box.pit_depth <= box.depth), kBoxPit, "box.pit_depth",
-              "is " + number_text(box.pit_depth) + " m, expected more than 0 and at most the depth of the bed, " +
-                  number_text(box.depth) + " m");
+              kBoxPit, "box.pit", "is [", joined(ends),
+              "], expected [x_1, x_2] in m, x_1 < x_2, a part of the bed from x = ", left, " to ", right);
+  at.error_if(!(box.pit_depth > 0.0 && box.pit_depth <= box.depth), kBoxPit, "box.pit_depth", "is ", box.pit_depth,
+              " m, expected more than 0 and at most the depth of the bed, ", box.depth, " m");
 }
 
 // Whether a block for grains is one, and where grains of the bed can be.
@@ -635,21 +576,19 @@ void check_region(const EntryFindings& at, const std::string& key, const Scene& 
   const BoxSpec& box = *scene.particles->box;
   const BoxNumbers n = box_numbers(scene);
   const Eigen::Vector3d low = spec.region[0].cwiseMin(spec.region[1]), high = spec.region[0].cwiseMax(spec.region[1]);
-  at.error_if((high - low).minCoeff() < least, kGrainRegion, key,
-              "is " + number_text((high - low).minCoeff()) + " m wide, expected at least " + number_text(least, 3) +
-                  " m in every direction: two opposite corners of a block, [[x, y, z], [x, y, z]] in m");
+  at.error_if((high - low).minCoeff() < least, kGrainRegion, key, "is ", (high - low).minCoeff(),
+              " m wide, expected at least ", number_text(least, 3),
+              " m in every direction: two opposite corners of a block, [[x, y, z], [x, y, z]] in m");
   const double around = box.walls ? 0.0 : n.margin;
   const Eigen::Vector3d least_corner(box.centre[0] - 0.5 * box.size[0] - around,
                                      box.centre[1] - 0.5 * box.size[1] - around, -box.depth),
       last_corner(box.centre[0] + 0.5 * box.size[0] + around, box.centre[1] + 0.5 * box.size[1] + around, n.headroom);
   for (int c = 0; c < 3; ++c)
-    at.error_if(low[c] < least_corner[c] - 1e-9 || high[c] > last_corner[c] + 1e-9, kGrainRegion, key,
-                "reaches from " + number_text(low[c]) + " to " + number_text(high[c]) + " m along " + "xyz"[c] +
-                    ", expected within the bed and the space above it, " + number_text(least_corner[c]) + " to " +
-                    number_text(last_corner[c]) + " m" + (c == 2 ? " (box.headroom)" : ""));
-  at.error_if(spec.until && *spec.until <= spec.from, kRangeReversed, key,
-              "ends at " + number_text(spec.until.value_or(0.0)) + " s, expected after its beginning at " +
-                  number_text(spec.from) + " s");
+    at.error_if(low[c] < least_corner[c] - 1e-9 || high[c] > last_corner[c] + 1e-9, kGrainRegion, key, "reaches from ",
+                low[c], " to ", high[c], " m along ", "xyz"[c], ", expected within the bed and the space above it, ",
+                least_corner[c], " to ", last_corner[c], " m", c == 2 ? " (box.headroom)" : "");
+  at.error_if(spec.until && *spec.until <= spec.from, kRangeReversed, key, "ends at ", spec.until.value_or(0.0),
+              " s, expected after its beginning at ", spec.from, " s");
 }
 
 constexpr double kFollowRadii = 40.0;  // least side of a bed that follows a body [radius of a grain]
@@ -658,18 +597,17 @@ constexpr std::size_t kMostSources = 8;
 
 void check_sources_and_sinks(const EntryFindings& at, const Scene& scene) {
   const BoxSpec& box = *scene.particles->box;
-  at.error_if(
-      box.sources.size() > kMostSources, kWrongCount, "box.sources",
-      "has " + std::to_string(box.sources.size()) + " entries, expected at most " + std::to_string(kMostSources));
+  at.error_if(box.sources.size() > kMostSources, kWrongCount, "box.sources", "has ", box.sources.size(),
+              " entries, expected at most ", kMostSources);
   const double radius = *std::max_element(box.radius.begin(), box.radius.end());
   at.error_if(!box.clumps.empty() && !(box.sources.empty() && box.sinks.empty()), kConflictingKeys,
               box.sources.empty() ? "box.sinks" : "box.sources",
               "is for spheres, but box.clumps makes clumps of them; remove one of the two");
   for (std::size_t i = 0; i < box.sinks.size(); ++i)
-    check_region(at, "box.sinks." + std::to_string(i) + ".region", scene, box.sinks[i], radius);
+    check_region(at, concat("box.sinks.", i, ".region"), scene, box.sinks[i], radius);
   for (std::size_t i = 0; i < box.sources.size(); ++i) {
     const GrainSourceSpec& source = box.sources[i];
-    const std::string key = "box.sources." + std::to_string(i);
+    const std::string key = concat("box.sources.", i);
     at.missing_if(!source.rate && !source.grains_per_second, key + ".rate", "give rate [kg/s] or grains_per_second");
     at.error_if(source.rate && source.grains_per_second, kConflictingKeys, key + ".rate",
                 "is given as grains_per_second, too; keep one of the two");
@@ -684,10 +622,9 @@ void check_sources_and_sinks(const EntryFindings& at, const Scene& scene) {
       if (source.velocity[c] != 0.0) leaves = std::min(leaves, sides[c] / std::abs(source.velocity[c]));
     const double volume = mean_grain_mass(box) / box.material.density;
     const double filled = source_rate(box, source) * volume * leaves / sides.prod();
-    at.error_if(filled > kMostFilled, kGrainRegion, key + ".region",
-                "would be filled by grains to " + share_text(filled) + ", expected at most " + share_text(kMostFilled) +
-                    ": grains come faster than they leave it. Enlarge it, give new grains a "
-                    "velocity, or lower the rate");
+    at.error_if(filled > kMostFilled, kGrainRegion, key + ".region", "would be filled by grains to ",
+                share_text(filled), ", expected at most ", share_text(kMostFilled),
+                ": grains come faster than they leave it. Enlarge it, give new grains a velocity, or lower the rate");
   }
 }
 
@@ -699,11 +636,10 @@ void check_follow(const EntryFindings& at, const Scene& scene) {
                 "is for a bed that follows a body; add box.follow = \"BODY\"");
   if (box.follow.empty()) return;
   const std::vector<std::string> touched = boundary_names(scene);
-  at.error_if(
-      !is_in(touched, box.follow), kUnknownBody, "box.follow",
-      "is \"" + box.follow + "\", expected a body with a boundary." + known_names("boundaries", box.follow, touched));
+  at.error_if(!is_in(touched, box.follow), kUnknownBody, "box.follow", "is \"", box.follow,
+              "\", expected a body with a boundary.", known_names("boundaries", box.follow, touched));
   const auto excludes = [&](bool both, const std::string& key, const std::string& why) {
-    at.error_if(both, kConflictingKeys, key, "excludes box.follow: " + why + "; remove one of the two");
+    at.error_if(both, kConflictingKeys, key, "excludes box.follow: ", why, "; remove one of the two");
   };
   excludes(!box.zones.empty(), "box.zones", "the bed is the same after each of its lengths");
   excludes(!box.clumps.empty(), "box.clumps", "only beds of spheres can be put in front of a body");
@@ -718,50 +654,73 @@ void check_follow(const EntryFindings& at, const Scene& scene) {
   for (int axis = 0; axis < 2; ++axis) {
     if (!follows_along(box, axis)) continue;
     const double side = box.size[axis];
-    at.error_if(side < kFollowRadii * largest, kBoxSize, "box.size",
-                "is " + number_text(side) + " m along " + "xy"[axis] +
-                    ", where the bed follows a body, expected at least " + number_text(kFollowRadii * largest) +
-                    " m, forty radii of a grain: the bed moves by tenths of it");
+    at.error_if(side < kFollowRadii * largest, kBoxSize, "box.size", "is ", side, " m along ", "xy"[axis],
+                ", where the bed follows a body, expected at least ", kFollowRadii * largest,
+                " m, forty radii of a grain: the bed moves by tenths of it");
   }
-  at.error_if(box.follow_distance && *box.follow_distance > longest, kOutOfRange, "box.follow_distance",
-              "is " + number_text(*box.follow_distance) + " m, expected at most " + number_text(longest) +
-                  " m, 0.35 of the shortest side along which the bed follows");
+  at.error_if(box.follow_distance && *box.follow_distance > longest, kOutOfRange, "box.follow_distance", "is ",
+              *box.follow_distance, " m, expected at most ", longest,
+              " m, 0.35 of the shortest side along which the bed follows");
 }
 
 // Names of bodies become words of a LIGGGHTS script and parts of its ids.
 void check_names(const Scene& scene, Findings& findings) {
   for (const BoundarySpec& boundary : scene.boundaries)
     if (boundary.body.find_first_of("-.") != std::string::npos)
-      findings.error(
-          kLiggghtsRange, boundary.source, "body",
-          "is \"" + boundary.body +
-              "\", expected letters, digits and _ only, of which LIGGGHTS makes ids; rename the body, or use "
-              "a script instead of [particles.box]");
+      findings.error(kLiggghtsRange, boundary.source, "body", "is \"", boundary.body,
+                     "\", expected letters, digits and _ only, of which LIGGGHTS makes ids; rename the body, or use a "
+                     "script instead of [particles.box]");
 }
 
 void check_gravity(const Scene& scene, Findings& findings) {
   const Eigen::Vector3d& g = scene.gravity;
   const double tilt = 180.0 / kPi * std::atan2(std::hypot(g.x(), g.y()), -g.z());
   if (!(g.norm() > 0.0) || tilt > kSteepest)
-    findings.error(kBoxGravity, scene.source, "gravity",
-                   "is [" + number_text(g.x()) + ", " + number_text(g.y()) + ", " + number_text(g.z()) +
-                       "] m/s2, expected along -z, or tilted by at most 30 degrees: the bed of [particles.box] settles "
-                       "on its floor");
+    findings.error(
+        kBoxGravity, scene.source, "gravity", "is [", g.x(), ", ", g.y(), ", ", g.z(),
+        "] m/s2, expected along -z, or tilted by at most 30 degrees: the bed of [particles.box] settles on its floor");
   const BoxSpec& box = *scene.particles->box;
   const StandingSlope stands = standing_slope(box);
   if (tilt > kSteepest || tilt <= stands.degrees || scene.ground.terrain) return;  // told elsewhere
   const int axis = std::abs(g.x()) >= std::abs(g.y()) ? 0 : 1;
   const bool open = box.periodic || follows_along(box, axis) || !box.walls;
   findings.warning(
-      kBedFlows, scene.source, "gravity",
-      "is tilted by " + number_text(tilt, 3) + " degrees against the bed, but " + stands.grains + " stand at most at " +
-          number_text(stands.degrees, 3) + " degrees: the bed flows towards " + (g[axis] > 0.0 ? "+" : "-") +
-          "xy"[axis] +
-          (open ? " without end; " : ", until its lower wall holds it and its surface is flatter by the difference; ") +
-          "tilt gravity less, or raise box.material.friction and rolling_friction");
+      kBedFlows, scene.source, "gravity", "is tilted by ", number_text(tilt, 3), " degrees against the bed, but ",
+      stands.grains, " stand at most at ", number_text(stands.degrees, 3), " degrees: the bed flows towards ",
+      g[axis] > 0.0 ? "+" : "-", "xy"[axis],
+      open ? " without end; " : ", until its lower wall holds it and its surface is flatter by the difference; ",
+      "tilt gravity less, or raise box.material.friction and rolling_friction");
 }
 
 }  // namespace
+
+void check_script(const Scene& scene, Findings& findings) {
+  const ParticlesSpec& particles = *scene.particles;
+  const EntryFindings at(findings, particles.source);
+  if (!is_file(particles.script)) return;  // reported with its path
+  const std::optional<ScriptText> script = script_of(particles.script, particles.variables, "script", at);
+  if (!script) return;
+  const bool couples = std::any_of(script->commands().begin(), script->commands().end(),
+                                   [](const ScriptCommand& command) { return command.is_fix("couple/mbd"); });
+  at.error_if(!couples && script->whole(), kScriptNotCoupled, "script",
+              "has no line \"fix ID all couple/mbd ...\" (in ", particles.script,
+              " and the files it includes), so the mechanism would never meet the grains; add one, or set ground.kind "
+              "to \"none\" or \"plane\"");
+  if (couples) check_time_step(*script, particles, findings);
+  check_coupling(*script, scene, findings);
+  check_script_meshes(*script, scene, findings);
+  check_bed_is_given(*script, particles, findings);
+  check_units(*script, at);
+  check_gravity(*script, scene, at);
+  check_values(particles.variables, "variables", at);
+  check_variables(*script, particles.variables, "variables", at);
+  if (!particles.bed || !is_file(particles.bed->script)) return;
+  const std::optional<ScriptText> bed = script_of(particles.bed->script, particles.bed->variables, "bed.script", at);
+  if (!bed) return;
+  check_values(particles.bed->variables, "bed.variables", at);
+  check_variables(*bed, particles.bed->variables, "bed.variables", at);
+  compare_with_bed(*script, *bed, particles, at);
+}
 
 bool check_box(const Scene& scene, Findings& findings) {
   const int before = findings.error_count();
@@ -778,21 +737,20 @@ bool check_box(const Scene& scene, Findings& findings) {
   check_material(at, "box.bodies.", box.bodies.poisson, box.bodies.young, box.bodies.restitution.value_or(1.0));
   const std::string periodic = box.follow.empty() ? "periodic = true" : "follow, which makes the bed periodic";
   const bool margin = at.source().written_together(box.follow.empty() ? "box.periodic" : "box.follow", "box.margin");
-  at.error_if(box.periodic && margin, kConflictingKeys, "box.margin",
-              "excludes " + periodic + ": there are no walls to leave space around");
-  at.error_if(box.periodic && !box.walls, kConflictingKeys, "box.walls",
-              "= false excludes " + periodic + ": a periodic bed has no sides to remove");
+  at.error_if(box.periodic && margin, kConflictingKeys, "box.margin", "excludes ", periodic,
+              ": there are no walls to leave space around");
+  at.error_if(box.periodic && !box.walls, kConflictingKeys, "box.walls", "= false excludes ", periodic,
+              ": a periodic bed has no sides to remove");
   at.error_if(!(box.rayleigh_fraction > 0.0), kOutOfRange, "box.rayleigh_fraction",
               "is 0, expected more than 0, such as 0.1");
   const double pour_step = box.pour.rayleigh_fraction.value_or(kMostPourStep);
-  at.error_if(!(pour_step > 0.0 && pour_step <= kMostPourStep), kOutOfRange, "box.pour.rayleigh_fraction",
-              "is " + number_text(pour_step) + ", expected more than 0 and at most " + number_text(kMostPourStep) +
-                  ": larger steps throw grains out of the bed");
+  at.error_if(!(pour_step > 0.0 && pour_step <= kMostPourStep), kOutOfRange, "box.pour.rayleigh_fraction", "is ",
+              pour_step, ", expected more than 0 and at most ", kMostPourStep,
+              ": larger steps throw grains out of the bed");
   const double pour_young = box.pour.young.value_or(box.material.young);
   at.error_if(!(pour_young >= std::min(kSoft, box.material.young) && pour_young <= box.material.young), kOutOfRange,
-              "box.pour.young",
-              "is " + number_text(pour_young) + " Pa, expected at least " + number_text(kSoft) +
-                  " Pa and at most box.material.young, " + number_text(box.material.young) + " Pa");
+              "box.pour.young", "is ", pour_young, " Pa, expected at least ", kSoft,
+              " Pa and at most box.material.young, ", box.material.young, " Pa");
   at.error_if(box.pour.young && !box.clumps.empty(), kConflictingKeys, "box.pour.young",
               "excludes clumps, which are poured with their own modulus; remove one of the two");
   // Missing and refused numbers are reported already.
@@ -812,9 +770,8 @@ bool check_box(const Scene& scene, Findings& findings) {
   check_sources_and_sinks(at, scene);
   check_follow(at, scene);
   const double grains = box_numbers(scene).grains;
-  at.error_if(grains > kMostGrains, kBoxSize, "box.radius",
-              "makes about " + number_text(grains, 2) + " grains of this bed, expected at most " +
-                  number_text(kMostGrains) + "; check that it is in m");
+  at.error_if(grains > kMostGrains, kBoxSize, "box.radius", "makes about ", number_text(grains, 2),
+              " grains of this bed, expected at most ", kMostGrains, "; check that it is in m");
   return findings.error_count() == before;
 }
 

@@ -9,9 +9,11 @@
 #include <set>
 #include <tuple>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/box_bed.h"
+#include "mbd_solver/scene/resolve.h"
 #include "mbd_solver/scene/scene_check.h"
 #include "mbd_solver/scene/shape_outline.h"
 
@@ -165,24 +167,21 @@ class Plausibility {
   void check_gravity() {
     const double g = scene_.gravity.norm();
     if (g > kMostGravity)
-      findings_.warning(kImplausibleGravity, scene_.source, "gravity",
-                        "is " + number_text(g) + " m/s2, " + number_text(g / 9.81, 3) +
-                            " times Earth's gravity; if it is in mm/s2, divide it by 1000");
+      findings_.warning(kImplausibleGravity, scene_.source, "gravity", "is ", g, " m/s2, ", number_text(g / 9.81, 3),
+                        " times Earth's gravity; if it is in mm/s2, divide it by 1000");
   }
 
   void check_density(const MaterialSpec& material) {
     if (material.density > kDensest)
-      findings_.warning(kImplausibleMass, material.source, "density",
-                        "is " + number_text(material.density) + " kg/m3, denser than any solid, " +
-                            number_text(kDensest) + " kg/m3; write kg/m3, or use the suffix _g_cm3");
+      findings_.warning(kImplausibleMass, material.source, "density", "is ", material.density,
+                        " kg/m3, denser than any solid, ", kDensest, " kg/m3; write kg/m3, or use the suffix _g_cm3");
   }
 
   void check_ground_density(const Source& source, const std::string& key, double density, const std::string& what) {
     if (density <= kDensest && density >= kLightestGrain) return;
-    findings_.warning(kImplausibleMass, source, key,
-                      "is " + number_text(density) + " kg/m3, " +
-                          (density < kLightestGrain ? "lighter than any grains" : "denser than any solid") + "; " +
-                          what + ", or use the suffix _g_cm3");
+    findings_.warning(kImplausibleMass, source, key, "is ", density, " kg/m3, ",
+                      density < kLightestGrain ? "lighter than any grains" : "denser than any solid", "; ", what,
+                      ", or use the suffix _g_cm3");
   }
 
   void check_box(const BoxSpec& box) {
@@ -191,11 +190,10 @@ class Plausibility {
     const double interval = box.every.value_or(0) * box_numbers(scene_).time_step;
     if (interval > scene_.end_time)
       findings_.error(
-          kOutOfRange, scene_.particles->source, "box.exchange_steps",
-          "is " + std::to_string(box.every.value_or(0)) + " steps of the grains, " + number_text(interval, 3) +
-              " s, longer than the scene, " + number_text(scene_.end_time, 3) +
-              " s: the mechanism would never meet the grains. Remove it: the interval is then chosen during "
-              "the run");
+          kOutOfRange, scene_.particles->source, "box.exchange_steps", "is ", box.every.value_or(0),
+          " steps of the grains, ", number_text(interval, 3), " s, longer than the scene, ",
+          number_text(scene_.end_time, 3),
+          " s: the mechanism would never meet the grains. Remove it: the interval is then chosen during the run");
   }
 
   void check_mass(const BodySpec& body) {
@@ -205,20 +203,20 @@ class Plausibility {
     if (volume == 0.0) {
       const double most = kDensest * std::pow(kFewPoints * size_, 3);
       if (most > 0.0 && body.mass > most)
-        findings_.warning(kImplausibleMass, body.source, "mass",
-                          "is " + number_text(body.mass) + " kg" + of_total + " in a mechanism of " +
-                              number_text(size_, 3) + " m; check the unit (_g, _t), and that lengths are in m");
+        findings_.warning(kImplausibleMass, body.source, "mass", "is ", body.mass, " kg", of_total,
+                          " in a mechanism of ", number_text(size_, 3),
+                          " m; check the unit (_g, _t), and that lengths are in m");
       return;
     }
     const double density = body.mass / volume;
     if (density >= kLightest && density <= kOfItsSurface * kDensest) return;
     findings_.warning(
-        kImplausibleMass, body.source, "mass",
-        "is " + number_text(body.mass) + " kg" + of_total + " for a shape of " + number_text(volume, 3) +
-            " m3, which is " + (density < kLightest ? "lighter than air" : "far denser than any solid") + " (" +
-            number_text(density, 3) + " kg/m3); check " +
-            (body.mass_is_remainder ? "total_mass and the masses of the other bodies" : "the units of mass (_g, _t)") +
-            " and shape (_mm)");
+        kImplausibleMass, body.source, "mass", "is ", body.mass, " kg", of_total, " for a shape of ",
+        number_text(volume, 3), " m3, which is ",
+        density < kLightest ? "lighter than air" : "far denser than any solid", " (", number_text(density, 3),
+        " kg/m3); check ",
+        body.mass_is_remainder ? "total_mass and the masses of the other bodies" : "the units of mass (_g, _t)",
+        " and shape (_mm)");
   }
 
   void check_inertia(const BodySpec& body, const std::vector<Vector3d>& points) {
@@ -228,17 +226,17 @@ class Plausibility {
     const double limit = reach > 0.0 ? kFarOutside * reach : kFarFromPoints * size_;
     const double gyration = std::sqrt(0.5 * body.inertia.trace() / body.mass);
     if (limit == 0.0 && body.mass < kThinnestBody * 4.0 / 3.0 * kPi * std::pow(gyration, 3)) {
-      findings_.warning(kImplausibleInertia, body.source, "inertia",
-                        "has a radius of gyration of " + number_text(gyration, 3) + " m for " +
-                            number_text(body.mass, 3) + " kg; write it in kg m2 (1 kg mm2 = 1e-6 kg m2)");
+      findings_.warning(kImplausibleInertia, body.source, "inertia", "has a radius of gyration of ",
+                        number_text(gyration, 3), " m for ", number_text(body.mass, 3),
+                        " kg; write it in kg m2 (1 kg mm2 = 1e-6 kg m2)");
       return;
     }
     if (limit > 0.0 && gyration > limit)
-      findings_.warning(kImplausibleInertia, body.source, "inertia",
-                        "has a radius of gyration of " + number_text(gyration, 3) + " m, but " +
-                            (reach > 0.0 ? "the body reaches no farther than " + number_text(reach, 3)
-                                         : "the mechanism is not larger than " + number_text(size_, 3)) +
-                            " m; write it in kg m2 (1 kg mm2 = 1e-6 kg m2)");
+      findings_.warning(kImplausibleInertia, body.source, "inertia", "has a radius of gyration of ",
+                        number_text(gyration, 3), " m, but ",
+                        reach > 0.0 ? "the body reaches no farther than " + number_text(reach, 3)
+                                    : "the mechanism is not larger than " + number_text(size_, 3),
+                        " m; write it in kg m2 (1 kg mm2 = 1e-6 kg m2)");
   }
 
   // A position that a motor or a prescribed rotation reaches: in whole numbers beyond a turn it is mostly meant in degrees.
@@ -254,9 +252,8 @@ class Plausibility {
     const bool swings = std::abs(f.amplitude) > 2.0 * kPi;
     if (!swings && !(whole && largest > 2.0 * kPi)) return;
     const double value = swings ? f.amplitude : largest;
-    findings_.warning(kAngleInDegrees, source, key,
-                      "reaches " + number_text(value) + " rad, " + number_text(value / (2.0 * kPi), 3) +
-                          " turns; if degrees are meant, multiply them by pi / 180");
+    findings_.warning(kAngleInDegrees, source, key, "reaches ", value, " rad, ", number_text(value / (2.0 * kPi), 3),
+                      " turns; if degrees are meant, multiply them by pi / 180");
   }
 
   void check_angles() {
@@ -264,10 +261,9 @@ class Plausibility {
     for (const auto& [key, angle] : {std::pair("roll", initial.roll), {"pitch", initial.pitch}, {"yaw", initial.yaw}})
       if (std::abs(angle) > kPi * (1.0 + 1e-9) && std::abs(angle) <= 2.0 * kPi &&  // the reader warns of more
           initial.source.in_other_units.count(key) == 0)
-        findings_.warning(kAngleInDegrees, initial.source, key,
-                          "is " + number_text(angle) + " rad, " + number_text(angle * 180.0 / kPi, 3) +
-                              " degrees: more than half a turn; if degrees are meant, write " + std::string(key) +
-                              "_deg");
+        findings_.warning(kAngleInDegrees, initial.source, key, "is ", angle, " rad, ",
+                          number_text(angle * 180.0 / kPi, 3),
+                          " degrees: more than half a turn; if degrees are meant, write ", key, "_deg");
     for (const JointSpec& joint : scene_.joints)
       if (joint.motion && joint.motion->rotation && joint.source.in_other_units.count("motion.rotation.table") == 0 &&
           joint.motion->rotation->amplitude == 0.0)  // reported by the reader
@@ -295,10 +291,9 @@ class Plausibility {
   void check_speed(const Source& source, const std::string& key, double speed, double sound,
                    const std::string& remedy) {
     if (speed > sound)
-      findings_.warning(kImplausibleSpeed, source, key,
-                        "moves bodies at " + number_text(speed, 3) + " m/s" +
-                            (size_ > 0.0 ? ", " + number_text(speed / size_, 3) + " times their size per second" : "") +
-                            ": faster than sound in them, about " + number_text(sound, 3) + " m/s; " + remedy);
+      findings_.warning(kImplausibleSpeed, source, key, "moves bodies at ", number_text(speed, 3), " m/s",
+                        size_ > 0.0 ? ", " + number_text(speed / size_, 3) + " times their size per second" : "",
+                        ": faster than sound in them, about ", number_text(sound, 3), " m/s; ", remedy);
   }
 
   void check_speeds() {
@@ -310,9 +305,9 @@ class Plausibility {
     const double fall = initial.velocity.norm();
     check_speed(initial.source, "velocity", fall, slowest, in_mm);
     if (scene_.ground.kind != GroundKind::kNone && !scene_.boundaries.empty() && fall > kFastImpact && fall <= slowest)
-      findings_.warning(kImplausibleSpeed, initial.source, "velocity",
-                        "is " + number_text(fall, 3) + " m/s, " + number_text(3.6 * fall, 3) +
-                            " km/h: laws of contact hold for some tens of m/s; if it is in mm/s, write velocity_mm_s");
+      findings_.warning(kImplausibleSpeed, initial.source, "velocity", "is ", number_text(fall, 3), " m/s, ",
+                        number_text(3.6 * fall, 3),
+                        " km/h: laws of contact hold for some tens of m/s; if it is in mm/s, write velocity_mm_s");
     check_speed(initial.source, "angular_velocity", initial.angular_velocity.norm() * 0.5 * size_, slowest, in_rpm);
     for (const BodyVelocitySpec& own : initial.bodies) {
       const BodySpec* body = scene_.body(own.body);
@@ -422,12 +417,10 @@ class Plausibility {
     }
     for (const Hung& part : hung) {
       if (part.held || part.source == nullptr || !(part.mass * g > size_ * part.stiffness)) continue;
-      findings_.warning(kSoftSpring, *part.source, part.key,
-                        "is so small that " + number_text(part.mass, 3) + " kg on " +
-                            (part.stiffest < part.stiffness ? "such springs sink" : "the spring sinks") + " by " +
-                            number_text(part.mass * g / part.stiffness, 3) + " m, in a mechanism of " +
-                            number_text(size_, 3) + " m; write it in " +
-                            (part.key == std::string("EA") ? "N" : "N/m, or use the suffix _N_mm"));
+      findings_.warning(kSoftSpring, *part.source, part.key, "is so small that ", number_text(part.mass, 3), " kg on ",
+                        part.stiffest < part.stiffness ? "such springs sink" : "the spring sinks", " by ",
+                        number_text(part.mass * g / part.stiffness, 3), " m, in a mechanism of ", number_text(size_, 3),
+                        " m; write it in ", part.key == std::string("EA") ? "N" : "N/m, or use the suffix _N_mm");
     }
   }
 
@@ -481,10 +474,9 @@ class Plausibility {
       if (scene_.ground.kind != GroundKind::kNone || !scene_.contacts.empty())
         for (const BoundarySpec& boundary : scene_.boundaries) held = held || moves(boundary.body);
       if (held || source == nullptr || !(mass * pull > size_ * stiffness)) continue;
-      findings_.warning(kSoftSpring, *source, key,
-                        "is so small that " + number_text(mass, 3) + " kg on joint \"" + joint.name + "\" sink by " +
-                            number_text(mass * pull / stiffness, 3) + " m, in a mechanism of " + number_text(size_, 3) +
-                            " m; write it in N/m, or use the suffix _N_mm");
+      findings_.warning(kSoftSpring, *source, key, "is so small that ", number_text(mass, 3), " kg on joint \"",
+                        joint.name, "\" sink by ", number_text(mass * pull / stiffness, 3), " m, in a mechanism of ",
+                        number_text(size_, 3), " m; write it in N/m, or use the suffix _N_mm");
     }
   }
 
@@ -530,16 +522,15 @@ class Plausibility {
   void check_plane() {
     if (scene_.ground.kind != GroundKind::kPlane || !scene_.ground.plane) return;
     const PlaneSpec& plane = *scene_.ground.plane;
-    double mass = 0.0;
-    for (const BodySpec& body : scene_.bodies) mass += body.mass;
+    const double mass = total_mass(scene_);
     const double k = plane.stiffness.value_or(4.0 / 3.0 * plane.young.value_or(0.0) /
                                               (1.0 - plane.poisson * plane.poisson) * std::sqrt(plane.contact_radius));
     const double sunk = k > 0.0 ? std::pow(mass * scene_.gravity.norm() / (kPlaces * k), 2.0 / 3.0) : 0.0;
     if (sunk > kSunk * size_ && size_ > 0.0)
       findings_.warning(kSoftSpring, scene_.ground.source, plane.stiffness ? "plane.stiffness" : "plane.young",
-                        "is so small that " + number_text(mass, 3) + " kg at rest sink by " + number_text(sunk, 3) +
-                            " m into the plane, in a mechanism of " + number_text(size_, 3) + " m; write " +
-                            (plane.stiffness ? "it in N/m^1.5" : "it in Pa, or use the suffix _MPa"));
+                        "is so small that ", number_text(mass, 3), " kg at rest sink by ", number_text(sunk, 3),
+                        " m into the plane, in a mechanism of ", number_text(size_, 3), " m; write ",
+                        plane.stiffness ? "it in N/m^1.5" : "it in Pa, or use the suffix _MPa");
   }
 
   // Degrees of longitude and latitude, or kilometres, taken for metres.
@@ -552,16 +543,16 @@ class Plausibility {
     const HeightGrid& grid = *scene_.ground.terrain->map->grid;
     const double x = grid.step.x() * (grid.columns - 1), y = grid.step.y() * (grid.rows - 1);
     if (std::max(x, y) < size_) {
-      findings_.warning(kImplausibleNumber, scene_.ground.source, "terrain.map.file",
-                        "covers " + number_text(x, 3) + " by " + number_text(y, 3) + " m, less than the " +
-                            number_text(size_, 3) + " m of the mechanism" + kProject);
+      findings_.warning(kImplausibleNumber, scene_.ground.source, "terrain.map.file", "covers ", number_text(x, 3),
+                        " by ", number_text(y, 3), " m, less than the ", number_text(size_, 3), " m of the mechanism",
+                        kProject);
       return;
     }
     // Of some rows, since a large map is read where bodies come.
     constexpr int kRows = 40;
     double rise = 0.0;
     int count = 0;
-    std::vector<double> row(static_cast<std::size_t>(grid.columns));
+    std::vector<double> row(grid.columns);
     for (int k = 0; k < kRows; ++k) {
       if (k > 0 && k * (grid.rows - 1) / (kRows - 1) == (k - 1) * (grid.rows - 1) / (kRows - 1)) continue;
       grid.read(0, k * (grid.rows - 1) / (kRows - 1), grid.columns, row.data());
@@ -570,13 +561,12 @@ class Plausibility {
     }
     const double slope = rise / (count * grid.step.x());
     if (slope > kSteepMap)
-      findings_.warning(kImplausibleNumber, scene_.ground.source, "terrain.map.file",
-                        "rises or falls by " + number_text(slope, 2) +
-                            " m on each metre along x, in the mean of its samples" + kProject);
+      findings_.warning(kImplausibleNumber, scene_.ground.source, "terrain.map.file", "rises or falls by ",
+                        number_text(slope, 2), " m on each metre along x, in the mean of its samples", kProject);
   }
 
   void check_ratio(const Source& source, const std::string& key, double value, double most, const std::string& remedy) {
-    if (value >= most) findings_.warning(kImplausibleNumber, source, key, "is " + number_text(value) + ", " + remedy);
+    if (value >= most) findings_.warning(kImplausibleNumber, source, key, "is ", value, ", ", remedy);
   }
 
   void check_ratios() {
@@ -608,35 +598,30 @@ class Plausibility {
       if (!strut.gas) continue;
       const double pressure = strut.gas->initial_pressure;
       if (pressure < kLeastPressure || pressure > kMostPressure)
-        findings_.warning(kImplausibleNumber, strut.source, "gas.pressure",
-                          "is " + number_text(pressure) + " Pa, " + number_text(pressure / 1e5, 3) +
-                              " bar; write it in Pa, or use the suffix _kPa or _MPa (1 bar = 100 kPa)");
+        findings_.warning(kImplausibleNumber, strut.source, "gas.pressure", "is ", pressure, " Pa, ",
+                          number_text(pressure / 1e5, 3),
+                          " bar; write it in Pa, or use the suffix _kPa or _MPa (1 bar = 100 kPa)");
       if (size_ > 0.0 && strut.gas->piston_diameter > size_)
-        findings_.warning(kImplausibleNumber, strut.source, "gas.piston_diameter",
-                          "is " + number_text(strut.gas->piston_diameter) + " m in a mechanism of " +
-                              number_text(size_, 3) + " m; write it in m, or use the suffix _mm");
+        findings_.warning(kImplausibleNumber, strut.source, "gas.piston_diameter", "is ", strut.gas->piston_diameter,
+                          " m in a mechanism of ", number_text(size_, 3), " m; write it in m, or use the suffix _mm");
     }
     for (const BodySpec& body : scene_.bodies)
       if (body.shape && body.shape->kind == ShapeKind::kDisc && body.shape->thickness > 2.0 * body.shape->radius)
-        findings_.warning(kImplausibleNumber, body.source, "shape.thickness",
-                          "is " + number_text(body.shape->thickness) + " m for a disc of radius " +
-                              number_text(body.shape->radius) +
-                              " m; write it in m, or use the suffix _mm; a long one is a \"cylinder\"");
+        findings_.warning(kImplausibleNumber, body.source, "shape.thickness", "is ", body.shape->thickness,
+                          " m for a disc of radius ", body.shape->radius,
+                          " m; write it in m, or use the suffix _mm; a long one is a \"cylinder\"");
   }
 
   // The softest stage is crushed by a hundredth of the weight.
   void check_honeycombs() {
-    double mass = 0.0;
-    for (const BodySpec& body : scene_.bodies) mass += body.mass;
-    const double weight = mass * scene_.gravity.norm();
+    const double weight = total_mass(scene_) * scene_.gravity.norm();
     for (const StrutSpec& strut : scene_.struts) {
       if (!strut.honeycomb || strut.honeycomb->stages.empty()) continue;
       const double force = strut.honeycomb->stages.front().crush_force;
       if (force < kWeakestCrush * weight)
-        findings_.warning(kImplausibleNumber, strut.source, "honeycomb.stages",
-                          "begins to crush at " + number_text(force) + " N, " + share_text(force / weight) +
-                              " of the weight of the mechanism, " + number_text(weight, 3) +
-                              " N: it bears nothing; write force in N");
+        findings_.warning(kImplausibleNumber, strut.source, "honeycomb.stages", "begins to crush at ", force, " N, ",
+                          share_text(force / weight), " of the weight of the mechanism, ", number_text(weight, 3),
+                          " N: it bears nothing; write force in N");
     }
   }
 
@@ -650,9 +635,8 @@ class Plausibility {
       const bool metres = r.unit.empty() && r.value.size() > 2 && r.value.substr(r.value.size() - 2) == "_m";
       for (const auto& [key, bound] : {std::pair("least", r.least), {"most", r.most}})
         if ((r.unit == "m" || metres) && bound && std::abs(*bound) > reach)
-          findings_.warning(kImplausibleNumber, r.source, key,
-                            "is " + number_text(*bound) + " m, in a mechanism of " + number_text(size_, 3) +
-                                " m: nothing comes near it; write it in m (1 mm = 0.001 m)");
+          findings_.warning(kImplausibleNumber, r.source, key, "is ", *bound, " m, in a mechanism of ",
+                            number_text(size_, 3), " m: nothing comes near it; write it in m (1 mm = 0.001 m)");
     }
   }
 
@@ -665,10 +649,9 @@ class Plausibility {
     for (const Vector3d& p : outlines_[i]) reach = std::max(reach, (p - body.position).norm());
     const double distance = (point - body.position).norm();
     if (reach > 0.0 && distance > kFarAway * reach)
-      findings_.warning(kImplausibleNumber, source, key,
-                        "is " + number_text(distance, 3) + " m from the mass centre of body \"" + name +
-                            "\", which reaches no farther than " + number_text(reach, 3) +
-                            " m; write points in m, or use the suffix _mm");
+      findings_.warning(kImplausibleNumber, source, key, "is ", number_text(distance, 3),
+                        " m from the mass centre of body \"", name, "\", which reaches no farther than ",
+                        number_text(reach, 3), " m; write points in m, or use the suffix _mm");
   }
 
   void check_points() {
@@ -707,9 +690,8 @@ class Plausibility {
           if (row.x() == 0.0) begins += row.y();
         const double drawn = along.dot(joint.point_b - joint.point_a);
         if (!(std::abs(begins - drawn) > kOpenMotion)) continue;
-        findings_.error(kMotionStart, joint.source, key,
-                        "begins at " + number_text(begins) + " m, but the bodies are drawn at " + number_text(drawn) +
-                            " m; draw them as they start, or count the motion from the drawing");
+        findings_.error(kMotionStart, joint.source, key, "begins at ", begins, " m, but the bodies are drawn at ",
+                        drawn, " m; draw them as they start, or count the motion from the drawing");
       }
     }
   }
@@ -719,16 +701,16 @@ class Plausibility {
                            const std::string& unit) {
       const bool below = stops.smallest_stroke && at < *stops.smallest_stroke - 1e-9;
       if (!below && !(stops.largest_stroke && at > *stops.largest_stroke + 1e-9)) return;
-      findings_.warning(kStartBeyondStop, source, key + (below ? "min" : "max"),
-                        "is " + number_text(below ? *stops.smallest_stroke : *stops.largest_stroke) + unit +
-                            ", but the drawing starts at " + number_text(at) + unit +
-                            ", beyond this stop, which throws it back at once; start it within its stops "
-                            "([initial.joints]), or move the stop");
+      findings_.warning(kStartBeyondStop, source, key + (below ? "min" : "max"), "is ",
+                        below ? *stops.smallest_stroke : *stops.largest_stroke, unit, ", but the drawing starts at ",
+                        at, unit,
+                        ", beyond this stop, which throws it back at once; start it within its stops "
+                        "([initial.joints]), or move the stop");
     };
     for (const JointSpec& joint : scene_.joints)
       for (const Coordinate coordinate : coordinates_of(joint.type))
         if (const std::optional<CoordinateSpec>& c = joint.acting_on(coordinate); c && c->stops)
-          check(joint.source, std::string(name_of(coordinate)) + ".stops.", *c->stops, 0.0,
+          check(joint.source, concat(name_of(coordinate), ".stops."), *c->stops, 0.0,
                 coordinate == Coordinate::kAngle ? " rad" : " m");
     for (const StrutSpec& strut : scene_.struts)
       if (strut.stops && strut.length)
@@ -741,15 +723,13 @@ class Plausibility {
   void check_periods() {
     const auto check = [&](const Source& source, double period) {
       if (period > scene_.end_time)
-        findings_.warning(kImplausibleNumber, source, "period",
-                          "is " + number_text(period) + " s, longer than the scene, " + number_text(scene_.end_time) +
-                              " s: it is computed at the start alone; use the suffix _ms for milliseconds");
+        findings_.warning(kImplausibleNumber, source, "period", "is ", period, " s, longer than the scene, ",
+                          scene_.end_time,
+                          " s: it is computed at the start alone; use the suffix _ms for milliseconds");
       if (period > 0.0 && scene_.end_time / period > kLongRun)
-        findings_.warning(kImplausibleNumber, source, "period",
-                          "is " + number_text(period) + " s: the run takes at least " +
-                              number_text(scene_.end_time / period, 2) +
-                              " steps until end_time, one for each sample, " +
-                              "and may take hours; give a longer period if it need not be so short");
+        findings_.warning(kImplausibleNumber, source, "period", "is ", period, " s: the run takes at least ",
+                          number_text(scene_.end_time / period, 2), " steps until end_time, one for each sample, ",
+                          "and may take hours; give a longer period if it need not be so short");
     };
     for (const ControllerSpec& controller : scene_.controllers) check(controller.source, controller.period);
     for (const SignalSpec& signal : scene_.signals) check(signal.source, signal.period);
@@ -757,10 +737,9 @@ class Plausibility {
     for_each_function(scene_, [&](const Source& source, const std::string& key, const TimeFunctionSpec& f) {
       const double steps = f.amplitude != 0.0 ? kStepsOfPeriod * f.frequency * scene_.end_time : 0.0;
       if (steps > kLongRun)
-        findings_.warning(kImplausibleNumber, source, key + ".frequency",
-                          "is " + number_text(f.frequency) + " Hz: the run takes about " + number_text(steps, 2) +
-                              " steps until end_time, " + number_text(kStepsOfPeriod) + " for each period, and may " +
-                              "take hours; check that it is in Hz");
+        findings_.warning(kImplausibleNumber, source, key + ".frequency", "is ", f.frequency,
+                          " Hz: the run takes about ", number_text(steps, 2), " steps until end_time, ", kStepsOfPeriod,
+                          " for each period, and may ", "take hours; check that it is in Hz");
     });
   }
 
@@ -807,10 +786,9 @@ class Plausibility {
         if (!std::all_of(points.begin(), points.end(), [&](const Vector3d& p) { return is_inside(around, p, margin); }))
           continue;
         connected.insert(std::minmax(i, j));
-        findings_.warning(kBodyInside, scene_.bodies[j].source, "name",
-                          "body \"" + scene_.bodies[j].name + "\" is inside of body \"" + around.name + "\" (line " +
-                              std::to_string(around.source.line) +
-                              "), and nothing connects the two; move one of them, or add a joint");
+        findings_.warning(kBodyInside, scene_.bodies[j].source, "name", "body \"", scene_.bodies[j].name,
+                          "\" is inside of body \"", around.name, "\" (line ", around.source.line,
+                          "), and nothing connects the two; move one of them, or add a joint");
       }
     }
   }

@@ -19,8 +19,8 @@ void check_groups(const Scene& scene, Findings& findings) {
   at.error_if(groups.moving.empty() && groups.still.empty(), kMissingKey, "groups",
               "names no body; name those that stand still, or those that move");
   for (const std::string& body : groups.still)
-    at.error_if(is_in(groups.moving, body), kListedTwice, "groups",
-                "\"" + body + "\" is both moving and still; keep one");
+    at.error_if(is_in(groups.moving, body), kListedTwice, "groups", "\"", body,
+                "\" is both moving and still; keep one");
   for (const std::string& body : groups.moving) check_body_name(scene, at, "groups.moving", body);
   for (const std::string& body : groups.still) check_body_name(scene, at, "groups.still", body);
   at.error_if(std::all_of(scene.bodies.begin(), scene.bodies.end(),
@@ -30,9 +30,9 @@ void check_groups(const Scene& scene, Findings& findings) {
     for (const auto& entry : entries) {
       const std::string &a = entry.bodies[0], &b = entry.bodies[1];
       if (a == "ground" || b == "ground" || stands_still(scene, a) == stands_still(scene, b)) continue;
-      findings.error(kConflictingKeys, entry.source, "bodies",
-                     "a " + std::string(what) + " joins a body of each group of initial.groups, \"" + a + "\" and \"" +
-                         b + "\", which [initial] moves apart; put both into one group");
+      findings.error(kConflictingKeys, entry.source, "bodies", "a ", what,
+                     " joins a body of each group of initial.groups, \"", a, "\" and \"", b,
+                     "\", which [initial] moves apart; put both into one group");
     }
   };
   check(scene.joints, "joint");
@@ -44,9 +44,8 @@ void check_groups(const Scene& scene, Findings& findings) {
       if (guide.body != "ground") bodies.push_back(guide.body);
     for (const std::string& body : bodies)
       if (stands_still(scene, body) != stands_still(scene, bodies.front()))
-        findings.error(kConflictingKeys, cable.source, "path",
-                       "runs over bodies of both groups of initial.groups, \"" + bodies.front() + "\" and \"" + body +
-                           "\", which [initial] moves apart; put them into one group");
+        findings.error(kConflictingKeys, cable.source, "path", "runs over bodies of both groups of initial.groups, \"",
+                       bodies.front(), "\" and \"", body, "\", which [initial] moves apart; put them into one group");
   }
 }
 
@@ -67,10 +66,10 @@ void check_landing(const Scene& scene, Findings& findings) {
   known.insert(known.end(), bodies.begin(), bodies.end());
   std::unordered_set<std::string> seen;
   for (const std::string& pad : landing.pads) {
-    at.error_if(!is_in(known, pad), kUnknownBody, "pads",
-                "\"" + pad + "\" is neither a body with a boundary nor a point of [[landing.points]]." +
-                    known_names("pads", pad, known));
-    at.error_if(!seen.insert(pad).second, kListedTwice, "pads", "names \"" + pad + "\" twice; name each pad once");
+    at.error_if(!is_in(known, pad), kUnknownBody, "pads", "\"", pad,
+                "\" is neither a body with a boundary nor a point of [[landing.points]].",
+                known_names("pads", pad, known));
+    at.error_if(!seen.insert(pad).second, kListedTwice, "pads", "names \"", pad, "\" twice; name each pad once");
   }
   at.error_if(scene.ground.kind == GroundKind::kNone, kNeedsOtherKey, "",
               "needs a ground, above which heights are measured; add [ground], or remove [landing]");
@@ -83,8 +82,8 @@ void check_requirements(const Scene& scene, Findings& findings) {
   for (const RequirementSpec& r : scene.requirements) {
     const EntryFindings at(findings, r.source);
     at.missing_if(!r.least && !r.most, "most", "a requirement needs least, most, or both");
-    at.error_if(r.least && r.most && *r.least > *r.most, kOutOfRange, "least",
-                "is " + number_text(*r.least) + ", more than most = " + number_text(*r.most) + "; no value is between");
+    at.error_if(r.least && r.most && *r.least > *r.most, kOutOfRange, "least", "is ", *r.least,
+                ", more than most = ", *r.most, "; no value is between");
     try {
       Expression::names_in(r.value);
     } catch (const InputError& error) {

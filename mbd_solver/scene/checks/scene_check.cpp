@@ -5,6 +5,7 @@
 #include <map>
 #include <unordered_set>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/control/signal_chain.h"
@@ -13,43 +14,11 @@
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
-
 using namespace code;
+
 namespace {
 
 constexpr double kLeastDensity = 50.0;  // of materials that machines are built of [kg/m3]
-
-}  // namespace
-
-std::vector<std::string> boundary_names(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const BoundarySpec& boundary : scene.boundaries) names.push_back(boundary.body);
-  return names;
-}
-
-void check_material_name(const Scene& scene, const BodySpec& body, const EntryFindings& at) {
-  check_known(at, kUnknownMaterial, "material", "material", "materials", body.material, scene.materials,
-              scene.indices.materials);
-}
-
-void check_body_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name) {
-  check_known(at, kUnknownBody, key, "body", "bodies", name, scene.bodies, scene.indices.bodies);
-}
-
-void check_signal_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name) {
-  for (const SignalSpec& signal : scene.signals)
-    if (signal.is_foreign() && is_in(signal.output_signals(), name)) return;
-  check_known(at, kUnknownSignal, key, "signal", "signals", name, scene.signals, scene.indices.signals);
-}
-
-void check_pair(const Scene& scene, const EntryFindings& at, const std::array<std::string, 2>& bodies) {
-  for (const std::string& name : bodies)
-    if (name != "ground") check_body_name(scene, at, "bodies", name);
-  at.error_if(!bodies[0].empty() && bodies[0] == bodies[1], kListedTwice, "bodies",
-              "are both \"" + bodies[0] + "\"; expected two different ones");
-}
-
-namespace {
 
 std::vector<std::string> missing_of(const std::vector<std::pair<std::string, std::string>>& keys) {
   std::vector<std::string> missing;
@@ -64,9 +33,9 @@ void check_flexible(const Scene& scene, const BodySpec& body, const EntryFinding
   const int matrices = !f.stiffness_matrix.empty() + !f.mass_matrix.empty() + !f.node_file.empty();
   at.error_if(
       matrices == 1 || matrices == 2, kNeedsOtherKey, "flexible",
-      "needs all of stiffness_matrix, mass_matrix and node_file; add " +
-          joined(missing_of(
-              {{"stiffness_matrix", f.stiffness_matrix}, {"mass_matrix", f.mass_matrix}, {"node_file", f.node_file}})));
+      "needs all of stiffness_matrix, mass_matrix and node_file; add ",
+      joined(missing_of(
+          {{"stiffness_matrix", f.stiffness_matrix}, {"mass_matrix", f.mass_matrix}, {"node_file", f.node_file}})));
   const bool of_matrices =
       !f.dof_file.empty() || !f.stress_file.empty() || !f.interfaces.empty() || f.units != UnitSystem::kMetre;
   at.error_if(
@@ -84,10 +53,10 @@ void check_flexible(const Scene& scene, const BodySpec& body, const EntryFinding
   }
   if (f.file.empty() && matrices == 0) {
     if (body.material.empty()) {
-      at.missing("material", "a flexible body needs density, young and poisson");
+      at.error(kMissingKey, "material", "is missing; a flexible body needs density, young and poisson");
     } else if (scene.material_or_null(body.material) && !(scene.material(body.material).young > 0.0)) {
-      at.all().error(kMissingKey, scene.material(body.material).source, "young",
-                     "is missing; the flexible body \"" + body.name + "\" needs it");
+      at.all().error(kMissingKey, scene.material(body.material).source, "young", "is missing; the flexible body \"",
+                     body.name, "\" needs it");
     }
   }
   at.missing_if(!f.mesh.empty() && f.thickness <= 0.0 && !(body.shape && body.shape->thickness > 0.0),
@@ -95,16 +64,13 @@ void check_flexible(const Scene& scene, const BodySpec& body, const EntryFinding
   const int nodes = static_cast<int>(f.nodes.size());
   for (const MemberSpec& m : f.members) {
     at.error_if(std::max(m.first, m.second) >= nodes || m.first == m.second, kFrameMember, "flexible.members",
-                "joins nodes " + std::to_string(m.first) + " and " + std::to_string(m.second) +
-                    ", expected two different ones from 0 to " + std::to_string(nodes - 1));
+                "joins nodes ", m.first, " and ", m.second, ", expected two different ones from 0 to ", nodes - 1);
     if (std::none_of(f.sections.begin(), f.sections.end(), [&](const auto& s) { return s.name == m.section; }))
-      at.error(kUnknownSection, "flexible.members",
-               "unknown section \"" + m.section + "\"." + known_names("sections", m.section, names_in(f.sections)));
+      at.error(kUnknownSection, "flexible.members", "unknown section \"", m.section, "\".",
+               known_names("sections", m.section, names_in(f.sections)));
   }
   at.missing_if(nodes > 0 && f.members.empty(), "flexible.members", "nodes without members are no frame");
 }
-
-}  // namespace
 
 void check_bodies(const Scene& scene, Findings& findings) {
   if (scene.bodies.empty())
@@ -113,11 +79,10 @@ void check_bodies(const Scene& scene, Findings& findings) {
   for (const MaterialSpec& m : scene.materials) {
     const EntryFindings at(findings, m.source);
     if (m.density > 0.0 && m.density < kLeastDensity)
-      at.warning(kLightMaterial, "density",
-                 "is " + number_text(m.density) +
-                     " kg/m3, lighter than foam. If it is in g/cm3, write density_g_cm3 = " + number_text(m.density));
-    at.error_if(!(m.poisson > -1.0 && m.poisson < 0.5), kOutOfRange, "poisson",
-                "is " + number_text(m.poisson) + ", expected more than -1 and less than 0.5");
+      at.warning(kLightMaterial, "density", "is ", m.density,
+                 " kg/m3, lighter than foam. If it is in g/cm3, write density_g_cm3 = ", m.density);
+    at.error_if(!(m.poisson > -1.0 && m.poisson < 0.5), kOutOfRange, "poisson", "is ", m.poisson,
+                ", expected more than -1 and less than 0.5");
   }
   for (const BodySpec& body : scene.bodies) {
     const EntryFindings at(findings, body.source);
@@ -130,15 +95,12 @@ void check_bodies(const Scene& scene, Findings& findings) {
     const EntryFindings at(findings, v.source);
     check_body_name(scene, at, "body", v.body);
     const auto [same, is_new] = moving.emplace(v.body, v.source.line);
-    at.error_if(!v.body.empty() && !is_new, kListedTwice, "body",
-                "\"" + v.body + "\" already has a velocity (line " + std::to_string(same->second) +
-                    "); give each body one entry");
+    at.error_if(!v.body.empty() && !is_new, kListedTwice, "body", "\"", v.body, "\" already has a velocity (line ",
+                same->second, "); give each body one entry");
   }
   for (const std::string& name : scene.output.bodies)
     check_body_name(scene, {findings, scene.output.source}, "bodies", name);
 }
-
-namespace {
 
 // A body next to a mechanism that nothing connects to it and that touches nothing: mostly a forgotten joint.
 void warn_of_loose_bodies(const Scene& scene, Findings& findings) {
@@ -156,11 +118,9 @@ void warn_of_loose_bodies(const Scene& scene, Findings& findings) {
   for (const ForceSpec& force : scene.forces) used.insert(force.body);
   for (const BodySpec& body : scene.bodies)
     if (used.count(body.name) == 0)
-      findings.warning(
-          kLooseBody, body.source, "name",
-          "body \"" + body.name +
-              "\" is connected to nothing: no joint, strut, cable, spring, force or boundary names it; add a "
-              "joint, or remove the body");
+      findings.warning(kLooseBody, body.source, "name", "body \"", body.name,
+                       "\" is connected to nothing: no joint, strut, cable, spring, force or boundary names it; add a "
+                       "joint, or remove the body");
 }
 
 void warn_of_gravity_upwards(const Scene& scene, Findings& findings) {
@@ -168,41 +128,12 @@ void warn_of_gravity_upwards(const Scene& scene, Findings& findings) {
   if (!ground.is_flat() || (ground.kind == GroundKind::kPlane ? !ground.plane : !ground.law)) return;
   const double along = scene.gravity.dot(ground.normal());
   if (along > 1e-9)
-    findings.warning(kGravityUpwards, scene.source, "gravity",
-                     "points away from the ground, " + number_text(along) +
-                         " m/s2 along its normal, so bodies fall off it; expected the other sign, such as "
-                         "[0, 0, -9.81]");
+    findings.warning(kGravityUpwards, scene.source, "gravity", "points away from the ground, ", along,
+                     " m/s2 along its normal, so bodies fall off it; expected the other sign, such as [0, 0, -9.81]");
   else if (along > -1e-6 * scene.gravity.norm() && !scene.gravity.isZero(0.0))
     findings.warning(kGravityUpwards, scene.source, "gravity",
                      "is parallel to the ground, so nothing presses the bodies on it; expected one against its normal, "
                      "such as [0, 0, -9.81]");
-}
-
-}  // namespace
-
-void check_scene(const Scene& scene, Findings& findings) {
-  check_bodies(scene, findings);
-  warn_of_loose_bodies(scene, findings);
-  warn_of_gravity_upwards(scene, findings);
-  check_joints(scene, findings);
-  check_drives(scene, findings);
-  check_gears(scene, findings);
-  check_initial_joints(scene, findings);
-  check_controllers(scene, findings);
-  check_signals(scene, findings);
-  check_struts(scene, findings);
-  check_cables(scene, findings);
-  check_springs(scene, findings);
-  check_forces(scene, findings);
-  check_contact(scene, findings);
-  check_from(scene, findings);
-  check_groups(scene, findings);
-  check_landing(scene, findings);
-  check_requirements(scene, findings);
-  check_accepted(scene, findings);
-  check_limits(scene, findings);
-  if (!findings.has_errors()) check_plausible(scene, findings);
-  if (scene.particles && scene.touches_particles()) check_script(scene, findings);
 }
 
 // A scene that starts from the end of a run is placed as that was.
@@ -217,8 +148,6 @@ void check_from(const Scene& scene, Findings& findings) {
 }
 
 // Sizes and counts that would need memory or time beyond reason: mostly mistakes in a unit, reported before they cost it.
-
-namespace {
 
 constexpr double kMostRows = 1e7;            // of history.csv
 constexpr double kMostFiles = 1e5;           // pictures, checkpoints
@@ -253,24 +182,19 @@ double triangles_on(const ShapeSpec& s, double edge) {
 
 void check_edge(const EntryFindings& at, const std::string& key, const ShapeSpec& shape, double edge, double most) {
   const double triangles = edge > 0.0 ? triangles_on(shape, edge) : 0.0;
-  at.error_if(triangles > most, kTooLarge, key,
-              "is " + number_text(edge) + " m, which makes about " + number_text(triangles, 2) +
-                  " triangles of this shape, expected at most " + number_text(most) + "; give a longer edge, in m");
+  at.error_if(triangles > most, kTooLarge, key, "is ", edge, " m, which makes about ", number_text(triangles, 2),
+              " triangles of this shape, expected at most ", most, "; give a longer edge, in m");
 }
 
 void check_int(const EntryFindings& at, const std::string& key, long value, int most) {
-  at.error_if(value > most, kTooLarge, key,
-              "is " + std::to_string(value) + ", expected at most " + std::to_string(most));
+  at.error_if(value > most, kTooLarge, key, "is ", value, ", expected at most ", most);
 }
-
-}  // namespace
 
 void check_limits(const Scene& scene, Findings& findings) {
   const auto check_count = [&](const Source& source, const char* key, double interval, double most, const char* what) {
     if (interval > 0.0 && scene.end_time / interval > most)
-      findings.error(kTooLarge, source, key,
-                     "is " + number_text(interval) + " s: " + number_text(scene.end_time / interval, 3) + " " + what +
-                         " until end_time, expected at most " + number_text(most) + "; give a longer interval");
+      findings.error(kTooLarge, source, key, "is ", interval, " s: ", number_text(scene.end_time / interval, 3), " ",
+                     what, " until end_time, expected at most ", most, "; give a longer interval");
   };
   const OutputSpec& output = scene.output;
   check_count(output.source, "interval", output.interval, kMostRows, "rows");
@@ -284,17 +208,15 @@ void check_limits(const Scene& scene, Findings& findings) {
     check_count(event.source, "period", event.period, kMostSamples, "samples");
   for_each_function(scene, [&](const Source& source, const std::string& key, const TimeFunctionSpec& f) {
     if (f.amplitude != 0.0 && f.frequency * scene.end_time > kMostPeriods)
-      findings.error(kTooLarge, source, key + ".frequency",
-                     "is " + number_text(f.frequency) + " Hz: " + number_text(f.frequency * scene.end_time, 3) +
-                         " periods until end_time, expected at most " + number_text(kMostPeriods) +
-                         "; give a lower frequency, in Hz");
+      findings.error(kTooLarge, source, key + ".frequency", "is ", f.frequency,
+                     " Hz: ", number_text(f.frequency * scene.end_time, 3),
+                     " periods until end_time, expected at most ", kMostPeriods, "; give a lower frequency, in Hz");
   });
   const SolverSpec& solver = scene.solver;
   if (solver.source.given("max_step")) check_count(solver.source, "max_step", solver.max_step, kMostSteps, "steps");
   if (!(solver.rtol < kLargestRtol))
-    findings.error(kTolerance, solver.source, "rtol",
-                   "is " + number_text(solver.rtol) + ", expected less than " + number_text(kLargestRtol) +
-                       ", such as 1e-6: the relative error of a step");
+    findings.error(kTolerance, solver.source, "rtol", "is ", solver.rtol, ", expected less than ", kLargestRtol,
+                   ", such as 1e-6: the relative error of a step");
   if (scene.particles) check_int({findings, scene.particles->source}, "ranks", scene.particles->ranks, kMostRanks);
   for (const BodySpec& body : scene.bodies) {
     if (!body.flexible) continue;
@@ -302,9 +224,8 @@ void check_limits(const Scene& scene, Findings& findings) {
     check_int(at, "flexible.elements", body.flexible->elements, kMostElements);
     long elements = 0;
     for (const MemberSpec& member : body.flexible->members) elements += member.elements;
-    at.error_if(
-        elements > kMostElements, kTooLarge, "flexible.members",
-        "have " + std::to_string(elements) + " elements together, expected at most " + std::to_string(kMostElements));
+    at.error_if(elements > kMostElements, kTooLarge, "flexible.members", "have ", elements,
+                " elements together, expected at most ", kMostElements);
     if (body.shape) check_edge(at, "flexible.mesh_size", *body.shape, body.flexible->mesh_size, kMostPlateTriangles);
   }
   for (const BoundarySpec& boundary : scene.boundaries) {
@@ -319,8 +240,6 @@ void check_limits(const Scene& scene, Findings& findings) {
 }
 
 // Joints: two bodies, the points and axes that their type needs, no gap, and motions that can be followed.
-
-namespace {
 
 constexpr double kLargestGap = 1e-6;      // between points that should coincide in D [m]
 constexpr double kLargestCosine = 1e-3;   // of the two axes of a universal joint, given by numbers of four digits
@@ -341,26 +260,23 @@ void check_points(const JointSpec& joint, double largest_gap, const EntryFinding
     return;
   }
   const double gap = (joint.point_b - joint.point_a).norm();
-  at.error_if(!may_differ && gap > largest_gap, kJointOpen, "point_b",
-              "is " + number_text(gap) + " m from point_a: the joint between \"" + joint.bodies[0] + "\" and \"" +
-                  joint.bodies[1] + "\" is open; expected points within " + number_text(largest_gap) +
-                  " m (initial.largest_gap closes larger gaps)");
+  at.error_if(!may_differ && gap > largest_gap, kJointOpen, "point_b", "is ", gap,
+              " m from point_a: the joint between \"", joint.bodies[0], "\" and \"", joint.bodies[1],
+              "\" is open; expected points within ", largest_gap, " m (initial.largest_gap closes larger gaps)");
   if (joint.type == JointType::kRolling && joint.radius) {
     // The centre of a disc on its edge is lower when the disc leans.
     const double lean = at.given("axis2") ? joint.axis.cross(joint.axis2).norm() : 1.0;
     const double height = joint.axis.dot(joint.point_b - joint.point_a);
-    at.error_if(std::abs(height - *joint.radius * lean) > largest_gap, kJointGeometry, "point_b",
-                "is " + number_text(height) + " m above the plane, expected " + number_text(*joint.radius * lean) +
-                    " m" +
-                    (lean < 1.0 ? ", radius times the sine of the angle between axis and axis2" : ", the radius"));
+    at.error_if(std::abs(height - *joint.radius * lean) > largest_gap, kJointGeometry, "point_b", "is ", height,
+                " m above the plane, expected ", *joint.radius * lean, " m",
+                lean < 1.0 ? ", radius times the sine of the angle between axis and axis2" : ", the radius");
   }
   if (joint.type != JointType::kDistance) return;
   if (gap == 0.0) {
     at.error(kJointGeometry, "point_b", "is the same point as point_a; a distance joint needs two different ones");
   } else if (joint.length && std::abs(*joint.length - gap) > kLargestGap) {
-    at.error(kJointGeometry, "length",
-             "is " + number_text(*joint.length) + " m, but the points are " + number_text(gap) +
-                 " m apart; remove it, or move them");
+    at.error(kJointGeometry, "length", "is ", *joint.length, " m, but the points are ", gap,
+             " m apart; remove it, or move them");
   }
 }
 
@@ -398,16 +314,15 @@ void check_spline(const EntryFindings& at, const std::string& key, const TimeFun
       when = t;
     }
   if (overshoot > kOvershoot * range && range > 0.0)
-    at.warning(kSplineOvershoot, key + ".table",
-               "the smooth curve through the points leaves their range by " + number_text(overshoot, 3) + " at " +
-                   number_text(when, 3) + " s; give more points where the motion begins and ends");
+    at.warning(kSplineOvershoot, key + ".table", "the smooth curve through the points leaves their range by ",
+               number_text(overshoot, 3), " at ", number_text(when, 3),
+               " s; give more points where the motion begins and ends");
   const double speed = spline.at(times.back()).slope;
   const double beyond = std::abs(speed) * (end_time - times.back());
   if (end_time > times.back() && beyond > kOvershoot * range)
-    at.warning(kMotionContinues, key + ".table",
-               "ends at " + number_text(times.back(), 4) + " s; until " + number_text(end_time, 4) +
-                   " s the motion continues at its last speed, " + number_text(speed, 3) +
-                   " per s; give more points, the last ones equal where the motion should rest");
+    at.warning(kMotionContinues, key + ".table", "ends at ", number_text(times.back(), 4), " s; until ",
+               number_text(end_time, 4), " s the motion continues at its last speed, ", number_text(speed, 3),
+               " per s; give more points, the last ones equal where the motion should rest");
 }
 
 void check_motion(const JointSpec& joint, double end_time, const EntryFindings& at) {
@@ -434,10 +349,9 @@ void check_motion(const JointSpec& joint, double end_time, const EntryFindings& 
   }
   // sin(angle - f) = 0 is also fulfilled half a turn away.
   if (m.rotation && !(std::cos(initial_value(*m.rotation)) > 0.0))
-    at.error(kMotionStart, "motion.rotation",
-             "begins at " + number_text(degrees(initial_value(*m.rotation)), 4) +
-                 " degrees from the reference configuration, expected less than 90; draw the bodies as they start, and "
-                 "count the rotation from there");
+    at.error(kMotionStart, "motion.rotation", "begins at ", number_text(degrees(initial_value(*m.rotation)), 4),
+             " degrees from the reference configuration, expected less than 90; draw the bodies as they start, and "
+             "count the rotation from there");
 }
 
 // The directions that a joint prescribes, with their names.
@@ -454,9 +368,8 @@ std::vector<std::pair<std::string, Eigen::Vector3d>> displacements(const JointSp
 // Two motions of the same coordinate of the same two bodies: one of them would be dropped as redundant.
 void check_motion_twice(const JointSpec& first, const JointSpec& second, Findings& findings) {
   const auto report = [&](const std::string& key) {
-    findings.error(kMotionTwice, second.source, "motion." + key,
-                   "is already prescribed by joint \"" + first.name + "\" (line " + std::to_string(first.source.line) +
-                       ") between the same two bodies; keep one of them");
+    findings.error(kMotionTwice, second.source, "motion." + key, "is already prescribed by joint \"", first.name,
+                   "\" (line ", first.source.line, ") between the same two bodies; keep one of them");
   };
   if (first.motion->rotation && second.motion->rotation && std::abs(first.axis.dot(second.axis)) > kSameDirection)
     report("rotation");
@@ -470,17 +383,17 @@ void check_axes(const JointSpec& joint, const EntryFindings& at) {
   const JointTraits traits = traits_of(joint.type);
   const double cosine = std::abs(joint.axis.dot(joint.axis2));
   at.missing_if(traits.axis == KeyUse::kRequired && !at.given("axis"), "axis", "this type of joint needs it");
-  at.missing_if(traits.axis2 == KeyUse::kRequired && !at.given("axis2"), "axis2",
-                "a " + std::string(traits.name) + " joint has a second axis, fixed in \"" + joint.bodies[1] + "\"");
-  at.error_if(joint.type == JointType::kUniversal && cosine > kLargestCosine, kJointGeometry, "axis2",
-              "makes " + number_text(degrees(std::acos(std::min(1.0, cosine)))) + " degrees with axis, expected 90");
+  at.missing_if(traits.axis2 == KeyUse::kRequired && !at.given("axis2"), "axis2", "a ", traits.name,
+                " joint has a second axis, fixed in \"", joint.bodies[1], "\"");
+  at.error_if(joint.type == JointType::kUniversal && cosine > kLargestCosine, kJointGeometry, "axis2", "makes ",
+              degrees(std::acos(std::min(1.0, cosine))), " degrees with axis, expected 90");
   const bool has_x = joint.type == JointType::kPrescribed || (joint.type == JointType::kPlanar && at.given("axis2"));
   at.error_if(has_x && cosine > kSameDirection, kJointGeometry, "axis2",
               "is parallel to axis, expected the x direction of the joint, perpendicular to its z = axis");
   at.error_if(joint.type == JointType::kConstantVelocity && at.given("axis2") && cosine < std::cos(kLargestBend),
-              kJointGeometry, "axis2",
-              "makes " + number_text(degrees(std::acos(cosine)), 3) + " degrees with axis, expected less than " +
-                  number_text(degrees(kLargestBend), 3) + ": the axes of two shafts");
+              kJointGeometry, "axis2", "makes ", number_text(degrees(std::acos(cosine)), 3),
+              " degrees with axis, expected less than ", number_text(degrees(kLargestBend), 3),
+              ": the axes of two shafts");
   at.error_if(joint.type == JointType::kRolling && at.given("axis2") && cosine > kSameDirection, kJointGeometry,
               "axis2", "is parallel to axis, so the disc lies flat; expected a disc on its edge");
   at.missing_if(traits.radius == KeyUse::kRequired && !joint.radius, "radius", "the radius of the wheel [m]");
@@ -514,28 +427,12 @@ void check_shafts(const Scene& scene, const JointSpec& cv, const EntryFindings& 
       const double cosine = std::min(1.0, std::abs(cv.axis.dot(*shaft))), bend = std::acos(cosine);
       if (bend < kStraight || bend > kLargestBend) continue;
       const auto component = [&](int k) { return number_text((*shaft)[k], 9); };
-      at.error(kJointGeometry, side == 0 ? "axis" : "axis2",
-               (side == 0 ? "is " : "is missing: axis is ") + number_text(degrees(bend), 4) +
-                   " degrees from the shaft of body \"" + cv.bodies[side] + "\", which joint \"" + other.name +
-                   "\" shows along [" + component(0) + ", " + component(1) + ", " + component(2) +
-                   "]. Shafts turn evenly about axis (in a) and axis2 (in b): give both along their shafts");
+      at.error(kJointGeometry, side == 0 ? "axis" : "axis2", side == 0 ? "is " : "is missing: axis is ",
+               number_text(degrees(bend), 4), " degrees from the shaft of body \"", cv.bodies[side],
+               "\", which joint \"", other.name, "\" shows along [", component(0), ", ", component(1), ", ",
+               component(2), "]. Shafts turn evenly about axis (in a) and axis2 (in b): give both along their shafts");
       return;
     }
-  }
-}
-
-}  // namespace
-
-void check_function(const EntryFindings& at, const std::string& key, const std::optional<TimeFunctionSpec>& f) {
-  if (!f) return;
-  at.missing_if(f->amplitude != 0.0 && f->frequency == 0.0, key + ".frequency",
-                "an amplitude needs it (Hz). For a constant use polynomial = [value]");
-  for (std::size_t i = 1; i < f->table.size(); ++i) {
-    if (f->table[i].x() > f->table[i - 1].x()) continue;
-    at.error(kNotRising, key + ".table",
-             "has time " + number_text(f->table[i].x()) + " s after " + number_text(f->table[i - 1].x()) +
-                 " s, expected rising times");
-    break;
   }
 }
 
@@ -563,7 +460,13 @@ void check_joints(const Scene& scene, Findings& findings) {
 
 // Gears: joints that exist and have the coordinate, a factor for each, and the curve of a cam.
 
-namespace {
+// The joint of this name; null, with a finding, where there is none.
+const JointSpec* find_joint(const Scene& scene, const EntryFindings& at, const std::string& key,
+                            const std::string& name) {
+  if (const JointSpec* joint = scene.joint(name)) return joint;
+  at.error(kUnknownJoint, key, "unknown joint \"", name, "\".", known_names("joints", name, names_in(scene.joints)));
+  return nullptr;
+}
 
 // The joint of this index exists and leaves its coordinate free.
 void check_member(const Scene& scene, const GearSpec& gear, std::size_t i, const EntryFindings& at) {
@@ -572,29 +475,27 @@ void check_member(const Scene& scene, const GearSpec& gear, std::size_t i, const
   const std::vector<Coordinate> has = coordinates_of(joint->type);
   const std::string type(name_of(joint->type)), name = "\"" + joint->name + "\"";
   if (has.empty()) {
-    at.error(kUnknownCoordinate, "joints",
-             name + " is " + type +
-                 "; a gear connects angles and displacements of revolute, prismatic, cylindrical or planar joints");
+    at.error(kUnknownCoordinate, "joints", name, " is ", type,
+             "; a gear connects angles and displacements of revolute, prismatic, cylindrical or planar joints");
     return;
   }
   const std::string choice = i < gear.coordinates.size() ? gear.coordinates[i] : "auto";
   const std::string expected = "; expected " + coordinate_names(joint->type);
   if (choice != "auto" && !is_in(names_of<Coordinate>(), choice)) {
-    at.error(kUnknownCoordinate, "coordinates",
-             "contains \"" + choice + "\"" + expected + (has.size() == 1 ? " or \"auto\"" : "") + " for " + name);
+    at.error(kUnknownCoordinate, "coordinates", "contains \"", choice, "\"", expected,
+             has.size() == 1 ? " or \"auto\"" : "", " for ", name);
   } else if (choice == "auto" && has.size() > 1) {
-    at.error(kAmbiguousCoordinate, "coordinates",
-             name + " is " + type + " and has " + (has.size() == 2 ? "two" : "three") + expected +
-                 " for it, for example [\"" + (i == 0 ? "angle\", \"auto" : "auto\", \"angle") + "\"]");
+    at.error(kAmbiguousCoordinate, "coordinates", name, " is ", type, " and has ", has.size() == 2 ? "two" : "three",
+             expected, " for it, for example [\"", i == 0 ? "angle\", \"auto" : "auto\", \"angle", "\"]");
   } else if (choice != "auto" &&
              std::none_of(has.begin(), has.end(), [&](Coordinate c) { return name_of(c) == choice; })) {
-    at.error(kUnknownCoordinate, "coordinates",
-             "contains \"" + choice + "\" for " + name + ", which a " + type + " joint does not have" + expected);
+    at.error(kUnknownCoordinate, "coordinates", "contains \"", choice, "\" for ", name, ", which a ", type,
+             " joint does not have", expected);
   }
   for (std::size_t k = 0; k < i; ++k) {
     const std::string before = k < gear.coordinates.size() ? gear.coordinates[k] : "auto";
-    at.error_if(gear.joints[k] == gear.joints[i] && before == choice, kListedTwice, "joints",
-                name + " is listed twice with the same coordinate; list it once with the sum of its factors");
+    at.error_if(gear.joints[k] == gear.joints[i] && before == choice, kListedTwice, "joints", name,
+                " is listed twice with the same coordinate; list it once with the sum of its factors");
   }
 }
 
@@ -611,17 +512,15 @@ void check_cam(const Scene& scene, const GearSpec& gear, const EntryFindings& at
     return;
   }
   at.error_if(gear.closed && curve.front()[1] != curve.back()[1], kCamCurve, "curve",
-              "is closed, but begins with the value " + number_text(curve.front()[1]) + " and ends with " +
-                  number_text(curve.back()[1]) + "; expected the same value at both ends");
+              "is closed, but begins with the value ", curve.front()[1], " and ends with ", curve.back()[1],
+              "; expected the same value at both ends");
   if (gear.joints.empty() || !find_joint(scene, at, "joints", gear.joints.back())) return;
   if (scene.coordinate_of(gear, gear.joints.size() - 1) != Coordinate::kAngle) return;
   const double span = curve.back()[0] - curve.front()[0];
-  at.error_if(gear.closed ? std::abs(span - 2.0 * kPi) > 1e-3 : span > 2.0 * kPi + 1e-3, kCamCurve, "curve",
-              "spans " + number_text(span) + " rad; expected " +
-                  (gear.closed ? "one turn of a closed curve, 2 pi" : "at most one turn, 2 pi, of an angle"));
+  at.error_if(gear.closed ? std::abs(span - 2.0 * kPi) > 1e-3 : span > 2.0 * kPi + 1e-3, kCamCurve, "curve", "spans ",
+              span, " rad; expected ",
+              gear.closed ? "one turn of a closed curve, 2 pi" : "at most one turn, 2 pi, of an angle");
 }
-
-}  // namespace
 
 void check_gears(const Scene& scene, Findings& findings) {
   check_unique_names(scene.gears, "gear", findings);
@@ -629,19 +528,17 @@ void check_gears(const Scene& scene, Findings& findings) {
     const EntryFindings at(findings, gear.source);
     const std::size_t joints = gear.joints.size();
     const auto one_for_each = [&](std::size_t count) {
-      return "has " + std::to_string(count) + " entries for " + std::to_string(joints) +
-             " joints; expected one for each";
+      return concat("has ", count, " entries for ", joints, " joints; expected one for each");
     };
     if (const JointSpec* joint = scene.joint(gear.name); joint != nullptr && !gear.name.empty())
-      at.error(kDuplicateName, "name",
-               "is also the name of a joint (line " + std::to_string(joint->source.line) + "); names must differ");
+      at.error(kDuplicateName, "name", "is also the name of a joint (line ", joint->source.line,
+               "); names must differ");
     if (at.given("joints")) {
-      at.error_if(joints < 2, kWrongCount, "joints",
-                  "contains " + std::to_string(joints) + " names, expected two or more");
+      at.error_if(joints < 2, kWrongCount, "joints", "contains ", joints, " names, expected two or more");
       for (std::size_t i = 0; i < joints; ++i) check_member(scene, gear, i, at);
     }
     at.error_if(at.given("joints") && at.given("factors") && gear.factors.size() != joints, kWrongCount, "factors",
-                one_for_each(gear.factors.size()) + ": the sum of factor times coordinate stays zero");
+                one_for_each(gear.factors.size()), ": the sum of factor times coordinate stays zero");
     at.error_if(!gear.coordinates.empty() && gear.coordinates.size() != joints, kWrongCount, "coordinates",
                 one_for_each(gear.coordinates.size()));
     check_cam(scene, gear, at);
@@ -653,23 +550,21 @@ void check_gears(const Scene& scene, Findings& findings) {
 
 // What acts on the coordinates of joints: stops, friction, springs, drives; and where the coordinates start.
 
-namespace {
-
 // "is no coordinate of a spherical joint; expected a joint of type revolute or cylindrical".
 std::string no_coordinate(Coordinate coordinate, JointType type) {
   std::vector<std::string> types;
   for (const JointType other : every<JointType>())
     if (has_coordinate(other, coordinate)) types.emplace_back(name_of(other));
   const std::string names = coordinate_names(type);
-  return "is no coordinate of a " + std::string(name_of(type)) + " joint; expected " +
-         (names.empty() ? "" : names + " of it, or ") + "a joint of type " + joined(types, " or ");
+  return concat("is no coordinate of a ", name_of(type), " joint; expected ",
+                names.empty() ? "" : names + " of it, or ", "a joint of type ", joined(types, " or "));
 }
 
 Unit unit_of(Coordinate coordinate) { return coordinate == Coordinate::kAngle ? Unit::kAngle : Unit::kLength; }
 
 // "20 degrees", "0.01 m".
 std::string value_text(double value, Unit unit) {
-  if (unit == Unit::kAngle) return number_text(value * 180.0 / kPi) + " degrees";
+  if (unit == Unit::kAngle) return concat(value * 180.0 / kPi, " degrees");
   return number_text(value) + (unit == Unit::kLength ? " m" : "");
 }
 
@@ -686,9 +581,8 @@ void check_coordinate(const JointSpec& joint, Coordinate coordinate, const Entry
     if (min && max) check_min_below_max(at, key + ".stops.", *min, *max, unit_of(coordinate));
   }
   if (c->friction && c->friction->breakaway && *c->friction->breakaway < c->friction->coulomb)
-    at.error(kRangeReversed, key + ".friction.breakaway",
-             "is " + number_text(*c->friction->breakaway) + ", expected at least coulomb, " +
-                 number_text(c->friction->coulomb));
+    at.error(kRangeReversed, key + ".friction.breakaway", "is ", *c->friction->breakaway,
+             ", expected at least coulomb, ", c->friction->coulomb);
   at.error_if(c->spring && c->spring->stiffness == 0.0 && c->spring->damping == 0.0, kEmptyEntry, key + ".spring",
               "has neither stiffness nor damping; give one of them");
 }
@@ -702,10 +596,9 @@ void warn_of_start_beyond_stops(const JointSpec& joint, const InitialJointSpec& 
   const bool below = min && value < *min;
   if (!below && !(max && value > *max)) return;
   const Unit unit = unit_of(coordinate);
-  at.warning(kStartBeyondStop, std::string(name_of(coordinate)),
-             "starts joint \"" + joint.name + "\" at " + value_text(value, unit) + ", beyond its stop at " +
-                 value_text(below ? *min : *max, unit) +
-                 ", which throws it back at once; start it within its stops, or move the stop");
+  at.warning(kStartBeyondStop, std::string(name_of(coordinate)), "starts joint \"", joint.name, "\" at ",
+             value_text(value, unit), ", beyond its stop at ", value_text(below ? *min : *max, unit),
+             ", which throws it back at once; start it within its stops, or move the stop");
 }
 
 // The joint exists and leaves the coordinate free.
@@ -716,37 +609,15 @@ void check_coordinate_of(const Scene& scene, const DriveSpec& drive, const Entry
   const std::string type(name_of(joint->type)), expected = "; expected " + coordinate_names(joint->type);
   const std::size_t count = coordinates_of(joint->type).size();
   if (count == 0) {
-    at.error(kUnknownCoordinate, "joint",
-             "\"" + drive.joint + "\" is " + type +
-                 "; a drive moves an angle or displacement of a revolute, prismatic, cylindrical or planar joint");
+    at.error(kUnknownCoordinate, "joint", "\"", drive.joint, "\" is ", type,
+             "; a drive moves an angle or displacement of a revolute, prismatic, cylindrical or planar joint");
   } else if (!drive.coordinate) {
-    at.error_if(count > 1, kAmbiguousCoordinate, "coordinate",
-                "is missing; a " + type + " joint has " + (count == 2 ? "two" : "three") + expected);
+    at.error_if(count > 1, kAmbiguousCoordinate, "coordinate", "is missing; a ", type, " joint has ",
+                count == 2 ? "two" : "three", expected);
   } else if (!has_coordinate(joint->type, *drive.coordinate)) {
-    at.error(
-        kUnknownCoordinate, "coordinate",
-        "is \"" + std::string(name_of(*drive.coordinate)) + "\", which a " + type + " joint does not have" + expected);
+    at.error(kUnknownCoordinate, "coordinate", "is \"", name_of(*drive.coordinate), "\", which a ", type,
+             " joint does not have", expected);
   }
-}
-
-}  // namespace
-
-const JointSpec* find_joint(const Scene& scene, const EntryFindings& at, const std::string& key,
-                            const std::string& name) {
-  if (const JointSpec* joint = scene.joint(name)) return joint;
-  at.error(kUnknownJoint, key, "unknown joint \"" + name + "\"." + known_names("joints", name, names_in(scene.joints)));
-  return nullptr;
-}
-
-void check_min_below_max(const EntryFindings& at, const std::string& within, double min, double max, Unit unit) {
-  if (min < max) return;
-  // The finding is about the value from --set.
-  const Source& source = at.source();
-  const bool of_min = source.line_of(within + "min") == Source::kFromSet && source.line_of(within + "max") > 0;
-  const double mine = of_min ? min : max, other = of_min ? max : min;
-  at.error(kRangeReversed, within + (of_min ? "min" : "max"),
-           "is " + value_text(mine, unit) + ", expected " + (of_min ? "less than max, " : "more than min, ") +
-               value_text(other, unit));
 }
 
 void check_initial_joints(const Scene& scene, Findings& findings) {
@@ -764,9 +635,8 @@ void check_initial_joints(const Scene& scene, Findings& findings) {
       warn_of_start_beyond_stops(*joint, given, coordinate, at);
     }
     if (given.angle && std::abs(*given.angle) > kPi)
-      at.error(kInitialJoint, "angle",
-               "is " + number_text(*given.angle * 180.0 / kPi, 6) +
-                   " degrees, expected at most half a turn: the laws of this angle count turns from there");
+      at.error(kInitialJoint, "angle", "is ", number_text(*given.angle * 180.0 / kPi, 6),
+               " degrees, expected at most half a turn: the laws of this angle count turns from there");
     at.error_if(empty && given.source.refused.empty(), kEmptyEntry, "",
                 "is empty; expected angle or displacement, for example angle_deg = 30");
   }
@@ -784,8 +654,6 @@ void check_initial_joints(const Scene& scene, Findings& findings) {
                "start differs from it");
 }
 
-namespace {
-
 // max_torque [N m] of an angle, max_force [N] of a displacement.
 void check_largest_effort(const Scene& scene, const DriveSpec& drive, const EntryFindings& at) {
   const bool torque = at.given("max_torque"), force = at.given("max_force");
@@ -800,8 +668,6 @@ void check_largest_effort(const Scene& scene, const DriveSpec& drive, const Entr
     at.warning(kSecondSpelling, "max_torque",
                "is read as \"max_force\" [N], because the drive moves a displacement; write that");
 }
-
-}  // namespace
 
 void check_drives(const Scene& scene, Findings& findings) {
   for (const JointSpec& joint : scene.joints)
@@ -827,6 +693,83 @@ void check_drives(const Scene& scene, Findings& findings) {
     at.error_if(motor.no_load_speed && !motor.largest_torque, kNeedsOtherKey, "max_torque",
                 "is missing; the torque falls from it at rest to 0 at max_speed");
   }
+}
+
+}  // namespace
+
+std::vector<std::string> boundary_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const BoundarySpec& boundary : scene.boundaries) names.push_back(boundary.body);
+  return names;
+}
+
+void check_material_name(const Scene& scene, const BodySpec& body, const EntryFindings& at) {
+  check_known(at, kUnknownMaterial, "material", "material", "materials", body.material, scene.materials,
+              scene.indices.materials);
+}
+
+void check_body_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name) {
+  check_known(at, kUnknownBody, key, "body", "bodies", name, scene.bodies, scene.indices.bodies);
+}
+
+void check_signal_name(const Scene& scene, const EntryFindings& at, const std::string& key, const std::string& name) {
+  for (const SignalSpec& signal : scene.signals)
+    if (signal.is_foreign() && is_in(signal.output_signals(), name)) return;
+  check_known(at, kUnknownSignal, key, "signal", "signals", name, scene.signals, scene.indices.signals);
+}
+
+void check_pair(const Scene& scene, const EntryFindings& at, const std::array<std::string, 2>& bodies) {
+  for (const std::string& name : bodies)
+    if (name != "ground") check_body_name(scene, at, "bodies", name);
+  at.error_if(!bodies[0].empty() && bodies[0] == bodies[1], kListedTwice, "bodies", "are both \"", bodies[0],
+              "\"; expected two different ones");
+}
+
+void check_scene(const Scene& scene, Findings& findings) {
+  check_bodies(scene, findings);
+  warn_of_loose_bodies(scene, findings);
+  warn_of_gravity_upwards(scene, findings);
+  check_joints(scene, findings);
+  check_drives(scene, findings);
+  check_gears(scene, findings);
+  check_initial_joints(scene, findings);
+  check_controllers(scene, findings);
+  check_signals(scene, findings);
+  check_struts(scene, findings);
+  check_cables(scene, findings);
+  check_springs(scene, findings);
+  check_forces(scene, findings);
+  check_contact(scene, findings);
+  check_from(scene, findings);
+  check_groups(scene, findings);
+  check_landing(scene, findings);
+  check_requirements(scene, findings);
+  check_accepted(scene, findings);
+  check_limits(scene, findings);
+  if (!findings.has_errors()) check_plausible(scene, findings);
+  if (scene.particles && scene.touches_particles()) check_script(scene, findings);
+}
+
+void check_function(const EntryFindings& at, const std::string& key, const std::optional<TimeFunctionSpec>& f) {
+  if (!f) return;
+  at.missing_if(f->amplitude != 0.0 && f->frequency == 0.0, key + ".frequency",
+                "an amplitude needs it (Hz). For a constant use polynomial = [value]");
+  for (std::size_t i = 1; i < f->table.size(); ++i) {
+    if (f->table[i].x() > f->table[i - 1].x()) continue;
+    at.error(kNotRising, key + ".table", "has time ", f->table[i].x(), " s after ", f->table[i - 1].x(),
+             " s, expected rising times");
+    break;
+  }
+}
+
+void check_min_below_max(const EntryFindings& at, const std::string& within, double min, double max, Unit unit) {
+  if (min < max) return;
+  // The finding is about the value from --set.
+  const Source& source = at.source();
+  const bool of_min = source.line_of(within + "min") == Source::kFromSet && source.line_of(within + "max") > 0;
+  const double mine = of_min ? min : max, other = of_min ? max : min;
+  at.error(kRangeReversed, within + (of_min ? "min" : "max"), "is ", value_text(mine, unit), ", expected ",
+           of_min ? "less than max, " : "more than min, ", value_text(other, unit));
 }
 
 }  // namespace footfall

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 
@@ -17,7 +16,6 @@
 #include "mbd_solver/scene/scene_check.h"
 
 namespace footfall {
-
 using namespace code;
 
 namespace {
@@ -63,28 +61,26 @@ struct FmuUse {
                          bool whole_arrays) const {
     const FmuElement found = find_element(fmu, name, signal.start);
     if (!found.variable) {
-      at.error(kFmuVariable, key,
-               "names \"" + name + "\", which the FMU does not have." +
-                   known_names("variables for this", name, usable_names(fmu, causalities)));
+      at.error(kFmuVariable, key, "names \"", name, "\", which the FMU does not have.",
+               known_names("variables for this", name, usable_names(fmu, causalities)));
       return nullptr;
     }
     const FmuVariable& v = *found.variable;
     if (!found.problem.empty() && !(whole_arrays && v.name == name)) {
-      at.error(kFmuArray, key, "names \"" + name + "\", which " + found.problem);
+      at.error(kFmuArray, key, "names \"", name, "\", which ", found.problem);
       return nullptr;
     }
     if (causalities.count(v.causality) == 0) {
-      at.error(kFmuCausality, key,
-               "names \"" + name + "\", whose causality is \"" + v.causality + "\", expected " +
-                   joined({causalities.begin(), causalities.end()}, " or ") + "." +
-                   known_names("variables for this", name, usable_names(fmu, causalities)));
+      at.error(kFmuCausality, key, "names \"", name, "\", whose causality is \"", v.causality, "\", expected ",
+               joined({causalities.begin(), causalities.end()}, " or "), ".",
+               known_names("variables for this", name, usable_names(fmu, causalities)));
       return nullptr;
     }
     return &v;
   }
   bool require_number(const std::string& key, const FmuVariable& v) const {
-    at.error_if(!v.is_number(), kFmuType, key,
-                "names \"" + v.name + "\", which is of the type " + v.type + ", expected a number or a Boolean");
+    at.error_if(!v.is_number(), kFmuType, key, "names \"", v.name, "\", which is of the type ", v.type,
+                ", expected a number or a Boolean");
     return v.is_number();
   }
 };
@@ -99,15 +95,15 @@ void check_start(const FmuUse& use, const std::string& name, const std::string& 
   const FmuVariable* const v =
       use.use("start", name, {"parameter", "structuralParameter", "input", "output", "local"}, true);
   if (!v) return;
-  use.at.error_if(v->variability == "constant", kFmuCausality, "start",
-                  "names \"" + name + "\", which is constant; remove it");
-  use.at.error_if(v->type == "Binary" || v->type == "Clock", kFmuType, "start",
-                  "names \"" + name + "\" of the type " + v->type + ", which a scene cannot set; remove it");
+  use.at.error_if(v->variability == "constant", kFmuCausality, "start", "names \"", name,
+                  "\", which is constant; remove it");
+  use.at.error_if(v->type == "Binary" || v->type == "Clock", kFmuType, "start", "names \"", name, "\" of the type ",
+                  v->type, ", which a scene cannot set; remove it");
   if (!v->is_number()) return;
   const bool word = v->type == "Boolean" && (value == "true" || value == "false");
   for (const std::string& each : split(value, ' '))
-    use.at.error_if(!word && !each.empty() && !reads_as_number(each), kWrongType, "start",
-                    "gives \"" + name + "\" the value \"" + each + "\", expected a number");
+    use.at.error_if(!word && !each.empty() && !reads_as_number(each), kWrongType, "start", "gives \"", name,
+                    "\" the value \"", each, "\", expected a number");
 }
 
 void check_fmu(const SignalSpec& s, const EntryFindings& at) {
@@ -127,6 +123,17 @@ void check_fmu(const SignalSpec& s, const EntryFindings& at) {
   for (const auto& [name, value] : s.start) check_start(use, name, value);
 }
 
+// A Python file without these functions keeps nothing, or cannot say what.
+bool keeps_its_state(const SignalSpec& s) {
+  if (s.stateless) return true;
+  const std::string text = read_whole_file(s.file).value_or("");
+  const auto defines = [&](const std::string& what) {
+    return text.find("\ndef " + what + "(") != std::string::npos || text.rfind("def " + what + "(", 0) == 0 ||
+           text.find("\n" + what + " = ") != std::string::npos;
+  };
+  return defines("save") && defines("restore");
+}
+
 }  // namespace
 
 std::vector<std::string> SignalSpec::output_signals() const {
@@ -139,17 +146,17 @@ std::vector<std::string> SignalSpec::output_signals() const {
 FmuDescription describe_fmu(const std::string& file) {
   const std::string host = fmu_host();
   if (host.empty())
-    throw InputError(kFmuHost, "the program footfall_fmu_host is not built, which reads FMUs; " + kBuildFmuHost);
+    throw InputError(kFmuHost, "the program footfall_fmu_host is not built, which reads FMUs; ", kBuildFmuHost);
   std::string answer;
   try {
     answer = HelperProcess({Rights::starting({host}), {host, "describe"}}, kTimeToDescribe).ask("D" + file);
   } catch (const NoAnswer& error) {
-    throw InputError(kFmuFile, file + ": the program that reads it " + error.what());
+    throw InputError(kFmuFile, file, ": the program that reads it ", error.what());
   }
   if (!answer.empty() && answer[0] == 'V') return fmu_description_of(answer.substr(1));
   const std::size_t tab = answer.find('\t');
-  if (answer.empty() || tab == std::string::npos) throw InputError(kFmuFile, file + ": cannot be read as an FMU");
-  throw InputError(code_of_problem(answer.substr(1, tab - 1)), file + ": " + answer.substr(tab + 1));
+  if (answer.empty() || tab == std::string::npos) throw InputError(kFmuFile, file, ": cannot be read as an FMU");
+  throw InputError(code_of_problem(answer.substr(1, tab - 1)), file, ": ", answer.substr(tab + 1));
 }
 
 // Whether a Python file may define a name; a file that imports all names of another may.
@@ -179,9 +186,8 @@ void check_foreign(const Scene& scene, const SignalSpec& s, const EntryFindings&
     at.error_if(!s.input_names.empty(), kWrongType, "inputs", "is a table, expected a list of expressions");
     if (s.file.empty() || s.function.empty()) return;
     if (const std::optional<std::string> text = read_whole_file(s.file); text && !may_define(*text, s.function))
-      at.warning(kNoFunction, "function",
-                 "is \"" + s.function + "\", which " + s.file + " does not define; write  def " + s.function +
-                     "(time, ...)  there, or name a function of the file");
+      at.warning(kNoFunction, "function", "is \"", s.function, "\", which ", s.file, " does not define; write  def ",
+                 s.function, "(time, ...)  there, or name a function of the file");
     return;
   }
   at.missing_if(s.file.empty() && !refused("file"), "file", "an fmu signal is computed by an .fmu file");
@@ -194,16 +200,15 @@ void check_foreign(const Scene& scene, const SignalSpec& s, const EntryFindings&
   const std::vector<std::string> signals = s.output_signals();
   for (std::size_t i = 0; i < signals.size(); ++i) {
     const std::string& name = signals[i];
-    at.error_if(
-        name.size() <= s.name.size() + 1, kBadName, "outputs",
-        "has \"" + s.outputs[i] + "\", of which no name can be made; write { name = \"" + s.outputs[i] + "\" }");
-    at.error_if(!is_plain_name(name) || name.find('-') != std::string::npos, kBadName, "outputs",
-                "makes the signal \"" + name + "\", expected letters, digits, _ and .");
-    at.error_if(!names.insert(name).second, kDuplicateName, "outputs",
-                "makes the signal \"" + name + "\" twice; write { name = \"variable\", ... }");
+    at.error_if(name.size() <= s.name.size() + 1, kBadName, "outputs", "has \"", s.outputs[i],
+                "\", of which no name can be made; write { name = \"", s.outputs[i], "\" }");
+    at.error_if(!is_plain_name(name) || name.find('-') != std::string::npos, kBadName, "outputs", "makes the signal \"",
+                name, "\", expected letters, digits, _ and .");
+    at.error_if(!names.insert(name).second, kDuplicateName, "outputs", "makes the signal \"", name,
+                "\" twice; write { name = \"variable\", ... }");
     for (const SignalSpec& other : scene.signals)
-      at.error_if(other.name == name, kDuplicateName, "outputs",
-                  "makes the signal \"" + name + "\", which is another signal as well; rename one of them");
+      at.error_if(other.name == name, kDuplicateName, "outputs", "makes the signal \"", name,
+                  "\", which is another signal as well; rename one of them");
   }
   std::error_code none;
   const bool there = std::filesystem::is_regular_file(s.file, none);  // another check reports a file that is not
@@ -218,35 +223,17 @@ void require_trust(const Scene& scene, bool trusted) {
   if (trusted) return;
   for (const SignalSpec& s : scene.signals)
     if (s.is_foreign())
-      throw InputError(kForeignCode,
-                       place_of(scene.file, s.source, "file") + s.file +
-                           " is a program, which may do whatever you may; if you trust it, add --trust-script");
+      throw InputError(kForeignCode, place_of(scene.file, s.source, "file"), s.file,
+                       " is a program, which may do whatever you may; if you trust it, add --trust-script");
 }
-
-namespace {
-
-// A Python file without these functions keeps nothing, or cannot say what.
-bool keeps_its_state(const SignalSpec& s) {
-  if (s.stateless) return true;
-  const std::string text = read_whole_file(s.file).value_or("");
-  const auto defines = [&](const std::string& what) {
-    return text.find("\ndef " + what + "(") != std::string::npos || text.rfind("def " + what + "(", 0) == 0 ||
-           text.find("\n" + what + " = ") != std::string::npos;
-  };
-  return defines("save") && defines("restore");
-}
-
-}  // namespace
 
 void require_foreign_code(const Scene& scene) {
   for (const SignalSpec& s : scene.signals) {
     if (s.kind == SignalKind::kPython && scene.output.checkpoint_interval > 0.0 && !keeps_its_state(s))
-      throw InputError(
-          kScriptState,
-          place_of(scene.file, scene.output.source, "checkpoint_interval") + "asks for checkpoints, but " + s.file +
-              " of signal \"" + s.name +
-              "\" has no functions save() and restore(saved); add them, give the signal stateless = true if it "
-              "keeps nothing between calls, or remove checkpoint_interval");
+      throw InputError(kScriptState, place_of(scene.file, scene.output.source, "checkpoint_interval"),
+                       "asks for checkpoints, but ", s.file, " of signal \"", s.name,
+                       "\" has no functions save() and restore(saved); add them, give the signal stateless = true if "
+                       "it keeps nothing between calls, or remove checkpoint_interval");
     if (s.kind != SignalKind::kFmu) continue;
     const std::string where = place_of(scene.file, s.source, "file");
     FmuDescription fmu;
@@ -257,15 +244,13 @@ void require_foreign_code(const Scene& scene) {
     }
     if (!fmu.obstacle.empty()) {
       const std::size_t tab = fmu.obstacle.find(' ');
-      throw InputError(code_of_problem(fmu.obstacle.substr(0, tab)),
-                       where + s.file + ": " + fmu.obstacle.substr(tab + 1));
+      throw InputError(code_of_problem(fmu.obstacle.substr(0, tab)), where, s.file, ": ", fmu.obstacle.substr(tab + 1));
     }
     if (!fmu.keeps_state && scene.output.checkpoint_interval > 0.0)
-      throw InputError(kFmuState,
-                       place_of(scene.file, scene.output.source, "checkpoint_interval") +
-                           "asks for checkpoints, but the FMU of signal \"" + s.name +
-                           "\" cannot tell its state (canSerializeFMUState); remove checkpoint_interval, or export "
-                           "the FMU with that ability");
+      throw InputError(kFmuState, place_of(scene.file, scene.output.source, "checkpoint_interval"),
+                       "asks for checkpoints, but the FMU of signal \"", s.name,
+                       "\" cannot tell its state (canSerializeFMUState); remove checkpoint_interval, or export the FMU "
+                       "with that ability");
   }
 }
 

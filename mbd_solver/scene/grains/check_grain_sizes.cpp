@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/scene/grains/bed_parts.h"
 #include "mbd_solver/scene/grains/grain_sizes.h"
@@ -20,7 +21,7 @@ constexpr double kWidestDeviation = 1.0;  // of ln(diameter)
 constexpr std::size_t kMostZones = 8, kMostBlocks = 64;
 constexpr double kLeastZone = 4.0, kLeastZoneDepth = 2.0;  // of a zone, over its largest radius
 
-std::string count_text(std::size_t count) { return "has " + std::to_string(count) + " numbers"; }
+std::string count_text(std::size_t count) { return concat("has ", count, " numbers"); }
 
 // "particles.box." and "particles.box.zones.0.": keys of one part of the bed.
 class SizesCheck {
@@ -50,11 +51,10 @@ class SizesCheck {
     }
     at_.missing_if(!given("radius"), prefix_ + "radius", "give the radius of the grains [m], or size_distribution");
     const std::size_t n = sizes.radius.size();
-    at_.error_if(n > kMostSizes, kWrongCount, prefix_ + "radius",
-                 count_text(n) + ", expected at most " + std::to_string(kMostSizes) + " radii, in m");
+    at_.error_if(n > kMostSizes, kWrongCount, prefix_ + "radius", count_text(n), ", expected at most ", kMostSizes,
+                 " radii, in m");
     at_.error_if(n > 0 && !sizes.shares.empty() && sizes.shares.size() != n, kWrongCount, prefix_ + "shares",
-                 count_text(sizes.shares.size()) + " and radius " + std::to_string(n) +
-                     ", expected as many in each, or no shares");
+                 count_text(sizes.shares.size()), " and radius ", n, ", expected as many in each, or no shares");
   }
 
   bool given(const std::string& key) const { return at_.given(prefix_ + key); }
@@ -72,9 +72,8 @@ class SizesCheck {
     if (radius && !distribution) {
       sizes.size_distribution.reset();
     } else if (!distribution || radius) {
-      at_.error(kConflictingKeys, prefix_ + "size_distribution",
-                std::string("excludes ") + (given("radius") ? "radius" : "shares") +
-                    ", which follows from it; keep one of the two");
+      at_.error(kConflictingKeys, prefix_ + "size_distribution", "excludes ", given("radius") ? "radius" : "shares",
+                ", which follows from it; keep one of the two");
     }
   }
 
@@ -83,16 +82,13 @@ class SizesCheck {
     const std::string key = prefix_ + "size_distribution.diameters";
     const std::size_t n = d.diameters.size();
     if (n < least || n > most) {
-      at_.error(
-          kSizeDistribution, key,
-          count_text(n) + ", expected " + std::to_string(least) + " to " + std::to_string(most) + " diameters in m");
+      at_.error(kSizeDistribution, key, count_text(n), ", expected ", least, " to ", most, " diameters in m");
       return false;
     }
     for (std::size_t k = 0; k + 1 < n; ++k)
       if (d.diameters[k + 1] <= d.diameters[k]) {
-        at_.error(kSizeDistribution, key,
-                  "has " + number_text(d.diameters[k + 1]) + " after " + number_text(d.diameters[k]) +
-                      " m, expected increasing diameters, each once");
+        at_.error(kSizeDistribution, key, "has ", d.diameters[k + 1], " after ", d.diameters[k],
+                  " m, expected increasing diameters, each once");
         return false;
       }
     return true;
@@ -103,7 +99,7 @@ class SizesCheck {
     const std::string of = prefix_ + "size_distribution.";
     bool all = true;
     for (const std::string& key : needed) {
-      at_.missing_if(!at_.given(of + key), of + key, "the kind \"" + kind + "\" needs it");
+      at_.missing_if(!at_.given(of + key), of + key, "the kind \"", kind, "\" needs it");
       all = all && at_.source().good(of + key);
     }
     for (const char* key :
@@ -132,15 +128,14 @@ class SizesCheck {
     if (!has_keys("table", {"diameters", "fractions"}, {}) || !check_diameters(d, 1, kMostSizes)) return false;
     const std::string key = prefix_ + "size_distribution.fractions";
     if (d.fractions.size() != d.diameters.size()) {
-      at_.error(kSizeDistribution, key,
-                count_text(d.fractions.size()) + " for " + std::to_string(d.diameters.size()) +
-                    " diameters, expected one for each");
+      at_.error(kSizeDistribution, key, count_text(d.fractions.size()), " for ", d.diameters.size(),
+                " diameters, expected one for each");
       return false;
     }
     double sum = 0.0;
     for (const double fraction : d.fractions) sum += fraction;
-    at_.error_if(std::abs(sum - 1.0) > kWhole, kSizeDistribution, key,
-                 "sum up to " + number_text(sum, 4) + ", expected 1: the shares of the diameters in the mass");
+    at_.error_if(std::abs(sum - 1.0) > kWhole, kSizeDistribution, key, "sum up to ", number_text(sum, 4),
+                 ", expected 1: the shares of the diameters in the mass");
     return true;
   }
 
@@ -148,41 +143,34 @@ class SizesCheck {
     if (!has_keys("sieve", {"diameters", "passing"}, {}) || !check_diameters(d, 2, kMostSizes + 1)) return false;
     const std::string key = prefix_ + "size_distribution.passing";
     if (d.passing.size() != d.diameters.size()) {
-      at_.error(kSizeDistribution, key,
-                count_text(d.passing.size()) + " for " + std::to_string(d.diameters.size()) +
-                    " sieves, expected one for each");
+      at_.error(kSizeDistribution, key, count_text(d.passing.size()), " for ", d.diameters.size(),
+                " sieves, expected one for each");
       return false;
     }
     for (std::size_t k = 0; k + 1 < d.passing.size(); ++k)
       if (d.passing[k + 1] < d.passing[k]) {
-        at_.error(
-            kSizeDistribution, key,
-            "has " + number_text(d.passing[k + 1]) + " after " + number_text(d.passing[k]) +
-                ", expected the share of the mass that passes each sieve, which does not fall from fine to coarse");
+        at_.error(kSizeDistribution, key, "has ", d.passing[k + 1], " after ", d.passing[k],
+                  ", expected the share of the mass that passes each sieve, which does not fall from fine to coarse");
         return false;
       }
-    at_.error_if(!(d.passing.back() > d.passing.front()), kSizeDistribution, key,
-                 "is " + number_text(d.passing.front()) +
-                     " for all sieves, so no grain lies between them; expected a "
-                     "curve that rises");
+    at_.error_if(!(d.passing.back() > d.passing.front()), kSizeDistribution, key, "is ", d.passing.front(),
+                 " for all sieves, so no grain lies between them; expected a curve that rises");
     return true;
   }
 
   bool check_lognormal(const SizeDistributionSpec& d) const {
     if (!has_keys("lognormal", {"median", "deviation"}, {"finest", "coarsest", "classes"})) return false;
     const std::string of = prefix_ + "size_distribution.";
-    at_.error_if(
-        d.deviation > kWidestDeviation, kSizeDistribution, of + "deviation",
-        "is " + number_text(d.deviation) +
-            ", expected at most 1: the standard deviation of the natural logarithm of the diameter, 0.3 if most "
-            "grains are within 30 % of the median");
-    at_.error_if(d.classes > static_cast<int>(kMostSizes), kSizeDistribution, of + "classes",
-                 "is " + std::to_string(d.classes) + ", expected at most " + std::to_string(kMostSizes));
+    at_.error_if(d.deviation > kWidestDeviation, kSizeDistribution, of + "deviation", "is ", d.deviation,
+                 ", expected at most 1: the standard deviation of the natural logarithm of the diameter, 0.3 if "
+                 "most grains are within 30 % of the median");
+    at_.error_if(d.classes > static_cast<int>(kMostSizes), kSizeDistribution, of + "classes", "is ", d.classes,
+                 ", expected at most ", kMostSizes);
     const double finest = d.finest.value_or(0.0), coarsest = d.coarsest.value_or(HUGE_VAL);
-    at_.error_if(finest >= d.median, kSizeDistribution, of + "finest",
-                 "is " + number_text(finest) + " m, expected less than the median, " + number_text(d.median) + " m");
-    at_.error_if(coarsest <= d.median, kSizeDistribution, of + "coarsest",
-                 "is " + number_text(coarsest) + " m, expected more than the median, " + number_text(d.median) + " m");
+    at_.error_if(finest >= d.median, kSizeDistribution, of + "finest", "is ", finest,
+                 " m, expected less than the median, ", d.median, " m");
+    at_.error_if(coarsest <= d.median, kSizeDistribution, of + "coarsest", "is ", coarsest,
+                 " m, expected more than the median, ", d.median, " m");
     return true;
   }
 
@@ -193,35 +181,33 @@ class SizesCheck {
 void check_zone(const Scene& scene, const EntryFindings& at, const GrainZoneSpec& zone, const std::string& key) {
   const BoxSpec& box = *scene.particles->box;
   if (zone.size.size() != 2) {
-    at.error(kWrongCount, key + ".size", count_text(zone.size.size()) + ", expected [along x, along y] in m");
+    at.error(kWrongCount, key + ".size", count_text(zone.size.size()), ", expected [along x, along y] in m");
     return;
   }
   at.missing_if(zone.under.empty() && !at.given(key + ".centre"), key + ".under",
                 "name the bodies under which the zone lies, or give its centre = [x, y]");
   at.given_twice_if(!zone.under.empty() && !zone.centre.empty(), key + ".centre", "under");
   at.error_if(!zone.centre.empty() && zone.centre.size() != 2, kWrongCount, key + ".centre",
-              count_text(zone.centre.size()) + ", expected [x, y] in m");
+              count_text(zone.centre.size()), ", expected [x, y] in m");
   for (const std::string& name : zone.under)
-    at.error_if(!scene.body(name), kUnknownBody, key + ".under",
-                "unknown body \"" + name + "\"." + known_names("bodies", name, names_in(scene.bodies)));
+    at.error_if(!scene.body(name), kUnknownBody, key + ".under", "unknown body \"", name, "\".",
+                known_names("bodies", name, names_in(scene.bodies)));
   const double radius = *std::max_element(zone.radius.begin(), zone.radius.end());
   const double narrow = std::min(zone.size[0], zone.size[1]);
-  at.error_if(narrow < kLeastZone * radius * (1.0 - 1e-9), kGrainZone, key + ".size",
-              "is " + number_text(narrow) + " m, expected at least four radii of its grains, " +
-                  number_text(kLeastZone * radius) + " m");
-  at.error_if(zone.depth < kLeastZoneDepth * radius * (1.0 - 1e-9), kGrainZone, key + ".depth",
-              "is " + number_text(zone.depth) + " m, expected at least two radii of its grains, " +
-                  number_text(kLeastZoneDepth * radius) + " m");
+  at.error_if(narrow < kLeastZone * radius * (1.0 - 1e-9), kGrainZone, key + ".size", "is ", narrow,
+              " m, expected at least four radii of its grains, ", kLeastZone * radius, " m");
+  at.error_if(zone.depth < kLeastZoneDepth * radius * (1.0 - 1e-9), kGrainZone, key + ".depth", "is ", zone.depth,
+              " m, expected at least two radii of its grains, ", kLeastZoneDepth * radius, " m");
   for (const Eigen::Vector2d& place : zone_places(scene, zone))
     for (int c = 0; c < 2; ++c) {
       const std::size_t k = c;
       const double away = std::abs(place[c] - box.centre[k]);
       if (away >= 0.5 * (box.size[k] + zone.size[k])) {
-        at.error(kGrainZone, key + (zone.under.empty() ? ".centre" : ".under"),
-                 "lies at [" + number_text(place.x(), 4) + ", " + number_text(place.y(), 4) +
-                     "] m, outside the bed, which reaches from " + number_text(box.centre[k] - 0.5 * box.size[k], 4) +
-                     " to " + number_text(box.centre[k] + 0.5 * box.size[k], 4) + " m along " + "xy"[c] +
-                     "; move it, or make the bed larger");
+        at.error(kGrainZone, key + (zone.under.empty() ? ".centre" : ".under"), "lies at [", number_text(place.x(), 4),
+                 ", ", number_text(place.y(), 4), "] m, outside the bed, which reaches from ",
+                 number_text(box.centre[k] - 0.5 * box.size[k], 4), " to ",
+                 number_text(box.centre[k] + 0.5 * box.size[k], 4), " m along ", "xy"[c],
+                 "; move it, or make the bed larger");
         return;
       }
     }
@@ -233,28 +219,27 @@ void resolve_grain_sizes(Scene& scene, Findings& findings) {
   BoxSpec& box = *scene.particles->box;
   const EntryFindings at(findings, scene.particles->source);
   SizesCheck(at, "box.").resolve(box);
-  for (std::size_t k = 0; k < box.zones.size(); ++k)
-    SizesCheck(at, "box.zones." + std::to_string(k) + ".").resolve(box.zones[k]);
+  for (std::size_t k = 0; k < box.zones.size(); ++k) SizesCheck(at, concat("box.zones.", k, ".")).resolve(box.zones[k]);
   const std::size_t kinds = all_radii(box).size() * std::max<std::size_t>(1, box.clumps.size());
   if (kinds <= kMostKinds) return;
   box.radius.clear();
-  at.error(kTooLarge, box.zones.empty() ? "box.clumps" : "box.zones",
-           "make " + std::to_string(kinds) + " kinds of grains of the bed, expected at most " +
-               std::to_string(kMostKinds) + ": radii of all its parts, times shapes of clumps");
+  at.error(kTooLarge, box.zones.empty() ? "box.clumps" : "box.zones", "make ", kinds,
+           " kinds of grains of the bed, expected at most ", kMostKinds,
+           ": radii of all its parts, times shapes of clumps");
 }
 
 void check_zones(const Scene& scene, const EntryFindings& at) {
   const BoxSpec& box = *scene.particles->box;
   const int before = at.all().error_count();
-  at.error_if(box.zones.size() > kMostZones, kWrongCount, "box.zones",
-              "has " + std::to_string(box.zones.size()) + " entries, expected at most " + std::to_string(kMostZones));
+  at.error_if(box.zones.size() > kMostZones, kWrongCount, "box.zones", "has ", box.zones.size(),
+              " entries, expected at most ", kMostZones);
   std::size_t blocks = 0;
   for (std::size_t k = 0; k < box.zones.size(); ++k) {
-    check_zone(scene, at, box.zones[k], "box.zones." + std::to_string(k));
+    check_zone(scene, at, box.zones[k], concat("box.zones.", k));
     blocks += std::max<std::size_t>(1, box.zones[k].under.size());
   }
-  at.error_if(at.all().error_count() == before && blocks > kMostBlocks, kTooLarge, "box.zones",
-              "have " + std::to_string(blocks) + " blocks, expected at most " + std::to_string(kMostBlocks));
+  at.error_if(at.all().error_count() == before && blocks > kMostBlocks, kTooLarge, "box.zones", "have ", blocks,
+              " blocks, expected at most ", kMostBlocks);
 }
 
 }  // namespace footfall

@@ -6,7 +6,6 @@
 
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/box_bed.h"
-#include "mbd_solver/scene/ground/terrain_file.h"
 #include "mbd_solver/scene/resolve.h"
 #include "mbd_solver/scene/scene_check.h"
 
@@ -23,35 +22,29 @@ constexpr double kMostRocks = 20000.0;
 constexpr double kPi180 = kPi / 180.0;
 
 void check_parts(const TerrainSpec& terrain, const EntryFindings& at) {
-  at.error_if(!(std::abs(terrain.slope) <= kSteepestTerrain * kPi180), kOutOfRange, "terrain.slope",
-              "is " + number_text(terrain.slope / kPi180) + " degrees, expected at most " +
-                  number_text(kSteepestTerrain) +
-                  ": heights are over a level plane; tilt gravity instead for steeper walls");
+  at.error_if(!(std::abs(terrain.slope) <= kSteepestTerrain * kPi180), kOutOfRange, "terrain.slope", "is ",
+              terrain.slope / kPi180, " degrees, expected at most ", kSteepestTerrain,
+              ": heights are over a level plane; tilt gravity instead for steeper walls");
   if (terrain.roughness) {
     const RoughnessSpec& r = *terrain.roughness;
-    at.error_if(!(r.longest > r.shortest), kOutOfRange, "terrain.roughness.longest",
-                "is " + number_text(r.longest) + " m, expected more than the shortest wavelength, " +
-                    number_text(r.shortest) + " m");
-    at.error_if(r.longest > kMostWaveRatio * r.shortest, kTerrain, "terrain.roughness.shortest",
-                "is " + number_text(r.shortest) + " m, expected at least " +
-                    number_text(r.longest / kMostWaveRatio, 3) + " m, " + "1/" + number_text(kMostWaveRatio) +
-                    " of the longest wavelength; shorten that");
+    at.error_if(!(r.longest > r.shortest), kOutOfRange, "terrain.roughness.longest", "is ", r.longest,
+                " m, expected more than the shortest wavelength, ", r.shortest, " m");
+    at.error_if(r.longest > kMostWaveRatio * r.shortest, kTerrain, "terrain.roughness.shortest", "is ", r.shortest,
+                " m, expected at least ", number_text(r.longest / kMostWaveRatio, 3), " m, ", "1/", kMostWaveRatio,
+                " of the longest wavelength; shorten that");
   }
   if (!terrain.rock_field) return;
   const RockFieldSpec& r = *terrain.rock_field;
-  at.error_if(
-      !(r.abundance <= kMostAbundance), kOutOfRange, "terrain.rock_field.abundance",
-      "is " + number_text(r.abundance) + ", expected a share of the area from 0 to " + number_text(kMostAbundance));
-  at.error_if(!(r.largest > r.smallest), kOutOfRange, "terrain.rock_field.largest",
-              "is " + number_text(r.largest) + " m, expected more than the smallest diameter, " +
-                  number_text(r.smallest) + " m");
-  at.error_if(r.size.size() != 2, kTerrain, "terrain.rock_field.size",
-              "has " + std::to_string(r.size.size()) + " numbers, expected the lengths of the field along x and y [m]");
+  at.error_if(!(r.abundance <= kMostAbundance), kOutOfRange, "terrain.rock_field.abundance", "is ", r.abundance,
+              ", expected a share of the area from 0 to ", kMostAbundance);
+  at.error_if(!(r.largest > r.smallest), kOutOfRange, "terrain.rock_field.largest", "is ", r.largest,
+              " m, expected more than the smallest diameter, ", r.smallest, " m");
+  at.error_if(r.size.size() != 2, kTerrain, "terrain.rock_field.size", "has ", r.size.size(),
+              " numbers, expected the lengths of the field along x and y [m]");
   if (!(r.largest > r.smallest) || r.size.size() != 2 || !(r.smallest > 0.0)) return;
   const double rocks = expected_rocks(r);
-  at.error_if(!(rocks <= kMostRocks), kTerrain, "terrain.rock_field.smallest",
-              "gives about " + number_text(rocks, 2) + " rocks, expected at most " + number_text(kMostRocks) +
-                  "; leave out the small ones, or make the field smaller");
+  at.error_if(!(rocks <= kMostRocks), kTerrain, "terrain.rock_field.smallest", "gives about ", number_text(rocks, 2),
+              " rocks, expected at most ", kMostRocks, "; leave out the small ones, or make the field smaller");
 }
 
 }  // namespace

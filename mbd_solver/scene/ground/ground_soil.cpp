@@ -1,6 +1,5 @@
 // ground.soil: numbers of a soil without grains from a file, laid under the keys of the scene; and the checks of these numbers.
 
-#include <algorithm>
 #include <filesystem>
 
 #include "mbd_solver/scene/box_bed.h"
@@ -24,14 +23,6 @@ const std::vector<std::string> kSinkageKeys = {"cohesive_modulus", "frictional_m
 
 }  // namespace
 
-std::vector<std::string> known_grounds() {
-  std::vector<std::string> names;
-  for (const auto& entry : files::directory_iterator(shipped_file("inputs/grounds")))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 void add_ground_soil(ConfigNode& scene, const std::string& folder, Findings& findings) {
   ConfigNode* ground = scene.find("ground");
   if (!ground || ground->kind != ConfigNode::Kind::kTable) return;
@@ -44,12 +35,11 @@ void add_ground_soil(ConfigNode& scene, const std::string& folder, Findings& fin
   if (const std::string own = files::path(folder) / name; !name.empty() && files::is_regular_file(own, ignored)) {
     path = own;
   } else {
-    const std::vector<std::string> names = known_grounds();
+    const std::vector<std::string> names = shipped_tables("inputs/grounds");
     if (!is_in(names, name)) {
-      findings.error(kUnknownSoil, line, "ground.soil",
-                     "\"" + name +
-                         "\" is neither a file (relative to the folder of the scene) nor a soil of inputs/grounds." +
-                         known_names("soils", name, names));
+      findings.error(kUnknownSoil, line, "ground.soil", "\"", name,
+                     "\" is neither a file (relative to the folder of the scene) nor a soil of inputs/grounds.",
+                     known_names("soils", name, names));
       return;
     }
     path = shipped_file("inputs/grounds/" + name + ".toml");
@@ -57,10 +47,9 @@ void add_ground_soil(ConfigNode& scene, const std::string& folder, Findings& fin
   const ConfigNode file = parse_toml_file(path);
   const ConfigNode* numbers = file.find("law");
   if (!numbers || numbers->kind != ConfigNode::Kind::kTable) {
-    findings.error(kSoilFile, line, "ground.soil",
-                   "the file " + path +
-                       " has no table [law]; expected a file of `footfall ground fit`, or a file like the ones in "
-                       "inputs/grounds");
+    findings.error(
+        kSoilFile, line, "ground.soil", "the file ", path,
+        " has no table [law]; expected a file of `footfall ground fit`, or a file like the ones in inputs/grounds");
     return;
   }
   ConfigNode* law = ground->find("law");
@@ -74,9 +63,8 @@ void add_ground_soil(ConfigNode& scene, const std::string& folder, Findings& fin
   // A scene that chooses another law takes nothing of the file.
   const ConfigNode *own = law->find("kind"), *theirs = numbers->find("kind");
   if (own && theirs && own->kind == ConfigNode::Kind::kText && own->text != theirs->text) {
-    findings.error(kConflictingKeys, own->line, "ground.law.kind",
-                   "is \"" + own->text + "\", but the soil \"" + name + "\" has numbers of the law \"" + theirs->text +
-                       "\"; remove one of the two");
+    findings.error(kConflictingKeys, own->line, "ground.law.kind", "is \"", own->text, "\", but the soil \"", name,
+                   "\" has numbers of the law \"", theirs->text, "\"; remove one of the two");
     return;
   }
   fill_missing(*law, *numbers, line);
@@ -95,18 +83,15 @@ void check_soil(const Scene& scene, Findings& findings) {
                   ground.plane->normal.normalized().dot(law.normal.normalized()) < 1.0 - 1e-9,
               kKeyWithoutEffect, "plane.normal", "tilts the plane, not the soil; ground.law.normal tilts the soil");
   for (const std::string& name : law.bodies)
-    at.error_if(
-        scene.boundary_of(name) == nullptr, kUnknownBoundary, "law.bodies",
-        "\"" + name + "\" has no entry in [[boundaries]]." + known_names("boundaries", name, boundary_names(scene)));
+    at.error_if(scene.boundary_of(name) == nullptr, kUnknownBoundary, "law.bodies", "\"", name,
+                "\" has no entry in [[boundaries]].", known_names("boundaries", name, boundary_names(scene)));
   for (const std::string& key : rft ? kSinkageKeys : kRftKeys)
-    at.error_if(used && at.given("law." + key), kKeyWithoutEffect, "law." + key,
-                std::string("has no effect on the law \"") + std::string(name_of(law.kind)) + "\"; remove it");
+    at.error_if(used && at.given("law." + key), kKeyWithoutEffect, "law." + key, "has no effect on the law \"",
+                name_of(law.kind), "\"; remove it");
   if (rft) {
     at.error_if(!law.resistance && !(law.friction >= kLeastFriction && law.friction <= kMostFriction), kOutOfRange,
-                "law.friction",
-                "is " + number_text(law.friction) + ", expected " + number_text(kLeastFriction) + " to " +
-                    number_text(kMostFriction) +
-                    ": the resistance follows from it by a formula for this range; give law.resistance [Pa/m] instead");
+                "law.friction", "is ", law.friction, ", expected ", kLeastFriction, " to ", kMostFriction,
+                ": the resistance follows from it by a formula for this range; give law.resistance [Pa/m] instead");
     at.error_if(law.gravity && !law.resistance, kNeedsOtherKey, "law.gravity",
                 "needs law.resistance [Pa/m], the resistance that was measured at this gravity; give it, or remove "
                 "law.gravity");

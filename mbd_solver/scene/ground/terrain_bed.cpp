@@ -81,10 +81,10 @@ double steepest_of_bed(const Scene& scene) {
 StandingSlope standing_slope(const BoxSpec& box) {
   const bool rolls = box.clumps.empty() && !(box.material.rolling_friction > 0.0);
   return {std::min(std::atan(box.material.friction) * 180.0 / kPi, rolls ? kStandsSpheres : kStandsRolling),
-          "grains of friction " + number_text(box.material.friction) + (rolls ? " without rolling friction" : "")};
+          concat("grains of friction ", box.material.friction, rolls ? " without rolling friction" : "")};
 }
 
-std::string rock_name(std::size_t k) { return "rock_" + std::to_string(k + 1); }
+std::string rock_name(std::size_t k) { return concat("rock_", k + 1); }
 
 std::string rock_joint_name(std::size_t k) { return rock_name(k) + "_in_the_ground"; }
 
@@ -106,21 +106,20 @@ void resolve_terrain_bed(Scene& scene, Findings& findings) {
   const TerrainBed bed = *terrain_bed(scene);
   const StandingSlope stands = standing_slope(box);
   const double steepest = steepest_of_bed(scene) * 180.0 / kPi;
-  at.error_if(
-      steepest > stands.degrees, kTerrainSteep, "terrain",
-      "is as steep as " + number_text(steepest, 3) + " degrees against gravity within the bed, but " + stands.grains +
-          " stand at most at " + number_text(stands.degrees, 3) +
-          " degrees (the least of atan(friction), 30 degrees, and 22 for spheres that roll); make it less steep, or "
-          "the grains rougher");
+  at.error_if(steepest > stands.degrees, kTerrainSteep, "terrain", "is as steep as ", number_text(steepest, 3),
+              " degrees against gravity within the bed, but ", stands.grains, " stand at most at ",
+              number_text(stands.degrees, 3),
+              " degrees (the least of atan(friction), 30 degrees, and 22 for spheres that roll); make it less steep, "
+              "or the grains rougher");
   at.error_if(box.periodic, kTerrain, "terrain", "excludes particles.box.periodic = true: its ends would not fit");
   at.error_if(!box.follow.empty(), kTerrain, "terrain",
               "excludes particles.box.follow: the bed that follows is the same after each of its lengths; tilt gravity "
               "for a slope");
   at.error_if(!box.pit.empty(), kTerrain, "terrain",
               "excludes particles.box.pit, whose depth counts from z = 0; give the terrain a crater or a wave");
-  at.error_if(bed.rocks.size() > kMostRockBodies, kTerrain, "terrain.rock_field",
-              "puts " + std::to_string(bed.rocks.size()) + " rocks into the bed, expected at most " +
-                  std::to_string(kMostRockBodies) + ", as each is a body with a surface; leave out the small ones");
+  at.error_if(bed.rocks.size() > kMostRockBodies, kTerrain, "terrain.rock_field", "puts ", bed.rocks.size(),
+              " rocks into the bed, expected at most ", kMostRockBodies,
+              ", as each is a body with a surface; leave out the small ones");
   if (findings.has_errors() || bed.rocks.empty()) return;
   // Rocks, as bodies that hang on the ground and stand still.
   const PlaneSpec* const law = scene.ground.plane ? &*scene.ground.plane : nullptr;
@@ -131,7 +130,7 @@ void resolve_terrain_bed(Scene& scene, Findings& findings) {
   for (std::size_t k = 0; k < bed.rocks.size(); ++k) {
     const std::string name = rock_name(k);
     if (scene.body(name)) {
-      at.error(kTerrain, "terrain", "makes a body \"" + name + "\" of a rock, but the scene has one; rename that");
+      at.error(kTerrain, "terrain", "makes a body \"", name, "\" of a rock, but the scene has one; rename that");
       return;
     }
     BodySpec body;

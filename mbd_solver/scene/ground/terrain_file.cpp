@@ -1,10 +1,9 @@
 // The header is judged before any sample. Samples that are plain numbers are read where a body comes; others, and what is wrong with
 // them, take a pass word by word.
 
-#include "mbd_solver/scene/ground/terrain_file.h"
+#include "mbd_solver/scene/resolve.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -13,8 +12,8 @@
 #include <set>
 #include <string_view>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/files.h"
 #include "coupler/base/input_file.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/number_file.h"
@@ -44,8 +43,9 @@ class MapWords {
   void skip_byte_order_mark() {
     if (end_ - at_ >= 3 && std::memcmp(at_, "\xef\xbb\xbf", 3) == 0) at_ += 3;
   }
-  [[noreturn]] void fail(const std::string& what) {
-    throw InputError(code::kTerrainMap, file_ + ":" + std::to_string(line()) + ": " + what);
+  template <class... Pieces>
+  [[noreturn]] void fail(const Pieces&... what) {
+    throw InputError(code::kTerrainMap, file_, ":", line(), ": ", what...);
   }
   // The next word, of this line alone or of any; empty at the end.
   std::string_view next(bool this_line = false) {
@@ -122,11 +122,11 @@ struct RawMap {
 
 void judge_size(MapWords& words, double columns, double rows) {
   if (!(columns >= 2.0 && rows >= 2.0))
-    words.fail("the map has " + number_text(columns) + " columns and " + number_text(rows) +
+    words.fail("the map has ", columns, " columns and ", rows,
                " rows, expected at least 2 of each: one row has no slope across it");
   if (!(columns * rows <= kMostMapSamples))
-    words.fail("the map has " + number_text(columns * rows, 4) + " samples, expected at most " +
-               number_text(kMostMapSamples, 2) + "; " + kCoarser);
+    words.fail("the map has ", number_text(columns * rows, 4), " samples, expected at most ",
+               number_text(kMostMapSamples, 2), "; ", kCoarser);
 }
 
 struct EsriHeader {
@@ -149,19 +149,18 @@ EsriHeader read_header(MapWords& words) {
     if (name.empty()) break;
     const std::string_view word = words.next(true);
     double value = 0.0;
-    if (kKeys.count(name) == 0) words.fail("the header has the unknown key " + shown(key) + "; " + kExpected);
+    if (kKeys.count(name) == 0) words.fail("the header has the unknown key ", shown(key), "; ", kExpected);
     if (!words.number(word, value) || (!std::isfinite(value) && name != "nodata_value"))
-      words.fail("the header has " + shown(key) + " with the value " + shown(word) + ", expected a number; " +
-                 kExpected);
-    if (words.at_comma()) words.fail("the header has " + shown(key) + " with a comma" + kDecimalPoint);
+      words.fail("the header has ", shown(key), " with the value ", shown(word), ", expected a number; ", kExpected);
+    if (words.at_comma()) words.fail("the header has ", shown(key), " with a comma", kDecimalPoint);
     header.line = words.line();
     header.lines[name] = header.line;
     if (!header.values.emplace(name, value).second)
-      words.fail("the header gives " + shown(key) + " a second time; keep one of the two");
+      words.fail("the header gives ", shown(key), " a second time; keep one of the two");
     for (const auto& [one, other] :
          {std::pair{"xllcorner", "xllcenter"}, {"yllcorner", "yllcenter"}, {"cellsize", "dx"}, {"cellsize", "dy"}})
       if (header.has(one) && header.has(other))
-        words.fail(std::string("the header gives ") + one + " and " + other + "; keep one of the two");
+        words.fail("the header gives ", one, " and ", other, "; keep one of the two");
   }
   return header;
 }
@@ -177,7 +176,7 @@ RawMap read_esri(MapWords& words, std::shared_ptr<NumberFile> file) {
   const auto demand = [&](bool good, const std::string& what) {
     if (good) return;
     words.set_line(header.line);
-    words.fail("the header has no " + what + "; " + kExpected);
+    words.fail("the header has no ", what, "; ", kExpected);
   };
   demand(header.has("ncols"), "ncols");
   demand(header.has("nrows"), "nrows");
@@ -186,14 +185,12 @@ RawMap read_esri(MapWords& words, std::shared_ptr<NumberFile> file) {
   demand(header.has("cellsize") || (header.has("dx") && header.has("dy")), "cellsize, or not both of dx and dy");
   const std::string along_x = header.has("cellsize") ? "cellsize" : "dx";
   words.set_line(header.line_of(dx > 0.0 && !header.has("cellsize") ? "dy" : along_x));
-  if (!(dx > 0.0 && dy > 0.0))
-    words.fail("the header has cells of " + number_text(dx) + " by " + number_text(dy) + " m, expected sizes above 0");
+  if (!(dx > 0.0 && dy > 0.0)) words.fail("the header has cells of ", dx, " by ", dy, " m, expected sizes above 0");
   const bool whole_columns = columns == std::floor(columns);
   words.set_line(
       header.line_of(whole_columns && columns >= 2.0 && (rows < 2.0 || rows != std::floor(rows)) ? "nrows" : "ncols"));
   if (!whole_columns || rows != std::floor(rows))
-    words.fail("the header has " + number_text(columns) + " columns and " + number_text(rows) +
-               " rows, expected whole numbers");
+    words.fail("the header has ", columns, " columns and ", rows, " rows, expected whole numbers");
   judge_size(words, columns, rows);
   words.set_line(header.line);
   RawMap map;
@@ -217,23 +214,20 @@ RawMap read_esri(MapWords& words, std::shared_ptr<NumberFile> file) {
     for (int column = 0; column < map.grid.columns; ++column) {
       if (words.plain_number(hole, heights[column])) continue;
       const std::string_view word = words.next();
-      const auto where = [&] {
-        return "row " + std::to_string(map.grid.rows - row) + " from the top, column " + std::to_string(column + 1);
-      };
+      const auto where = [&] { return concat("row ", map.grid.rows - row, " from the top, column ", column + 1); };
       if (word.empty())
-        words.fail("the file ends in " + where() + "; the header promises " + number_text(rows) + " rows of " +
-                   number_text(columns) + " heights");
+        words.fail("the file ends in ", where(), "; the header promises ", rows, " rows of ", columns, " heights");
       double& value = heights[column];
       const bool number = words.number(word, value);
       if (number && is_hole(value))
-        words.fail(where() + " is a hole (" + (has_hole ? "NODATA_value " : "") + shown(word) + "); " + kFill);
+        words.fail(where(), " is a hole (", has_hole ? "NODATA_value " : "", shown(word), "); ", kFill);
       if (!number || !(std::abs(value) < kMostHeight))
-        words.fail(where() + " is " + shown(word) + ", expected a height [m]; " + kFill);
+        words.fail(where(), " is ", shown(word), ", expected a height [m]; ", kFill);
     }
   }
   if (!words.peek().empty()) {
     words.next();
-    words.fail("there are more heights than ncols times nrows = " + number_text(columns * rows) + words.comma_advice());
+    words.fail("there are more heights than ncols times nrows = ", columns * rows, words.comma_advice());
   }
   return map;
 }
@@ -258,14 +252,14 @@ RawMap read_points(MapWords& words) {
     double values[3];
     for (int k = 0; k < 3; ++k) {
       const std::string_view word = words.next(k > 0);
-      if (word.empty()) words.fail("has " + std::to_string(k) + " numbers, expected x, y and z; " + kExpected);
+      if (word.empty()) words.fail("has ", k, " numbers, expected x, y and z; ", kExpected);
       if (!words.number(word, values[k]) || !std::isfinite(values[k]))
-        words.fail("has " + shown(word) + ", expected a number; " + (k == 2 ? kFill : kExpected));
+        words.fail("has ", shown(word), ", expected a number; ", k == 2 ? kFill : kExpected);
       if (k == 2 && (!(std::abs(values[k]) < kMostHeight) || values[k] == kUsualHole || values[k] == kOtherHole))
-        words.fail("has the height " + shown(word) + ", which marks a hole; " + kFill);
+        words.fail("has the height ", shown(word), ", which marks a hole; ", kFill);
     }
     if (const std::string_view more = words.next(true); !more.empty())
-      words.fail("has more than three numbers, expected x, y and z" + words.comma_advice() + "; " + kExpected);
+      words.fail("has more than three numbers, expected x, y and z", words.comma_advice(), "; ", kExpected);
     x.push_back(values[0]);
     y.push_back(values[1]);
     z.push_back(values[2]);
@@ -288,21 +282,21 @@ RawMap read_points(MapWords& words) {
     const double i = (x[k] - map.x) / dx, j = (y[k] - map.y) / dy;
     words.set_line(lines[k]);
     if (std::abs(i - std::round(i)) > kEvenGrid || std::abs(j - std::round(j)) > kEvenGrid)
-      words.fail("the place (" + number_text(x[k], 12) + ", " + number_text(y[k], 12) +
-                 ") is not on the regular grid of the others, with steps of " + number_text(dx, 6) + " and " +
-                 number_text(dy, 6) + " m; make one, for example by gdal_grid or gdalwarp -tr");
+      words.fail("the place (", number_text(x[k], 12), ", ", number_text(y[k], 12),
+                 ") is not on the regular grid of the others, with steps of ", number_text(dx, 6), " and ",
+                 number_text(dy, 6), " m; make one, for example by gdal_grid or gdalwarp -tr");
     double& height = map.grid.heights[static_cast<std::size_t>(std::lround(j)) * along_x.size() +
                                       static_cast<std::size_t>(std::lround(i))];
     if (!std::isnan(height))
-      words.fail("the place (" + number_text(x[k], 12) + ", " + number_text(y[k], 12) + ") is given twice; remove one");
+      words.fail("the place (", number_text(x[k], 12), ", ", number_text(y[k], 12), ") is given twice; remove one");
     height = z[k];
   }
   for (std::size_t k = 0; k < count; ++k) {
     if (!std::isnan(map.grid.heights[k])) continue;
     const double row = static_cast<double>(k / along_x.size()), column = static_cast<double>(k % along_x.size());
-    words.fail("the map has a hole at x = " + number_text(map.x + column * dx, 12) +
-               ", y = " + number_text(map.y + row * dy, 12) + " (" +
-               number_text(static_cast<double>(count - z.size())) + " in all); " + kFill);
+    words.fail("the map has a hole at x = ", number_text(map.x + column * dx, 12),
+               ", y = ", number_text(map.y + row * dy, 12), " (", static_cast<double>(count - z.size()), " in all); ",
+               kFill);
   }
   return map;
 }
@@ -326,7 +320,7 @@ std::shared_ptr<const HeightGrid> read_height_map(const TerrainMapSpec& spec) {
   const std::string_view first = words.peek();
   if (first.empty()) words.fail(std::string("the file is empty; ") + kExpected);
   if (text.find('\0') != std::string::npos)
-    words.fail(std::string("the file is not text; ") + kExpected +
+    words.fail("the file is not text; ", kExpected,
                "; gdal_translate -of AAIGrid in.tif out.asc turns a map of GDAL into one");
   const bool points = words.number(first, number) || first == "x" || first == "X" || first == "\"x\"" || first == "#";
   if (points) words.go_on_with(file->whole());

@@ -102,9 +102,9 @@ void add_rock_field(const RockFieldSpec& f, std::vector<Rock>& rocks) {
     for (int t = 0; t < kRockTries; ++t) {
       const double u = draws.number(), v = draws.number();
       rock.place = {f.x + (u - 0.5) * f.size[0], f.y + (v - 0.5) * f.size[1]};
-      const bool room = std::none_of(
-          rocks.begin() + static_cast<std::ptrdiff_t>(first), rocks.end(),
-          [&](const Rock& other) { return (other.place - rock.place).norm() < other.radius + rock.radius; });
+      const bool room = std::none_of(rocks.begin() + first, rocks.end(), [&](const Rock& other) {
+        return (other.place - rock.place).norm() < other.radius + rock.radius;
+      });
       if (room) break;
     }
     if ((rock.place - Eigen::Vector2d(f.keep_out_x, f.keep_out_y)).norm() < f.keep_out + rock.radius &&

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/mesh_reader.h"
 #include "mbd_solver/scene/particle_script.h"
 #include "mbd_solver/scene/scene_check.h"

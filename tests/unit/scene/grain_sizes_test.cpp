@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/scene/box_bed.h"

@@ -101,7 +101,7 @@ class Collector final : public FieldVisitor {
   void field(const std::string& key, const FieldRef& ref, const Rule& rule) override {
     if (Choice* const* choice = std::get_if<Choice*>(&ref)) {
       choices.insert((*choice)->names.begin(), (*choice)->names.end());
-      if (!rule.required) defaults.emplace_back(key, (*choice)->names[static_cast<std::size_t>((*choice)->value)]);
+      if (!rule.required) defaults.emplace_back(key, (*choice)->names[(*choice)->value]);
     }
     if (rule.required) return;
     // 0 means "not given" as often as for a number: it is left to the comment.

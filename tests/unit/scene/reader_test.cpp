@@ -435,7 +435,7 @@ TEST(Segments, AreEqualPiecesJoinedInARow) {
   const Scene whole = text.read(arm("modes = 3", kHub)), cut = text.read(arm("segments = 4", kHub));
   ASSERT_EQ(cut.bodies.size(), 4u);
   for (int k = 0; k < 4; ++k) {
-    const BodySpec& body = cut.bodies[static_cast<std::size_t>(k)];
+    const BodySpec& body = cut.bodies[k];
     EXPECT_EQ(body.name, "arm_" + std::to_string(k + 1));
     EXPECT_NEAR(body.mass, whole.bodies[0].mass / 4, kSegmentRoundOff);
     EXPECT_NEAR((body.position - Eigen::Vector3d(0.25 + 0.5 * k, 0, 1)).norm(), 0.0, kSegmentRoundOff);
@@ -444,7 +444,7 @@ TEST(Segments, AreEqualPiecesJoinedInARow) {
   ASSERT_EQ(cut.joints.size(), 4u);
   EXPECT_THAT(cut.joints[0].bodies, ElementsAre("ground", "arm_1"));
   for (int k = 1; k < 4; ++k) {
-    const JointSpec& joint = cut.joints[static_cast<std::size_t>(k)];
+    const JointSpec& joint = cut.joints[k];
     EXPECT_EQ(joint.type, JointType::kFixed);
     EXPECT_THAT(joint.bodies, ElementsAre("arm_" + std::to_string(k), "arm_" + std::to_string(k + 1)));
     EXPECT_NEAR((joint.point_b - Eigen::Vector3d(0.5 * k, 0, 1)).norm(), 0.0, kSegmentRoundOff);
@@ -509,8 +509,8 @@ std::string with_soil(const std::string& name, const std::string& more = "") {
 }
 
 TEST(Soil, EveryOneIsReadAndSaysWhereItsNumbersComeFrom) {
-  ASSERT_GE(known_soils().size(), 6u);
-  for (const std::string& name : known_soils()) {
+  ASSERT_GE(shipped_tables("inputs/soils").size(), 6u);
+  for (const std::string& name : shipped_tables("inputs/soils")) {
     const Scene scene = SceneText().read(with_soil(name));
     const BoxSpec& box = *scene.particles->box;
     EXPECT_EQ(box.packing, name.find("dense") != std::string::npos ? Packing::kDense : Packing::kLoose) << name;

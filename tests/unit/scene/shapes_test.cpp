@@ -107,7 +107,7 @@ TEST(SceneMasses, DishAgreesWithItsOwnSurface) {
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // integral of x x^T, exact for each triangle by its edge middles
   for (const Eigen::Vector3i& t : mesh.triangles) {
     Eigen::Vector3d p[3];
-    for (int i = 0; i < 3; ++i) p[i] = mesh.vertices[static_cast<std::size_t>(t[i])];
+    for (int i = 0; i < 3; ++i) p[i] = mesh.vertices[t[i]];
     const double a = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
     area += a;
     for (int i = 0; i < 3; ++i) {
@@ -170,9 +170,7 @@ const std::string kPly =
 Eigen::Vector3d area_vector(const TriangleMesh& mesh) {
   Eigen::Vector3d area = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3i& t : mesh.triangles) {
-    const Eigen::Vector3d &a = mesh.vertices[static_cast<std::size_t>(t[0])],
-                          &b = mesh.vertices[static_cast<std::size_t>(t[1])],
-                          &c = mesh.vertices[static_cast<std::size_t>(t[2])];
+    const Eigen::Vector3d &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
     area += 0.5 * (b - a).cross(c - a);
   }
   return area;
@@ -181,9 +179,7 @@ Eigen::Vector3d area_vector(const TriangleMesh& mesh) {
 double volume(const TriangleMesh& mesh) {
   double sum = 0.0;
   for (const Eigen::Vector3i& t : mesh.triangles)
-    sum += mesh.vertices[static_cast<std::size_t>(t[0])].dot(
-               mesh.vertices[static_cast<std::size_t>(t[1])].cross(mesh.vertices[static_cast<std::size_t>(t[2])])) /
-           6.0;
+    sum += mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]])) / 6.0;
   return sum;
 }
 
@@ -236,7 +232,7 @@ std::string text_stl(const TriangleMesh& mesh, int digits = 17) {
   out << "solid of a name\n";
   for (const Eigen::Vector3i& t : mesh.triangles) {
     out << " facet normal 0 0 0\n  outer loop\n";
-    for (const int n : t) out << "   vertex " << mesh.vertices[static_cast<std::size_t>(n)].transpose() << "\n";
+    for (const int n : t) out << "   vertex " << mesh.vertices[n].transpose() << "\n";
     out << "  endloop\n endfacet\n";
   }
   out << "endsolid of a name\n";
@@ -255,7 +251,7 @@ std::string binary_stl(const TriangleMesh& mesh, const std::string& comment = ""
   for (const Eigen::Vector3i& t : mesh.triangles) {
     for (int i = 0; i < 3; ++i) append(bytes, 0.f);
     for (const int n : t)
-      for (const double x : mesh.vertices[static_cast<std::size_t>(n)]) append(bytes, static_cast<float>(x));
+      for (const double x : mesh.vertices[n]) append(bytes, static_cast<float>(x));
     append(bytes, std::uint16_t{0});
   }
   return bytes;
