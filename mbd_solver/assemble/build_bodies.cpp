@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/assemble/codes.h"
@@ -147,9 +148,8 @@ FeModel plate(const BodySpec& body, const FlexibleSpec& spec, const Material& ma
     const TriangleMesh mesh = read_mesh(spec.mesh, spec.mesh_scale);
     add_notes(mesh, warnings);
     if (mesh.triangles.size() > kMostElements)
-      throw InputError(code::kTooManyElements, spec.mesh + ": has " + std::to_string(mesh.triangles.size()) +
-                                                   " triangles, expected at most " + std::to_string(kMostElements) +
-                                                   " finite elements; use a coarser mesh");
+      throw InputError(code::kTooManyElements, spec.mesh, ": has ", mesh.triangles.size(),
+                       " triangles, expected at most ", kMostElements, " finite elements; use a coarser mesh");
     return plate_model(mesh, thickness, material, spec.mesh);
   }
   const double edge = spec.mesh_size > 0.0 ? spec.mesh_size : shape.radius / 4.0;
@@ -163,22 +163,18 @@ FeModel plate(const BodySpec& body, const FlexibleSpec& spec, const Material& ma
 void check_mass(const BodySpec& body, double mass, const std::string& file, UnitSystem units) {
   if (std::abs(mass - body.mass) <= kSameMass * body.mass) return;
   const bool spec_has_units = !body.flexible->stiffness_matrix.empty();
-  std::string remedy = "; check that the units of the model are " + std::string(name_of(units));
+  std::string remedy = concat("; check that the units of the model are ", name_of(units));
   for (const UnitSystem other :
        {UnitSystem::kMetre, UnitSystem::kMillimetreTonne, UnitSystem::kMillimetreMillisecond, UnitSystem::kInchPound}) {
     const double in_other = mass * mass_unit(other) / mass_unit(units);
     if (spec_has_units && other != units && std::abs(in_other - body.mass) <= kSameMass * body.mass)
-      remedy +=
-          std::string(", or write units = \"") + std::string(name_of(other)) + "\", with which it would weigh the same";
+      remedy += concat(", or write units = \"", name_of(other), "\", with which it would weigh the same");
   }
-  throw InputError(code::kModelMass, "the model in " + file + " weighs " + number_text(mass) +
-                                         " kg, the scene states " + number_text(body.mass) +
-                                         " kg, expected the same to 1 %" + remedy);
+  throw InputError(code::kModelMass, "the model in ", file, " weighs ", mass, " kg, the scene states ", body.mass,
+                   " kg, expected the same to 1 %", remedy);
 }
 
-std::string list(const Eigen::Vector3d& x) {
-  return "[" + number_text(x[0]) + ", " + number_text(x[1]) + ", " + number_text(x[2]) + "]";
-}
+std::string list(const Eigen::Vector3d& x) { return concat("[", x[0], ", ", x[1], ", ", x[2], "]"); }
 
 // Centre and inertia of a model of another code, in D, against those that the scene states.
 void check_centre_and_inertia(const BodySpec& body, const MassProperties& model, double size, const std::string& file) {
@@ -191,20 +187,17 @@ void check_centre_and_inertia(const BodySpec& body, const MassProperties& model,
   const std::string remedy = unit + "; correct the units of the nodes, or give the values of the model in the scene";
   const double off = (model.centre - body.position).norm();
   if (body.source.given("position") && off > kSameMass * size)
-    throw InputError(code::kModelInertia, "the model in " + file + " has its mass centre at " + list(model.centre) +
-                                              " m, the scene states position = " + list(body.position) +
-                                              ", expected the same to 1 % of the size of " + number_text(size) + " m" +
-                                              remedy);
+    throw InputError(code::kModelInertia, "the model in ", file, " has its mass centre at ", list(model.centre),
+                     " m, the scene states position = ", list(body.position),
+                     ", expected the same to 1 % of the size of ", size, " m", remedy);
   if (!body.source.given("inertia")) return;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k <= i; ++k)
       if (std::abs(J(i, k) - body.inertia(i, k)) > kSameMass * std::sqrt(body.inertia(i, i) * body.inertia(k, k)))
-        throw InputError(code::kModelInertia,
-                         "the model in " + file + " has the inertia [Ixx, Iyy, Izz, Ixy, Ixz, Iyz] = [" +
-                             number_text(J(0, 0)) + ", " + number_text(J(1, 1)) + ", " + number_text(J(2, 2)) + ", " +
-                             number_text(J(0, 1)) + ", " + number_text(J(0, 2)) + ", " + number_text(J(1, 2)) +
-                             "] kg m2, the scene states I" + "xyz"[k] + "xyz"[i] + " = " +
-                             number_text(body.inertia(k, i)) + ", expected the same to 1 %" + remedy);
+        throw InputError(code::kModelInertia, "the model in ", file,
+                         " has the inertia [Ixx, Iyy, Izz, Ixy, Ixz, Iyz] = [", J(0, 0), ", ", J(1, 1), ", ", J(2, 2),
+                         ", ", J(0, 1), ", ", J(0, 2), ", ", J(1, 2), "] kg m2, the scene states I", "xyz"[k], "xyz"[i],
+                         " = ", body.inertia(k, i), ", expected the same to 1 %", remedy);
 }
 
 // Reduced bodies, for their copies in an array or elsewhere in the scene.
@@ -242,10 +235,9 @@ void warn_of_sag(const BodySpec& body, const ModalBody& modal, double gravity, s
   if (modal.stiffness.size() == 0 || !(modal.stiffness.minCoeff() > 0.0)) return;
   const double sag = gravity / modal.stiffness.minCoeff(), size = reach(modal.rho0);
   if (sag > kLargeSag * size)
-    warnings.push_back(with_code(code::kBendsUnderWeight,
-                                 "body \"" + body.name + "\": bends by at least " + number_text(sag, 2) +
-                                     " m under its own weight, and is " + number_text(size, 3) +
-                                     " m large; linear modes fail there. Check young (_GPa), density and dimensions."));
+    warnings.push_back(with_code(code::kBendsUnderWeight, "body \"", body.name, "\": bends by at least ",
+                                 number_text(sag, 2), " m under its own weight, and is ", number_text(size, 3),
+                                 " m large; linear modes fail there. Check young (_GPa), density and dimensions."));
 }
 
 FlexibleBody build(const Scene& scene, const BodySpec& body, const std::vector<Attachment>& attached,
@@ -288,33 +280,7 @@ FlexibleBody build(const Scene& scene, const BodySpec& body, const std::vector<A
   return {std::make_shared<const ModalBody>(std::move(reduced.body)), reduced.p_DBo};
 }
 
-}  // namespace
-
-std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<std::string>& warnings) {
-  std::vector<FlexibleBody> bodies(scene.bodies.size());
-  if (!scene.flexible) return bodies;
-  Reductions reductions;
-  const auto attached = attachments(scene);
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const auto& flexible = scene.bodies[i].flexible;
-    const bool rigid = !flexible || !flexible->enabled || (flexible->modes && *flexible->modes == 0);
-    if (rigid) continue;
-    const std::string who = "body \"" + scene.bodies[i].name + "\"";
-    try {
-      const auto own = attached.find(scene.bodies[i].name);
-      bodies[i] = build(scene, scene.bodies[i], own == attached.end() ? std::vector<Attachment>() : own->second,
-                        reductions, warnings);
-    } catch (const InputError& error) {
-      const std::string what = error.what();
-      throw InputError(what.find(who) == std::string::npos ? who + ": " + what : what);
-    }
-  }
-  return bodies;
-}
-
 // The parts of each body that may touch the ground: triangles and beams, in the body's own frame, moving with its modes.
-
-namespace {
 
 // Nodes collected in B with their mode shapes.
 struct Nodes {
@@ -456,7 +422,73 @@ const BoundarySpec& spec_of(const Scene& scene, const BodyBoundary& entry) {
   return *spec;
 }
 
+// For a body with circular edges also the nodes within its faces: uneven ground may touch there first. Nodes on the
+// edges and between them are omitted, so that the edges roll without facets.
+void add_face_places(const Body& body, BodyBoundary& entry) {
+  constexpr double kWithin = 0.95;  // of the radius of the edge
+  if (entry.rims.empty()) return;
+  for (ContactPoint& point : contact_points(entry.body, body, entry.boundary)) {
+    const bool within = std::any_of(entry.rims.begin(), entry.rims.end(), [&](const ContactRim& rim) {
+      const Eigen::Vector3d axis = rim.marker.axes.col(2), d = point.marker.s0 - rim.marker.s0;
+      const double along = axis.dot(d);
+      return std::abs(along) < 1e-6 * rim.radius && (d - along * axis).norm() < kWithin * rim.radius;
+    });
+    if (within && point.radius == 0.0) entry.points.push_back(std::move(point));
+  }
+}
+
+// Where the mechanism starts: attitude about its mass centre, then moved, then set to its clearance above the ground.
+
+// Height of the highest grain (its top) whose footprint overlaps the circle around one boundary, along `up`.
+double highest_under(const std::vector<GrainPlace>& grains, const Eigen::Vector3d& up, const Eigen::Vector3d& centre,
+                     double reach) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const GrainPlace& grain : grains) {
+    const Eigen::Vector3d d = grain.centre - centre;
+    const double across = (d - up * up.dot(d)).norm();
+    if (across < reach + grain.radius) highest = std::max(highest, up.dot(grain.centre) + grain.radius);
+  }
+  return highest;
+}
+
+// Largest height of grains under a body above the field of a terrain; negative: they are below [m].
+double highest_over(const std::vector<GrainPlace>& grains, Terrain& field, const Eigen::Vector3d& centre,
+                    double reach) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const GrainPlace& grain : grains) {
+    if ((grain.centre - centre).head<2>().norm() >= reach + grain.radius) continue;
+    const Terrain::Height here = field.at(grain.centre.x(), grain.centre.y());
+    highest = std::max(highest, grain.centre.z() + grain.radius * std::hypot(1.0, here.slope.norm()) - here.h);
+  }
+  return highest;
+}
+
+constexpr double kTilted = 1e-9;  // gravity from an axis: more than round-off
+constexpr double kStray = 0.1;    // of the radius of a boundary's footprint
+
 }  // namespace
+
+std::vector<FlexibleBody> build_flexible_bodies(const Scene& scene, std::vector<std::string>& warnings) {
+  std::vector<FlexibleBody> bodies(scene.bodies.size());
+  if (!scene.flexible) return bodies;
+  Reductions reductions;
+  const auto attached = attachments(scene);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const auto& flexible = scene.bodies[i].flexible;
+    const bool rigid = !flexible || !flexible->enabled || (flexible->modes && *flexible->modes == 0);
+    if (rigid) continue;
+    const std::string who = "body \"" + scene.bodies[i].name + "\"";
+    try {
+      const auto own = attached.find(scene.bodies[i].name);
+      bodies[i] = build(scene, scene.bodies[i], own == attached.end() ? std::vector<Attachment>() : own->second,
+                        reductions, warnings);
+    } catch (const InputError& error) {
+      const std::string what = error.what();
+      throw InputError(what.find(who) == std::string::npos ? who + ": " + what : what);
+    }
+  }
+  return bodies;
+}
 
 void add_plane_places(const Scene& scene, const Body& body, BodyBoundary& entry, const BoundarySpec* spec) {
   const bool round = body.modal() == nullptr &&
@@ -492,25 +524,6 @@ double lowest_place(const BodyBoundary& entry, const Eigen::Vector3d& n_B, const
   return lowest;
 }
 
-namespace {
-
-// For a body with circular edges also the nodes within its faces: uneven ground may touch there first. Nodes on the
-// edges and between them are omitted, so that the edges roll without facets.
-void add_face_places(const Body& body, BodyBoundary& entry) {
-  constexpr double kWithin = 0.95;  // of the radius of the edge
-  if (entry.rims.empty()) return;
-  for (ContactPoint& point : contact_points(entry.body, body, entry.boundary)) {
-    const bool within = std::any_of(entry.rims.begin(), entry.rims.end(), [&](const ContactRim& rim) {
-      const Eigen::Vector3d axis = rim.marker.axes.col(2), d = point.marker.s0 - rim.marker.s0;
-      const double along = axis.dot(d);
-      return std::abs(along) < 1e-6 * rim.radius && (d - along * axis).norm() < kWithin * rim.radius;
-    });
-    if (within && point.radius == 0.0) entry.points.push_back(std::move(point));
-  }
-}
-
-}  // namespace
-
 BodyBoundary build_boundary(const Scene& scene, const BoundarySpec& spec, const FlexibleBody& flexible,
                             std::vector<std::string>& warnings) {
   const int index = scene.body_index(spec.body);
@@ -535,39 +548,6 @@ std::vector<BodyBoundary> build_boundaries(const Scene& scene, const std::vector
     boundaries.push_back(build_boundary(scene, spec, flexible[scene.body_index(spec.body)], warnings));
   return boundaries;
 }
-
-// Where the mechanism starts: attitude about its mass centre, then moved, then set to its clearance above the ground.
-
-namespace {
-
-// Height of the highest grain (its top) whose footprint overlaps the circle around one boundary, along `up`.
-double highest_under(const std::vector<GrainPlace>& grains, const Eigen::Vector3d& up, const Eigen::Vector3d& centre,
-                     double reach) {
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const GrainPlace& grain : grains) {
-    const Eigen::Vector3d d = grain.centre - centre;
-    const double across = (d - up * up.dot(d)).norm();
-    if (across < reach + grain.radius) highest = std::max(highest, up.dot(grain.centre) + grain.radius);
-  }
-  return highest;
-}
-
-// Largest height of grains under a body above the field of a terrain; negative: they are below [m].
-double highest_over(const std::vector<GrainPlace>& grains, Terrain& field, const Eigen::Vector3d& centre,
-                    double reach) {
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const GrainPlace& grain : grains) {
-    if ((grain.centre - centre).head<2>().norm() >= reach + grain.radius) continue;
-    const Terrain::Height here = field.at(grain.centre.x(), grain.centre.y());
-    highest = std::max(highest, grain.centre.z() + grain.radius * std::hypot(1.0, here.slope.norm()) - here.h);
-  }
-  return highest;
-}
-
-constexpr double kTilted = 1e-9;  // gravity from an axis: more than round-off
-constexpr double kStray = 0.1;    // of the radius of a boundary's footprint
-
-}  // namespace
 
 Placement place(const Scene& scene, const std::vector<BodyBoundary>& boundaries,
                 const std::vector<FlexibleBody>& flexible, Terrain* terrain) {

@@ -42,10 +42,9 @@ std::unique_ptr<Controller> build(const ControllerSpec& spec, int outputs, std::
       for (std::size_t i = 0; i < p.grid.size(); ++i) p.grid[i] = spec.grid[i];
       auto controller = std::make_unique<FuzzyController>(p);
       if (controller->table_difference())
-        warnings.push_back(
-            with_code(code::kTableDifference, "controller \"" + spec.name +
-                                                  "\": the table differs from the exact controller by up to " +
-                                                  plain_text(*controller->table_difference())));
+        warnings.push_back(with_code(code::kTableDifference, "controller \"", spec.name,
+                                     "\": the table differs from the exact controller by up to ",
+                                     plain_text(*controller->table_difference())));
       return controller;
     }
     case ControllerKind::kSkyhook: {
@@ -65,41 +64,7 @@ std::unique_ptr<Controller> build(const ControllerSpec& spec, int outputs, std::
   FOOTFALL_DEMAND(false);
 }
 
-}  // namespace
-
-void add_controllers(const Scene& scene, Mechanism& mechanism) {
-  for (const ControllerSpec& spec : scene.controllers) {
-    const int outputs = static_cast<int>(spec.outputs.size());
-    ControllerEntry entry;
-    entry.name = spec.name;
-    entry.controller = build(spec, outputs, mechanism.warnings);
-    if (entry.controller->output_count() != outputs)
-      throw InputError(code::kOutputCount, place_of(scene.file, spec.source, "outputs") + "contains " +
-                                               std::to_string(outputs) + " names, expected " +
-                                               std::to_string(entry.controller->output_count()) +
-                                               ", the outputs of the controller");
-    entry.body = scene.body_index(spec.body);
-    entry.touchdown_acceleration = spec.touchdown_acceleration;
-    entry.touchdown_delay = spec.touchdown_delay;
-    if (spec.touchdown_acceleration == 0.0 || spec.kind == ControllerKind::kConstant)
-      entry.wakes_at = -std::numeric_limits<double>::infinity();
-    entry.outputs = spec.outputs;
-    for (int k = 0; k < outputs; ++k) {
-      const int place = add_input(mechanism, 0.0);
-      if (k == 0) entry.first_input = place;
-    }
-    entry.struts.assign(static_cast<std::size_t>(outputs), -1);
-    for (std::size_t i = 0; i < scene.struts.size(); ++i)
-      for (std::size_t k = 0; k < spec.outputs.size(); ++k)
-        if (scene.struts[i].mr && scene.struts[i].mr->controller == spec.name + "." + spec.outputs[k])
-          entry.struts[k] = static_cast<int>(i);
-    mechanism.controllers.push_back(std::move(entry));
-  }
-}
-
 // Signals and states of the scene: blocks, their places among the inputs of a run, and measurements of continuous signals.
-
-namespace {
 
 std::unique_ptr<SignalBlock> build_table2(const SignalSpec& spec) {
   using RowByRow = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -229,7 +194,68 @@ std::unique_ptr<Sensor> body_sensor(const Model& model, const std::string& name)
   return find(kAttitudeEntries);
 }
 
+std::vector<std::string> continuous_names(const Mechanism& mechanism) {
+  std::vector<std::string> names = {"time"};
+  for (const PlaceEntry& entry : mechanism.signals) names.push_back("signal." + entry.name);
+  for (const CoordinateEntry& entry : mechanism.coordinates)
+    names.push_back(concat(entry.name, ".", name_of(entry.coordinate)));
+  for (int i = 0; i < mechanism.model.body_count(); ++i) names.push_back(mechanism.model.body(i).name() + ".z");
+  for (const StrutEntry& entry : mechanism.struts) names.push_back(entry.name + ".stroke");
+  for (const CableEntry& entry : mechanism.cables) names.push_back(entry.name + ".force");
+  return names;
+}
+
+void add_continuous(const Scene& scene, SignalChain chain, Mechanism& mechanism) {
+  std::vector<SignalSource> sources;
+  std::vector<std::unique_ptr<Sensor>> sensors;
+  for (const std::string& name : chain.names()) {
+    if (const std::optional<SignalSource> source = signal_source(mechanism, name)) {
+      sources.push_back(*source);
+      continue;
+    }
+    std::unique_ptr<Sensor> sensor = sensor_of(mechanism, name);
+    if (!sensor)
+      throw InputError(
+          code::kNotContinuous, where_read(scene, name), "a continuous signal cannot read \"", name,
+          "\", expected time, positions and velocities of bodies, joints and struts, cables, or other signals. For "
+          "accelerations, forces and contacts give the signal a period, for example period_ms = 1.",
+          known_names("names", name, continuous_names(mechanism)));
+    sources.push_back({SignalSource::Kind::kSensor, sensors.size()});
+    sensors.push_back(std::move(sensor));
+  }
+  mechanism.model.set_signals(
+      std::make_shared<const ContinuousSignals>(std::move(chain), std::move(sources), std::move(sensors)));
+}
+
 }  // namespace
+
+void add_controllers(const Scene& scene, Mechanism& mechanism) {
+  for (const ControllerSpec& spec : scene.controllers) {
+    const int outputs = static_cast<int>(spec.outputs.size());
+    ControllerEntry entry;
+    entry.name = spec.name;
+    entry.controller = build(spec, outputs, mechanism.warnings);
+    if (entry.controller->output_count() != outputs)
+      throw InputError(code::kOutputCount, place_of(scene.file, spec.source, "outputs"), "contains ", outputs,
+                       " names, expected ", entry.controller->output_count(), ", the outputs of the controller");
+    entry.body = scene.body_index(spec.body);
+    entry.touchdown_acceleration = spec.touchdown_acceleration;
+    entry.touchdown_delay = spec.touchdown_delay;
+    if (spec.touchdown_acceleration == 0.0 || spec.kind == ControllerKind::kConstant)
+      entry.wakes_at = -std::numeric_limits<double>::infinity();
+    entry.outputs = spec.outputs;
+    for (int k = 0; k < outputs; ++k) {
+      const int place = add_input(mechanism, 0.0);
+      if (k == 0) entry.first_input = place;
+    }
+    entry.struts.assign(outputs, -1);
+    for (std::size_t i = 0; i < scene.struts.size(); ++i)
+      for (std::size_t k = 0; k < spec.outputs.size(); ++k)
+        if (scene.struts[i].mr && scene.struts[i].mr->controller == spec.name + "." + spec.outputs[k])
+          entry.struts[k] = static_cast<int>(i);
+    mechanism.controllers.push_back(std::move(entry));
+  }
+}
 
 std::unique_ptr<Sensor> sensor_of(const Mechanism& mechanism, const std::string& name) {
   const Model& model = mechanism.model;
@@ -258,44 +284,6 @@ std::unique_ptr<Sensor> sensor_of(const Mechanism& mechanism, const std::string&
           return std::make_unique<CableSensor>(entry.force.of(model), entry.force.index(), column.value);
   return nullptr;
 }
-
-namespace {
-
-std::vector<std::string> continuous_names(const Mechanism& mechanism) {
-  std::vector<std::string> names = {"time"};
-  for (const PlaceEntry& entry : mechanism.signals) names.push_back("signal." + entry.name);
-  for (const CoordinateEntry& entry : mechanism.coordinates)
-    names.push_back(entry.name + "." + std::string(name_of(entry.coordinate)));
-  for (int i = 0; i < mechanism.model.body_count(); ++i) names.push_back(mechanism.model.body(i).name() + ".z");
-  for (const StrutEntry& entry : mechanism.struts) names.push_back(entry.name + ".stroke");
-  for (const CableEntry& entry : mechanism.cables) names.push_back(entry.name + ".force");
-  return names;
-}
-
-void add_continuous(const Scene& scene, SignalChain chain, Mechanism& mechanism) {
-  std::vector<SignalSource> sources;
-  std::vector<std::unique_ptr<Sensor>> sensors;
-  for (const std::string& name : chain.names()) {
-    if (const std::optional<SignalSource> source = signal_source(mechanism, name)) {
-      sources.push_back(*source);
-      continue;
-    }
-    std::unique_ptr<Sensor> sensor = sensor_of(mechanism, name);
-    if (!sensor)
-      throw InputError(
-          code::kNotContinuous,
-          where_read(scene, name) + "a continuous signal cannot read \"" + name +
-              "\", expected time, positions and velocities of bodies, joints and struts, cables, or other signals. "
-              "For accelerations, forces and contacts give the signal a period, for example period_ms = 1." +
-              known_names("names", name, continuous_names(mechanism)));
-    sources.push_back({SignalSource::Kind::kSensor, sensors.size()});
-    sensors.push_back(std::move(sensor));
-  }
-  mechanism.model.set_signals(
-      std::make_shared<const ContinuousSignals>(std::move(chain), std::move(sources), std::move(sensors)));
-}
-
-}  // namespace
 
 std::optional<SignalSource> signal_source(const Mechanism& mechanism, const std::string& name) {
   using Kind = SignalSource::Kind;

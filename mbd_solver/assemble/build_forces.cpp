@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/errors.h"
-#include "coupler/base/text.h"
 #include "mbd_solver/assemble/codes.h"
 #include "mbd_solver/assemble/law_files.h"
 #include "mbd_solver/assemble/mechanism.h"
@@ -88,35 +88,10 @@ int voltage_place(const StrutSpec& spec, Mechanism& mechanism) {
   return add_input(mechanism, spec.mr->voltage);
 }
 
-}  // namespace
-
-namespace {
-
 // The placement of bodies that [initial] places, or the reference configuration.
 Placement placement_of(const Scene& scene, const Mechanism& mechanism, const std::array<std::string, 2>& bodies) {
   return stands_still(scene, bodies[0]) || stands_still(scene, bodies[1]) ? Placement() : mechanism.placement;
 }
-
-}  // namespace
-
-void add_struts(const Scene& scene, Mechanism& mechanism) {
-  for (const StrutSpec& spec : scene.struts) {
-    const int voltage = voltage_place(spec, mechanism);
-    const double length = spec.length.value_or((spec.points[1] - spec.points[0]).norm());
-    const Placement placement = placement_of(scene, mechanism, spec.bodies);
-    const auto marker = [&](std::size_t end) {
-      return mechanism.model.marker_at(scene.body_index(spec.bodies[end]), placement.point(spec.points[end]));
-    };
-    try {
-      auto strut = std::make_unique<Strut>(spec.name, marker(0), marker(1), laws_of(spec, length), length, voltage);
-      mechanism.struts.push_back({spec.name, mechanism.model.add_force(std::move(strut))});
-    } catch (const InputError& error) {
-      throw InputError(place_of(scene.file, spec.source) + error.what());
-    }
-  }
-}
-
-namespace {
 
 // The angle from direction `from` to `to` about the axis, as a wrap: from -90 to 270 degrees.
 double wrap_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& axis) {
@@ -153,7 +128,7 @@ CablePart cable_part(const std::vector<CablePlace>& places, const std::vector<in
       if (out.wraps[i] < 0.0 && (leaves == 0 || out.wraps[i] < out.wraps[touched[leaves]])) leaves = k;
     }
     if (leaves == 0) continue;
-    touched.erase(touched.begin() + static_cast<std::ptrdiff_t>(leaves));
+    touched.erase(touched.begin() + leaves);
     again = true;
   }
   return out;
@@ -192,60 +167,29 @@ BuiltCable build(const CableSpec& spec, const std::string& name, std::size_t fir
   if (spec.stiffness) parameters.length -= tension / *spec.stiffness;
   if (spec.EA) parameters.length *= *spec.EA / (*spec.EA + tension);
   if (!(parameters.length > 0.0))
-    throw InputError(code::kNoLength, "tension: stretches the cable by more than its way of " +
-                                          number_text(part.length) + " m; make it smaller, or the cable stiffer");
+    throw InputError(code::kNoLength, "tension: stretches the cable by more than its way of ", part.length,
+                     " m; make it smaller, or the cable stiffer");
   return {std::make_unique<Cable>(name, std::move(guides), parameters), part.touches.front().out,
           part.touches.back().in};
 }
-
-}  // namespace
-
-namespace {
 
 // A pulley between the last two cables of the mechanism, which it divides.
 void add_grip(const Scene& scene, const CableSpec& spec, std::size_t guide, const Eigen::Vector3d& in,
               const Eigen::Vector3d& out, const Placement& placement, Mechanism& mechanism) {
   const CableGuideSpec& round = spec.path[guide];
   GripEntry grip;
-  grip.name = "cable \"" + spec.name + "\": guide " + std::to_string(guide + 1) + " of its path, on body \"" +
-              round.body + "\"";
+  grip.name = concat("cable \"", spec.name, "\": guide ", guide + 1, " of its path, on body \"", round.body, "\"");
   grip.after = mechanism.cables.back().force;
   grip.before = mechanism.cables[mechanism.cables.size() - 2].force;
   grip.wrap =
       wrap_between(in, out, placement.R_WD * round.axis.value_or(Eigen::Vector3d::UnitZ())) + 2.0 * kPi * round.turns;
   if (grip.wrap < -kLeastWrap)
-    mechanism.warnings.push_back(with_code(
-        code::kGripWithoutWrap, place_of(scene.file, spec.source) + grip.name +
-                                    ": the cable passes this pulley on the other side and holds it all the same, "
-                                    "because grip = true; give axis "
-                                    "the opposite sign, or turns, or remove grip if the cable may leave the pulley"));
+    mechanism.warnings.push_back(
+        with_code(code::kGripWithoutWrap, place_of(scene.file, spec.source), grip.name,
+                  ": the cable passes this pulley on the other side and holds it all the same, because grip = true; "
+                  "give axis the opposite sign, or turns, or remove grip if the cable may leave the pulley"));
   mechanism.grips.push_back(std::move(grip));
 }
-
-}  // namespace
-
-void add_cables(const Scene& scene, Mechanism& mechanism) {
-  for (const CableSpec& spec : scene.cables) {
-    bool still = false;
-    for (const CableGuideSpec& guide : spec.path) still = still || stands_still(scene, guide.body);
-    const Placement placement = still ? Placement() : mechanism.placement;
-    const std::vector<std::size_t> ends = spec.ends();
-    Eigen::Vector3d in = Eigen::Vector3d::Zero();  // of the part before
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-      const std::string name = ends.size() == 2 ? spec.name : spec.name + "." + std::to_string(k + 1);
-      try {
-        BuiltCable built = build(spec, name, ends[k], ends[k + 1], placement, scene, mechanism.model);
-        mechanism.cables.push_back({name, mechanism.model.add_force(std::move(built.cable))});
-        if (k > 0) add_grip(scene, spec, ends[k], in, built.out_of_first, placement, mechanism);
-        in = built.in_of_last;
-      } catch (const InputError& error) {
-        throw InputError(place_of(scene.file, spec.source) + error.what());
-      }
-    }
-  }
-}
-
-namespace {
 
 std::unique_ptr<ForceElement> build(const SpringSpec& spec, const Scene& scene, const Mechanism& mechanism) {
   const Placement placement = placement_of(scene, mechanism, spec.bodies);
@@ -277,33 +221,7 @@ std::unique_ptr<ForceElement> build(const SpringSpec& spec, const Scene& scene, 
   FOOTFALL_DEMAND(false);
 }
 
-}  // namespace
-
-void add_springs(const Scene& scene, Mechanism& mechanism) {
-  for (const SpringSpec& spec : scene.springs) mechanism.model.add_force(build(spec, scene, mechanism));
-}
-
-void add_forces(const Scene& scene, Mechanism& mechanism) {
-  Model& model = mechanism.model;
-  const auto magnitude = [&](const std::optional<TimeFunctionSpec>& spec) {
-    return Magnitude(time_function(spec, TableShape::kLines), spec ? signal_place(mechanism, spec->signal) : -1);
-  };
-  for (const ForceSpec& spec : scene.forces) {
-    const int body = scene.body_index(spec.body);
-    const Placement placement = placement_of(scene, mechanism, {spec.body, spec.body});
-    const Eigen::Vector3d p_W = spec.point ? placement.point(*spec.point) : model.initial(body).r;
-    const bool turns = spec.frame == ForceFrame::kBody;
-    const Eigen::Matrix3d axes_W = turns ? Eigen::Matrix3d(placement.R_WD * axes_with_z(spec.direction))
-                                         : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-    mechanism.forces.push_back(model.add_force(std::make_unique<AppliedForce>(
-        "force/" + spec.name, model.marker_at(body, p_W, axes_W), turns ? std::nullopt : std::optional(spec.direction),
-        magnitude(spec.force), magnitude(spec.torque))));
-  }
-}
-
 // Contacts with planes, with the walls of the script, and of bodies with each other.
-
-namespace {
 
 // Points deeper than this share of the smaller body have passed through and are not pushed back.
 constexpr double kDepth = 0.1;
@@ -460,6 +378,66 @@ void add_walls(const Scene& scene, const ContactSpec& spec, Mechanism& mechanism
 
 }  // namespace
 
+void add_struts(const Scene& scene, Mechanism& mechanism) {
+  for (const StrutSpec& spec : scene.struts) {
+    const int voltage = voltage_place(spec, mechanism);
+    const double length = spec.length.value_or((spec.points[1] - spec.points[0]).norm());
+    const Placement placement = placement_of(scene, mechanism, spec.bodies);
+    const auto marker = [&](std::size_t end) {
+      return mechanism.model.marker_at(scene.body_index(spec.bodies[end]), placement.point(spec.points[end]));
+    };
+    try {
+      auto strut = std::make_unique<Strut>(spec.name, marker(0), marker(1), laws_of(spec, length), length, voltage);
+      mechanism.struts.push_back({spec.name, mechanism.model.add_force(std::move(strut))});
+    } catch (const InputError& error) {
+      throw InputError(place_of(scene.file, spec.source) + error.what());
+    }
+  }
+}
+
+void add_cables(const Scene& scene, Mechanism& mechanism) {
+  for (const CableSpec& spec : scene.cables) {
+    bool still = false;
+    for (const CableGuideSpec& guide : spec.path) still = still || stands_still(scene, guide.body);
+    const Placement placement = still ? Placement() : mechanism.placement;
+    const std::vector<std::size_t> ends = spec.ends();
+    Eigen::Vector3d in = Eigen::Vector3d::Zero();  // of the part before
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      const std::string name = ends.size() == 2 ? spec.name : concat(spec.name, ".", k + 1);
+      try {
+        BuiltCable built = build(spec, name, ends[k], ends[k + 1], placement, scene, mechanism.model);
+        mechanism.cables.push_back({name, mechanism.model.add_force(std::move(built.cable))});
+        if (k > 0) add_grip(scene, spec, ends[k], in, built.out_of_first, placement, mechanism);
+        in = built.in_of_last;
+      } catch (const InputError& error) {
+        throw InputError(place_of(scene.file, spec.source) + error.what());
+      }
+    }
+  }
+}
+
+void add_springs(const Scene& scene, Mechanism& mechanism) {
+  for (const SpringSpec& spec : scene.springs) mechanism.model.add_force(build(spec, scene, mechanism));
+}
+
+void add_forces(const Scene& scene, Mechanism& mechanism) {
+  Model& model = mechanism.model;
+  const auto magnitude = [&](const std::optional<TimeFunctionSpec>& spec) {
+    return Magnitude(time_function(spec, TableShape::kLines), spec ? signal_place(mechanism, spec->signal) : -1);
+  };
+  for (const ForceSpec& spec : scene.forces) {
+    const int body = scene.body_index(spec.body);
+    const Placement placement = placement_of(scene, mechanism, {spec.body, spec.body});
+    const Eigen::Vector3d p_W = spec.point ? placement.point(*spec.point) : model.initial(body).r;
+    const bool turns = spec.frame == ForceFrame::kBody;
+    const Eigen::Matrix3d axes_W = turns ? Eigen::Matrix3d(placement.R_WD * axes_with_z(spec.direction))
+                                         : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    mechanism.forces.push_back(model.add_force(std::make_unique<AppliedForce>(
+        "force/" + spec.name, model.marker_at(body, p_W, axes_W), turns ? std::nullopt : std::optional(spec.direction),
+        magnitude(spec.force), magnitude(spec.torque))));
+  }
+}
+
 void add_plane_contact(const Scene& scene, const BodyBoundary& entry, const std::string& prefix, double below,
                        std::shared_ptr<const Terrain> terrain, Mechanism& mechanism) {
   const bool rocks = scene.ground.kind == GroundKind::kSoil && terrain && !terrain->rocks().empty();
@@ -498,7 +476,7 @@ void add_contacts(const Scene& scene, Mechanism& mechanism) {
       BodyBoundary touching{body, boundary_of(mechanism, body).boundary, {}, {}};
       add_plane_places(scene, mechanism.model.body(body), touching);
       add_contact(std::make_unique<RigidPlane>(
-                      "plane_" + std::to_string(i + 1) + "/" + spec.between[0], touching.points,
+                      concat("plane_", i + 1, "/", spec.between[0]), touching.points,
                       plane_parameters(contact_law(spec, scene, mechanism), spec.point, spec.normal), touching.rims),
                   mechanism);
     } else {
@@ -535,11 +513,9 @@ void set_walls(const std::vector<StaticWall>& walls, Mechanism& mechanism) {
     const int body = entry.force.of(mechanism.model).bodies()[0];
     const std::string& name = mechanism.model.body(body).name();
     if (across > kDepth * reach(boundary_of(mechanism, body)))
-      throw InputError(code::kAcrossWall,
-                       "contacts: body \"" + name + "\" is on both sides of a wall at the start, by " +
-                           number_text(across) +
-                           " m, so the wall cannot hold it; move it, or exclude it from the entry with walls = true "
-                           "(bodies)");
+      throw InputError(
+          code::kAcrossWall, "contacts: body \"", name, "\" is on both sides of a wall at the start, by ", across,
+          " m, so the wall cannot hold it; move it, or exclude it from the entry with walls = true (bodies)");
     entry.walls->surface = surface;
   }
 }

@@ -94,13 +94,10 @@ void add_hulls(const Scene& scene, const std::vector<FlexibleBody>& flexible, Me
     surfaces.push_back(build_boundary(scene, boundary, FlexibleBody(), unused));
     mechanism.hulls.push_back({body, kHullDepth * shape->size});
   }
-  for (std::size_t k = 0; k < surfaces.size(); ++k) {
-    const double below = mechanism.hulls[k].below;
-    add_plane_contact(scene, surfaces[k], "hull/", below, ground.at(below), mechanism);
-  }
   std::vector<SoilSurface> touching;
   for (std::size_t k = 0; k < surfaces.size(); ++k) {
     const double below = mechanism.hulls[k].below;
+    add_plane_contact(scene, surfaces[k], "hull/", below, ground.at(below), mechanism);
     touching.push_back({&surfaces[k], below, ground.at(below)});
   }
   add_soil_contacts(scene, touching, "hull/", mechanism);

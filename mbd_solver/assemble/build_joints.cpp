@@ -1,10 +1,7 @@
 // Joints of the scene as markers on the bodies; the laws and drives on their coordinates; gears.
 
-#include <cmath>
-
 #include "coupler/base/errors.h"
 #include "mbd_solver/assemble/mechanism.h"
-#include "mbd_solver/assemble/moved_mass.h"
 #include "mbd_solver/assemble/time_functions.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/model/elements/forces.h"
@@ -86,39 +83,7 @@ Joint build(const JointSpec& spec, const Model& model, int a, int b, const Place
   FOOTFALL_DEMAND(false);
 }
 
-}  // namespace
-
-void add_joints(const Scene& scene, Mechanism& mechanism) {
-  const Placement as_drawn;
-  for (const JointSpec& spec : scene.joints) {
-    const bool still = stands_still(scene, spec.bodies[0]) || stands_still(scene, spec.bodies[1]);
-    Joint joint = build(spec, mechanism.model, scene.body_index(spec.bodies[0]), scene.body_index(spec.bodies[1]),
-                        still ? as_drawn : mechanism.placement);
-    joint.counts_turns = has_coordinate(spec.type, Coordinate::kAngle);
-    mechanism.model.add_joint(std::move(joint));
-  }
-}
-
-// Gears of the scene, between coordinates of its joints.
-void add_gears(const Scene& scene, Mechanism& mechanism) {
-  for (const GearSpec& spec : scene.gears) {
-    std::vector<GearMember> members;
-    for (std::size_t i = 0; i < spec.joints.size(); ++i)
-      members.push_back({scene.joint_index(spec.joints[i]), scene.coordinate_of(spec, i), spec.factors[i]});
-    if (!spec.curve.empty()) {
-      auto [q, y] = columns_of(spec.curve);
-      if (spec.closed && members.back().coordinate == Coordinate::kAngle) q.back() = q.front() + 2.0 * kPi;  // exactly
-      members.back().curve =
-          std::make_shared<CubicSpline>("gears." + spec.name + ".curve", q, y,
-                                        spec.closed ? CubicSpline::Ends::kClosed : CubicSpline::Ends::kNatural);
-    }
-    mechanism.gears.push_back({spec.name, add_gear(mechanism.model, spec.name, members), members[0].coordinate});
-  }
-}
-
 // Forces on the coordinates of joints: stops, friction, springs, and the drives with their rotors.
-
-namespace {
 
 using Laws = std::vector<std::unique_ptr<StrutLaw>>;
 
@@ -157,6 +122,34 @@ Handle<JointForce> add_joint_force(const std::string& name, int joint, Coordinat
 }
 
 }  // namespace
+
+void add_joints(const Scene& scene, Mechanism& mechanism) {
+  const Placement as_drawn;
+  for (const JointSpec& spec : scene.joints) {
+    const bool still = stands_still(scene, spec.bodies[0]) || stands_still(scene, spec.bodies[1]);
+    Joint joint = build(spec, mechanism.model, scene.body_index(spec.bodies[0]), scene.body_index(spec.bodies[1]),
+                        still ? as_drawn : mechanism.placement);
+    joint.counts_turns = has_coordinate(spec.type, Coordinate::kAngle);
+    mechanism.model.add_joint(std::move(joint));
+  }
+}
+
+// Gears of the scene, between coordinates of its joints.
+void add_gears(const Scene& scene, Mechanism& mechanism) {
+  for (const GearSpec& spec : scene.gears) {
+    std::vector<GearMember> members;
+    for (std::size_t i = 0; i < spec.joints.size(); ++i)
+      members.push_back({scene.joint_index(spec.joints[i]), scene.coordinate_of(spec, i), spec.factors[i]});
+    if (!spec.curve.empty()) {
+      auto [q, y] = columns_of(spec.curve);
+      if (spec.closed && members.back().coordinate == Coordinate::kAngle) q.back() = q.front() + 2.0 * kPi;  // exactly
+      members.back().curve =
+          std::make_shared<CubicSpline>("gears." + spec.name + ".curve", q, y,
+                                        spec.closed ? CubicSpline::Ends::kClosed : CubicSpline::Ends::kNatural);
+    }
+    mechanism.gears.push_back({spec.name, add_gear(mechanism.model, spec.name, members), members[0].coordinate});
+  }
+}
 
 void add_drives(const Scene& scene, Mechanism& mechanism) {
   Model& model = mechanism.model;

@@ -45,7 +45,7 @@ std::vector<SoilFacet> facets_of(const BodyBoundary& entry, double side, bool fa
     Eigen::Vector3d area;      // along the normal [m2]
     std::vector<int> corners;  // the others of its triangles
   };
-  std::vector<std::vector<Share>> around(static_cast<std::size_t>(boundary.node_count()));
+  std::vector<std::vector<Share>> around(boundary.node_count());
   for (const Eigen::Vector3i& t : boundary.triangles()) {
     const Eigen::Vector3d a = corner(boundary, t[0]);
     const Eigen::Vector3d third =

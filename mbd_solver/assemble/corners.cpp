@@ -91,11 +91,10 @@ Corner Corners::next_step_end(double t, const Eigen::VectorXd& values) {
 std::vector<std::string> Corners::warnings() const {
   std::vector<std::string> warnings;
   for (const std::string& label : signals_.too_fast())
-    warnings.push_back(with_code(code::kVariesTooFast,
-                                 label + " varies too fast in time for the grid of " +
-                                     std::to_string(GivenSignals::kCells) +
-                                     " cells on which its corners are sought: steps may pass over parts of it. Divide "
-                                     "end_time, or give a table of its values"));
+    warnings.push_back(with_code(code::kVariesTooFast, label, " varies too fast in time for the grid of ",
+                                 GivenSignals::kCells,
+                                 " cells on which its corners are sought: steps may pass over parts of it. Divide "
+                                 "end_time, or give a table of its values"));
   return warnings;
 }
 

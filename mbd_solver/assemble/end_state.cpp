@@ -7,7 +7,6 @@
 
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
-#include "coupler/base/text.h"
 #include "mbd_solver/assemble/codes.h"
 #include "mbd_solver/scene/findings.h"
 

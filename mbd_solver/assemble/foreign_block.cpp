@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <utility>
 
 #include "coupler/archive.h"
 #include "coupler/base/text.h"
@@ -27,7 +26,7 @@ std::vector<double> numbers_of(std::initializer_list<double> times, const BlockV
 }  // namespace
 
 void ForeignFunction::fail(const std::string& what) const {
-  throw ForeignError(code::kForeignFailed, "t = " + number_text(time_, 9) + " s: " + program_.label + ": " + what);
+  throw ForeignError(code::kForeignFailed, "t = ", number_text(time_, 9), " s: ", program_.label, ": ", what);
 }
 
 double ForeignFunction::sample_time(double t, int later) const {
@@ -64,14 +63,13 @@ void ForeignFunction::ask_outputs(char letter, const std::vector<double>& number
   const std::string answer = ask(letter, numbers, bytes);
   const std::size_t size = static_cast<std::size_t>(program_.outputs) * sizeof(double);
   if (answer[0] != 'V' || answer.size() != 1 + size)
-    fail("its program sent an answer of " + std::to_string(answer.size()) + " bytes, expected " +
-         std::to_string(program_.outputs) + " outputs");
+    fail(concat("its program sent an answer of ", answer.size(), " bytes, expected ", program_.outputs, " outputs"));
   outputs_.resize(program_.outputs);
   std::memcpy(outputs_.data(), answer.data() + 1, size);
   for (int i = 0; i < program_.outputs; ++i)
     if (!std::isfinite(outputs_[i]))
-      fail("its output \"" + program_.output_names[i] + "\" is " + number_text(outputs_[i]) +
-           ", expected a finite number; check the inputs and parameters that it is given");
+      fail(concat("its output \"", program_.output_names[i], "\" is ", outputs_[i],
+                  ", expected a finite number; check the inputs and parameters that it is given"));
 }
 
 void ForeignFunction::begin(double t, const BlockValues& u) {
@@ -96,8 +94,8 @@ void ForeignFunction::visit(Archive& archive) {
   if (!archive.restores() && process_) {
     const std::string answer = ask('G', {}, "");
     if (answer[0] == 'N')
-      throw ForeignError(code::kForeignStateless,
-                         program_.label + ": a checkpoint cannot be written: " + answer.substr(1));
+      throw ForeignError(code::kForeignStateless, program_.label,
+                         ": a checkpoint cannot be written: ", answer.substr(1));
     if (answer[0] != 'B') fail("its program sent another answer than its state");
     state = base64(answer.substr(1));
   }
@@ -107,8 +105,8 @@ void ForeignFunction::visit(Archive& archive) {
   if (!archive.restores() || !begun) return;
   const std::optional<std::string> bytes = bytes_of_base64(state);
   if (!bytes || inputs_.size() != program_.inputs)
-    throw InputError(code::kForeignState,
-                     program_.label + ": its state in the checkpoint is damaged; resume from another one");
+    throw InputError(code::kForeignState, program_.label,
+                     ": its state in the checkpoint is damaged; resume from another one");
   process_.reset();
   const Eigen::VectorXd known = outputs_;
   ask_outputs('R', numbers_of({time_}, inputs_), *bytes);

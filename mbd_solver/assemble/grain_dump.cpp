@@ -24,8 +24,8 @@ std::vector<GrainPlace> read_grains(const std::string& path) {
   require_regular_file(path);
   TextReader text = TextReader::if_there(path);
   if (!text.opened())
-    throw InputError(kNoGrainFile, "particles.grains: " + path +
-                                       " cannot be read; it is written with the bed (dump custom x y z radius)");
+    throw InputError(kNoGrainFile, "particles.grains: ", path,
+                     " cannot be read; it is written with the bed (dump custom x y z radius)");
   std::vector<GrainPlace> grains;
   bool atoms = false, clumps = false, speeds = false;
   double value[8] = {};
@@ -40,8 +40,7 @@ std::vector<GrainPlace> read_grains(const std::string& path) {
     }
     if (!atoms) continue;
     const auto demand = [&](bool met, const char* expected) {
-      if (!met)
-        text.fail(kGrainFile, "is \"" + line + "\", expected " + std::string(expected) + "; make the bed again");
+      if (!met) text.fail(kGrainFile, "is \"", line, "\", expected ", expected, "; make the bed again");
     };
     const std::vector<std::string_view>& words = text.fields(Separators::kBlanks);
     const std::size_t count = 4 + (clumps ? 1 : 0) + (speeds ? 3 : 0);
@@ -57,7 +56,7 @@ std::vector<GrainPlace> read_grains(const std::string& path) {
     if (speeds) grain.speed = Eigen::Map<const Eigen::Vector3d>(value + count - 3).norm();
     grains.push_back(grain);
   }
-  if (grains.empty()) throw InputError(kGrainFile, path + ": contains no grains, expected a dump of x y z radius");
+  if (grains.empty()) throw InputError(kGrainFile, path, ": contains no grains, expected a dump of x y z radius");
   return grains;
 }
 

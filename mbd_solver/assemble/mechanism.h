@@ -254,6 +254,11 @@ void add_controllers(const Scene& scene, Mechanism& mechanism);
 void add_signal_places(const Scene& scene, Mechanism& mechanism);  // before the forces that they command
 void add_signals(const Scene& scene, Mechanism& mechanism);        // after the parts that they measure
 
+// The mass, or moment of inertia, that a joint coordinate moves: an estimate from above, for the damping of stick in joints. In
+// the reference configuration, all other joints locked: the smaller of both sides of the joint [kg or kg m2], including the
+// contributions of gears and rotors on the coordinate. In a loop all bodies. > 0.
+double moved_mass(const Scene& scene, const Mechanism& mechanism, int joint, Coordinate coordinate);
+
 // Contacts that throw bodies higher than they are large, because they overlap at the start.
 void warn_of_overlaps(const Scene& scene, Mechanism& mechanism);
 

@@ -1,6 +1,6 @@
 // Bodies that other joints connect to either side of a joint move with it; the ground does not move.
 
-#include "mbd_solver/assemble/moved_mass.h"
+#include "mbd_solver/assemble/mechanism.h"
 
 #include <algorithm>
 #include <limits>

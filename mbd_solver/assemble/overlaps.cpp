@@ -64,11 +64,10 @@ void warn_of_overlaps(const Scene& scene, Mechanism& mechanism) {
     if (size == 0.0 || !(height > size)) continue;
     const bool pair = bodies[0] != kGround && bodies[1] != kGround;
     mechanism.warnings.push_back(with_code(
-        code::kThrownAtStart,
-        names + (pair ? " overlap at the start" : ": is below the surface of a plane at the start") +
-            ": the contact would throw " + number_text(mass, 3) + " kg up by " + number_text(height, 2) +
-            " m. Move one of them" +
-            (pair ? ", or add a [[contacts]] entry with ignore = true." : ", for example by initial.clearance.")));
+        code::kThrownAtStart, names, pair ? " overlap at the start" : ": is below the surface of a plane at the start",
+        ": the contact would throw ", number_text(mass, 3), " kg up by ", number_text(height, 2),
+        " m. Move one of them",
+        pair ? ", or add a [[contacts]] entry with ignore = true." : ", for example by initial.clearance."));
   }
 }
 
