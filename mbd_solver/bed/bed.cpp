@@ -14,11 +14,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <sstream>
 
 #include "coupler/base/clock.h"
+#include "coupler/base/concat.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/number.h"
@@ -60,10 +60,10 @@ std::string key_in(const fs::path& folder) {
 }
 
 std::string seal_of(const fs::path& folder) {
-  std::string text = std::string(kSealHead) + "\nconditions " + key_in(folder) + "\n";
+  std::string text = concat(kSealHead, "\nconditions ", key_in(folder), "\n");
   for (const char* name : {kBedRestart, kBedGrains})
     if (const auto bytes = read_whole_file((folder / name).string()))
-      text += std::string(name) + " " + std::to_string(bytes->size()) + " " + fingerprint(*bytes) + "\n";
+      text += concat(name, " ", bytes->size(), " ", fingerprint(*bytes), "\n");
   return text;
 }
 
@@ -74,8 +74,8 @@ std::string unwritten_part(const fs::path& folder) {
   std::error_code error;
   for (const char* name : {kBedRestart, kBedGrains}) {
     const std::uintmax_t size = fs::file_size(folder / name, error);
-    if (!error && size == 0) return std::string(name) + " is empty";
-    if (!error && limited && size >= limit.rlim_cur) return std::string(name) + " has reached the limit of file sizes";
+    if (!error && size == 0) return concat(name, " is empty");
+    if (!error && limited && size >= limit.rlim_cur) return concat(name, " has reached the limit of file sizes");
   }
   constexpr std::uintmax_t kLeast = 1 << 16;  // bytes; a disk that has refused bytes has less
   const fs::space_info space = fs::space(folder, error);
@@ -99,9 +99,7 @@ std::string host() {
 constexpr const char* kPart = ".part";
 
 // KEY.partPID@HOST: whose it is.
-fs::path draft_name(const fs::path& target) {
-  return target.string() + kPart + std::to_string(getpid()) + "@" + host();
-}
+fs::path draft_name(const fs::path& target) { return concat(target.string(), kPart, getpid(), "@", host()); }
 
 // Drafts of this machine whose process has been killed.
 void remove_dead_drafts(const fs::path& beds) {
@@ -138,7 +136,7 @@ class Draft {
     std::error_code error;
     fs::rename(folder_, target, error);
     if (error && !fs::exists(target / kBedRestart))
-      throw InputError(code::kBedNotStored, target.string() + ": cannot be created: " + error.message());
+      throw InputError(code::kBedNotStored, target.string(), ": cannot be created: ", error.message());
   }
 
  private:
@@ -197,26 +195,25 @@ void make_bed(const BedSpec& spec, int ranks, bool quiet, bool trusted, double l
     throw Interrupted(code::kBedInterrupted, "interrupted while making the bed; nothing of it is stored");
   if (!liggghts_errors(log).empty() && spec.script == shipped_file("inputs/box/in.bed"))
     throw InputError(
-        code::kBedScriptFailed,
-        "the bed of [particles.box] could not be made: LIGGGHTS ended with \"" + liggghts_errors(log) +
-            "\". Grains that are lost or too fast mostly have forces that a step cannot resolve: lower "
-            "box.material.cohesion, give a smaller box.time_step, or leave out what differs from the defaults");
+        code::kBedScriptFailed, "the bed of [particles.box] could not be made: LIGGGHTS ended with \"",
+        liggghts_errors(log),
+        "\". Grains that are lost or too fast mostly have forces that a step cannot resolve: lower "
+        "box.material.cohesion, give a smaller box.time_step, or leave out what differs from the defaults");
   if (!liggghts_errors(log).empty())
-    throw InputError(code::kBedScriptFailed, "the bed's script " + spec.script + " failed in LIGGGHTS, at " +
-                                                 why_liggghts_stopped(log, spec.script, spec.variables));
+    throw InputError(code::kBedScriptFailed, "the bed's script ", spec.script, " failed in LIGGGHTS, at ",
+                     why_liggghts_stopped(log, spec.script, spec.variables));
   if (end.code == kExitBadInput)
-    throw InputError(code::kBedScriptFailed, "the bed's script " + spec.script + " failed in LIGGGHTS\n" + output);
+    throw InputError(code::kBedScriptFailed, "the bed's script ", spec.script, " failed in LIGGGHTS\n", output);
   if (end.code != 0)
-    throw PartnerError(code::kBedProgramEnded, "making the bed: LIGGGHTS ended with exit code " +
-                                                   std::to_string(end.code) + " on " + spec.script + "\n" + output);
+    throw PartnerError(code::kBedProgramEnded, "making the bed: LIGGGHTS ended with exit code ", end.code, " on ",
+                       spec.script, "\n", output);
   if (!fs::exists(restart))
-    throw InputError(code::kBedWithoutRestart,
-                     "the bed's script " + spec.script +
-                         " ended without writing the restart file; add the command: write_restart ${bed}");
+    throw InputError(code::kBedWithoutRestart, "the bed's script ", spec.script,
+                     " ended without writing the restart file; add the command: write_restart ${bed}");
   if (const std::string damage = unwritten_part(folder); !damage.empty())
-    throw PartnerError(code::kBedNotStored,
-                       "making the bed: " + damage + "; nothing of the bed is stored. Free space in " +
-                           folder.parent_path().string() + ", or set FOOTFALL_CACHE to another folder");
+    throw PartnerError(code::kBedNotStored, "making the bed: ", damage,
+                       "; nothing of the bed is stored. Free space in ", folder.parent_path().string(),
+                       ", or set FOOTFALL_CACHE to another folder");
   seal_bed(folder.string());
   write_whole_file((folder / kBedCost).string(), "{\"cpu_s\": " + number_text(end.cpu, 6) + "}\n", kAdvice);
 }
@@ -243,19 +240,18 @@ void require_own_bed(const std::string& folder) {
     const bool link = S_ISLNK(status.st_mode), ours = status.st_uid == geteuid() || status.st_uid == 0;
     if (ours && !link) continue;
     throw InputError(
-        code::kBedOfAnother,
-        file + (link ? ": is a link" : ": belongs to another user (number " + std::to_string(status.st_uid) + ")") +
-            ", expected a bed that you have made; set FOOTFALL_CACHE to a folder of "
-            "your own, or remove that bed");
+        code::kBedOfAnother, file,
+        link ? ": is a link" : concat(": belongs to another user (number ", status.st_uid, ")"),
+        ", expected a bed that you have made; set FOOTFALL_CACHE to a folder of your own, or remove that bed");
   }
 }
 
 std::string damage_of_bed(const std::string& folder) {
   const fs::path at(folder);
   const auto seal = read_whole_file((at / kSeal).string());
-  if (!seal) return std::string(kSeal) + " is missing";
+  if (!seal) return concat(kSeal, " is missing");
   TextReader lines(*seal, kSeal, code::kBedOfAnother);
-  const std::string unreadable = std::string(kSeal) + " cannot be read";
+  const std::string unreadable = concat(kSeal, " cannot be read");
   if (!lines.next() || (lines.line() != kSealHead && lines.line() != kOldSealHead)) return unreadable;
   if (lines.line() == kSealHead) {
     const std::vector<std::string> words = lines.next() ? blank_words(lines.line()) : std::vector<std::string>();
@@ -271,17 +267,16 @@ std::string damage_of_bed(const std::string& folder) {
     const std::size_t size = held;
     const auto bytes = read_whole_file((at / name).string());
     if (!bytes) return name + " is missing";
-    if (bytes->size() != size)
-      return name + " has " + std::to_string(bytes->size()) + " bytes; it was made with " + std::to_string(size);
+    if (bytes->size() != size) return concat(name, " has ", bytes->size(), " bytes; it was made with ", size);
     if (fingerprint(*bytes) != sum) return name + " has changed since it was made (checksum)";
     restart = restart || name == kBedRestart;
   }
-  return restart ? "" : std::string(kSeal) + " does not name " + kBedRestart;
+  return restart ? "" : concat(kSeal, " does not name ", kBedRestart);
 }
 
 std::string cache_folder() {
   if (const char* own = std::getenv("FOOTFALL_CACHE")) return own;
-  if (const char* xdg = std::getenv("XDG_CACHE_HOME")) return std::string(xdg) + "/footfall";
+  if (const char* xdg = std::getenv("XDG_CACHE_HOME")) return concat(xdg, "/footfall");
   const char* home = std::getenv("HOME");
   const passwd* const user = home != nullptr && *home != '\0' ? nullptr : getpwuid(geteuid());
   if (user != nullptr) home = user->pw_dir;
@@ -290,7 +285,7 @@ std::string cache_folder() {
     throw InputError(code::kNoCacheFolder,
                      "HOME is not set, so there is no folder for beds of grains; set FOOTFALL_CACHE "
                      "to a folder of your own");
-  return std::string(home) + "/.cache/footfall";
+  return concat(home, "/.cache/footfall");
 }
 
 std::string bed_key(const BedSpec& spec, const std::string& version) {

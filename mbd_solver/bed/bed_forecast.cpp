@@ -183,13 +183,11 @@ std::vector<std::string> leaving_bodies(const Scene& scene, const Mechanism& mec
     if (first == path.end()) continue;
     const double t = static_cast<double>(first - path.begin()) * scene.end_time / kSteps;
     const Eigen::Vector3d at = start.r + *first;
-    warnings.push_back(with_code(code::kMayLeaveBed,
-                                 "body \"" + name + "\" may leave the bed through a side at t = " + number_text(t, 2) +
-                                     " s, at x = " + number_text(at.x(), 3) + " m, y = " + number_text(at.y(), 3) +
-                                     " m: by its motion at the start and " +
-                                     (held.count(name) == 0 ? "gravity" : "its prescribed motion") +
-                                     ". Make particles.box.size larger, move the bed (particles.box.centre), or "
-                                     "end the scene earlier"));
+    warnings.push_back(
+        with_code(code::kMayLeaveBed, "body \"", name, "\" may leave the bed through a side at t = ", number_text(t, 2),
+                  " s, at x = ", number_text(at.x(), 3), " m, y = ", number_text(at.y(), 3),
+                  " m: by its motion at the start and ", held.count(name) == 0 ? "gravity" : "its prescribed motion",
+                  ". Make particles.box.size larger, move the bed (particles.box.centre), or end the scene earlier"));
   }
   return warnings;
 }
@@ -283,12 +281,12 @@ std::string proposal_text(const Scene& scene, const BedProposal& bed) {
   with.particles->box->depth = bed.depth;
   const double grains = box_numbers(with).grains;
   const double digit = std::pow(10.0, std::floor(std::log10(grains)) - 1.0);  // the second
-  return "  Suggested bed (" + std::to_string(std::lround(digit * std::round(grains / digit))) + " grains" +
-         (bed.further || !scene.drives.empty() ? "; longer if the body travels" : "") + "), for bodies up to " +
-         two(bed.width) + " m wide and about " + two(bed.sinkage) +
-         " m deep in a loose bed: --set particles.box.size=[" + two(bed.size[0]) + "," + two(bed.size[1]) +
-         "] --set particles.box.centre=[" + two(place(0)) + "," + two(place(1)) +
-         "] --set particles.box.depth=" + two(bed.depth) + " (docs/how-to/size_a_bed.md)\n";
+  return concat("  Suggested bed (", std::lround(digit * std::round(grains / digit)), " grains",
+                bed.further || !scene.drives.empty() ? "; longer if the body travels" : "", "), for bodies up to ",
+                two(bed.width), " m wide and about ", two(bed.sinkage),
+                " m deep in a loose bed: --set particles.box.size=[", two(bed.size[0]), ",", two(bed.size[1]),
+                "] --set particles.box.centre=[", two(place(0)), ",", two(place(1)),
+                "] --set particles.box.depth=", two(bed.depth), " (docs/how-to/size_a_bed.md)\n");
 }
 
 }  // namespace footfall

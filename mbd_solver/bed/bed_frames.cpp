@@ -18,7 +18,6 @@
 #include "mbd_solver/bed/codes.h"
 
 namespace footfall {
-
 namespace fs = std::filesystem;
 
 namespace {
@@ -30,8 +29,8 @@ struct Columns {
   const std::vector<double>& get(const std::string& path, const std::string& name) const {
     const auto found = of.find(name);
     if (found == of.end())
-      throw InputError(code::kDumpColumnMissing,
-                       path + ": no column \"" + name + "\"; dump id x y z vx vy vz radius of the grains");
+      throw InputError(code::kDumpColumnMissing, path, ": no column \"", name,
+                       "\"; dump id x y z vx vy vz radius of the grains");
     return found->second;
   }
 };
@@ -50,7 +49,7 @@ Columns read_text(TextReader& text) {
       continue;
     }
     if (words.size() < row.size())
-      text.fail("is \"" + text.line() + "\", expected a number for each column of ITEM: ATOMS");
+      text.fail("is \"", text.line(), "\", expected a number for each column of ITEM: ATOMS");
     for (std::size_t i = 0; i < row.size(); ++i) row[i]->push_back(text.number(words[i]));
   }
   return columns;
@@ -67,9 +66,9 @@ Columns read_vtk(TextReader& text) {
     double value = 0.0;
     for (long i = 0; i < n; ++i)
       for (std::vector<double>* const column : to) {
-        if (!text.next_word(word)) text.fail("the file ends in the middle of \"" + names.front() + "\"");
+        if (!text.next_word(word)) text.fail("the file ends in the middle of \"", names.front(), "\"");
         if (!read_number(word, value) || !std::isfinite(value))
-          text.fail("\"" + names.front() + "\" contains " + in_quotes(word) + ", expected a finite number");
+          text.fail("\"", names.front(), "\" contains ", in_quotes(word), ", expected a finite number");
         column->push_back(value);
       }
   };
@@ -112,7 +111,7 @@ std::string unpacked_array(std::string_view text, std::size_t most, const std::s
   if (!start || start->size() < 12) throw damaged;
   if (number(*start, 0) == 0) return "";
   if (number(*start, 0) != 1 || text.size() < kWholeHeader)
-    throw InputError(code::kDumpNotReadable, path + ": is no file that footfall has written");
+    throw InputError(code::kDumpNotReadable, path, ": is no file that footfall has written");
   const std::size_t size = number(*start, 1);
   const std::optional<std::string> packed = bytes_of_base64(text.substr(kWholeHeader));
   if (size > most || !packed) throw damaged;
@@ -137,13 +136,13 @@ Columns read_vtp(const std::string& path) {
   if (piece == std::string::npos ||
       !read_number(attribute(std::string_view(text).substr(piece, 200), "NumberOfPoints"), number) ||
       !(number >= 0.0) || number > 1e3 * static_cast<double>(text.size()))
-    throw InputError(code::kDumpNotReadable, path + ": is no VTK file of points; was it cut off?");
+    throw InputError(code::kDumpNotReadable, path, ": is no VTK file of points; was it cut off?");
   const auto n = static_cast<std::size_t>(number);
   columns.without_grains = n == 0;
   for (std::size_t at = piece; (at = text.find("<DataArray ", at)) != std::string::npos;) {
     const std::size_t start = text.find('>', at), end = text.find("</DataArray>", at);
     if (start == std::string::npos || end == std::string::npos || end < start)
-      throw InputError(code::kDumpNotReadable, path + ": ends in the middle of an array");
+      throw InputError(code::kDumpNotReadable, path, ": ends in the middle of an array");
     const std::string_view element(text.data() + at, start - at);
     std::string name(attribute(element, "Name"));
     const bool whole = attribute(element, "type") == "Int32";
@@ -152,7 +151,7 @@ Columns read_vtp(const std::string& path) {
         unpacked_array(std::string_view(text).substr(start + 1, end - start - 1), 4 * components * n, path);
     at = end;
     if (bytes.size() != 4 * components * n)
-      throw InputError(code::kDumpNotReadable, path + ": \"" + name + "\" has the wrong length");
+      throw InputError(code::kDumpNotReadable, path, ": \"", name, "\" has the wrong length");
     if (name == "Points") name = "";
     if (name == "velocity") name = "v";
     if (name == "force") name = "f";
@@ -164,7 +163,7 @@ Columns read_vtp(const std::string& path) {
         std::memcpy(whole ? static_cast<void*>(&integer) : &real, bytes.data() + 4 * (components * i + c), 4);
         column.push_back(whole ? static_cast<double>(integer) : static_cast<double>(real));
         if (!std::isfinite(column.back()))
-          throw InputError(code::kDumpNotReadable, path + ": \"" + name + "\" has a number that is not finite");
+          throw InputError(code::kDumpNotReadable, path, ": \"", name, "\" has a number that is not finite");
       }
     }
   }
@@ -184,16 +183,35 @@ bool parts_of(const fs::path& file, std::string& prefix, long& step) {
   return true;
 }
 
-}  // namespace
-
-namespace {
-
 Columns read_columns(const std::string& path) {
   TextReader text(path, code::kDumpNotReadable, "a dump of grains");
   if (fs::path(path).extension() == ".vtp") return read_vtp(path);
   const bool vtk = text.next() && text.line().rfind("# vtk", 0) == 0;
   text.back();
   return vtk ? read_vtk(text) : read_text(text);
+}
+
+// Files that LIGGGHTS begins again in a resumed run.
+constexpr const char* kRows[] = {"grains_energy", "walls_energy"};
+fs::path rows_of(const std::string& run, const char* name) { return fs::path(run) / (concat(name, ".txt")); }
+fs::path rows_aside(const std::string& run, const char* name) { return fs::path(run) / (concat(name, ".before.txt")); }
+
+// Lines of the text whose step is in (after, until]; comments on request.
+std::string rows_between(const std::string& text, long after, long until, bool comments) {
+  std::string kept;
+  for (const std::string& line : split(text, '\n')) {
+    const bool comment = !line.empty() && line[0] == '#';
+    const long step = std::strtol(line.c_str(), nullptr, 10);
+    if (comment ? comments : step > after && step <= until) kept += line + "\n";
+  }
+  return kept;
+}
+
+long last_step(const std::string& text) {
+  long step = -1;
+  for (const std::string& line : split(text, '\n'))
+    if (!line.empty() && line[0] != '#') step = std::strtol(line.c_str(), nullptr, 10);
+  return step;
 }
 
 }  // namespace
@@ -224,7 +242,7 @@ BedFrame read_bed_frame(const std::string& path) {
     Eigen::Matrix3Xd m(3, static_cast<Eigen::Index>(id.size()));
     for (int k = 0; k < 3; ++k) {
       if (rows[k]->size() != id.size())
-        throw InputError(code::kDumpNotReadable, path + ": its columns have different lengths");
+        throw InputError(code::kDumpNotReadable, path, ": its columns have different lengths");
       for (std::size_t i = 0; i < order.size(); ++i) m(k, static_cast<Eigen::Index>(i)) = (*rows[k])[order[i]];
     }
     return m;
@@ -269,41 +287,12 @@ std::map<long, std::string> find_bed_frames(const std::string& folder) {
   return best;
 }
 
-namespace {
-
-// Files that LIGGGHTS begins again in a resumed run.
-constexpr const char* kRows[] = {"grains_energy", "walls_energy"};
-fs::path rows_of(const std::string& run, const char* name) { return fs::path(run) / (std::string(name) + ".txt"); }
-fs::path rows_aside(const std::string& run, const char* name) {
-  return fs::path(run) / (std::string(name) + ".before.txt");
-}
-
-// Lines of the text whose step is in (after, until]; comments on request.
-std::string rows_between(const std::string& text, long after, long until, bool comments) {
-  std::string kept;
-  for (const std::string& line : split(text, '\n')) {
-    const bool comment = !line.empty() && line[0] == '#';
-    const long step = std::strtol(line.c_str(), nullptr, 10);
-    if (comment ? comments : step > after && step <= until) kept += line + "\n";
-  }
-  return kept;
-}
-
-long last_step(const std::string& text) {
-  long step = -1;
-  for (const std::string& line : split(text, '\n'))
-    if (!line.empty() && line[0] != '#') step = std::strtol(line.c_str(), nullptr, 10);
-  return step;
-}
-
-}  // namespace
-
 long step_of_checkpoint(const std::string& checkpoint) {
   const std::string file = checkpoint + "/grains.txt", mark = "\nstep ";
   const std::string text = read_whole_file(file).value_or("");
   const std::size_t at = text.find(mark);
   if (at == std::string::npos)
-    throw InputError(code::kGrainsCheckpointDamaged, file + ": does not hold the step of LIGGGHTS");
+    throw InputError(code::kGrainsCheckpointDamaged, file, ": does not hold the step of LIGGGHTS");
   return std::strtol(text.c_str() + at + mark.size(), nullptr, 10);
 }
 

@@ -53,6 +53,25 @@ double smallest_radius(const BedFrame& bed) {
 }
 double radius(const BedFrame& bed, int i) { return bed.radius[i]; }
 
+constexpr double kSlice = 2.0, kApart = 0.25;  // width of a slice, between their middles [grain diameters]
+constexpr std::size_t kLeastSlices = 3;
+
+// Angle and R^2 of y = a + b x, in closed form: b = S_xy / S_xx, R^2 = S_xy^2 / (S_xx S_yy), sums about the means.
+void fit_line(const std::vector<double>& x, const std::vector<double>& y, BedSlope& slope) {
+  slope.angle = slope.r_squared = std::numeric_limits<double>::quiet_NaN();
+  if (x.size() < kLeastSlices) return;
+  const auto n = static_cast<double>(x.size());
+  double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) mean_x += x[i] / n, mean_y += y[i] / n;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double dx = x[i] - mean_x, dy = y[i] - mean_y;
+    xx += dx * dx, xy += dx * dy, yy += dy * dy;
+  }
+  if (!(xx > 0.0)) return;
+  slope.angle = std::atan(std::abs(xy / xx)) * 180.0 / kPi;
+  if (yy > 0.0) slope.r_squared = xy * xy / (xx * yy);
+}
+
 }  // namespace
 
 double kinetic_energy(const BedFrame& bed) {
@@ -86,7 +105,7 @@ double packing_fraction(const BedFrame& bed, const Eigen::Vector3d& top, double 
   const Eigen::Vector3d corner = top - Eigen::Vector3d(static_cast<double>(n) * step, static_cast<double>(n) * step,
                                                        (static_cast<double>(m) - 0.5) * step);
   const long side = 2 * n + 1;
-  std::vector<char> covered(static_cast<std::size_t>(side * side * m), 0);
+  std::vector<char> covered(side * side * m, 0);
   for (int g = 0; g < bed.count(); ++g) {
     const Eigen::Vector3d c = (bed.x.col(g) - corner) / step;
     const double r = radius(bed, g) / step;
@@ -129,8 +148,8 @@ std::vector<double> surface_profile(const BedFrame& bed, const Eigen::Vector2d& 
         if (beside < r * r) raise(i, j, (z + std::sqrt(r * r - beside)) * width);
       }
   }
-  std::vector<double> sum(static_cast<std::size_t>(rings), 0.0);
-  std::vector<int> count(static_cast<std::size_t>(rings), 0);
+  std::vector<double> sum(rings, 0.0);
+  std::vector<int> count(rings, 0);
   for (const auto& [column, top] : tops) {
     const auto ring = static_cast<std::size_t>(
         std::hypot(static_cast<double>(column.first) + 0.5, static_cast<double>(column.second) + 0.5));
@@ -167,33 +186,10 @@ Separation separation(const BedFrame& a, const BedFrame& b) {
   return result;
 }
 
-namespace {
-
-constexpr double kSlice = 2.0, kApart = 0.25;  // width of a slice, between their middles [grain diameters]
-constexpr std::size_t kLeastSlices = 3;
-
-// Angle and R^2 of y = a + b x, in closed form: b = S_xy / S_xx, R^2 = S_xy^2 / (S_xx S_yy), sums about the means.
-void fit_line(const std::vector<double>& x, const std::vector<double>& y, BedSlope& slope) {
-  slope.angle = slope.r_squared = std::numeric_limits<double>::quiet_NaN();
-  if (x.size() < kLeastSlices) return;
-  const auto n = static_cast<double>(x.size());
-  double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) mean_x += x[i] / n, mean_y += y[i] / n;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double dx = x[i] - mean_x, dy = y[i] - mean_y;
-    xx += dx * dx, xy += dx * dy, yy += dy * dy;
-  }
-  if (!(xx > 0.0)) return;
-  slope.angle = std::atan(std::abs(xy / xx)) * 180.0 / kPi;
-  if (yy > 0.0) slope.r_squared = xy * xy / (xx * yy);
-}
-
-}  // namespace
-
 BedSlope bed_slope(const BedFrame& bed, const SlopeBounds& bounds) {
   const double r = bounds.radius, width = kSlice * 2.0 * r, apart = kApart * 2.0 * r, left = bounds.left + 0.5 * width;
   const long count = std::max(0L, std::lround(std::floor((bounds.right - bounds.left - width) / apart)) + 1);
-  std::vector<double> top(static_cast<std::size_t>(count), -std::numeric_limits<double>::infinity());
+  std::vector<double> top(count, -std::numeric_limits<double>::infinity());
   for (int i = 0; i < bed.count(); ++i) {
     const double at = (bed.x(0, i) - left) / apart, reach = 0.5 * width / apart;  // in slices
     const long first = std::max(0L, std::lround(std::ceil(at - reach)));

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/errors.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
@@ -23,7 +24,6 @@
 #include "mbd_solver/scene/particle_script.h"
 
 namespace footfall {
-
 namespace fs = std::filesystem;
 
 namespace {
@@ -43,10 +43,8 @@ std::string ranks_text(double grains, int ranks) {
   if (ranks < 2 || grains >= kFewGrains * ranks) return "";
   const int better = std::max(1, static_cast<int>(grains / kFewGrains));
   return "  warning: " +
-         with_code(code::kFewGrainsPerRank,
-                   "about " + round_count(grains) + " grains on " + std::to_string(ranks) +
-                       " ranks are few: ranks wait for each other more than they save. Set particles.ranks = " +
-                       std::to_string(better)) +
+         with_code(code::kFewGrainsPerRank, "about ", round_count(grains), " grains on ", ranks,
+                   " ranks are few: ranks wait for each other more than they save. Set particles.ranks = ", better) +
          "\n";
 }
 
@@ -93,8 +91,8 @@ constexpr double kStepForFivePercent = 0.11, kStepForOnePercent = 0.065;
 // `hertz`: infinite where no speed is known [s].
 std::string step_proposal(double rayleigh, double hertz) {
   const double whole = std::min(rayleigh, 0.5 * hertz);
-  return "; DEM step for 5 % error: " + number_text(rounded_down(kStepForFivePercent * whole)) +
-         " s, for 1 %: " + number_text(rounded_down(kStepForOnePercent * whole)) + " s";
+  return concat("; DEM step for 5 % error: ", rounded_down(kStepForFivePercent * whole),
+                " s, for 1 %: ", rounded_down(kStepForOnePercent * whole), " s");
 }
 
 // ", mean speed 3e-05 m/s", where the file of the bed has speeds.
@@ -106,7 +104,7 @@ std::string speed_text(const std::vector<GrainPlace>& grains) {
 
 std::string made_bed(const Scene& scene, const std::string& folder) {
   const BoxSpec& box = *scene.particles->box;
-  if (!bed_is_made(folder)) return std::string(kNotMade) + "\n";
+  if (!bed_is_made(folder)) return concat(kNotMade, "\n");
   const std::vector<GrainPlace> grains = read_grains((fs::path(folder) / kBedGrains).string());
   const double floor = box_floor(scene);
   double highest = floor;
@@ -115,18 +113,17 @@ std::string made_bed(const Scene& scene, const std::string& folder) {
                                       floor + 0.75 * box.depth, box.size[0] * box.size[1]);
   const BedContacts contacts = bed_contacts(grains);
   const std::size_t count = count_grains(grains);
-  const std::string what = box.clumps.empty() ? " grains" : " clumps of " + std::to_string(grains.size()) + " spheres";
-  std::string text = "  the bed is made: " + std::to_string(count) + what +
-                     ", the highest reaches z = " + number_text(highest, 3) + " m, solid fraction " +
-                     number_text(inner, 2) + " in its middle half";
+  const std::string what = box.clumps.empty() ? " grains" : concat(" clumps of ", grains.size(), " spheres");
+  std::string text = concat("  the bed is made: ", count, what, ", the highest reaches z = ", number_text(highest, 3),
+                            " m, solid fraction ", number_text(inner, 2), " in its middle half");
   if (contacts.coordination > 0.0)
     text += ", " + number_text(contacts.coordination, 2) + " contacts per " + (box.clumps.empty() ? "grain" : "clump");
   text += ", overlaps up to " + share_text(contacts.largest_overlap) + " of the radius" + speed_text(grains) + "\n";
   if (contacts.largest_overlap > kLargeOverlap)
     text += "  warning: " +
-            with_code(code::kBedOverlaps, "grains at rest overlap by more than " + share_text(kLargeOverlap) +
-                                              " of their radius, the limit of their contact law: increase "
-                                              "material.young (the time step falls with its square root)") +
+            with_code(code::kBedOverlaps, "grains at rest overlap by more than ", share_text(kLargeOverlap),
+                      " of their radius, the limit of their contact law: increase material.young (the time step falls "
+                      "with its square root)") +
             "\n";
   return text + "  " + short_path(folder) + "\n";
 }
@@ -135,7 +132,7 @@ std::string made_bed(const Scene& scene, const std::string& folder) {
 std::string surface_text(const Scene& scene) {
   const std::optional<TerrainBed> bed = terrain_bed(scene);
   if (!bed) return "surface at z = 0";
-  const std::string rocks = bed->rocks.size() == 1 ? ", 1 rock" : ", " + std::to_string(bed->rocks.size()) + " rocks";
+  const std::string rocks = bed->rocks.size() == 1 ? ", 1 rock" : concat(", ", bed->rocks.size(), " rocks");
   return "surface from z = " + number_text(bed->low, 3) + " to " + number_text(bed->high, 3) + " m, up to " +
          number_text(steepest_of_bed(scene) * 180.0 / kPi, 3) + " degrees steep" + (bed->rocks.empty() ? "" : rocks);
 }
@@ -145,8 +142,8 @@ std::string clumps_text(const Scene& scene) {
   std::vector<std::string> shapes;
   for (const std::string& name : box.clumps) {
     const Clump clump = clump_of(clump_shape(name), box.radius.front());
-    shapes.push_back(name + " (" + std::to_string(clump.centres.cols()) + " spheres of radius " +
-                     number_text(clump.radius, 3) + " m)");
+    shapes.push_back(
+        concat(name, " (", clump.centres.cols(), " spheres of radius ", number_text(clump.radius, 3), " m)"));
   }
   const std::string rolling(name_of(rolling_model_of(scene)));
   return "  clumps: " + joined(shapes) +
@@ -160,7 +157,7 @@ std::string sizes_text(const GrainSizesSpec& sizes) {
   const std::size_t n = sizes.radius.size();
   if (n > kListed) {
     const auto [least, most] = std::minmax_element(sizes.radius.begin(), sizes.radius.end());
-    return text(*least) + " to " + text(*most) + " (" + std::to_string(n) + " radii)";
+    return concat(text(*least), " to ", text(*most), " (", n, " radii)");
   }
   std::string list = n < 2 ? number_text(sizes.radius.front()) : "";
   for (std::size_t i = 0; n > 1 && i < n; ++i)
@@ -175,9 +172,8 @@ std::string zone_text(const Scene& scene, const GrainZoneSpec& zone) {
   const std::size_t blocks = zone_places(scene, zone).size();
   std::string where;
   if (!zone.under.empty()) where = " under " + joined(zone.under);
-  return "  zone" + where + ": " + (blocks > 1 ? std::to_string(blocks) + " blocks of " : "") +
-         number_text(zone.size[0]) + " x " + number_text(zone.size[1]) + " m, " + number_text(zone.depth) +
-         " m deep, of radius " + sizes_text(zone) + " m\n";
+  return concat("  zone", where, ": ", blocks > 1 ? concat(blocks, " blocks of ") : "", zone.size[0], " x ",
+                zone.size[1], " m, ", zone.depth, " m deep, of radius ", sizes_text(zone), " m\n");
 }
 
 // A mesh drawn in millimetres and read in metres is larger than any body on a box of grains.
@@ -193,120 +189,6 @@ std::string toml_table(const std::map<std::string, std::string>& variables) {
   for (const auto& [name, value] : variables) text += name + " = \"" + value + "\"\n";
   return text;
 }
-
-}  // namespace
-
-std::string box_report(const Scene& scene) {
-  const ParticlesSpec& particles = *scene.particles;
-  const BoxSpec& box = *particles.box;
-  const BoxNumbers n = box_numbers(scene);
-  std::string text = "Bed: " + number_text(box.size[0]) + " x " + number_text(box.size[1]) + " m, " +
-                     number_text(box.depth) + " m deep: floor at z = " + number_text(box_floor(scene)) + " m, " +
-                     surface_text(scene) + "; about " + round_count(n.grains) + " grains of radius " + sizes_text(box) +
-                     " m\n";
-  for (const GrainZoneSpec& zone : box.zones) text += zone_text(scene, zone);
-  if (!box.clumps.empty()) text += clumps_text(scene);
-  text += "  space for bodies: " + number_text(n.headroom) + " m above the surface, " +
-          (box.periodic ? "periodic along x and y\n" : number_text(n.margin) + " m around the walls\n");
-  if (!box.follow.empty()) {
-    std::string slab;
-    for (int axis = 0; axis < 2; ++axis)
-      if (follows_along(box, axis))
-        slab += (slab.empty() ? "" : " and ") + number_text(0.1 * box.size[axis], 3) + " m along " + "xy"[axis];
-    text += "  follows body \"" + box.follow + "\" in steps of " + slab + ": at least " +
-            number_text(follow_distance(box), 3) + " m of fresh bed from its origin on\n";
-  }
-  if (!box.walls) text += "  the run has no floor and no walls of its own: bodies of the scene take their place\n";
-  text += "  time step: " + number_text(n.time_step) + " s, " + share_text(n.time_step / n.rayleigh) +
-          " of the Rayleigh time, " + share_text(n.time_step / n.hertz) + " of the Hertz time" +
-          step_proposal(n.rayleigh, n.hertz) +
-          "; window: " + (box.every ? std::to_string(*box.every) + " steps\n" : "chosen during the run\n");
-  return text + ranks_text(n.grains, particles.ranks) + made_bed(scene, bed_folder(*particles.bed));
-}
-
-void require_inside_box(const Scene& scene, const Mechanism& mechanism) {
-  if (!scene.touches_particles() || !scene.particles->box) return;
-  const BoxSpec& box = *scene.particles->box;
-  const BoxNumbers n = box_numbers(scene);
-  constexpr double kTolerance = 1e-6;  // of the box
-  const std::optional<TerrainBed> terrain = terrain_bed(scene);
-  const double roof = n.headroom + (terrain ? terrain->high : 0.0);
-  // What is moved to a clearance is moved as a whole: another body may be the lowest one.
-  const int lowest = mechanism.placement.lowest;
-  const std::string lowest_name = lowest < 0 ? "" : mechanism.boundaries[lowest].boundary.name();
-  const auto lifted = [&](const std::string& name) {
-    if (!scene.initial.clearance || lowest_name.empty() || lowest_name == name) return std::string();
-    return ". Its height follows from initial.clearance of body \"" + lowest_name + "\", the lowest one";
-  };
-  Eigen::Vector3d followed = Eigen::Vector3d::Zero();
-  for (const BodyBoundary& entry : mechanism.boundaries)
-    if (entry.boundary.name() == box.follow) followed = mechanism.model.initial(entry.body).r;
-  for (const BodyBoundary& entry : mechanism.boundaries) {
-    const BodyState& start = mechanism.model.initial(entry.body);
-    const Eigen::Matrix3Xd x =
-        (Eigen::Quaterniond(start.L[0], start.L[1], start.L[2], start.L[3]).toRotationMatrix() * entry.boundary.rho0())
-            .colwise() +
-        start.r;
-    for (int axis = 0; axis < 2 && !box.periodic; ++axis) {
-      const std::size_t k = axis;
-      const double reach = 0.5 * box.size[k] + n.margin + kTolerance * box.size[k];
-      const double farthest = (x.row(axis).array() - box.centre[k]).abs().maxCoeff();
-      if (farthest > reach && entry.boundary.segments().empty())
-        throw InputError(code::kOutsideBox,
-                         "body \"" + entry.boundary.name() + "\" reaches " + number_text(farthest, 4) +
-                             " m from the middle of the bed along " + (axis == 0 ? "x" : "y") +
-                             ", the simulation box " + number_text(reach, 4) +
-                             " m; increase particles.box.size or particles.box.margin, or move the body inside" +
-                             in_millimetres(x));
-    }
-    for (int axis = 0; axis < 2; ++axis) {
-      if (!follows_along(box, axis)) continue;
-      const double reach = (x.row(axis).array() - followed[axis]).abs().maxCoeff() +
-                           2.0 * *std::max_element(box.radius.begin(), box.radius.end());
-      if (reach > follow_distance(box))
-        throw InputError(code::kOutsideBox,
-                         "body \"" + entry.boundary.name() + "\" and a grain next to it reach " +
-                             number_text(reach, 3) + " m from the origin of body \"" + box.follow + "\" along " +
-                             "xy"[axis] + ", which the bed follows; expected at most particles.box.follow_distance, " +
-                             number_text(follow_distance(box), 3) +
-                             " m: make the bed longer (particles.box.size), or follow a body in the middle");
-    }
-    const double top = x.row(2).maxCoeff();
-    if (top > roof * (1.0 + kTolerance) && entry.boundary.segments().empty())
-      throw InputError(code::kOutsideBox,
-                       "body \"" + entry.boundary.name() + "\" reaches up to z = " + number_text(top, 4) +
-                           " m, the simulation box to " + number_text(roof, 4) + " m; increase particles.box.headroom" +
-                           lifted(entry.boundary.name()) + in_millimetres(x));
-  }
-}
-
-void store_box_scripts(const Scene& scene, const std::string& out) {
-  if (!scene.touches_particles() || !scene.particles->box) return;
-  const ParticlesSpec& particles = *scene.particles;
-  const fs::path folder = fs::path(out) / "script";
-  make_folder(folder.string(), "choose another folder with --out");
-  const std::string bed = fs::path(particles.bed->script).filename().string();
-  for (const std::string& name :
-       {bed, std::string("in.grains"), std::string("material.lammps"), std::string("walls.lammps"),
-        std::string("observed_walls.lammps"), std::string("energy.lammps")}) {
-    const std::string source = box_script(name);
-    const std::optional<std::string> text = read_whole_file(source);
-    if (!text) throw InputError(code::kShippedFileMissing, source + ": cannot be read; install footfall again");
-    write_whole_file((folder / name).string(), *text);
-  }
-  std::string text =
-      "# The scripts that [particles.box] of the scene stood for. To edit them, copy this folder next to the scene "
-      "and\n"
-      "# replace [particles] and [particles.box] by these lines.\n";
-  text += "[particles]\nscript = \"script/in.grains\"\nranks = " + std::to_string(particles.ranks) +
-          "\nsurface_height = " + number_text(*particles.surface_height, 12) +
-          "\nmax_time_step = " + number_text(particles.max_time_step, 12) + "\n[particles.variables]\n" +
-          toml_table(particles.variables) + "[particles.bed]\nscript = \"script/" + bed +
-          "\"\n[particles.bed.variables]\n" + toml_table(particles.bed->variables);
-  write_whole_file((folder / "particles.toml").string(), text);
-}
-
-namespace {
 
 // Values in the text of the scripts; of several commands of a kind the last one counts, as in LIGGGHTS.
 struct ScriptValues {
@@ -351,7 +233,7 @@ std::string radii_text(double smallest, double largest) {
 
 std::string step_text(const ScriptValues& values, double speed) {
   if (!values.step) return "";
-  std::string text = "  time step: " + number_text(*values.step) + " s";
+  std::string text = concat("  time step: ", *values.step, " s");
   if (values.young && values.poisson && values.density > 0.0 && values.smallest > 0.0) {
     const ElasticGrain grain = {values.smallest, values.density, *values.young, *values.poisson};
     text += ", " + share_text(*values.step / rayleigh_time(grain)) + " of the Rayleigh time";
@@ -369,6 +251,111 @@ std::string step_text(const ScriptValues& values, double speed) {
 
 }  // namespace
 
+std::string box_report(const Scene& scene) {
+  const ParticlesSpec& particles = *scene.particles;
+  const BoxSpec& box = *particles.box;
+  const BoxNumbers n = box_numbers(scene);
+  std::string text = concat("Bed: ", box.size[0], " x ", box.size[1], " m, ", box.depth,
+                            " m deep: floor at z = ", box_floor(scene), " m, ", surface_text(scene), "; about ",
+                            round_count(n.grains), " grains of radius ", sizes_text(box), " m\n");
+  for (const GrainZoneSpec& zone : box.zones) text += zone_text(scene, zone);
+  if (!box.clumps.empty()) text += clumps_text(scene);
+  text += concat("  space for bodies: ", n.headroom, " m above the surface, ",
+                 box.periodic ? "periodic along x and y\n" : concat(n.margin, " m around the walls\n"));
+  if (!box.follow.empty()) {
+    std::string slab;
+    for (int axis = 0; axis < 2; ++axis)
+      if (follows_along(box, axis))
+        slab += (slab.empty() ? "" : " and ") + number_text(0.1 * box.size[axis], 3) + " m along " + "xy"[axis];
+    text += "  follows body \"" + box.follow + "\" in steps of " + slab + ": at least " +
+            number_text(follow_distance(box), 3) + " m of fresh bed from its origin on\n";
+  }
+  if (!box.walls) text += "  the run has no floor and no walls of its own: bodies of the scene take their place\n";
+  text += concat("  time step: ", n.time_step, " s, ", share_text(n.time_step / n.rayleigh), " of the Rayleigh time, ",
+                 share_text(n.time_step / n.hertz), " of the Hertz time", step_proposal(n.rayleigh, n.hertz),
+                 "; window: ", box.every ? concat(*box.every, " steps\n") : "chosen during the run\n");
+  return text + ranks_text(n.grains, particles.ranks) + made_bed(scene, bed_folder(*particles.bed));
+}
+
+void require_inside_box(const Scene& scene, const Mechanism& mechanism) {
+  if (!scene.touches_particles() || !scene.particles->box) return;
+  const BoxSpec& box = *scene.particles->box;
+  const BoxNumbers n = box_numbers(scene);
+  constexpr double kTolerance = 1e-6;  // of the box
+  const std::optional<TerrainBed> terrain = terrain_bed(scene);
+  const double roof = n.headroom + (terrain ? terrain->high : 0.0);
+  // What is moved to a clearance is moved as a whole: another body may be the lowest one.
+  const int lowest = mechanism.placement.lowest;
+  const std::string lowest_name = lowest < 0 ? "" : mechanism.boundaries[lowest].boundary.name();
+  const auto lifted = [&](const std::string& name) {
+    if (!scene.initial.clearance || lowest_name.empty() || lowest_name == name) return std::string();
+    return ". Its height follows from initial.clearance of body \"" + lowest_name + "\", the lowest one";
+  };
+  Eigen::Vector3d followed = Eigen::Vector3d::Zero();
+  for (const BodyBoundary& entry : mechanism.boundaries)
+    if (entry.boundary.name() == box.follow) followed = mechanism.model.initial(entry.body).r;
+  for (const BodyBoundary& entry : mechanism.boundaries) {
+    const BodyState& start = mechanism.model.initial(entry.body);
+    const Eigen::Matrix3Xd x =
+        (Eigen::Quaterniond(start.L[0], start.L[1], start.L[2], start.L[3]).toRotationMatrix() * entry.boundary.rho0())
+            .colwise() +
+        start.r;
+    for (int axis = 0; axis < 2 && !box.periodic; ++axis) {
+      const std::size_t k = axis;
+      const double reach = 0.5 * box.size[k] + n.margin + kTolerance * box.size[k];
+      const double farthest = (x.row(axis).array() - box.centre[k]).abs().maxCoeff();
+      if (farthest > reach && entry.boundary.segments().empty())
+        throw InputError(code::kOutsideBox, "body \"", entry.boundary.name(), "\" reaches ", number_text(farthest, 4),
+                         " m from the middle of the bed along ", axis == 0 ? "x" : "y", ", the simulation box ",
+                         number_text(reach, 4),
+                         " m; increase particles.box.size or particles.box.margin, or move the body inside",
+                         in_millimetres(x));
+    }
+    for (int axis = 0; axis < 2; ++axis) {
+      if (!follows_along(box, axis)) continue;
+      const double reach = (x.row(axis).array() - followed[axis]).abs().maxCoeff() +
+                           2.0 * *std::max_element(box.radius.begin(), box.radius.end());
+      if (reach > follow_distance(box))
+        throw InputError(code::kOutsideBox, "body \"", entry.boundary.name(), "\" and a grain next to it reach ",
+                         number_text(reach, 3), " m from the origin of body \"", box.follow, "\" along ", "xy"[axis],
+                         ", which the bed follows; expected at most particles.box.follow_distance, ",
+                         number_text(follow_distance(box), 3),
+                         " m: make the bed longer (particles.box.size), or follow a body in the middle");
+    }
+    const double top = x.row(2).maxCoeff();
+    if (top > roof * (1.0 + kTolerance) && entry.boundary.segments().empty())
+      throw InputError(code::kOutsideBox, "body \"", entry.boundary.name(),
+                       "\" reaches up to z = ", number_text(top, 4), " m, the simulation box to ", number_text(roof, 4),
+                       " m; increase particles.box.headroom", lifted(entry.boundary.name()), in_millimetres(x));
+  }
+}
+
+void store_box_scripts(const Scene& scene, const std::string& out) {
+  if (!scene.touches_particles() || !scene.particles->box) return;
+  const ParticlesSpec& particles = *scene.particles;
+  const fs::path folder = fs::path(out) / "script";
+  make_folder(folder.string(), "choose another folder with --out");
+  const std::string bed = fs::path(particles.bed->script).filename().string();
+  for (const std::string& name :
+       {bed, std::string("in.grains"), std::string("material.lammps"), std::string("walls.lammps"),
+        std::string("observed_walls.lammps"), std::string("energy.lammps")}) {
+    const std::string source = box_script(name);
+    const std::optional<std::string> text = read_whole_file(source);
+    if (!text) throw InputError(code::kShippedFileMissing, source, ": cannot be read; install footfall again");
+    write_whole_file((folder / name).string(), *text);
+  }
+  std::string text =
+      "# The scripts that [particles.box] of the scene stood for. To edit them, copy this folder next to the scene "
+      "and\n"
+      "# replace [particles] and [particles.box] by these lines.\n";
+  text += concat("[particles]\nscript = \"script/in.grains\"\nranks = ", particles.ranks,
+                 "\nsurface_height = ", number_text(*particles.surface_height, 12),
+                 "\nmax_time_step = ", number_text(particles.max_time_step, 12), "\n[particles.variables]\n",
+                 toml_table(particles.variables), "[particles.bed]\nscript = \"script/", bed,
+                 "\"\n[particles.bed.variables]\n", toml_table(particles.bed->variables));
+  write_whole_file((folder / "particles.toml").string(), text);
+}
+
 std::string script_report(const Scene& scene) {
   const ParticlesSpec& particles = *scene.particles;
   ScriptValues values;
@@ -376,13 +363,13 @@ std::string script_report(const Scene& scene) {
   values.step.reset();
   read_script(particles.script, particles.variables, values);
   std::string few;
-  std::string text = "Grains: " + short_path(particles.script) + " on " + std::to_string(particles.ranks) +
-                     (particles.ranks == 1 ? " rank" : " ranks");
+  std::string text = concat("Grains: ", short_path(particles.script), " on ", particles.ranks,
+                            particles.ranks == 1 ? " rank" : " ranks");
   if (particles.bed) {
     const std::string folder = bed_folder(*particles.bed);
     const std::string grains = (fs::path(folder) / kBedGrains).string();
     if (!bed_is_made(folder)) {
-      text += "\n" + std::string(kNotMade);
+      text += concat("\n", kNotMade);
     } else if (fs::exists(grains)) {
       const std::vector<GrainPlace> places = read_grains(grains);
       values.smallest = std::numeric_limits<double>::infinity();
@@ -391,8 +378,8 @@ std::string script_report(const Scene& scene) {
         values.smallest = std::min(values.smallest, place.radius);
         values.largest = std::max(values.largest, place.radius);
       }
-      text += "\n  the bed is made: " + std::to_string(count_grains(places)) + " grains" + speed_text(places) + ", " +
-              short_path(folder);
+      text += concat("\n  the bed is made: ", count_grains(places), " grains", speed_text(places), ", ",
+                     short_path(folder));
       few = ranks_text(static_cast<double>(count_grains(places)), particles.ranks);
     }
   }

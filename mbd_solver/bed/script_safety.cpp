@@ -33,7 +33,7 @@ std::vector<Words> with_nested(const ScriptCommand& command) {
   std::vector<Words> all = {plain};
   if (plain[0] != "if" && plain[0] != "run" && plain[0] != "partition") return all;
   for (std::size_t at = 1; at < plain.size(); ++at) {
-    all.emplace_back(plain.begin() + static_cast<std::ptrdiff_t>(at), plain.end());
+    all.emplace_back(plain.begin() + at, plain.end());
     if (Words words = script_words(plain[at]); words.size() > 1) all.push_back(words);
   }
   return all;
@@ -109,96 +109,25 @@ std::string unsafe_lines(const ScriptText& text) {
 
 // ---- What is certain ----
 
+std::set<std::string> names_in(const char* text) {
+  const Words words = script_words(text);
+  return {words.begin(), words.end()};
+}
+
 // Commands that write no file and run no program, whatever follows them. Those that write are judged by files_written.
-const std::set<std::string> kHarmless = {"atom_modify",
-                                         "atom_style",
-                                         "boundary",
-                                         "bond_coeff",
-                                         "bond_style",
-                                         "clear",
-                                         "communicate",
-                                         "compute",
-                                         "create_atoms",
-                                         "create_box",
-                                         "delete_atoms",
-                                         "delete_bonds",
-                                         "dielectric",
-                                         "displace_atoms",
-                                         "dump_modify",
-                                         "echo",
-                                         "fix_modify",
-                                         "group",
-                                         "hard_particles",
-                                         "if",
-                                         "include",
-                                         "jump",
-                                         "label",
-                                         "lattice",
-                                         "mass",
-                                         "neigh_modify",
-                                         "neigh_settings",
-                                         "neighbor",
-                                         "newton",
-                                         "next",
-                                         "orient",
-                                         "origin",
-                                         "pair_coeff",
-                                         "pair_style",
-                                         "processors",
-                                         "quit",
-                                         "read_data",
-                                         "read_restart",
-                                         "region",
-                                         "reset_timestep",
-                                         "run",
-                                         "run_style",
-                                         "set",
-                                         "soft_particles",
-                                         "special_bonds",
-                                         "thermo",
-                                         "thermo_modify",
-                                         "thermo_style",
-                                         "timestep",
-                                         "uncompute",
-                                         "undump",
-                                         "unfix",
-                                         "units",
-                                         "variable",
-                                         "velocity",
-                                         "modify_timing",
-                                         "communicate",
-                                         "coarsegraining",
-                                         "min_style",
-                                         "change_box"};
-const std::set<std::string> kWriting = {"dump",    "fix",        "log",        "print",
-                                        "restart", "write_data", "write_dump", "write_restart"};
-const Words kHarmlessFixes = {"property/",
-                              "mesh/",
-                              "wall/gran",
-                              "nve",
-                              "gravity",
-                              "particletemplate/",
-                              "particledistribution/",
-                              "insert/",
-                              "remove/region",
-                              "bed/follow",
-                              "move/",
-                              "couple/mbd",
-                              "rigid",
-                              "multisphere",
-                              "freeze",
-                              "setforce",
-                              "addforce",
-                              "drag",
-                              "viscous",
-                              "momentum",
-                              "limit/",
-                              "check/timestep/gran",
-                              "adapt",
-                              "store/",
-                              "cfd/none"};
-const Words kDumps = {"atom",  "custom",   "image",      "local",      "xyz",
-                      "mesh/", "atom/vtk", "custom/vtk", "local/gran", "euler/"};
+const std::set<std::string> kHarmless = names_in(
+    "atom_modify atom_style boundary bond_coeff bond_style clear communicate compute create_atoms create_box "
+    "delete_atoms delete_bonds dielectric displace_atoms dump_modify echo fix_modify group hard_particles if "
+    "include jump label lattice mass neigh_modify neigh_settings neighbor newton next orient origin "
+    "pair_coeff pair_style processors quit read_data read_restart region reset_timestep run run_style set "
+    "soft_particles special_bonds thermo thermo_modify thermo_style timestep uncompute undump unfix units "
+    "variable velocity modify_timing coarsegraining min_style change_box");
+const std::set<std::string> kWriting = names_in("dump fix log print restart write_data write_dump write_restart");
+const Words kHarmlessFixes = script_words(
+    "property/ mesh/ wall/gran nve gravity particletemplate/ particledistribution/ insert/ remove/region "
+    "bed/follow move/ couple/mbd rigid multisphere freeze setforce addforce drag viscous momentum limit/ "
+    "check/timestep/gran adapt store/ cfd/none");
+const Words kDumps = script_words("atom custom image local xyz mesh/ atom/vtk custom/vtk local/gran euler/");
 
 bool begins_as_one_of(const std::string& style, const Words& known) {
   return std::any_of(known.begin(), known.end(), [&](const std::string& start) { return begins(style, start); });
@@ -419,10 +348,9 @@ void require_safe_script(const std::string& script, const Variables& variables, 
   const bool confined = kernel_confines_files();
   if (findings.empty() && !confined) findings = uncertain_lines(script, variables, given);
   if (findings.empty()) return;
-  throw InputError(code::kUnsafeScript,
-                   findings +
-                       (confined ? "" : "\nThis kernel has no Landlock (Linux 5.13), which would confine the script.") +
-                       "\nIf you trust this script, add --trust-script.");
+  throw InputError(code::kUnsafeScript, findings,
+                   confined ? "" : "\nThis kernel has no Landlock (Linux 5.13), which would confine the script.",
+                   "\nIf you trust this script, add --trust-script.");
 }
 
 }  // namespace footfall

@@ -2,13 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <limits>
 
 #include "coupler/base/errors.h"
-#include "coupler/base/files.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/bed/bed.h"
 #include "mbd_solver/bed/bed_frames.h"
