@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/files.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/quote.h"
@@ -30,13 +31,12 @@ fs::path folder_for(const ImportArguments& arguments) {
   }
   const fs::path folder(name);
   if (!is_plain_name(folder.filename().string()))
-    throw InputError(code::kRobotFolder,
-                     name +
-                         ": the name of the folder has characters other than letters, digits and _ - . "
-                         "(or too many); choose another one with --out");
+    throw InputError(code::kRobotFolder, name,
+                     ": the name of the folder has characters other than letters, digits and _ - . (or too many); "
+                     "choose another one with --out");
   std::error_code error;
   if (fs::exists(fs::symlink_status(folder, error)))
-    throw InputError(code::kRobotFolder, name + ": exists already; choose another folder with --out");
+    throw InputError(code::kRobotFolder, name, ": exists already; choose another folder with --out");
   return folder;
 }
 
@@ -107,9 +107,9 @@ int import_command(const ImportArguments& arguments) {
     });
   Robot robot = read();
   if (robot.links.empty())
-    throw InputError(code::kRobotStill, arguments.file + ":1: no part of \"" + robot.name +
-                                            "\" can move: it is static, or without mass; a "
-                                            "scene needs a body. Export the robot itself, not its surroundings");
+    throw InputError(code::kRobotStill, arguments.file, ":1: no part of \"", robot.name,
+                     "\" can move: it is static, or without mass; a scene needs a body. Export the robot itself, not "
+                     "its surroundings");
   const Robot as_read = robot;
   std::vector<SceneFile> files = write_robot_scene(robot, arguments.options);
   std::string list;
@@ -117,10 +117,8 @@ int import_command(const ImportArguments& arguments) {
   std::size_t looks = 0, others = 0;
   for (const NotTaken& one : robot.not_taken) ++(one.looks ? looks : others);
   if (arguments.strict && others > 0)
-    throw InputError(code::kRobotStrict,
-                     list + arguments.file + ": --strict: " + std::to_string(others) +
-                         " parts cannot be said in a scene as they are; remove them, or import without "
-                         "--strict");
+    throw InputError(code::kRobotStrict, list, arguments.file, ": --strict: ", others,
+                     " parts cannot be said in a scene as they are; remove them, or import without --strict");
   write_files(folder, files);
   if (const std::optional<RobotBed> bed = bed_of(folder.string())) {
     Robot again = as_read;
@@ -128,20 +126,16 @@ int import_command(const ImportArguments& arguments) {
                      write_robot_scene(again, arguments.options, bed)[0].content);
   }
   if (!arguments.quiet) std::fprintf(stderr, "%s", list.c_str());
-  const auto count = [](std::size_t n, const std::string& what) {
-    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-  };
+  const auto count = [](std::size_t n, const std::string& what) { return concat(n, " ", what, n == 1 ? "" : "s"); };
   const std::size_t bodies = robot.links.size();
   std::printf("%s: %s with %s, %s, %s and %s, of the %s file %s\n", folder.string().c_str(), "a scene",
               (std::to_string(bodies) + (bodies == 1 ? " body" : " bodies")).c_str(),
               count(robot.joints.size(), "joint").c_str(), count(robot.gears.size(), "gear").c_str(),
               count(robot.drives.size(), "motor").c_str(), robot.format.c_str(), arguments.file.c_str());
   if (others + looks > 0)
-    std::printf("%s\n",
-                with_code(code::kRobotNotTaken,
-                          std::to_string(others) + " parts are not taken as they are, and " + std::to_string(looks) +
-                              " of pictures alone; the end of scene.toml lists all with their lines")
-                    .c_str());
+    std::printf("%s\n", with_code(code::kRobotNotTaken, others, " parts are not taken as they are, and ", looks,
+                                  " of pictures alone; the end of scene.toml lists all with their lines")
+                            .c_str());
   const std::string self = called_as(), place = shell_word(folder.string());
   std::printf("Next: %s check %s; %s run %s\n", self.c_str(), place.c_str(), self.c_str(), place.c_str());
   return kExitDone;

@@ -1,6 +1,6 @@
 // From the innermost frame outwards: a child's placement in its frame becomes a placement in the frame's parent, also if a
 // class of defaults gives it; a replicate holds several such frames, and references to its parts are replicated as often.
-#include "mbd_solver/import/mjcf_frames.h"
+#include "mbd_solver/import/mjcf_source.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -69,17 +69,17 @@ class Frames {
   }
 
  private:
-  [[noreturn]] void fail(const MessageCode& code, const pugi::xml_node& node, const std::string& what) const {
-    throw InputError(code, origin_(node).place() + ": " + title_of(node) + " " + what);
+  template <class... Pieces>
+  [[noreturn]] void fail(const MessageCode& code, const pugi::xml_node& node, const Pieces&... what) const {
+    throw InputError(code, origin_(node).place(), ": ", title_of(node), " ", what...);
   }
 
   std::vector<double> numbers(const pugi::xml_node& node, const std::string& attribute, const std::string& text,
                               std::size_t least, std::size_t most) const {
     const std::optional<std::vector<double>> values = numbers_of(text);
     if (!values || values->size() < least || values->size() > most)
-      fail(code::kRobotNumber, node,
-           attribute + " is \"" + trimmed(text).substr(0, 60) + "\", expected " + std::to_string(most) +
-               " finite numbers separated by blanks");
+      fail(code::kRobotNumber, node, attribute, " is \"", trimmed(text).substr(0, 60), "\", expected ", most,
+           " finite numbers separated by blanks");
     return *values;
   }
   Eigen::Vector3d vector(const pugi::xml_node& node, const char* attribute) const {
@@ -148,7 +148,7 @@ class Frames {
   }
 
   Eigen::Vector3d direction(const pugi::xml_node& node, const char* what, const Eigen::Vector3d& v) const {
-    if (!(v.norm() > 1e-10)) fail(code::kRobotNumber, node, std::string(what) + " is zero, expected a direction");
+    if (!(v.norm() > 1e-10)) fail(code::kRobotNumber, node, what, " is zero, expected a direction");
     return v.normalized();
   }
 
@@ -264,8 +264,7 @@ class Frames {
   void put(pugi::xml_node before, const pugi::xml_node& of, const Pose& X, const std::string& suffix) {
     const std::string childclass = of.attribute("childclass").value();
     for (const pugi::xml_node& child : elements_of(of)) {
-      if (++made_ > kMostCopied)
-        fail(code::kRobotElement, of, "makes more than " + std::to_string(kMostCopied) + " elements");
+      if (++made_ > kMostCopied) fail(code::kRobotElement, of, "makes more than ", kMostCopied, " elements");
       place_in(child, X, before, suffix, childclass);
     }
   }
@@ -309,7 +308,7 @@ class Frames {
     const std::vector<double> given = numbers(node, "count", node.attribute("count").value(), 1, 1);
     const double count = given[0];
     if (!(count >= 1.0 && count <= static_cast<double>(kMostCopied) && count == std::floor(count)))
-      fail(code::kRobotNumber, node, "count is no whole number from 1 to " + std::to_string(kMostCopied));
+      fail(code::kRobotNumber, node, "count is no whole number from 1 to ", kMostCopied);
     const Eigen::Vector3d offset = node.attribute("offset") ? vector(node, "offset") : Eigen::Vector3d(0, 0, 0);
     const Eigen::Vector3d turn = node.attribute("euler") ? vector(node, "euler") : Eigen::Vector3d(0, 0, 0);
     std::vector<std::string> suffixes;
@@ -353,8 +352,7 @@ class Frames {
       const std::string name = node.attribute("name").value();
       for (const std::string& suffix : suffixes) {
         if (++made_ > kMostCopied)
-          fail(code::kRobotElement, node,
-               "is there more than " + std::to_string(kMostCopied) + " times by <replicate>");
+          fail(code::kRobotElement, node, "is there more than ", kMostCopied, " times by <replicate>");
         pugi::xml_node copy = section.insert_copy_before(node, node);
         tell(copy, node);
         redirect(copy, names, suffix);

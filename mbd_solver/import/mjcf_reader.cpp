@@ -26,7 +26,6 @@ constexpr int kCamPoints = 33;        // of a gear whose ratio changes
 constexpr double kHolds = 1e-6;       // parts of a loop that are so near are together [m or rad]
 constexpr double kHoldsInKey = 1e-4;  // in a keyframe, whose numbers have few digits
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 Eigen::Vector3d vector(const mjtNum* v) { return {v[0], v[1], v[2]}; }
 Eigen::Matrix3d rotation(const mjtNum* q) {
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
@@ -69,8 +68,8 @@ class MjcfRobot {
         d_(mj_makeData(&m), mj_deleteData),
         robot_(robot),
         bodies_(source.bodies()) {
-    if (bodies_.size() != at(m.nbody)) bodies_.assign(at(m.nbody), source.root());
-    joints_of_.assign(at(m.njnt), {-1, ""});
+    if (static_cast<int>(bodies_.size()) != m.nbody) bodies_.assign(m.nbody, source.root());
+    joints_of_.assign(m.njnt, {-1, ""});
   }
 
   void read() {
@@ -103,10 +102,10 @@ class MjcfRobot {
   // The k-th child of this kind of the body's element; the element itself where the file has another number of them.
   pugi::xml_node child_of(int body, std::initializer_list<const char*> kinds, int k, int count) const {
     std::vector<pugi::xml_node> found;
-    for (const pugi::xml_node& child : bodies_[at(body)].children())
+    for (const pugi::xml_node& child : bodies_[body].children())
       for (const char* kind : kinds)
         if (std::string(child.name()) == kind) found.push_back(child);
-    return static_cast<int>(found.size()) == count ? found[at(k)] : bodies_[at(body)];
+    return static_cast<int>(found.size()) == count ? found[k] : bodies_[body];
   }
   pugi::xml_node joint_node(int j) const {
     const int body = m_.jnt_bodyid[j];
@@ -154,7 +153,7 @@ class MjcfRobot {
     }
     std::vector<mjtNum> qpos(m_.qpos0, m_.qpos0 + m_.nq);
     for (int j = 0; j < m_.njnt; ++j)
-      if (m_.jnt_type[j] == mjJNT_FREE) std::copy_n(m_.key_qpos + m_.jnt_qposadr[j], 7, &qpos[at(m_.jnt_qposadr[j])]);
+      if (m_.jnt_type[j] == mjJNT_FREE) std::copy_n(m_.key_qpos + m_.jnt_qposadr[j], 7, &qpos[m_.jnt_qposadr[j]]);
     place(*d_, qpos.data());
   }
 
@@ -191,7 +190,7 @@ class MjcfRobot {
 
   void add_body(int b) {
     RobotLink link;
-    link.origin = source_.origin(bodies_[at(b)]);
+    link.origin = source_.origin(bodies_[b]);
     link.name = name_of(mjOBJ_BODY, b, "body");
     link.mass = m_.body_mass[b];
     link.centre = vector(m_.body_ipos + 3 * b);
@@ -200,7 +199,7 @@ class MjcfRobot {
     link.X_DL = placed(b);
     for (int g = m_.body_geomadr[b]; g < m_.body_geomadr[b] + m_.body_geomnum[b]; ++g) add_geom(link, g);
     if (m_.body_mocapid[b] >= 0)
-      leave_out(bodies_[at(b)], "is moved by another program (mocap): it is fixed where it is drawn");
+      leave_out(bodies_[b], "is moved by another program (mocap): it is fixed where it is drawn");
     std::vector<int> joints;
     for (int j = m_.body_jntadr[b]; j >= 0 && j < m_.body_jntadr[b] + m_.body_jntnum[b]; ++j) joints.push_back(j);
     const int parent = link_of(m_.body_parentid[b]);
@@ -273,15 +272,14 @@ class MjcfRobot {
     if (armature > 0.0) lost.emplace_back("armature");
     if (m_.jnt_stiffness[j] > 0.0) lost.emplace_back("stiffness");
     if (m_.jnt_limited[j] != 0) lost.emplace_back("range");
-    if (!lost.empty())
-      leave_out(joint_node(j), std::string("has as a ") + kind + " joint no " + joined(lost) + " in a scene");
+    if (!lost.empty()) leave_out(joint_node(j), concat("has as a ", kind, " joint no ", joined(lost), " in a scene"));
   }
 
   void add_joint(int j, int parent, int child) {
     if (m_.jnt_type[j] == mjJNT_FREE) {
       list_lost(j, 6, "free");
       free_joints_.push_back(j);
-      robot_.links[at(child)].remark = "moves freely";
+      robot_.links[child].remark = "moves freely";
       return;
     }
     RobotJoint joint = joint_base(j, parent, child);
@@ -292,7 +290,7 @@ class MjcfRobot {
       const bool slides = m_.jnt_type[j] == mjJNT_SLIDE;
       joint.kind = slides ? RobotJointKind::kPrismatic : RobotJointKind::kRevolute;
       joint.coordinates.push_back(coordinate(j, slides ? "displacement" : "angle"));
-      joints_of_[at(j)] = {static_cast<int>(robot_.joints.size()), joint.coordinates[0].name};
+      joints_of_[j] = {static_cast<int>(robot_.joints.size()), joint.coordinates[0].name};
     }
     robot_.joints.push_back(joint);
   }
@@ -328,7 +326,7 @@ class MjcfRobot {
     links_[body_of(hinge)] = joint.child = add_link(link);
     for (const auto& [j, name] : coordinates) {
       joint.coordinates.push_back(coordinate(j, name));
-      joints_of_[at(j)] = {static_cast<int>(robot_.joints.size()), name};
+      joints_of_[j] = {static_cast<int>(robot_.joints.size()), name};
       if (j != hinge) joint.remark += (joint.remark.empty() ? "with " : ", ") + name_of(mjOBJ_JOINT, j, "joint");
     }
     robot_.joints.push_back(joint);
@@ -349,7 +347,7 @@ class MjcfRobot {
         between.name = link.name + "_after_" + name_of(mjOBJ_JOINT, joints[k], "joint");
         between.X_DL = link.X_DL;
         child = add_link(between);
-        between_.push_back({child, {joints.begin() + static_cast<std::ptrdiff_t>(k) + 1, joints.end()}});
+        between_.push_back({child, {joints.begin() + k + 1, joints.end()}});
       }
       add_joint(joints[k], parent, child);
       parent = child;
@@ -504,7 +502,7 @@ class MjcfRobot {
   void add_equalities() {
     const std::vector<pugi::xml_node> nodes = source_.children_of("equality");
     for (int e = 0; e < m_.neq; ++e) {
-      const pugi::xml_node node = nodes.size() == at(m_.neq) ? nodes[at(e)] : source_.root();
+      const pugi::xml_node node = static_cast<int>(nodes.size()) == m_.neq ? nodes[e] : source_.root();
       const mjtNum* data = m_.eq_data + mjNEQDATA * e;
       if (m_.eq_active[e] == 0) {
         leave_out(node, "is not active");
@@ -542,12 +540,12 @@ class MjcfRobot {
   void add_coupling(const pugi::xml_node& node, int e, const std::string& name) {
     const int j1 = m_.eq_obj1id[e], j2 = m_.eq_obj2id[e];
     const mjtNum* a = m_.eq_data + mjNEQDATA * e;
-    const auto [first, coordinate1] = joints_of_[at(j1)];
-    if (first < 0 || (j2 >= 0 && joints_of_[at(j2)].first < 0) || a[0] != 0.0 || j2 < 0) {
+    const auto [first, coordinate1] = joints_of_[j1];
+    if (first < 0 || (j2 >= 0 && joints_of_[j2].first < 0) || a[0] != 0.0 || j2 < 0) {
       leave_out(node, "a scene couples two coordinates that are zero together");
       return;
     }
-    const auto [second, coordinate2] = joints_of_[at(j2)];
+    const auto [second, coordinate2] = joints_of_[j2];
     if (gap_of(*d_, e) > (drawn_at_key() ? kHoldsInKey : kHolds)) {
       leave_out(node, "does not hold where the robot is drawn");
       return;
@@ -579,9 +577,9 @@ class MjcfRobot {
   void add_actuators() {
     const std::vector<pugi::xml_node> nodes = source_.children_of("actuator");
     for (int i = 0; i < m_.nu; ++i) {
-      const pugi::xml_node node = nodes.size() == at(m_.nu) ? nodes[at(i)] : source_.root();
+      const pugi::xml_node node = static_cast<int>(nodes.size()) == m_.nu ? nodes[i] : source_.root();
       const int transmission = m_.actuator_trntype[i], j = m_.actuator_trnid[2 * i];
-      if ((transmission != mjTRN_JOINT && transmission != mjTRN_JOINTINPARENT) || joints_of_[at(j)].first < 0) {
+      if ((transmission != mjTRN_JOINT && transmission != mjTRN_JOINTINPARENT) || joints_of_[j].first < 0) {
         leave_out(node, "acts on no single coordinate of a joint");
         continue;
       }
@@ -608,8 +606,8 @@ class MjcfRobot {
       RobotDrive drive;
       drive.origin = source_.origin(node);
       drive.name = name_of(mjOBJ_ACTUATOR, i, "motor");
-      drive.joint = joints_of_[at(j)].first;
-      drive.coordinate = joints_of_[at(j)].second;
+      drive.joint = joints_of_[j].first;
+      drive.coordinate = joints_of_[j].second;
       if (b1 < 0.0) {
         drive.kind = RobotDriveKind::kPosition;
         drive.kp = -b1 * g * g;
@@ -655,8 +653,8 @@ class MjcfRobot {
     for (const auto& [body, link] : links_) {
       mjtNum twist[6];  // angular, then of the frame's origin, both along the axes of the world
       mj_objectVelocity(&m_, d_.get(), mjOBJ_XBODY, body, twist, 0);
-      robot_.links[at(link)].angular_velocity = vector(twist);
-      robot_.links[at(link)].velocity = vector(twist + 3);
+      robot_.links[link].angular_velocity = vector(twist);
+      robot_.links[link].velocity = vector(twist + 3);
     }
     for (const auto& [link, beyond] : between_) add_velocity_before(link, beyond);
   }
@@ -664,7 +662,7 @@ class MjcfRobot {
   // The link moves as the body beyond these joints would if the joints did not move: v - w_j x (p - p_j), w - w_j of each.
   void add_velocity_before(int link, const std::vector<int>& joints) {
     const int body = body_of(joints.back());
-    const RobotLink& whole = robot_.links[at(link_of(body))];
+    const RobotLink& whole = robot_.links[link_of(body)];
     Eigen::Vector3d v = *whole.velocity, w = *whole.angular_velocity;
     for (const int j : joints) {
       const mjtNum* rate = d_->qvel + m_.jnt_dofadr[j];
@@ -678,8 +676,8 @@ class MjcfRobot {
       w -= turn;
       v -= turn.cross(whole.X_DL.p - vector(d_->xanchor + 3 * j));
     }
-    robot_.links[at(link)].velocity = v;
-    robot_.links[at(link)].angular_velocity = w;
+    robot_.links[link].velocity = v;
+    robot_.links[link].angular_velocity = w;
   }
 
   const MjcfSource& source_;

@@ -6,12 +6,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
-#include <set>
 #include <sstream>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/import/codes.h"
-#include "mbd_solver/import/mjcf_frames.h"
 
 namespace footfall {
 namespace {
@@ -83,12 +82,10 @@ void MjcfSource::add_children(pugi::xml_node into, const pugi::xml_node& of, con
     const fs::path path = fs::path(name).is_absolute() ? fs::path(name) : fs::path(folder_) / name;
     std::error_code error;
     if (name.empty() || !fs::is_regular_file(path, error))
-      xml.fail(code::kRobotName, child,
-               "includes \"" + name.substr(0, 100) +
-                   "\", which is no file; expected a file relative to the folder of this file");
+      xml.fail(code::kRobotName, child, "includes \"", name.substr(0, 100),
+               "\", which is no file; expected a file relative to the folder of this file");
     if (depth >= kDeepestInclude)
-      xml.fail(code::kRobotTree, child,
-               "includes files more than " + std::to_string(kDeepestInclude) + " deep; they include each other");
+      xml.fail(code::kRobotTree, child, "includes files more than ", kDeepestInclude, " deep; they include each other");
     files_.take();
     sources_.push_back(std::make_unique<XmlSource>(path.lexically_relative(fs::current_path()).string()));
     const XmlSource& included = *sources_.back();
@@ -166,10 +163,9 @@ void MjcfSource::take_what_is_for_looks() {
       leave_out(node, "a scene has no soft bodies of many parts; see flexible bodies", skin);
       node.parent().remove_child(node);
     } else if (name == "attach" || (name == "model" && above == "asset")) {
-      throw InputError(code::kRobotRefused,
-                       origin(node).place() + ": " + title_of(node) +
-                           " is of later versions than MuJoCo 2.2.2, which reads the file; load it there, save it by "
-                           "mj_saveLastXML, which resolves such elements, and import that file");
+      throw InputError(code::kRobotRefused, origin(node).place(), ": ", title_of(node),
+                       " is of later versions than MuJoCo 2.2.2, which reads the file; load it there, save it by "
+                       "mj_saveLastXML, which resolves such elements, and import that file");
     } else if (name == "adhesion" && above == "actuator" && !node.attribute("ctrlrange")) {
       node.append_attribute("ctrlrange") = "0 1";  // MuJoCo 2.2.2 requires it here, later versions use the class
     } else if (name == "plugin") {
@@ -277,8 +273,8 @@ void MjcfSource::read_height_fields(const std::string& folder, bool strip) {
         const std::optional<std::vector<double>> z = numbers_of(given.value());
         if (!z || rows < 1 || columns < 1 ||
             z->size() != static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns))
-          throw InputError(code::kRobotNumber, origin(field).place() + ": " + title_of(field) +
-                                                   " elevation has other than nrow times ncol finite numbers");
+          throw InputError(code::kRobotNumber, origin(field).place(), ": ", title_of(field),
+                           " elevation has other than nrow times ncol finite numbers");
         using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
         const Eigen::MatrixXd h = Eigen::Map<const Rows>(z->data(), rows, columns).colwise().reverse();
         const double range = h.maxCoeff() - h.minCoeff();
@@ -374,7 +370,7 @@ void MjcfSource::take_out(const std::string& message) {
   if (node && !attribute.empty() && node.attribute(attribute.c_str()) && ++taken_out_ <= kMostTakenOut) {
     robot_.leave_out(origin(node),
                      title_of(node) + " " + attribute + " = \"" + node.attribute(attribute.c_str()).value() + "\"",
-                     "is not known to MuJoCo " + std::string("2.2.2, which reads the file"));
+                     "is not known to MuJoCo 2.2.2, which reads the file");
     node.remove_attribute(attribute.c_str());
     return;
   }
@@ -384,9 +380,8 @@ void MjcfSource::take_out(const std::string& message) {
       if (!node && !name.empty() && name == one.attribute("name").value()) node = one;
     });
   }
-  throw InputError(code::kRobotRefused, origin(node ? node : root()).place() + ": " + title_of(node ? node : root()) +
-                                            ": MuJoCo 2.2.2 refuses the file: " + trimmed(plain) +
-                                            "; correct it there");
+  throw InputError(code::kRobotRefused, origin(node ? node : root()).place(), ": ", title_of(node ? node : root()),
+                   ": MuJoCo 2.2.2 refuses the file: ", trimmed(plain), "; correct it there");
 }
 
 }  // namespace footfall

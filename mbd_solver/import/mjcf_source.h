@@ -2,6 +2,8 @@
 // The XML of an MJCF file for MuJoCo: included files in their places, without parts that only later versions read,
 // parts that no scene can use, and missing meshes. Every element keeps the line that it comes from.
 
+#include <functional>
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -53,5 +55,11 @@ class MjcfSource {
   std::map<std::string, Eigen::MatrixXd> elevations_;
   int taken_out_ = 0;
 };
+
+// The elements <frame> and <replicate> of later versions of MJCF than the library's: their contents are put into their
+// body, with the placement, names and classes that they define. mujoco.readthedocs.io, XML Reference: frame, replicate.
+// mujoco: the root. origin: of an element; copied(copy, of): called for every new element. Throws InputError.
+void resolve_frames(pugi::xml_node mujoco, const std::function<Origin(const pugi::xml_node&)>& origin,
+                    const std::function<void(const pugi::xml_node&, const pugi::xml_node&)>& copied);
 
 }  // namespace footfall

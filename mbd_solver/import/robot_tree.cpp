@@ -3,11 +3,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <list>
 #include <map>
 #include <set>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/text.h"
 #include "mbd_solver/base/pi.h"
 #include "mbd_solver/import/codes.h"
@@ -21,8 +21,6 @@ constexpr double kSmallMass = 1e-7;
 // A link whose inertia is zero: radius of gyration [m].
 constexpr double kPointRadius = 1e-3;
 constexpr double kNoRadius = 1e-6;  // below this it is zero [m]
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 Eigen::Matrix3d steiner(double mass, const Eigen::Vector3d& d) {
   return mass * (d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose());
@@ -62,7 +60,7 @@ class Tidy {
     joints_of_.resize(robot_.links.size());
     for (std::size_t k = 0; k < robot_.joints.size(); ++k)
       for (const int end : {robot_.joints[k].parent, robot_.joints[k].child})
-        if (end >= 0) joints_of_[at(end)].insert(static_cast<int>(k));
+        if (end >= 0) joints_of_[end].insert(static_cast<int>(k));
     for (std::size_t k = 0; k < robot_.links.size(); ++k) {
       into_.push_back(static_cast<int>(k));
       parts_.push_back({static_cast<int>(k)});
@@ -81,17 +79,17 @@ class Tidy {
  private:
   static constexpr int kGround = -1;
 
-  RobotLink& link(int index) { return robot_.links[at(index)]; }
-  RobotJoint& joint(int index) { return robot_.joints[at(index)]; }
+  RobotLink& link(int index) { return robot_.links[index]; }
+  RobotJoint& joint(int index) { return robot_.joints[index]; }
   bool is_empty(int index) { return !(link(index).mass > 0.0); }
 
   // The link that this one has become part of.
   int body(int index) {
     int whole = index;
-    while (whole >= 0 && into_[at(whole)] != whole) whole = into_[at(whole)];
+    while (whole >= 0 && into_[whole] != whole) whole = into_[whole];
     while (index != whole) {
-      const int next = into_[at(index)];
-      into_[at(index)] = whole;
+      const int next = into_[index];
+      into_[index] = whole;
       index = next;
     }
     return whole;
@@ -99,12 +97,12 @@ class Tidy {
 
   // Limits that leave no room.
   void hold_without_range(int index) {
-    RobotJoint& joint = robot_.joints[at(index)];
+    RobotJoint& joint = robot_.joints[index];
     if (joint.coordinates.size() != 1) return;
     const RobotCoordinate& q = joint.coordinates[0];
     if (!q.lower || !q.upper || *q.upper - *q.lower > 1e-9) return;
     robot_.leave_out(joint.origin, "joint \"" + joint.name + "\"",
-                     "its limits are both " + number_text(*q.lower) + ": it is held where it is drawn");
+                     concat("its limits are both ", *q.lower, ": it is held where it is drawn"));
     joint.kind = RobotJointKind::kFixed;
     drop_uses(index);
   }
@@ -113,7 +111,7 @@ class Tidy {
   void fix_base() {
     std::vector<bool> below(robot_.links.size(), false);
     for (const RobotJoint& joint : robot_.joints)
-      if (!joint.loop && joint.child >= 0) below[at(joint.child)] = true;
+      if (!joint.loop && joint.child >= 0) below[joint.child] = true;
     const auto root = std::find(below.begin(), below.end(), false);
     if (root == below.end()) return;
     RobotJoint mount;
@@ -129,7 +127,7 @@ class Tidy {
   bool is_to_join(int index) {
     const RobotJoint& of = joint(index);
     const int parent = body(of.parent), child = body(of.child);
-    if (gone_[at(index)] || of.kind != RobotJointKind::kFixed || of.loop || child < 0) return false;
+    if (gone_[index] || of.kind != RobotJointKind::kFixed || of.loop || child < 0) return false;
     if (parent < 0) return is_empty(child);  // a body on the ground stays
     return options_.merge_fixed || is_empty(child) || is_empty(parent);
   }
@@ -141,8 +139,8 @@ class Tidy {
     remove_joint(index);
     if (into < 0) return stand_on_ground(from);
     add_mass(link(into), link(from));
-    parts_[at(into)].splice(parts_[at(into)].end(), parts_[at(from)]);
-    std::list<std::string>&remark = remarks_[at(into)], &other_remark = remarks_[at(from)];
+    parts_[into].splice(parts_[into].end(), parts_[from]);
+    std::list<std::string>&remark = remarks_[into], &other_remark = remarks_[from];
     remark.push_back((remark.empty() ? "with \"" : "; with \"") + link(from).name + "\"");
     if (!other_remark.empty()) {
       remark.push_back(" (");
@@ -150,8 +148,8 @@ class Tidy {
       remark.push_back(")");
     }
     if (!link(into).friction) link(into).friction = link(from).friction;
-    into_[at(from)] = into;
-    std::set<int>&joints = joints_of_[at(into)], &others = joints_of_[at(from)];
+    into_[from] = into;
+    std::set<int>&joints = joints_of_[into], &others = joints_of_[from];
     if (joints.size() < others.size()) joints.swap(others);
     std::vector<int> within;
     for (const int other : others)
@@ -161,12 +159,12 @@ class Tidy {
 
   // A link without mass becomes the ground.
   void stand_on_ground(int index) {
-    if (std::any_of(parts_[at(index)].begin(), parts_[at(index)].end(),
+    if (std::any_of(parts_[index].begin(), parts_[index].end(),
                     [&](int part) { return !link(part).collisions.empty(); }))
       robot_.leave_out(link(index).origin, "link \"" + link(index).name + "\": its surface",
                        "it is fixed to the ground without mass; a scene has bodies with mass only");
-    into_[at(index)] = kGround;
-    const std::set<int> joints = joints_of_[at(index)];
+    into_[index] = kGround;
+    const std::set<int> joints = joints_of_[index];
     for (const int other : joints)
       if (body(joint(other).parent) == body(joint(other).child)) remove_within(other);
   }
@@ -178,15 +176,15 @@ class Tidy {
 
   void remove_joint(int index) {
     drop_uses(index);
-    gone_[at(index)] = true;
+    gone_[index] = true;
     for (const int end : {body(joint(index).parent), body(joint(index).child)})
-      if (end >= 0) joints_of_[at(end)].erase(index);
+      if (end >= 0) joints_of_[end].erase(index);
   }
 
   // The joint has no coordinates any more; gears and drives of it go.
   void drop_uses(int index) {
     joint(index).coordinates.clear();
-    dropped_[at(index)] = true;
+    dropped_[index] = true;
   }
 
   // Links without mass that only moving joints hold: roots are the ground, leaves are held.
@@ -197,7 +195,7 @@ class Tidy {
       const int index = *open.begin();
       open.erase(open.begin());
       if (body(index) != index || !is_empty(index)) continue;
-      const std::set<int>& joints = joints_of_[at(index)];
+      const std::set<int>& joints = joints_of_[index];
       const bool root =
           std::none_of(joints.begin(), joints.end(), [&](int j) { return body(joint(j).child) == index; });
       const bool leaf =
@@ -208,7 +206,7 @@ class Tidy {
           if (end >= 0 && end != index) open.insert(end);
       if (joints.empty()) {
         robot_.leave_out(link(index).origin, "link \"" + link(index).name + "\"", "it has no mass");
-        into_[at(index)] = kGround;
+        into_[index] = kGround;
       } else if (root) {
         robot_.leave_out(link(index).origin, "link \"" + link(index).name + "\" without mass",
                          "no joint holds it and it has no mass: it is the ground");
@@ -247,7 +245,7 @@ class Tidy {
     }
     const auto place_of_link = [&](int old) {
       const int whole = body(old);
-      return whole < 0 ? kGround : link_places[at(whole)];
+      return whole < 0 ? kGround : link_places[whole];
     };
     std::vector<RobotJoint> joints;
     std::vector<int> joint_places(robot_.joints.size(), -1);
@@ -261,18 +259,18 @@ class Tidy {
     robot_.links = std::move(links);
     robot_.joints = std::move(joints);
     auto& gears = robot_.gears;
-    const auto is_dropped = [&](int joint) { return dropped_[at(joint)]; };
+    const auto is_dropped = [&](int joint) { return dropped_[joint]; };
     gears.erase(std::remove_if(gears.begin(), gears.end(),
                                [&](const RobotGear& gear) {
                                  return std::any_of(gear.joints.begin(), gear.joints.end(), is_dropped);
                                }),
                 gears.end());
     for (RobotGear& gear : gears)
-      for (int& number : gear.joints) number = joint_places[at(number)];
+      for (int& number : gear.joints) number = joint_places[number];
     auto& drives = robot_.drives;
     drives.erase(std::remove_if(drives.begin(), drives.end(), [&](const RobotDrive& d) { return is_dropped(d.joint); }),
                  drives.end());
-    for (RobotDrive& drive : drives) drive.joint = joint_places[at(drive.joint)];
+    for (RobotDrive& drive : drives) drive.joint = joint_places[drive.joint];
     auto& apart = robot_.apart;
     for (auto& [first, second] : apart) {
       first = place_of_link(first);
@@ -287,8 +285,8 @@ class Tidy {
     std::vector<double> mass(robot_.links.size(), 0.0), inertia(robot_.links.size(), 0.0);  // that each link carries
     for (const RobotJoint& joint : robot_.joints) {
       if (joint.parent < 0 || joint.child < 0 || joint.loop) continue;
-      mass[at(joint.parent)] += moved.beyond(joint, true);
-      inertia[at(joint.parent)] += moved.beyond(joint, false);
+      mass[joint.parent] += moved.beyond(joint, true);
+      inertia[joint.parent] += moved.beyond(joint, false);
     }
     for (std::size_t k = 0; k < robot_.links.size(); ++k)
       if (!(robot_.links[k].mass > 0.0)) give_small_mass(robot_.links[k], mass[k], inertia[k]);
@@ -317,9 +315,8 @@ class Tidy {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(of.inertia);
     Eigen::Vector3d e = solver.eigenvalues();
     if (!(e[2] > 0.0) || e[0] < -1e-3 * e[2])
-      throw InputError(code::kRobotMass, of.origin.place() + ": " + name + " has the principal moments " +
-                                             number_text(e[0]) + ", " + number_text(e[1]) + ", " + number_text(e[2]) +
-                                             " kg m2, expected all above zero; correct ixx ... izz");
+      throw InputError(code::kRobotMass, of.origin.place(), ": ", name, " has the principal moments ", e[0], ", ", e[1],
+                       ", ", e[2], " kg m2, expected all above zero; correct ixx ... izz");
     const Eigen::Vector3d given = e;
     e = e.cwiseMax(1e-9 * e[2]);
     const double lack = e[2] - e[0] - e[1];
@@ -331,9 +328,8 @@ class Tidy {
       of.inertia = solver.eigenvectors() * e.asDiagonal() * solver.eigenvectors().transpose();
       of.inertia = (0.5 * (of.inertia + of.inertia.transpose())).eval();
       robot_.leave_out(of.origin, name,
-                       "no body has the principal moments " + number_text(given[0]) + ", " + number_text(given[1]) +
-                           ", " + number_text(given[2]) + " kg m2 (one above the sum of the others): they are " +
-                           number_text(e[0]) + ", " + number_text(e[1]) + ", " + number_text(e[2]));
+                       concat("no body has the principal moments ", given[0], ", ", given[1], ", ", given[2],
+                              " kg m2 (one above the sum of the others): they are ", e[0], ", ", e[1], ", ", e[2]));
     }
   }
 
@@ -356,7 +352,7 @@ std::string plain_name(const std::string& name, const std::string& otherwise, st
   std::string result = plain;
   for (int& k = used.try_emplace(" " + plain, 1).first->second;  // no name has a blank
        result == "ground" || result == "plane" || result == "world" || !used.try_emplace(result, 1).second;)
-    result = plain + "_" + std::to_string(++k);
+    result = concat(plain, "_", ++k);
   return result;
 }
 
@@ -415,8 +411,7 @@ bool is_empty(const RobotGeometry& g) {
 
 void Robot::add_geometry(RobotLink& link, RobotGeometry geometry, bool collides) {
   if (is_empty(geometry)) {
-    leave_out(geometry.origin,
-              std::string(collides ? "a collision" : "a visual") + " geometry of link \"" + link.name + "\"",
+    leave_out(geometry.origin, concat(collides ? "a collision" : "a visual", " geometry of link \"", link.name, "\""),
               "has a size of 0: it is left out", !collides);
     return;
   }
@@ -434,31 +429,31 @@ MovedInertias::MovedInertias(const Robot& robot) : beyond_(robot.links.size()) {
   std::vector<int> above(robot.links.size(), -1),
       open(robot.links.size(), 0);  // open: links below that are not added yet
   for (const RobotJoint& joint : robot.joints)
-    if (!joint.loop && joint.parent >= 0 && joint.child >= 0 && above[at(joint.child)] < 0) {
-      above[at(joint.child)] = joint.parent;
-      ++open[at(joint.parent)];
+    if (!joint.loop && joint.parent >= 0 && joint.child >= 0 && above[joint.child] < 0) {
+      above[joint.child] = joint.parent;
+      ++open[joint.parent];
     }
   std::vector<int> ready;
   for (std::size_t k = 0; k < open.size(); ++k)
     if (open[k] == 0) ready.push_back(static_cast<int>(k));
   while (!ready.empty()) {
-    const int link = ready.back(), parent = above[at(link)];
+    const int link = ready.back(), parent = above[link];
     ready.pop_back();
     if (parent < 0) continue;
-    beyond_[at(parent)] += beyond_[at(link)];
-    if (--open[at(parent)] == 0) ready.push_back(parent);
+    beyond_[parent] += beyond_[link];
+    if (--open[parent] == 0) ready.push_back(parent);
   }
   for (std::size_t k = 0; k < open.size(); ++k) {
     if (open[k] == 0) continue;
     Sum all;
     std::vector<int> circle;
-    for (int link = static_cast<int>(k); circle.empty() || link != circle.front(); link = above[at(link)]) {
+    for (int link = static_cast<int>(k); circle.empty() || link != circle.front(); link = above[link]) {
       circle.push_back(link);
-      all += beyond_[at(link)];
+      all += beyond_[link];
     }
     for (const int link : circle) {
-      beyond_[at(link)] = all;
-      open[at(link)] = 0;
+      beyond_[link] = all;
+      open[link] = 0;
     }
   }
 }
@@ -466,7 +461,7 @@ MovedInertias::MovedInertias(const Robot& robot) : beyond_(robot.links.size()) {
 // About the point p: I_p = I_D - 2 p.h + p h^T + h p^T + m (p.p - p p^T), where h is the first moment about the origin of D.
 double MovedInertias::beyond(const RobotJoint& joint, bool slides) const {
   if (joint.child < 0) return 0.0;
-  const Sum& sum = beyond_[at(joint.child)];
+  const Sum& sum = beyond_[joint.child];
   if (slides) return sum.mass;
   const Eigen::Vector3d &a = joint.axis, &p = joint.point, &h = sum.moment;
   const double along = a.dot(p);

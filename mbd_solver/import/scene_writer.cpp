@@ -33,8 +33,6 @@ constexpr std::size_t kManyTriangles = 20000;
 constexpr const char* kUnsetSignal = "W0667";  // the warning that no program sets a signal of kind host
 constexpr std::size_t kMostLines = 6;          // of a group of the printed list
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 std::string number(double value) {
   if (value == 0.0) return "0";
   char text[40];
@@ -119,8 +117,8 @@ class Writer {
     add_start();
     // A run from the command line would warn of each such signal.
     if (!signals_.empty())
-      rest_ += "\n[accepted]\n" + std::string(kUnsetSignal) +
-               " = \"a program that leads the run sets the commands of motors (--host)\"\n";
+      rest_ += concat("\n[accepted]\n", kUnsetSignal,
+                      " = \"a program that leads the run sets the commands of motors (--host)\"\n");
     std::vector<SceneFile> files = {{"scene.toml", head() + bodies_ + joints_ + gears_ + drives_ + signals_ +
                                                        boundaries_ + contacts() + rest_ + not_taken()}};
     for (auto& [name, content] : meshes_) files.push_back({name, std::move(content)});
@@ -129,8 +127,7 @@ class Writer {
 
  private:
   std::string from(const Origin& origin, const std::string& what) const {
-    return "  # " +
-           one_line(fs::path(origin.file).filename().string() + ":" + std::to_string(origin.line) + " " + what) + "\n";
+    return "  # " + one_line(concat(fs::path(origin.file).filename().string(), ":", origin.line, " ", what)) + "\n";
   }
 
   std::string head() const {
@@ -149,7 +146,7 @@ class Writer {
   // --- Bodies, and their parts that touch something.
 
   void add_body(int index) {
-    const RobotLink& link = robot_.links[at(index)];
+    const RobotLink& link = robot_.links[index];
     const Eigen::Matrix3d& I = link.inertia;
     std::ostringstream text;
     text << "\n[[bodies]]"
@@ -172,15 +169,14 @@ class Writer {
   // Without meshes that are not there, or cannot be read; each gets its triangles.
   std::vector<RobotGeometry> with_files(const RobotLink& link, const std::vector<RobotGeometry>& all) {
     std::vector<RobotGeometry> usable;
-    for (RobotGeometry g : all) {
-      const std::string what =
-          "collision mesh " + toml_text(g.name.empty() ? g.file : g.name) + " of link " + toml_text(link.label);
-      if (g.kind == GeometryKind::kMesh && g.file.empty() && g.mesh.triangles.empty()) {
-        robot_.leave_out(g.origin, what, "there is no such file; give its folder with --package");
-        continue;
-      }
-      usable.push_back(std::move(g));
-    }
+    for (const RobotGeometry& g : all)
+      if (g.kind != GeometryKind::kMesh || !g.file.empty() || !g.mesh.triangles.empty())
+        usable.push_back(g);
+      else
+        robot_.leave_out(
+            g.origin,
+            "collision mesh " + toml_text(g.name.empty() ? g.file : g.name) + " of link " + toml_text(link.label),
+            "there is no such file; give its folder with --package");
     return usable;
   }
 
@@ -237,7 +233,7 @@ class Writer {
     const TriangleMesh mesh = joined_parts(link, parts);
     if (mesh.triangles.empty()) return;
     const std::string remark =
-        from(parts[0].origin, parts.size() == 1 ? "collision" : std::to_string(parts.size()) + " collisions");
+        from(parts[0].origin, parts.size() == 1 ? "collision" : concat(parts.size(), " collisions"));
     bounded_.push_back(static_cast<int>(&link - robot_.links.data()));
     boundaries_ += "\n[[boundaries]]" + remark + "body = " + toml_text(link.name) + "\n";
     if (shaped) {
@@ -245,9 +241,9 @@ class Writer {
       return;
     }
     if (mesh.triangles.size() > kManyTriangles)
-      robot_.leave_out(parts[0].origin, "collision meshes of link " + toml_text(link.label),
-                       "are taken, but have " + std::to_string(mesh.triangles.size()) +
-                           " triangles; a coarser mesh makes runs faster");
+      robot_.leave_out(
+          parts[0].origin, "collision meshes of link " + toml_text(link.label),
+          concat("are taken, but have ", mesh.triangles.size(), " triangles; a coarser mesh makes runs faster"));
     const RobotGeometry& g = parts[0];
     const bool whole = robot_.not_taken.size() == before && g.mesh.triangles.empty();
     const std::string ending = fs::path(g.file).extension().string();
@@ -279,7 +275,7 @@ class Writer {
       stem += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
     const std::string ending = fs::path(file).extension().string();
     std::string name = "meshes/" + stem + ending;
-    for (int k = 2; meshes_.count(name) > 0; ++k) name = "meshes/" + stem + "_" + std::to_string(k) + ending;
+    for (int k = 2; meshes_.count(name) > 0; ++k) name = concat("meshes/", stem, "_", k, ending);
     meshes_[name] = read_whole_file(file).value_or("");
     return copies_[file] = name;
   }
@@ -287,24 +283,16 @@ class Writer {
   // --- Joints.
 
   void add_joint(int index) {
-    const RobotJoint& joint = robot_.joints[at(index)];
-    const auto body = [&](int link) { return link < 0 ? std::string("ground") : robot_.links[at(link)].name; };
-    const char* type = "fixed";
-    switch (joint.kind) {
-      case RobotJointKind::kFixed: break;
-      case RobotJointKind::kRevolute: type = "revolute"; break;
-      case RobotJointKind::kPrismatic: type = "prismatic"; break;
-      case RobotJointKind::kCylindrical: type = "cylindrical"; break;
-      case RobotJointKind::kPlanar: type = "planar"; break;
-      case RobotJointKind::kSpherical: type = "spherical"; break;
-      case RobotJointKind::kUniversal: type = "universal"; break;
-    }
+    const RobotJoint& joint = robot_.joints[index];
+    const auto body = [&](int link) { return link < 0 ? std::string("ground") : robot_.links[link].name; };
+    constexpr const char* kTypes[] = {"fixed",  "revolute",  "prismatic", "cylindrical",
+                                      "planar", "spherical", "universal"};
     std::ostringstream text;
     text << "\n[[joints]]"
          << from(joint.origin, "joint " + toml_text(joint.label) + (joint.remark.empty() ? "" : ": " + joint.remark))
-         << "name = " << toml_text(joint.name) << "\nkind = \"" << type << "\"\nbodies = ["
-         << toml_text(body(joint.parent)) << ", " << toml_text(body(joint.child)) << "]\npoint = " << list(joint.point)
-         << "\n";
+         << "name = " << toml_text(joint.name) << "\nkind = \"" << kTypes[static_cast<int>(joint.kind)]
+         << "\"\nbodies = [" << toml_text(body(joint.parent)) << ", " << toml_text(body(joint.child))
+         << "]\npoint = " << list(joint.point) << "\n";
     if (joint.kind != RobotJointKind::kFixed && joint.kind != RobotJointKind::kSpherical)
       text << "axis = " << list(joint.axis) << "\n";
     if (joint.kind == RobotJointKind::kPlanar || joint.kind == RobotJointKind::kUniversal)
@@ -346,7 +334,7 @@ class Writer {
     if (q.stiffness > 0.0 || damper) {
       text += "spring = {";
       if (q.stiffness > 0.0) text += " stiffness = " + number(q.stiffness) + ", " + coordinate_entry("rest", q, q.rest);
-      if (damper) text += std::string(q.stiffness > 0.0 ? "," : "") + " damping = " + number(q.damping);
+      if (damper) text += concat(q.stiffness > 0.0 ? "," : "", " damping = ", number(q.damping));
       text += " }\n";
     }
     return text;
@@ -357,7 +345,7 @@ class Writer {
     text << "\n[[gears]]" << from(gear.origin, toml_text(gear.label)) << "name = " << toml_text(gear.name)
          << "\njoints = [";
     for (std::size_t k = 0; k < gear.joints.size(); ++k)
-      text << (k > 0 ? ", " : "") << toml_text(robot_.joints[at(gear.joints[k])].name);
+      text << (k > 0 ? ", " : "") << toml_text(robot_.joints[gear.joints[k]].name);
     text << "]\ncoordinates = [";
     for (std::size_t k = 0; k < gear.coordinates.size(); ++k)
       text << (k > 0 ? ", " : "") << toml_text(gear.coordinates[k]);
@@ -373,7 +361,7 @@ class Writer {
   // --- Motors.
 
   const RobotCoordinate* coordinate(int joint, const std::string& name) const {
-    for (const RobotCoordinate& q : robot_.joints[at(joint)].coordinates)
+    for (const RobotCoordinate& q : robot_.joints[joint].coordinates)
       if (q.name == name) return &q;
     return nullptr;
   }
@@ -416,9 +404,9 @@ class Writer {
     constexpr const char* kNames[] = {"torque", "speed", "position"};
     std::ostringstream text;
     text << "\n[[drives]]" << from(drive.origin, remark) << "name = " << toml_text(drive.name) << "\nkind = \""
-         << kNames[static_cast<int>(drive.kind)] << "\"\njoint = " << toml_text(robot_.joints[at(drive.joint)].name)
+         << kNames[static_cast<int>(drive.kind)] << "\"\njoint = " << toml_text(robot_.joints[drive.joint].name)
          << "\n";
-    if (robot_.joints[at(drive.joint)].coordinates.size() > 1)
+    if (robot_.joints[drive.joint].coordinates.size() > 1)
       text << "coordinate = " << toml_text(drive.coordinate) << "\n";
     if (options_.host) {
       text << "command = { signal = " << toml_text(drive.name) << " }\n";
@@ -441,8 +429,8 @@ class Writer {
   // The first ones of the list; how many there are follows from their numbers, as there may be millions.
   std::string contacts() {
     std::vector<char> bounded(robot_.links.size(), 0);
-    for (const int link : bounded_) bounded[at(link)] = 1;
-    const auto meet = [&](int a, int b) { return a >= 0 && b >= 0 && a != b && bounded[at(a)] && bounded[at(b)]; };
+    for (const int link : bounded_) bounded[link] = 1;
+    const auto meet = [&](int a, int b) { return a >= 0 && b >= 0 && a != b && bounded[a] && bounded[b]; };
     std::set<std::pair<int, int>> jointed;
     for (const RobotJoint& joint : robot_.joints)
       if (meet(joint.parent, joint.child)) jointed.insert(std::minmax(joint.parent, joint.child));
@@ -450,8 +438,8 @@ class Writer {
     std::size_t pairs = 0;
     const auto write = [&](const std::pair<int, int>& pair) {
       if (jointed.count(pair) > 0 || ++pairs > kMostPairs) return;
-      text += "\n[[contacts]]\nbetween = [" + toml_text(robot_.links[at(pair.first)].name) + ", " +
-              toml_text(robot_.links[at(pair.second)].name) + "]\nignore = true\n";
+      text += "\n[[contacts]]\nbetween = [" + toml_text(robot_.links[pair.first].name) + ", " +
+              toml_text(robot_.links[pair.second].name) + "]\nignore = true\n";
     };
     if (robot_.touches_itself) {
       std::vector<std::pair<int, int>> apart;
@@ -467,8 +455,8 @@ class Writer {
       if (pairs > kMostPairs) pairs = bounded_.size() * (bounded_.size() - 1) / 2 - jointed.size();
     }
     if (pairs > kMostPairs) {
-      robot_.leave_out({robot_.file, 1}, std::to_string(pairs) + " pairs of links that do not touch each other",
-                       "are too many for a scene: the first " + std::to_string(kMostPairs) + " are there");
+      robot_.leave_out({robot_.file, 1}, concat(pairs, " pairs of links that do not touch each other"),
+                       concat("are too many for a scene: the first ", kMostPairs, " are there"));
     }
     return text.empty() ? "" : "\n# Links that pass through each other" + text;
   }
@@ -504,9 +492,9 @@ class Writer {
     if (kind.empty() && (robot_.plane || robot_.map) && !bounded_.empty()) kind = "plane";
     if (kind.empty()) return;
     if (bounded_.empty())
-      throw InputError(code::kRobotGround, robot_.file +
-                                               ":1: nothing of the robot can touch a ground: it has no collision "
-                                               "geometry that can be read; import it without --ground");
+      throw InputError(code::kRobotGround, robot_.file,
+                       ":1: nothing of the robot can touch a ground: it has no collision geometry that can be read; "
+                       "import it without --ground");
     const bool of_file = options_.ground.empty();
     if (kind == "plane") {
       double friction = robot_.plane_friction.value_or(0.0);
@@ -628,13 +616,13 @@ std::vector<std::string> not_taken_lines(const Robot& robot, bool looks, bool na
   std::vector<std::string> lines;
   for (const std::vector<const NotTaken*>& group : groups) {
     const NotTaken& first = *group.front();
-    std::string line = file_of(first) + ":" + std::to_string(first.origin.line) + ": " + first.what + ": " + first.why;
+    std::string line = concat(file_of(first), ":", first.origin.line, ": ", first.what, ": ", first.why);
     std::string more;
     for (std::size_t k = 1; k < group.size(); ++k)
       if (names_only || k <= kMostLines) more += (k > 1 ? ", " : "") + std::to_string(group[k]->origin.line);
     if (group.size() > 1)
-      line += " (and " + std::to_string(group.size() - 1) + " more, in " + (group.size() > 2 ? "lines " : "line ") +
-              more + (!names_only && group.size() > kMostLines + 1 ? " ..." : "") + ")";
+      line += concat(" (and ", group.size() - 1, " more, in ", group.size() > 2 ? "lines " : "line ", more,
+                     !names_only && group.size() > kMostLines + 1 ? " ..." : "", ")");
     lines.push_back(std::move(line));
   }
   return lines;
@@ -643,13 +631,12 @@ std::vector<std::string> not_taken_lines(const Robot& robot, bool looks, bool na
 std::vector<SceneFile> write_robot_scene(Robot& robot, const ImportOptions& options,
                                          const std::optional<RobotBed>& bed) {
   if (!options.ground.empty() && options.ground != "plane" && options.ground != "grains") {
-    std::vector<std::string> soils = {"plane", "grains"};
-    for (const auto& entry : fs::directory_iterator(shipped_file("inputs/soils")))
-      soils.push_back(entry.path().stem().string());
+    std::vector<std::string> soils = shipped_tables("inputs/soils");
+    soils.insert(soils.end(), {"plane", "grains"});
     std::sort(soils.begin(), soils.end());
     if (std::find(soils.begin(), soils.end(), options.ground) == soils.end())
-      throw InputError(code::kRobotGround, "--ground " + options.ground + ": expected a plane, grains or a soil." +
-                                               known_names("grounds", options.ground, soils));
+      throw InputError(code::kRobotGround, "--ground ", options.ground, ": expected a plane, grains or a soil.",
+                       known_names("grounds", options.ground, soils));
   }
   return Writer(robot, options, bed).write();
 }

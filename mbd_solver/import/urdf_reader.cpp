@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "coupler/base/concat.h"
 #include "mbd_solver/import/codes.h"
 #include "mbd_solver/import/xml_source.h"
 
@@ -83,7 +84,7 @@ void check_geometry(const XmlSource& xml, const pugi::xml_node& of) {
     xml.fail(code::kRobotElement, geometry, "has no box, sphere, cylinder, capsule or mesh; expected one of them");
   const auto not_negative = [&](const char* attribute, std::size_t count) {
     for (const double value : xml.numbers(shape, attribute, count))
-      if (value < 0.0) xml.fail(code::kRobotNumber, shape, std::string(attribute) + " is negative [m]");
+      if (value < 0.0) xml.fail(code::kRobotNumber, shape, attribute, " is negative [m]");
   };
   const std::string name = shape.name();
   if (name == "box") not_negative("size", 3);
@@ -117,9 +118,8 @@ constexpr const char* kTypes[] = {"revolute", "continuous", "prismatic", "fixed"
 void check_joint(const XmlSource& xml, const pugi::xml_node& joint) {
   const std::string type = joint.attribute("type").value();
   if (std::find(std::begin(kTypes), std::end(kTypes), type) == std::end(kTypes))
-    xml.fail(code::kRobotElement, joint,
-             "has the type \"" + type.substr(0, 40) +
-                 "\", expected revolute, continuous, prismatic, fixed, floating or planar");
+    xml.fail(code::kRobotElement, joint, "has the type \"", type.substr(0, 40),
+             "\", expected revolute, continuous, prismatic, fixed, floating or planar");
   check_origin(xml, joint.child("origin"));
   if (const pugi::xml_node axis = joint.child("axis")) {
     const std::vector<double> v = xml.numbers(axis, "xyz", 3);
@@ -128,9 +128,8 @@ void check_joint(const XmlSource& xml, const pugi::xml_node& joint) {
   }
   const pugi::xml_node limit = joint.child("limit");
   if (!limit && (type == "revolute" || type == "prismatic"))
-    xml.fail(code::kRobotElement, joint,
-             "has no <limit>, which this type requires" +
-                 std::string(type == "revolute" ? "; without limits it is of type continuous" : ""));
+    xml.fail(code::kRobotElement, joint, "has no <limit>, which this type requires",
+             type == "revolute" ? "; without limits it is of type continuous" : "");
   if (limit) {
     const double lower = xml.numbers(limit, "lower", 1, {0.0})[0], upper = xml.numbers(limit, "upper", 1, {0.0})[0];
     if (lower > upper) xml.fail(code::kRobotNumber, limit, "has lower above upper");
@@ -138,8 +137,7 @@ void check_joint(const XmlSource& xml, const pugi::xml_node& joint) {
   }
   if (const pugi::xml_node dynamics = joint.child("dynamics"))
     for (const char* name : {"damping", "friction"})
-      if (xml.numbers(dynamics, name, 1, {0.0})[0] < 0.0)
-        xml.fail(code::kRobotNumber, dynamics, std::string(name) + " is negative");
+      if (xml.numbers(dynamics, name, 1, {0.0})[0] < 0.0) xml.fail(code::kRobotNumber, dynamics, name, " is negative");
   if (const pugi::xml_node mimic = joint.child("mimic"))
     for (const char* name : {"multiplier", "offset"}) xml.numbers(mimic, name, 1, {0.0});
 }
@@ -153,9 +151,8 @@ NodesByName by_name(const XmlSource& xml, const char* element) {
     if (name.empty()) xml.fail(code::kRobotName, node, "has no name, expected name = \"...\"");
     const auto [before, added] = nodes.emplace(name, node);
     if (!added)
-      xml.fail(code::kRobotName, node,
-               "has the name of the element in line " + std::to_string(xml.origin(before->second).line) +
-                   "; give each its own");
+      xml.fail(code::kRobotName, node, "has the name of the element in line ", xml.origin(before->second).line,
+               "; give each its own");
   }
   return nodes;
 }
@@ -167,17 +164,15 @@ std::string check_tree(const XmlSource& xml, const NodesByName& links, const Nod
     for (const char* end : {"parent", "child"}) {
       const pugi::xml_node node = joint.child(end);
       const std::string link = node.attribute("link").value();
-      if (link.empty()) xml.fail(code::kRobotName, joint, "names no " + std::string(end) + " link");
+      if (link.empty()) xml.fail(code::kRobotName, joint, "names no ", end, " link");
       if (links.count(link) == 0)
-        xml.fail(code::kRobotName, node, "link = \"" + link.substr(0, 60) + "\" is no link of this robot");
+        xml.fail(code::kRobotName, node, "link = \"", link.substr(0, 60), "\" is no link of this robot");
     }
     const std::string child = joint.child("child").attribute("link").value();
     const auto [before, added] = joint_above.emplace(child, joint);
     if (!added)
-      xml.fail(code::kRobotTree, joint,
-               "has the child \"" + child + "\", as has the joint in line " +
-                   std::to_string(xml.origin(before->second).line) +
-                   "; a URDF is a tree (SDF and MJCF can have loops)");
+      xml.fail(code::kRobotTree, joint, "has the child \"", child, "\", as has the joint in line ",
+               xml.origin(before->second).line, "; a URDF is a tree (SDF and MJCF can have loops)");
   }
   std::string root;
   std::set<std::string> passed;  // they lead to the root
@@ -195,8 +190,8 @@ std::string check_tree(const XmlSource& xml, const NodesByName& links, const Nod
     if (known) continue;
     if (root.empty()) root = at;
     if (at != root)
-      xml.fail(code::kRobotTree, links.at(at),
-               "is a second root in addition to \"" + root + "\"; add a joint that connects it");
+      xml.fail(code::kRobotTree, links.at(at), "is a second root in addition to \"", root,
+               "\"; add a joint that connects it");
   }
   return root;
 }
@@ -342,7 +337,7 @@ class UrdfRobot {
     } else {
       for (const char* name : {"limit", "dynamics", "mimic"})
         if (const pugi::xml_node of = node.child(name); of && made.kind != RobotJointKind::kFixed)
-          robot_.leave_out(xml_.origin(of), "<" + std::string(name) + "> of " + title_of(node),
+          robot_.leave_out(xml_.origin(of), concat("<", name, "> of ", title_of(node)),
                            "has no meaning for a planar joint");
     }
     joint_places_[made.name] = static_cast<int>(robot_.joints.size());
@@ -382,10 +377,10 @@ class UrdfRobot {
     const auto found = joint_places_.find(name);
     const int leader = found == joint_places_.end() ? -1 : found->second;
     if (leader < 0 || leader == follower)
-      xml_.fail(code::kRobotName, mimic, "joint = \"" + name.substr(0, 60) + "\" is no other joint that moves");
+      xml_.fail(code::kRobotName, mimic, "joint = \"", name.substr(0, 60), "\" is no other joint that moves");
     const RobotJoint& leading = robot_.joints[leader];
     if (leading.coordinates.size() != 1)
-      xml_.fail(code::kRobotName, mimic, "joint = \"" + name + "\" has no single coordinate to follow");
+      xml_.fail(code::kRobotName, mimic, "joint = \"", name, "\" has no single coordinate to follow");
     if (multiplier == 0.0) {
       robot_.joints[follower].kind = RobotJointKind::kFixed;
       robot_.joints[follower].coordinates.clear();
@@ -439,22 +434,16 @@ class UrdfRobot {
 };
 
 void refuse_xacro(const XmlSource& xml) {
-  struct Walker : pugi::xml_tree_walker {
-    pugi::xml_node found;
-    bool for_each(pugi::xml_node& node) override {
-      bool macro = std::string(node.name()).rfind("xacro:", 0) == 0;
-      for (const pugi::xml_attribute& a : node.attributes())
-        macro = macro || std::string(a.value()).find("${") != std::string::npos ||
-                std::string(a.value()).find("$(") != std::string::npos;
-      if (macro) found = node;
-      return !macro;
-    }
-  } walker;
-  pugi::xml_node root = xml.root();
-  root.traverse(walker);
-  if (walker.found)
-    xml.fail(code::kRobotXacro, walker.found,
-             "is a macro of xacro; expand the file first: xacro " + xml.file() + " > robot.urdf");
+  const pugi::xml_node found = xml.root().find_node([](const pugi::xml_node& node) {
+    bool macro = std::string(node.name()).rfind("xacro:", 0) == 0;
+    for (const pugi::xml_attribute& a : node.attributes())
+      macro = macro || std::string(a.value()).find("${") != std::string::npos ||
+              std::string(a.value()).find("$(") != std::string::npos;
+    return macro;
+  });
+  if (found)
+    xml.fail(code::kRobotXacro, found, "is a macro of xacro; expand the file first: xacro ", xml.file(),
+             " > robot.urdf");
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 
+#include "coupler/base/concat.h"
 #include "coupler/base/files.h"
 #include "coupler/base/input_file.h"
 #include "coupler/base/number.h"
@@ -52,11 +52,7 @@ XmlSource::XmlSource(const std::string& file, std::string text) : file_(file), t
   line_starts_.push_back(0);
   for (std::size_t k = 0; k < text_.size(); ++k)
     if (text_[k] == '\n') line_starts_.push_back(k + 1);
-  const auto place = [&](std::ptrdiff_t offset) {
-    const std::size_t at = std::max<std::ptrdiff_t>(offset, 0);
-    const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), at);
-    return file_ + ":" + std::to_string(after - line_starts_.begin());
-  };
+  const auto place = [&](std::ptrdiff_t offset) { return concat(file_, ":", line_at(offset)); };
   ReadBudget parts(limit::kXmlParts, file_), levels(limit::kXmlDepth, file_);
   parts.take(xml_parts(text_));
   const std::size_t zero = text_.find('\0');
@@ -72,32 +68,27 @@ XmlSource::XmlSource(const std::string& file, std::string text) : file_(file), t
   levels.take(static_cast<std::uint64_t>(depth_of(document_)));
 }
 
-Origin XmlSource::origin(const pugi::xml_node& node) const {
-  const std::ptrdiff_t offset = node.offset_debug();
+int XmlSource::line_at(std::ptrdiff_t offset) const {
   const std::size_t at = std::max<std::ptrdiff_t>(offset, 0);
   const auto after = std::upper_bound(line_starts_.begin(), line_starts_.end(), at);
-  return {file_, static_cast<int>(after - line_starts_.begin())};
+  return static_cast<int>(after - line_starts_.begin());
 }
 
-void XmlSource::fail(const MessageCode& code, const pugi::xml_node& node, const std::string& what) const {
-  throw InputError(code, origin(node).place() + ": " + title_of(node) + " " + what);
-}
+Origin XmlSource::origin(const pugi::xml_node& node) const { return {file_, line_at(node.offset_debug())}; }
 
 std::vector<double> XmlSource::numbers(const pugi::xml_node& node, const char* attribute, std::size_t count,
                                        const std::vector<double>& otherwise) const {
   const pugi::xml_attribute given = node.attribute(attribute);
   if (!given) {
     if (otherwise.empty())
-      fail(code::kRobotNumber, node,
-           std::string("has no \"") + attribute + "\", expected " + std::to_string(count) +
-               (count == 1 ? " number" : " numbers"));
+      fail(code::kRobotNumber, node, "has no \"", attribute, "\", expected ", count,
+           count == 1 ? " number" : " numbers");
     return otherwise;
   }
   const std::optional<std::vector<double>> values = numbers_of(given.value());
   if (!values || values->size() != count)
-    fail(code::kRobotNumber, node,
-         std::string(attribute) + " is \"" + trimmed(given.value()).substr(0, 60) + "\", expected " +
-             std::to_string(count) + (count == 1 ? " finite number" : " finite numbers separated by blanks"));
+    fail(code::kRobotNumber, node, attribute, " is \"", trimmed(given.value()).substr(0, 60), "\", expected ", count,
+         count == 1 ? " finite number" : " finite numbers separated by blanks");
   return *values;
 }
 
@@ -125,7 +116,7 @@ std::optional<std::vector<double>> numbers_of(const std::string& text) {
 
 std::string title_of(const pugi::xml_node& node) {
   const std::string name = node.attribute("name").value();
-  return "<" + std::string(node.name()) + (name.empty() ? "" : " \"" + name.substr(0, 60) + "\"") + ">";
+  return concat("<", node.name(), name.empty() ? "" : " \"" + name.substr(0, 60) + "\"", ">");
 }
 
 void list_unread(const XmlSource& xml, const std::map<std::string, KnownElement>& known, Robot& robot) {
@@ -146,7 +137,7 @@ void list_unread(const XmlSource& xml, const std::map<std::string, KnownElement>
                         looks ? "a scene has no colours and textures" : "a scene has no such element", looks);
         continue;
       }
-      auto found = known.find(std::string(node.name()) + "/" + name);
+      auto found = known.find(concat(node.name(), "/", name));
       if (found == known.end()) found = known.find(name);
       if (found != known.end()) walk(child, found->second);
     }

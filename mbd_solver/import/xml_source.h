@@ -3,7 +3,6 @@
 // file of this folder that includes pugixml.
 
 #include <map>
-#include <memory>
 #include <pugixml.hpp>
 #include <string>
 #include <vector>
@@ -12,6 +11,9 @@
 #include "mbd_solver/import/robot.h"
 
 namespace footfall {
+
+// "link "wheel"", or "link" without a name.
+std::string title_of(const pugi::xml_node& node);
 
 class XmlSource {
  public:
@@ -24,7 +26,10 @@ class XmlSource {
   const std::string& text() const { return text_; }
   Origin origin(const pugi::xml_node& node) const;
   // Throws InputError "file:line: <element "name">: what".
-  [[noreturn]] void fail(const MessageCode& code, const pugi::xml_node& node, const std::string& what) const;
+  template <class... Pieces>
+  [[noreturn]] void fail(const MessageCode& code, const pugi::xml_node& node, const Pieces&... what) const {
+    throw InputError(code, origin(node).place(), ": ", title_of(node), " ", what...);
+  }
 
   // Numbers of an attribute. Throws InputError unless there are `count` finite ones; `otherwise` where it is missing (empty:
   // required).
@@ -32,6 +37,8 @@ class XmlSource {
                               const std::vector<double>& otherwise = {}) const;
 
  private:
+  int line_at(std::ptrdiff_t offset) const;
+
   std::string file_;
   std::string text_;
   std::vector<std::size_t> line_starts_;
@@ -45,8 +52,14 @@ struct KnownElement {
 // Adds unknown parts to robot.not_taken. `known`: by name, or by "parent/name" where names are used twice.
 void list_unread(const XmlSource& xml, const std::map<std::string, KnownElement>& known, Robot& robot);
 
-// "link "wheel"", or "link" without a name.
-std::string title_of(const pugi::xml_node& node);
+// Calls visit(node) for every node below this one, depth first.
+template <class Visit>
+void for_each_below(const pugi::xml_node& root, const Visit& visit) {
+  root.find_node([&](const pugi::xml_node& node) {
+    visit(node);
+    return false;
+  });
+}
 // Numbers of a text; nothing where one of its words is none, or is not finite.
 std::optional<std::vector<double>> numbers_of(const std::string& text);
 

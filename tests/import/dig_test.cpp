@@ -85,7 +85,7 @@ TEST(Digging, OfAnImportedArmMovesWhatItsSpadeSweeps) {
   ASSERT_EQ(first.id, last.id);
   double moved = 0.0;
   for (int k = 0; k < first.count(); ++k) {
-    const double r = first.radius[static_cast<std::size_t>(k)];
+    const double r = first.radius[k];
     if ((last.x.col(k) - first.x.col(k)).norm() > 2.0 * r) moved += 2437 * 4.0 / 3.0 * M_PI * r * r * r;
   }
   const double swept = bulk * depth * width * 0.25;

@@ -263,7 +263,7 @@ class MjcfOf {
   }
 
   void add(int index, const RigidFrame& X_DP, const RobotJoint* joint) {
-    const RobotLink& link = robot_.links[static_cast<std::size_t>(index)];
+    const RobotLink& link = robot_.links[index];
     const RigidFrame X = X_DP.inverse() * link.X_DL;
     const Eigen::Quaterniond q(X.R);
     const Eigen::Matrix3d& I = link.inertia;
@@ -352,8 +352,7 @@ double largest_rate(const mjModel& m) {
   std::vector<double> damping(m.dof_damping, m.dof_damping + m.nv), stiffness(damping.size());
   for (int j = 0; j < m.njnt; ++j) {
     const int dofs = m.jnt_type[j] == mjJNT_FREE ? 6 : m.jnt_type[j] == mjJNT_BALL ? 3 : 1;
-    for (int v = m.jnt_dofadr[j]; v < m.jnt_dofadr[j] + dofs; ++v)
-      stiffness[static_cast<std::size_t>(v)] = m.jnt_stiffness[j];
+    for (int v = m.jnt_dofadr[j]; v < m.jnt_dofadr[j] + dofs; ++v) stiffness[v] = m.jnt_stiffness[j];
   }
   for (int i = 0; i < m.nu; ++i) {
     if (m.actuator_trntype[i] != mjTRN_JOINT) continue;

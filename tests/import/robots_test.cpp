@@ -761,7 +761,7 @@ TEST(MovedInertias, AreTheSumsOverAllThatAJointCarries) {
   for (int k = 0; k < kLinks; ++k) {
     robot.links.push_back(random_link());
     RobotJoint joint;
-    above[static_cast<std::size_t>(k)] = joint.parent = k == 0 ? -1 : std::rand() % k;
+    above[k] = joint.parent = k == 0 ? -1 : std::rand() % k;
     joint.child = k;
     joint.point.setRandom();
     joint.axis = Eigen::Vector3d::Random().normalized();
@@ -774,13 +774,13 @@ TEST(MovedInertias, AreTheSumsOverAllThatAJointCarries) {
   robot.joints.push_back(loop);
   const MovedInertias moved(robot);
   for (int j = 0; j < kLinks; ++j) {
-    const RobotJoint& joint = robot.joints[static_cast<std::size_t>(j)];
+    const RobotJoint& joint = robot.joints[j];
     double mass = 0.0, inertia = 0.0;
     for (int k = 0; k < kLinks; ++k) {
       int at = k;
-      while (at >= 0 && at != j) at = above[static_cast<std::size_t>(at)];
+      while (at >= 0 && at != j) at = above[at];
       if (at != j) continue;
-      const RobotLink& link = robot.links[static_cast<std::size_t>(k)];
+      const RobotLink& link = robot.links[k];
       const Eigen::Vector3d a = link.X_DL.R.transpose() * joint.axis;
       mass += link.mass;
       inertia +=

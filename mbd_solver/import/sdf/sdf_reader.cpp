@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <initializer_list>
 #include <map>
 #include <optional>
@@ -170,19 +169,12 @@ class SdfRobot {
 
   // Line of the element whose name the message quotes.
   int line_of_name_in(const std::string& message) const {
-    struct Walker : pugi::xml_tree_walker {
-      const std::string* message = nullptr;
-      pugi::xml_node found;
-      bool for_each(pugi::xml_node& node) override {
-        const std::string name = node.attribute("name").value();
-        if (!name.empty() && message->find("[" + name + "]") != std::string::npos) found = node;
-        return true;
-      }
-    } walker;
-    walker.message = &message;
-    pugi::xml_node root = xml_.root();
-    root.traverse(walker);
-    return xml_.origin(walker.found ? walker.found : root).line;
+    pugi::xml_node found = xml_.root();
+    for_each_below(xml_.root(), [&](const pugi::xml_node& node) {
+      const std::string name = node.attribute("name").value();
+      if (!name.empty() && message.find("[" + name + "]") != std::string::npos) found = node;
+    });
+    return xml_.origin(found).line;
   }
 
   std::string found_model(const std::string& uri) const { return find_model(uri, xml_.file(), options_); }
@@ -197,20 +189,15 @@ class SdfRobot {
       file /= name.empty() ? "model.sdf" : name;
     }
     if (!fs::is_regular_file(file)) return;
-    struct Walker : pugi::xml_tree_walker {
-      std::vector<std::string> uris;
-      bool for_each(pugi::xml_node& node) override {
-        if (std::string(node.name()) == "include") uris.push_back(trimmed(node.child("uri").text().get()));
-        return true;
-      }
-    } walker;
+    std::vector<std::string> uris;
     {
       const XmlSource xml(file.string());
       bytes_.take(xml.text().size());
-      pugi::xml_node root = xml.root();
-      root.traverse(walker);
+      for_each_below(xml.root(), [&](const pugi::xml_node& node) {
+        if (std::string(node.name()) == "include") uris.push_back(trimmed(node.child("uri").text().get()));
+      });
     }
-    for (const std::string& uri : walker.uris)
+    for (const std::string& uri : uris)
       if (const std::string inner = find_model(uri, file.string(), options_); !inner.empty()) count_model(inner);
   }
 
@@ -224,18 +211,13 @@ class SdfRobot {
     };
     if (const std::size_t from = text.find("<?xml"); from != std::string::npos && from > 0)
       blank(from, text.find("?>", from) + 2);
-    struct Walker : pugi::xml_tree_walker {
-      std::vector<pugi::xml_node> includes, others, frictions;
-      bool for_each(pugi::xml_node& node) override {
-        const std::string name = node.name();
-        if (name == "include") includes.push_back(node);
-        if (name == "material" || name == "plugin" || name == "sensor") others.push_back(node);
-        if (name == "mu" || name == "mu2") frictions.push_back(node);
-        return true;
-      }
-    } walker;
-    pugi::xml_node root = xml_.root();
-    root.traverse(walker);
+    std::vector<pugi::xml_node> includes, others, frictions;
+    for_each_below(xml_.root(), [&](const pugi::xml_node& node) {
+      const std::string name = node.name();
+      if (name == "include") includes.push_back(node);
+      if (name == "material" || name == "plugin" || name == "sensor") others.push_back(node);
+      if (name == "mu" || name == "mu2") frictions.push_back(node);
+    });
     // From the element's first character to the end of its tag, which follows its last descendant.
     const auto blank_element = [&](const pugi::xml_node& node) {
       const auto begin = [](const pugi::xml_node& of) {
@@ -250,8 +232,8 @@ class SdfRobot {
       const std::size_t close = empty ? open : text.find('>', text.find(end, std::max(begin(last), begin(node))));
       if (close != std::string::npos) blank(begin(node), close + 1);
     };
-    for (const pugi::xml_node& node : walker.others) blank_element(node);
-    for (const pugi::xml_node& node : walker.frictions) {  // old exports have -1 for a friction without limit
+    for (const pugi::xml_node& node : others) blank_element(node);
+    for (const pugi::xml_node& node : frictions) {  // old exports have -1 for a friction without limit
       const std::optional<std::vector<double>> mu = numbers_of(node.text().get());
       if (!mu || mu->size() != 1 || !((*mu)[0] < 0.0)) continue;
       if (std::string(node.name()) == "mu")
@@ -259,7 +241,7 @@ class SdfRobot {
                          "means friction without limit; give the ground or contact its own coefficient");
       blank_element(node);
     }
-    for (const pugi::xml_node& include : walker.includes) {
+    for (const pugi::xml_node& include : includes) {
       const std::string uri = trimmed(include.child("uri").text().get());
       const bool plane = uri.find("ground_plane") != std::string::npos;
       const bool sun = uri.size() >= 3 && uri.compare(uri.size() - 3, 3, "sun") == 0;
@@ -280,18 +262,10 @@ class SdfRobot {
   // The element of this kind and name; of several, in nested models, the one of sdformat's line. The root where it comes from an
   // included file.
   pugi::xml_node node_of(const char* kind, const std::string& name, const sdf::ElementPtr& element) {
-    if (nodes_.empty()) {
-      struct Walker : pugi::xml_tree_walker {
-        std::map<std::pair<std::string, std::string>, std::vector<pugi::xml_node>>* nodes = nullptr;
-        bool for_each(pugi::xml_node& node) override {
-          (*nodes)[{node.name(), node.attribute("name").value()}].push_back(node);
-          return true;
-        }
-      } walker;
-      walker.nodes = &nodes_;
-      pugi::xml_node root = xml_.root();
-      root.traverse(walker);
-    }
+    if (nodes_.empty())
+      for_each_below(xml_.root(), [&](const pugi::xml_node& node) {
+        nodes_[{node.name(), node.attribute("name").value()}].push_back(node);
+      });
     const std::vector<pugi::xml_node>& found = nodes_[{kind, name}];
     for (const pugi::xml_node& node : found)
       if (element && xml_.origin(node).line == element->LineNumber().value_or(0)) return node;
@@ -359,26 +333,21 @@ class SdfRobot {
     made.origin = xml_.origin(node);
     made.name = prefix + link.Name();
     made.X_DL = X_DM * placement(pose);
-    for (std::uint64_t k = 0; k < link.CollisionCount(); ++k) {
-      const sdf::Collision& of = *link.CollisionByIndex(k);
+    const auto add = [&](const auto& of, const char* kind, bool collides) {
       ignition::math::Pose3d in_link = of.RawPose();
       report(of.SemanticPose().Resolve(in_link, link.Name()));
-      add_geometry(made, *of.Geom(), placement(in_link),
-                   node.find_child_by_attribute("collision", "name", of.Name().c_str()), true);
+      add_geometry(made, *of.Geom(), placement(in_link), node.find_child_by_attribute(kind, "name", of.Name().c_str()),
+                   collides);
+    };
+    for (std::uint64_t k = 0; k < link.CollisionCount(); ++k) {
+      const sdf::Collision& of = *link.CollisionByIndex(k);
+      add(of, "collision", true);
       if (const std::optional<double> mu = given(of.Element(), {"surface", "friction", "ode", "mu"}))
         made.friction = mu;
     }
-    for (std::uint64_t k = 0; k < link.VisualCount(); ++k) {
-      const sdf::Visual& of = *link.VisualByIndex(k);
-      ignition::math::Pose3d in_link = of.RawPose();
-      report(of.SemanticPose().Resolve(in_link, link.Name()));
-      add_geometry(made, *of.Geom(), placement(in_link),
-                   node.find_child_by_attribute("visual", "name", of.Name().c_str()), false);
-    }
+    for (std::uint64_t k = 0; k < link.VisualCount(); ++k) add(*link.VisualByIndex(k), "visual", false);
     if (still) {
-      const bool plane =
-          std::any_of(made.collisions.begin(), made.collisions.end(), [](const RobotGeometry&) { return true; });
-      if (plane)
+      if (!made.collisions.empty())
         robot_.leave_out(made.origin, "link \"" + made.name + "\" of a static model",
                          "is fixed; the ground of a scene is one level plane, or grains");
       return;
