@@ -13,7 +13,6 @@
 #include <exception>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "coupler/abort_guard.h"
 #include "coupler/base/codes.h"

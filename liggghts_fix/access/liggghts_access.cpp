@@ -82,8 +82,8 @@ class OpenTriMesh : public TriMesh {
   static double*** nodes(TriMesh* mesh) { return (mesh->*&OpenTriMesh::node_).begin(); }
   static double** centers(TriMesh* mesh) { return (mesh->*&OpenTriMesh::center_).begin(); }
   static std::vector<double> pack_element(TriMesh* mesh, int element) {
-    std::vector<double> bytes(static_cast<std::size_t>(
-        (mesh->*&OpenTriMesh::elemBufSize)(OPERATION_COMM_EXCHANGE, nullptr, false, false, false)));
+    std::vector<double> bytes(
+        (mesh->*&OpenTriMesh::elemBufSize)(OPERATION_COMM_EXCHANGE, nullptr, false, false, false));
     (mesh->*&OpenTriMesh::pushElemToBuffer)(element, bytes.data(), OPERATION_COMM_EXCHANGE, false, false, false);
     return bytes;
   }

@@ -53,10 +53,9 @@ class Words {
 // Materials belong to atom types: property/global has one value for each type of the box.
 BeamArguments with_known_material(BeamArguments arguments, int types) {
   if (!whole_number(arguments.type, 1, types))
-    throw InputError(code::kBeamMaterialUnknown,
-                     arguments.fix + ": type " + arguments.type + " has no material: the box has types 1 to " +
-                         std::to_string(types) +
-                         ". Use one of them, or add a type to create_box and each property/global");
+    throw InputError(code::kBeamMaterialUnknown, arguments.fix, ": type ", arguments.type,
+                     " has no material: the box has types 1 to ", types,
+                     ". Use one of them, or add a type to create_box and each property/global");
   return arguments;
 }
 
@@ -104,13 +103,12 @@ FixWallGranBeam::Beam::Beam(const ModalBoundary& boundary_, int body_, int numbe
 void FixWallGranBeam::post_create() {
   FixWallGran::post_create();
   if (store_force_contact_ && beams_.size() > 1)
-    throw InputError(
-        code::kBeamUnsupported,
-        arguments_.fix + ": store_force_contact stores one contact per grain and fix; give each beam a fix of its own");
+    throw InputError(code::kBeamUnsupported, arguments_.fix,
+                     ": store_force_contact stores one contact per grain and fix; give each beam a fix of its own");
   if (dnum() == 0) return;
   beams_[0]->history = fix_history_primitive_;
   for (std::size_t k = 1; k < beams_.size(); ++k) {
-    const std::string name = std::string("history_") + id + "_" + std::to_string(k + 1);
+    const std::string name = footfall::concat("history_", id, "_", k + 1);
     std::vector<std::string> words = {
         // in restart files; not for ghosts, forth or back
         name, "all", "property/atom", name, dnum() > 1 ? "vector" : "vector_one_entry", "yes", "no", "no"};
@@ -132,13 +130,13 @@ void FixWallGranBeam::pre_delete(bool unfixed) {
 void FixWallGranBeam::init() {
   FixWallGran::init();
   if (impl->get_history_offset("dissipation_force") >= 0)
-    throw InputError(code::kBeamUnsupported,
-                     arguments_.fix + ": LIGGGHTS' computeDissipatedEnergy works with meshes only");
+    throw InputError(code::kBeamUnsupported, arguments_.fix,
+                     ": LIGGGHTS' computeDissipatedEnergy works with meshes only");
   if (modify->n_fixes_style("multicontact/halfspace") > 0)
-    throw InputError(code::kBeamUnsupported, arguments_.fix + ": fix multicontact/halfspace does not support beams");
+    throw InputError(code::kBeamUnsupported, arguments_.fix, ": fix multicontact/halfspace does not support beams");
   // LIGGGHTS' kn is force over overlap; Hertz' force grows as overlap^(3/2).
   if (arguments_.curvature && !impl->contact_match("normal", "hertz"))
-    throw InputError(code::kBeamUnsupported, arguments_.fix + ": curvature yes requires `model hertz`; remove it");
+    throw InputError(code::kBeamUnsupported, arguments_.fix, ": curvature yes requires `model hertz`; remove it");
   stiffness_per_kn_ = impl->contact_match("normal", "hertz") ? 1.5 : 1.0;
   reads_wall_as_atom_ = impl->contact_match("cohesion", "easo/capillary/viscous");
   check_segment_lengths();
@@ -157,18 +155,17 @@ void FixWallGranBeam::check_segment_lengths() const {
   for (const std::unique_ptr<Beam>& beam : beams_)
     for (int s = 0; s < beam->chain.segment_count(); ++s) {
       if (beam->chain.length(s) <= limit) continue;
-      throw InputError(
-          code::kBeamSegmentTooLong,
-          arguments_.fix + ": segment " + std::to_string(s) + " of body \"" + beam->boundary.name() + "\" is " +
-              plain_text(beam->chain.length(s)) + " m long, longer than a subdomain of this run (" + plain_text(limit) +
-              " m): divide the beam into more segments, or the box among fewer ranks " + "(command `processors`)");
+      throw InputError(code::kBeamSegmentTooLong, arguments_.fix, ": segment ", s, " of body \"", beam->boundary.name(),
+                       "\" is ", plain_text(beam->chain.length(s)), " m long, longer than a subdomain of this run (",
+                       plain_text(limit), " m): divide the beam into more segments, or the box among fewer ranks ",
+                       "(command `processors`)");
     }
 }
 
 void FixWallGranBeam::setup(int vflag) {
   if (!link_.started())
-    throw InputError(code::kBeamWithoutCoupling,
-                     arguments_.fix + ": no fix moves its beams. Add `fix ID all couple/mbd every N` to the script");
+    throw InputError(code::kBeamWithoutCoupling, arguments_.fix,
+                     ": no fix moves its beams. Add `fix ID all couple/mbd every N` to the script");
   const Eigen::Vector3d periods(domain->xperiodic ? domain->xprd : 0.0, domain->yperiodic ? domain->yprd : 0.0,
                                 domain->zperiodic ? domain->zprd : 0.0);
   for (const std::unique_ptr<Beam>& beam : beams_)

@@ -17,7 +17,6 @@
 // its body's origin (in W).
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "fix_wall_gran.h"

@@ -108,7 +108,7 @@ void FixWallGranSmooth::find_touches(FixMeshSurface& mesh_fix, const SmoothMesh&
   const FixNeighlistMesh& neighbours = *mesh_fix.meshNeighlist();
   double*** const nodes = footfall::mesh_nodes(&mesh);
   const int grains = atom->nlocal;
-  if (last_.size() < static_cast<std::size_t>(grains)) last_.resize(static_cast<std::size_t>(grains), -1);
+  if (last_.size() < static_cast<std::size_t>(grains)) last_.resize(grains, -1);
   touches_.clear();
   const double reach = kSlack * std::max(1.0, neighbor->contactDistanceFactor);  // [of the grain's radius]
   const double bulge = smooth.round ? smooth.round->largest_bulge() : 0.0;

@@ -68,7 +68,7 @@ std::string text(const Eigen::Vector3d& x, const char* between) {
 std::string unit_guess(double body, double box) {
   if (body <= box) return "";
   const bool centimetres = 0.01 * body <= box;  // then it would fit
-  return std::string(": these may be ") + (centimetres ? "centimetres" : "millimetres") + " instead of metres";
+  return footfall::concat(": these may be ", centimetres ? "centimetres" : "millimetres", " instead of metres");
 }
 
 // Is x [m] outside of a side of the box that does not follow the grains, by more than `margin` [m]? Periodic directions
@@ -121,7 +121,7 @@ bool put_beside_body(const Domain& domain, const Eigen::Vector3d& r, std::vector
 std::vector<footfall::CornerNodes> match_over_ranks(TriMesh* mesh, const std::string& mesh_id,
                                                     const footfall::CoupledBody& body, const Domain& domain,
                                                     MPI_Comm world) {
-  std::vector<footfall::MeshTriangle> mine(static_cast<std::size_t>(mesh->sizeLocal()));
+  std::vector<footfall::MeshTriangle> mine(mesh->sizeLocal());
   int highest = -1;
   for (int i = 0; i < mesh->sizeLocal(); ++i) {
     footfall::MeshTriangle& triangle = mine[i];
@@ -153,13 +153,13 @@ std::vector<footfall::CornerNodes> match_over_ranks(TriMesh* mesh, const std::st
   if (first_failed < ranks) {
     int length = static_cast<int>(failure.size());
     footfall::check_mpi(MPI_Bcast(&length, 1, MPI_INT, first_failed, world), "MPI_Bcast");
-    failure.resize(static_cast<std::size_t>(length));
+    failure.resize(length);
     footfall::check_mpi(MPI_Bcast(failure.data(), length, MPI_CHAR, first_failed, world), "MPI_Bcast");
     throw InputError(failure);
   }
 
   footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, &highest, 1, MPI_INT, MPI_MAX, world), "MPI_Allreduce");
-  std::vector<footfall::CornerNodes> all(static_cast<std::size_t>(highest + 1), footfall::CornerNodes{-1, -1, -1});
+  std::vector<footfall::CornerNodes> all(highest + 1, footfall::CornerNodes{-1, -1, -1});
   for (std::size_t i = 0; i < mine.size(); ++i) all[mine[i].id] = corners[i];
   footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, all.data(), 3 * (highest + 1), MPI_INT, MPI_MAX, world),
                       "MPI_Allreduce");
@@ -189,16 +189,15 @@ void require_whole_surface(const footfall::ModalBoundary& boundary, const std::v
       std::sort(corners.begin(), corners.end());
       const auto [place, is_new] = holder.emplace(corners, &part.mesh);
       if (!is_new && place->second != &part.mesh)
-        throw InputError(code::kTriangleInTwoMeshes, "meshes " + *place->second + " and " + part.mesh +
-                                                         " contain the same triangle of body \"" + boundary.name() +
-                                                         "\"; its contacts would count twice");
+        throw InputError(code::kTriangleInTwoMeshes, "meshes ", *place->second, " and ", part.mesh,
+                         " contain the same triangle of body \"", boundary.name(),
+                         "\"; its contacts would count twice");
     }
   }
   const std::size_t whole = boundary.triangles().size();
   if (holder.size() != whole)
-    throw InputError(code::kMeshDiffersFromBody, meshes + (parts.size() == 1 ? " has " : " have ") +
-                                                     std::to_string(holder.size()) + " triangles, body \"" +
-                                                     boundary.name() + "\" of the scene has " + std::to_string(whole));
+    throw InputError(code::kMeshDiffersFromBody, meshes, parts.size() == 1 ? " has " : " have ", holder.size(),
+                     " triangles, body \"", boundary.name(), "\" of the scene has ", whole);
 }
 
 CoupledMesh::CoupledMesh(LAMMPS* lmp_, const std::string& where, const footfall::MeshOfBody& pair,
@@ -206,16 +205,15 @@ CoupledMesh::CoupledMesh(LAMMPS* lmp_, const std::string& where, const footfall:
     : Pointers(lmp_), link_(link), mesh_id_(pair.mesh), where_(where + "mesh " + mesh_id_ + ": ") {
   fix_ = dynamic_cast<FixMeshSurface*>(modify->find_fix_id(mesh_id_.c_str()));
   if (fix_ == nullptr)
-    throw InputError(code::kMeshNotFound, where_ +
-                                              "no fix mesh/surface of this id is defined before this line; correct the "
-                                              "id, or move this line below its mesh");
+    throw InputError(
+        code::kMeshNotFound, where_,
+        "no fix mesh/surface of this id is defined before this line; correct the id, or move this line below its mesh");
   if (fix_->triMesh()->isMoving() || fix_->triMesh()->isDeforming())
-    throw InputError(code::kMeshMovedTwice, where_ + "another fix or a servo moves it already");
+    throw InputError(code::kMeshMovedTwice, where_, "another fix or a servo moves it already");
   if (footfall::surface_velocity_varies(fix_))
-    throw InputError(code::kMeshVelocityVaries,
-                     where_ +
-                         "its surface velocity is a variable, which LIGGGHTS sets in every step; give surface_vel or "
-                         "surface_ang_vel numbers");
+    throw InputError(code::kMeshVelocityVaries, where_,
+                     "its surface velocity is a variable, which LIGGGHTS sets in every step; give surface_vel or "
+                     "surface_ang_vel numbers");
   body_ = link_.bodies().couple(pair.body, update->unit_style);
   const footfall::CoupledBody& scene_body = link_.bodies().scene_body(pair.body, update->unit_style);
   try {
@@ -287,21 +285,19 @@ std::vector<FixWallGran*> CoupledMesh::walls() const {
 void CoupledMesh::begin_run(const char* style, const GrainTorque& torque_before,
                             const footfall::CoupleMbdArguments& arguments) {
   if (fix_->triMesh()->nMove() > 1)
-    throw InputError(code::kMeshMovedTwice,
-                     where_ +
-                         "another fix moves it as well (fix move/mesh or a servo after fix couple/mbd), although "
-                         "the body of the scene moves it: unfix the other one");
+    throw InputError(code::kMeshMovedTwice, where_,
+                     "another fix moves it as well (fix move/mesh or a servo after fix couple/mbd), although the body "
+                     "of the scene moves it: unfix the other one");
   const std::vector<FixWallGran*> touching = walls();
   if (touching.empty())
-    throw InputError(code::kMeshWithoutWall,
-                     where_ +
-                         "no fix wall/gran names it, so that grains would pass through it: add  fix ID all wall/gran "
-                         "model ... mesh n_meshes 1 meshes " +
-                         mesh_id_);
+    throw InputError(code::kMeshWithoutWall, where_,
+                     "no fix wall/gran names it, so that grains would pass through it: add  fix ID all wall/gran model "
+                     "... mesh n_meshes 1 meshes ",
+                     mesh_id_);
   const std::string outside = outside_box();
   stays_behind_ = !outside.empty() && link_.window().body(body_).sides().off_bed();
   if (!outside.empty() && !stays_behind_)
-    throw InputError(code::kMeshLeavesBox, where_ + "body \"" + link_.bodies().name(body_) + "\" " + outside);
+    throw InputError(code::kMeshLeavesBox, where_, "body \"", link_.bodies().name(body_), "\" ", outside);
   for (FixWallGran* wall : touching) {
     WallTorque::observe(lmp, *wall, torque_before);
     if (arguments.mass_of_pair) WallTorque::set_body(*wall, fix_, &link_.window().body(body_));
@@ -444,10 +440,10 @@ void CoupledMesh::check_inside_box() {
   if (outside.empty()) return;
   stays_behind_ = link_.window().body(body_).sides().off_bed();
   if (stays_behind_) return;
-  throw footfall::NumericalError(
-      code::kMeshLeavesBox, "t = " + footfall::number_text(static_cast<double>(update->ntimestep) * update->dt) +
-                                " s: mesh " + mesh_id_ + " (body \"" + link_.bodies().name(body_) + "\"), at step " +
-                                std::to_string(update->ntimestep) + ", " + outside);
+  throw footfall::NumericalError(code::kMeshLeavesBox,
+                                 "t = ", footfall::number_text(static_cast<double>(update->ntimestep) * update->dt),
+                                 " s: mesh ", mesh_id_, " (body \"", link_.bodies().name(body_), "\"), at step ",
+                                 update->ntimestep, ", ", outside);
 }
 
 // --- Grains that touch a curved or deforming mesh once, on its facets or on the round surface behind them.
@@ -464,12 +460,11 @@ void CoupledMesh::let_grains_touch_once(const footfall::CoupleMbdArguments& argu
   if (arguments.surface == Surface::kRound) {
     smooth->round = std::make_unique<footfall::RoundSurface>(smooth->pieces, boundary.rho0());
     if (smooth->round->largest_bulge() > kLargestBulge * neighbor->skin)
-      throw InputError(
-          code::kSurfaceTooRound,
-          where_ + "`surface round` raises a facet by " + footfall::number_text(smooth->round->largest_bulge()) +
-              " m, more than " + footfall::number_text(kLargestBulge) +
-              " of the skin in which LIGGGHTS finds grains: use smaller facets, a larger skin (command `neighbor`), or "
-              "sharp edges (`edge DEGREES`)");
+      throw InputError(code::kSurfaceTooRound, where_, "`surface round` raises a facet by ",
+                       footfall::number_text(smooth->round->largest_bulge()), " m, more than ",
+                       footfall::number_text(kLargestBulge),
+                       " of the skin in which LIGGGHTS finds grains: use smaller facets, a larger skin (command "
+                       "`neighbor`), or sharp edges (`edge DEGREES`)");
   }
   smooth_ = smooth;
   for (FixWallGran* wall : walls) {

@@ -58,7 +58,7 @@ void FastGrains::measure() {
   }
   rate_ = std::sqrt(largest);
   smallest_ = atom->nlocal > 0 ? smallest : 0.0;
-  elastic_.assign(static_cast<std::size_t>(link_.bodies().count()), 0.0);
+  elastic_.assign(link_.bodies().count(), 0.0);
   for (int body = 0; body < link_.bodies().count(); ++body) {
     const footfall::ModalBoundary& boundary = link_.window().body(body).boundary();
     if (boundary.mode_count() == 0) continue;

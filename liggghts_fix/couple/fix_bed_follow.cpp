@@ -78,11 +78,9 @@ FixBedFollow::FixBedFollow(LAMMPS* lmp_, int narg, char** arg)
     good = good && (!follows_[axis] || (domain->periodicity[axis] != 0 && distance_ > 0.0 &&
                                         2.0 * distance_ + 3.0 * slab_width(axis) <= kSlabs * slab_width(axis)));
   if (!good || body_name_.empty())
-    throw footfall::InputError(
-        code::kSourceSyntax,
-        std::string("fix ") + id +
-            ": expected: fix ID all bed/follow body BODY directions x|y|xy distance D, with sides of the box that are "
-            "periodic, and D from 0 to 0.35 of their distance");
+    throw footfall::InputError(code::kSourceSyntax, "fix ", id,
+                               ": expected: fix ID all bed/follow body BODY directions x|y|xy distance D, with sides "
+                               "of the box that are periodic, and D from 0 to 0.35 of their distance");
   link_.bodies().scene_body(body_name_, update->unit_style);  // an unknown name ends here
   if (!link_.resumed())
     for (int i = 0; i < atom->nlocal; ++i) atom->image[i] = image_of(0, 0);
@@ -101,8 +99,8 @@ void FixBedFollow::init() {
   const std::vector<std::string>& names = link_.bodies().names();
   const auto found = std::find(names.begin(), names.end(), body_name_);
   if (found == names.end())
-    throw footfall::InputError(code::kBodyNotInScene, std::string("fix ") + id + ": body \"" + body_name_ +
-                                                          "\" touches no grains: name it in fix couple/mbd");
+    throw footfall::InputError(code::kBodyNotInScene, "fix ", id, ": body \"", body_name_,
+                               "\" touches no grains: name it in fix couple/mbd");
   body_ = static_cast<int>(found - names.begin());
 }
 
@@ -288,13 +286,12 @@ void FixBedFollow::require_all_inside() const {
       const auto [least, most] = extent_of(body, axis);
       if (least >= low && most <= high) continue;
       throw footfall::NumericalError(
-          code::kMeshLeavesBox,
-          "t = " + footfall::number_text(static_cast<double>(update->ntimestep) * update->dt) + " s: body \"" +
-              link_.bodies().name(body) + "\" reaches from " + footfall::number_text(least, 4) + " to " +
-              footfall::number_text(most, 4) + " m along " + "xy"[axis] + ", the bed that follows body \"" +
-              body_name_ + "\" from " + footfall::number_text(low, 4) + " to " + footfall::number_text(high, 4) +
-              " m: all bodies that grains touch must stay near that body. Make the bed longer (particles.box.size), or "
-              "let them move together");
+          code::kMeshLeavesBox, "t = ", footfall::number_text(static_cast<double>(update->ntimestep) * update->dt),
+          " s: body \"", link_.bodies().name(body), "\" reaches from ", footfall::number_text(least, 4), " to ",
+          footfall::number_text(most, 4), " m along ", "xy"[axis], ", the bed that follows body \"", body_name_,
+          "\" from ", footfall::number_text(low, 4), " to ", footfall::number_text(high, 4),
+          " m: all bodies that grains touch must stay near that body. Make the bed longer (particles.box.size), or let "
+          "them move together");
     }
   }
 }
@@ -308,10 +305,9 @@ void FixBedFollow::pre_exchange() {
   first_[axis] += next_way_;
   if (std::abs(period_of(fresh)) >= kMostPeriods)
     throw footfall::NumericalError(
-        code::kMeshLeavesBox,
-        "t = " + footfall::number_text(static_cast<double>(update->ntimestep) * update->dt) +
-            " s: the bed has followed body \"" + body_name_ + "\" over " + std::to_string(kMostPeriods) +
-            " of its lengths, the most that LIGGGHTS can count. Make the bed longer, or end the scene earlier");
+        code::kMeshLeavesBox, "t = ", footfall::number_text(static_cast<double>(update->ntimestep) * update->dt),
+        " s: the bed has followed body \"", body_name_, "\" over ", kMostPeriods,
+        " of its lengths, the most that LIGGGHTS can count. Make the bed longer, or end the scene earlier");
   require_all_inside();
   const Slab slab = {next_axis_, place_in_box(fresh)};
   const footfall::BedExchange all = footfall::bed_exchange(change_of(slab, next_way_));
@@ -446,7 +442,7 @@ void FixBedFollow::add_contacts(std::size_t k, const std::vector<int>& tags, std
     if (partner == 0) continue;
     ++partners;
     pairs.push_back(as_double(partner));
-    const auto from = grain.pairs.begin() + static_cast<std::ptrdiff_t>(p) * pair_values_;
+    const auto from = grain.pairs.begin() + p * pair_values_;
     pairs.insert(pairs.end(), from, from + pair_values_);
   }
   pairs[0] = as_double(partners);
@@ -477,7 +473,7 @@ void FixBedFollow::insert(const Slab& slab, int last_tag, footfall::GrainChanges
     const auto held = held_places.find(atom->tag[i]);
     if (held == held_places.end()) continue;
     pairs.resize(4096);
-    pairs.resize(static_cast<std::size_t>(history->pack_exchange(i, pairs.data())));
+    pairs.resize(history->pack_exchange(i, pairs.data()));
     add_contacts(held->second, coming, pairs);
     history->unpack_exchange(i, pairs.data());
   }

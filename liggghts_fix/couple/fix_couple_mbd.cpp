@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <utility>
 
 #include "atom.h"
 #include "comm.h"
@@ -45,10 +44,10 @@ FixCoupleMbd::FixCoupleMbd(LAMMPS* lmp_, int narg, char** arg)
       fast_grains_(lmp_, link_),
       grain_changes_(lmp_, link_) {
   if (modify->n_fixes_style_strict(style) > 0)
-    throw InputError(code::kSecondCoupling, arguments_.fix + "the script has one already; name all meshes in it");
+    throw InputError(code::kSecondCoupling, arguments_.fix, "the script has one already; name all meshes in it");
   if (link_.started())
-    throw InputError(code::kCouplingAfterRun,
-                     arguments_.fix + "the coupling has run already and cannot be defined again");
+    throw InputError(code::kCouplingAfterRun, arguments_.fix,
+                     "the coupling has run already and cannot be defined again");
   if (arguments_.patience) link_.handshake().set_patience(*arguments_.patience);
   link_.grains().set_max_lost(arguments_.max_lost);
   if (arguments_.outflow) link_.grains().expect_outflow();
@@ -97,18 +96,18 @@ void FixCoupleMbd::pre_delete(bool unfixed) {
 void FixCoupleMbd::init() {
   const std::string& where = arguments_.fix;
   if (std::strcmp(update->integrate_style, "verlet") != 0)
-    throw InputError(code::kRunStyleUnsupported,
-                     where + "run_style " + update->integrate_style + " is not supported; use run_style verlet");
+    throw InputError(code::kRunStyleUnsupported, where, "run_style ", update->integrate_style,
+                     " is not supported; use run_style verlet");
   if (modify->timing > 1)
-    throw InputError(code::kModifyTimingVerbose,
-                     where + "modify_timing verbose would wait for mbd_solver and hang; use modify_timing on");
+    throw InputError(code::kModifyTimingVerbose, where,
+                     "modify_timing verbose would wait for mbd_solver and hang; use modify_timing on");
   for (const auto& mesh : meshes_)
     if (!mesh->is_there())
-      throw InputError(code::kCoupledMeshRemoved,
-                       where + "mesh " + mesh->id() + " was removed by `unfix`; unfix " + id + " first");
+      throw InputError(code::kCoupledMeshRemoved, where, "mesh ", mesh->id(), " was removed by `unfix`; unfix ", id,
+                       " first");
   if (link_.bodies().count() == 0)
-    throw InputError(code::kNoBodyCoupled,
-                     where + "no body to couple: name meshes here, or beams with fix wall/gran/beam");
+    throw InputError(code::kNoBodyCoupled, where,
+                     "no body to couple: name meshes here, or beams with fix wall/gran/beam");
   check_grains(lmp, where);
   const bool first_run = !link_.started();
   link_.start(describe_script());
@@ -166,20 +165,19 @@ void FixCoupleMbd::overlap_or_wait(bool report) {
   overlaps_ = obstacle.empty();
   footfall::set_listener<footfall::DeferredBoundaryMotion>(lmp, overlaps_ ? this : nullptr);
   if (!report || comm->me != 0) return;
-  const std::string text =
-      std::string("fix ") + id + " (couple/mbd): " +
-      (overlaps_ ? "pair forces of the grains overlap with the mechanism's step\n"
-                 : "grains wait for the mechanism at the start of each window, because of " + obstacle + "\n");
+  const std::string text = footfall::concat(
+      "fix ", id, " (couple/mbd): ",
+      overlaps_ ? "pair forces of the grains overlap with the mechanism's step\n"
+                : "grains wait for the mechanism at the start of each window, because of " + obstacle + "\n");
   for (FILE* const out : {screen, logfile})
     if (out != nullptr) std::fputs(text.c_str(), out);
 }
 
 void FixCoupleMbd::initial_integrate(int) {
   if (update->dt != link_.handshake().script().dt)
-    throw InputError(code::kTimeStepChanged,
-                     arguments_.fix +
-                         "the time step changed within the run (fix dt/reset?), but the coupling needs one "
-                         "time step; use a fixed `timestep`");
+    throw InputError(code::kTimeStepChanged, arguments_.fix,
+                     "the time step changed within the run (fix dt/reset?), but the coupling needs one time step; use "
+                     "a fixed `timestep`");
   if (compares_gravity_)
     link_.handshake().require_scene_gravity(gravity_now(*modify));  // its variables have values now
   compares_gravity_ = false;

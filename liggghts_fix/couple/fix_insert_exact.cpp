@@ -56,16 +56,13 @@ FixInsertExact::FixInsertExact(LAMMPS* lmp_, int narg, char** arg)
     } else if (has_value && std::strcmp(arg[iarg], "until") == 0) {
       until_ = footfall::read_number(arg[iarg + 1], nullptr);
     } else {
-      throw footfall::InputError(
-          footfall::code::kSourceSyntax,
-          std::string("fix ") + id + ": unexpected \"" + arg[iarg] +
-              "\", expected the keywords of fix insert/rate/region, then from T and until T [s]");
+      throw footfall::InputError(footfall::code::kSourceSyntax, "fix ", id, ": unexpected \"", arg[iarg],
+                                 "\", expected the keywords of fix insert/rate/region, then from T and until T [s]");
     }
   }
   if (insert_every <= 0 || !(nflowrate > 0.0 || massflowrate > 0.0))
-    throw footfall::InputError(
-        footfall::code::kSourceSyntax,
-        std::string("fix ") + id + ": expected nparticles 1, a particlerate or massrate, and insert_every N");
+    throw footfall::InputError(footfall::code::kSourceSyntax, "fix ", id,
+                               ": expected nparticles 1, a particlerate or massrate, and insert_every N");
   by_mass_ = massflowrate > 0.0;
   ninsert_exists = 0;  // no last grain
   first_seed_ = seed - comm->me;
@@ -125,14 +122,13 @@ void FixInsertExact::pre_exchange() {
   footfall::DemLink* const link = footfall::find_dem_link(lmp);
   if (late > 0 && !late_ && comm->me == 0 && link != nullptr) {
     late_ = true;
-    link->window().warn(footfall::with_code(
-        footfall::code::kNoSpaceForGrains,
-        "t = " + footfall::number_text(static_cast<double>(update->ntimestep) * update->dt) + " s: grain source " + id +
-            ": " + std::to_string(late) + " of " + std::to_string(wanted) + " grains found no space in its region" +
-            (ins_region->id == std::string(id) ? "" : std::string(" ") + ins_region->id) +
-            "; they come later, so that the flow is less than its rate. Move the region out "
-            "of the bed, enlarge it, or give "
-            "new grains a velocity out of it"));
+    link->window().warn(
+        footfall::with_code(footfall::code::kNoSpaceForGrains,
+                            "t = ", footfall::number_text(static_cast<double>(update->ntimestep) * update->dt),
+                            " s: grain source ", id, ": ", late, " of ", wanted, " grains found no space in its region",
+                            ins_region->id == std::string(id) ? "" : std::string(" ") + ins_region->id,
+                            "; they come later, so that the flow is less than its rate. Move the region out of the "
+                            "bed, enlarge it, or give new grains a velocity out of it"));
   }
   next_reneighbor = next_insertion(update->ntimestep);
 }

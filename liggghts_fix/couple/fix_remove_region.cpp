@@ -6,11 +6,9 @@
 #include <mpi.h>
 
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
-#include <string>
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -43,10 +41,9 @@ FixRemoveRegion::FixRemoveRegion(LAMMPS* lmp_, int narg, char** arg)
     }
   }
   if (!good || region_ < 0 || nevery <= 0)
-    throw footfall::InputError(footfall::code::kSourceSyntax,
-                               std::string("fix ") + id +
-                                   ": expected: fix ID all remove/region region REGION every N [from T] [until T], "
-                                   "with a region of the script");
+    throw footfall::InputError(
+        footfall::code::kSourceSyntax, "fix ", id,
+        ": expected: fix ID all remove/region region REGION every N [from T] [until T], with a region of the script");
   restart_global = 1;
   force_reneighbor = 1;
   next_reneighbor = 0;

@@ -101,7 +101,7 @@ void GrainAudit::observe_mixed_walls() {
 }
 
 void GrainAudit::store_forces() {
-  before_.resize(static_cast<std::size_t>(atom->nlocal));
+  before_.resize(atom->nlocal);
   for (int i = 0; i < atom->nlocal; ++i) {
     const double *const f = atom->f[i], *const t = atom->torque[i];
     before_[i] = {f[0], f[1], f[2], t[0], t[1], t[2]};
@@ -135,7 +135,7 @@ void GrainAudit::pair_forces_done(bool set_up) {
     }
   }
   for (auto& [id, share] : shares_) share->setZero();
-  before_.assign(static_cast<std::size_t>(atom->nlocal), {});
+  before_.assign(atom->nlocal, {});
   add_source(source("pairs", "-"));
   store_forces();
 }

@@ -93,10 +93,9 @@ void warn_of_radius(LAMMPS* lmp, footfall::Start& script) {
   footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, found, 3, MPI_DOUBLE, MPI_MAX, lmp->world), "MPI_Allreduce");
   if (found[0] > 0.0 || found[2] == 0.0) return;
   script.warnings.push_back(footfall::with_code(
-      code::kRadiusDiffers, "the run has radius = " + footfall::number_text(radius) +
-                                " m, but its grains have radii from " + footfall::number_text(-found[1]) + " to " +
-                                footfall::number_text(found[2]) +
-                                " m: the bed was made with another radius; make them equal unless this is intended"));
+      code::kRadiusDiffers, "the run has radius = ", footfall::number_text(radius),
+      " m, but its grains have radii from ", footfall::number_text(-found[1]), " to ", footfall::number_text(found[2]),
+      " m: the bed was made with another radius; make them equal unless this is intended"));
 }
 
 void check_grains(LAMMPS* lmp, const std::string& where) {
@@ -116,10 +115,9 @@ void check_grains(LAMMPS* lmp, const std::string& where) {
   for (int property = 0; property < kProperties; ++property) {
     const int tag = bad[property];
     if (tag == kNone) continue;
-    throw footfall::InputError(code::kGrainInvalid,
-                               where + "the " + kNames[property] + " of grain " + std::to_string(tag) + " is " +
-                                   (property < kPlace ? "not a positive number" : "not finite") +
-                                   ": check the command that creates or reads it (set, create_atoms, read_restart)");
+    throw footfall::InputError(code::kGrainInvalid, where, "the ", kNames[property], " of grain ", tag, " is ",
+                               property < kPlace ? "not a positive number" : "not finite",
+                               ": check the command that creates or reads it (set, create_atoms, read_restart)");
   }
 }
 
@@ -135,11 +133,9 @@ bool read_gravity(Modify& modify, footfall::Start& script) {
     if (gravity == nullptr) continue;
     gravity->init();  // it may be defined after couple/mbd
     if (!footfall::gravity_is_constant(gravity)) {
-      script.warnings.push_back(
-          footfall::with_code(code::kGravityVaries,
-                              std::string("fix ") + gravity->id +
-                                  " gravity depends on a variable: it is compared with the gravity of the scene at the "
-                                  "start only"));
+      script.warnings.push_back(footfall::with_code(
+          code::kGravityVaries, "fix ", gravity->id,
+          " gravity depends on a variable: it is compared with the gravity of the scene at the start only"));
       return false;
     }
     Eigen::Vector3d g;
@@ -169,10 +165,9 @@ void warn_of_clumps(Modify& modify, footfall::Start& script) {
     if (dynamic_cast<FixMultisphere*>(modify.fix[i]) != nullptr) clumps = modify.fix[i];
     if (clumps == nullptr || dynamic_cast<FixWallGran*>(modify.fix[i]) == nullptr) continue;
     script.warnings.push_back(footfall::with_code(
-        code::kClumpsBeforeWall,
-        std::string("fix ") + clumps->id + " (multisphere) is defined before fix " + modify.fix[i]->id +
-            " (wall/gran): in the first half step of a run LIGGGHTS' clumps lack the forces of that wall, although the "
-            "mechanism gets them; define fix multisphere after all walls"));
+        code::kClumpsBeforeWall, "fix ", clumps->id, " (multisphere) is defined before fix ", modify.fix[i]->id,
+        " (wall/gran): in the first half step of a run LIGGGHTS' clumps lack the forces of that wall, although the "
+        "mechanism gets them; define fix multisphere after all walls"));
     return;
   }
 }
@@ -201,10 +196,9 @@ void warn_of_spheres_at_rest(LAMMPS* lmp, footfall::Start& script) {
   footfall::check_mpi(MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_LONG, MPI_SUM, lmp->world), "MPI_Allreduce");
   const long at_rest = sums[0] == 0 ? sums[1] : sums[2];
   if (at_rest == 0) return;
-  script.warnings.push_back(footfall::with_code(
-      code::kSpheresAtRest, "fix " + std::string(clumps->id) +
-                                " (multisphere) integrates only clumps: " + std::to_string(at_rest) +
-                                " spheres belong to none and do not move; was the bed made without clumps?"));
+  script.warnings.push_back(
+      footfall::with_code(code::kSpheresAtRest, "fix ", clumps->id, " (multisphere) integrates only clumps: ", at_rest,
+                          " spheres belong to none and do not move; was the bed made without clumps?"));
 }
 
 void warn_of_liquid_on_walls(Modify& modify, footfall::Start& script) {
@@ -213,25 +207,22 @@ void warn_of_liquid_on_walls(Modify& modify, footfall::Start& script) {
     auto* wall = dynamic_cast<FixWallGran*>(modify.fix[i]);
     if (wall == nullptr || std::strncmp(wall->style, "wall/gran", 9) != 0)
       continue;  // other styles have no contact model
-    const std::string name = std::string("fix ") + wall->id + " (wall/gran)";
+    const std::string name = footfall::concat("fix ", wall->id, " (wall/gran)");
     if (!dry && wall->contact_match("cohesion", "washino/capillary/viscous")) {
       dry = true;
       script.warnings.push_back(footfall::with_code(
-          code::kLiquidOnlyApart, name +
-                                      " has cohesion washino/capillary/viscous: in LIGGGHTS its liquid attracts grains "
-                                      "and walls only while they are apart, not while they touch; "
-                                      "easo/capillary/viscous attracts in both states"));
+          code::kLiquidOnlyApart, name,
+          " has cohesion washino/capillary/viscous: in LIGGGHTS its liquid attracts grains and walls only while they "
+          "are apart, not while they touch; easo/capillary/viscous attracts in both states"));
     }
     if (!as_atom && std::strcmp(wall->style, "wall/gran") == 0 &&
         wall->contact_match("cohesion", "easo/capillary/viscous")) {
       as_atom = true;
-      script.warnings.push_back(footfall::with_code(code::kLiquidWallVelocity,
-                                                    name + " has cohesion easo/capillary/viscous: at a distance "
-                                                           "LIGGGHTS uses the velocity of some atom for the "
-                                                           "wall, so that fluidViscosity has a wrong effect, and at "
-                                                           "primitive walls the run may end with a segmentation "
-                                                           "fault. Set fluidViscosity to 0 and use meshes, or beams "
-                                                           "(wall/gran/beam), which have the right velocity"));
+      script.warnings.push_back(footfall::with_code(
+          code::kLiquidWallVelocity, name,
+          " has cohesion easo/capillary/viscous: at a distance LIGGGHTS uses the velocity of some atom for the wall, "
+          "so that fluidViscosity has a wrong effect, and at primitive walls the run may end with a segmentation "
+          "fault. Set fluidViscosity to 0 and use meshes, or beams (wall/gran/beam), which have the right velocity"));
     }
   }
 }
@@ -246,7 +237,7 @@ std::string overlap_obstacle(LAMMPS* lmp) {
     const Fix& fix = *lmp->modify->fix[i];
     if ((lmp->modify->fmask[i] & kBetween) != 0 &&
         std::find(kAllowed.begin(), kAllowed.end(), fix.style) == kAllowed.end())
-      return std::string("fix ") + fix.id + " (" + fix.style + ")";
+      return footfall::concat("fix ", fix.id, " (", fix.style, ")");
   }
   return "";
 }

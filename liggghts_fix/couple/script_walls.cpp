@@ -100,10 +100,9 @@ std::vector<footfall::StaticWall> static_walls(Modify& modify, MPI_Comm world, s
       FixMeshSurface* const mesh = wall->mesh_list()[k];
       if (is_of_a_body(*mesh) || !seen.insert(mesh).second) continue;
       if (moves(*mesh)) {
-        warnings.push_back(footfall::with_code(
-            code::kMeshMovedByScript,
-            std::string("mesh ") + mesh->id +
-                " is moved by the script: bodies of the scene can pass through it without a warning"));
+        warnings.push_back(
+            footfall::with_code(code::kMeshMovedByScript, "mesh ", mesh->id,
+                                " is moved by the script: bodies of the scene can pass through it without a warning"));
         continue;
       }
       footfall::StaticWall one;
@@ -187,17 +186,17 @@ bool WallCrossings::report(const std::string& wall_id, const Eigen::Vector3d& to
   footfall::DemBody& record = link.window().body(body);
   if (down > 0.0 && down >= steep && !record.sides().has_passed())
     throw footfall::NumericalError(
-        code::kBodyThroughFloor,
-        what + ". This wall is the floor below the body: make the bed deeper, or end the scene earlier");
+        code::kBodyThroughFloor, what,
+        ". This wall is the floor below the body: make the bed deeper, or end the scene earlier");
   if (std::abs(down) >= steep) {
     link.window().warn(footfall::with_code(code::kBodyThroughWall, what));
     return false;
   }
   record.sides().pass(wall_id, to_wall);
-  link.window().warn(footfall::with_code(
-      code::kBodyLeavesBed,
-      what + ". This wall is a side of the bed: from here on the body has no grains below it, and "
-             "its results say nothing about the bed. Make the bed larger, or end the scene earlier"));
+  link.window().warn(
+      footfall::with_code(code::kBodyLeavesBed, what,
+                          ". This wall is a side of the bed: from here on the body has no grains below it, and its "
+                          "results say nothing about the bed. Make the bed larger, or end the scene earlier"));
   return true;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <string>
 
 #include "coupler/base/errors.h"
 #include "liggghts_fix/link/codes.h"
@@ -34,8 +33,7 @@ BeamChain::BeamChain(const ModalBoundary& boundary, int chain) {
     segments_.push_back(segment);
     largest_radius_ = std::max(largest_radius_, segment.radius);
   }
-  if (segments_.empty())
-    throw InputError(code::kBeamUnknown, "body \"" + boundary.name() + "\" has no beam " + std::to_string(chain));
+  if (segments_.empty()) throw InputError(code::kBeamUnknown, "body \"", boundary.name(), "\" has no beam ", chain);
   const auto count = static_cast<Eigen::Index>(boundary_node_.size());
   rho0_.resize(3, count);
   Phi_.resize(3 * count, boundary.mode_count());

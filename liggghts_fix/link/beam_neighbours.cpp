@@ -129,7 +129,7 @@ BeamTouch BeamNeighbours::closest(const BeamChain& chain, int k, const Eigen::Ve
   const int last = first_[static_cast<std::size_t>(k) + 1];
   FOOTFALL_DEMAND(first < last);
   const auto touch_of = [&](int pair) {
-    const Eigen::Vector3d& image = images_[image_[static_cast<std::size_t>(pair)]];
+    const Eigen::Vector3d& image = images_[image_[pair]];
     BeamTouch touch = chain.touch(segment_[pair], x - image, r);
     touch.image = image;
     return touch;

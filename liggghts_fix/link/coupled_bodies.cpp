@@ -18,9 +18,9 @@ void CoupledBodies::greet(const std::string& unit_style) {
         code::kNoPartner,
         std::string("couple/mbd: LIGGGHTS runs without mbd_solver. Start both programs together: ") + kStartBoth);
   if (unit_style != kUnitStyle)
-    throw InputError(code::kUnitsNotSi, "couple/mbd: the script has \"units " + unit_style +
-                                            "\", but footfall couples in \"units si\" only: write the script in "
-                                            "metres, kilograms and seconds");
+    throw InputError(
+        code::kUnitsNotSi, "couple/mbd: the script has \"units ", unit_style,
+        "\", but footfall couples in \"units si\" only: write the script in metres, kilograms and seconds");
   Hello hello;
   hello.unit_style = unit_style;
   link_->send(hello);
@@ -39,10 +39,9 @@ const CoupledBody& CoupledBodies::scene_body(const std::string& name, const std:
     known.push_back(body.boundary.name());
   }
   const std::string nearest = nearest_name(name, known);
-  throw InputError(code::kBodyNotInScene,
-                   "couple/mbd: the scene has no body \"" + name +
-                       "\" that grains may touch. Known bodies: " + (known.empty() ? "none" : joined(known)) + "." +
-                       (nearest.empty() ? "" : " Did you mean \"" + nearest + "\"?"));
+  throw InputError(code::kBodyNotInScene, "couple/mbd: the scene has no body \"", name,
+                   "\" that grains may touch. Known bodies: ", known.empty() ? "none" : joined(known), ".",
+                   nearest.empty() ? "" : " Did you mean \"" + nearest + "\"?");
 }
 
 int CoupledBodies::couple(const std::string& name, const std::string& unit_style) {
@@ -50,8 +49,8 @@ int CoupledBodies::couple(const std::string& name, const std::string& unit_style
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found != names_.end()) return static_cast<int>(found - names_.begin());
   if (closed_)
-    throw InputError(code::kBodyCoupledLate,
-                     "couple/mbd: body \"" + name + "\" cannot be coupled after the first run; couple it before");
+    throw InputError(code::kBodyCoupledLate, "couple/mbd: body \"", name,
+                     "\" cannot be coupled after the first run; couple it before");
   names_.push_back(name);
   touched_.emplace_back();
   return static_cast<int>(names_.size()) - 1;
@@ -73,12 +72,11 @@ std::vector<std::string> CoupledBodies::untouched_warnings() const {
     std::set<int> chains;
     for (const BeamSegment& segment : boundary.segments())
       if (touched.chains.count(segment.chain) == 0) chains.insert(segment.chain);
-    for (const int chain : chains) missed.push_back("its beam " + std::to_string(chain) + " (by fix wall/gran/beam)");
+    for (const int chain : chains) missed.push_back(concat("its beam ", chain, " (by fix wall/gran/beam)"));
     if (missed.empty()) continue;
-    warnings.push_back(with_code(code::kBoundaryNotCoupled,
-                                 "body \"" + boundary.name() +
-                                     "\" has a boundary for grains in the scene, but the script does not couple " +
-                                     joined(missed) + ": grains pass through it"));
+    warnings.push_back(with_code(code::kBoundaryNotCoupled, "body \"", boundary.name(),
+                                 "\" has a boundary for grains in the scene, but the script does not couple ",
+                                 joined(missed), ": grains pass through it"));
   }
   return warnings;
 }

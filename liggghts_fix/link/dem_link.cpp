@@ -26,10 +26,9 @@ void DemLink::start(Start script) {
   OpeningForces& forces = window_.opening_forces();
   const std::size_t expected = forces.of_this_rank().size();
   if (forces.stored().size() != expected)
-    throw InputError(code::kCheckpointDamaged, DemCheckpoint::file(checkpoint_.folder()) +
-                                                   ": opening_forces: " + std::to_string(forces.stored().size()) +
-                                                   " numbers, expected " + std::to_string(expected) +
-                                                   ": the checkpoint is damaged, or belongs to another scene");
+    throw InputError(code::kCheckpointDamaged, DemCheckpoint::file(checkpoint_.folder()),
+                     ": opening_forces: ", forces.stored().size(), " numbers, expected ", expected,
+                     ": the checkpoint is damaged, or belongs to another scene");
 }
 
 std::string DemLink::checkpoint_text(std::int64_t step) {
@@ -54,11 +53,9 @@ void DemLink::uncoupled_by(const std::string& command) {
     script_ended();
     return;
   }
-  throw InputError(
-      code::kCouplingRemoved,
-      command + ": removes the coupling at t = " + ten_digits(window_.time()) +
-          " s, before the end of the scene at t = " + ten_digits(handshake_.accept().t_end) +
-          " s. If the grains shall continue alone, allow it: fix ID all couple/mbd every N end script ...");
+  throw InputError(code::kCouplingRemoved, command, ": removes the coupling at t = ", ten_digits(window_.time()),
+                   " s, before the end of the scene at t = ", ten_digits(handshake_.accept().t_end),
+                   " s. If the grains shall continue alone, allow it: fix ID all couple/mbd every N end script ...");
 }
 
 void DemLink::script_ended() {
@@ -69,15 +66,15 @@ void DemLink::script_ended() {
   }
   const double t_end = handshake_.accept().t_end;
   const InputError error =
-      !started() ? InputError(code::kScriptWithoutCoupling,
-                              "the LIGGGHTS script ended without running `fix couple/mbd`, but the scene has grains. "
-                              "Add the fix and a `run`, or run the scene without LIGGGHTS")
-                 : InputError(code::kScriptEndedEarly,
-                              "the LIGGGHTS script ended at t = " + ten_digits(window_.time()) +
-                                  " s, before the end of the scene at t = " + ten_digits(t_end) +
-                                  " s. `run` at least " + ten_digits(std::ceil(t_end / handshake_.script().dt - 1e-9)) +
-                                  " steps in all, or allow the script to end the run: fix ID all couple/mbd every N "
-                                  "end script ...");
+      !started()
+          ? InputError(code::kScriptWithoutCoupling,
+                       "the LIGGGHTS script ended without running `fix couple/mbd`, but the scene has grains. "
+                       "Add the fix and a `run`, or run the scene without LIGGGHTS")
+          : InputError(
+                code::kScriptEndedEarly, "the LIGGGHTS script ended at t = ", ten_digits(window_.time()),
+                " s, before the end of the scene at t = ", ten_digits(t_end), " s. `run` at least ",
+                ten_digits(std::ceil(t_end / handshake_.script().dt - 1e-9)),
+                " steps in all, or allow the script to end the run: fix ID all couple/mbd every N end script ...");
   link_->fail(error.what(), Status::kBadInput);
   throw error;
 }

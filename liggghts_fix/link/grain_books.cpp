@@ -36,20 +36,18 @@ enum RankNumber : std::size_t {
 };
 
 [[noreturn]] void stop_for(const GrainFault& fault, const std::string& body, double dt) {
-  const std::string which = "t = " + ten_digits(fault.time) + " s: grain " + std::to_string(fault.tag);
+  const std::string which = concat("t = ", ten_digits(fault.time), " s: grain ", fault.tag);
   const std::string name = "body \"" + body + "\"";
   if (fault.kind == GrainFault::kPassed)
-    throw NumericalError(code::kGrainPassed,
-                         which + " has passed through the surface of " + name +
-                             ": its contact was pressed in by more than its radius, " + number_text(fault.radius) +
-                             " m. Use stiffer grains, or smaller loads or speeds; a smaller time step if it is fast (" +
-                             number_text(fault.speed, 3) + " m/s)");
-  throw NumericalError(code::kGrainTooFast, which + " meets " + name + " at " + number_text(fault.speed, 3) + " m/s, " +
-                                                number_text(fault.speed * dt, 3) +
-                                                " m in a time step, with a radius of " + number_text(fault.radius, 3) +
-                                                " m: it may pass through without a contact. Use a time step of " +
-                                                number_text(0.1 * fault.radius / fault.speed, 2) +
-                                                " s or less, or look for what makes the grain so fast");
+    throw NumericalError(code::kGrainPassed, which, " has passed through the surface of ", name,
+                         ": its contact was pressed in by more than its radius, ", fault.radius,
+                         " m. Use stiffer grains, or smaller loads or speeds; a smaller time step if it is fast (",
+                         number_text(fault.speed, 3), " m/s)");
+  throw NumericalError(code::kGrainTooFast, which, " meets ", name, " at ", number_text(fault.speed, 3), " m/s, ",
+                       number_text(fault.speed * dt, 3), " m in a time step, with a radius of ",
+                       number_text(fault.radius, 3), " m: it may pass through without a contact. Use a time step of ",
+                       number_text(0.1 * fault.radius / fault.speed, 2),
+                       " s or less, or look for what makes the grain so fast");
 }
 
 }  // namespace
@@ -112,7 +110,7 @@ void GrainBooks::add_share(const double* row, const std::vector<std::string>& bo
   const auto body = static_cast<int>(std::lround(row[kFaultBody]));
   stop_for({static_cast<GrainFault::Kind>(std::lround(row[kFault])), row[kFaultTime],
             static_cast<int>(std::lround(row[kFaultTag])), body, row[kFaultSpeed], row[kFaultRadius]},
-           bodies[static_cast<std::size_t>(body)], dt);
+           bodies[body], dt);
 }
 
 void GrainBooks::finish_window(double time, Load& load) {
@@ -125,16 +123,15 @@ void GrainBooks::finish_window(double time, Load& load) {
   load.changes = changes_;
   if (lost <= 0.0 || outflow_) return;
   const double all = grains + static_cast<double>(lost_);
-  const std::string what = "t = " + ten_digits(time) + " s: " + std::to_string(lost_) + " of " + ten_digits(all) +
-                           " grains have left the box, and LIGGGHTS has lost them";
+  const std::string what = concat("t = ", ten_digits(time), " s: ", lost_, " of ", ten_digits(all),
+                                  " grains have left the box, and LIGGGHTS has lost them");
   if (static_cast<double>(lost_) > max_lost_ * all)
-    throw NumericalError(code::kTooManyGrainsLost,
-                         what + "; a share of " + ten_digits(max_lost_) +
-                             " may. Give them more room (headroom and margin of [particles.box]; in a LIGGGHTS script "
-                             "the region of create_box), or make the bed calmer; where grains are meant to leave, set "
-                             "particles.outflow = true in the scene");
+    throw NumericalError(code::kTooManyGrainsLost, what, "; a share of ", ten_digits(max_lost_),
+                         " may. Give them more room (headroom and margin of [particles.box]; in a LIGGGHTS script the "
+                         "region of create_box), or make the bed calmer; where grains are meant to leave, set "
+                         "particles.outflow = true in the scene");
   if (first)
-    load.warnings.push_back(with_code(code::kGrainsLost, what + " (reported once; total: grains_lost in the summary)"));
+    load.warnings.push_back(with_code(code::kGrainsLost, what, " (reported once; total: grains_lost in the summary)"));
 }
 
 void GrainBooks::visit(Archive& archive) {

@@ -3,7 +3,6 @@
 #include "liggghts_fix/link/grain_paths.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace footfall {
 namespace {

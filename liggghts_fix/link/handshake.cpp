@@ -41,14 +41,13 @@ double Handshake::gravity() const { return (script_.gravity_known ? script_.grav
 
 void Handshake::require_same(const Start& script) const {
   if (script.dt != script_.dt)
-    throw InputError(code::kTimeStepChanged, "couple/mbd: the time step changed from " + ten_digits(script_.dt) +
-                                                 " to " + ten_digits(script.dt) +
-                                                 " s between two runs; the coupling needs one time step for the whole "
-                                                 "scene");
+    throw InputError(code::kTimeStepChanged, "couple/mbd: the time step changed from ", ten_digits(script_.dt), " to ",
+                     ten_digits(script.dt),
+                     " s between two runs; the coupling needs one time step for the whole scene");
   if (script.gravity_known && script_.gravity_known && script.gravity != script_.gravity)
-    throw InputError(code::kGravityChanged, "couple/mbd: the gravity of the grains changed from " +
-                                                vector_text(script_.gravity) + " to " + vector_text(script.gravity) +
-                                                " m/s2 between two runs; the gravity of the scene is constant");
+    throw InputError(code::kGravityChanged, "couple/mbd: the gravity of the grains changed from ",
+                     vector_text(script_.gravity), " to ", vector_text(script.gravity),
+                     " m/s2 between two runs; the gravity of the scene is constant");
   FOOTFALL_DEMAND(script.n == script_.n);
 }
 

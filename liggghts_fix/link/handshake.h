@@ -4,7 +4,6 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "coupler/link.h"
 #include "liggghts_fix/link/coupled_bodies.h"

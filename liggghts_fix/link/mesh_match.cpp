@@ -19,7 +19,7 @@ namespace {
 class NodeFinder {
  public:
   NodeFinder(const Eigen::Matrix3Xd& x, double tolerance) : x_(x), tolerance_(tolerance) {
-    order_.resize(static_cast<std::size_t>(x.cols()));
+    order_.resize(x.cols());
     for (std::size_t j = 0; j < order_.size(); ++j) order_[j] = static_cast<int>(j);
     std::sort(order_.begin(), order_.end(), [&x](int i, int j) { return x(0, i) < x(0, j); });
   }
@@ -59,8 +59,8 @@ std::string text(const Eigen::Vector3d& p) {
 std::vector<CornerNodes> match_mesh(const std::string& mesh, const ModalBoundary& boundary, const BodyMotion& pose,
                                     const std::vector<MeshTriangle>& triangles) {
   if (boundary.triangles().empty())
-    throw InputError(code::kBodyWithoutTriangles,
-                     "mesh " + mesh + ": body \"" + boundary.name() + "\" of the scene has no triangles");
+    throw InputError(code::kBodyWithoutTriangles, "mesh ", mesh, ": body \"", boundary.name(),
+                     "\" of the scene has no triangles");
   Eigen::Matrix3Xd x(3, boundary.node_count());
   boundary.node_positions(pose, x);
   const Eigen::Vector3d extent = x.rowwise().maxCoeff() - x.rowwise().minCoeff();
@@ -81,19 +81,17 @@ std::vector<CornerNodes> match_mesh(const std::string& mesh, const ModalBoundary
     for (std::size_t k = 0; k < 3; ++k) {
       places[k] = finder.place(triangle.corners[k]);
       if (places[k] < 0)
-        throw InputError(
-            code::kMeshDiffersFromBody,
-            "mesh " + mesh + ": corner " + text(triangle.corners[k]) + " of triangle " + std::to_string(triangle.id) +
-                " is not a node of body \"" + boundary.name() + "\" at its initial pose (within " +
-                plain_text(tolerance) +
-                " m). Move or scale the mesh to the body's place in the scene, or take the triangles from the "
-                "scene: fix couple/mbd/geometry");
+        throw InputError(code::kMeshDiffersFromBody, "mesh ", mesh, ": corner ", text(triangle.corners[k]),
+                         " of triangle ", triangle.id, " is not a node of body \"", boundary.name(),
+                         "\" at its initial pose (within ", plain_text(tolerance),
+                         " m). Move or scale the mesh to the body's place in the scene, or take the triangles from the "
+                         "scene: fix couple/mbd/geometry");
     }
     const auto found = by_places.find(sorted(places));
     if (found == by_places.end())
-      throw InputError(code::kMeshDiffersFromBody, "mesh " + mesh + ": triangle " + std::to_string(triangle.id) +
-                                                       " at " + text(triangle.corners[0]) + " joins nodes of body \"" +
-                                                       boundary.name() + "\" that form no triangle there");
+      throw InputError(code::kMeshDiffersFromBody, "mesh ", mesh, ": triangle ", triangle.id, " at ",
+                       text(triangle.corners[0]), " joins nodes of body \"", boundary.name(),
+                       "\" that form no triangle there");
     const Eigen::Vector3i& nodes = boundary.triangles()[found->second.first];
     CornerNodes corners{};
     for (std::size_t k = 0; k < 3; ++k)
@@ -106,7 +104,7 @@ std::vector<CornerNodes> match_mesh(const std::string& mesh, const ModalBoundary
 
 std::vector<int> order_after_restart(int before, int own, int after) {
   constexpr int kElsewhere = -1;
-  std::vector<int> list(static_cast<std::size_t>(before + own + after), kElsewhere);
+  std::vector<int> list(before + own + after, kElsewhere);
   std::iota(list.begin() + before, list.begin() + before + own, 0);
   for (std::size_t i = 0; i < list.size();) {
     if (list[i] != kElsewhere) {

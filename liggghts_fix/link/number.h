@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "coupler/base/number.h"
 #include "coupler/base/text.h"
 
 namespace footfall {

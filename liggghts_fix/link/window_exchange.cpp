@@ -69,10 +69,9 @@ void WindowExchange::begin_substep(std::int64_t step) {
   promise_next_step(stepped_);
   FOOTFALL_DEMAND(agreed_.is_done());
   if (finished_)
-    throw InputError(code::kSceneHasEnded,
-                     "couple/mbd: the scene ended at t = " + ten_digits(agreed_.accept().t_end) +
-                         " s, but the script continues. Remove every `run` after the end of the scene, or `unfix` "
-                         "the coupling before it, if the grains shall continue alone");
+    throw InputError(code::kSceneHasEnded, "couple/mbd: the scene ended at t = ", ten_digits(agreed_.accept().t_end),
+                     " s, but the script continues. Remove every `run` after the end of the scene, or `unfix` the "
+                     "coupling before it, if the grains shall continue alone");
   step_ = step;
   opening_.begin_substep();
   if (substeps_left_ == 0) begin_window();
@@ -101,12 +100,11 @@ void WindowExchange::begin_window_of(std::size_t i) {
   const BodyMotion& state = motion_.bodies[i];
   const std::string& name = agreed_.script().bodies[i];
   if (state.mode_count() != body.boundary().mode_count())
-    throw ProtocolError(code::kMotionUnexpected,
-                        "body \"" + name + "\" was sent with " + std::to_string(state.mode_count()) +
-                            " modal coordinates; its boundary has " + std::to_string(body.boundary().mode_count()));
+    throw ProtocolError(code::kMotionUnexpected, "body \"", name, "\" was sent with ", state.mode_count(),
+                        " modal coordinates; its boundary has ", body.boundary().mode_count());
   if (const std::string place = first_not_finite(state); !place.empty())
-    throw NumericalError(code::kMotionNotFinite, "the motion of body \"" + name + "\" at t = " +
-                                                     ten_digits(motion_.time) + " s is not finite (" + place + ")");
+    throw NumericalError(code::kMotionNotFinite, "the motion of body \"", name, "\" at t = ", ten_digits(motion_.time),
+                         " s is not finite (", place, ")");
   if (windows_ > 0) work_.received += body.work_between(at_last_start_[i], state);
   static const KnownPath unknown;
   body.begin_window(state, motion_.n, agreed_.script().dt,
@@ -115,29 +113,26 @@ void WindowExchange::begin_window_of(std::size_t i) {
 }
 
 void WindowExchange::require_expected(const Motion& motion) const {
-  const std::string window = "window " + std::to_string(windows_) + ": ";
+  const std::string window = concat("window ", windows_, ": ");
   const int n = agreed_.script().n;
-  if (!std::isfinite(motion.time)) throw NumericalError(code::kMotionNotFinite, window + "its time is not finite");
+  if (!std::isfinite(motion.time)) throw NumericalError(code::kMotionNotFinite, window, "its time is not finite");
   if (motion.window != windows_ || motion.bodies.size() != bodies_.size() || motion.n < 1 || (n > 0 && motion.n > n))
-    throw ProtocolError(code::kMotionUnexpected, window + link_->partner() + " sent a Motion for window " +
-                                                     std::to_string(motion.window) + " of " + std::to_string(motion.n) +
-                                                     " DEM steps with " + std::to_string(motion.bodies.size()) +
-                                                     " bodies; expected at most " + std::to_string(n) +
-                                                     " DEM steps and " + std::to_string(bodies_.size()) + " bodies");
+    throw ProtocolError(code::kMotionUnexpected, window, link_->partner(), " sent a Motion for window ", motion.window,
+                        " of ", motion.n, " DEM steps with ", motion.bodies.size(), " bodies; expected at most ", n,
+                        " DEM steps and ", bodies_.size(), " bodies");
   const auto fits = [&](const KnownPath& path) {
     return path.cols() == 0 || (path.cols() == motion.n && path.allFinite());
   };
   if (!motion.paths.empty() &&
       (motion.paths.size() != bodies_.size() || !std::all_of(motion.paths.begin(), motion.paths.end(), fits)))
-    throw ProtocolError(code::kMotionUnexpected,
-                        window + link_->partner() + " sent known paths that do not fit its bodies and DEM steps");
+    throw ProtocolError(code::kMotionUnexpected, window, link_->partner(),
+                        " sent known paths that do not fit its bodies and DEM steps");
   const std::vector<double>& masses = motion.inverse_masses;
   if (agreed_.script().requires_masses &&
       (masses.size() != bodies_.size() ||
        !std::all_of(masses.begin(), masses.end(), [](double x) { return x >= 0.0 && std::isfinite(x); })))
-    throw ProtocolError(
-        code::kMotionUnexpected,
-        window + link_->partner() + " did not send the mass of each body that contacts act on (damping_mass pair)");
+    throw ProtocolError(code::kMotionUnexpected, window, link_->partner(),
+                        " did not send the mass of each body that contacts act on (damping_mass pair)");
 }
 
 bool WindowExchange::end_substep() {
@@ -156,9 +151,8 @@ void WindowExchange::finish_window(const std::vector<double>& rows, int ranks) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyLoad& load = bodies_[i]->load();
     if (const std::string place = first_not_finite(load); !place.empty())
-      throw NumericalError(code::kLoadNotFinite, "the load of the grains on body \"" + agreed_.script().bodies[i] +
-                                                     "\" after t = " + ten_digits(motion_.time) + " s is not finite (" +
-                                                     place + ")");
+      throw NumericalError(code::kLoadNotFinite, "the load of the grains on body \"", agreed_.script().bodies[i],
+                           "\" after t = ", ten_digits(motion_.time), " s is not finite (", place, ")");
     load_.bodies[i] = load;
     work_.in_window += load.mean.work;
     overlap_ = std::max(overlap_, load.max_overlap_over_radius);

@@ -3,7 +3,6 @@
 // DEM step; the loads of all ranks are added and sent as Load.
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,7 +37,7 @@ class WindowExchange {
   // After the handshake: the coupled bodies, in their order.
   void begin(CoupledBodies& bodies);
 
-  DemBody& body(int index) { return *bodies_[static_cast<std::size_t>(index)]; }
+  DemBody& body(int index) { return *bodies_[index]; }
   OpeningForces& opening_forces() { return opening_; }
 
   // --- A DEM step.

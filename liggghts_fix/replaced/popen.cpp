@@ -1,7 +1,6 @@
 // popen, by which LIGGGHTS starts programs for packed files and movies: refused for scripts of scenes (kNoPrograms).
 
 #include <cstdio>
-#include <cstring>
 #include <string>
 
 #include "coupler/abort_guard.h"

@@ -96,7 +96,7 @@ ModalBoundary straight(const std::vector<double>& stations, double radius) {
   Eigen::Matrix3Xd nodes = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(stations.size()));
   std::vector<BeamSegment> segments;
   for (int i = 0; i < nodes.cols(); ++i) {
-    nodes(0, i) = stations[static_cast<std::size_t>(i)];
+    nodes(0, i) = stations[i];
     if (i > 0) segments.push_back({i - 1, i, radius, 0});
   }
   return boundary_of(nodes, segments);

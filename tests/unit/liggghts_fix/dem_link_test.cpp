@@ -5,7 +5,6 @@
 #include <thread>
 
 #include "coupler/base/clock.h"
-#include "coupler/base/interrupt.h"
 #include "coupler/schemes/registry.h"
 #include "liggghts_fix/link/codes.h"
 #include "liggghts_fix/link/dem_link.h"

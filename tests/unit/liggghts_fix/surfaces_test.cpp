@@ -33,8 +33,8 @@ struct Mesh {
       one.id = t;
       const auto shift = static_cast<int>(random() % 3);
       for (int k = 0; k < 3; ++k) {
-        const int node = surface.triangles[static_cast<std::size_t>(t)][(k + shift) % 3];
-        one.corners[static_cast<std::size_t>(k)] = x.col(node);
+        const int node = surface.triangles[t][(k + shift) % 3];
+        one.corners[k] = x.col(node);
         expected.push_back(node);
       }
       triangles.push_back(one);
@@ -89,14 +89,14 @@ TEST(MeshMatch, TrianglesThatShareAPlaceButNoNodeKeepTheirOwnNodes) {
     one.id = static_cast<int>(t);
     for (int k = 0; k < 3; ++k) {
       nodes.col(first + k) = welded.nodes.col(welded.triangles[t][k]);
-      one.corners[static_cast<std::size_t>(k)] = nodes.col(first + k);
+      one.corners[k] = nodes.col(first + k);
     }
     mesh.push_back(one);
   }
   const ModalBoundary boundary("pad", nodes, triangles);
   const std::vector<CornerNodes> found = match_mesh("m", boundary, BodyMotion(), mesh);
   for (std::size_t t = 0; t < found.size(); ++t)
-    for (int k = 0; k < 3; ++k) EXPECT_EQ(found[t][static_cast<std::size_t>(k)], static_cast<int>(3 * t) + k);
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(found[t][k], static_cast<int>(3 * t) + k);
 }
 
 TEST(MeshMatch, RefusesABodyWithoutTriangles) {
