@@ -3,6 +3,7 @@
 // library of an FMU can use them without other code.
 
 #include <charconv>
+#include <cmath>
 #include <string>
 
 namespace footfall {

@@ -19,6 +19,7 @@
 #include "mbd_solver/base/helper_process.h"
 #include "mbd_solver/fmi/codes.h"
 #include "mbd_solver/fmi/model/exported_model.h"
+#include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/session/observe/spring_fit.h"
 #include "mbd_solver/session/session.h"
 

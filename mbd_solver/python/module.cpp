@@ -12,6 +12,7 @@
 
 #include "coupler/base/text.h"
 #include "mbd_solver/base/kinds.h"
+#include "mbd_solver/scene/scene_reader.h"
 #include "mbd_solver/scene/scene_schema.h"
 #include "mbd_solver/session/codes.h"
 #include "mbd_solver/session/error_report.h"

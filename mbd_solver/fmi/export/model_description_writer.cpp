@@ -3,6 +3,7 @@
 #include <set>
 #include <sstream>
 
+#include "mbd_solver/base/exact_number.h"
 #include "mbd_solver/base/quote.h"
 #include "mbd_solver/fmi/export/fmu_command.h"
 

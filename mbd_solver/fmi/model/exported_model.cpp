@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "coupler/base/text.h"
+#include "mbd_solver/base/exact_number.h"
 
 namespace footfall {
 
