@@ -6,8 +6,6 @@
 #include <cstring>
 
 #define FOOTFALL_IN_LINE inline __attribute__((always_inline))
-#define FOOTFALL_WIDEST __attribute__((target("avx512f,avx512vl,avx512dq")))
-#define FOOTFALL_WIDE __attribute__((target("avx2")))
 
 namespace footfall {
 
@@ -74,14 +72,26 @@ struct Lanes : LaneTypes<N> {
   }
 };
 
-enum class Registers { kNarrow, kWide, kWidest };
-inline Registers registers_here() {
+// Function::run<L>(arguments...), always in line, for the registers that the machine has.
+template <class Function, class... Arguments>
+struct BestLanes {
+  using Pointer = void (*)(Arguments...);
+  static void narrow(Arguments... arguments) { Function::template run<Lanes<4>>(arguments...); }
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))
-    return Registers::kWidest;
-  if (__builtin_cpu_supports("avx2")) return Registers::kWide;
+  __attribute__((target("avx2"))) static void wide(Arguments... arguments) {
+    Function::template run<Lanes<4>>(arguments...);
+  }
+  __attribute__((target("avx512f,avx512vl,avx512dq"))) static void widest(Arguments... arguments) {
+    Function::template run<Lanes<8>>(arguments...);
+  }
+  static Pointer choose() {
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))
+      return widest;
+    return __builtin_cpu_supports("avx2") ? wide : narrow;
+  }
+#else
+  static Pointer choose() { return narrow; }
 #endif
-  return Registers::kNarrow;
-}
+};
 
 }  // namespace footfall

@@ -222,37 +222,22 @@ FOOTFALL_IN_LINE void find_feet(SplineGrid& map, const SplineGrid::Frame& frame,
   }
 }
 
-// Each with the registers that the machine has.
-struct CellFunctions {
-  void (*height)(SplineGrid&, double, double, Terrain::Height&);
-  void (*feet)(SplineGrid&, const SplineGrid::Frame&, bool, Terrain::Feet&, Terrain::Height*);
+struct AddHeight {
+  template <class L>
+  static FOOTFALL_IN_LINE void run(SplineGrid& map, double x, double y, Terrain::Height& out) {
+    add_height(map, x, y, out);
+  }
 };
-#ifdef __x86_64__
-FOOTFALL_WIDE void add_height_wide(SplineGrid& map, double x, double y, Terrain::Height& out) {
-  add_height(map, x, y, out);
-}
-FOOTFALL_WIDE void find_feet_wide(SplineGrid& map, const SplineGrid::Frame& frame, bool only_below, Terrain::Feet& feet,
-                                  Terrain::Height* fields) {
-  find_feet<Lanes<4>>(map, frame, only_below, feet, fields);
-}
-FOOTFALL_WIDEST void find_feet_widest(SplineGrid& map, const SplineGrid::Frame& frame, bool only_below,
-                                      Terrain::Feet& feet, Terrain::Height* fields) {
-  find_feet<Lanes<8>>(map, frame, only_below, feet, fields);
-}
-#endif
-void add_height_narrow(SplineGrid& map, double x, double y, Terrain::Height& out) { add_height(map, x, y, out); }
-void find_feet_narrow(SplineGrid& map, const SplineGrid::Frame& frame, bool only_below, Terrain::Feet& feet,
-                      Terrain::Height* fields) {
-  find_feet<Lanes<4>>(map, frame, only_below, feet, fields);
-}
-CellFunctions best_cell_functions() {
-#ifdef __x86_64__
-  if (registers_here() == Registers::kWidest) return {add_height_wide, find_feet_widest};
-  if (registers_here() == Registers::kWide) return {add_height_wide, find_feet_wide};
-#endif
-  return {add_height_narrow, find_feet_narrow};
-}
-const CellFunctions kFind = best_cell_functions();
+struct FindFeet {
+  template <class L>
+  static FOOTFALL_IN_LINE void run(SplineGrid& map, const SplineGrid::Frame& frame, bool only_below,
+                                   Terrain::Feet& feet, Terrain::Height* fields) {
+    find_feet<L>(map, frame, only_below, feet, fields);
+  }
+};
+const auto kAddHeight = BestLanes<AddHeight, SplineGrid&, double, double, Terrain::Height&>::choose();
+const auto kFindFeet =
+    BestLanes<FindFeet, SplineGrid&, const SplineGrid::Frame&, bool, Terrain::Feet&, Terrain::Height*>::choose();
 
 // Rows of `wide` numbers each, of which the first and the last are beyond the ends: from samples f_1 ... f_n in each of `count` columns
 // in place to the coefficients of a cubic B-spline through them: f_i = (c_i-1 + 4 c_i + c_i+1) / 6, no second derivative at the ends.
@@ -288,11 +273,11 @@ SplineGrid::SplineGrid(std::shared_ptr<const HeightGrid> samples) : grid_(std::m
 }
 
 void SplineGrid::add(const Eigen::Vector2d& place, Terrain::Height& out) {
-  kFind.height(*this, place.x(), place.y(), out);
+  kAddHeight(*this, place.x(), place.y(), out);
 }
 
 void SplineGrid::find_feet(const Frame& frame, bool only_below, Terrain::Feet& feet, Terrain::Height* at) {
-  kFind.feet(*this, frame, only_below, feet, at);
+  kFindFeet(*this, frame, only_below, feet, at);
 }
 
 template <class Use>

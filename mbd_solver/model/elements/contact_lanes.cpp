@@ -116,35 +116,22 @@ FOOTFALL_IN_LINE void find_energies(const Table& at, const ContactLaw& law) {
   }
 }
 
-// Each with the registers that the machine has.
-struct LaneFunctions {
-  void (*apply)(const Table&, const ContactLaw&, const Eigen::Vector3d&, const Eigen::Vector3d&);
-  void (*energies)(const Table&, const ContactLaw&);
+struct ApplyLaw {
+  template <class L>
+  static FOOTFALL_IN_LINE void run(const Table& at, const ContactLaw& law, const Eigen::Vector3d& dr,
+                                   const Eigen::Vector3d& w) {
+    apply_law<L>(at, law, dr, w);
+  }
 };
-#ifdef __x86_64__
-FOOTFALL_WIDEST void apply_widest(const Table& at, const ContactLaw& law, const Eigen::Vector3d& dr,
-                                  const Eigen::Vector3d& w) {
-  apply_law<Lanes<8>>(at, law, dr, w);
-}
-FOOTFALL_WIDEST void energies_widest(const Table& at, const ContactLaw& law) { find_energies<Lanes<8>>(at, law); }
-FOOTFALL_WIDE void apply_wide(const Table& at, const ContactLaw& law, const Eigen::Vector3d& dr,
-                              const Eigen::Vector3d& w) {
-  apply_law<Lanes<4>>(at, law, dr, w);
-}
-FOOTFALL_WIDE void energies_wide(const Table& at, const ContactLaw& law) { find_energies<Lanes<4>>(at, law); }
-#endif
-void apply_narrow(const Table& at, const ContactLaw& law, const Eigen::Vector3d& dr, const Eigen::Vector3d& w) {
-  apply_law<Lanes<4>>(at, law, dr, w);
-}
-void energies_narrow(const Table& at, const ContactLaw& law) { find_energies<Lanes<4>>(at, law); }
-LaneFunctions best_lane_functions() {
-#ifdef __x86_64__
-  if (registers_here() == Registers::kWidest) return {apply_widest, energies_widest};
-  if (registers_here() == Registers::kWide) return {apply_wide, energies_wide};
-#endif
-  return {apply_narrow, energies_narrow};
-}
-const LaneFunctions kLanes = best_lane_functions();
+struct FindEnergies {
+  template <class L>
+  static FOOTFALL_IN_LINE void run(const Table& at, const ContactLaw& law) {
+    find_energies<L>(at, law);
+  }
+};
+const auto kApplyLaw =
+    BestLanes<ApplyLaw, const Table&, const ContactLaw&, const Eigen::Vector3d&, const Eigen::Vector3d&>::choose();
+const auto kFindEnergies = BestLanes<FindEnergies, const Table&, const ContactLaw&>::choose();
 
 }  // namespace
 
@@ -172,7 +159,7 @@ void ContactLanes::apply(const ContactLaw& law, const Eigen::Vector3d& dr, const
   const bool held = law.stick_time > 0.0;
   for (int i = 0; i < count(); ++i)
     for (int k = 0; k < 2; ++k) of_(i, kSpring + k) = held ? springs[2 * spring_[i] + k] / law.stick_time : 0.0;
-  kLanes.apply({of_.data(), of_.rows(), count()}, law, dr, w);
+  kApplyLaw({of_.data(), of_.rows(), count()}, law, dr, w);
 }
 
 Eigen::Vector3d ContactLanes::force(int contact) const { return of_.row(contact).segment<3>(kForce).transpose(); }
@@ -204,7 +191,7 @@ void ContactLanes::add_energy(const ContactLaw& law, StoredEnergy& stored, Dissi
     drive /= end - i;
     for (int k = i; k < end; ++k) of_.row(k).segment<2>(kRate) = drive - of_.row(k).segment<2>(kSpring);
   }
-  kLanes.energies({of_.data(), of_.rows(), count()}, law);
+  kFindEnergies({of_.data(), of_.rows(), count()}, law);
   for (int i = 0; i < count(); ++i) {
     stored[Stored::kContact] += of_(i, kStored);
     power[Dissipation::kContact] += of_(i, kDamped);
